@@ -73,10 +73,12 @@ async def get_changes(
     run_id: RunId,
     service: RunsService,
     client: Client,
-    against: Annotated[str, Query(description="Id of a run over the same roads", max_length=64)],
+    against: Annotated[str | None, Query(description="Id of a run over the same roads", max_length=64)] = None,
+    baseline: Annotated[str | None, Query(description="In its place one of this run's strategies")] = None,
 ) -> Response:
-    """What a run over several roads changes against another run: paired by road, strategy by strategy."""
-    return json_answer(await service.changes(run_id, against, client), CACHED_FOR_AN_HOUR)
+    """Of a run over several roads: changes against another run, strategy by strategy, or a strategy; paired by road."""
+    answer = await service.changes(run_id, client, against=against, baseline=baseline)
+    return json_answer(answer, CACHED_FOR_AN_HOUR)
 
 
 @drawing.get(

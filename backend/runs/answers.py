@@ -39,7 +39,22 @@ def live_answer(
     return LiveRun(core_version=CORE_VERSION, scenario=scenario, strategies=entries)
 
 
-def changes_answer(stored: StoredRun, against: StoredRun) -> PairedChanges:
+def changes_to_strategy(stored: StoredRun, baseline: str) -> PairedChanges:
+    """What the strategies of a run over several roads change against one of them.
+
+    Raises:
+        InvalidError: The run is of one road, or that strategy did not succeed in it.
+    """
+    _check_several(stored)
+    driven = _driven(stored)
+    if baseline not in driven:
+        message = f"This run has {', '.join(driven) or 'no strategy'}; the baseline is one of them"
+        raise InvalidError(message, parameter="baseline")
+    changes = compare(driven, baseline).changes
+    return PairedChanges(against=None, baseline=baseline, roads=stored.roads, changes=_plain_changes(changes))
+
+
+def changes_to_run(stored: StoredRun, against: StoredRun) -> PairedChanges:
     """What a run over several roads changes against another one, strategy by strategy.
 
     Raises:
@@ -49,13 +64,17 @@ def changes_answer(stored: StoredRun, against: StoredRun) -> PairedChanges:
     if (against.roads, seeds[1]) != (stored.roads, seeds[0]):
         message = f"It drives {against.roads} roads from seed {seeds[1]}, this run {stored.roads} from {seeds[0]}"
         raise InvalidError(f"{message}: changes are of the same roads", parameter="against")
-    if stored.roads == 1:
-        raise InvalidError("This run is of one road: a change has no interval", parameter="id")
+    _check_several(stored)
     if against.core_version != stored.core_version:
         message = f"Core {against.core_version} computed it, {stored.core_version} this run: request it again"
         raise InvalidError(message, parameter="against")
     changes = paired_changes(_driven(stored), _driven(against))
-    return PairedChanges(against=against.id, roads=stored.roads, changes=_plain_changes(changes))
+    return PairedChanges(against=against.id, baseline=None, roads=stored.roads, changes=_plain_changes(changes))
+
+
+def _check_several(stored: StoredRun) -> None:
+    if stored.roads == 1:
+        raise InvalidError("This run is of one road: a change has no interval", parameter="id")
 
 
 def default_baseline(strategies: Sequence[str]) -> str:

@@ -94,12 +94,13 @@ class CreatedRoadsRun(RoadsRunBase):
 
 
 class PairedChanges(Answer):
-    """What a run over several roads changes against another one over the same roads."""
+    """What the strategies of a run over several roads change, paired by road."""
 
-    against: str = Field(description="Id of the other run")
+    against: str | None = Field(description="Id of the run, over the same roads, whose same strategies they refer to")
+    baseline: str | None = Field(description="The strategy of this run that they refer to instead")
     roads: int
     changes: dict[str, StrategyChanges] = keys_of(
-        STRATEGY_IDS, "By strategy that succeeded in both: against the same strategy of the other run"
+        STRATEGY_IDS, "By strategy that succeeded in both runs; not of the baseline"
     )
 
 

@@ -17,7 +17,14 @@ from backend.metrics import CACHE
 from backend.models import CreatedRun, LiveRun, Run
 from backend.roads.service import Roads
 from backend.runs import exports, figures, series
-from backend.runs.answers import changes_answer, created_answer, default_baseline, live_answer, run_answer
+from backend.runs.answers import (
+    changes_to_run,
+    changes_to_strategy,
+    created_answer,
+    default_baseline,
+    live_answer,
+    run_answer,
+)
 from backend.runs.histories import Histories
 from backend.runs.reports import run as run_report
 from backend.runs.reports.page import Report, in_thread
@@ -110,14 +117,21 @@ class Runs:
         """
         return run_answer(await self.stored(run_id, client))
 
-    async def changes(self, run_id: str, against: str, client: str) -> PairedChanges:
-        """What a run over several roads changes against another one.
+    async def changes(self, run_id: str, client: str, *, against: str | None, baseline: str | None) -> PairedChanges:
+        """What a run over several roads changes against another one, or its strategies against one of them.
 
         Raises:
             NotFoundError: There is no such run.
-            InvalidError: There is no run `against`, or they are not of the same roads and core version.
+            InvalidError: Not one of both is named, there is none of that name, or they are not of the same roads.
         """
-        return changes_answer(await self.stored(run_id, client), await self._other(against, client))
+        stored = await self.stored(run_id, client)
+        if against is not None and baseline is None:
+            return changes_to_run(stored, await self._other(against, client))
+        if baseline is not None and against is None:
+            return changes_to_strategy(stored, baseline)
+        raise InvalidError(
+            "Name either a run, `against`, or one of this run's strategies, `baseline`", parameter="against"
+        )
 
     async def live(
         self, scenario: Scenario, strategies: Iterable[str], points: int, signals: Sequence[str] | None, client: str
@@ -255,7 +269,7 @@ class Runs:
             run = await self._other(against, client)
             other = run_answer(run).model_dump(mode="json")
             if stored.roads > 1 or run.roads > 1:
-                answer["changes"] = changes_answer(stored, run).model_dump(mode="json")["changes"]
+                answer["changes"] = changes_to_run(stored, run).model_dump(mode="json")["changes"]
         facts = run_report.RunFacts(
             answer=answer,
             created_at=stored.created_at,

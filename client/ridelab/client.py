@@ -128,15 +128,18 @@ class Ridelab:
         """A stored run; it never changes."""
         return self._run(self.get(f"/runs/{_id(run_id)}"))
 
-    def changes(self, run: RunResult | str, against: RunResult | str) -> dict[str, Any]:
-        """What a run over several roads changes against another one over the same roads, paired road by road.
+    def changes(
+        self, run: RunResult | str, *, against: RunResult | str | None = None, baseline: str | None = None
+    ) -> dict[str, Any]:
+        """What the strategies of a run over several roads change, paired road by road; as `changes` of a `RunResult`.
 
-        By strategy that both have, as `changes` of a `RunResult`.
+        Changes refer to the run `against`, over the same roads, strategy by strategy, or to the strategy `baseline`.
 
         Raises:
-            RidelabAPIError: They are not of the same roads, or not of the same core version.
+            RidelabAPIError: They are not of the same roads and core version, or there is no such strategy.
         """
-        answer: dict[str, Any] = self.get(f"/runs/{_id(run)}/changes", {"against": _id(against)})
+        named = {"against": None if against is None else _id(against), "baseline": baseline}
+        answer: dict[str, Any] = self.get(f"/runs/{_id(run)}/changes", named)
         return {strategy: intervals(each) for strategy, each in answer["changes"].items()}
 
     def solve(

@@ -82,7 +82,8 @@ def test_several_roads_come_as_means_with_intervals(ridelab: Ridelab) -> None:
     assert len(repr(run["lv"])) < 240
     heavier = SHORT.model_copy(update={"vehicle": SHORT.vehicle.model_copy(update={"body_mass": 1300.0})})
     edited = ridelab.run(heavier, ["lv"], roads=3)
-    change = ridelab.changes(edited, run)["lv"]["bump"]["body_acceleration"]["peak"]
+    change = ridelab.changes(edited, against=run)["lv"]["bump"]["body_acceleration"]["peak"]
+    assert set(ridelab.changes(run, baseline="passive")) == {"lv", "lqr"}
     after = edited["lv"].metrics["bump"]["body_acceleration"]["peak"]
     assert isinstance(after, Interval)
     assert change.mean == pytest.approx(100 * (after.mean / peak.mean - 1))

@@ -110,11 +110,9 @@ def test_headers_tags_links_and_names_are_described(description: dict[str, Any])
 def test_what_no_id_names_is_not_found(client: httpx.Client, description: dict[str, Any]) -> None:
     for path, operations in description["paths"].items():
         address = re.sub(r"\{(id|slug)\}", "A" * 22, path).replace("{name}", "speed")
-        for method, operation in operations.items() if address != path else ():
+        for method in operations if address != path else ():
             body = {"json": {"label": None}} if method == "patch" else {}
-            needed = [each["name"] for each in operation["parameters"] if each["in"] == "query" and each["required"]]
-            answer = client.request(method, address, params=dict.fromkeys(needed, "A" * 22), **body)
-            assert answer.status_code == 404, (method, path)
+            assert client.request(method, address, **body).status_code == 404, (method, path)
 
 
 def test_the_pages_types_are_generated_from_the_description(description: dict[str, Any], tmp_path: Path) -> None:

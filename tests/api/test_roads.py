@@ -102,6 +102,8 @@ def test_another_baseline_is_another_run_of_the_same_results(
     assert other["baseline"] == "lqr"
     assert set(other["changes"]) == {"passive"}
     assert all(entry["cached"] for entry in other["strategies"].values())
+    asked = service.client.get(f"/api/v1/runs/{three['id']}/changes", params={"baseline": "lqr"}).json()
+    assert asked["changes"] == other["changes"]
 
 
 @pytest.fixture(scope="module")
@@ -154,6 +156,11 @@ def test_changes_are_refused_against_other_roads(service: Any, three: dict[str, 
         (error,) = refused.json()["errors"]
         assert error["parameter"] == "against"
         assert says in error["message"]
+    for query in ({}, {"against": three["id"], "baseline": "lqr"}):
+        refused = service.client.get(f"/api/v1/runs/{three['id']}/changes", params=query)
+        assert refused.json()["errors"][0]["parameter"] == "against"
+    absent = service.client.get(f"/api/v1/runs/{three['id']}/changes", params={"baseline": "lv"})
+    assert absent.json()["errors"][0]["parameter"] == "baseline"
     alone = changes(service, one, one)
     assert (alone.status_code, alone.json()["errors"][0]["parameter"]) == (422, "id")
     assert changes(service, "nothing", three["id"]).status_code == 404

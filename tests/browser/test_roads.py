@@ -39,6 +39,15 @@ def test_a_stored_run_opens_with_its_statistics(dashboard: Dashboard, server: Se
     )
     dashboard.page.get_by_role("button", name="Travel, forces, comfort, time and events").click()
     expect(dashboard.page.locator('[data-cell="lv.weighted_rms"]')).to_contain_text("±")
+    # Against another strategy they are paired as well, of the same run.
+    dashboard.row("passive").get_by_title("Compare with Passive").click()
+    change = server.get(f"/runs/{run_id}/changes?baseline=passive")["changes"]["lqr"]["bump"]["body_acceleration"][
+        "peak"
+    ]
+    half = change["high"] - change["mean"]
+    text = f"−{abs(change['mean']):.0f}\u2009±\u2009{half:.0f}\u2009%"
+    expect(dashboard.row("lqr").locator(PEAK)).to_contain_text(text)
+    assert dashboard.run_id == run_id
     dashboard.expect_no_wider(1440, 820, 400)
     dashboard.expect_accessible()
 

@@ -778,7 +778,8 @@ export interface components {
             readonly most: number;
         };
         readonly PairedChanges: {
-            readonly against: string;
+            readonly against: string | null;
+            readonly baseline: string | null;
             readonly changes: {
                 readonly [key: string]: components["schemas"]["StrategyChanges"];
             };
@@ -1971,8 +1972,9 @@ export interface operations {
     };
     readonly getChanges: {
         readonly parameters: {
-            readonly query: {
-                readonly against: string;
+            readonly query?: {
+                readonly against?: string | null;
+                readonly baseline?: string | null;
             };
             readonly path: {
                 readonly id: string;

@@ -2,7 +2,6 @@
 
 import { Checkbox, NativeSelect } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
-import type { StrategyId } from "../api/types";
 import { changedFields, changesText } from "../editor/diff";
 import { againstVariant, whyNotCompared, type Against } from "../state/compare";
 import { useLabContext } from "../state/context";
@@ -37,7 +36,7 @@ export function CompareBar({ scene }: { readonly scene: Scene }) {
 }
 
 function AgainstSelect({ scene: { strategies, pins, before, against, baseline } }: { readonly scene: Scene }) {
-  const { lab, router } = useLabContext();
+  const { router } = useLabContext();
   const variants = [
     ...(before ? [{ value: "before" satisfies Against, label: `B${before.name.slice(1)}` }] : []),
     ...pins.map((pin) => ({ value: againstVariant(pin), label: pin.name })),
@@ -50,7 +49,7 @@ function AgainstSelect({ scene: { strategies, pins, before, against, baseline } 
         size="xs"
         value={selected}
         onChange={({ currentTarget: { value } }) =>
-          value.startsWith(STRATEGY) ? lab.setBaseline(value.slice(STRATEGY.length) satisfies StrategyId) : router.setView({ against: value as Against })
+          router.setView(value.startsWith(STRATEGY) ? { baseline: value.slice(STRATEGY.length), against: "baseline" } : { against: value as Against })
         }
       >
         <optgroup label="Another strategy">

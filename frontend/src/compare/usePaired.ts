@@ -1,34 +1,49 @@
-/** What each run over several roads changes against the variant chosen, paired by road. */
+/** What each run over several roads changes against what changes are against, paired by road. */
 
 import { useQueries, type UseQueryResult } from "@tanstack/react-query";
 import { useCallback, useMemo } from "react";
 import type { PairedChanges } from "../api/types";
-import { whyNotCompared, type Compared, type Variant } from "../state/compare";
+import { againstOf, whyNotCompared, type Against, type Compared, type Paired } from "../state/compare";
 import { changesQuery } from "../state/queries";
-import { roadsOf, type Shown } from "../state/shown";
+import { baselineOf, type PartShown } from "../state/scene";
+import type { Shown } from "../state/shown";
 
-/** One that could not be had has no changes. */
-const orNone = ({ data, isError }: UseQueryResult<PairedChanges>) => data?.changes ?? (isError ? {} : undefined);
+interface View {
+  readonly baseline: string;
+  readonly against: Against;
+}
 
-export function usePaired(shown: Shown | null, pins: readonly Variant[], against: Variant | null): Compared["paired"] {
-  const other = against?.shown;
-  const runs = useMemo(() => {
-    const results = [shown, ...pins.map((pin) => pin.shown)].filter((each) => each !== null);
-    const compared = results.filter((each) => other && roadsOf(each) > 1 && each.runId !== other.runId && whyNotCompared(each, other) === null);
-    return [...new Set(compared.flatMap(({ runId }) => runId ?? []))];
-  }, [shown, pins, other]);
+/** What a result's changes are to be asked against; `null` where it has them itself, or there are none. */
+function refersTo({ over, runId, summaries }: Shown, variant: Shown | null, baseline: string | null) {
+  if (over === null || runId === null) return null;
+  if (variant) return variant.runId === null || variant.runId === runId ? null : { against: variant.runId };
+  return baseline === null || baseline === over.baseline || !(baseline in summaries) ? null : { baseline };
+}
+
+export function usePaired(part: PartShown | null, compared: Compared, view: View): Paired {
+  const variant = againstOf(compared, view.against)?.shown ?? null;
+  const baseline = part && baselineOf(part, view.baseline);
+  const shown = part?.shown;
+  const asked = useMemo(() => {
+    const results = shown ? [shown, ...compared.pins.map((pin) => pin.shown)] : [];
+    const questions = results.flatMap((result) => {
+      const question = variant && whyNotCompared(result, variant) !== null ? null : refersTo(result, variant, baseline);
+      return question ? [[result.runId ?? "", question] as const] : [];
+    });
+    return [...new Map(questions)];
+  }, [shown, compared.pins, variant, baseline]);
   return useQueries({
-    queries: runs.map((run) => changesQuery(run, other?.runId ?? "")),
+    queries: asked.map(([run, question]) => changesQuery(run, question)),
     combine: useCallback(
-      (results: readonly UseQueryResult<PairedChanges>[]): Compared["paired"] =>
+      (results: readonly UseQueryResult<PairedChanges>[]): Paired =>
         Object.fromEntries(
-          runs.flatMap((run, index) => {
+          asked.flatMap(([run], index) => {
             const result = results[index];
-            const changes = result && orNone(result);
-            return changes ? [[run, changes]] : [];
+            // One that could not be had has no changes.
+            return result?.data || result?.isError ? [[run, result.data?.changes ?? {}]] : [];
           }),
         ),
-      [runs],
+      [asked],
     ),
   });
 }

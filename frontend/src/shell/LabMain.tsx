@@ -3,6 +3,7 @@
 import { useMemo } from "react";
 import type { Catalogue, FigureTemplate, Strategy } from "../api/types";
 import { useCompared } from "../compare/useCompared";
+import { usePaired } from "../compare/usePaired";
 import { SharedBanner } from "../share/SharedBanner";
 import { useLab, useView } from "../state/context";
 import { partShown, withBaseline } from "../state/scene";
@@ -31,7 +32,11 @@ export function LabMain({ strategies, catalogue, figures, fault }: Props) {
     () => (shown && strategies.length > 0 ? partShown(shown, strategies, selected, { axis, zoom }) : null),
     [shown, strategies, selected, axis, zoom],
   );
-  const scene = useMemo(() => part && withBaseline(part, { baseline, against, differences }, compared), [part, baseline, against, differences, compared]);
+  const paired = usePaired(part, compared, { baseline, against });
+  const scene = useMemo(
+    () => part && withBaseline(part, { baseline, against, differences }, compared, paired),
+    [part, baseline, against, differences, compared, paired],
+  );
   return (
     <main className={classes.main}>
       <div className={classes.lead}>

@@ -21,11 +21,12 @@ export type Against = "baseline" | "before" | `pin:${string}`;
 export interface Compared {
   readonly before: Variant | null;
   readonly pins: readonly Variant[];
-  /** By run what it changes against the variant chosen, over several roads. */
-  readonly paired: Readonly<Record<string, OverRoads["changes"]>>;
 }
 
-export const NOTHING_COMPARED: Compared = { before: null, pins: [], paired: {} };
+/** By run over several roads its changes against what changes are against, where the run itself does not have them. */
+export type Paired = Readonly<Record<string, OverRoads["changes"]>>;
+
+export const NOTHING_COMPARED: Compared = { before: null, pins: [] };
 
 const SEED = "/road/seed";
 const PIN = "pin:";
@@ -37,7 +38,7 @@ export const againstVariant = ({ run, shown }: Variant): Against => againstPin(r
 export const runOf = (against: Against): string | null => (against.startsWith(PIN) ? against.slice(PIN.length) : null);
 
 /** The variant that changes are against; `null` where that is a strategy. */
-export function againstOf({ before, pins }: Pick<Compared, "before" | "pins">, against: Against): Variant | null {
+export function againstOf({ before, pins }: Compared, against: Against): Variant | null {
   return against === "before" ? before : (pins.find((pin) => against === againstVariant(pin)) ?? null);
 }
 

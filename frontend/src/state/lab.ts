@@ -110,11 +110,6 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
       patch({ roads });
       submit("push");
     },
-    setBaseline: (baseline) => {
-      const { shown, shared } = store.get();
-      router.setView({ baseline, against: "baseline" });
-      if (!shared && shown?.over && shown.over.baseline !== baseline) submit("push");
-    },
     resume: requests.resume,
   };
 }

@@ -57,8 +57,6 @@ export interface Lab extends Pick<Store<LabState>, "get" | "subscribe"> {
   readonly redo: () => void;
   readonly setStrategies: (strategies: readonly StrategyId[]) => void;
   readonly setRoads: (roads: number) => void;
-  /** Compares with that strategy; over several roads its paired changes are asked for. */
-  readonly setBaseline: (strategy: StrategyId) => void;
   /** Asks again for what could not be had; does nothing where nothing is missing. */
   readonly resume: () => void;
 }

@@ -38,8 +38,8 @@ export const linkKey = (slug: string) => ["link", slug] as const;
 
 export const seriesKey = (id: string, strategies: readonly StrategyId[], points: number) => ["series", id, points, strategies] as const;
 
-/** What a run over several roads changes against another one, paired by road. */
-export const changesQuery = (id: string, against: string) => ({ ...query("/runs/{id}/changes", { path: { id }, query: { against } }), staleTime: Infinity });
+/** What a run over several roads changes, paired by road: against another run, or one of its strategies. */
+export const changesQuery = (id: string, refersTo: { readonly against: string } | { readonly baseline: StrategyId }) => ({ ...query("/runs/{id}/changes", { path: { id }, query: refersTo }), staleTime: Infinity });
 
 /** Time histories of a run, with signals means and extremes of these over its roads; runs are immutable, so an answer never grows stale. */
 export function seriesQuery(id: string, strategies: readonly StrategyId[], points: number, overRoads: readonly string[] | null = null) {

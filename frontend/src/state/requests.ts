@@ -5,6 +5,7 @@ import type { Api } from "../api/client";
 import { isTransient } from "../api/problem";
 import type { Link, Run, Scenario, StrategyId } from "../api/types";
 import type { Group } from "../editor/schema";
+import { DEFAULT_VIEW } from "./address";
 import { cursor } from "./cursor";
 import { createExactRequests } from "./exactRequest";
 import { historiesOf } from "./histories";
@@ -109,7 +110,7 @@ export function createRequests(store: Store<LabState>, { api, router, queries }:
         if (!isCurrent()) return;
         const { history } = store.get();
         router.confirmNavigation();
-        if (run.over) router.setView({ baseline: run.over.baseline });
+        if (run.over && router.get().view.baseline === DEFAULT_VIEW.baseline) router.setView({ baseline: run.over.baseline });
         patch({
           ...resultsAfterOpening(store.get(), fromRun(run, histories, performance.now() - startedAt, true)),
           roads: run.over?.roads ?? 1,

@@ -2,7 +2,7 @@
 
 import type { SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
 import type { Axis, View, ViewZoom, Zoom } from "./address";
-import { againstOf, NOTHING_COMPARED, type Compared, type Variant } from "./compare";
+import { againstOf, NOTHING_COMPARED, type Compared, type Paired, type Variant } from "./compare";
 import type { Shown } from "./shown";
 
 export interface Scene {
@@ -18,7 +18,7 @@ export interface Scene {
   /** The state before the last edit. */
   readonly before: Variant | null;
   readonly pins: readonly Variant[];
-  readonly paired: Compared["paired"];
+  readonly paired: Paired;
   /** What changes are against, where that is not the baseline. */
   readonly against: Variant | null;
   /** Plots show differences to what changes are against. */
@@ -48,7 +48,7 @@ export function makeScene(
 }
 
 /** What is drawn, whatever it is compared with. */
-export type PartShown = Omit<Scene, "baseline" | "differences" | "against" | keyof Compared>;
+export type PartShown = Omit<Scene, "baseline" | "differences" | "against" | "paired" | keyof Compared>;
 
 export function partShown(
   shown: Shown,
@@ -64,11 +64,15 @@ export function partShown(
   return { shown, catalogue, strategies, ids, summaries, series, axis, whole, bump, range: rangeOf(zoom, bump, whole) };
 }
 
-export function withBaseline(part: PartShown, { baseline, against, differences }: Pick<View, "baseline" | "against" | "differences">, compared: Compared): Scene {
+/** Where the one chosen is not of the run, the last that is on. */
+export const baselineOf = ({ summaries, ids }: Pick<PartShown, "summaries" | "ids">, chosen: StrategyId): StrategyId | null => (chosen in summaries ? chosen : (ids.at(-1) ?? null));
+
+export function withBaseline(part: PartShown, { baseline, against, differences }: Pick<View, "baseline" | "against" | "differences">, compared: Compared, paired: Paired = {}): Scene {
   return {
     ...part,
-    baseline: baseline in part.summaries ? baseline : (part.ids.at(-1) ?? null),
+    baseline: baselineOf(part, baseline),
     ...compared,
+    paired,
     against: againstOf(compared, against),
     differences,
   };

@@ -5,11 +5,11 @@ import { whyNotCompared } from "../state/compare";
 import type { Scene } from "../state/scene";
 import classes from "./tables.module.css";
 
-function textOf({ shown, against, baseline }: Scene): string {
+function textOf({ shown, against }: Scene): string {
   const { over, scenario } = shown;
   const isMeasured = typeof getAt(scenario, "/road/profile") === "string"; // then there is no other road like it
   if (over === null) return `One road: a change without an arrow is within one road’s luck${isMeasured ? "" : "; choose several roads"}.`;
-  const isPaired = against === null ? over.baseline === baseline : whyNotCompared(shown, against.shown) === null;
+  const isPaired = against === null || whyNotCompared(shown, against.shown) === null;
   return isPaired ? "Changes are paired by road, with their 95 % interval; one whose interval includes zero has no arrow." : "\u00a0";
 }
 

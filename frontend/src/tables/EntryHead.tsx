@@ -17,7 +17,7 @@ interface Props {
 }
 
 export function EntryHead({ entry: { strategy, summary, isBaseline }, catalogue, upright = false }: Props) {
-  const { lab } = useLabContext();
+  const { router } = useLabContext();
   const speed = summary?.arrival_speed_kmh;
   return (
     <span className={classes.entryHead} data-upright={upright || undefined}>
@@ -26,7 +26,7 @@ export function EntryHead({ entry: { strategy, summary, isBaseline }, catalogue,
         className={classes.baselineButton}
         aria-pressed={isBaseline}
         title={isBaseline ? "Changes are against this one" : `Compare with ${strategy.label}`}
-        onClick={() => lab.setBaseline(strategy.id)}
+        onClick={() => router.setView({ baseline: strategy.id, against: "baseline" })}
       >
         <StrategyKey strategy={strategy} />
         {strategy.label}

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Strategy, Summary } from "../api/types";
 import { DEFAULT_VIEW } from "../state/address";
-import { againstPin, NOTHING_COMPARED, type Against, type Compared } from "../state/compare";
+import { againstPin, NOTHING_COMPARED, type Against, type Compared, type Paired } from "../state/compare";
 import { makeScene } from "../state/scene";
 import type { Shown } from "../state/shown";
 import { changeOf, entryGroups } from "./entries";
@@ -50,13 +50,16 @@ describe("the change of each strategy of each variant", () => {
     const now = shown("now", 1, 8, roads);
     const soft = { name: "Soft", shown: shown("soft", 3, 6, roads) };
     const peak = { mean: 12, low: 8, high: 16 };
-    const scene = (choice: Partial<Compared>) => makeScene(now, STRATEGIES, ["lv", "passive"], { ...DEFAULT_VIEW, against: againstPin("soft") }, { ...NOTHING_COMPARED, pins: [soft], ...choice });
-    const ofLv = (choice: Partial<Compared>) => entryGroups(scene(choice))[0]?.entries.slice(0, 1).map((entry) => changeOf(scene(choice), entry, PEAK))[0];
+    const ofLv = (paired: object, pin = soft) => {
+      const view = { ...DEFAULT_VIEW, against: againstPin("soft") };
+      const scene = { ...makeScene(now, STRATEGIES, ["lv", "passive"], view, { ...NOTHING_COMPARED, pins: [pin] }), paired: paired as Paired };
+      return entryGroups(scene)[0]?.entries.slice(0, 1).map((entry) => changeOf(scene, entry, PEAK))[0];
+    };
     expect(ofLv({})).toBeNull();
-    expect(ofLv({ paired: { now: { lv: { bump: { body_acceleration: { rms: null, peak } } } } } as unknown as Compared["paired"] })).toEqual({ percent: 12, half: 4, verdict: "worse" });
-    expect(ofLv({ paired: { now: {} } })?.verdict).toBe("none");
+    expect(ofLv({ now: { lv: { bump: { body_acceleration: { rms: null, peak } } } } })).toEqual({ percent: 12, half: 4, verdict: "worse" });
+    expect(ofLv({ now: {} })?.verdict).toBe("none");
     const otherSeed = { ...soft, shown: { ...soft.shown, scenario: { road: { seed: 2 } } } };
-    expect(ofLv({ pins: [otherSeed] })?.verdict).toBe("none");
+    expect(ofLv({}, otherSeed)?.verdict).toBe("none");
   });
 
   it("on one road is within luck below what it resolves of the two strategies", () => {

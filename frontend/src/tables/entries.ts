@@ -1,7 +1,7 @@
 /** The table's entries: each strategy that is on in the shown result, then in each pinned variant. */
 
 import type { Strategy, Summary } from "../api/types";
-import { whyNotCompared, type Variant } from "../state/compare";
+import { whyNotCompared } from "../state/compare";
 import type { Scene } from "../state/scene";
 import type { Shown } from "../state/shown";
 import { changeAgainst, pairedChange, type Change } from "./change";
@@ -50,25 +50,28 @@ const NONE: Change = { percent: null, half: 0, verdict: "none" };
  */
 export function changeOf(scene: Scene, entry: Entry, metric: MetricPath, scale = 1): Change | null {
   if (entry.isBaseline) return null;
-  return scene.against === null ? changeToBaseline(scene, entry, metric, scale) : changeToVariant(scene, scene.against, entry, metric, scale);
-}
-
-function changeToBaseline({ catalogue, baseline }: Scene, { strategy, shown, summary }: Entry, metric: MetricPath, scale: number): Change {
-  const { over } = shown;
-  const paired = pairedAt(over !== null && over.baseline === baseline ? over.changes : undefined, strategy.id, metric);
-  if (paired) return pairedChange(paired);
-  const base = baseline === null ? undefined : shown.summaries[baseline];
-  const pair = catalogue.filter(({ id }) => id === strategy.id || id === baseline);
-  return changeAgainst(valueAt(summary, metric), valueAt(base, metric), { scale, luck: over ? 0 : luckOf(pair, metric) });
-}
-
-function changeToVariant({ paired }: Scene, against: Variant, { strategy, shown, summary }: Entry, metric: MetricPath, scale: number): Change | null {
-  if (whyNotCompared(shown, against.shown) !== null) return NONE;
+  const base = baseOf(scene, entry);
+  if (base === null) return NONE;
+  const { strategy, shown, summary } = entry;
   const { over, runId } = shown;
   if (over && !("run" in metric)) {
-    const changes = paired[runId ?? ""];
+    const changes = scene.against === null && over.baseline === scene.baseline ? over.changes : scene.paired[runId ?? ""];
     const change = pairedAt(changes, strategy.id, metric);
     return changes === undefined ? null : change ? pairedChange(change) : NONE;
   }
-  return changeAgainst(valueAt(summary, metric), valueAt(against.shown.summaries[strategy.id], metric), { scale, luck: luckOf([strategy], metric) });
+  return changeAgainst(valueAt(summary, metric), valueAt(base.summary, metric), { scale, luck: luckOf(base.pair, metric) });
+}
+
+interface Base {
+  readonly summary: Summary;
+  /** The strategies that are compared. */
+  readonly pair: readonly Strategy[];
+}
+
+/** What an entry's changes refer to; `null` where there is nothing of the kind. */
+function baseOf({ against, baseline, catalogue }: Scene, { strategy, shown }: Entry): Base | null {
+  const [result, id] = against ? [against.shown, strategy.id] : [shown, baseline ?? ""];
+  const summary = result.summaries[id];
+  if (summary === undefined || whyNotCompared(shown, result) !== null) return null;
+  return { summary, pair: catalogue.filter((each) => each.id === strategy.id || each.id === id) };
 }
