@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 logger = logging.getLogger(__name__)
 
-CHUNK_BUDGET = 4.0  # a chunk is cut short after this, where its runs take longer than those before [s]
+CHUNK_BUDGET = 2.0  # a chunk is cut short after this, where its runs take longer than those before [s]
 PAUSE = 2.0  # after the database or the cluster failed [s]
 PERMANENT = (IntegrityError, DataError, ProgrammingError)  # what the database will never take
 REASONS: dict[Trouble, str] = {

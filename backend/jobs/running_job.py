@@ -1,4 +1,4 @@
-"""A job whose runs are being computed: which chunk comes next, and how large it is (about two seconds of computing)."""
+"""A job whose runs are being computed: which chunk comes next, and how large it is (about a second of computing)."""
 
 import math
 from collections import Counter
@@ -8,7 +8,7 @@ from backend import digest
 from backend.jobs.chunk import WaitingRun
 from backend.store import Store, StoredJob
 
-CHUNK_SECONDS = 2.0  # a chunk is cut to take about so long
+CHUNK_SECONDS = 1.0  # a chunk is cut to take about so long
 SHORTEST_CHUNK = 0.1  # and no shorter where the processes share the rest of a job [s]
 FIRST_CHUNK = 8  # runs at most, before a run has been timed
 FIRST_COST = 2.0  # their estimated cost [s]

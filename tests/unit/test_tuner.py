@@ -299,4 +299,4 @@ def test_the_rest_of_a_batch_is_shared_among_its_processes() -> None:
     running.position = 55
     assert running.size(max_chunks=4) == 5, "no shorter than a tenth of a second"
     long = RunningJob(job=replace(BATCH, total=10_000), run_seconds=0.02)
-    assert long.size(max_chunks=4) == 100, "about two seconds while there is enough"
+    assert long.size(max_chunks=4) == 50, "about a second while there is enough"
