@@ -1,6 +1,6 @@
 /** How far a sweep is, and what it sweeps over. */
 
-import { Button, Text } from "@mantine/core";
+import { Box, Button, Text } from "@mantine/core";
 import { ask } from "../api/http";
 import type { Batch } from "../api/types";
 import { otherThanPaper } from "../origin/otherThanPaper";
@@ -11,7 +11,6 @@ import { BATCH, useJobCall } from "../jobs/useJob";
 import { formatDuration, formatMinute } from "../units/dates";
 import { count, formatWhole } from "../units/format";
 import { Fault } from "../ui/Fault";
-import classes from "./batch.module.css";
 import ui from "../ui/ui.module.css";
 
 interface Props {
@@ -45,11 +44,11 @@ export function BatchState({ batch, form, connected, left, readOnly }: Props) {
         {facts(batch)}. {otherThanPaper(batch.scenario, form, batch.fields.map(({ name }) => name))}
       </Text>
       {batch.notes.length > 0 && (
-        <ul className={classes.notes} data-testid="batch-notes">
+        <Box component="ul" m={0} pl="1.1rem" fz="xs" c="dimmed" data-testid="batch-notes">
           {batch.notes.map((note) => (
             <li key={note}>{note}.</li>
           ))}
-        </ul>
+        </Box>
       )}
     </JobState>
   );

@@ -1,12 +1,11 @@
 /** A metric over two swept fields in colours, and how much of it keeps a threshold. */
 
-import { Text, useComputedColorScheme } from "@mantine/core";
+import { Group, Text, useComputedColorScheme } from "@mantine/core";
 import { useMemo, useRef } from "react";
 import { Chart } from "../plots/Chart";
 import { ChartButton } from "../plots/ChartButton";
 import { ON_PAPER, PALETTES } from "../plots/palettes";
 import { count, formatExact, formatResult, titleWithUnit } from "../units/format";
-import classes from "./batch.module.css";
 import { fullName } from "./figures";
 import { mapGrid, shareBelow } from "./map";
 import { mapFigure } from "./mapFigure";
@@ -33,7 +32,7 @@ export function MapPlot({ batch, columns, shown, strategies, height, textOf, onO
   }, [grid, x, other, y, mapUnit, against, otherLabel, threshold, textOf, scheme]);
   const host = useRef<HTMLDivElement>(null);
 
-  if (!grid || !other || !figure) return <Text className={classes.noMap}>A map needs finished runs at two or more values of both fields.</Text>;
+  if (!grid || !other || !figure) return <Text p="3rem 1rem" fz="sm" ta="center" c="dimmed">A map needs finished runs at two or more values of both fields.</Text>;
   const name = `${fullName(y)}${against === null ? "" : `, change against ${otherLabel}`}, ${labelOf(strategy)}`;
   const { computed, gaps, below } = shareBelow(grid, threshold ?? Infinity);
   const limit = formatExact(threshold ?? 0, mapUnit);
@@ -49,13 +48,13 @@ export function MapPlot({ batch, columns, shown, strategies, height, textOf, onO
   return (
     <>
       <Chart hostRef={host} figure={drawn} height={height} label={`${name} over ${x.title} and ${other.title}. ${sentence} Every value stands in the table below.`} onPoint={onOpen} />
-      <div className={classes.foot}>
-        <Text size="xs" className={classes.best} data-testid="map-note">
+      <Group gap="0" align="flex-start" justify="space-between" wrap="nowrap" pr="0.7rem">
+        <Text size="xs" p="0.2rem 0.9rem 0.6rem" c="dimmed" data-testid="map-note">
           {colours}. {sentence}
           {gaps > 0 && ` ${count(gaps, "gap")} without a value.`} A click on a cell opens its run; drag to zoom, double click for all.
         </Text>
         <ChartButton title={name} file={`ridelab-${batch.id}-${y.key}-${strategy}`} hostRef={host} draw={() => ({ figure: onPaper(), legend: [], colours })} />
-      </div>
+      </Group>
     </>
   );
 }

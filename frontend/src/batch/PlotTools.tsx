@@ -1,11 +1,10 @@
 /** What a sweep's plot shows: of which kind it is, which metric, over which field, under which strategies. */
 
-import { SegmentedControl, Select } from "@mantine/core";
+import { Group, SegmentedControl, Select } from "@mantine/core";
 import bar from "../shell/toolbar.module.css";
 import { Choice } from "../ui/Entry";
 import { titleWithUnit } from "../units/format";
 import type { AxisOf } from "./axes";
-import classes from "./batch.module.css";
 import { optionsOf, type Figure } from "./figures";
 import { MapTools } from "./MapTools";
 import { MarkerKey } from "./MarkerKey";
@@ -29,7 +28,7 @@ export function PlotTools({ axes, strategies, markers, figures, shown, view, onV
     <Select
       size="xs"
       label={label}
-      className={classes.figureSelect ?? ""}
+      flex="0 1 24rem" miw="12rem"
       searchable
       allowDeselect={false}
       value={figure.key}
@@ -39,7 +38,7 @@ export function PlotTools({ axes, strategies, markers, figures, shown, view, onV
     />
   );
   return (
-    <div className={classes.plotTools}>
+    <Group gap="0.5rem 0.8rem" align="flex-end" p="0.6rem 0.9rem 0.3rem">
       <SegmentedControl size="xs" aria-label="Plot" value={kind} data={[...offered]} onChange={(plot) => onView({ plot })} />
       {kind === "trade_off"
         ? metric("Metric across", shown.versus, (versus) => onView({ versus }))
@@ -50,7 +49,7 @@ export function PlotTools({ axes, strategies, markers, figures, shown, view, onV
       {kind === "map" ? (
         <MapTools {...{ strategies, shown, onView }} />
       ) : (
-        <div className={classes.plotChips} role="group" aria-label="Strategies">
+        <Group gap="0.4rem" align="stretch" role="group" aria-label="Strategies">
           {strategies.map((strategy) => {
             const on = !view.hidden.includes(strategy.id);
             return (
@@ -66,8 +65,8 @@ export function PlotTools({ axes, strategies, markers, figures, shown, view, onV
               </button>
             );
           })}
-        </div>
+        </Group>
       )}
-    </div>
+    </Group>
   );
 }

@@ -1,6 +1,6 @@
 /** Runs as points in their strategy's colour: a metric over a swept field, or over another metric. */
 
-import { Text, useComputedColorScheme } from "@mantine/core";
+import { Group, Text, useComputedColorScheme } from "@mantine/core";
 import { useMemo, useRef } from "react";
 import type { Batch, Strategy } from "../api/types";
 import { IconAlertTriangle } from "../icons";
@@ -81,12 +81,12 @@ export function PointsPlot({ batch, columns, catalogue, strategies, visible, mar
           (hollow points): their linear tyre pulls on the road, which a real one cannot.
         </Text>
       )}
-      <div className={classes.foot}>
-        <Text size="xs" className={classes.best}>
+      <Group gap="0" align="flex-start" justify="space-between" wrap="nowrap" pr="0.7rem">
+        <Text size="xs" p="0.2rem 0.9rem 0.6rem" c="dimmed">
           {tradeOff ? describeFront(front, columns, visible) : best === null ? "\u00a0" : describeBest(best, { batch, columns, strategies, y })}
         </Text>
         {drawn > 0 && <ChartButton title={fullName(y)} file={`ridelab-${batch.id}-${y.key}`} hostRef={host} draw={drawOnPaper} />}
-      </div>
+      </Group>
     </>
   );
 }

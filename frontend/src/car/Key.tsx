@@ -1,8 +1,8 @@
 /** The scales of the drawing: how much larger heights are than lengths, and how long the arrow of the largest force is. */
 
+import { Group } from "@mantine/core";
 import type { Scene } from "../state/scene";
 import { formatExact } from "../units/format";
-import classes from "./car.module.css";
 import { dimensionsOf, scaleOf } from "./layout";
 import { Arrow } from "./parts";
 
@@ -16,13 +16,13 @@ export function Key({ scene, width, exaggeration }: Props) {
   const size = dimensionsOf(scene.shown.scenario, { front: null, rear: null });
   const length = scaleOf(width, exaggeration, size).newton * size.forceLimit;
   return (
-    <span className={classes.key}>
+    <Group component="span" gap="0.35rem" wrap="nowrap" pos="absolute" bottom="0.2rem" right="0.8rem" fz="xs" c="dimmed">
       heights × {exaggeration} · force {formatExact(size.forceLimit / 1000, "kN")} =
       <svg width={length} height={8} aria-hidden>
         <g transform="translate(0 4) rotate(90)">
           <Arrow length={length} />
         </g>
       </svg>
-    </span>
+    </Group>
   );
 }

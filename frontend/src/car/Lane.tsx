@@ -1,5 +1,6 @@
 /** One strategy's car on its road, seen from the side, following the cursor; the others' bodies as outlines. */
 
+import { Box, Group } from "@mantine/core";
 import { useMemo } from "react";
 import type { Strategy } from "../api/types";
 import { cursor } from "../state/cursor";
@@ -83,14 +84,14 @@ function offTheRoad({ front, rear }: CarPose): string | null {
 function Caption({ strategy, pose }: { readonly strategy: Strategy; readonly pose: CarPose }) {
   const airborne = offTheRoad(pose);
   return (
-    <div className={classes.caption}>
+    <Group gap="0.1rem 0.5rem" pos="absolute" top="0.45rem" left="0.8rem" right="0.8rem" fz="xs">
       <span className={classes.dot} style={{ background: strategy.colour }} />
       <strong>{strategy.label}</strong>
       <span className={classes.numbers}>
         {formatNumber(toKmh(pose.speed))} km/h · {pose.position.toFixed(1)} m · {pose.time.toFixed(2)} s
       </span>
-      {airborne && <span className={classes.airborne}>{airborne}</span>}
-    </div>
+      {airborne && <Box component="span" fw={600} c="var(--danger)">{airborne}</Box>}
+    </Group>
   );
 }
 

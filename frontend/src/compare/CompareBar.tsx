@@ -1,6 +1,6 @@
 /** What is compared with what: the choice, and in words what differs. */
 
-import { Checkbox, NativeSelect } from "@mantine/core";
+import { Box, Checkbox, Group, NativeSelect } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { changedFields, changesText } from "../editor/diff";
 import { againstVariant, whyNotCompared, type Against } from "../state/compare";
@@ -27,10 +27,10 @@ export function CompareBar({ scene }: { readonly scene: Scene }) {
         onChange={({ currentTarget: { checked } }) => router.setView({ differences: checked })}
       />
       <PinButton />
-      <div className={classes.results}>
+      <Group gap="0.3rem 0.9rem" flex="1 1 100%" miw={0}>
         <PinList />
         <Differences scene={scene} />
-      </div>
+      </Group>
     </div>
   );
 }
@@ -81,8 +81,8 @@ function Differences({ scene: { shown, before, against } }: { readonly scene: Sc
   const unlike = against && whyNotCompared(shown, against.shown);
   const all = changes.map(({ name, change }) => `${name} ${change}`).join("\n");
   return (
-    <p className={classes.differences} title={all} data-testid="differences">
+    <Box component="p" flex="1 1 12rem" miw={0} m={0} fz="xs" c="dimmed" title={all} data-testid="differences">
       {other === null ? "\u00a0" : `${other === before ? "Changed" : `Against ${other.name}`}: ${changesText(changes) || "the same scenario"}${unlike === null ? "" : `; that is ${unlike}, so no change is shown`}`}
-    </p>
+    </Box>
   );
 }

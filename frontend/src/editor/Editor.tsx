@@ -1,6 +1,6 @@
 /** The form: essentials open, the rest in sections. */
 
-import { Accordion, Badge, Button, Text, TextInput } from "@mantine/core";
+import { Accordion, Badge, Box, Button, Text, TextInput } from "@mantine/core";
 import { memo, useEffect, useMemo, useState } from "react";
 import { useEdit, useFromScenario, useLab, useReadOnly } from "../state/context";
 import classes from "./editor.module.css";
@@ -67,7 +67,7 @@ export function Editor({ form }: { readonly form: Group }) {
       </div>
       <TextInput
         size="xs"
-        className={classes.search ?? ""}
+        p="0 0.75rem 0.5rem 1rem"
         aria-label="Find a field"
         placeholder="Find a field"
         autoComplete="off"
@@ -78,7 +78,7 @@ export function Editor({ form }: { readonly form: Group }) {
           if (event.key === "Escape") setSearch("");
         }}
       />
-      {found.length === 0 && <Text className={classes.nothing}>No field has this name.</Text>}
+      {found.length === 0 && <Text p="0.3rem 1rem" fz="0.8125rem" c="dimmed">No field has this name.</Text>}
       {refused.general.length > 0 && (
         <Fault px="md" pb="xs">{refused.general.join(". ")}</Fault>
       )}
@@ -114,7 +114,7 @@ const SectionItem = memo(function SectionItem({ section, isOpen }: ItemProps) {
   return (
     <Accordion.Item value={section.key}>
       <Accordion.Control>
-        <span className={classes.sectionTitle}>{section.title}</span>
+        <Box component="span" fw={600} fz="sm">{section.title}</Box>
         {changed > 0 && (
           <Badge size="sm" variant="light" className={classes.badge ?? ""}>
             {changed} changed

@@ -1,6 +1,6 @@
 /** Label, help, mark of a change and error: the same around every field. */
 
-import { ActionIcon, Text, Tooltip } from "@mantine/core";
+import { ActionIcon, Box, Group, Text, Tooltip } from "@mantine/core";
 import { IconArrowBackUp, IconInfoCircle } from "../icons";
 import { memo, useEffect, useRef, type ReactNode } from "react";
 import { useEdit, useReadOnly } from "../state/context";
@@ -25,15 +25,15 @@ export function FieldFrame({ id, field, leaf: { changed, error }, standard, asid
   const { pointer, title, description } = field;
   return (
     <div className={classes.field} data-pointer={pointer} data-changed={changed || undefined} data-error={error !== undefined || undefined}>
-      <div className={classes.row}>
+      <Group gap="0.25rem" wrap="nowrap" mih={30}>
         <label className={classes.label} htmlFor={id} id={`${id}-label`}>
           {title}
         </label>
         {description !== "" && <Help id={id} title={title} text={description} />}
-        <span className={classes.spacer} />
+        <Box component="span" flex={1} />
         <ResetButton {...{ field, standard, changed }} />
         {aside}
-      </div>
+      </Group>
       {children}
       <FieldError id={id} error={error} />
     </div>
@@ -94,7 +94,7 @@ function ErrorText({ id, error }: { readonly id: string; readonly error: string 
     ref.current?.scrollIntoView({ block: "nearest" });
   }, [error]);
   return (
-    <Text ref={ref} className={classes.error} id={`${id}-error`} role="alert">
+    <Text ref={ref} mt={2} fz="xs" lh="1.35" c="var(--danger)" id={`${id}-error`} role="alert">
       {error}
     </Text>
   );

@@ -1,9 +1,8 @@
 /** Chooses the control for each member of a section. */
 
-import { Text } from "@mantine/core";
+import { Stack, Text } from "@mantine/core";
 import { memo } from "react";
 import { ChoiceFieldRow } from "./ChoiceFieldRow";
-import classes from "./editor.module.css";
 import { NumberFieldRow } from "./NumberFieldRow";
 import { RoadClassRow } from "./RoadClassRow";
 import { RoadProfileRow } from "./RoadProfileRow";
@@ -29,10 +28,10 @@ function MemberControl({ member }: { readonly member: Member }) {
   switch (member.kind) {
     case "group":
       return (
-        <div className={classes.subgroup}>
-          <Text className={classes.subtitle}>{member.title}</Text>
+        <Stack gap="0.6rem" pt="0.4rem">
+          <Text fz="xs" fw={600} c="dimmed">{member.title}</Text>
           <Members members={member.members} />
-        </div>
+        </Stack>
       );
     case "vector":
       return null; // together in one table above

@@ -1,8 +1,7 @@
 /** A number with its slider and its typed value; switched off where it may be null. */
 
-import { Switch } from "@mantine/core";
+import { Box, Switch } from "@mantine/core";
 import { useId } from "react";
-import classes from "./editor.module.css";
 import { FieldFrame } from "./FieldFrame";
 import { typicalValue, valueText } from "./limits";
 import { NumberEntry } from "./NumberEntry";
@@ -31,14 +30,14 @@ export function NumberFieldRow({ field, leaf, withSlider = true }: Props) {
           {field.nullable && (
             <Switch
               size="xs"
-              className={classes.toggle ?? ""}
+              flex="none"
               checked={!isOff}
               disabled={leaf.readOnly}
               aria-label={`${field.title}: limited`}
               onChange={(event) => leaf.commit(event.currentTarget.checked ? typicalValue(field) : null)}
             />
           )}
-          {isOff ? <span className={classes.off}>{OFF}</span> : <NumberEntry id={id} field={field} leaf={leaf} />}
+          {isOff ? <Box component="span" w={118} pr={10} fz="xs" lh="30px" ta="right" c="dimmed">{OFF}</Box> : <NumberEntry id={id} field={field} leaf={leaf} />}
         </>
       }
     >

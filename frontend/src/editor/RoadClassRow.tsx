@@ -37,7 +37,7 @@ export function RoadClassRow({ field, leaf }: { readonly field: NumberField; rea
       <SegmentedControl
         fullWidth
         size="xs"
-        className={classes.classes ?? ""}
+        mt={4}
         aria-label="Road class (ISO 8608)"
         value={roadClass}
         disabled={leaf.readOnly}

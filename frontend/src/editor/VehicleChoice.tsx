@@ -41,7 +41,7 @@ export function VehicleChoice({ group }: { readonly group: Group }) {
       <NativeSelect
         size="xs"
         aria-label="Vehicle"
-        className={classes.vehicleSelect ?? ""}
+        flex="1 1 8rem"
         value={chosen?.id ?? OTHER}
         disabled={readOnly}
         data={[

@@ -1,5 +1,6 @@
 /** Vectors of equal make as a table: a row each, a column per entry, every entry with its own slider. */
 
+import { Group } from "@mantine/core";
 import { useId } from "react";
 import { useFromScenario, useLab } from "../state/context";
 import { formatInput } from "../units/format";
@@ -42,14 +43,14 @@ function MatrixRow({ vector }: { readonly vector: VectorField }) {
     <>
       <div className={classes.rowTitle} data-changed={changed || undefined}>
         <span className={classes.label}>{vector.title}</span>
-        <div className={classes.rowTools}>
+        <Group gap="0" wrap="nowrap">
           {vector.description !== "" && <Help id={id} title={vector.title} text={vector.description} />}
           <ResetButton
             field={vector}
             standard={vector.items.map(({ standard }) => (typeof standard === "number" ? formatInput(standard) : "–")).join(", ")}
             changed={changed}
           />
-        </div>
+        </Group>
       </div>
       {vector.items.map((item) => (
         <MatrixCell key={item.pointer} field={item} rowTitle={vector.title} />

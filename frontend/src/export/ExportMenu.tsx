@@ -104,7 +104,7 @@ export function ExportMenu() {
                 {FORMATS.map(({ format, label: name }) => (
                   <Menu.Item
                     key={format}
-                    className={classes.format ?? ""}
+                    w="auto" px="0.6rem" fw={600}
                     aria-label={`${label} as ${name}`}
                     disabled={runId === null || shown?.missing !== null}
                     onClick={() => download(address("/runs/{id}/series", { path: { id: runId ?? "" }, query: { strategy: id, format } }), `ridelab-${runId ?? ""}-${id}.${format}`)}

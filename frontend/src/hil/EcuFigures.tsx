@@ -42,7 +42,7 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
   const templates = useMemo(() => templatesOf(catalogue, figures), [catalogue, figures]);
   return (
     <section aria-label="Time histories" data-stale={stale || undefined}>
-      <header className={ui.head}>
+      <Group component="header" gap="0.4rem 1rem" mih="2.7rem" p="0.4rem 0.9rem">
         <h2 className={ui.heading}>Figures 19 to 22, for this scenario</h2>
         <Group component="span" gap="0.2rem 0.9rem" fz="xs" c="dimmed">
           {drawn.map((strategy) => (
@@ -63,7 +63,7 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
             cursor.set(null);
           }}
         />
-      </header>
+      </Group>
       {series.isError && (
         <Fault size="sm">The time histories could not be read: {series.error.message}</Fault>
       )}

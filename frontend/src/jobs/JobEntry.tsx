@@ -47,7 +47,7 @@ export function JobEntry<Item extends Common, Job extends Item>({ kind, item, de
       </Link>
       <Menu position="bottom-end" width={160}>
         <Menu.Target>
-          <ActionIcon variant="subtle" color="gray" size={28} className={classes.entryMenu ?? ""} aria-label={`Rename or delete ${name}`}>
+          <ActionIcon variant="subtle" color="gray" size={28} pos="absolute" top="0.3rem" right="0.5rem" aria-label={`Rename or delete ${name}`}>
             <IconDots size={16} />
           </ActionIcon>
         </Menu.Target>

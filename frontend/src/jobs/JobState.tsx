@@ -1,6 +1,6 @@
 /** How far a job is; it can be cancelled. */
 
-import { Button, Progress, Text } from "@mantine/core";
+import { Button, Group, Progress, Text } from "@mantine/core";
 import type { ReactNode } from "react";
 import { count } from "../units/format";
 import { isFinal } from "./follow";
@@ -40,7 +40,7 @@ export function JobState<Item extends Common, Job extends Item>({ kind, job, tex
   const text = [texts?.[job.state] ?? STATE[job.state], ...(job.state === "queued" && job.position > 0 ? [waitsFor(job)] : [])].join(", ");
   return (
     <Card className={classes.state} aria-label="Progress" data-state={job.state}>
-      <div className={classes.stateLine}>
+      <Group gap="0.3rem 0.9rem" mih={30}>
         <Text size="sm" fw={650} role="status" data-testid={`${kind.name}-state`}>
           {text}
           {job.reason !== null && `: ${job.reason}`}
@@ -55,7 +55,7 @@ export function JobState<Item extends Common, Job extends Item>({ kind, job, tex
             Cancel
           </Button>
         )}
-      </div>
+      </Group>
       <Progress.Root size={8} transitionDuration={200}>
         <Progress.Section
           value={total === 0 ? 0 : (100 * (done + failed)) / total}

@@ -46,7 +46,7 @@ export function ItemRow({ item, form, open, remove }: Props) {
       </button>
       <Menu position="bottom-end" width={160}>
         <Menu.Target>
-          <ActionIcon variant="subtle" color="gray" size={28} className={classes.menu ?? ""} aria-label={`Rename, export or delete ${name}`}>
+          <ActionIcon variant="subtle" color="gray" size={28} pos="absolute" top="0.3rem" right="0.2rem" aria-label={`Rename, export or delete ${name}`}>
             <IconDots size={16} />
           </ActionIcon>
         </Menu.Target>

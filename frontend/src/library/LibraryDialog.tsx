@@ -1,6 +1,6 @@
 /** One's own scenarios, vehicles and roads, and the presets: saved, opened, renamed, deleted, imported and exported. */
 
-import { Button, Modal, Text } from "@mantine/core";
+import { Box, Button, Modal, Text } from "@mantine/core";
 import { useState } from "react";
 import type { Preset } from "../api/types";
 import type { Group } from "../editor/schema";
@@ -58,7 +58,7 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
       <OwnItems title="Your scenarios" kind="scenario" {...{ form, open, remove }} />
       <OwnItems title="Your vehicles" kind="vehicle" {...{ form, open, remove }} />
       <OwnItems title="Your measured roads" kind="road" {...{ form, open, remove }} />
-      <h3 className={classes.heading}>Presets</h3>
+      <Box component="h3" m="1rem 0 0.3rem" fz="sm" fw={650}>Presets</Box>
       <ul className={classes.list} aria-label="Presets">
         {presets.map(({ id, label, description, scenario }) => (
           <li key={id} className={classes.entry}>
@@ -86,7 +86,7 @@ function OwnItems({ title, kind, ...row }: ListProps) {
   if (items.length === 0) return null;
   return (
     <>
-      <h3 className={classes.heading}>{title}</h3>
+      <Box component="h3" m="1rem 0 0.3rem" fz="sm" fw={650}>{title}</Box>
       <ul className={classes.list} aria-label={title}>
         {items.map((item) => (
           <ItemRow key={item.name} item={item} {...row} />

@@ -34,7 +34,7 @@ export function ScenarioChoice({ source: { origin, scenario, presets, error, cho
       <NativeSelect
         size="xs"
         label="Scenario"
-        className={classes.select ?? ""}
+        flex="0 1 17rem" miw="11rem"
         value={valueOf(origin)}
         error={wrong}
         disabled={disabled || presets.length === 0}
@@ -46,7 +46,7 @@ export function ScenarioChoice({ source: { origin, scenario, presets, error, cho
         ]}
         onChange={({ currentTarget: { value } }) => choose(originOf(value, run))}
       />
-      <Text size="xs" c="dimmed" className={classes.text ?? ""}>
+      <Text size="xs" c="dimmed" flex="1 1 16rem" pb="0.35rem">
         {scenario && form ? otherThanPaper(scenario, form) : "\u00a0"}{" "}
         <LabLink run={origin.run}>{origin.run === undefined ? "Create another in the lab" : "Change it in the lab"}</LabLink>
       </Text>

@@ -1,5 +1,6 @@
 /** The page's sections: beside them where there is room, else above them. */
 
+import { Box } from "@mantine/core";
 import type { Paper } from "../api/types";
 import classes from "./contents.module.css";
 import { useSection } from "./useSection";
@@ -39,11 +40,11 @@ export function Contents({ paper }: { readonly paper: Paper | undefined }) {
           {paper.interpretations
             .filter(({ id }) => id !== paper.interpretation)
             .map(({ id, title, reached, total }) => (
-              <span key={id} className={classes.missing}>
+              <Box component="span" key={id} display="block" fz="xs" c="dimmed">
                 {title}: {reached} of {paper.complete ? total : paper.cells.length}
-              </span>
+              </Box>
             ))}
-          {paper.unavailable && <span className={classes.missing}>{paper.unavailable.cells} not available here</span>}
+          {paper.unavailable && <Box component="span" display="block" fz="xs" c="dimmed">{paper.unavailable.cells} not available here</Box>}
           <VerdictBar counts={paper.counts} total={countedOf(paper, paper.counts)} />
         </div>
       )}

@@ -1,6 +1,6 @@
 /** How many of the paper's printed changes come out here, and what that hinges on. */
 
-import { Anchor, Button, Progress, Text } from "@mantine/core";
+import { Anchor, Box, Button, Group, Progress, Text } from "@mantine/core";
 import { IconAlertTriangle, IconArrowRight, IconEyeOff } from "../icons";
 import { api } from "../api/client";
 import type { Paper, PaperCell } from "../api/types";
@@ -33,21 +33,21 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
       <Runs paper={paper} />
       <div className={classes.counts}>
         <div className={`${ui.card} ${classes.count}`} data-testid="count">
-          <p className={classes.countLine}>
+          <Group component="p" gap="0.4rem" align="baseline" m={0} fz="1.0625rem">
             <strong className={classes.countNumber}>{paper.reached}</strong> of {countedOf(paper, paper.counts)} cells reached{soFar(paper)}{paper.unavailable && ", "}
             {paper.unavailable && <span>{paper.unavailable.cells} not available here</span>}
-          </p>
+          </Group>
           <VerdictBar counts={paper.counts} total={countedOf(paper, paper.counts)} large />
           <VerdictCountList counts={paper.counts} />
         </div>
         <div className={`${ui.card} ${classes.count}`} data-testid="count-without" data-aside>
-          <p className={classes.countLine}>
+          <Group component="p" gap="0.4rem" align="baseline" m={0} fz="1.0625rem">
             <IconEyeOff size={18} stroke={1.8} aria-hidden className={classes.countIcon} />
             <span>
               Without preview: <strong className={classes.countNumber}>{without.reached}</strong> of {countedOf(paper, without.counts)}
               {soFar(paper)}
             </span>
-          </p>
+          </Group>
           <VerdictBar counts={without.counts} total={countedOf(paper, without.counts)} large />
           <VerdictCountList counts={without.counts} />
         </div>
@@ -62,7 +62,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
       )}
       <Text className={classes.claim}>{paper.complete ? previewSentence(paper) : "This says what the claim hinges on when all runs are finished."}</Text>
       <Interpretations {...{ paper, choices, onChoose }} />
-      <Text className={classes.agreement}>
+      <Text maw="52rem" m="0.4rem 0 0.9rem" fz="0.8125rem" lh="1.5" c="dimmed">
         Two named sets of readings, on the same roads. A cell is reached by its direction and size; nearer than that, “within ±10 points” counts the simulated
         changes that lie so near to the printed one, “in our interval” those whose printed change lies in our 95&nbsp;% interval.
       </Text>
@@ -88,7 +88,7 @@ function Runs({ paper: { complete, progress } }: Pick<Props, "paper">) {
       <Text size="sm" c="dimmed" data-testid="progress">
         {complete ? `Computed from ${count(progress.done, "run")}.` : `${formatWhole(progress.done)} of ${count(progress.total, "run")}`}
       </Text>
-      {!complete && <Progress size={6} value={(100 * progress.done) / Math.max(1, progress.total)} color="var(--accent)" aria-label="Finished runs" className={classes.runsBar ?? ""} />}
+      {!complete && <Progress size={6} value={(100 * progress.done) / Math.max(1, progress.total)} color="var(--accent)" aria-label="Finished runs" flex="0 1 20rem" />}
     </div>
   );
 }
@@ -123,9 +123,9 @@ function Missed({ paper, words }: Props) {
           </li>
         ))}
       </ul>
-      <p className={classes.why}>
+      <Box component="p" m={0} p="0 0.9rem 0.8rem" fz="0.8125rem" c="dimmed">
         Why each does not come out is in <code>docs/paper.md</code>, beside this program’s source, under “What does not reproduce, and why”.
-      </p>
+      </Box>
     </details>
   );
 }

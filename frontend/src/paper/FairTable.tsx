@@ -1,6 +1,6 @@
 /** Controller, speed, preview and weights varied one at a time, over the same roads: sortable, filterable. */
 
-import { NativeSelect, SegmentedControl, Text } from "@mantine/core";
+import { Box, NativeSelect, SegmentedControl, Text } from "@mantine/core";
 import { useState } from "react";
 import type { Combination } from "../api/types";
 import { formatPercent } from "../tables/change";
@@ -77,7 +77,7 @@ function columnsOf(metrics: Combination["metrics"], withIntervals: boolean, word
         cell: (row) => (
           <>
             {partOf(row, name)}
-            {index === 0 && row.is !== null && <span className={classes.known}>{words.strategy(row.is)}</span>}
+            {index === 0 && row.is !== null && <Box component="span" display="block" fz="0.71875rem" fw={600} c="var(--accent)">{words.strategy(row.is)}</Box>}
           </>
         ),
       }),

@@ -1,6 +1,6 @@
 /** The paper's figures, made by us: each is drawn when it comes near the window. */
 
-import { SegmentedControl, Text, useComputedColorScheme } from "@mantine/core";
+import { Box, SegmentedControl, Text, useComputedColorScheme } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { memo, useMemo, useState } from "react";
 import type { PaperFigure } from "../api/types";
@@ -67,10 +67,10 @@ const Panel = memo(function Panel({ figure: { number, title, caption, figure }, 
   const legend = useMemo(() => legendOf(figure), [figure]);
   return (
     <figure ref={ref} className={`${ui.card} ${classes.panel}`} id={`figure-${number}`} data-drawn={visible || undefined}>
-      <figcaption className={classes.head}>
-        <h3 className={classes.title}>
-          <span className={classes.ordinal}>Figure {number}</span> {title}
-        </h3>
+      <Box component="figcaption" p="0.6rem 0.9rem 0.3rem">
+        <Box component="h3" m={0} fz="0.8125rem" fw={600} lh="1.35">
+          <Box component="span" mr="0.3rem" fw={700} c="var(--accent)">Figure {number}</Box> {title}
+        </Box>
         <ul className={classes.legend}>
           {legend.map(({ name, colour, dash, fill }) => (
             <li key={name}>
@@ -79,7 +79,7 @@ const Panel = memo(function Panel({ figure: { number, title, caption, figure }, 
             </li>
           ))}
         </ul>
-      </figcaption>
+      </Box>
       <div style={{ height: HEIGHT }}>
         <Chart
           figure={shown}
@@ -88,7 +88,7 @@ const Panel = memo(function Panel({ figure: { number, title, caption, figure }, 
           label={`Figure ${number}: ${title}; ${legend.map(({ name }) => name).join(", ")}`}
         />
       </div>
-      <p className={classes.caption}>{typeset(caption)}</p>
+      <Box component="p" m={0} p="0.3rem 0.9rem 0" fz="xs" lh="1.4" c="dimmed">{typeset(caption)}</Box>
     </figure>
   );
 });

@@ -1,6 +1,6 @@
 /** The paper, checked: what it prints beside what comes out here. */
 
-import { Anchor, Button, Text } from "@mantine/core";
+import { Anchor, Box, Button, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
 import { useQuery } from "@tanstack/react-query";
 import { IconFileDescription } from "../icons";
@@ -56,9 +56,9 @@ export function PaperPage() {
       </ShellSlot>
       <div className={classes.page}>
         <Contents paper={paper} />
-        <main className={classes.main} aria-busy={waiting || paper?.complete === false}>
-          <header className={classes.intro}>
-            <h1 className={classes.title}>The paper, checked</h1>
+        <Box component="main" miw={0} aria-busy={waiting || paper?.complete === false}>
+          <Box component="header" pt="1.1rem">
+            <Box component="h1" m="0 0 0.2rem" fz="1.5rem" fw={700} lts="-0.01em">The paper, checked</Box>
             <Text className={classes.text}>
               Meng, Kong, Ding, Liu and Wang,{" "}
               <Anchor href={`https://doi.org/${DOI}`} size="sm">
@@ -66,14 +66,14 @@ export function PaperPage() {
               </Anchor>
               : every change it prints, run here again.
             </Text>
-          </header>
+          </Box>
           {fault && <PageFault fault={fault} choices={choices} onReset={() => choose(NONE_CHOSEN)} onRetry={() => void refetch()} />}
           {ready ? (
             <Sections {...{ paper, words, choices, waiting, choose }} />
           ) : (
             !fault && <Waiting what="Looking up the runs" height={600} />
           )}
-        </main>
+        </Box>
       </div>
     </>
   );
@@ -127,7 +127,7 @@ function PageFault({ fault, choices, onReset, onRetry }: PageFaultProps) {
     <>
       <Fault message={unknown ? "This address names an interpretation, a reading or a choice that this server does not know." : fault.message} onRetry={onRetry} />
       {Object.keys(choices).length > 0 && (
-        <Button size="xs" variant="default" className={classes.reset ?? ""} onClick={onReset}>
+        <Button size="xs" variant="default" mt="0.6rem" onClick={onReset}>
           Show Ridelab’s own interpretation
         </Button>
       )}

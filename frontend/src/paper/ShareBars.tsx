@@ -1,5 +1,6 @@
 /** How much of LV's gain each of its parts is, figure by figure: a bar and its numbers. */
 
+import { Box } from "@mantine/core";
 import { formatPercent } from "../tables/change";
 import { formatFixed } from "../units/format";
 import classes from "./parts.module.css";
@@ -74,13 +75,13 @@ function Ends({ scale }: Scaled) {
 function Bar({ share, scale }: Scaled & { readonly share: Share }) {
   const text = PARTS.map(({ part, label }) => `${label} ${formatFixed(share[part], 0)} %`).join(", ");
   return (
-    <div className={classes.bar} role="img" aria-label={text}>
+    <Box pos="relative" h="1rem" role="img" aria-label={text}>
       {segmentsOf(share).map(({ part, from, to }) => (
         <span key={part} className={classes.segment} data-part={part} style={{ left: offsetOf(from, scale), width: `calc(${offsetOf(to, scale)} - ${offsetOf(from, scale)})` }} />
       ))}
       {[0, 100].map((value) => (
         <span key={value} className={classes.line} style={{ left: offsetOf(value, scale) }} />
       ))}
-    </div>
+    </Box>
   );
 }

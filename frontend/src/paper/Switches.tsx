@@ -1,6 +1,6 @@
 /** Where the paper leaves something open, the reader chooses; the rest of the page follows. */
 
-import { Button, SegmentedControl, Text } from "@mantine/core";
+import { Box, Button, Group, SegmentedControl, Text } from "@mantine/core";
 import { IconRestore } from "../icons";
 import { useId } from "react";
 import type { Paper, PaperInterpretation, PaperReading } from "../api/types";
@@ -76,19 +76,19 @@ function Switch({ reading, set, onChange }: SwitchProps) {
   const isChanged = standard !== chosen;
   return (
     <div className={`${ui.card} ${classes.switch}`} data-changed={isChanged || undefined} data-reading={reading.id}>
-      <div className={classes.head}>
-        <h3 id={id} className={classes.title}>
+      <Group gap="0 0.8rem" align="baseline" justify="space-between">
+        <Box component="h3" id={id} m={0} fz="0.8125rem" fw={650}>
           {typeset(reading.title)}
-        </h3>
+        </Box>
         {isChanged && standard && (
-          <span className={classes.changed}>
+          <Box component="span" fz="xs" c="var(--accent)">
             {set?.title}: {typeset(standard.label)}
-          </span>
+          </Box>
         )}
-      </div>
-      <p className={classes.description}>
+      </Group>
+      <Box component="p" flex={1} m={0} fz="xs" lh="1.4" c="dimmed">
         <Inline text={reading.description} />
-      </p>
+      </Box>
       <SegmentedControl
         size="xs"
         aria-labelledby={id}
@@ -97,7 +97,7 @@ function Switch({ reading, set, onChange }: SwitchProps) {
         data={reading.choices.map((choice) => ({ value: choice.id, label: typeset(choice.label) }))}
         onChange={onChange}
       />
-      {chosen && <p className={classes.source}>{sourceOf(chosen.source)}</p>}
+      {chosen && <Box component="p" m={0} fz="xs" lh="1.4">{sourceOf(chosen.source)}</Box>}
     </div>
   );
 }

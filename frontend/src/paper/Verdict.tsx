@@ -1,5 +1,6 @@
 /** A verdict as icon and word, and a count of the three as a bar. Colour only repeats them. */
 
+import { Box } from "@mantine/core";
 import { IconArrowDownRight, IconCheck, IconDots, IconMinus, IconX } from "../icons";
 import type { PaperJudgement, VerdictCounts } from "../api/types";
 import classes from "./verdict.module.css";
@@ -15,7 +16,7 @@ export function VerdictMark({ verdict, certain }: Pick<PaperJudgement, "verdict"
       <Icon size={14} stroke={2.6} aria-hidden />
       <span>
         {wordOf(verdict)}
-        {certain === false && <span className={classes.uncertain} title="A part of the 95 % interval would get another verdict"> uncertain</span>}
+        {certain === false && <Box component="span" fz="0.6875rem" fw={400} c="dimmed" title="A part of the 95 % interval would get another verdict"> uncertain</Box>}
       </span>
     </span>
   );

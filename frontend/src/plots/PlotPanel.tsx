@@ -1,5 +1,6 @@
 /** One figure: title, readouts, curves, and the pointer's layer over them. */
 
+import { Box, Group } from "@mantine/core";
 import { useIntersection } from "@mantine/hooks";
 import { memo, useMemo } from "react";
 import type { FigureTemplate, SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
@@ -65,20 +66,20 @@ export const PlotPanel = memo(function PlotPanel({ plotly, template, curves, pal
   const drawn = strategies.map(({ label }) => label).join(", ");
   return (
     <Card ref={viewRef} className={classes.panel ?? ""} aria-label={meta.title} data-figure={meta.signal}>
-      <header className={classes.header}>
-        <h3 className={classes.title}>
-          {meta.title} <span className={classes.unit}>
+      <Group component="header" gap="0.5rem" wrap="nowrap" mih="2rem" p="0 0.7rem 0 0.8rem">
+        <Box component="h3" flex="1 0 8rem" w="min-content" m={0} fz="0.8125rem" fw={600} lh="1.3">
+          {meta.title} <Box component="span" fw={400} c="dimmed">
             {meta.unit}
             {minus !== undefined && `, less ${minus}`}
-          </span>
-        </h3>
+          </Box>
+        </Box>
         <Readouts meta={meta} series={series} strategies={strategies} axis={axis} />
         <FigureButton source={sourceOf(template, curves)} />
-      </header>
-      <div className={classes.canvas} role="img" aria-label={`${meta.title} in ${meta.unit} over ${axis}: ${drawn}`}>
+      </Group>
+      <Box pos="relative" h={176} role="img" aria-label={`${meta.title} in ${meta.unit} over ${axis}: ${drawn}`}>
         <Surface plotly={plotly} figure={figure} live={live} />
         <Overlay range={range} onZoom={onZoom} />
-      </div>
+      </Box>
     </Card>
   );
 });

@@ -1,6 +1,6 @@
 /** The whole road as a thin strip: where the plots below look, and a place to point and zoom. */
 
-import { useComputedColorScheme } from "@mantine/core";
+import { Box, useComputedColorScheme } from "@mantine/core";
 import { useMemo } from "react";
 import type { FigureTemplate } from "../api/types";
 import type { Scene } from "../state/scene";
@@ -43,7 +43,7 @@ export function RoadStrip({ template, scene }: Props) {
         <Overlay range={whole} onZoom={onZoom} />
       </div>
       <h3 className={classes.stripTitle}>
-        {meta.title} <span className={classes.unit}>{meta.unit}</span>
+        {meta.title} <Box component="span" fw={400} c="dimmed">{meta.unit}</Box>
       </h3>
     </Card>
   );

@@ -1,5 +1,6 @@
 /** One figure under every strategy on one scale from zero: quantiles as bars. */
 
+import { Box } from "@mantine/core";
 import type { BatchSummary, Strategy } from "../api/types";
 import type { Figure } from "../batch/figures";
 import { formatNumber, formatResult, prettyUnit } from "../units/format";
@@ -21,10 +22,10 @@ export function Intervals({ summary, strategies, figure }: Props) {
   const most = Math.max(0, ...rows.flatMap(({ figureSummary }) => [figureSummary.highest?.value ?? 0, figureSummary.nominal ?? 0]));
   const { end, ticks } = scaleTo(most * figure.scale);
   return (
-    <figure className={styles.panel} data-figure={figure.key}>
-      <figcaption className={styles.panelTitle}>
+    <Box component="figure" miw={0} m={0} data-figure={figure.key}>
+      <Box component="figcaption" mb="0.2rem" fz="0.8125rem" fw={600}>
         {figure.label} <span className={ui.dim}>{prettyUnit(figure.unit)}</span>
-      </figcaption>
+      </Box>
       {rows.map(({ strategy, figureSummary }) => (
         <div key={strategy.id} className={styles.interval}>
           <span className={styles.intervalName}>{strategy.label}</span>
@@ -41,7 +42,7 @@ export function Intervals({ summary, strategies, figure }: Props) {
           ))}
         </span>
       </div>
-    </figure>
+    </Box>
   );
 }
 

@@ -1,6 +1,6 @@
 /** At how many points the baseline strategy is better than each other one, and what is left of its lead. */
 
-import { Text } from "@mantine/core";
+import { Box, Text } from "@mantine/core";
 import type { BatchSummary, Strategy, StrategyId } from "../api/types";
 import { formatPercent } from "../tables/change";
 import { StrategyName } from "../tables/StrategyKey";
@@ -63,7 +63,7 @@ function Lead({ summary, margin }: { readonly summary: BatchSummary; readonly ma
   const { worse, better } = margin;
   return (
     <>
-      <span className={classes.share}>{whole(worse)}</span>
+      <Box component="span" display="block" fw={650}>{whole(worse)}</Box>
       <span className={classes.shareBar} aria-hidden data-behind={worse < better || undefined}>
         <span style={{ width: `${100 * worse}%` }} />
       </span>

@@ -1,6 +1,6 @@
 /** Which uncertainty a strategy's figures follow, and in which direction. */
 
-import { SegmentedControl, Text } from "@mantine/core";
+import { Box, SegmentedControl, Text } from "@mantine/core";
 import { useState } from "react";
 import type { Batch } from "../api/types";
 import type { Figure } from "../batch/figures";
@@ -99,7 +99,7 @@ function Share({ sensitivity }: { readonly sensitivity: Sensitivity | undefined 
   return (
     <>
       <b>{share < 1 ? "<1" : share}&#8239;%</b>
-      <span className={classes.rho}>{`${sensitivity.spearman < 0 ? "" : "+"}${formatFixed(sensitivity.spearman, 2)}`}</span>
+      <Box component="span" display="block" fz="xs">{`${sensitivity.spearman < 0 ? "" : "+"}${formatFixed(sensitivity.spearman, 2)}`}</Box>
     </>
   );
 }

@@ -1,6 +1,6 @@
 /** What is uncertain, and between which ends; under which strategies; at how many points. */
 
-import { Checkbox, Switch, Text } from "@mantine/core";
+import { Box, Checkbox, Switch, Text } from "@mantine/core";
 import { useId, type ReactNode } from "react";
 import type { Batch, RobustnessDefaults, Scenario, Strategy } from "../api/types";
 import type { Group } from "../editor/schema";
@@ -117,7 +117,7 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
         label={
           <>
             <span className={rows.rangeTitle}>{titleOf(field.name, field.title)}</span>
-            <span className={rows.why}>{why}</span>
+            <Box component="span" display="block" fz="xs" lh="1.25" c="dimmed">{why}</Box>
           </>
         }
       />
@@ -127,10 +127,10 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
             {end("from", from)}
             <span aria-hidden>–</span>
             {end("to", to)}
-            <span className={rows.unit}>{unit}</span>
+            <Box component="span" w="1.6rem" fz="xs" c="dimmed">{unit}</Box>
           </>
         ) : (
-          <span className={rows.exact}>{exactText(field, scenario)}</span>
+          <Box component="span" fz="0.8125rem" c="dimmed">{exactText(field, scenario)}</Box>
         )}
       </div>
       {error !== undefined && (

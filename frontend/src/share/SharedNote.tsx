@@ -11,7 +11,7 @@ export function SharedNote({ link, what, children }: { readonly link: Link; read
   return (
     <section className={classes.banner} aria-label="Shared result">
       <IconLock size={17} stroke={1.7} aria-hidden />
-      <Text size="sm" className={classes.bannerText ?? ""}>
+      <Text size="sm" flex="1 1 14rem">
         Shared {what}, computed on {formatDay(link.computed_at)} by core {link.core_version}. Read-only.
         {link.core_version !== link.current_core_version && ` This server now runs core ${link.current_core_version}.`}
       </Text>

@@ -1,6 +1,6 @@
 /** What the page shows in place of results: nothing chosen, nothing found, nothing yet. */
 
-import { Button, Skeleton, Text } from "@mantine/core";
+import { Box, Button, Skeleton, Stack, Text } from "@mantine/core";
 import { useQueryClient } from "@tanstack/react-query";
 import { Link } from "@tanstack/react-router";
 import type { ReactNode } from "react";
@@ -55,22 +55,22 @@ export function NotFound() {
 /** An address that is no page's. */
 export function PageNotFound() {
   return (
-    <main className={classes.alone}>
+    <Box component="main" p="1rem">
       <Blank title="There is no page at this address" text="The address may be incomplete. The navigation above leads to every page.">
         <Button renderRoot={(props) => <Link to="/" {...props} />}>Go to the lab</Button>
       </Blank>
-    </main>
+    </Box>
   );
 }
 
 /** The last resort: a fault in drawing leaves the navigation and a way to load again instead of an empty page. */
 export function PageFailed({ error }: { readonly error: unknown }) {
   return (
-    <main className={classes.alone} role="alert">
+    <Box component="main" p="1rem" role="alert">
       <Blank title="This page has failed" text={`${error instanceof Error ? error.message : "Something went wrong"}. What was computed is stored at this address; loading it again shows it.`}>
         <Button onClick={() => window.location.reload()}>Load again</Button>
       </Blank>
-    </main>
+    </Box>
   );
 }
 
@@ -101,8 +101,8 @@ export function CouldNotLoad({ what = "page", message, onRetry, retry = "Try aga
 export function Loading() {
   return (
     <div className={classes.results} aria-busy aria-label="Loading results">
-      <Skeleton className={classes.loadingCar ?? ""} radius={8} />
-      <Skeleton className={classes.loadingRoad ?? ""} radius={8} />
+      <Skeleton h={150} radius={8} />
+      <Skeleton h={66} radius={8} />
       <div className={classes.loadingGrid}>
         {Array.from({ length: 6 }, (_, index) => (
           <Skeleton key={index} height={210} radius={8} />
@@ -114,10 +114,10 @@ export function Loading() {
 
 export function EditorLoading() {
   return (
-    <div className={classes.editorLoading} aria-busy aria-label="Loading the form">
+    <Stack gap="0.9rem" p="1.2rem 1rem" aria-busy aria-label="Loading the form">
       {Array.from({ length: 9 }, (_, index) => (
         <Skeleton key={index} height={index % 4 === 0 ? 18 : 44} width={index % 4 === 0 ? "45%" : "100%"} radius="sm" />
       ))}
-    </div>
+    </Stack>
   );
 }

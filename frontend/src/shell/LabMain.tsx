@@ -1,5 +1,6 @@
 /** What the lab shows of a run: the only part of the page that is rendered anew with each answer. */
 
+import { Group } from "@mantine/core";
 import { useMemo } from "react";
 import type { Catalogue, FigureTemplate, Strategy } from "../api/types";
 import { useCompared } from "../compare/useCompared";
@@ -39,12 +40,12 @@ export function LabMain({ strategies, catalogue, figures, fault }: Props) {
   );
   return (
     <main className={classes.main}>
-      <div className={classes.lead}>
+      <Group gap="0 1rem" align="baseline" justify="space-between" mt="0.45rem">
         <h1 className={classes.purpose}>
           What-if laboratory for active suspension. <span>LV: longitudinal (speed) and vertical control.</span>
         </h1>
         <FromPage />
-      </div>
+      </Group>
       <SharedBanner strategies={strategies} catalogue={catalogue} figures={figures} />
       <Toolbar
         strategies={strategies}

@@ -1,11 +1,10 @@
 /** Asks once for the token that the service wants, which it keeps in a cookie so that event streams and downloads send it along. */
 
-import { Button, PasswordInput } from "@mantine/core";
+import { Button, PasswordInput, Stack } from "@mantine/core";
 import { useMutation } from "@tanstack/react-query";
 import { useState } from "react";
 import { ask } from "../api/http";
 import { Blank } from "./Blank";
-import classes from "./shell.module.css";
 
 export function Login() {
   const [token, setToken] = useState("");
@@ -16,8 +15,8 @@ export function Login() {
   });
   return (
     <Blank title="Ridelab asks for a token" text="This service requires a token. The browser then stores a cookie for 90 days.">
-      <form
-        className={classes.login}
+      <Stack component="form"
+        gap="0.6rem" w="min(20rem, 100%)"
         onSubmit={(event) => {
           event.preventDefault();
           login.mutate();
@@ -34,7 +33,7 @@ export function Login() {
         <Button type="submit" loading={login.isPending || login.isSuccess} disabled={token.trim() === ""}>
           Log in
         </Button>
-      </form>
+      </Stack>
     </Blank>
   );
 }

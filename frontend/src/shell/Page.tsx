@@ -1,6 +1,6 @@
 /** A page beside the lab: its title and tools, and in place of what it shows why that is not there. */
 
-import { Text } from "@mantine/core";
+import { Box, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
 import type { ReactNode } from "react";
 import { isNotFound, isTransient } from "../api/problem";
@@ -41,7 +41,7 @@ export function Page({ title, heading, above, lead, tools, what, instead, faults
       )}
       <main className={ui.main}>
         {above}
-        {heading !== undefined && <h1 className={ui.title}>{heading}</h1>}
+        {heading !== undefined && <Box component="h1" m={0} fz="1.25rem" fw={680}>{heading}</Box>}
         {lead !== undefined && <Text className={ui.lead ?? ""}>{lead}</Text>}
         {!fault ? (
           (children ?? <Loading label={`Loading the ${what}`} heights={heights} />)

@@ -5,7 +5,6 @@ import { getAt } from "../editor/path";
 import { useCurves } from "../plots/useDetail";
 import { useLab } from "../state/context";
 import type { Scene } from "../state/scene";
-import classes from "./shell.module.css";
 
 export function RoadsNote({ scene }: { readonly scene: Scene }) {
   const { shown, differences } = scene;
@@ -16,7 +15,7 @@ export function RoadsNote({ scene }: { readonly scene: Scene }) {
   const first = `road seed ${typeof seed === "number" ? seed : "?"}`;
   if (over === null && (source === "exact" || roads === 1)) return null;
   return (
-    <Text size="xs" c="dimmed" className={classes.roadsNote ?? ""} data-testid="roads">
+    <Text size="xs" c="dimmed" m="0 0 0.5rem 0.2rem" data-testid="roads">
       {over === null ? (
         `While a value is dragged: ${first} only; then the mean of ${roads} roads.`
       ) : (

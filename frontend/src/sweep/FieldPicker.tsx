@@ -1,5 +1,6 @@
 /** Finds a field of the scenario by its title or its dotted name. */
 
+import { Group } from "@mantine/core";
 import { Finder } from "../ui/Finder";
 import { prettyUnit } from "../units/format";
 import { draftField, type FieldDraft } from "./draft";
@@ -49,11 +50,11 @@ const namesOf = ({ field, linked }: FieldDraft) => [field, ...linked].map(({ tit
 function Option({ field: { title, name, leaf } }: { readonly field: SweepField }) {
   const unit = leaf.kind === "number" ? prettyUnit(leaf.shown.unit) : "";
   return (
-    <span className={classes.option}>
+    <Group component="span" gap="0 0.8rem" align="baseline" justify="space-between" w="100%">
       <span>
         {title} {unit !== "" && <span className={ui.dim}>{unit}</span>}
       </span>
       <code className={classes.name}>{name}</code>
-    </span>
+    </Group>
   );
 }

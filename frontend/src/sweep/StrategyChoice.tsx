@@ -1,6 +1,6 @@
 /** Under which strategies each point runs. */
 
-import { Checkbox } from "@mantine/core";
+import { Checkbox, Group } from "@mantine/core";
 import type { Strategy, StrategyId } from "../api/types";
 import { StrategyKey } from "../tables/StrategyKey";
 import classes from "./sweep.module.css";
@@ -16,7 +16,7 @@ export function StrategyChoice({ strategies, selected, error, onChange }: Props)
   const inOrder = (ids: readonly StrategyId[]) => strategies.map(({ id }) => id).filter((id) => ids.includes(id));
   return (
     <Checkbox.Group label="Strategies" size="xs" value={[...selected]} error={error} onChange={(ids) => onChange(inOrder(ids))}>
-      <div className={classes.strategies}>
+      <Group gap="0.5rem 1.2rem" align="stretch" mt="0.4rem">
         {strategies.map((strategy) => (
           <Checkbox
             key={strategy.id}
@@ -29,7 +29,7 @@ export function StrategyChoice({ strategies, selected, error, onChange }: Props)
             }
           />
         ))}
-      </div>
+      </Group>
     </Checkbox.Group>
   );
 }

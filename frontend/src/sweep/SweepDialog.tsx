@@ -1,6 +1,6 @@
 /** Puts a sweep together: which fields, from where to where, under which strategies; says what it costs before it starts. */
 
-import { Button, Group, Modal, SegmentedControl, Text } from "@mantine/core";
+import { Button, Group, Modal, SegmentedControl, Stack, Text } from "@mantine/core";
 import { useMediaQuery } from "@mantine/hooks";
 import { useMemo } from "react";
 import type { Strategy } from "../api/types";
@@ -65,7 +65,7 @@ export function SweepDialog({ form: schema, strategies, onClose }: Props) {
           {draft.method === "grid" ? "Every combination of the values." : "Random points, evenly spread over the ranges."}
         </Text>
       </Group>
-      <div className={classes.fields}>
+      <Stack gap="0.6rem">
         {draft.fields.map((each) => (
           <SweptFieldRow
             key={each.field.name}
@@ -83,7 +83,7 @@ export function SweepDialog({ form: schema, strategies, onClose }: Props) {
           error={errors.fields}
           onPick={(picked) => patch({ fields: [...draft.fields, ...picked] })}
         />
-      </div>
+      </Stack>
       {draft.method === "hypercube" && (
         <Group gap="md" align="flex-start">
           <Entry w={120} label="Samples" inputMode="numeric" value={draft.samples} error={errors.samples} onType={(samples) => patch({ samples })} />

@@ -7,7 +7,6 @@ import { typedText } from "../editor/limits";
 import { byRatio, spread, type FieldDraft, type Method } from "./draft";
 import type { SweepField } from "./fields";
 import classes from "./sweep.module.css";
-import ui from "../ui/ui.module.css";
 import { Entry } from "../ui/Entry";
 import { EntryRow } from "../ui/EntryRow";
 
@@ -52,7 +51,7 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
   );
   const asList = method === "grid" && draft.by === "list";
   return (
-    <div className={ui.entryValues}>
+    <Group gap="0.4rem 0.7rem" align="flex-end" mt="0.3rem">
       {method === "grid" && (
         <SegmentedControl
           size="xs"
@@ -83,10 +82,10 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
           {method === "grid" && (
             <Entry className={classes.count} inputMode="numeric" label="Values" aria-label={`${name}, number of values`} value={draft.count} onType={(count) => onChange({ count })} />
           )}
-          {method === "grid" && byRatio(field) && <Text className={classes.note}>equal ratios</Text>}
+          {method === "grid" && byRatio(field) && <Text pb="0.4rem" fz="xs" c="dimmed">equal ratios</Text>}
         </>
       )}
-    </div>
+    </Group>
   );
 }
 
@@ -96,7 +95,7 @@ function Links({ draft: { field, linked }, linkable, onChange }: Pick<Props, "dr
   return (
     <MultiSelect
       size="xs"
-      className={classes.links ?? ""}
+      maw="24rem" mt="0.4rem"
       aria-label={`${field.title}, also sets`}
       placeholder={linked.length === 0 ? "Also sets the same value of …" : ""}
       data={offered.map(({ name, title }) => ({ value: name, label: title }))}

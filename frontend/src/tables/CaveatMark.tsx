@@ -1,6 +1,6 @@
 /** The caveats of a result; on hover, focus or touch what they mean. */
 
-import { Tooltip } from "@mantine/core";
+import { Box, Tooltip } from "@mantine/core";
 import { IconAlertTriangle } from "../icons";
 import type { Caveat } from "./caveats";
 import classes from "./tables.module.css";
@@ -9,9 +9,9 @@ export function CaveatMark({ caveats, short = false }: { readonly caveats: reado
   if (caveats.length === 0) return null;
   const text = caveats.map((caveat) => caveat.text).join(", ");
   const meaning = caveats.map((caveat) => (
-    <span key={caveat.event} className={classes.caveatMeaning}>
+    <Box component="span" key={caveat.event} display="block">
       <strong>{caveat.text}</strong> {caveat.description}
-    </span>
+    </Box>
   ));
   return (
     <Tooltip label={meaning} multiline w={280} withinPortal events={{ hover: true, focus: true, touch: true }}>

@@ -1,9 +1,9 @@
 /** What a change without an arrow says. */
 
+import { Box } from "@mantine/core";
 import { getAt } from "../editor/path";
 import { whyNotCompared } from "../state/compare";
 import type { Scene } from "../state/scene";
-import classes from "./tables.module.css";
 
 function textOf({ shown, against }: Scene): string {
   const { over, scenario } = shown;
@@ -15,8 +15,8 @@ function textOf({ shown, against }: Scene): string {
 
 export function ChangesNote({ scene }: { readonly scene: Scene }) {
   return (
-    <p className={classes.note} data-testid="changes-note">
+    <Box component="p" m={0} p="0.3rem 0.9rem 0" fz="0.71875rem" c="dimmed" data-testid="changes-note">
       {textOf(scene)}
-    </p>
+    </Box>
   );
 }

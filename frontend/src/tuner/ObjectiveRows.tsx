@@ -1,5 +1,6 @@
 /** What is minimised: up to three objectives. */
 
+import { Group } from "@mantine/core";
 import type { Catalogue } from "../api/types";
 import { fullName, type Figure } from "../batch/figures";
 import type { DraftErrors } from "../submission/problems";
@@ -49,7 +50,7 @@ export function ObjectiveRows({ objectives, figures, windows, errors, onChange }
             beside={<span className={ui.dim}>{kind === "figure" ? `mean over the roads${figure && prettyUnit(figure.unit) ? ` [${prettyUnit(figure.unit)}]` : ""}` : SUMS.find(({ value }) => value === kind)?.text}</span>}
           >
             {kind !== "figure" && (
-              <div className={ui.entryValues}>
+              <Group gap="0.4rem 0.7rem" align="flex-end" mt="0.3rem">
                 {Q.map((label, part) => (
                   <Entry
                     key={label}
@@ -63,7 +64,7 @@ export function ObjectiveRows({ objectives, figures, windows, errors, onChange }
                   />
                 ))}
                 <Choice label="Over" value={window} data={windows.map((each) => ({ value: each.key, label: each.label }))} onPick={(next) => patch(key, { window: next })} />
-              </div>
+              </Group>
             )}
           </EntryRow>
         );

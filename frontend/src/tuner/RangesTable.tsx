@@ -1,6 +1,6 @@
 /** What is searched, and from where to where; the rest stays as the scenario has it. */
 
-import { Checkbox } from "@mantine/core";
+import { Box, Checkbox, Group } from "@mantine/core";
 import type { Scenario } from "../api/types";
 import type { DraftErrors } from "../submission/problems";
 import type { RangeDraft } from "./draft";
@@ -36,7 +36,7 @@ export function RangesTable({ tunable, fields, scenario, ranges, errors, onChang
         ))}
         {rows.map((row) => (
           <div key={row} className={classes.rangeRow} role="group" aria-label={row}>
-            <span className={classes.rangeName}>{row}</span>
+            <Box component="span" fz="0.8125rem" fw={550}>{row}</Box>
             {fields
               .filter((each) => each.row === row)
               .map((each) => (
@@ -81,7 +81,7 @@ function Range({ label, title, range, own, wrong, onChange }: RangeProps) {
       <span className={classes.rangeNarrow} aria-hidden>
         {title}
       </span>
-      <span className={classes.rangeValues}>
+      <Group component="span" gap="0.4rem" wrap="nowrap" mih={30}>
         <Checkbox size="xs" aria-label={`Tune ${label}`} checked={range.on} onChange={(event) => onChange({ on: event.currentTarget.checked })} />
         {range.on ? (
           <>
@@ -94,7 +94,7 @@ function Range({ label, title, range, own, wrong, onChange }: RangeProps) {
         ) : (
           <span className={ui.dim}>stays {own}</span>
         )}
-      </span>
+      </Group>
     </div>
   );
 }

@@ -1,6 +1,6 @@
 /** Trials in the plane of two objectives with their front, or one objective over the trials. */
 
-import { Text, useComputedColorScheme } from "@mantine/core";
+import { Box, Group, Text, useComputedColorScheme } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useMemo, useRef, useState } from "react";
 import type { Trial, Tuning } from "../api/types";
@@ -74,12 +74,12 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
       tools={
         <>
           {objectives.length > 2 && (
-            <div className={classes.axes}>
+            <Group gap="0.5rem" align="stretch" p="0.5rem 0.9rem 0">
               {axis("x")}
               {axis("y")}
-            </div>
+            </Group>
           )}
-          {tuning.paper !== null && <div className={classes.save}><ChartButton title={title} file={`ridelab-${tuning.id}-${several ? "front" : "history"}`} hostRef={host} draw={drawOnPaper} /></div>}
+          {tuning.paper !== null && <Box ml="auto"><ChartButton title={title} file={`ridelab-${tuning.id}-${several ? "front" : "history"}`} hostRef={host} draw={drawOnPaper} /></Box>}
         </>
       }
     >

@@ -1,6 +1,6 @@
 /** A part of a page on a surface of its own. */
 
-import { Box, type BoxProps } from "@mantine/core";
+import { Box, Group, type BoxProps } from "@mantine/core";
 import type { ComponentProps, ReactNode } from "react";
 import ui from "./ui.module.css";
 
@@ -16,10 +16,10 @@ export function Card({ title, tools, className = "", children, ...rest }: Props)
   return (
     <Box component="section" className={`${ui.card} ${className}`} {...rest}>
       {title !== undefined && (
-        <header className={ui.head}>
+        <Group component="header" gap="0.4rem 1rem" mih="2.7rem" p="0.4rem 0.9rem">
           <h2 className={ui.heading}>{title}</h2>
           {tools}
-        </header>
+        </Group>
       )}
       {children}
     </Box>

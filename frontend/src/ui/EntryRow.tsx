@@ -1,6 +1,6 @@
 /** An entry of a form's list: its title, what stands beside it, its own inputs and its error; it can be removed. */
 
-import { ActionIcon } from "@mantine/core";
+import { ActionIcon, Box, Group } from "@mantine/core";
 import type { ReactNode } from "react";
 import { IconX } from "../icons";
 import { Fault } from "./Fault";
@@ -21,13 +21,13 @@ interface Props {
 export function EntryRow({ title, name = title, removal = title, beside, error, onRemove, children }: Props) {
   return (
     <div className={ui.entry} role="group" aria-label={name} data-error={error !== undefined || undefined}>
-      <div className={ui.entryHead}>
-        <span className={ui.entryTitle}>{title}</span>
+      <Group gap="0.1rem 0.7rem" pos="relative" pr="1.8rem">
+        <Box component="span" fz="sm" fw={600}>{title}</Box>
         {beside}
-        <ActionIcon className={ui.entryRemove ?? ""} size={24} variant="subtle" color="gray" aria-label={`Remove ${removal}`} onClick={onRemove}>
+        <ActionIcon pos="absolute" top={0} right={0} size={24} variant="subtle" color="gray" aria-label={`Remove ${removal}`} onClick={onRemove}>
           <IconX size={15} />
         </ActionIcon>
-      </div>
+      </Group>
       {children}
       {error !== undefined && <Fault>{error}</Fault>}
     </div>
