@@ -117,7 +117,7 @@ def test_ctrl_c_cancels_a_sweep_and_keeps_what_is_finished(client: httpx.Client,
     if not written:
         assert others[0].startswith(f"For its rows: ridelab export {batch_id} --wait --out FILE --server ")
         return
-    assert others == [f"{out} has all 80 rows, those that never ran with the status cancelled"]
+    assert others == [f"Wrote {out}: all 80 rows, those that never ran with the status cancelled"]
     rows = [row["status"] for row in csv.DictReader(io.StringIO(out.read_text(encoding="utf-8")))]
     assert (rows.count("ok"), rows.count("cancelled")) == (batch["done"], 80 - batch["done"])
 

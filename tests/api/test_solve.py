@@ -115,7 +115,7 @@ def test_the_last_crossing_counts_where_there_are_several(client: httpx.Client) 
 def test_all_of_a_range_or_none_of_it(client: httpx.Client) -> None:
     all_of_it = solved(client, **HEIGHT, range=[0.01, 0.02], limit=4)
     assert (all_of_it.value, all_of_it.bracket) == (0.02, (0.02, 0.02))
-    assert all_of_it.warnings == ["The top of the range, 0.02 m, keeps the limit: a larger value may keep it too."]
+    assert all_of_it.warnings == []
     none_of_it = ask(client, **HEIGHT, range=[0.1, 0.2], limit=4)
     assert none_of_it.status_code == 422
     problem = none_of_it.json()
@@ -228,6 +228,9 @@ def test_the_client_and_the_command(client: httpx.Client, cli: Cli) -> None:
     cli(*asked, "--field", "road.bump.hight=0.1:0.2", *limit, code=2)
     assert cli.error.startswith("field: Unknown field road.bump.hight")
     cli(*asked, "--field", "road.bump.height=0.1:0.2:3", *limit, code=2)
+    assert "the largest value may lie beyond" in cli(*asked, "--field", "road.bump.height=0.01:0.02", *limit)
+    cli("solve", *field, *limit, code=2)
+    assert "--strategy names the one that drives: lv, " in cli.error
     cli(*asked, *field, "--limit", "4", code=2)
     assert "--limit takes METRIC=MOST" in cli.error
 

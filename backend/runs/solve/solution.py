@@ -113,8 +113,6 @@ def _warnings(
     finite = {index: bound for index, bound in bounds.items() if isfinite(bound)}
     if len(finite) > 1 and len(set(finite.values())) == 1:
         yield f"The metric is the same at every value tried: {request.strategy} may not depend on {request.field}."
-    if best == request.axis.last:
-        yield f"The top of the range, {_value(request, best)}, keeps the limit: a larger value may keep it too."
     spans = limit_search.spans_over(request.limit, finite, best)
     if spans:
         over = ", ".join(

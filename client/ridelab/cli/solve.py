@@ -5,13 +5,14 @@ from typing import Annotated
 import typer
 
 from ridelab.cli import fields, options
-from ridelab.cli.reporting import DIFFERENT, failed, note, print_json
+from ridelab.cli.reporting import DIFFERENT, InputError, failed, note, print_json
 from ridelab.cli.service import Services
 from ridelab.errors import RidelabAPIError
 from ridelab.results import Solution
 
 _FIELD = "What may be how large, and the range to search, such as speed.target_speed_kmh=10:50."
 _LIMIT = "What has to hold, in the metric's unit, such as bump.body_acceleration.peak=4."
+_STRATEGY = "Strategy that drives; without one the ids are listed."
 _ROADS = "Over N roads, seeds road.seed and on: the interval keeps the limit."
 
 
@@ -19,7 +20,7 @@ def solve(
     services: Services,
     field: Annotated[str, options.option("FIELD=LOW:HIGH", _FIELD, completes="fields =")],
     limit: Annotated[str, options.option("METRIC=MOST", _LIMIT, completes="metrics =")],
-    strategy: Annotated[str, options.option("ID", "Strategy that drives.", "--strategy", "-s", completes="strategies")],
+    strategy: Annotated[str | None, options.option("ID", _STRATEGY, "--strategy", "-s", completes="strategies")] = None,
     scenario: options.Scenario = "paper",
     changes: options.Changes = None,
     roads: Annotated[int, typer.Option(metavar="N", min=1, max=50, help=_ROADS)] = 1,
@@ -30,6 +31,8 @@ def solve(
     The range is scanned first, so that a metric that rises and falls is seen and said. Over several roads the mean's
     95 % interval keeps the limit. The exit code is 1 where no value in the range does.
     """
+    if strategy is None:
+        raise InputError(f"--strategy names the one that drives: {', '.join(services.names.strategies)}")
     ((name, ends),) = fields.ranges_of([field], "--field", services.names.fields).items()
     metric, most = fields.limit_of(limit, services.names.metrics, "bump.body_acceleration.peak=4")
     start = fields.scenario_of(scenario, changes, services)
@@ -49,8 +52,11 @@ def solve(
 
 def _show(solution: Solution, name: str, metric: str, roads: int) -> None:
     low, high = solution.bracket
-    beyond = f"; {_with_unit(high, solution.unit)} does not keep the limit" if high > low else ""
-    typer.echo(f"{name} at most {_with_unit(low, solution.unit)}{beyond}")
+    value = _with_unit(low, solution.unit)
+    if high > low:
+        typer.echo(f"{name} at most {value}; {_with_unit(high, solution.unit)} does not keep the limit")
+    else:
+        typer.echo(f"{name}: {value}, the top of the range, keeps the limit; the largest value may lie beyond")
     held = _with_unit(solution.metric_value, solution.metric_unit, 4)
     over = f", the upper end of {solution.interval} over {roads} roads" if solution.interval is not None else ""
     typer.echo(f"{metric} is {held} there{over} ({solution.runs} runs)")

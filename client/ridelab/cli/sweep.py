@@ -92,8 +92,9 @@ def _write(batch: Batch, file_format: str, out: str, follow_up: str) -> None:
     except (RidelabClientError, OSError):
         note(f"For its rows: {follow_up}")
         raise
-    if batch.state == "cancelled" and out != "-":
-        note(f"{out} has all {batch.total} rows, those that never ran with the status cancelled")
+    if out != "-":
+        cancelled = ", those that never ran with the status cancelled" if batch.state == "cancelled" else ""
+        note(f"Wrote {out}: all {batch.total} rows{cancelled}")
 
 
 def _preview(batch: Batch, services: Services) -> None:

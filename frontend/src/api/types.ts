@@ -67,8 +67,8 @@ export interface Run extends RunAnswer {
 }
 export type Link = Omit<LinkAnswer, "run"> & { readonly run: Run | null };
 
-/** What `/solve` is asked beside scenario and roads. */
-export type Question = Omit<SolveRequest, "scenario" | "roads">;
+/** What `/solve` is asked beside the scenario. */
+export type Question = Omit<SolveRequest, "scenario">;
 /** What of a tuning is chosen beside its scenario. */
 export type TuningChoice = Omit<TuningRequest, "scenario">;
 export type Weights = Trial["weights"];

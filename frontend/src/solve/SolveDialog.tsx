@@ -4,11 +4,12 @@ import { Button, Group, List, Modal, Select, Text } from "@mantine/core";
 import { useMutation } from "@tanstack/react-query";
 import { useMemo, useState } from "react";
 import { ask } from "../api/http";
-import { explain } from "../api/problem";
+import { ApiProblem, explain } from "../api/problem";
 import type { Question, Scenario, Solution, Strategy } from "../api/types";
 import { fullName, optionsOf, type Figure } from "../batch/figures";
 import { typedText, valueText } from "../editor/limits";
 import { getAt, setAt } from "../editor/path";
+import type { NumberField } from "../editor/schema";
 import { useEdit, useLab, useReadOnly, useScenario } from "../state/context";
 import type { Catalogues } from "../state/useCatalogues";
 import { pointerOf, sweepFields, type SweepField } from "../sweep/fields";
@@ -26,6 +27,12 @@ function speedField(strategy: Strategy | undefined, scenario: Scenario): string 
   if (policy === "constant") return INITIAL;
   return policy === "planned" || strategy?.reads.includes(TARGET) === true ? TARGET : INITIAL;
 }
+
+const isNoSolution = (error: Error) => error instanceof ApiProblem && error.kind === "no-solution";
+
+/** In the units of the page: the service's own sentence is in SI. */
+const noSolution = (field: NumberField, [low, high]: Question["range"]) =>
+  `No value tried from ${valueText(field, low)} to ${valueText(field, high)} keeps the limit. Choose another range or limit.`;
 
 interface Props {
   readonly catalogues: Catalogues;
@@ -45,44 +52,50 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
     strategy: selected[0] ?? strategies[0]?.id ?? "",
     metric: first,
     limit: "",
+    roads: String(roads),
   }));
+  // An empty field is wrong only when somebody asks.
+  const [asked, setAsked] = useState(false);
   const field = fields.find(({ name }) => name === draft.field);
   const figure = figures.find(({ key }) => key === draft.metric);
   const leaf = field?.leaf.kind === "number" ? field.leaf : null;
-  const { question, wrong } = leaf && figure ? readDraft(draft, leaf, figure) : { question: null, wrong: null };
-  const search = useMutation({ mutationFn: (body: Question) => ask("post", "/solve", { body: { scenario, ...body, roads } }) });
+  const { question, wrong } = leaf && figure ? readDraft(draft, leaf, figure) : { question: null, wrong: {} };
+  const search = useMutation({ mutationFn: (body: Question) => ask("post", "/solve", { body: { scenario, ...body } }) });
   const patch = (change: Partial<SolveDraft>) => {
     search.reset();
     setDraft({ ...draft, ...change });
   };
-  const entry = (key: "from" | "to" | "limit", label: string, unit: string) => (
-    <Entry className={sweep.end} value={draft[key]} {...{ label, unit }} onType={(text) => patch({ [key]: text })} />
+  const find = () => {
+    setAsked(true);
+    if (question) search.mutate(question);
+  };
+  const entry = (key: "from" | "to" | "limit" | "roads", label: string, unit: string) => (
+    <Entry className={sweep.end} value={draft[key]} error={asked || draft[key] !== "" ? wrong[key] : undefined} {...{ label, unit }} onType={(text) => patch({ [key]: text })} />
   );
   const unit = leaf?.shown.unit ?? "1";
   return (
     <Modal opened onClose={onClose} title="How large may it be?" size="lg" closeButtonProps={{ "aria-label": "Close" }} classNames={{ title: sweep.title ?? "", body: sweep.body ?? "" }}>
       <Text size="sm" c="dimmed">
-        The largest value in a range that keeps a metric at or below a limit{roads > 1 ? ` with its 95 % interval over ${roads} roads` : ""}. Everything else stays
-        as in the form.
+        The largest value in a range that keeps a metric at or below a limit, over several roads with its 95 % interval. Everything else stays as in the form.
       </Text>
-      <Group gap="xs" align="flex-end">
+      <Group gap="xs" align="flex-start">
         <Select size="xs" label="Field" searchable allowDeselect={false} data={bySection(fields)} value={draft.field} onChange={(name) => name !== null && patch(rangeOf(fields, name))} />
         {entry("from", "From", unit)}
         {entry("to", "To", unit)}
       </Group>
-      <Group gap="xs" align="flex-end">
+      <Group gap="xs" align="flex-start">
         <Select size="xs" label="Strategy" allowDeselect={false} data={labelled(strategies)} value={draft.strategy} onChange={(id) => id !== null && patch({ strategy: id, ...(draft.field === speedField(byId(draft.strategy), scenario) ? rangeOf(fields, speedField(byId(id), scenario)) : {}) })} />
         <Select size="xs" label="Metric" w={250} searchable allowDeselect={false} data={optionsOf(figures)} value={draft.metric} onChange={(key) => key !== null && patch({ metric: key, limit: "" })} />
         {entry("limit", "At most", figure?.unit ?? "1")}
+        {entry("roads", "Roads", "1")}
       </Group>
-      {wrong !== null && <Fault>{wrong}</Fault>}
-      {search.error && <Fault>{explain(search.error)}</Fault>}
+      {search.error && <Fault>{leaf && isNoSolution(search.error) ? noSolution(leaf, search.variables.range) : explain(search.error)}</Fault>}
       {search.data && field && figure && <Answer {...{ field, figure, onClose }} solution={search.data} />}
       <Group justify="flex-end" gap="xs">
         <Button variant="default" onClick={onClose}>
           Close
         </Button>
-        <Button disabled={question === null} loading={search.isPending} onClick={() => question && search.mutate(question)}>
+        <Button disabled={!leaf || !figure} loading={search.isPending} onClick={find}>
           Find
         </Button>
       </Group>
@@ -114,6 +127,7 @@ function Answer({ solution, field, figure, onClose }: AnswerProps) {
   const edit = useEdit();
   const readOnly = useReadOnly();
   const [, above] = solution.bracket;
+  const isWhole = above === solution.value;
   const text = (value: number) => (field.leaf.kind === "number" ? valueText(field.leaf, value) : formatExact(value, solution.unit));
   const take = () => {
     edit.commit(setAt(edit.newest(), pointerOf(field.name), solution.value));
@@ -123,7 +137,7 @@ function Answer({ solution, field, figure, onClose }: AnswerProps) {
     <div role="status">
       <Group gap="sm">
         <Text fw={600}>
-          {field.title} at most {text(solution.value)}
+          {isWhole ? `The limit holds at ${text(solution.value)}, the top of the range; the largest value may lie beyond` : `${field.title} at most ${text(solution.value)}`}
         </Text>
         {!readOnly && (
           <Button size="compact-sm" variant="light" onClick={take}>
@@ -134,7 +148,7 @@ function Answer({ solution, field, figure, onClose }: AnswerProps) {
       <Text size="sm">
         {fullName(figure)}: {formatResult(solution.metric_value * figure.scale)} {prettyUnit(figure.unit)} there
         {solution.interval ? ", the upper end of its interval" : ""}.{" "}
-        {above > solution.value ? `${text(above)} does not keep the limit.` : ""}
+        {isWhole ? "" : `${text(above)} does not keep the limit.`}
       </Text>
       {solution.warnings.length > 0 && (
         <List size="sm">

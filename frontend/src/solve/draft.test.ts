@@ -5,18 +5,20 @@ import { readDraft, type SolveDraft } from "./draft";
 
 const FIELD = { kind: "number", integer: false, unit: "m", minimum: -1, maximum: 1, exclusiveMinimum: false, soft: [0, 0.2], shown: { unit: "cm", scale: 100 } } as unknown as NumberField;
 const LOAD: Figure = { key: "bump.front_tyre_load.peak", label: "Front tyre dynamic load", group: "Peak, bump", unit: "kN", scale: 1e-3 };
-const DRAFT: SolveDraft = { field: "road.bump.height", from: "5", to: "0,2 m", strategy: "lv", metric: LOAD.key, limit: "4.5" };
+const DRAFT: SolveDraft = { field: "road.bump.height", from: "5", to: "0,2 m", strategy: "lv", metric: LOAD.key, limit: "4.5", roads: "3" };
 
 describe("a question as it is typed", () => {
   it("is asked in SI units", () => {
     const { question } = readDraft(DRAFT, FIELD, LOAD);
-    expect(question).toEqual({ field: "road.bump.height", strategy: "lv", metric: LOAD.key, range: [0.05, 0.2], limit: 4500 });
+    expect(question).toEqual({ field: "road.bump.height", strategy: "lv", metric: LOAD.key, range: [0.05, 0.2], limit: 4500, roads: 3 });
   });
 
-  it("waits for its limit, and says what is wrong with the rest", () => {
-    expect(readDraft({ ...DRAFT, limit: " " }, FIELD, LOAD)).toEqual({ question: null, wrong: null });
-    expect(readDraft({ ...DRAFT, limit: "4 kg" }, FIELD, LOAD).wrong).toBe("At most: Takes kN (also without a unit) or N");
-    expect(readDraft({ ...DRAFT, to: "50 mm" }, FIELD, LOAD).wrong).toBe("From has to be less than to");
-    expect(readDraft({ ...DRAFT, to: "2 m" }, FIELD, LOAD).wrong).toContain("To: Must be from");
+  it("says what is missing or wrong at the field", () => {
+    const wrong = (change: Partial<SolveDraft>) => readDraft({ ...DRAFT, ...change }, FIELD, LOAD).wrong;
+    expect(readDraft({ ...DRAFT, limit: " " }, FIELD, LOAD)).toEqual({ question: null, wrong: { limit: "Enter the limit in kN" } });
+    expect(wrong({ limit: "4 kg" })).toEqual({ limit: "Takes kN (also without a unit) or N" });
+    expect(wrong({ to: "50 mm" })).toEqual({ from: "Has to be less than To" });
+    expect(wrong({ to: "2 m" }).to).toContain("Must be from");
+    expect(wrong({ roads: "51" })).toEqual({ roads: "A whole number from 1 to 50" });
   });
 });

@@ -5,6 +5,7 @@ import type { Figure } from "../batch/figures";
 import { parseTyped } from "../editor/limits";
 import type { NumberField } from "../editor/schema";
 import type { SweepField } from "../sweep/fields";
+import { prettyUnit } from "../units/format";
 import { parseQuantity } from "../units/quantity";
 
 export interface SolveDraft {
@@ -16,13 +17,19 @@ export interface SolveDraft {
   readonly metric: string;
   /** In the unit the metric is shown in. */
   readonly limit: string;
+  /** How many are driven. */
+  readonly roads: string;
 }
 
-/** What is asked, or what has to be changed first; neither while the limit is missing. */
+type Typed = "from" | "to" | "limit" | "roads";
+
+/** What is asked, or what has to be changed first at each field. */
 export interface ParsedDraft {
   readonly question: Question | null;
-  readonly wrong: string | null;
+  readonly wrong: Partial<Readonly<Record<Typed, string>>>;
 }
+
+const MOST_ROADS = 50;
 
 /** A greater seed is another road, not more of anything. */
 const UNORDERED = "road.seed";
@@ -30,15 +37,18 @@ const UNORDERED = "road.seed";
 export const askable = ({ name, leaf }: SweepField): boolean => leaf.kind === "number" && name !== UNORDERED;
 
 export function readDraft(draft: SolveDraft, field: NumberField, figure: Figure): ParsedDraft {
-  const ends = [draft.from, draft.to].map((text) => parseTyped(field, text));
-  const [from, to] = ends;
+  const [from, to] = [parseTyped(field, draft.from), parseTyped(field, draft.to)];
   const limit = parseQuantity(draft.limit, figure.unit);
-  const wrong = (message: string): ParsedDraft => ({ question: null, wrong: message });
-  if (from?.ok === false) return wrong(`From: ${from.message}`);
-  if (to?.ok === false) return wrong(`To: ${to.message}`);
-  if (!from || !to || from.value >= to.value) return wrong("From has to be less than to");
-  if (draft.limit.trim() === "") return { question: null, wrong: null };
-  if (!limit.ok) return wrong(`At most: ${limit.message}`);
+  const roads = Number(draft.roads);
+  const unit = prettyUnit(figure.unit);
+  const wrong: Partial<Record<Typed, string>> = {};
+  if (!from.ok) wrong.from = from.message;
+  if (!to.ok) wrong.to = to.message;
+  if (from.ok && to.ok && from.value >= to.value) wrong.from = "Has to be less than To";
+  if (draft.limit.trim() === "") wrong.limit = unit === "" ? "Enter the limit" : `Enter the limit in ${unit}`;
+  else if (!limit.ok) wrong.limit = limit.message;
+  if (!Number.isInteger(roads) || roads < 1 || roads > MOST_ROADS) wrong.roads = `A whole number from 1 to ${MOST_ROADS}`;
+  if (!from.ok || !to.ok || !limit.ok || Object.keys(wrong).length > 0) return { question: null, wrong };
   const { strategy, metric } = draft;
-  return { question: { field: draft.field, strategy, metric, range: [from.value, to.value], limit: Number((limit.value / figure.scale).toPrecision(12)) }, wrong: null };
+  return { question: { field: draft.field, strategy, metric, range: [from.value, to.value], limit: Number((limit.value / figure.scale).toPrecision(12)), roads }, wrong };
 }
