@@ -5,15 +5,13 @@ import uuid
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Self
+from typing import TYPE_CHECKING, Any
 from urllib.parse import quote
 
-import httpx
-
 from ridelab.arrays import unpacked
+from ridelab.connection import API, Connection
 from ridelab.errors import RidelabConnectionError
 from ridelab.files import format_of, save
-from ridelab.http import Http, split_login
 from ridelab.jobs import Batch, Job, Tuning
 from ridelab.results import Link, LinkedResult, RunResult, Solution, intervals
 
@@ -21,15 +19,10 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-API = "/api/v1"
-TOKEN_VARIABLE = "RIDELAB_TOKEN"  # noqa: S105  # the variable's name
-_LOOPBACK = ("localhost", "127.0.0.1", "::1")
-
-
 Scenario = Any  # its JSON, as a mapping, or a pydantic model such as the core's
 
 
-class Ridelab:
+class Ridelab(Connection):
     """A service at an address, to be used as a context manager.
 
     Every method raises `RidelabAPIError` where the service refuses, and `RidelabConnectionError` where none answers or
@@ -51,43 +44,6 @@ class Ridelab:
         ValueError: That is no HTTP address.
     """
 
-    def __init__(
-        self,
-        address: str,
-        *,
-        token: str | None = None,
-        timeout: float = 120,
-        retries: int = 5,
-        transport: httpx.BaseTransport | None = None,
-    ) -> None:
-        url, login = split_login(address)
-        token = os.environ.get(TOKEN_VARIABLE, "") if token is None else token
-        if transport is None and url.host in _LOOPBACK:
-            transport = httpx.HTTPTransport()  # a proxy does not know this machine's own services
-        self._client = httpx.Client(
-            base_url=url,
-            auth=None if token else login,
-            headers={"Authorization": f"Bearer {token}"} if token else None,
-            timeout=httpx.Timeout(timeout, connect=min(timeout, 10)),
-            transport=transport,
-        )
-        self._http = Http(self._client, retries=retries)
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-    def close(self) -> None:
-        """Close the connections."""
-        self._client.close()
-
-    @property
-    def address(self) -> str:
-        """Where the service is, without a login and a slash at the end."""
-        return self._http.address
-
     @cached_property
     def units(self) -> dict[str, str]:
         """Unit of each metric by its flat name (`bump.body_acceleration.peak`), from the catalogue; `1` for none."""
@@ -103,10 +59,6 @@ class Ridelab:
         for part, prefix in (("comfort", "comfort."), ("events", "events."), ("run_figures", "")):
             units |= {prefix + each["key"]: each["unit"] for each in catalogue[part]}
         return units
-
-    def get(self, path: str, params: Mapping[str, Any] | None = None) -> Any:
-        """The JSON at a path below `/api/v1`, such as `/presets`, `/schema`, `/catalogue`."""
-        return self._http.json("GET", f"{API}{path}", params=params)
 
     def run(
         self, scenario: Scenario, strategies: Sequence[str], *, roads: int = 1, baseline: str | None = None
@@ -382,24 +334,6 @@ class Ridelab:
             return RunResult.of(answer, lambda: self.units)
         except (KeyError, TypeError, AttributeError):
             raise RidelabConnectionError(f"{self.address} does not answer as Ridelab does") from None
-
-    def _post(self, path: str, body: Mapping[str, Any], key: str = "") -> dict[str, Any]:
-        return self._http.json("POST", API + path, body=body, headers={"Idempotency-Key": key} if key else None)
-
-    def _listed(self, name: str, state: str | None, label: str | None, limit: int) -> Iterator[dict[str, Any]]:
-        """The first `limit` entries, over as many pages as that takes."""
-        cursor = None
-        while limit > 0:
-            page = self.get(f"/{name}", {"limit": min(limit, 500), "cursor": cursor, "state": state, "label": label})
-            yield from page[name][:limit]
-            limit -= len(page[name])
-            cursor = page.get("next")
-            if cursor is None:
-                return
-
-    def _content(self, path: str, params: Mapping[str, Any]) -> Iterator[bytes]:
-        with self._http.stream(f"{API}{path}", params=params) as response:
-            yield from response.iter_bytes()
 
 
 def _id(run: RunResult | str) -> str:

@@ -26,7 +26,7 @@ from ridelab.cli.solve import solve
 from ridelab.cli.sweep import sweep
 from ridelab.cli.tune import tune
 from ridelab.cli.vehicle import vehicle
-from ridelab.client import TOKEN_VARIABLE
+from ridelab.connection import TOKEN_VARIABLE
 
 HELP = """Ridelab: what-ifs of active suspension over bumps.
 
