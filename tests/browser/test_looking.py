@@ -28,14 +28,18 @@ def middle_of(panel: Locator) -> tuple[float, float, float]:
 
 
 def test_nothing_readable_is_cut_or_covered(dashboard: Dashboard) -> None:
-    """Neither the comparison's head under the car nor a sentence that ends in an ellipsis, on laptop, tablet, phone."""
+    """Neither the comparison's head under the car, nor a sentence that ends in an ellipsis, nor a strategy's chip."""
     dashboard.open()
+    dashboard.toggle("Single suspension control")
+    dashboard.toggle("Hybrid hook")
     page = dashboard.page
+    chips = page.get_by_role("group", name="Strategies")
     page.get_by_text("Plot differences").click()
     expect(page.get_by_text(", less ").first).to_be_visible()
     head = page.get_by_role("region", name="Comparison", exact=True).locator("thead th").last
     for width, height in ((1440, 900), (1024, 768), (390, 844)):
         page.set_viewport_size({"width": width, "height": height})
+        assert chips.evaluate("chips => chips.scrollWidth <= chips.clientWidth"), width
         head.scroll_into_view_if_needed()
         assert head.evaluate(NOT_COVERED), width
         assert dashboard.results.evaluate(CUT) == [], width

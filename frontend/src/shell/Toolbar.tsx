@@ -1,7 +1,7 @@
 /** Which strategies are shown, over what, and which part of the run. */
 
 import { Button, SegmentedControl, Tooltip } from "@mantine/core";
-import { memo } from "react";
+import { memo, useLayoutEffect, useRef } from "react";
 import type { Strategy } from "../api/types";
 import type { ViewZoom } from "../state/address";
 import { switchAxis } from "../state/axis";
@@ -21,8 +21,10 @@ interface Props {
 export const Toolbar = memo(function Toolbar({ strategies, part, hasBump }: Props) {
   const { router, lab } = useLabContext();
   const { axis } = useView();
+  const ref = useRef<HTMLDivElement>(null);
+  useLayoutEffect(() => (ref.current ? publishHeight(ref.current) : undefined), []);
   return (
-    <div className={bar.toolbar}>
+    <div ref={ref} className={bar.toolbar}>
       <StrategyChoice strategies={strategies} />
       <div className={bar.tools}>
         <RoadsSelect />
@@ -47,6 +49,13 @@ export const Toolbar = memo(function Toolbar({ strategies, part, hasBump }: Prop
     </div>
   );
 });
+
+/** For what stays in view below it; the more strategies are on, the more rows it has. */
+function publishHeight(toolbar: HTMLElement): () => void {
+  const observer = new ResizeObserver(() => document.documentElement.style.setProperty("--toolbar", `${toolbar.offsetHeight}px`));
+  observer.observe(toolbar);
+  return () => observer.disconnect();
+}
 
 interface ZoomProps {
   readonly label: string;
