@@ -149,6 +149,7 @@ def test_a_view_comes_back_as_it_was_sent(client: httpx.Client, run: dict[str, A
         ({"run_id": None, "batch_id": "A" * 22, "view": {"differences": True}}, "/view/differences"),
         ({"view": {"pins": [{"name": "soft", "run": "A" * 22}], "reference": "B" * 22}}, "/view/reference"),
         ({"view": {"x": "road.bump.height"}}, "/view/x"),
+        ({"view": {"threshold": "high"}}, "/view/threshold"),
         ({"view": {"y": "bump.body_acceleration.peak"}}, "/view/y"),
     ],
 )

@@ -1,9 +1,16 @@
 """The shapes of share links: what is asked for, and what a link opens."""
 
 from datetime import datetime
-from typing import Annotated, Literal, Self
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import AfterValidator, Field, model_validator
+from pydantic import (
+    AfterValidator,
+    Field,
+    ValidationError,
+    ValidatorFunctionWrapHandler,
+    WrapValidator,
+    model_validator,
+)
 from pydantic_core import PydanticCustomError
 
 from backend.jobs.sweep.models import Batch
@@ -54,6 +61,14 @@ class LinkPin(RequestModel):
     run: Id
 
 
+def _number_or_none(value: Any, read: ValidatorFunctionWrapHandler) -> Any:
+    """One error at the field, in place of one for each member of the union."""
+    try:
+        return read(value)
+    except ValidationError:
+        raise PydanticCustomError("number_or_none", "This has to be a number, or none for no line") from None
+
+
 class LinkView(RequestModel):
     """How the page shows a run or a batch; for omitted members it uses its defaults. Answered as it was sent."""
 
@@ -84,7 +99,7 @@ class LinkView(RequestModel):
     against: StrategyName | Literal["none"] | None = Field(
         None, description="Of a batch only: the strategy that map is compared with."
     )
-    threshold: Finite | Literal["none"] | None = Field(
+    threshold: Annotated[Finite | Literal["none"], WrapValidator(_number_or_none)] | None = Field(
         None, description="Of a batch only: where the map has a line, in the unit shown; `none` for no line."
     )
     versus: Column | None = Field(None, description="Of a batch only: the metric on the x axis of a trade-off.")
