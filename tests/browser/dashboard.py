@@ -167,6 +167,15 @@ class Dashboard:
             self.page.evaluate("() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
             assert self.page.evaluate("document.documentElement.scrollWidth") <= width
 
+    def saved_figure(self, title: str, name: str) -> bytes:
+        """A figure's file, by the button in its menu."""
+        self.page.get_by_role("button", name=f"Save figure: {title}").click()
+        menu = self.page.get_by_role("dialog", name=f"Save figure: {title}")
+        with self.page.expect_download() as download:
+            menu.get_by_role("button", name=name).click()
+        expect(menu).to_be_hidden()
+        return download.value.path().read_bytes()
+
     def expect_accessible(self, part: Locator | None = None) -> None:
         """Axe-core finds no serious violation of WCAG 2.1 A and AA in either scheme.
 

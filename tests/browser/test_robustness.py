@@ -56,6 +56,14 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     assert {url.split("/batches/")[1][:22] for url in streams} <= {batch}  # a browser has six connections to a server
     dashboard.expect_accessible()
 
+    title = "Each field alone: Body acceleration, peak, bump"
+    assert dashboard.saved_figure(title, "PNG, 300 dpi")[:4] == b"\x89PNG"
+    table = dashboard.saved_figure(title, "CSV").decode()
+    assert f"# Ridelab: {title}\n# page: {server.url}/robustness/{batch}" in table
+    assert len(table.splitlines()) == 15, "where it comes from, titles, the scenario itself and eleven fields"
+    spread = dashboard.saved_figure("Body acceleration, RMS, rough road", "CSV").decode()
+    assert [line.split(",")[0] for line in spread.splitlines()[3:]] == ["LV control", "LQR"]
+
     page.get_by_label("Baseline").select_option("lqr")
     expect(page.get_by_role("heading", name="Where LQR is better")).to_be_visible()
     page.reload()  # the address is all there is to share

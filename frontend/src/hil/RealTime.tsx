@@ -1,18 +1,19 @@
 /** The drive by the clock: how long answers take, how evenly, and how many come too late. */
 
-import { Box, Button, Progress, SegmentedControl, Stack, Text, useComputedColorScheme } from "@mantine/core";
+import { Box, Button, Group, Progress, SegmentedControl, Stack, Text, useComputedColorScheme } from "@mantine/core";
 import { useMutation } from "@tanstack/react-query";
-import { useEffect, useMemo, useState } from "react";
+import { useEffect, useMemo, useRef, useState } from "react";
 import { ask } from "../api/http";
 import { isTransient } from "../api/problem";
 import type { Catalogue, RealtimeReport, Scenario } from "../api/types";
 import { Chart } from "../plots/Chart";
-import { PALETTES } from "../plots/palettes";
+import { ChartButton } from "../plots/ChartButton";
+import { ON_PAPER, PALETTES } from "../plots/palettes";
 import { formatPercent } from "../tables/change";
 import { VIEWS } from "../tables/ComparisonTable";
 import { count, formatNumber, formatWhole } from "../units/format";
 import { formatTime } from "./effort";
-import { histogramFigure } from "./histogram";
+import { histogramFigure, histogramTable } from "./histogram";
 import { DataTable } from "../ui/DataTable";
 import { Fault } from "../ui/Fault";
 import { Card } from "../ui/Card";
@@ -114,7 +115,9 @@ const MEANING: Readonly<Record<Kind, string>> = {
 function Report({ report, catalogue, colour }: { readonly report: RealtimeReport; readonly catalogue: Catalogue; readonly colour: string }) {
   const palette = PALETTES[useComputedColorScheme("light")];
   const [kind, setKind] = useState<Kind>("latency");
+  const label = KINDS.find(({ value }) => value === kind)?.label ?? "";
   const spread = report[kind];
+  const host = useRef<HTMLDivElement>(null);
   const figure = useMemo(() => (spread ? histogramFigure(spread, report.deadline, { palette, colour }) : null), [spread, report.deadline, palette, colour]);
   return (
     <>
@@ -141,9 +144,19 @@ function Report({ report, catalogue, colour }: { readonly report: RealtimeReport
         ]}
       />
       <Box px="0.9rem" pt="xs">
-        <SegmentedControl size="xs" aria-label="Histogram of" value={kind} data={[...KINDS]} onChange={setKind} />
+        <Group gap="xs">
+          <SegmentedControl size="xs" aria-label="Histogram of" value={kind} data={[...KINDS]} onChange={setKind} />
+          {spread && (
+            <ChartButton
+              title={`Histogram of ${label.toLowerCase()}`}
+              file={`ridelab-real-time-${kind}`}
+              hostRef={host}
+              draw={() => ({ figure: histogramFigure(spread, report.deadline, { palette: ON_PAPER, colour, title: label }), legend: [], table: histogramTable(spread) })}
+            />
+          )}
+        </Group>
         {figure ? (
-          <Chart figure={figure} height={230} label={`Histogram of ${kind.replace("_", "-")} over ${report.steps} steps; its figures stand in the table above`} />
+          <Chart hostRef={host} figure={figure} height={230} label={`Histogram of ${kind.replace("_", "-")} over ${report.steps} steps; its figures stand in the table above`} />
         ) : (
           <Text size="sm" c="dimmed">
             There is nothing to count: no answer came in time.

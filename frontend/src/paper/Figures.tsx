@@ -2,14 +2,15 @@
 
 import { Box, SegmentedControl, Text, useComputedColorScheme } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
-import { memo, useMemo, useState } from "react";
+import { memo, useMemo, useRef, useState } from "react";
 import type { PaperFigure } from "../api/types";
 import { Chart } from "../plots/Chart";
-import { PALETTES } from "../plots/palettes";
+import { ChartButton } from "../plots/ChartButton";
+import { ON_PAPER, PALETTES } from "../plots/palettes";
 import { StrategyKey } from "../tables/StrategyKey";
 import type { Choices } from "./choices";
 import classes from "./figures.module.css";
-import { drawn, legendOf, type Scheme } from "./render";
+import { drawn, legendOf, withNamedShapes, type Scheme } from "./render";
 import { typeset } from "./numbers";
 import paper from "./paper.module.css";
 import { attributionQuery, paperFiguresQuery } from "./queries";
@@ -65,11 +66,18 @@ const Panel = memo(function Panel({ figure: { number, title, caption, figure }, 
   const { ref, visible, printed } = useVisible();
   const shown = useMemo(() => (visible ? drawn(figure, { palette: PALETTES[scheme], scheme, bumpOnly }) : null), [visible, figure, scheme, bumpOnly]);
   const legend = useMemo(() => legendOf(figure), [figure]);
+  const host = useRef<HTMLDivElement>(null);
   return (
     <figure ref={ref} className={`${ui.card} ${classes.panel}`} id={`figure-${number}`} data-drawn={visible || undefined}>
       <Box component="figcaption" p="0.6rem 0.9rem 0.3rem">
         <Box component="h3" m={0} fz="0.8125rem" fw={600} lh="1.35">
           <Box component="span" mr="0.3rem" fw={700} c="var(--accent)">Figure {number}</Box> {title}
+          <ChartButton
+            title={`Figure ${number}: ${title}`}
+            file={`ridelab-paper-figure-${number}`}
+            hostRef={host}
+            draw={() => ({ figure: withNamedShapes(drawn(figure, { palette: ON_PAPER, scheme: "light", bumpOnly })), legend: legend.map(({ name }) => name) })}
+          />
         </Box>
         <ul className={classes.legend}>
           {legend.map(({ name, colour, dash, fill }) => (
@@ -82,6 +90,7 @@ const Panel = memo(function Panel({ figure: { number, title, caption, figure }, 
       </Box>
       <div style={{ height: HEIGHT }}>
         <Chart
+          hostRef={host}
           figure={shown}
           height={HEIGHT}
           width={printed ? PRINTED_WIDTH : undefined}

@@ -80,3 +80,9 @@ function entryOf(name: string, { line, fillcolor }: JsonObject, isArea: boolean)
   const { color, dash } = isObject(line) ? line : {};
   return { name, colour: text(color, "currentColor"), dash: text(dash, "solid"), fill: isArea ? text(fillcolor, "currentColor") : null };
 }
+
+/** With stages, bands and reference lines in its own legend: on paper there is no other one. */
+export const withNamedShapes = ({ data, layout }: ChartFigure): ChartFigure => ({
+  data,
+  layout: { ...layout, shapes: layout.shapes.map((shape) => ({ ...shape, showlegend: typeof shape.name === "string" })) },
+});

@@ -9,8 +9,8 @@ interface Props {
   readonly title: string;
   /** Name of the file without its ending. */
   readonly file: string;
-  /** Where it is drawn: the file shows what somebody has zoomed to. */
-  readonly hostRef: RefObject<HTMLElement | null>;
+  /** Where plotly draws it: the file shows what somebody has zoomed to. */
+  readonly hostRef?: RefObject<HTMLElement | null>;
   readonly draw: () => ChartOnPaper;
 }
 
@@ -21,7 +21,7 @@ export function ChartButton({ title, file, hostRef, draw }: Props) {
     paper: async (size) => {
       const { asZoomed, paperChart } = await import("./paperChart");
       const { figure, ...rest } = draw();
-      return paperChart({ figure: asZoomed(figure, hostRef.current), ...rest }, size);
+      return paperChart({ figure: asZoomed(figure, hostRef?.current ?? null), ...rest }, size);
     },
     csv: async () => (await import("./paperChart")).chartCsv(draw(), [`Ridelab: ${title}`, `page: ${window.location.href}`]),
   };

@@ -40,6 +40,12 @@ describe("a chart's table", () => {
     expect(chartCsv({ figure: sweep, legend }, ["Ridelab: Peak"]).split("\n")).toEqual(["# Ridelab: Peak", ",Height [m],Peak [m/s²]", "LQR,1,3", "LQR,2,4.123457", ""]);
   });
 
+  it("has the points of a line that joins no others, also where they are packed, and rows of its own where it has them", () => {
+    const packed = { type: "scatter" as const, name: "Figure 14", x: [1, 2], y: { dtype: "f4", bdata: "AACAPwAAAEA=" } };
+    expect(chartCsv({ figure: { data: [line, packed], layout }, legend: ["LQR", "Figure 14"] }, []).split("\n").slice(1)).toEqual(["LQR,1,3", "LQR,2,4", "Figure 14,1,1", "Figure 14,2,2", ""]);
+    expect(chartCsv({ figure: sweep, legend, table: [["from [s]", "steps"], [0.001, 7]] }, [])).toBe("from [s],steps\n0.001,7\n");
+  });
+
   it("has a row for each cell of a map", () => {
     expect(chartCsv({ figure: map, legend: [], colours: "Peak, bump" }, []).split("\n")).toEqual(['Height [m],Peak [m/s²],"Peak, bump"', "1,10,5", "2,10,6", "1,20,7", "2,20,", ""]);
   });

@@ -1,5 +1,6 @@
 /** A chart as a paper or a slide takes it, and its numbers as a table. */
 
+import { decodeArray } from "../api/decode";
 import type { ChartFigure } from "./Chart";
 import { cell, printed } from "./figureCsv";
 import { POINT, sheet } from "./paperFigure";
@@ -13,6 +14,8 @@ export interface ChartOnPaper {
   readonly legend: readonly string[];
   /** What colours stand for, with its unit: stands above the chart. */
   readonly colours?: string;
+  /** Its numbers, where they are not its points. */
+  readonly table?: readonly (readonly Value[])[];
 }
 
 interface Axis extends Readonly<Record<string, unknown>> {
@@ -47,6 +50,7 @@ export function paperChart({ figure: { data, layout }, legend, colours }: ChartO
   const [x, y] = axesOf(layout);
   const page = sheet(layout, size, { ...x, text: textOf(x) }, { ...y, text: textOf(y) });
   const points = size.font * POINT;
+  const margin = layout.margin as { readonly r?: number; readonly t?: number } | undefined;
   const annotations = (layout.annotations as readonly Readonly<Record<string, object>>[] | undefined) ?? [];
   // A strategy's line and its points have one name: one of them stands in the legend.
   const last = new Map(data.map(({ name }, index) => [name, index]));
@@ -54,13 +58,13 @@ export function paperChart({ figure: { data, layout }, legend, colours }: ChartO
     ...page,
     data: data.map((trace, index): AnyTrace => {
       if (isGrid(trace)) return { ...trace, colorbar: { thickness: 10, outlinewidth: 0, tickfont: { size: points } } };
-      const { x: values } = trace as { readonly x: readonly Value[] };
-      return { ...trace, showlegend: values.length > 0 && legend.includes(trace.name) && last.get(trace.name) === index };
+      const { x: values } = trace as { readonly x: Values };
+      return { ...trace, showlegend: ("bdata" in values || values.length > 0) && legend.includes(trace.name) && last.get(trace.name) === index };
     }),
     layout: {
       ...page.layout,
       ...(colours !== undefined && { title: { text: inLines(colours, size), font: { size: points }, x: 0, y: 1, xref: "paper", yref: "paper", yanchor: "bottom", pad: { b: 6 }, automargin: true } }),
-      margin: { ...page.layout.margin, r: (layout.margin as { readonly r?: number } | undefined)?.r ?? 8 },
+      margin: { ...page.layout.margin, r: margin?.r ?? 8, t: margin?.t ?? 8 },
       annotations: annotations.map((each) => ({ ...each, font: { ...each.font, size: points } })),
     },
   };
@@ -69,18 +73,25 @@ export function paperChart({ figure: { data, layout }, legend, colours }: ChartO
 const text = (value: Value) => (typeof value === "number" ? printed(value) : cell(value ?? ""));
 
 /** Lines of `#` say where it comes from; below stand the cells of a map, or the points of each trace that the legend names. */
-export function chartCsv({ figure: { data, layout }, legend, colours }: ChartOnPaper, about: readonly string[]): string {
+export function chartCsv({ figure: { data, layout }, legend, colours, table }: ChartOnPaper, about: readonly string[]): string {
   const [x, y] = axesOf(layout).map(textOf);
   const grid = data.find(isGrid);
-  const rows = grid
+  const dotted = new Set(data.flatMap((trace) => ("mode" in trace && trace.mode === "markers" ? [trace.name] : [])));
+  const rows = table ?? (grid
     ? [[x, y, colours], ...grid.y.flatMap((up, i) => grid.x.map((across, j) => [across, up, grid.z[i]?.[j]]))]
-    : [["", x, y], ...data.flatMap((trace) => pointsOf(trace).map((point) => [trace.name, ...point])).filter(([name]) => legend.includes(String(name)))];
+    : [["", x, y], ...data.filter(({ name }) => legend.includes(name)).flatMap((trace) => pointsOf(trace, dotted).map((point) => [trace.name, ...point]))]);
   return [...about.map((line) => `# ${line}`), ...rows.map((row) => row.map(text).join(",")), ""].join("\n");
 }
 
-/** A line that joins points has them a second time. */
-function pointsOf(trace: AnyTrace): readonly (readonly [Value, Value])[] {
-  if (trace.type !== "scatter" || !("mode" in trace) || trace.mode !== "markers") return [];
-  const { x, y } = trace as { readonly x: readonly Value[]; readonly y: readonly Value[] };
-  return x.map((across, index) => [across, y[index]]);
+/** A line that joins points has them a second time: `dotted` are the names of traces of points. */
+function pointsOf(trace: AnyTrace, dotted: ReadonlySet<string | undefined>): readonly (readonly [Value, Value])[] {
+  const isLine = !("mode" in trace) || trace.mode !== "markers";
+  if (trace.type !== "scatter" || (isLine && dotted.has(trace.name))) return [];
+  const { x, y } = trace as { readonly x: Values; readonly y: Values };
+  const [across, up] = [listed(x), listed(y)];
+  return across.flatMap((value, index) => (value === null ? [] : [[value, up[index]] as const])); // no value ends a line
 }
+
+type Values = readonly Value[] | Parameters<typeof decodeArray>[0];
+
+const listed = (values: Values): readonly Value[] => ("bdata" in values ? [...decodeArray(values)] : values);

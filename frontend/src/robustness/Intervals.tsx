@@ -2,8 +2,10 @@
 
 import { Box } from "@mantine/core";
 import type { BatchSummary, Strategy } from "../api/types";
-import type { Figure } from "../batch/figures";
+import { fullName, type Figure } from "../batch/figures";
+import { ChartButton } from "../plots/ChartButton";
 import { formatNumber, formatResult, prettyUnit } from "../units/format";
+import { spreadChart } from "./paperSpread";
 import { scaleTo } from "./scale";
 import { quantile, type FigureSummary } from "./summary";
 import styles from "./bars.module.css";
@@ -24,7 +26,8 @@ export function Intervals({ summary, strategies, figure }: Props) {
   return (
     <Box component="figure" miw={0} m={0} data-figure={figure.key}>
       <Box component="figcaption" mb="0.2rem" fz="0.8125rem" fw={600}>
-        {figure.label} <span className={ui.dim}>{prettyUnit(figure.unit)}</span>
+        {figure.label} <span className={ui.dim}>{prettyUnit(figure.unit)}</span>{" "}
+        <ChartButton title={fullName(figure)} file={`ridelab-${summary.batch}-spread-${figure.key}`} draw={() => spreadChart(summary, strategies, figure)} />
       </Box>
       {rows.map(({ strategy, figureSummary }) => (
         <div key={strategy.id} className={styles.interval}>

@@ -4,6 +4,7 @@ import { Text } from "@mantine/core";
 import { keepPreviousData, useQuery } from "@tanstack/react-query";
 import { useState, type CSSProperties } from "react";
 import { isFinal } from "../jobs/follow";
+import { ChartButton } from "../plots/ChartButton";
 import type { Batch } from "../api/types";
 import type { Figure } from "../batch/figures";
 import { fullName, OPENING_FIGURE } from "../batch/figures";
@@ -12,6 +13,7 @@ import { BATCH, jobQuery } from "../jobs/useJob";
 import { formatPercent } from "../tables/change";
 import { formatResult, prettyUnit } from "../units/format";
 import { nameOf, useFieldText } from "./names";
+import { tornadoChart } from "./paperSpread";
 import { isOneByOne, tornadoOf, type Bar, type End, type Tornado } from "./tornado";
 import { TRAVEL } from "./summary";
 import { useOpenRun } from "../batch/useOpenRun";
@@ -62,8 +64,16 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
     placeholderData: keepPreviousData,
   });
   const opening = useOpenRun(batch);
+  const fieldText = useFieldText();
   if (!figure) return null;
   const tornado = table.data ? tornadoOf(batch, table.data.columns, strategyId, figure.key) : null;
+  const drawOnPaper = (shown: Tornado) =>
+    tornadoChart(
+      shown,
+      figure,
+      shown.bars.map(({ field }) => nameOf(field.name, [field])),
+      shown.bars.map(({ field, low, high }) => [low ? fieldText(field.name, low.at) : "", high ? fieldText(field.name, high.at) : ""]),
+    );
   const explanation = table.isError ? `The rows could not be read: ${table.error.message}` : isFinal(batch) && table.data ? "This metric has no value for the scenario itself." : "Loading these runs…";
   return (
     <Card
@@ -73,6 +83,7 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
         <>
           <Choice aria-label="Strategy alone" value={strategyId} data={labelled(strategies)} onPick={setStrategy} />
           <Choice aria-label="Metric alone" value={figure.key} data={offered.map((each) => ({ value: each.key, label: fullName(each) }))} onPick={setFigure} />
+          {tornado && <ChartButton title={`Each field alone: ${fullName(figure)}`} file={`ridelab-${batch.id}-fields-${figure.key}`} draw={() => drawOnPaper(tornado)} />}
         </>
       }
     >

@@ -52,10 +52,9 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
   const strategies = useQuery(strategiesQuery).data;
   const host = useRef<HTMLDivElement>(null);
   const title = several ? "Pareto front" : "The best so far";
-  const drawOnPaper = () => {
-    const light = strategies?.find(({ id }) => id === tuning.strategy)?.colour ?? colour;
-    return { figure: draw({ palette: ON_PAPER, colour: light }), legend: LEGEND };
-  };
+  const growth = useRef<HTMLDivElement>(null);
+  const light = strategies?.find(({ id }) => id === tuning.strategy)?.colour ?? colour;
+  const drawOnPaper = () => ({ figure: draw({ palette: ON_PAPER, colour: light }), legend: LEGEND });
   const volume = useMemo(() => volumeFigure(tuning.history, { palette, colour }), [tuning.history, palette, colour]);
   const axis = (which: "x" | "y") => (
     <Choice
@@ -101,7 +100,8 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
       {several && tuning.history.length > 1 && tuning.history.some(({ hypervolume }) => hypervolume !== null) && (
         <details className={classes.more}>
           <summary>How the front grew</summary>
-          <Chart figure={volume} height={180} label="Share of the box under the paper’s weights that the front dominates, over the trials" />
+          <ChartButton title="How the front grew" file={`ridelab-${tuning.id}-growth`} hostRef={growth} draw={() => ({ figure: volumeFigure(tuning.history, { palette: ON_PAPER, colour: light }), legend: ["Front"] })} />
+          <Chart hostRef={growth} figure={volume} height={180} label="Share of the box under the paper’s weights that the front dominates, over the trials" />
           <Text size="xs" c="dimmed" className={ui.note ?? ""}>
             The part of the box between zero and the paper’s weights that the front dominates: it flattens when more trials find little more.
           </Text>
