@@ -109,7 +109,7 @@ def test_the_last_crossing_counts_where_there_are_several(client: httpx.Client) 
     (low, high) = (each for each in solution.tried if each.value in (-0.2, 0.2))
     assert low.metric_value == pytest.approx(high.metric_value)
     assert "Not every smaller value keeps the limit: -0.2 to" in solution.warnings[0]
-    assert "falls to 0 at 0, rises to" in solution.warnings[1]
+    assert "falls to 0 m/s^2 at 0 m, rises to" in solution.warnings[1]
 
 
 def test_all_of_a_range_or_none_of_it(client: httpx.Client) -> None:

@@ -135,7 +135,7 @@ def _not_monotone(request: SolveRequest, bounds: Mapping[int, float], extrema: l
     steps = [f"{_metric(request, bounds[extrema[0]])} at {_value(request, extrema[0])}"]
     for number, index in enumerate(extrema[1:MAX_EXTREMA]):
         goes = "rises" if rises == (number % 2 == 0) else "falls"
-        steps.append(f"{goes} to {bounds[index]:.4g} at {request.value(index):g}")
+        steps.append(f"{goes} to {_metric(request, bounds[index])} at {_value(request, index)}")
     more = " and so on" if len(extrema) > MAX_EXTREMA else ""
     return f"The metric is not monotone: {', '.join(steps)}{more}; between values tried it may exceed the limit unseen."
 

@@ -18,6 +18,7 @@ import { Fault } from "../ui/Fault";
 import { Entry, labelled } from "../ui/Entry";
 import { formatExact, formatResult, prettyUnit } from "../units/format";
 import { askable, readDraft, type SolveDraft } from "./draft";
+import { inPageUnits } from "./words";
 
 const [TARGET, INITIAL] = ["speed.target_speed_kmh", "speed.initial_speed_kmh"] as const;
 
@@ -153,7 +154,7 @@ function Answer({ solution, field, figure, onClose }: AnswerProps) {
       {solution.warnings.length > 0 && (
         <List size="sm">
           {solution.warnings.map((warning) => (
-            <List.Item key={warning}>{warning}</List.Item>
+            <List.Item key={warning}>{inPageUnits(warning, field, figure)}</List.Item>
           ))}
         </List>
       )}

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { parseQuantity, shownIn } from "./quantity";
+import { parseQuantity, shownIn, unitBehind } from "./quantity";
 
 const value = (text: string, unit: string) => {
   const parsed = parseQuantity(text, unit);
@@ -51,4 +51,8 @@ describe("a number as people write it", () => {
 
 it("a unit is shown in another of its kind", () => {
   expect([shownIn("m", "cm").scale, shownIn("m", "mm").scale, shownIn("km/h", "km/h").scale, shownIn("1/N^2", "1/N^2").scale]).toEqual([100, 1000, 1, 1]);
+});
+
+it("the unit behind a shown one is found by its scale", () => {
+  expect([{ unit: "kN", scale: 1e-3 }, { unit: "mm", scale: 1000 }, { unit: "m/s²", scale: 1 }, { unit: "1", scale: 1 }].map(unitBehind)).toEqual(["N", "m", "m/s^2", "1"]);
 });

@@ -34,6 +34,14 @@ export function shownIn(unit: string, other: string): ShownUnit {
   return { unit: other, scale: rounded(own / shown) };
 }
 
+/** The unit whose values are shown so: `N` behind `kN` with 0.001. */
+export function unitBehind({ unit, scale }: ShownUnit): string {
+  const plain = unit.replace("²", "^2");
+  const units = unitsLike(plain);
+  const factor = (units[plain] ?? 1) * scale;
+  return scale === 1 ? plain : (Object.keys(units).find((name) => rounded(units[name] ?? 0) === rounded(factor)) ?? plain);
+}
+
 /** What was typed, in `unit`, which a number alone is in. */
 export function parseQuantity(text: string, unit: string): Quantity {
   const compact = text.trim().replace("−", "-");
