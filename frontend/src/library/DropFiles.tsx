@@ -5,6 +5,7 @@ import { useWindowEvent } from "@mantine/hooks";
 import { useState } from "react";
 import { useScenario } from "../state/context";
 import { useStore } from "../state/store";
+import ui from "../ui/ui.module.css";
 import classes from "./library.module.css";
 import { notice, useOpenFiles } from "./open";
 import { dialog } from "./ownLibrary";
@@ -42,15 +43,17 @@ function LastNotice() {
   const isOpen = useStore(dialog) !== null;
   if (said?.scenario !== scenario || isOpen) return null;
   return (
-    <div className={classes.notice} role={said.isWrong ? "alert" : "status"}>
-      <div>
-        {said.lines.map((line) => (
-          <Text key={line} size="sm">
-            {line}
-          </Text>
-        ))}
+    <div className={classes.message}>
+      <div className={ui.notice} role={said.isWrong ? "alert" : "status"}>
+        <div>
+          {said.lines.map((line) => (
+            <Text key={line} size="sm">
+              {line}
+            </Text>
+          ))}
+        </div>
+        <CloseButton size="sm" aria-label="Close the message" onClick={() => notice.set(null)} />
       </div>
-      <CloseButton size="sm" aria-label="Close the message" onClick={() => notice.set(null)} />
     </div>
   );
 }

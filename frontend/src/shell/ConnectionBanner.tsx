@@ -6,7 +6,7 @@ import { IconPlugConnectedX } from "../icons";
 import { useCallback, useEffect, useState } from "react";
 import { connection, probe, type Readiness, type Trouble } from "../api/connection";
 import { useStore } from "../state/store";
-import classes from "./shell.module.css";
+import ui from "../ui/ui.module.css";
 
 const FIRST_WAIT_S = 1;
 const LONGEST_WAIT_S = 8;
@@ -66,7 +66,7 @@ function Reconnecting({ trouble, requestedWait, onBack }: Props) {
   }, [wait, tryNow]);
 
   return (
-    <div className={classes.notice} data-kind="trouble" data-testid="connection" role="status">
+    <div className={ui.notice} data-kind="trouble" data-testid="connection" role="status">
       <IconPlugConnectedX size={18} stroke={1.7} aria-hidden />
       <Text size="sm">
         {MESSAGE[readiness]} <span aria-hidden>Next try in {wait} s.</span>

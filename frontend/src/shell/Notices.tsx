@@ -4,7 +4,7 @@ import { Button, Loader, Text } from "@mantine/core";
 import { useEffect, useState } from "react";
 import type { Strategy } from "../api/types";
 import { useLabContext, useLab } from "../state/context";
-import classes from "./shell.module.css";
+import ui from "../ui/ui.module.css";
 
 const SLOW_AFTER_MS = 1200;
 
@@ -18,7 +18,7 @@ export function Notices({ strategies }: { readonly strategies: readonly Strategy
     <>
       {busy && <SlowNotice />}
       {refused && shown && (
-        <div className={classes.notice} role="status">
+        <div className={ui.notice} role="status">
           <Text size="sm">The plots show the last scenario that could be run; the value to change is marked in the form.</Text>
           <Button size="compact-xs" variant="default" onClick={lab.undo}>
             Undo
@@ -26,12 +26,12 @@ export function Notices({ strategies }: { readonly strategies: readonly Strategy
         </div>
       )}
       {failure?.kind === "failed" && (
-        <div className={classes.notice} role="alert">
+        <div className={ui.notice} role="alert">
           <Text size="sm">This scenario could not be run: {failure.message}</Text>
         </div>
       )}
       {shown?.failed.map(({ strategy, message }) => (
-        <div key={strategy} className={classes.notice} role="alert">
+        <div key={strategy} className={ui.notice} role="alert">
           <Text size="sm">
             {strategies.find(({ id }) => id === strategy)?.label ?? strategy} could not be computed: {message}
           </Text>
@@ -50,7 +50,7 @@ function SlowNotice() {
   }, []);
   if (!slow) return null;
   return (
-    <div className={classes.notice} role="status">
+    <div className={ui.notice} role="status">
       <Loader size={14} />
       <Text size="sm">Computing. The previous curves are dimmed until the new ones arrive.</Text>
     </div>
