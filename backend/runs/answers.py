@@ -62,7 +62,7 @@ def changes_to_run(stored: StoredRun, against: StoredRun) -> PairedChanges:
     """
     seeds = [run.scenario["road"]["seed"] for run in (stored, against)]
     if (against.roads, seeds[1]) != (stored.roads, seeds[0]):
-        message = f"It drives {against.roads} roads from seed {seeds[1]}, this run {stored.roads} from {seeds[0]}"
+        message = f"Its number of roads is {against.roads} from seed {seeds[1]}, this run's {stored.roads} from {seeds[0]}"
         raise InvalidError(f"{message}: changes are of the same roads", parameter="against")
     _check_several(stored)
     if against.core_version != stored.core_version:

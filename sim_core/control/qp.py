@@ -75,7 +75,7 @@ class QpProblem:
         By the C of compiled/optimality.c.
 
         Raises:
-            ValueError: The arrays' lengths are not the problem's.
+            ValueError: The arrays do not fit the problem's.
         """
         self._y[:], self._multipliers[:] = y, multipliers
         violation: float = self._call()

@@ -66,6 +66,11 @@ def _settled(dashboard: Dashboard) -> None:
     dashboard.page.wait_for_load_state("networkidle", timeout=LONG_MS)
 
 
+def _counted(dashboard: Dashboard) -> None:
+    _settled(dashboard)
+    expect(dashboard.page.get_by_text("so far")).to_have_count(0, timeout=4 * LONG_MS)
+
+
 PICTURES = (
     Picture(name="dashboard", address=lambda server: "/"),
     Picture(name="dashboard-dark", address=lambda server: "/", scheme="dark"),
@@ -73,7 +78,7 @@ PICTURES = (
     Picture(name="sweep", address=_sweep, ready=_plots),
     Picture(name="robustness", address=_study, ready=_settled),
     Picture(name="tuner", address=_tuning, ready=_plots),
-    Picture(name="paper", address=lambda server: "/paper", ready=_settled),
+    Picture(name="paper", address=lambda server: "/paper", ready=_counted),
     Picture(name="ecu", address=lambda server: "/ecu", ready=_settled),
 )
 

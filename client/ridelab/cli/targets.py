@@ -113,13 +113,15 @@ def _of_library(value: dict[str, Any], name: str, services: Services) -> dict[st
     version, road = value.get("schema_version", 1), value.get("measured_road")
     ridelab = services.at()
     newest = ridelab.get("/schema")["schema_version"]
-    if not isinstance(version, int) or version > newest:
-        raise InputError(
-            f"{name}: its schema version is {version}, and this service reads up to {newest}: update Ridelab"
-        )
+    if type(version) is not int or version < 1:
+        raise InputError(f"{name}: schema_version has to be a whole number from 1 on")
+    if version > newest:
+        raise InputError(f"{name}: its schema version is {version}, and this service reads up to {newest}: update it")
     if isinstance(road, str):
-        profile = ridelab.upload_road(road.encode())["id"]
-        scenario = {**scenario, "road": {**scenario.get("road", {}), "profile": profile}}
+        profile, part = ridelab.upload_road(road.encode())["id"], scenario.get("road", {})
+        if not isinstance(part, dict):
+            raise InputError(f"{name}: road has to be a JSON object")
+        scenario = {**scenario, "road": {**part, "profile": profile}}
     return scenario
 
 
