@@ -62,8 +62,8 @@ def changes_to_run(stored: StoredRun, against: StoredRun) -> PairedChanges:
     """
     seeds = [run.scenario["road"]["seed"] for run in (stored, against)]
     if (against.roads, seeds[1]) != (stored.roads, seeds[0]):
-        message = f"Its number of roads is {against.roads} from seed {seeds[1]}, this run's {stored.roads} from {seeds[0]}"
-        raise InvalidError(f"{message}: changes are of the same roads", parameter="against")
+        message = f"Number of roads: {against.roads} from seed {seeds[1]}; of this run {stored.roads} from {seeds[0]}"
+        raise InvalidError(message + ": changes are of the same roads", parameter="against")
     _check_several(stored)
     if against.core_version != stored.core_version:
         message = f"Core {against.core_version} computed it, {stored.core_version} this run: request it again"

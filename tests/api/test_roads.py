@@ -145,7 +145,7 @@ def test_changes_are_refused_against_other_roads(service: Any, three: dict[str, 
     one = post(service, scenario=scenario, **body).json()["id"]
     others = {
         "no run": "nothing",
-        "number of roads is 1": one,
+        "Number of roads: 1 ": one,
         f"from seed {SEED - 9}": post(
             service, scenario={"road": {**scenario["road"], "seed": SEED - 9}}, roads=3, **body
         ).json()["id"],
