@@ -34,7 +34,7 @@ values = ["{link}"]
 [[operations]]
 include-operation-id = [
     "createRun", "live", "solve", "createBatch", "createTuning", "resumeTuning", "createLink", "getSeries", "getBands",
-    "getRunReport", "getBatchTable", "getBatchSummary",
+    "getChanges", "getRunReport", "getBatchTable", "getBatchSummary",
     "exportController", "reportController", "driveByClock", "makeHalfCar", "createRoad",
     "getPaper", "getPaperReadings", "getPaperAttribution", "getPaperFigures", "getPaperReport",
 ]
