@@ -1,7 +1,7 @@
 /** The drive by the clock: how long answers take, how evenly, and how many come too late. */
 
 import { Box, Button, Group, Progress, SegmentedControl, Stack, Text, useComputedColorScheme } from "@mantine/core";
-import { useMutation } from "@tanstack/react-query";
+import { useMutation, useQuery } from "@tanstack/react-query";
 import { useEffect, useMemo, useRef, useState } from "react";
 import { ask } from "../api/http";
 import { isTransient } from "../api/problem";
@@ -9,6 +9,7 @@ import type { Catalogue, RealtimeReport, Scenario } from "../api/types";
 import { Chart } from "../plots/Chart";
 import { ChartButton } from "../plots/ChartButton";
 import { ON_PAPER, PALETTES } from "../plots/palettes";
+import { strategiesQuery } from "../state/queries";
 import { formatPercent } from "../tables/change";
 import { VIEWS } from "../tables/ComparisonTable";
 import { count, formatNumber, formatWhole } from "../units/format";
@@ -113,6 +114,8 @@ const MEANING: Readonly<Record<Kind, string>> = {
 };
 
 function Report({ report, catalogue, colour }: { readonly report: RealtimeReport; readonly catalogue: Catalogue; readonly colour: string }) {
+  const { data: strategies } = useQuery(strategiesQuery);
+  const lightColour = strategies?.find(({ id }) => id === "lv_hil")?.colour ?? colour;
   const palette = PALETTES[useComputedColorScheme("light")];
   const [kind, setKind] = useState<Kind>("latency");
   const label = KINDS.find(({ value }) => value === kind)?.label ?? "";
@@ -151,7 +154,7 @@ function Report({ report, catalogue, colour }: { readonly report: RealtimeReport
               title={`Histogram of ${label.toLowerCase()}`}
               file={`ridelab-real-time-${kind}`}
               hostRef={host}
-              draw={() => ({ figure: histogramFigure(spread, report.deadline, { palette: ON_PAPER, colour, title: label }), legend: [], table: histogramTable(spread) })}
+              draw={() => ({ figure: histogramFigure(spread, report.deadline, { palette: ON_PAPER, colour: lightColour, title: label }), legend: [], table: histogramTable(spread) })}
             />
           )}
         </Group>

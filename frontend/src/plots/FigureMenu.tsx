@@ -1,6 +1,7 @@
 /** Width, type size and format of one figure's file. */
 
 import { Button, Group, Popover, SegmentedControl, Stack, Text } from "@mantine/core";
+import { useMediaQuery } from "@mantine/hooks";
 import { useId, useState, type ReactNode } from "react";
 import { download } from "../ui/download";
 import { figureImage, FONT_SIZES, WIDTHS, type FontSize, type Width } from "./paperFigure";
@@ -18,6 +19,7 @@ export function FigureMenu({ source, opened, onChange, children }: Props) {
   const [font, setFont] = useState<FontSize>("8");
   const [failed, setFailed] = useState(false);
   const id = useId();
+  const isNarrow = useMediaQuery("(max-width: 30em)", false, { getInitialValueInEffect: false });
   const { title, file, paper } = source;
   const save = (suffix: string, make: () => Promise<string>) => {
     setFailed(false);
@@ -34,12 +36,12 @@ export function FigureMenu({ source, opened, onChange, children }: Props) {
   return (
     <Popover opened={opened} onChange={onChange} position="bottom-end" trapFocus returnFocus withRoles={false} shadow="md">
       <Popover.Target>{children}</Popover.Target>
-      <Popover.Dropdown role="dialog" aria-label={`Save figure: ${title}`}>
+      <Popover.Dropdown role="dialog" aria-label={`Save figure: ${title}`} maw="calc(100vw - 1rem)">
         <Stack gap="xs">
           <Text size="xs" fw={600} id={`${id}-width`}>
             Width
           </Text>
-          <SegmentedControl size="xs" aria-labelledby={`${id}-width`} value={width} data={[...WIDTHS]} onChange={setWidth} />
+          <SegmentedControl size="xs" aria-labelledby={`${id}-width`} orientation={isNarrow ? "vertical" : "horizontal"} value={width} data={[...WIDTHS]} onChange={setWidth} />
           <Text size="xs" fw={600} id={`${id}-font`}>
             Font size
           </Text>

@@ -72,7 +72,7 @@ export function DataTable<Row>({ label, columns, rows = [], groups = [{ key: "",
     onSort?.();
   };
   const valueOf = columns.find(({ key }) => key === order?.column)?.sort;
-  const shown = (group: RowGroup<Row>) => (valueOf ? inOrder(group.rows, valueOf, order?.descending) : group.rows).slice(...(page ?? []));
+  const shown = groups.map((group) => ({ ...group, rows: (valueOf ? inOrder(group.rows, valueOf, order?.descending) : group.rows).slice(...(page ?? [])) }));
   const { className = "", ...rest } = attributes;
   return (
     <div className={`${classes.scroll} ${card ? ui.card : ""}`} tabIndex={0} role="region" aria-label={label} style={{ maxHeight: height }}>
@@ -86,10 +86,10 @@ export function DataTable<Row>({ label, columns, rows = [], groups = [{ key: "",
             ))}
           </tr>
         </thead>
-        {groups.map((group) => (
+        {shown.map((group) => (
           <tbody key={group.key} {...group.attributes}>
             {group.title !== undefined && <GroupRow group={group} columns={columns} />}
-            {shown(group).map((row) => (
+            {group.rows.map((row) => (
               <tr key={rowKey(row)} {...rowAttributes?.(row)}>
                 <Cells row={row} columns={columns} />
               </tr>
@@ -104,7 +104,7 @@ export function DataTable<Row>({ label, columns, rows = [], groups = [{ key: "",
           </tbody>
         ))}
       </table>
-      {empty !== undefined && groups.every((group) => shown(group).length === 0) && <p className={classes.empty}>{empty}</p>}
+      {empty !== undefined && shown.every((group) => group.rows.length === 0) && <p className={classes.empty}>{empty}</p>}
     </div>
   );
 }

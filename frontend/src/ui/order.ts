@@ -5,9 +5,11 @@ export interface Order {
   readonly descending: boolean;
 }
 
+const byText = new Intl.Collator("en", { numeric: true });
+
 function compare(a: unknown, b: unknown): number {
   if (typeof a === "number" && typeof b === "number") return a - b;
-  return String(a).localeCompare(String(b), "en", { numeric: true });
+  return byText.compare(String(a), String(b));
 }
 
 const isMissing = (value: unknown) => value === null || value === undefined;
