@@ -46,7 +46,7 @@ export function FigureMenu({ source, opened, onChange, children }: Props) {
             Font size
           </Text>
           <SegmentedControl size="xs" aria-labelledby={`${id}-font`} value={font} data={[...FONT_SIZES]} onChange={setFont} />
-          <Group gap="xs" grow>
+          <Group gap="xs" wrap="nowrap">
             <Button size="xs" variant="default" onClick={() => save("png", () => image("png"))}>
               PNG, 300 dpi
             </Button>

@@ -48,7 +48,7 @@ export function asZoomed(figure: ChartFigure, drawn: HTMLElement | null): ChartF
 
 export function paperChart({ figure: { data, layout }, legend, colours }: ChartOnPaper, size: PaperSize): PaperFigure {
   const [x, y] = axesOf(layout);
-  const page = sheet(layout, size, { ...x, text: textOf(x) }, { ...y, text: textOf(y) });
+  const page = sheet(layout, size, { ...x, text: textOf(x) }, { ...y, text: textOf(y) }, legend);
   const points = size.font * POINT;
   const margin = layout.margin as { readonly r?: number; readonly t?: number } | undefined;
   const annotations = (layout.annotations as readonly Readonly<Record<string, object>>[] | undefined) ?? [];

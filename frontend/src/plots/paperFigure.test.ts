@@ -31,7 +31,8 @@ const curves: Curves = {
 describe("a figure for a paper", () => {
   it("has its width in millimetres, its font in points and the colours of light paper", () => {
     const figure = paperFigure(template, curves, { width: 88, font: 9 });
-    expect([figure.width, figure.height]).toEqual([88, 63]);
+    expect([figure.width, figure.height]).toEqual([88, 67]); // two rows of names
+    expect(paperFigure(template, { ...curves, layers: [] }, { width: 88, font: 9 }).height).toBe(63);
     expect(figure.layout.font).toMatchObject({ size: 12 });
     expect(figure.layout.xaxis).toMatchObject({ range: [1, 3], title: { text: "Position [m]" } });
     expect(figure.data.map(({ line }) => line.color)).toEqual(["#1C5FDF", "#1C5FDF"]);

@@ -28,6 +28,15 @@ export const POINT = 96 / 72;
 /** Wider figures are flatter. */
 const heightOf = (width: number) => Math.round(width < 100 ? 0.72 * width : 0.45 * width);
 
+/** What more than one row of names adds to the height, the curves keep theirs [mm]; plotly gives all names equal columns. */
+function furtherRows(names: readonly string[], { width, font }: PaperSize): number {
+  const size = font * POINT;
+  const column = SYMBOL + LETTER * size * Math.max(0, ...names.map((name) => name.length));
+  const columns = Math.max(1, Math.floor((width * MM) / column));
+  return names.length === 0 ? 0 : ((Math.ceil(names.length / columns) - 1) * ROW * size) / MM;
+}
+const [SYMBOL, LETTER, ROW] = [40, 0.55, 1.4]; // pixels, and parts of the type size
+
 /** The strategies in the colours of light paper, which the template has. */
 const onPaper = ({ data }: FigureTemplate, strategies: Curves["strategies"]) =>
   strategies.map((strategy) => {
@@ -40,12 +49,13 @@ interface AxisOnPaper extends Readonly<Record<string, unknown>> {
 }
 
 /** A figure's layout on paper: white, in one font, its axes with titles. */
-export function sheet(layout: PlotLayout, { width, font }: PaperSize, xaxis: AxisOnPaper, yaxis: AxisOnPaper) {
+export function sheet(layout: PlotLayout, paper: PaperSize, xaxis: AxisOnPaper, yaxis: AxisOnPaper, names: readonly string[]) {
+  const { width, font } = paper;
   const size = font * POINT;
   const axis = ({ text, ...rest }: AxisOnPaper) => ({ ...rest, automargin: true, tickfont: { size }, title: { text, font: { size }, standoff: 6 } });
   return {
     width,
-    height: heightOf(width),
+    height: Math.round(heightOf(width) + furtherRows(names, paper)),
     layout: {
       ...layout,
       font: { family: "Arial, sans-serif", size, color: ON_PAPER.text },
@@ -67,7 +77,8 @@ export function paperFigure(template: FigureTemplate, curves: Curves, size: Pape
   const roadsNote = curves.roads === undefined ? "" : `<br>${overRoads(curves.roads, curves.minus !== undefined)}`;
   const x = { ...layout.xaxis, tickmode: "auto", nticks: 7, text: `${meta.axes[axisSignal(curves.axis)] ?? ""}${roadsNote}` };
   const y = { ...layout.yaxis, tickmode: "auto", nticks: 6, text: `${meta.title} [${meta.unit}]${less}` };
-  return { data, ...sheet(layout, size, x, y) };
+  const names = data.flatMap(({ name, showlegend }) => (name === undefined || showlegend === false ? [] : [name]));
+  return { data, ...sheet(layout, size, x, y, names) };
 }
 
 /** A drawing whose width and height are lengths, so that it is as large as asked for wherever it is placed. */
