@@ -116,7 +116,8 @@ def _of_library(value: dict[str, Any], name: str, services: Services) -> dict[st
     if type(version) is not int or version < 1:
         raise InputError(f"{name}: schema_version has to be a whole number from 1 on")
     if version > newest:
-        raise InputError(f"{name}: its schema version is {version}, and this service reads up to {newest}: update it")
+        older = f"this service reads up to {newest}: update Ridelab"
+        raise InputError(f"{name}: its schema version is {version}, and {older}")
     if isinstance(road, str):
         profile, part = ridelab.upload_road(road.encode())["id"], scenario.get("road", {})
         if not isinstance(part, dict):

@@ -6,7 +6,7 @@ import type { Variant } from "../state/compare";
 import { useLab } from "../state/context";
 import { beforeEdit, isUndone, roadsOf } from "../state/shown";
 import { readStored, writeStored } from "../state/storage";
-import { createStore } from "../state/store";
+import { createStore, useStore } from "../state/store";
 import { loadPinned, pinnedKey } from "./usePins";
 
 const NAME = "ridelab-before";
@@ -26,12 +26,13 @@ export function useBefore(): Variant | null {
   const before = useLab(beforeEdit);
   const history = useLab((state) => state.history);
   const roads = useLab((state) => state.roads);
+  const isShown = useStore(beforeShown);
   const id = before?.runId ?? "";
   const isUnlike = before !== null && roadsOf(before) !== roads;
   const { data } = useQuery({
     queryKey: [...pinnedKey(id), roads],
     queryFn: ({ signal }) => loadPinned(id, roads, queries, signal),
-    enabled: isUnlike && id !== "",
+    enabled: isShown && isUnlike && id !== "",
     staleTime: Infinity,
     structuralSharing: false,
   });

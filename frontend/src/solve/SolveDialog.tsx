@@ -64,6 +64,7 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
   const search = useMutation({ mutationFn: (body: Question) => ask("post", "/solve", { body: { scenario, ...body } }) });
   const patch = (change: Partial<SolveDraft>) => {
     search.reset();
+    setAsked(false);
     setDraft({ ...draft, ...change });
   };
   const find = () => {
