@@ -8,7 +8,7 @@ PORT ?= 8000
 DATA ?= data
 # A file's tests share what they start; in the folders' order the last files are short, so both processes end together.
 PYTEST ?= --numprocesses 2 --dist loadfile --no-loadscope-reorder --durations 25
-INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --no-compile --require-hashes -r
+INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --require-hashes -r
 MAKEFLAGS += --jobs=2  # packages and page, and both halves of the checks, side by side
 
 .PHONY: run test suite drill check check-python check-frontend audit bench margins ecu paper screenshots robust setup development compiler lock pin clean
@@ -73,6 +73,7 @@ ecu: development ## the ECU's program: C sources in build/ridelab-controller, th
 	$(BIN)/python -m benchmarks.ecu
 
 setup: $(VENV)/.runtime $(BIN)/ridelab frontend/dist/index.html ## all that running needs
+	$(BIN)/python -m compileall -q sim_core backend client/ridelab  # a start may write none, by PYTHONDONTWRITEBYTECODE
 
 development: setup $(VENV)/.development ## and what tests need
 
@@ -101,7 +102,6 @@ $(VENV)/.ecu: requirements-ecu.lock $(VENV)/.build
 $(BIN)/ridelab: pyproject.toml setup.py client/pyproject.toml $(wildcard sim_core/compiled/*.c) $(VENV)/.runtime  # both distributions, from this folder
 	@command -v cc || command -v gcc || command -v clang || $(MAKE) $(VENV)/.ecu
 	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index -e . -e client
-	$(BIN)/python -c 'import backend.app, backend.jobs.cluster, httpx, typer.rich_utils'  # compiles what is used, a third of all
 	touch $@
 
 frontend/node_modules/.installed: frontend/package-lock.json $(VENV)/.build

@@ -5,6 +5,7 @@ Worker processes import this module too when they are spawned, so it imports the
 
 import argparse
 import errno
+import gc
 import os
 import signal
 import socket
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 
     from backend.settings import Settings
 
-INTERRUPTED = 130  # exit code after Ctrl-C, as shells give it
+INTERRUPTED, TERMINATED = 130, 143  # exit codes after Ctrl-C and SIGTERM, as shells give them
 DEADLINE = 9.0  # an ordered end takes at most so long [s]; SIGTERM promises ten
 
 
@@ -44,6 +45,9 @@ def main(arguments: list[str] | None = None) -> int:
     if options.until_input_ends:
         threading.Thread(target=_end_with_the_input, daemon=True).start()
 
+    ending = _Ending()
+    signal.signal(signal.SIGTERM, ending)
+
     from backend import logs
     from backend.settings import Settings, SettingsError
 
@@ -59,7 +63,24 @@ def main(arguments: list[str] | None = None) -> int:
     except KeyboardInterrupt:  # a start may wait for a lock on the database
         return INTERRUPTED
     logs.configure(settings.log_format, settings.log_level)
-    return _serve(app, settings, listener, options.host)
+    return _serve(app, settings, listener, options.host, ending)
+
+
+class _Ending:
+    """What SIGTERM does before the server handles it, and after that one has ended in order.
+
+    The kernel has no default action for process 1, as which a container starts a service.
+    """
+
+    def __init__(self) -> None:
+        self.in_order = False
+
+    def __call__(self, sig: int, _: object) -> None:
+        """End at once; after the server only as the default action does, so that process 1 returns its exit code."""
+        signal.signal(sig, signal.SIG_DFL)
+        signal.raise_signal(sig)
+        if not self.in_order:
+            os._exit(TERMINATED)
 
 
 def _refuse(why: str) -> int:
@@ -119,11 +140,12 @@ def _application(settings: "Settings") -> "FastAPI":
     Raises:
         SettingsError: The database cannot be used.
     """
-    from backend.compute.workers import Workers
+    from backend.compute.workers import RESERVED, Workers
     from backend.settings import SettingsError
 
-    workers = Workers(settings.workers, timeout=settings.run_timeout)
+    workers = Workers(settings.workers, timeout=settings.run_timeout, reserved=RESERVED)
     workers.spawn()
+    gc.disable()  # what is imported stays: to look for garbage in it takes a tenth of the start
 
     from sqlalchemy.exc import SQLAlchemyError
 
@@ -138,6 +160,9 @@ def _application(settings: "Settings") -> "FastAPI":
     except (UnusableDatabaseError, SQLAlchemyError, ImportError) as error:
         workers.abandon()
         raise SettingsError(str(error)) from None
+    finally:
+        gc.freeze()
+        gc.enable()
     return app
 
 
@@ -156,7 +181,7 @@ def listen(host: str, port: int) -> socket.socket:
     return listener
 
 
-def _serve(app: "FastAPI", settings: "Settings", listener: socket.socket, host: str) -> int:
+def _serve(app: "FastAPI", settings: "Settings", listener: socket.socket, host: str, ending: _Ending) -> int:
     import asyncio
 
     import uvicorn
@@ -178,6 +203,7 @@ def _serve(app: "FastAPI", settings: "Settings", listener: socket.socket, host: 
             print(f"Ridelab is at http://{shown}:{listener.getsockname()[1]}", flush=True)
 
         def handle_exit(self, sig: int, frame: object) -> None:
+            ending.in_order = True
             timer = threading.Timer(DEADLINE, os._exit, (1,))
             timer.daemon = True
             timer.start()

@@ -9,13 +9,15 @@ from starlette.middleware import Middleware
 from starlette.middleware.gzip import GZipMiddleware
 
 from backend.api import batches, controller, health, links, login, paper, roads, runs, schema, site, tunings, vehicles
-from backend.compute.workers import Workers
+from backend.compute.workers import RESERVED, Workers
 from backend.ecu.service import Controllers
 from backend.http import openapi, problems
 from backend.http.admission import Admission
 from backend.http.guard import GuardMiddleware
+from backend.http.logins import Logins
 from backend.http.request_log import RequestLogMiddleware
-from backend.http.tokens import TokenMiddleware, Tokens
+from backend.http.token_middleware import TokenMiddleware
+from backend.http.tokens import Tokens
 from backend.jobs.reproduction.service import Paper
 from backend.jobs.scheduler import Scheduler
 from backend.jobs.sweep.service import Sweeps
@@ -41,6 +43,7 @@ ROUTERS = (
     runs.runs,
     runs.drawing,
     batches.submitting,
+    batches.reading,
     batches.batches,
     batches.naming,
     tunings.beginning,
@@ -72,6 +75,14 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
         workers: Perhaps spawned already; by default its own.
     """
     tokens = None if settings.tokens_file is None else Tokens(settings.tokens_file)
+    store = Store(settings.store_url)
+    logins = None
+    if tokens is not None:
+        logins = Logins(
+            tokens,
+            remember=lambda login: store.write(store.logins.end, login),
+            has_ended=lambda login: store.read(store.logins.has_ended, login),
+        )
     app = FastAPI(
         title="Ridelab",
         version=__version__,
@@ -83,14 +94,15 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
         middleware=[
             Middleware(RequestLogMiddleware),
             Middleware(GuardMiddleware, settings.hosts),
-            *([Middleware(TokenMiddleware, tokens)] if tokens is not None else []),
+            *([Middleware(TokenMiddleware, tokens, logins)] if tokens is not None and logins is not None else []),
             Middleware(GZipMiddleware, COMPRESS_FROM, compresslevel=1),
         ],
     )
     app.state.settings = settings
     app.state.tokens = tokens
-    app.state.store = Store(settings.store_url)
-    app.state.workers = workers or Workers(settings.workers, timeout=settings.run_timeout)
+    app.state.logins = logins
+    app.state.store = store
+    app.state.workers = workers or Workers(settings.workers, timeout=settings.run_timeout, reserved=RESERVED)
     problems.register(app)
     for router in ROUTERS:
         app.include_router(router)
@@ -118,7 +130,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         app.state.admission = admission
         app.state.metrics = service_registry(workers, admission)
         app.state.runs = Runs(store=store, workers=workers, results=results, admission=admission, roads=measured)
-        app.state.solver = Solver(runs=app.state.runs, admission=admission)
+        app.state.solver = Solver(runs=app.state.runs, admission=admission, roads=measured)
         app.state.paper = Paper(store=store, results=results, admission=admission)
         app.state.controllers = Controllers(
             workers=workers, admission=admission, roads=measured, max_request_cost=settings.max_request_cost

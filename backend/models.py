@@ -13,7 +13,7 @@ from backend.json_types import JsonObject
 from backend.unknown_names import unknown_name
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, NUMBERS, REFERENCES, SIGNALS, STAGES, WINDOWS
 from sim_core.scenario import Scenario
-from sim_core.scenario.parts import MAX_SEED
+from sim_core.scenario.road import MAX_SEED
 from sim_core.strategies import STRATEGIES
 from sim_core.study.roads import MAX_ROADS
 

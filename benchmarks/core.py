@@ -6,6 +6,7 @@ from time import process_time
 
 import numpy as np
 
+from backend.compute.processes import keep_freed_memory
 from benchmarks import plain_osqp_loop
 from benchmarks.timing import fresh_process, median_ms, peak_memory_mb, table
 from sim_core.catalogue import PAPER_SIGNALS
@@ -185,6 +186,7 @@ def over_roads() -> None:
 def run() -> None:
     """All of it."""
     print(f"The core's imports take {peak_memory_mb():.0f} MB")
+    keep_freed_memory()  # as a worker does
     against_plain_loop()
     by_strategy()
     by_change()

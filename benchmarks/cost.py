@@ -18,6 +18,7 @@ for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
 import numpy as np  # noqa: E402 - after the thread limits
 from pydantic import BaseModel, ValidationError  # noqa: E402 - after the thread limits
 
+from backend.compute.processes import keep_freed_memory  # noqa: E402 - after the thread limits
 from backend.ecu.drive import simulate  # noqa: E402 - after the thread limits
 from benchmarks.timing import table  # noqa: E402 - after the thread limits
 from sim_core.control import qp  # noqa: E402 - after the thread limits
@@ -137,6 +138,7 @@ def measure(cases: Iterable[tuple[Scenario, str]], processes: int = 2) -> list[M
 
 
 def _warm_up() -> None:
+    keep_freed_memory()  # as a worker does
     for name in STRATEGIES:
         simulate(Scenario(), name)
     osqp = Scenario.model_validate({"mpc": {"solver": "osqp", "deflection_limit": 0.03}})

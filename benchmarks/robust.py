@@ -18,6 +18,7 @@ import optuna
 from scipy.stats import qmc
 
 from backend.analysis.robustness import UNCERTAINTIES
+from backend.compute.processes import keep_freed_memory
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRICS, PAPER_METRICS
 from sim_core.scenario import Scenario, dotted
@@ -155,7 +156,7 @@ def main() -> None:
     )
     options = parser.parse_args()
     optuna.logging.set_verbosity(optuna.logging.ERROR)
-    with ProcessPoolExecutor(os.cpu_count()) as pool:
+    with ProcessPoolExecutor(os.cpu_count(), initializer=keep_freed_memory) as pool:
         if options.trials:
             controller = search(pool, options.trials, points(options.points, SEARCH_SEED), options.margin)
             print(json.dumps(controller))

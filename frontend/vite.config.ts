@@ -26,5 +26,5 @@ export default defineConfig({
     // What the first view needs is one file: in fifty the browser's six connections take turns.
     rolldownOptions: { output: { codeSplitting: { groups: [{ name: "first", tags: ["$initial"] }] } } },
   },
-  test: { include: ["src/**/*.test.ts"], environment: "node", isolate: false },
+  test: { include: ["src/**/*.test.ts"], environment: "node", css: { include: [/\?raw$/] } },
 });

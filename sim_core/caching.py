@@ -4,7 +4,7 @@ Results with a few small arrays of a fixed shape, such as a car's matrices, are 
 """
 
 from collections import OrderedDict
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Iterable
 from dataclasses import fields, is_dataclass
 from functools import cache, wraps
 from threading import Lock
@@ -12,6 +12,7 @@ from typing import Any, ParamSpec, TypeVar
 
 import numpy as np
 from cachetools.keys import hashkey
+from numpy.typing import NDArray
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -21,30 +22,33 @@ MAX_BYTES = 48 * MEBIBYTE  # of a process: a scenario that somebody edits, under
 _ENTRY_OVERHEAD = 1024  # so that the number of small entries is bounded too [bytes]
 
 
-def buffers(value: Any) -> dict[int, int]:
-    """Bytes of each buffer in a value, by its identity: in arrays, and in dataclasses, tuples and dictionaries of such.
-
-    A view counts as its whole base array, which it keeps alive.
-    """
-    sizes: dict[int, int] = {}
-    _collect(value, sizes)
-    return sizes
+def arrays(value: Any) -> list[NDArray[Any]]:
+    """Itself, those in dataclasses, tuples and dictionaries; and the arrays that these are views of."""
+    found: list[NDArray[Any]] = []
+    _collect(value, found)
+    return found
 
 
-def _collect(value: Any, sizes: dict[int, int]) -> None:
+def buffers(arrays: Iterable[NDArray[Any]]) -> dict[int, int]:
+    """Bytes of each buffer by its identity; a view counts as its whole base array, which it keeps alive."""
+    return {id(array): array.nbytes for array in arrays if not hasattr(array.base, "base")}
+
+
+def _collect(value: Any, found: list[NDArray[Any]]) -> None:
     if isinstance(value, np.ndarray):
-        while isinstance(value.base, np.ndarray):
-            value = value.base
-        sizes[id(value)] = value.nbytes
+        while value is not None:  # between a strided view and its array stands an object of NumPy's with a base too
+            if isinstance(value, np.ndarray):
+                found.append(value)
+            value = getattr(value, "base", None)
     elif isinstance(value, dict):
         for item in value.values():
-            _collect(item, sizes)
+            _collect(item, found)
     elif isinstance(value, tuple):
         for item in value:
-            _collect(item, sizes)
+            _collect(item, found)
     else:
         for name in _field_names(type(value)):  # type: ignore[arg-type]  # a class can be hashed
-            _collect(getattr(value, name), sizes)
+            _collect(getattr(value, name), found)
 
 
 @cache
@@ -68,7 +72,7 @@ class Cache:
         self.size = 0
 
     def cached(self, function: Callable[P, T]) -> Callable[P, T]:
-        """Cache its results; arguments must be hashable, and nobody may write into what is shared."""
+        """Cache its results; arguments must be hashable, and nobody can write into the arrays of either afterwards."""
 
         @wraps(function)
         def lookup(*args: P.args, **kwargs: P.kwargs) -> T:
@@ -86,8 +90,23 @@ class Cache:
 
         return lookup
 
+    def results(self) -> list[Any]:
+        """All that is cached."""
+        with self._lock:
+            return [result for result, _, _ in self._entries.values()]
+
+    def clear(self) -> None:
+        """Forget everything."""
+        with self._lock:
+            self._entries.clear()
+            self._references.clear()
+            self.size = 0
+
     def _put(self, key: Hashable, result: Any, arguments: Any) -> None:
-        held = buffers((result, arguments))
+        shared = arrays((result, arguments))
+        for array in shared:
+            array.flags.writeable = False
+        held = buffers(shared)
         if sum(held.values()) + _ENTRY_OVERHEAD > self._max_bytes or key in self._entries:
             return
         self._entries[key] = result, arguments, held

@@ -14,8 +14,7 @@ from sim_core.car.driven_car import DrivenCar
 from sim_core.car.half_car import FORCES, STATES
 from sim_core.car.on_road import on_road
 from sim_core.control.controller import Controller
-from sim_core.control.estimator import make_estimator
-from sim_core.controllers import make_controller
+from sim_core.controllers import make_controller, make_filter
 from sim_core.drive.sampling import RoadInput
 from sim_core.drive.speed_profile import Drive
 from sim_core.recording import Recording
@@ -125,7 +124,7 @@ def drive_controller(
     before = road_input.drive.before
     controller = make_controller(scenario, strategy, motion, road_input)
     disturbance, clipped = road_input.disturbance, controller.clipped
-    estimator = None if passive else make_estimator(scenario, road_input.step, motion.initial_speed, disturbance)
+    estimator = make_filter(scenario, strategy.suspension, motion, road_input, disturbance)
     car = on_road(
         scenario.real_vehicle, actuator, road_input.step, disturbance, before, estimator=estimator, clipped=clipped
     )

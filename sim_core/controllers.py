@@ -1,8 +1,11 @@
-"""Which controller a strategy has, made from the scenario."""
+"""Which controller a strategy has and what estimates the state for it, made from the scenario."""
 
+from sim_core.arrays import FloatArray
+from sim_core.car.driven_car import Estimator
 from sim_core.catalogue import STAGES
 from sim_core.control.controller import Controller, PassiveController
 from sim_core.control.cost import CostTerms
+from sim_core.control.estimator import make_estimator
 from sim_core.control.hooks import HookController, hook_gain
 from sim_core.control.lqr import LqrController, feedforward, regulator
 from sim_core.control.mpc import MpcController
@@ -12,7 +15,7 @@ from sim_core.drive.sampling import RoadInput
 from sim_core.drive.sensed_road import expected_errors
 from sim_core.drive.speed_profile import Drive
 from sim_core.drive.stages import coordinated_weights
-from sim_core.scenario import Scenario, Weights
+from sim_core.scenario import Preview, Scenario, Weights
 from sim_core.strategies import Strategy, SuspensionPolicy
 
 # Which share of skyhook each of the laws has; None is the scenario's.
@@ -57,6 +60,46 @@ def mpc_designs(scenario: Scenario, strategy: Strategy, motion: Drive) -> dict[s
         weights = coordinated_weights(scenario, strategy, stage)
         designs[stage] = design(_terms(scenario, motion, weights, mpc.deflection_weight), horizon)
     return designs
+
+
+def make_filter(
+    scenario: Scenario,
+    suspension: SuspensionPolicy,
+    motion: Drive,
+    road_input: RoadInput,
+    disturbance: FloatArray,
+    per_control: int = 1,
+) -> Estimator | None:
+    """What estimates the state for a strategy's controller, or None where it has the state itself, or none needs it.
+
+    Args:
+        scenario: What to drive.
+        suspension: The strategy's.
+        motion: The speed plan.
+        road_input: The road at that speed.
+        disturbance: Of `road_input` in each of the filter's steps (steps, 3 · fine).
+        per_control: Steps of the filter in a control step.
+
+    Raises:
+        RidelabError: There is no such filter.
+    """
+    if suspension is SuspensionPolicy.PASSIVE or scenario.estimation.kind == "exact":
+        return None
+    mode, seen = told_preview(scenario, suspension), None
+    if mode != "none":
+        sensing = scenario.vehicle.wheelbase, scenario.mismatch, expected_errors(scenario.mpc)
+        seen = preview(mode, scenario.road, motion, road_input, 1, *sensing).windows[:2, :, 0].T
+    step, speed = road_input.step / per_control, motion.initial_speed
+    return make_estimator(scenario, step, speed, disturbance, per_control, mode=mode, seen=seen)
+
+
+def told_preview(scenario: Scenario, suspension: SuspensionPolicy) -> Preview:
+    """What of the road a strategy's filter is told: what its controller previews, where the scenario says so."""
+    if not scenario.estimation.knows_preview:
+        return "none"
+    if suspension is SuspensionPolicy.LQR:
+        return scenario.lqr.preview
+    return scenario.mpc.preview if suspension.predictive else "none"
 
 
 def _terms(scenario: Scenario, motion: Drive, weights: Weights, deflection_weight: float) -> CostTerms:

@@ -1,5 +1,6 @@
 """simulate(scenario, strategy): speed plan, road, controller and car step by step, and the metrics of the recording."""
 
+from sim_core.blas import one_thread
 from sim_core.closed_loop import drive_controller
 from sim_core.drive.sampling import fine_step, sample_road
 from sim_core.drive.speed_profile import CONTROL_STEP, drive
@@ -16,6 +17,7 @@ from sim_core.strategies import Strategy, SuspensionPolicy, driven, strategy_nam
 from sim_core.workload import check_affordable
 
 
+@one_thread()
 def simulate(
     scenario: Scenario,
     strategy: str | Strategy,

@@ -87,7 +87,8 @@ _MPC = (
 )
 _LQR = (*_PREVIEW, "actuator", "estimation", "lqr", "mpc.sample_time", "mpc.force_limit", "mpc.force_weight")
 
-_HOOK = ("actuator", "estimation", "mpc.sample_time", "mpc.force_limit", "hook.semi_active")
+_FILTER = tuple(f"estimation.{name}" for name in ("kind", "acceleration_noise", "deflection_noise", "pitch_rate_noise"))
+_HOOK = ("actuator", *_FILTER, "mpc.sample_time", "mpc.force_limit", "hook.semi_active")  # without preview
 
 STRATEGIES: dict[str, Strategy] = {
     strategy.id: strategy

@@ -63,7 +63,8 @@ def peaks_with_kinks(
     all_peaks = np.array(peaks, order="C")
     tyres = (vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness)
     for axle, (stiffness, static) in enumerate(zip(tyres, vehicle.static_loads, strict=True)):
-        arrays = road_input.drive.position[axle, start:], road_input.height[axle, start:], loads[axle], highest[axle]
+        position = road_input.drive.position[start:] - axle * road_input.drive.wheelbase
+        arrays = position, road_input.height[axle, start:], loads[axle], highest[axle]
         lowest = -static if vehicle.tyre_lift_off else -inf
         _kink_peaks(
             *(road, _Axle(*map(address, arrays), stiffness, lowest), samples - 1, commands),

@@ -1,11 +1,11 @@
 """What a run costs, estimated from the scenario alone; and the limit on what one run may cost.
 
 Seconds are those of one core of the machine on which `python -m benchmarks.cost fit` was run last. A run's own limits
-count its work and not its time, so that whether it is too expensive depends on the scenario alone.
+count its work and not its time, so that whether it is too expensive depends on the scenario alone, and on no fit.
 """
 
 from collections.abc import Mapping
-from math import sqrt
+from math import ceil, sqrt
 
 from sim_core.binding_limits import LimitShares, expected_limits
 from sim_core.car.nonlinear import substeps
@@ -18,9 +18,25 @@ from sim_core.errors import TooExpensiveError
 from sim_core.scenario import Scenario
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy, driven, strategy_named
 
-MAX_FINE_STEPS = 3e6  # of one run: about 800 MB
-MAX_STEP_COST = 30.0  # of one run's steps [s]; its QPs have a limit of their own, `control.qp.MAX_EFFORT`
+MAX_BYTES = 4.2e8  # of one run's arrays; whoever changes this or `memory` changes which scenarios have a result
+MAX_OPERATIONS = 3.3e11  # of one run's steps: some 30 s; its QPs have a limit of their own, `control.qp.MAX_EFFORT`
 
+# Multiply-adds that a unit of `work` counts as in that limit. They decide which scenarios have a result: whoever
+# changes one raises the core's version. `SECONDS` may be fitted anew at any time and change nothing here.
+OPERATIONS: Mapping[str, float] = {
+    "plan": 1.3e7,
+    "design": 3.4e7,
+    "design entries": 4.2,
+    "fine steps": 1_850,
+    "nonlinear steps": 400,
+    "check entries": 1,
+    "limited steps": 86_000,
+    "ECU": 1.2e8,
+    "exchanges": 330_000,
+    "short steps": 50_000,
+    "ECU entries": 10,
+    "ECU iterations": 12,
+}
 # Seconds of each unit of `work`; entries are those of matrices.
 SECONDS: Mapping[str, float] = {
     "run": 0,
@@ -65,7 +81,8 @@ def estimate(scenario: Scenario, name: str) -> float:
     """
     strategy = driven(strategy_named(name), scenario.speed.policy)
     time = expected_time(scenario, strategy)
-    return _cost(work(scenario, strategy, time, expected_limits(scenario, strategy, time)))
+    counts = work(scenario, strategy, time, expected_limits(scenario, strategy, time))
+    return sum(SECONDS[unit] * count for unit, count in counts.items())
 
 
 def check_affordable(scenario: Scenario, strategy: Strategy, time: float) -> None:
@@ -75,8 +92,38 @@ def check_affordable(scenario: Scenario, strategy: Strategy, time: float) -> Non
         TooExpensiveError: There are too many.
     """
     counts = work(scenario, strategy, time, LimitShares(limited=1.0))
-    if _cost(counts) > MAX_STEP_COST or counts["fine steps"] > MAX_FINE_STEPS:
+    operations = sum(each * counts.get(unit, 0.0) for unit, each in OPERATIONS.items())
+    if operations > MAX_OPERATIONS or memory(scenario, strategy, time) > MAX_BYTES:
         raise TooExpensiveError("The run has too many steps", fields=_fields(strategy))
+
+
+def samples(scenario: Scenario, strategy: Strategy, time: float) -> tuple[float, int]:
+    """Control steps of a run, given its time over the road [s], and fine steps in each: its samples are their product.
+
+    Args:
+        scenario: What is driven.
+        strategy: As `driven` gives it.
+        time: The run's [s].
+    """
+    step = CONTROL_STEP if strategy.suspension is SuspensionPolicy.PASSIVE else scenario.mpc.sample_time
+    multiple = short_steps(step) if strategy.suspension is SuspensionPolicy.ECU else 1
+    return time / step, multiple * ceil(step / multiple / fine_step(scenario, strategy) - 1e-9)
+
+
+def memory(scenario: Scenario, strategy: Strategy, time: float) -> float:
+    """About the most that a run's arrays take at once, given its time over the road [s] [bytes].
+
+    Measured: a signal's samples are 8 bytes each, and most signals are there twice while they are recorded.
+    """
+    steps, fine = samples(scenario, strategy, time)
+    policy, each = strategy.suspension, 250.0 + 165.0 * fine
+    if policy is not SuspensionPolicy.PASSIVE and scenario.estimation.kind != "exact":
+        each += 300.0
+    if policy.predictive:  # three disturbances at each step of the horizon
+        each += 100.0 + 24.0 * scenario.mpc.prediction_horizon
+    if policy is SuspensionPolicy.ECU:  # what went over its channels
+        each += 3300.0
+    return steps * each
 
 
 def expected_time(scenario: Scenario, strategy: Strategy) -> float:
@@ -104,7 +151,8 @@ def work(scenario: Scenario, strategy: Strategy, time: float, expected: LimitSha
     if policy is SuspensionPolicy.PASSIVE:
         return counts
     steps = time / mpc.sample_time
-    limited = expected.limited * steps
+    # An ECU checks its limits in every step, and its own units say what that takes.
+    limited = 0.0 if policy is SuspensionPolicy.ECU else expected.limited * steps
     counts["limited steps"] = limited
     if policy in HOOKS:
         return counts
@@ -115,7 +163,6 @@ def work(scenario: Scenario, strategy: Strategy, time: float, expected: LimitSha
     counts["design entries"] = checks * inputs**2
     if policy is SuspensionPolicy.ECU:
         return counts | {
-            "limited steps": 7.9e-06,
             "ECU": 1.0,
             "exchanges": steps,
             "short steps": steps * short_steps(mpc.sample_time),
@@ -131,10 +178,6 @@ def work(scenario: Scenario, strategy: Strategy, time: float, expected: LimitSha
     if mpc.solver == "osqp":
         counts["OSQP"] = solved * OsqpSolver.effort(expected.iterations, unknowns, 4 * mpc.prediction_horizon)
     return counts
-
-
-def _cost(counts: Mapping[str, float]) -> float:
-    return sum(SECONDS[unit] * count for unit, count in counts.items())
 
 
 def _detection(scenario: Scenario) -> float:

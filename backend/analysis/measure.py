@@ -8,9 +8,9 @@ import numpy as np
 import orjson
 
 from backend.analysis.objectives import StoredLimit, StoredObjective
+from backend.jobs.chunk import JobRow
 from backend.jobs.tuning.space import Weights
 from backend.json_types import JsonObject, Summary
-from backend.store.job_runs import JobRow
 from backend.store.trials import StoredTrial
 from sim_core.catalogue import METRICS, PAPER_METRICS, Metric
 

@@ -9,11 +9,11 @@ import numpy as np
 import orjson
 
 from backend.analysis import robustness, summary
+from backend.jobs.chunk import JobRow
 from backend.jobs.sweep.models import BatchSummary
 from backend.jobs.sweep.plan import scenario_at
 from backend.json_types import Summary
 from backend.store import StoredJob
-from backend.store.job_runs import JobRow
 from sim_core import __version__ as CORE_VERSION
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRICS

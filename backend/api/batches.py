@@ -4,7 +4,6 @@ from collections.abc import Iterable
 from typing import Annotated, Literal
 
 from fastapi import Query, Request, Response
-from fastapi.responses import StreamingResponse
 
 from backend.analysis import robustness
 from backend.analysis.models import RobustnessDefaults
@@ -12,8 +11,9 @@ from backend.api import jobs, router
 from backend.api.deps import Client, part_of_application
 from backend.api.runs import MEDIA_TYPES
 from backend.errors import InvalidError
-from backend.http.answers import IMMUTABLE, cancel_on_disconnect, json_answer
-from backend.http.problems import Problem
+from backend.http import problems
+from backend.http.answers import IMMUTABLE, Download, cancel_on_disconnect, json_answer
+from backend.http.routing import ComputingRoute
 from backend.http.tokens import Caller
 from backend.jobs.sweep.models import (
     Batch,
@@ -39,6 +39,7 @@ api = jobs.JobApi(
     event_data="state, done, failed, total",
 )
 submitting = router(api.plural, 400, 409, 413, 415, 422, 429, 503)
+reading = router(api.plural, 404, 422, 429, 503, route_class=ComputingRoute)
 batches, naming = api.routers()
 
 
@@ -69,14 +70,17 @@ async def create_batch(
 
 
 @batches.post(
-    "/batches/{id}/resume", operation_id="resumeBatch", response_model=Batch, responses={409: {"model": Problem}}
+    "/batches/{id}/resume",
+    operation_id="resumeBatch",
+    response_model=Batch,
+    responses={**jobs.OWNERS, 409: problems.ANSWER},
 )
-async def resume_batch(job_id: jobs.JobId, service: BatchService) -> Response:
-    """A cancelled one goes on where it stopped; one under way is answered as it is."""
-    return json_answer(await service.answer(await service.resume(job_id)))
+async def resume_batch(job_id: jobs.JobId, service: BatchService, owner: Caller) -> Response:
+    """A cancelled one goes on where it stopped; one under way is answered as it is. With tokens only its owner may."""
+    return json_answer(await service.answer(await service.resume(job_id, owner)))
 
 
-@batches.get(
+@reading.get(
     "/batches/{id}/results",
     operation_id="getBatchResults",
     response_model=BatchResults,
@@ -85,31 +89,33 @@ async def resume_batch(job_id: jobs.JobId, service: BatchService) -> Response:
 async def get_batch_results(
     job_id: jobs.JobId,
     service: BatchService,
+    client: Client,
     file_format: Annotated[Literal["json", "csv", "parquet"], Query(alias="format", description="Of it")] = "json",
 ) -> Response:
     """One row a run, in order, streamed; a batch that still runs has rows that wait."""
-    batch, stream = await service.results(job_id, file_format)
+    batch, stream, counted = await service.results(job_id, file_format, client)
     headers = {"Cache-Control": IMMUTABLE if batch.state == "done" else "no-store"}
     if file_format != "json":
         headers["Content-Disposition"] = f'attachment; filename="ridelab-batch-{batch.id}.{file_format}"'
-    return StreamingResponse(stream, headers=headers, media_type=MEDIA_TYPES[file_format])
+    return Download(stream, counted, headers=headers, media_type=MEDIA_TYPES[file_format])
 
 
-@batches.get("/batches/{id}/table", operation_id="getBatchTable", response_model=BatchTable)
+@reading.get("/batches/{id}/table", operation_id="getBatchTable", response_model=BatchTable)
 async def get_batch_table(
     job_id: jobs.JobId,
     service: BatchService,
+    client: Client,
     figures: Annotated[str, Query(description=f"Keys with commas, such as {PAPER_METRICS[4]}")] = "",
 ) -> Response:
     """Rows column by column: run, strategy, status, reason, the swept fields and the figures asked for."""
-    return json_answer(await service.table(job_id, _figures(figures, METRICS)))
+    return json_answer(await service.table(job_id, _figures(figures, METRICS), client))
 
 
 @batches.get(
     "/batches/{id}/summary",
     operation_id="getBatchSummary",
     response_model=BatchSummary,
-    responses={429: {"model": Problem}},
+    responses={429: problems.ANSWER},
 )
 async def get_batch_summary(
     job_id: jobs.JobId,

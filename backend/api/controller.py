@@ -2,14 +2,14 @@
 
 from typing import Annotated
 
-from fastapi import Request, Response
+from fastapi import Response
 
 from backend.api import router
 from backend.api.deps import Client, part_of_application
 from backend.ecu import models
 from backend.ecu.export import FOLDER
 from backend.ecu.service import Controllers
-from backend.http.answers import cancel_on_disconnect, json_answer
+from backend.http.answers import json_answer
 from backend.http.routing import ScenarioRoute
 
 controller = router("controller", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
@@ -32,16 +32,12 @@ async def export_controller(body: models.ControllerRequest, service: Controllers
 
 
 @controller.post("/controller/report", operation_id="reportController", response_model=models.ControllerReport)
-async def report_controller(
-    body: models.ControllerRequest, request: Request, service: ControllersService, client: Client
-) -> Response:
+async def report_controller(body: models.ControllerRequest, service: ControllersService, client: Client) -> Response:
     """Whether it fits an STM32F103, and which smaller controllers do; takes about ten seconds, one at a time."""
-    return json_answer(await cancel_on_disconnect(request, service.report(body.scenario, client)))
+    return json_answer(await service.report(body.scenario, client))
 
 
 @controller.post("/controller/realtime", operation_id="driveByClock", response_model=models.RealtimeReport)
-async def drive_by_clock(
-    body: models.ControllerRequest, request: Request, service: ControllersService, client: Client
-) -> Response:
+async def drive_by_clock(body: models.ControllerRequest, service: ControllersService, client: Client) -> Response:
     """Drive it once by the clock: latency, jitter, missed deadlines; takes as long as the drive, one at a time."""
-    return json_answer(await cancel_on_disconnect(request, service.drive_by_clock(body.scenario, client)))
+    return json_answer(await service.drive_by_clock(body.scenario, client))

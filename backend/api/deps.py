@@ -5,7 +5,7 @@ from typing import Annotated, Any
 from fastapi import Depends, Request, Response
 from fastapi.responses import HTMLResponse
 
-from backend.http.routing import client_address
+from backend.http.routing import client_of
 from backend.runs.links.service import Links
 from backend.runs.reports.page import Report
 from backend.runs.service import Runs
@@ -22,7 +22,7 @@ def part_of_application(name: str) -> Any:
 
 
 async def _client(request: Request) -> str:
-    return client_address(request)
+    return client_of(request)
 
 
 RunsService = Annotated[Runs, part_of_application("runs")]

@@ -4,6 +4,7 @@ from typing import Literal
 
 from fastapi import APIRouter, Request, Response
 from prometheus_client.exposition import choose_encoder
+from pydantic import Field
 
 from backend.api.deps import RunsService
 from backend.http.answers import json_answer
@@ -24,6 +25,7 @@ class Readiness(Answer):
     status: Literal["ready", "starting"]
     store: bool
     workers: bool
+    reason: str | None = Field(description="What an operator has to do before it can work; null where nothing")
 
 
 @health.get("/healthz", operation_id="getHealth", response_model=Health)
@@ -42,7 +44,8 @@ async def readyz(request: Request, service: RunsService) -> Response:
     """The store answers and a warm worker is there."""
     parts = {"store": await service.store_usable(), "workers": request.app.state.workers.ready}
     ready = all(parts.values())
-    return json_answer({"status": "ready" if ready else "starting", **parts}, status=200 if ready else 503)
+    answer = {"status": "ready" if ready else "starting", **parts, "reason": request.app.state.store.damage}
+    return json_answer(answer, status=200 if ready else 503)
 
 
 @health.get(

@@ -10,11 +10,12 @@ from pydantic import BaseModel
 
 from backend.api import API, router
 from backend.api.deps import Client
+from backend.http import problems
 from backend.http.answers import json_answer
-from backend.http.problems import Problem
 from backend.http.tokens import Caller
 from backend.jobs.models import LabelRequest
 from backend.jobs.service import CURSOR, Jobs
+from backend.plain_text import PlainText
 from backend.store import StoredJob
 from backend.store.job import State
 
@@ -28,6 +29,7 @@ IdempotencyKey = Annotated[
         "after it was cancelled they begin a new one",
     ),
 ]
+OWNERS: dict[int | str, dict[str, Any]] = {403: problems.ANSWER}  # of what only the owner of a job may do
 JobId = Annotated[str, Path(alias="id", description="22 characters", max_length=64)]
 
 
@@ -83,7 +85,7 @@ class JobApi:
             limit: Annotated[int, Query(ge=1, le=500, description="At most so many")] = 50,
             cursor: Annotated[str | None, Query(pattern=CURSOR, description="`next` of the page before")] = None,
             state: Annotated[State | None, Query(description="Only those in that state")] = None,
-            label: Annotated[str | None, Query(max_length=200, description="Only those with that label")] = None,
+            label: Annotated[PlainText | None, Query(max_length=200, description="Only those with that label")] = None,
         ) -> Response:
             """The newest first, page by page."""
             return json_answer(await service.page(limit=limit, cursor=cursor, state=state, label=label))
@@ -97,26 +99,26 @@ class JobApi:
         Service = Annotated[JobService, self.service]
         path, title = f"/{self.plural}/{{id}}", self.name.title()
 
-        @with_body.patch(path, operation_id=f"label{title}", response_model=self.model)
-        async def set_label(job_id: JobId, body: LabelRequest, service: Service) -> Response:
-            """Name it, or take its name away."""
-            return json_answer(await service.answer(await service.jobs.set_label(job_id, body.label)))
+        @with_body.patch(path, operation_id=f"label{title}", response_model=self.model, responses=OWNERS)
+        async def set_label(job_id: JobId, body: LabelRequest, service: Service, owner: Caller) -> Response:
+            """Name it, or take its name away; with tokens only its owner may."""
+            return json_answer(await service.answer(await service.jobs.set_label(job_id, body.label, owner)))
 
         @without_body.delete(
             path,
             operation_id=f"delete{title}",
             status_code=204,
-            responses={403: {"model": Problem}, 409: {"model": Problem}},
+            responses={**OWNERS, 409: problems.ANSWER},
         )
         async def delete(job_id: JobId, service: Service, owner: Caller) -> Response:
             """Remove one that has ended and that no link shows; with tokens only its owner may."""
             await service.jobs.delete(job_id, owner)
             return Response(status_code=204)
 
-        @without_body.post(f"{path}/cancel", operation_id=f"cancel{title}", response_model=self.model)
-        async def cancel(job_id: JobId, service: Service) -> Response:
-            """Cancel it; finished runs stay. One that has ended is answered unchanged."""
-            return json_answer(await service.answer(await service.jobs.cancel(job_id)))
+        @without_body.post(f"{path}/cancel", operation_id=f"cancel{title}", response_model=self.model, responses=OWNERS)
+        async def cancel(job_id: JobId, service: Service, owner: Caller) -> Response:
+            """Cancel it; finished runs stay. One that has ended is answered as it is. With tokens only by its owner."""
+            return json_answer(await service.answer(await service.jobs.cancel(job_id, owner)))
 
     def _add_events(self, without_body: APIRouter) -> None:
         Service = Annotated[JobService, self.service]
@@ -134,7 +136,7 @@ class JobApi:
             f"/{self.plural}/{{id}}/events",
             operation_id=f"get{self.name.title()}Events",
             response_class=StreamingResponse,
-            responses={200: {"content": {"text/event-stream": {"schema": event}}}, 429: {"model": Problem}},
+            responses={200: {"content": {"text/event-stream": {"schema": event}}}, 429: problems.ANSWER},
         )
         async def get_events(
             job_id: JobId,

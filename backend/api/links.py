@@ -10,10 +10,11 @@ from fastapi import Path, Request, Response
 from backend.api import router
 from backend.api.deps import Client, LinksService
 from backend.http.answers import answer_unless_cached, json_answer
+from backend.http.routing import ComputingRoute
 from backend.runs.links import models as models_links
 
-links = router("links", 404, 422, 503)
-sharing = router("links", 400, 413, 415, 422, 429, 503)
+links = router("links", 404, 410, 422, 429, 503)
+sharing = router("links", 400, 410, 413, 415, 422, 429, 503, route_class=ComputingRoute)
 
 Slug = Annotated[str, Path(description="22 characters; anything else is 404")]
 
@@ -34,9 +35,9 @@ async def create_link(body: models_links.LinkRequest, service: LinksService, cli
     response_model=models_links.Link,
     responses={304: {"description": "Not changed"}},
 )
-async def get_link(slug: Slug, request: Request, service: LinksService) -> Response:
+async def get_link(slug: Slug, request: Request, service: LinksService, client: Client) -> Response:
     """What a link opens: results as they were computed, the scenario as today's schema has it, the view."""
-    link = await service.get(slug)
+    link = await service.get(slug, client)
     view = link.view.model_dump(exclude_unset=True, warnings=False)  # as it was sent
     content = {**link.model_dump(exclude={"view"}), "view": view}
     # Of the content: what is shared never changes, but the service's own version and a batch's progress do.

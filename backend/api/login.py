@@ -7,11 +7,11 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from backend.api import API, router
 from backend.http.answers import json_answer
-from backend.http.tokens import COOKIE, LOGIN, Caller, check_login
+from backend.http.logins import COOKIE, LIFETIME, LOGIN, Logins
+from backend.http.problems import RequestError
+from backend.http.tokens import Caller
 
-DAYS = 90
-
-login = router("login", 400, 401, 413, 415, 422)
+login = router("login", 400, 401, 413, 415, 422, 503)
 
 
 class LoginState(BaseModel):
@@ -38,15 +38,21 @@ async def get_login(request: Request, caller: Caller) -> Response:
 @login.post(LOGIN.removeprefix(API), operation_id="logIn", status_code=204)
 async def log_in(body: LoginRequest, request: Request) -> Response:
     """Keep the token in a cookie that no script can read; 401 where it is none of the service's."""
-    value = check_login(request.app.state.tokens, body.token)
+    logins: Logins | None = request.app.state.logins
+    value = None if logins is None else logins.begin(body.token)
+    if value is None:
+        raise RequestError("token-required", "This is none of the service's tokens.")
     answer = Response(status_code=204)
-    _set(answer, request, value, 86400 * DAYS)
+    _set(answer, request, value, LIFETIME)
     return answer
 
 
 @login.delete(LOGIN.removeprefix(API), operation_id="logOut", status_code=204)
 async def log_out(request: Request) -> Response:
-    """Forget the cookie."""
+    """End the login: its cookie, and every copy of it, is worth nothing from now on."""
+    logins: Logins | None = request.app.state.logins
+    if logins is not None:
+        await logins.end(request.cookies.get(COOKIE, ""))
     answer = Response(status_code=204)
     _set(answer, request, "", 0)
     return answer

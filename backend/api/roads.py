@@ -7,13 +7,13 @@ from fastapi import Path, Query, Request, Response
 from backend.api import API, router
 from backend.api.deps import Client, part_of_application
 from backend.http.answers import IMMUTABLE
-from backend.http.routing import CsvRoute
+from backend.http.routing import ComputingRoute, CsvRoute
 from backend.models import MAX_POINTS
 from backend.roads.models import CreatedRoad, RoadAnswer
 from backend.roads.service import Roads
 
 surveying = router("roads", 408, 413, 415, 429, 503, route_class=CsvRoute)
-roads = router("roads", 404, 503)
+roads = router("roads", 404, 429, 503, route_class=ComputingRoute)
 EXAMPLE = "distance [m],height [mm]\n0,0\n5,12\n10,3\n"
 
 
@@ -44,6 +44,7 @@ async def create_road(request: Request, response: Response, service: RoadsServic
 )
 async def get_road(
     service: RoadsService,
+    client: Client,
     road_id: Annotated[str, Path(alias="id", max_length=64, description="Of the road")],
     points: Annotated[int, Query(ge=2, le=MAX_POINTS, description="Of JSON: about how many heights")] = 2000,
     file_format: Annotated[
@@ -52,6 +53,6 @@ async def get_road(
 ) -> RoadAnswer | Response:
     """A measured road; it never changes."""
     if file_format == "json":
-        return await service.get(road_id, points)
+        return await service.get(road_id, points, client)
     headers = {"Content-Disposition": f'attachment; filename="ridelab-road-{road_id}.csv"', "Cache-Control": IMMUTABLE}
-    return Response(await service.csv(road_id), headers=headers, media_type="text/csv")
+    return Response(await service.csv(road_id, client), headers=headers, media_type="text/csv")

@@ -11,7 +11,6 @@ from backend.api.deps import Client, RunsService, SolverService, html_answer
 from backend.digest import RUN_ID_LENGTH
 from backend.errors import InvalidError
 from backend.http.answers import IMMUTABLE, answer_unless_cached, cancel_on_disconnect, json_answer, takes_gzip
-from backend.http.problems import Problem
 from backend.http.routing import ComputingRoute, ScenarioRoute
 from backend.json_types import JsonObject
 from backend.runs.figures import PANELS
@@ -20,9 +19,9 @@ from backend.runs.solve.models import Solution, SolveRequest
 from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
 
-runs = router("runs", 404, 422, 503)
+runs = router("runs", 404, 410, 422, 429, 503)
 computing = router("runs", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
-drawing = router("runs", 404, 422, 429, 503, route_class=ComputingRoute)
+drawing = router("runs", 404, 410, 422, 429, 503, route_class=ComputingRoute)
 
 Signals = Annotated[str | None, Query(description="Keys with commas; omitted is all")]
 Points = Annotated[int | None, Query(ge=2, le=models.MAX_POINTS, description="About how many samples; omitted is all")]
@@ -44,16 +43,15 @@ async def create_run(body: models.RunRequest, service: RunsService, client: Clie
 
 
 @computing.post("/live", operation_id="live", response_model=models.LiveRun)
-async def live(body: models.LiveRequest, request: Request, service: RunsService, client: Client) -> Response:
+async def live(body: models.LiveRequest, service: RunsService, client: Client) -> Response:
     """Figures and decimated time histories while somebody drags; nothing is stored."""
-    work = service.live(body.scenario, body.strategies, body.points, body.signals, client)
-    return json_answer(await cancel_on_disconnect(request, work))
+    return json_answer(await service.live(body.scenario, body.strategies, body.points, body.signals, client))
 
 
 @computing.post("/solve", operation_id="solve", response_model=Solution)
-async def solve(body: SolveRequest, request: Request, solver: SolverService, client: Client) -> Response:
+async def solve(body: SolveRequest, solver: SolverService, client: Client) -> Response:
     """The largest value of one field that keeps one metric at or below a limit, and the run at that value."""
-    return json_answer(await cancel_on_disconnect(request, solver.solve(body, client)))
+    return json_answer(await solver.solve(body, client))
 
 
 @runs.get(
@@ -64,28 +62,29 @@ async def solve(body: SolveRequest, request: Request, solver: SolverService, cli
 )
 async def get_run(run_id: RunId, request: Request, service: RunsService, client: Client) -> Response:
     """A stored run; it changes only where its results were removed and another core version computes them again."""
-    answer = await service.get(run_id, client)
+    answer = await cancel_on_disconnect(request, service.get(run_id, client))
     return answer_unless_cached(request, f'W/"{run_id}"', answer, IMMUTABLE)  # weak: the body may be compressed
 
 
 @runs.get("/runs/{id}/changes", operation_id="getChanges", response_model=PairedChanges)
 async def get_changes(
     run_id: RunId,
+    request: Request,
     service: RunsService,
     client: Client,
     against: Annotated[str | None, Query(description="Id of a run over the same roads", max_length=64)] = None,
     baseline: Annotated[str | None, Query(description="In its place one of this run's strategies")] = None,
 ) -> Response:
     """Of a run over several roads: changes against another run, strategy by strategy, or a strategy; paired by road."""
-    answer = await service.changes(run_id, client, against=against, baseline=baseline)
-    return json_answer(answer, CACHED_FOR_AN_HOUR)
+    work = service.changes(run_id, client, against=against, baseline=baseline)
+    return json_answer(await cancel_on_disconnect(request, work), CACHED_FOR_AN_HOUR)
 
 
 @drawing.get(
     "/runs/{id}/series",
     operation_id="getSeries",
     response_model=models.Series | models.SeriesOfSeveral,
-    responses={200: {"content": {"text/csv": {}, MEDIA_TYPES["parquet"]: {}}}, 410: {"model": Problem}},
+    responses={200: {"content": {"text/csv": {}, MEDIA_TYPES["parquet"]: {}}}},
 )
 async def get_series(
     run_id: RunId,
@@ -116,10 +115,9 @@ async def get_series(
     return Response(content, headers=headers, media_type=MEDIA_TYPES[file_format])
 
 
-@drawing.get("/runs/{id}/bands", operation_id="getBands", response_model=Bands, responses={410: {"model": Problem}})
+@drawing.get("/runs/{id}/bands", operation_id="getBands", response_model=Bands)
 async def get_bands(
     run_id: RunId,
-    request: Request,
     service: RunsService,
     client: Client,
     strategy: Annotated[str | None, Query(description="Ids with commas; omitted is all of the run's")] = None,
@@ -128,7 +126,7 @@ async def get_bands(
     encoding: Annotated[Literal["list", "base64"], Query(description="Of numbers")] = "list",
 ) -> Response:
     """Of a run over several roads: mean, smallest and largest value over all roads at each sample, in SI units."""
-    work = service.bands(
+    content = await service.bands(
         run_id,
         client,
         strategies=_names("strategy", strategy, STRATEGIES),
@@ -136,7 +134,6 @@ async def get_bands(
         points=points,
         encoding=encoding,
     )
-    content = await cancel_on_disconnect(request, work)
     return Response(content, headers=CACHED_FOR_AN_HOUR, media_type=MEDIA_TYPES["json"])
 
 
@@ -144,7 +141,6 @@ async def get_bands(
     "/runs/{id}/figures",
     operation_id="getRunFigures",
     response_model=models.Figures,
-    responses={410: {"model": Problem}},
 )
 async def get_run_figures(
     run_id: RunId,
@@ -160,7 +156,6 @@ async def get_run_figures(
     "/runs/{id}/figures/{name}",
     operation_id="getRunFigure",
     response_model=JsonObject,
-    responses={410: {"model": Problem}},
 )
 async def get_run_figure(
     run_id: RunId,

@@ -2,12 +2,12 @@
 
 from typing import Annotated
 
-from fastapi import Query, Request, Response
+from fastapi import Query, Response
 
 from backend.api import jobs, router
 from backend.api.deps import Client, part_of_application
-from backend.http.answers import cancel_on_disconnect, json_answer
-from backend.http.problems import Problem
+from backend.http import problems
+from backend.http.answers import json_answer
 from backend.http.routing import ScenarioRoute
 from backend.http.tokens import Caller
 from backend.jobs.tuning.answers import Trials, Tuning, TuningEstimate, Tunings
@@ -38,7 +38,6 @@ tunings, naming = api.routers()
 )
 async def create_tuning(
     body: TuningRequest,
-    request: Request,
     service: Service,
     client: Client,
     owner: Caller,
@@ -46,7 +45,7 @@ async def create_tuning(
 ) -> Response:
     """Begin to look for better weights; 202 comes after the commit: what was accepted completes, whatever crashes."""
     if body.dry_run:
-        return json_answer(await cancel_on_disconnect(request, service.estimate(body, client)))
+        return json_answer(await service.estimate(body, client))
     job = await service.create(body, jobs.key_of(owner, idempotency_key), owner)
     return api.accepted(await service.answer(job), job)
 
@@ -58,14 +57,21 @@ async def get_tuning_trials(job_id: jobs.JobId, service: Service) -> Response:
 
 
 @tunings.post(
-    "/tunings/{id}/resume", operation_id="resumeTuning", response_model=Tuning, responses={409: {"model": Problem}}
+    "/tunings/{id}/resume",
+    operation_id="resumeTuning",
+    response_model=Tuning,
+    responses={**jobs.OWNERS, 409: problems.ANSWER},
 )
 async def resume_tuning(
     job_id: jobs.JobId,
     service: Service,
+    owner: Caller,
     trials: Annotated[
         int | None, Query(ge=1, le=MOST_TRIALS, description="In all; without it as many as were asked for before")
     ] = None,
 ) -> Response:
-    """One that has ended goes on where it stopped, perhaps with more trials; one under way is answered as it is."""
-    return json_answer(await service.answer(await service.resume(job_id, trials)))
+    """One that has ended goes on where it stopped, perhaps with more trials; one under way is answered as it is.
+
+    With tokens only its owner may.
+    """
+    return json_answer(await service.answer(await service.resume(job_id, trials, owner)))

@@ -1,8 +1,9 @@
-"""The first steps of a process. A worker imports the core itself, so the service can spawn it before importing it."""
+"""What a worker process does around its tasks. It imports the core itself, so it can be spawned before the service."""
 
 import ctypes
 import os
 import resource
+import signal
 import threading
 from collections.abc import Callable
 from contextlib import suppress
@@ -11,31 +12,57 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 T = TypeVar("T")
+INTERRUPT = signal.SIGUSR1
+_interruptible = False  # while a task runs
 
 _STATM = Path("/proc/self/statm")
 _M_TRIM_THRESHOLD, _M_MMAP_THRESHOLD, _M_ARENA_MAX = -1, -3, -8  # mallopt(3)
 
 
+class CalledOffError(Exception):
+    """The task was interrupted: nobody waits for it any more."""
+
+
+class _Interrupt(BaseException):
+    """What a task does not catch."""
+
+
+def keep_freed_memory() -> None:
+    """Have glibc keep the blocks that a run frees, some MiB, for the next run.
+
+    Fetched from the system page by page they would take a quarter of a run's time. In a worker, which has one thread.
+    """
+    _set_allocator((_M_MMAP_THRESHOLD, 8 * 1024 * 1024), (_M_TRIM_THRESHOLD, 16 * 1024 * 1024))
+
+
 def return_freed_memory() -> None:
     """Have glibc give large blocks back to the system, and all threads share two heaps.
 
-    sim_core has it keep what it frees, which makes a worker's single thread faster. In the service each of its threads
-    would keep a heap of its own. Call it once sim_core is imported.
+    In the service, whose answers of 40 MB pass through many threads: by itself glibc keeps what was freed in each one's
+    heap, and takes larger and larger blocks from there.
     """
+    _set_allocator((_M_MMAP_THRESHOLD, 128 * 1024), (_M_TRIM_THRESHOLD, 1024 * 1024), (_M_ARENA_MAX, 2))
+
+
+def _set_allocator(*settings: tuple[int, int]) -> None:
     with suppress(OSError, AttributeError):  # another C library
         mallopt = ctypes.CDLL(None).mallopt
-        for parameter, value in ((_M_MMAP_THRESHOLD, 128 * 1024), (_M_TRIM_THRESHOLD, 1024 * 1024), (_M_ARENA_MAX, 2)):
+        for parameter, value in settings:
             mallopt(parameter, value)
 
 
 def start(nice: int) -> None:
-    """Make a new worker end with the service, even when the service is killed; called first.
+    """Make a new worker keep its memory and end with the service, even a killed one, and tasks end by INTERRUPT.
+
+    Called first.
 
     Args:
         nice: How far behind other processes this one stands (0 to 19).
     """
     if nice:
         os.nice(nice)
+    keep_freed_memory()
+    signal.signal(INTERRUPT, _interrupt)
     parent = parent_process()
     if parent is not None:
 
@@ -46,8 +73,13 @@ def start(nice: int) -> None:
         threading.Thread(target=follow, name="follow-service", daemon=True).start()
 
 
-def warm_up() -> None:
-    """Run the paper's scenario with every strategy once, so that the first request has filled caches.
+def _interrupt(*_: object) -> None:
+    if _interruptible:
+        raise _Interrupt
+
+
+def warm_up() -> int:
+    """Run the paper's scenario with every strategy once, so that the first request has filled caches; the process's id.
 
     Not those with an ECU: its program is built when somebody asks for it.
     """
@@ -58,11 +90,27 @@ def warm_up() -> None:
     for strategy in STRATEGIES.values():
         if strategy.suspension is not SuspensionPolicy.ECU:
             simulate(Scenario(), strategy.id)
+    return os.getpid()
 
 
 def call_and_measure(function: Callable[..., T], args: tuple[Any, ...]) -> tuple[T, int]:
-    """The function's result, and the resident memory of this process afterwards [bytes]; 0 outside Linux."""
-    result = function(*args)
+    """The function's result, and the resident memory of this process afterwards [bytes]; 0 outside Linux.
+
+    Raises:
+        CalledOffError: By INTERRUPT, between two steps of Python; the process is well and its caches are empty.
+    """
+    global _interruptible
+    try:
+        try:
+            _interruptible = True
+            result = function(*args)
+        finally:
+            _interruptible = False
+    except _Interrupt:
+        from sim_core.caching import SHARED
+
+        SHARED.clear()  # an entry may be there in part
+        raise CalledOffError from None
     try:
         return result, int(_STATM.read_text().split()[1]) * resource.getpagesize()
     except OSError:

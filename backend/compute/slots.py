@@ -6,6 +6,8 @@ A process that dies, hangs or breaks its pipe breaks its slot, which is thrown a
 import asyncio
 import contextlib
 import multiprocessing
+import os
+import signal
 from collections.abc import Callable
 from concurrent.futures import Future
 from concurrent.futures.process import BrokenProcessPool
@@ -34,8 +36,14 @@ class Slot:
 
     def __init__(self, nice: int) -> None:
         context = multiprocessing.get_context("spawn")
-        self._pool = ProcessPool(max_workers=1, initializer=processes.start, initargs=(nice,), context=context)
-        self._warm = self._schedule(processes.warm_up, (), WARM_UP)
+        # Inherited: Ctrl-C, which a terminal sends to all, is the service's; one that still imports would fail loudly.
+        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+        try:
+            self._pool = ProcessPool(max_workers=1, initializer=processes.start, initargs=(nice,), context=context)
+            self._warm = self._schedule(processes.warm_up, (), WARM_UP)
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
+        self._pid = 0
         self.state: Literal["serving", "grown", "succeeded"] = "serving"
 
     @property
@@ -45,7 +53,7 @@ class Slot:
 
     async def wait_until_warm(self) -> None:
         """Wait until it is warm; raises the error that prevented it."""
-        await self._result(self._warm, WARM_UP)
+        self._pid = await self._result(self._warm, WARM_UP)
 
     async def call(self, function: Callable[..., T], args: tuple[Any, ...], timeout: float) -> tuple[T, int]:
         """The function's result, and the resident memory of the process afterwards [bytes].
@@ -58,6 +66,11 @@ class Slot:
         task = self._schedule(processes.call_and_measure, (function, args), timeout)
         result: tuple[T, int] = await self._result(task, timeout)
         return result
+
+    def interrupt(self) -> None:
+        """Call its task off; the process stays, as long as the task is Python or ends soon."""
+        with contextlib.suppress(ProcessLookupError):  # it has just died
+            os.kill(self._pid, processes.INTERRUPT)
 
     def end(self) -> None:
         """End its process; takes at most a few seconds."""

@@ -1,4 +1,4 @@
-"""Warm worker processes for interactive runs.
+"""Warm worker processes for interactive runs, which clients share fairly.
 
 A process that dies or hangs takes only its slot with it, and a new one is warmed while the others serve. A process
 whose memory has grown too large is replaced, once a fresh one is warm.
@@ -14,6 +14,7 @@ from typing import Any, TypeVar
 
 from pebble import ProcessExpired
 
+from backend.compute.fair_queue import SHORT, FairQueue, Task
 from backend.compute.slots import Slot
 from backend.errors import WorkerLostError, WorkersBusyError, WorkerTimeoutError
 from backend.metrics import WORKER_FAILURES
@@ -23,30 +24,44 @@ logger = logging.getLogger(__name__)
 T = TypeVar("T")
 PATIENCE = 60.0  # for a free worker [s]
 ATTEMPTS = 2
+INTERRUPTED = 2.0  # a task that is interrupted may still take; then its worker is ended [s]
+RESERVED = 1  # of the interactive processes for short runs, beside those that are set
 MAX_WORKER_MEMORY = 256 * 1024 * 1024  # resident, shared libraries included; beyond it a process is replaced [bytes]
 ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
 
 
 class Workers:
-    """A fixed number of warm processes, which take one task each; the last used is first (its caches fit best)."""
+    """Warm processes, which take one task each; the last used is first (its caches fit best).
 
-    def __init__(self, count: int, *, timeout: float, nice: int = 0, max_memory: int = MAX_WORKER_MEMORY) -> None:
+    Args:
+        count: How many tasks of one client may run at once.
+        timeout: A task may take this long [s].
+        nice: How far behind other processes these stand (0 to 19).
+        max_memory: Resident, after a task; beyond it a process is replaced [bytes].
+        reserved: So many processes more are left to short tasks of clients that have none running.
+    """
+
+    def __init__(
+        self, count: int, *, timeout: float, nice: int = 0, max_memory: int = MAX_WORKER_MEMORY, reserved: int = 0
+    ) -> None:
         self._count = count
+        self._reserved = reserved
         self._max_memory = max_memory
         self._timeout = timeout
         self._nice = nice
-        self._idle: asyncio.LifoQueue[Slot] = asyncio.LifoQueue()
+        self._queue = FairQueue(reserved=reserved)
+        self._turns: dict[Task, asyncio.Future[Slot]] = {}  # of the tasks that wait
+        self._idle: list[Slot] = []
         self._slots: set[Slot] = set()
         self._chores: set[asyncio.Task[Any]] = set()
-        self._waiting = 0
         self._spawned: list[Slot] = []
         self._warm = asyncio.Event()
         self._started = False
 
     def spawn(self) -> None:
-        """Begin to spawn and warm every slot, and return; needs no event loop yet. `start` takes them over."""
+        """Begin to spawn and warm slots, one core left to this process; needs no event loop yet, `start` goes on."""
         os.environ.update(ONE_THREAD)  # before they are spawned: BLAS reads it once
-        for _ in range(self._count):
+        for _ in range(min(self._count, max(1, (os.cpu_count() or 1) - 1))):
             with contextlib.suppress(OSError, BrokenProcessPool):  # `start` tries again
                 self._spawned.append(Slot(self._nice))
 
@@ -56,6 +71,8 @@ class Workers:
         os.environ.update(ONE_THREAD)
         for _ in range(self._count):
             self._chore(self._add_slot(self._spawned.pop() if self._spawned else None))
+        for _ in range(self._reserved):
+            self._chore(self._add_reserved())
 
     def abandon(self) -> None:
         """End the processes that `spawn` began, where the application does not start."""
@@ -68,7 +85,7 @@ class Workers:
 
     @property
     def count(self) -> int:
-        """Number of processes when all are started."""
+        """How many tasks of one client may run at once."""
         return self._count
 
     @property
@@ -79,13 +96,19 @@ class Workers:
     @property
     def load(self) -> dict[str, int]:
         """How many processes are busy and idle, and how many tasks wait for one."""
-        idle = self._idle.qsize()
-        return {"busy": max(0, len(self._slots) - idle), "idle": idle, "waiting": self._waiting}
+        idle = len(self._idle)
+        return {"busy": max(0, len(self._slots) - idle), "idle": idle, "waiting": self._queue.waiting}
 
-    async def call(self, function: Callable[..., T], *args: Any, ends_with_caller: bool = False) -> T:
+    async def call(self, function: Callable[..., T], *args: Any, client: str = "", cost: float = 0.0) -> T:
         """Run `function(*args)` in a worker; a task whose worker dies is tried once more. The first starts the workers.
 
-        A caller that is cancelled leaves the task to its end, or (`ends_with_caller`) has the worker killed at once.
+        A task whose caller is cancelled does not begin; one that runs is interrupted, unless it is short.
+
+        Args:
+            function: What to run.
+            *args: Its arguments.
+            client: Who asks: of several the one that has least in work is next. Empty is the service itself.
+            cost: Estimated [s].
 
         Raises:
             WorkerLostError: Two workers died over it (or every one was found dead).
@@ -95,18 +118,14 @@ class Workers:
         if not self._started:
             self.start()
         deaths = 0
-        for _ in range(self._count + ATTEMPTS):
-            slot = await self._free_slot()
-            if not slot.active:  # died while idle: not this task's doing
-                self._discard(slot)
-                continue
+        for _ in range(self._count + self._reserved + ATTEMPTS):
+            task, slot = await self._free_slot(client, cost)
             # Shielded: whoever asked may go away, the slot is given back all the same.
-            attempt = self._chore(self._attempt(slot, function, args))
+            attempt = self._chore(self._attempt(task, slot, function, args))
             try:
                 return await asyncio.shield(attempt)
             except asyncio.CancelledError:
-                if ends_with_caller:
-                    attempt.cancel()
+                self._call_off(task, slot, attempt)
                 raise
             except BrokenProcessPool:
                 logger.warning("A worker was found dead before it took a task")
@@ -121,7 +140,7 @@ class Workers:
                 raise WorkerTimeoutError from None
         raise WorkerLostError
 
-    async def _attempt(self, slot: Slot, function: Callable[..., T], args: tuple[Any, ...]) -> T:
+    async def _attempt(self, task: Task, slot: Slot, function: Callable[..., T], args: tuple[Any, ...]) -> T:
         """Run it in that slot; afterwards the slot is idle again, or discarded where its process is not well."""
         healthy = False
         try:
@@ -138,10 +157,18 @@ class Workers:
             healthy = True  # the function raised, its process is well
             raise
         finally:
-            if healthy and slot.state != "succeeded":
-                self._idle.put_nowait(slot)
-            else:
-                self._discard(slot)
+            self._give_back(task, slot, healthy=healthy)
+
+    def _call_off(self, task: Task, slot: Slot, attempt: "asyncio.Task[Any]") -> None:
+        """Interrupt a task that nobody waits for; a short one may end by itself, as an interrupt empties the caches."""
+        loop = asyncio.get_running_loop()
+
+        def interrupt() -> None:
+            if not attempt.done():
+                slot.interrupt()
+                loop.call_later(INTERRUPTED, attempt.cancel)
+
+        loop.call_later(0.0 if task.cost > SHORT else max(0.0, SHORT - self._queue.elapsed(task)), interrupt)
 
     async def close(self) -> None:
         """End every process; takes at most a few seconds."""
@@ -152,15 +179,44 @@ class Workers:
         await asyncio.gather(*chores, return_exceptions=True)
         await asyncio.gather(*(asyncio.to_thread(slot.end) for slot in ending))
 
-    async def _free_slot(self) -> Slot:
-        self._waiting += 1
+    async def _free_slot(self, client: str, cost: float) -> tuple[Task, Slot]:
+        """A task that begins now, and the process that is to run it."""
+        task = self._queue.add(client, cost)
+        turn = self._turns[task] = asyncio.get_running_loop().create_future()
+        self._dispatch()
         try:
             async with asyncio.timeout(PATIENCE):
-                return await self._idle.get()
-        except TimeoutError:
-            raise WorkersBusyError from None
+                return task, await turn
+        except BaseException as error:
+            if turn.done() and not turn.cancelled():  # its turn came just then
+                self._give_back(task, turn.result(), healthy=True)
+            self._queue.remove(task)
+            if isinstance(error, TimeoutError):
+                raise WorkersBusyError from None
+            raise
         finally:
-            self._waiting -= 1
+            self._turns.pop(task, None)
+
+    def _dispatch(self) -> None:
+        """Hand idle processes to the tasks that are next."""
+        for slot in [each for each in self._idle if not each.active]:  # died while idle: no task's doing
+            self._idle.remove(slot)
+            self._discard(slot)
+        while self._idle and (task := self._queue.begin_next(len(self._slots))) is not None:
+            turn = self._turns[task]
+            if turn.cancelled():  # whoever asked for it goes away just now
+                self._queue.end(task)
+            else:
+                turn.set_result(self._idle.pop())
+
+    def _give_back(self, task: Task, slot: Slot, *, healthy: bool) -> None:
+        """A task has ended: its slot takes the next one, or is discarded."""
+        self._queue.end(task, killed=not healthy)
+        if healthy and slot.state != "succeeded":
+            self._idle.append(slot)
+        else:
+            self._discard(slot)
+        self._dispatch()
 
     def _discard(self, slot: Slot) -> None:
         if slot not in self._slots:  # the service is closing, and ends it
@@ -174,12 +230,14 @@ class Workers:
         """Warm a successor, then end that slot as soon as it is idle."""
         await self._add_slot()
         slot.state = "succeeded"
-        idle = [self._idle.get_nowait() for _ in range(self._idle.qsize())]
-        for each in reversed(idle):  # back in their order, without that one
-            if each is slot:
-                self._discard(slot)
-            else:
-                self._idle.put_nowait(each)
+        if slot in self._idle:
+            self._idle.remove(slot)
+            self._discard(slot)
+
+    async def _add_reserved(self) -> None:
+        """Add a process that the service needs only once another one has something to do."""
+        await self._warm.wait()
+        await self._add_slot()
 
     async def _add_slot(self, slot: Slot | None = None) -> None:
         """Spawn a process, warm it and hand it out; keep trying, more slowly, while that fails."""
@@ -199,8 +257,9 @@ class Workers:
                 await asyncio.sleep(delay)
             else:
                 self._slots.add(slot)
-                self._idle.put_nowait(slot)
+                self._idle.append(slot)
                 self._warm.set()
+                self._dispatch()
                 return
 
     def _chore(self, work: Coroutine[Any, Any, T]) -> asyncio.Task[T]:

@@ -1,48 +1,60 @@
-"""Tells coroutines of this process that something was committed; commits of other processes are seen by polling."""
+"""Tells coroutines of this process that a job was changed; commits of other processes are seen by polling."""
 
 import asyncio
 import contextlib
 import threading
+from collections.abc import Iterator
+
+EVERY = ""  # in place of a job's id
 
 
-class CommitCounter:
-    """Counts commits; safe for several threads and event loops."""
+class Follower:
+    """Learns that what it follows was changed; its methods belong to the event loop it was made in."""
+
+    def __init__(self) -> None:
+        self._loop = asyncio.get_running_loop()
+        self._changed = asyncio.Event()
+
+    def clear(self) -> None:
+        """Forget the changes so far: what is read from now on has them."""
+        self._changed.clear()
+
+    async def wait(self, timeout: float) -> None:
+        """Wait for a change since `clear`, at most `timeout` [s]."""
+        with contextlib.suppress(TimeoutError):
+            async with asyncio.timeout(timeout):  # asyncio.wait_for of Python 3.11 may swallow a cancellation
+                await self._changed.wait()
+
+    def wake(self) -> None:
+        """Note a change; callable from any thread."""
+        with contextlib.suppress(RuntimeError):  # its event loop has ended
+            self._loop.call_soon_threadsafe(self._changed.set)
+
+
+class Commits:
+    """The followers of jobs; safe for several threads and event loops."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
-        self._count = 0
-        self._waiting: set[asyncio.Future[None]] = set()
+        self._followers: dict[str, set[Follower]] = {}
 
-    @property
-    def count(self) -> int:
-        """Commits so far."""
-        return self._count
-
-    def notify(self) -> None:
-        """Count a commit; callable from any thread."""
+    @contextlib.contextmanager
+    def following(self, job_id: str = EVERY) -> Iterator[Follower]:
+        """A follower of that job, or of every job, for the length of the block."""
+        follower = Follower()
         with self._lock:
-            self._count += 1
-            waiting, self._waiting = self._waiting, set()
-        for future in waiting:
-            with contextlib.suppress(RuntimeError):  # its event loop has ended
-                future.get_loop().call_soon_threadsafe(_wake, future)
-
-    async def wait_beyond(self, count: int, timeout: float) -> None:
-        """Wait for more than `count` commits, at most `timeout` [s]."""
-        future = asyncio.get_running_loop().create_future()
-        with self._lock:
-            if self._count > count:
-                return
-            self._waiting.add(future)
+            self._followers.setdefault(job_id, set()).add(follower)
         try:
-            with contextlib.suppress(TimeoutError):
-                async with asyncio.timeout(timeout):  # asyncio.wait_for of Python 3.11 may swallow a cancellation
-                    await future
+            yield follower
         finally:
             with self._lock:
-                self._waiting.discard(future)
+                self._followers[job_id].discard(follower)
+                if not self._followers[job_id]:
+                    del self._followers[job_id]
 
-
-def _wake(future: asyncio.Future[None]) -> None:
-    if not future.done():
-        future.set_result(None)
+    def notify(self, *job_ids: str) -> None:
+        """Tell that these jobs were changed; callable from any thread."""
+        with self._lock:
+            woken = [follower for job_id in (*job_ids, EVERY) for follower in self._followers.get(job_id, ())]
+        for follower in woken:
+            follower.wake()

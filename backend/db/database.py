@@ -2,6 +2,9 @@
 
 import asyncio
 import contextlib
+import logging
+import secrets
+import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -12,17 +15,19 @@ from alembic import command
 from alembic.config import Config
 from alembic.migration import MigrationContext
 from alembic.script import ScriptDirectory
-from sqlalchemy import URL, Connection, Engine, Table, create_engine, event, inspect, make_url, select
+from sqlalchemy import URL, Connection, Engine, ExceptionContext, Table, create_engine, event, inspect, make_url, select
 from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
 
-from backend.db.commits import CommitCounter
+from backend.db.commits import Commits
 from backend.db.sqlite import (
     COMMIT_TIMEOUT,
     LOCK_TIMEOUT,
+    DamagedDatabaseError,
     DatabaseLockedError,
     UnusableDatabaseError,
     database_file,
+    is_damaged,
     is_locked,
     reason,
     sqlite_engine,
@@ -30,12 +35,19 @@ from backend.db.sqlite import (
 )
 from backend.db.tables import runs
 
+logger = logging.getLogger(__name__)
+
 P = ParamSpec("P")
 T = TypeVar("T")
 
 READERS = 4  # threads
 SERVER_WRITERS = 2  # PostgreSQL locks rows, not the database: a batch of 100,000 runs keeps no other writer waiting
 START_TIMEOUT = 30.0  # a start waits so long for another one's migration, or for a backup [s]
+APPLICATION = "ridelab-"  # a service's connections to a PostgreSQL server have this and a random part as their name
+DAMAGED = (
+    "The database is damaged: stop the service, put a backup in its place and start again "
+    "(docs/operations.md, Backup and restore)"
+)
 CONNECT_TIMEOUT = 5  # to a PostgreSQL server [s]
 # A server that hears nothing from a client for so long frees what that client held, its advisory locks too.
 KEEPALIVES = {"tcp_keepalives_idle": 8, "tcp_keepalives_interval": 3, "tcp_keepalives_count": 3}
@@ -59,12 +71,17 @@ class Database:
         self.engine = sqlite_engine(parsed, self._file) if self._is_sqlite else _server_engine(parsed)
         self._reads = _RetryingThreads("read", READERS)
         self._writes = _RetryingThreads("write", 1 if self._is_sqlite else SERVER_WRITERS)
+        event.listen(self.engine, "handle_error", self._note_damage)
+        self.damage: str | None = None  # what to do about it, once a damaged page was met
         self._open_writes = 0
-        self.commits = CommitCounter()
+        self._committing = False
+        self._guard = threading.local()
+        self._readers: dict[Connection, float] = {}  # since when [s]
+        self.commits = Commits()
 
-    def changed(self) -> None:
-        """Count a commit that others wait for."""
-        self.commits.notify()
+    def changed(self, *job_ids: str) -> None:
+        """Tell those who follow them that these jobs were changed."""
+        self.commits.notify(*job_ids)
 
     async def read(self, method: Callable[P, T], *args: P.args, **kwargs: P.kwargs) -> T:
         """Run a method that reads in a thread: it waits for the disk, which the event loop must not.
@@ -80,7 +97,7 @@ class Database:
         Raises:
             DatabaseLockedError: Another program keeps SQLite from being written.
         """
-        return await self._writes.run(partial(method, *args, **kwargs), lambda: False)
+        return await self._writes.run(partial(method, *args, **kwargs), self._is_read_by_us)
 
     @contextlib.contextmanager
     def reading(self) -> Iterator[Connection]:
@@ -88,7 +105,19 @@ class Database:
         if self._file is not None:
             self._file.check()
         with self.engine.connect() as connection:
-            yield connection
+            self._readers[connection] = time.monotonic()
+            try:
+                yield connection
+            finally:
+                del self._readers[connection]
+
+    def guarded(self, check: Callable[[Connection], None], method: Callable[[], T]) -> T:
+        """Call the method, and at the beginning of each of its transactions that write `check`, which may raise."""
+        self._guard.check = check
+        try:
+            return method()
+        finally:
+            self._guard.check = None
 
     @contextlib.contextmanager
     def writing(self, *, large: bool = False) -> Iterator[Connection]:
@@ -98,9 +127,13 @@ class Database:
         with self.engine.connect().execution_options(lock_timeout=LOCK_TIMEOUT, large=large) as connection:
             transaction = connection.begin()
             self._open_writes += 1
+            self._committing = False
             try:
                 with transaction:
+                    if (check := getattr(self._guard, "check", None)) is not None:
+                        check(connection)
                     yield connection
+                    self._committing = True
             finally:
                 self._open_writes -= 1
 
@@ -127,7 +160,12 @@ class Database:
         self.engine.dispose()
 
     def ping(self) -> None:
-        """Check that the database can be read and written; raises SQLAlchemyError where it cannot."""
+        """Check that the database can be read and written; raises SQLAlchemyError where it cannot.
+
+        Damage is not searched for: it is known once a request, or a job, has met it, and stays until the next start.
+        """
+        if self.damage is not None:
+            raise DamagedDatabaseError(self.damage)
         with self.reading() as connection:
             connection.execute(select(runs.c.id).limit(1)).all()
             if not self._is_sqlite and connection.exec_driver_sql("SHOW transaction_read_only").scalar_one() == "on":
@@ -135,9 +173,19 @@ class Database:
         if self._is_sqlite:
             try_writing(self.engine)
 
-    def _is_locked_by_us(self) -> bool:
+    def _note_damage(self, context: ExceptionContext) -> None:
+        if self.damage is None and is_damaged(context.original_exception):
+            self.damage = DAMAGED
+            where = "" if self._file is None else f"{self._file.path}: "
+            logger.error("%s%s. The first error was: %s", where, DAMAGED, context.original_exception)
+
+    def _is_locked_by_us(self, _: float) -> bool:
         """Whether the lock that keeps us from reading SQLite is our own: while we write, nobody else holds one."""
         return self._is_sqlite and self._open_writes > 0
+
+    def _is_read_by_us(self, since: float) -> bool:
+        """Whether a reader of our own, who was there before this try, keeps us from committing to SQLite."""
+        return self._is_sqlite and self._committing and any(begun < since for begun in tuple(self._readers.values()))
 
     @property
     def _name(self) -> str:
@@ -177,12 +225,12 @@ class _RetryingThreads:
         self._threads = ThreadPoolExecutor(threads, thread_name_prefix=f"store-{name}")
         self._timed_out_at = 0.0
 
-    async def run(self, method: Callable[[], T], locked_by_us: Callable[[], bool]) -> T:
+    async def run(self, method: Callable[[], T], locked_by_us: Callable[[float], bool]) -> T:
         """Call the method, and retry while SQLite is locked.
 
         Args:
             method: One transaction, which is rolled back where it fails.
-            locked_by_us: Whether the lock is our own, which is waited for without a time limit.
+            locked_by_us: Whether a try that began then met a lock of our own, which is waited for without a time limit.
 
         Raises:
             DatabaseLockedError: Another program has held a lock for longer than `LOCK_TIMEOUT`.
@@ -196,15 +244,16 @@ class _RetryingThreads:
         """Wait for the threads to end."""
         self._threads.shutdown()
 
-    def _call(self, method: Callable[[], T], locked_by_us: Callable[[], bool], submitted: float) -> T:
+    def _call(self, method: Callable[[], T], locked_by_us: Callable[[float], bool], submitted: float) -> T:
         end = time.monotonic() + LOCK_TIMEOUT
         while submitted > self._timed_out_at:  # else it queued behind one that timed out at the same lock
+            begun = time.monotonic()
             try:
                 return method()
             except OperationalError as error:
                 if not is_locked(error):
                     raise
-                if time.monotonic() > end and not locked_by_us():
+                if time.monotonic() > end and not locked_by_us(begun):
                     self._timed_out_at = time.monotonic()
             time.sleep(COMMIT_TIMEOUT / 2)  # readers may begin
         raise DatabaseLockedError
@@ -222,7 +271,8 @@ def insert_new(connection: Connection, table: Table, rows: Sequence[dict[str, ob
 
 
 def _server_engine(url: URL) -> Engine:
-    engine = create_engine(url, pool_pre_ping=True, connect_args={"connect_timeout": CONNECT_TIMEOUT})
+    own = {"connect_timeout": CONNECT_TIMEOUT, "application_name": f"{APPLICATION}{secrets.token_hex(8)}"}
+    engine = create_engine(url, pool_pre_ping=True, connect_args=own)
     event.listen(engine, "connect", _set_up_server)
     return engine
 

@@ -15,6 +15,7 @@ LOCK_TIMEOUT = 1.0  # a lock of another program is waited for so long, then it i
 COMMIT_TIMEOUT = 0.1
 LARGE_CACHE = 25_000  # pages of 4 KiB that a large transaction keeps in memory; SQLite takes a multiple of 256 for 0
 APPLICATION_ID = int.from_bytes(b"Ride")  # in the file's header
+SERVER_DAMAGED = ("XX001", "XX002")  # of PostgreSQL: data corrupted, index corrupted
 REASONS = {
     sqlite3.SQLITE_BUSY: "another program holds a lock on it",
     sqlite3.SQLITE_CANTOPEN: "it cannot be opened",
@@ -44,6 +45,13 @@ class DatabaseReplacedError(OperationalError):
         super().__init__(None, None, sqlite3.OperationalError(f"{path} was deleted or replaced since the start"))
 
 
+class DamagedDatabaseError(OperationalError):
+    """A page of the database turned out to be damaged: what is on it is lost, and nothing more may be written."""
+
+    def __init__(self, reason: str) -> None:
+        super().__init__(None, None, sqlite3.OperationalError(reason))
+
+
 class DatabaseFile:
     """The file of a SQLite database."""
 
@@ -65,7 +73,7 @@ class DatabaseFile:
         """Create the file atomically where there is none: an empty file is then a lost database, not a crashed start.
 
         Raises:
-            UnusableDatabaseError: It is empty, or its folder cannot be written to.
+            UnusableDatabaseError: It is empty, its disk is full, or its folder cannot be written to.
         """
         try:
             if not self.path.exists():
@@ -74,6 +82,8 @@ class DatabaseFile:
             empty = self.path.stat().st_size == 0
         except OSError as error:
             raise UnusableDatabaseError(f"{self.path}: {error.strerror}") from error
+        except sqlite3.Error as error:
+            raise UnusableDatabaseError(f"{self.path}: {reason(error)}") from error
         if empty:
             raise UnusableDatabaseError(f"{self.path} is empty: put a backup in its place, or delete it to begin anew")
 
@@ -162,6 +172,12 @@ def try_writing(engine: Engine) -> None:
 def is_locked(error: DBAPIError) -> bool:
     """Whether SQLite gave up waiting for a lock."""
     return _code(error) == sqlite3.SQLITE_BUSY
+
+
+def is_damaged(error: BaseException | None) -> bool:
+    """Whether a driver's error says that the database's own pages are damaged."""
+    code = getattr(error, "sqlite_errorcode", 0) & 0xFF
+    return code == sqlite3.SQLITE_CORRUPT or getattr(error, "sqlstate", None) in SERVER_DAMAGED
 
 
 def reason(error: DBAPIError | sqlite3.Error) -> str:

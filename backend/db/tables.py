@@ -13,6 +13,7 @@ from sqlalchemy import (
     Table,
     Text,
     UniqueConstraint,
+    text,
 )
 
 from backend.db.types import Json, Utc
@@ -26,6 +27,9 @@ metadata = MetaData(
     }
 )
 
+EXPIRED = "expired"  # the status of a result whose summary is gone; runs keep which strategies they have
+UNEXPIRED = text(f"status <> '{EXPIRED}'")
+
 results = Table(
     "results",
     metadata,
@@ -36,6 +40,7 @@ results = Table(
     Column("summary", Text, nullable=False),
     Column("compute_ms", Float, nullable=False),
     Column("created_at", Utc, nullable=False),
+    Index("ix_results_created_at", "created_at", sqlite_where=UNEXPIRED, postgresql_where=UNEXPIRED),
 )
 
 # Measured ones, by content. What names one holds on to it.
@@ -45,7 +50,7 @@ roads = Table(
     Column("id", String(22), primary_key=True),
     Column("samples", Integer, nullable=False),
     Column("content", LargeBinary, nullable=False),
-    Column("created_at", Utc, nullable=False),
+    Column("created_at", Utc, nullable=False, index=True),
 )
 
 run_roads = Table(
@@ -83,6 +88,8 @@ run_results = Table(
     Column("result_key", String(43), ForeignKey("results.key"), nullable=False, index=True),
 )
 
+REMOVED = "removed"  # the kind of a deleted job that has rows left
+
 # Every kind of job: a sweep (the batches of the API), a tuning, a reproduction of the paper. A tuning is the parent of
 # its sweeps. `sweep` is read only where it is needed: it may have 100,000 points.
 jobs = Table(
@@ -90,7 +97,7 @@ jobs = Table(
     metadata,
     Column("id", String(22), primary_key=True),
     Column("kind", String(16), nullable=False),
-    Column("parent_id", String(22), ForeignKey("jobs.id"), nullable=True, index=True),
+    Column("parent_id", String(22), ForeignKey("jobs.id"), nullable=True),
     Column("label", String(200), nullable=True),
     Column("owner", String(64), nullable=True),
     Column("state", String(16), nullable=False, index=True),
@@ -111,6 +118,7 @@ jobs = Table(
     Column("started_at", Utc, nullable=True),
     Column("finished_at", Utc, nullable=True),
     UniqueConstraint("kind", "idempotency_key"),
+    Index("ix_jobs_parent_id_finished_at", "parent_id", "finished_at"),
 )
 
 # One row a run: a point of the sweep under one strategy. `changes` are the values of the job's `fields` there.
@@ -156,8 +164,8 @@ links = Table(
     metadata,
     Column("slug", String(22), primary_key=True),
     Column("kind", String(8), nullable=False),
-    Column("run_id", String(22), ForeignKey("runs.id"), nullable=True),
-    Column("job_id", String(22), ForeignKey("jobs.id"), nullable=True),
+    Column("run_id", String(22), ForeignKey("runs.id"), nullable=True, index=True),
+    Column("job_id", String(22), ForeignKey("jobs.id"), nullable=True, index=True),
     Column("view", Json, nullable=False),
     Column("created_at", Utc, nullable=False),
 )
@@ -168,4 +176,12 @@ pinned_series = Table(
     Column("result_key", String(43), ForeignKey("results.key"), primary_key=True),
     Column("content", LargeBinary, nullable=False),
     Column("created_at", Utc, nullable=False),
+)
+
+# Of the page, ended before their time.
+ended_logins = Table(
+    "ended_logins",
+    metadata,
+    Column("login", String(43), primary_key=True),
+    Column("ended_at", Utc, nullable=False),
 )

@@ -11,7 +11,7 @@ from backend.http.admission import Admission
 from backend.http.limits import ConcurrencyLimit
 from backend.roads.service import Roads
 from sim_core.scenario import Scenario
-from sim_core.workload import duration
+from sim_core.workload import duration, estimate
 
 T = TypeVar("T")
 STRATEGY = "lv_hil"
@@ -38,9 +38,11 @@ class Controllers:
             CostLimitError: It would take too much.
             TemporaryError: Too much is being computed.
         """
-        self._admission.check(scenario, [STRATEGY])
-        with self._admission.computing(client, scenario, [STRATEGY]):
-            return await self._workers.call(export.archive, scenario)
+        scenario = await self._roads.with_length(scenario)
+        cost = estimate(scenario, STRATEGY)
+        self._admission.check_cost(cost)
+        with self._admission.computing(client, cost):
+            return await self._workers.call(export.archive, scenario, client=client, cost=cost)
 
     async def report(self, scenario: Scenario, client: str) -> ControllerReport:
         """Whether the scenario's controller fits the part, and what does.
@@ -49,8 +51,9 @@ class Controllers:
             CostLimitError: It would take too much.
             TemporaryError: Too much is being computed.
         """
-        programs = len(report.VARIANTS)
-        return await self._alone(report.report, scenario, client, programs, BUILDING * programs)
+        scenario = await self._roads.on(scenario)
+        cost = len(report.VARIANTS) * (BUILDING + estimate(scenario, STRATEGY))
+        return await self._alone(report.report, scenario, client, cost, cost)
 
     async def drive_by_clock(self, scenario: Scenario, client: str) -> RealtimeReport:
         """Drive in real time; it takes as long as the drive.
@@ -60,17 +63,16 @@ class Controllers:
             TemporaryError: Too much is being computed.
         """
         scenario = await self._roads.on(scenario)
-        time = await self._workers.call(duration, scenario, STRATEGY)
+        time = await self._workers.call(duration, scenario, STRATEGY, client=client)
         if time > self._longest:
             message = f"The drive may take {time:.0f} s; a drive by the clock at most {self._longest:.0f} s"
             raise CostLimitError(f"{message}.", pointer="/scenario")
-        return await self._alone(realtime.drive_by_clock, scenario, client, 2)
+        return await self._alone(realtime.drive_by_clock, scenario, client, 2 * estimate(scenario, STRATEGY), time)
 
     async def _alone(
-        self, function: Callable[[Scenario], T], scenario: Scenario, client: str, drives: int, beside: float = 0.0
+        self, function: Callable[[Scenario], T], scenario: Scenario, client: str, cost: float, lasts: float
     ) -> T:
-        names = [STRATEGY] * drives
-        self._admission.check(scenario, names, beside)
-        scenario = await self._roads.on(scenario)
-        with self._long.acquired(client), self._admission.computing(client, scenario, names):
-            return await self._workers.call(function, scenario, ends_with_caller=True)
+        """Run it in a worker, for about so many seconds of which it computes `cost`."""
+        self._admission.check_cost(cost)
+        with self._long.acquired(client), self._admission.computing(client, cost):
+            return await self._workers.call(function, scenario, client=client, cost=lasts)

@@ -2,25 +2,29 @@
 
 from collections.abc import Iterable, Iterator
 from contextlib import AbstractContextManager, contextmanager
+from contextvars import ContextVar
 
-from backend.errors import CHEAPER_RUN, BusyError, CostLimitError
-from backend.http.backlog import Backlog, mark_computing
-from backend.http.limits import ConcurrencyLimit, TokenBucket
+from backend.compute.fair_queue import SHORT
+from backend.errors import CHEAPER_RUN, CostLimitError
+from backend.http.backlog import Backlog
+from backend.http.limits import ConcurrencyLimit, FairLimit, TokenBucket
 from sim_core.scenario import Scenario
 from sim_core.workload import estimate
 
+REPORT_COST = 0.1  # [s of one core]
 MOST_LINK_TOKENS = 120  # of one client at once; a link takes no more, however much it pins
+_computing: ContextVar[bool] = ContextVar("computing", default=False)  # whether what follows is counted already
 
 
 class Admission:
     """Counts open requests that compute (also their estimated seconds) and streams, for each client and in all.
 
-    What counts as open raises a TemporaryError where the client has too much of it (TooManyRequestsError) or the
-    service has (BusyError).
+    What counts as open raises a TemporaryError: TooManyRequestsError where the client has used its share, BusyError
+    where the service as a whole is full.
 
     Args:
         max_request_cost: Greatest estimate of one request [s of one core].
-        max_queued_cost: Greatest estimate of all that is open [s of one core].
+        max_queued_cost: Greatest estimate of all that comes before a client's turn is over [s of one core].
         max_client_requests: Computing requests of one client.
         max_wait: Longest expected wait with which a request that may compute is admitted [s].
         workers: Processes that compute.
@@ -40,14 +44,12 @@ class Admission:
         max_streams: int = 256,
     ) -> None:
         self._max_request_cost = max_request_cost
-        self._max_queued_cost = max_queued_cost
-        self._queued_cost = 0.0
-        self._background_cost = 0.0
+        self._cost = FairLimit(what="computing", total=max_queued_cost)
+        self._background_cost = FairLimit(what="planning and summarising", total=max_queued_cost)
         self._computing = ConcurrencyLimit(what="computing requests", per_client=max_client_requests)
         self._streams = ConcurrencyLimit(what="event streams", per_client=max_client_streams, total=max_streams)
-        self._requests = ConcurrencyLimit(
-            what="requests", per_client=max_client_requests, total=8 * max_client_requests
-        )
+        self._requests = ConcurrencyLimit(what="requests", per_client=max_client_requests)
+        self._reports = ConcurrencyLimit(what="reports", per_client=2)
         self._bodies = ConcurrencyLimit(what="long request bodies", per_client=4, total=16)
         self._backlog = Backlog(workers=workers, max_wait=max_wait)
         self._links = TokenBucket(what="new links", burst=MOST_LINK_TOKENS, each_second=2)
@@ -56,20 +58,12 @@ class Admission:
     def load(self) -> dict[str, float]:
         """`cost` [s of one core] in progress; expected `wait` [s]; `requests`, `streams`, long `bodies` open."""
         return {
-            "cost": self._queued_cost,
+            "cost": self._cost.amount,
             "wait": self._backlog.expected_wait,
             "requests": self._computing.open,
             "streams": self._streams.open,
             "bodies": self._bodies.open,
         }
-
-    def check(self, scenario: Scenario, strategies: Iterable[str], beside: float = 0.0) -> None:
-        """Refuse a request that is too large for any client; its cost beside the runs counts too [s of one core].
-
-        Raises:
-            CostLimitError: Naming limit and estimate.
-        """
-        self.check_cost(beside + sum(estimate(scenario, strategy) for strategy in strategies))
 
     def check_cost(self, cost: float) -> None:
         """Refuse a request whose estimated cost is too large for any client [s of one core].
@@ -91,7 +85,7 @@ class Admission:
             TemporaryError: As above, or the wait would be long.
         """
         self._requests.check(client)
-        self._backlog.check(self._requests.open_by(client))
+        self._backlog.check(client)
 
     @contextmanager
     def admitted(self, client: str) -> Iterator[None]:
@@ -101,7 +95,7 @@ class Admission:
         threads from the requests that were admitted.
         """
         self.check_admission(client)
-        with self._requests.acquired(client), self._backlog.track():
+        with self._requests.acquired(client), self._backlog.track(client):
             yield
 
     def reading(self, client: str) -> AbstractContextManager[None]:
@@ -110,36 +104,38 @@ class Admission:
 
     @contextmanager
     def background(self, client: str, cost: float) -> Iterator[None]:
-        """Count a background computation of that client, of that estimated cost [s of one core].
-
-        Raises:
-            TooManyRequestsError: The client has too many open.
-            BusyError: The service is full.
-        """
-        if self._background_cost and self._background_cost + cost > self._max_queued_cost:
-            raise BusyError("The service is full: too much is being planned or summarised.")
-        with self.reading(client):
-            self._background_cost += cost
-            try:
-                yield
-            finally:
-                self._background_cost = max(0.0, self._background_cost - cost)
+        """Count a background computation of that client, of that estimated cost [s of one core]."""
+        with self.reading(client), self._background_cost.acquired(client, cost):
+            yield
 
     @contextmanager
-    def computing(self, client: str, scenario: Scenario, strategies: Iterable[str]) -> Iterator[None]:
-        """Count a computation of that client."""
-        with self._computing.acquired(client):
-            cost = sum(estimate(scenario, strategy) for strategy in strategies)
-            if self._queued_cost and self._queued_cost + cost > self._max_queued_cost:
-                raise BusyError("The service is full: too much computing is waiting.")
-            mark_computing()
-            self._queued_cost += cost
+    def computing(self, client: str, cost: float) -> Iterator[None]:
+        """Count a computation of that client, of that estimated cost [s of one core].
+
+        Inside it others are part of it: what was admitted as a whole is not refused half way.
+        """
+        if _computing.get():
+            yield
+            return
+        with self.downloading(client, cost):
+            self._backlog.mark_computing(long=cost > SHORT)
+            token = _computing.set(True)
             try:
                 yield
             finally:
-                self._queued_cost -= cost
-                if self._computing.open == 1:  # this one, which ends
-                    self._queued_cost = 0.0  # no drift from rounding
+                _computing.reset(token)
+
+    @contextmanager
+    def downloading(self, client: str, cost: float) -> Iterator[None]:
+        """Count a download of that client, of that estimated cost [s of one core], until all of it was sent."""
+        with self._computing.acquired(client), self._cost.acquired(client, cost):
+            yield
+
+    @contextmanager
+    def reporting(self, client: str) -> Iterator[None]:
+        """Count a report that is being made: one thread makes all, one after the other."""
+        with self._reports.acquired(client), self.computing(client, REPORT_COST):
+            yield
 
     def streaming(self, client: str) -> AbstractContextManager[None]:
         """Count an open event stream."""
@@ -155,3 +151,8 @@ class Admission:
         Links are kept for ever, so nobody makes them by the thousand. Whoever has made none lately is never refused.
         """
         self._links.take(client, min(MOST_LINK_TOKENS, links + 3 * pinned))
+
+
+def cost_of(scenario: Scenario, strategies: Iterable[str]) -> float:
+    """Estimated cost of these strategies [s of one core]."""
+    return sum(estimate(scenario, strategy) for strategy in strategies)

@@ -1,13 +1,16 @@
 """How routes answer: JSON, 304, or nothing because the client has gone."""
 
 import asyncio
-from collections.abc import Coroutine
+from collections.abc import AsyncIterator, Coroutine, Mapping
+from contextlib import ExitStack
 from typing import Any, TypeVar
 
 import orjson
 from fastapi import Request, Response
+from fastapi.responses import StreamingResponse
 from pydantic import BaseModel
 from starlette.requests import ClientDisconnect
+from starlette.types import Receive, Scope, Send
 
 T = TypeVar("T")
 
@@ -19,6 +22,28 @@ def json_answer(content: Any, headers: dict[str, str] | None = None, *, status: 
     if isinstance(content, BaseModel):
         content = content.model_dump(by_alias=True)
     return Response(orjson.dumps(content), status, headers, media_type="application/json")
+
+
+class Download(StreamingResponse):
+    """An answer that is sent piece by piece, and counts as open until all of it was sent or its client has gone.
+
+    Args:
+        content: The pieces.
+        counted: Closed then.
+        headers: Of the answer.
+        media_type: Of the content.
+    """
+
+    def __init__(
+        self, content: AsyncIterator[bytes], counted: ExitStack, *, headers: Mapping[str, str], media_type: str
+    ) -> None:
+        super().__init__(content, headers=headers, media_type=media_type)
+        self._counted = counted
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """ASGI entry."""
+        with self._counted:
+            await super().__call__(scope, receive, send)
 
 
 def takes_gzip(request: Request) -> bool:

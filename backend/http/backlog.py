@@ -2,12 +2,14 @@
 
 import math
 import time
+from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
 
 from backend.errors import BusyError, TooManyRequestsError
+from backend.http.limits import fair_share
 
 MIN_SMOOTHING = 0.1  # weight of the newest interval in the moving average
 MAX_RETRY_AFTER = 60  # [s]
@@ -17,25 +19,33 @@ RELIABLE = 8  # intervals: the first ones of a burst last as long as the service
 
 @dataclass(slots=True)
 class OpenRequest:
-    """A request in progress; `computed` once it had to compute anything."""
+    """A request in progress.
 
+    Attributes:
+        client: Who sent it.
+        computed: Whether it had to compute anything.
+        long: Whether that takes long: then it counts no more.
+    """
+
+    client: str
     computed: bool = False
+    long: bool = False
 
 
 _current: ContextVar[OpenRequest | None] = ContextVar("open_request", default=None)
 
 
 class Backlog:
-    """Requests in progress that may compute.
+    """Requests in progress that may compute, but for those known to take long: others do not wait for them.
 
-    By Little's law a new request waits for the number of requests in progress times the mean interval between two
-    completions. An interval counts only if it ends with a request that computed, while all workers were busy: then it
-    is what machine, database and neighbours make of it, and neither idle times nor cheap requests distort it.
+    Clients take turns, so before a new request come its client's own and as many of each other client. By Little's law
+    it waits for that number times the mean interval between two completions. An interval counts only if it ends with a
+    request that computed, while all workers were busy: then it is what machine, database and neighbours make of it, and
+    neither idle times nor cheap requests distort it.
 
     Args:
-        workers: Processes that compute; while fewer than twice as many requests are open, all are admitted.
-        max_wait: Longest expected wait with which a request is admitted; one client with at least twice as many
-            requests open as there are workers may cause half of it [s].
+        workers: Processes that compute; a request before which fewer than twice as many come is always admitted.
+        max_wait: Longest expected wait with which a request is admitted [s].
         clock: Seconds, monotonic.
     """
 
@@ -43,58 +53,79 @@ class Backlog:
         self._workers = workers
         self._max_wait = max_wait
         self._clock = clock
-        self._open = 0
+        self._open: Counter[str] = Counter()  # by client
         self._intervals = 0
         self._mean_interval = 0.0  # between two completions [s]
         self._interval_start = clock()  # the last completion, or the moment at which all workers became busy
 
     @property
     def expected_wait(self) -> float:
-        """How long a new request would wait [s]."""
-        if self._open <= self._workers:
-            return 0.0
-        since_completion = self._clock() - self._interval_start
-        return max(since_completion, self._open * self._mean_interval)
+        """How long a request of a new client would wait [s]."""
+        before = len(self._open)
+        return 0.0 if before <= self._workers else self._wait(before)
 
-    def check(self, open_of_client: int) -> None:
-        """Refuse a request that would wait too long, or whose client already causes half of the longest wait.
+    def check(self, client: str) -> None:
+        """Refuse a request that would wait too long.
 
         Raises:
-            BusyError, TooManyRequestsError: With the time after which those in progress will be complete.
+            TooManyRequestsError: For other requests of its client.
+            BusyError: For those of others.
+            Both with the time after which those before it will be complete.
         """
-        few = 2 * self._workers
-        if self._open < few:
+        wait = self._wait(fair_share(self._open, client, 1) - 1)
+        if wait <= self._max_wait:
             return
-        wait, own = self.expected_wait, open_of_client * self._mean_interval
-        if own > self._max_wait / 2 and open_of_client >= few:
-            detail = "This client's open requests already fill half of what may wait."
-            raise TooManyRequestsError(detail, retry_after=self._retry_after(own))
-        if wait > self._max_wait:
-            detail = f"The service is full: a request would wait {wait:.1f} s, and may wait {self._max_wait:g} s."
-            raise BusyError(detail, retry_after=self._retry_after(wait))
+        others = len(self._open) - (client in self._open)
+        if self._wait(others) <= self._max_wait:
+            detail = "This client has used its share: its open requests fill the time that one may wait."
+            raise TooManyRequestsError(detail, retry_after=self._retry_after(wait))
+        detail = f"The service is full: a request would wait {wait:.1f} s, and may wait {self._max_wait:g} s."
+        raise BusyError(detail, retry_after=self._retry_after(wait))
 
     @contextmanager
-    def track(self) -> Iterator[None]:
-        """Count a request as in progress."""
-        if self._open <= self._workers:
+    def track(self, client: str) -> Iterator[None]:
+        """Count a request of that client as in progress."""
+        if self._open.total() <= self._workers:
             self._interval_start = self._clock()
-        self._open += 1
-        request = OpenRequest()
+        self._open[client] += 1
+        request = OpenRequest(client)
         token = _current.set(request)
         try:
             yield
         finally:
             _current.reset(token)
-            self._open -= 1
-            if request.computed:
-                self._record_completion()
+            if not request.long:
+                self._remove(request)
+                if request.computed:
+                    self._record_completion()
             if not self._open:
                 self._intervals, self._mean_interval = 0, 0.0  # the next requests may be of another kind
+
+    def mark_computing(self, *, long: bool) -> None:
+        """Mark the current request as one that computes, perhaps for long; without effect where none is tracked."""
+        request = _current.get()
+        if request is None:
+            return
+        request.computed = True
+        if long and not request.long:
+            request.long = True
+            self._remove(request)
+
+    def _remove(self, request: OpenRequest) -> None:
+        self._open[request.client] -= 1
+        if not self._open[request.client]:
+            del self._open[request.client]
+
+    def _wait(self, before: float) -> float:
+        """How long a request waits before which come so many [s]."""
+        if before < 2 * self._workers:
+            return 0.0
+        return max(self._clock() - self._interval_start, before * self._mean_interval)
 
     def _record_completion(self) -> None:
         now = self._clock()
         interval, self._interval_start = now - self._interval_start, now
-        if self._open < self._workers:
+        if self._open.total() < self._workers:
             return  # a worker was idle: the interval tells how often requests arrive, not how quickly they complete
         self._intervals += 1
         if self._intervals == 1:
@@ -106,10 +137,3 @@ class Backlog:
         if self._intervals < RELIABLE:
             wait = min(wait, max(SOON, self._clock() - self._interval_start))
         return min(MAX_RETRY_AFTER, max(1, math.ceil(wait)))
-
-
-def mark_computing() -> None:
-    """Mark the current request as one that computes; without effect where none is tracked."""
-    request = _current.get()
-    if request is not None:
-        request.computed = True

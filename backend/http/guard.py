@@ -77,9 +77,11 @@ class GuardMiddleware:
                 for name, value in HEADERS.items():
                     headers.setdefault(name, value)
                 headers.setdefault("Cache-Control", "no-store")
-            elif head and message["type"] == "http.response.body":
-                message = {**message, "body": b""}
+            elif head:
+                return
             await send(message)
+            if head:  # that is all: the application learns that nobody waits for more, even where it would never end
+                await send({"type": "http.response.body", "body": b""})
 
         inner = {**scope, "method": "GET"} if head else scope
         try:
@@ -104,20 +106,44 @@ class GuardMiddleware:
         if {b"content-length", b"transfer-encoding"} <= {name for name, _ in headers}:
             # A proxy before us may have believed the other one: what follows on this connection is anybody's.
             return problem("two-lengths", "The request body has two lengths.", headers=CLOSE)
-        if scope["method"] not in SAFE and (b"sec-fetch-site", b"cross-site") in headers:
+        if self._is_of_another_site(scope):
             return problem("cross-site")
         if scope["path"] not in HEALTH and HEALTH_ONLY in scope.get("state", ()):
             return problem("connections", headers=CLOSE | RETRY_SOON)
-        if self._hosts and scope["path"] not in HEALTH and not _matches_any(self._hosts, _host(headers)):
+        if (
+            self._hosts
+            and scope["path"] not in HEALTH
+            and not _matches_any(self._hosts, _hostname(dict(headers).get(b"host", b"").decode("latin-1")))
+        ):
             return problem("other-host")
         return None
 
+    def _is_of_another_site(self, scope: Scope) -> bool:
+        """Whether another site's page had a browser send this, and it would change something or compute.
 
-def _host(headers: list[tuple[bytes, bytes]]) -> str:
-    """The name in the Host header, without a port; empty where it is none."""
-    value = next((value for name, value in headers if name == b"host"), b"")
+        What a browser says by itself, `Sec-Fetch-*`, it says over HTTPS and to this machine only; `Origin` it says to
+        everybody, but not of a GET. A link may lead to an answer of the API; a picture, a frame or a script may not.
+        """
+        headers = dict(scope["headers"])
+        site, origin = headers.get(b"sec-fetch-site"), headers.get(b"origin")
+        if scope["method"] in SAFE:
+            opened = (headers.get(b"sec-fetch-mode"), headers.get(b"sec-fetch-dest")) == (b"navigate", b"document")
+            is_link = opened and b"sec-purpose" not in headers  # which a page fetched in advance has
+            return site == b"cross-site" and scope["path"].startswith("/api/") and not is_link
+        if site in (b"same-origin", b"none"):
+            return False
+        return site == b"cross-site" or (origin is not None and not self._is_own(origin, headers.get(b"host", b"")))
+
+    def _is_own(self, origin: bytes, host: bytes) -> bool:
+        """Whether an origin is the host that was asked, or one that the service answers to."""
+        netloc = origin.decode("latin-1").lower().partition("://")[2]  # of `null` nothing is left
+        return netloc == host.decode("latin-1").lower() or _matches_any(self._hosts, _hostname(netloc))
+
+
+def _hostname(netloc: str) -> str:
+    """The name in a host with perhaps a port; empty where it is none."""
     try:
-        return urlsplit(f"//{value.decode('latin-1')}").hostname or ""
+        return urlsplit(f"//{netloc}").hostname or ""
     except ValueError:
         return ""
 

@@ -46,7 +46,7 @@ _LIST = (
         "cross-site",
         403,
         "Request of another site",
-        "Another site's page sent this request through a browser, and it would change something.",
+        "Another site's page sent this request through a browser, and it would change or compute something.",
     ),
     _kind("other-token", 403, "Another token's", "It belongs to another token, which alone may change it."),
     _kind("not-found", 404, "Not found", "There is nothing at this address, or nothing of this id."),

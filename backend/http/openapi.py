@@ -9,9 +9,9 @@ from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
 from backend.http.kinds import KINDS
-from backend.http.problems import MEDIA_TYPE
+from backend.http.logins import COOKIE
+from backend.http.problems import MEDIA_TYPE, Problem
 from backend.http.request_log import HEADER
-from backend.http.tokens import COOKIE
 from backend.json_types import JsonObject
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.strategies import STRATEGIES
@@ -115,6 +115,8 @@ def describe(app: FastAPI) -> JsonObject:
         whole = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
         whole["tags"] = [{"name": name, "description": text} for name, text in TAGS.items()]
         components = whole["components"]
+        problem = Problem.model_json_schema(ref_template="#/components/schemas/{model}", mode="serialization")
+        components["schemas"] |= {**problem.pop("$defs"), "Problem": problem}
         components["headers"] = {name: {"schema": {"type": "string"}, **header} for name, header in HEADERS.items()}
         components["securitySchemes"] = {
             "token": {"type": "http", "scheme": "bearer", "description": "Where the service has a file of tokens"},
@@ -145,9 +147,6 @@ def _describe_answers(operation: JsonObject) -> None:
     answers: dict[str, JsonObject] = operation["responses"]
     for status, answer in answers.items():
         content = answer.get("content", {})
-        for media_type in list(content):  # a route that answers with HTML describes its problems so, too
-            if str(content[media_type].get("schema", {}).get("$ref", "")).endswith("/Problem"):
-                content[MEDIA_TYPE] = content.pop(media_type)
         if MEDIA_TYPE in content:
             kinds = [kind for kind in KINDS.values() if int(status) in kind.statuses]
             answer["description"] = " ".join(f"`{kind.name}`: {kind.meaning}" for kind in kinds)

@@ -28,6 +28,10 @@ CHALLENGE = {"WWW-Authenticate": 'Bearer realm="Ridelab"'}
 RETRY_SOON = {"Retry-After": "2"}
 
 
+# How a route declares one. Not by its model: FastAPI would build a validator for each route and status at every start.
+ANSWER = {"content": {MEDIA_TYPE: {"schema": {"$ref": "#/components/schemas/Problem"}}}}
+
+
 class ProblemPlace(BaseModel):
     """One value that cannot be used: a JSON pointer into the body, or a query parameter's name."""
 

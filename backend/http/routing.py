@@ -16,7 +16,11 @@ from starlette.datastructures import QueryParams
 
 from backend.errors import InvalidError
 from backend.http import strict_json
+from backend.http.answers import cancel_on_disconnect
+from backend.http.limits import client_key
 from backend.http.problems import MOST_ERRORS, RequestError
+from backend.http.tokens import CALLER
+from backend.plain_text import MESSAGE, is_plain
 from backend.unknown_names import is_name, unknown_name
 
 BULKY = 64 * 1024  # a longer body takes a place and is parsed beside the event loop; a scenario is a few kB [bytes]
@@ -26,9 +30,15 @@ SCENARIO_VALUES = 10_000  # a scenario has about a hundred
 _parsing = ThreadPoolExecutor(1, thread_name_prefix="strict-json")
 
 
-def client_address(request: Request) -> str:
-    """The client's address from the server or from a trusted proxy; empty where neither gives one."""
-    return request.client.host if request.client else ""
+def client_of(request: Request) -> str:
+    """Who counts as one client: the request's token, or else its address, from the server or a trusted proxy.
+
+    Empty where there is neither.
+    """
+    token = getattr(request.state, CALLER, None)
+    if token is not None:
+        return f"token {token}"
+    return client_key(request.client.host) if request.client else ""
 
 
 async def _read_body(request: Request, held: ExitStack, longest: int) -> bytes:
@@ -47,7 +57,7 @@ async def _read_body(request: Request, held: ExitStack, longest: int) -> bytes:
             raise RequestError("too-long", f"The body may have {longest} bytes.")
         if length > BULKY and not bulky:
             bulky = True
-            held.enter_context(request.app.state.admission.receiving(client_address(request)))
+            held.enter_context(request.app.state.admission.receiving(client_of(request)))
 
     announced = request.headers.get("content-length", "")
     expect(int(announced[:12]) if announced.isdecimal() else 0)
@@ -80,7 +90,8 @@ async def _parse(body: bytes, max_values: int) -> Any:
 class StrictRoute(APIRoute):
     """A route that takes the parameters it declares and reads its body as strict JSON, bounded in every way.
 
-    One that may lead to computing (`COMPUTES`) refuses a request that would wait too long before it does anything else.
+    One that may lead to computing (`COMPUTES`) refuses a request that would wait too long before it does anything else,
+    and calls off what nobody waits for any more.
     """
 
     MAX_VALUES = strict_json.MAX_VALUES
@@ -96,7 +107,9 @@ class StrictRoute(APIRoute):
 
         async def strict(request: Request) -> Response:
             if self.COMPUTES and takes_body:
-                request.app.state.admission.check_admission(client_address(request))
+                request.app.state.admission.check_admission(client_of(request))
+            if not all(map(is_plain, request.path_params.values())):
+                raise RequestError("not-found")  # there is nothing of such an id, and a database may fail on it
             _check_parameters(request.query_params, parameters)
             kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
             if takes_body and kind != "application/json":
@@ -107,12 +120,13 @@ class StrictRoute(APIRoute):
                 longest = request.app.state.settings.max_body_bytes
                 body = await _read_body(request, held, longest) if takes_body else b""
                 if self.COMPUTES:
-                    held.enter_context(request.app.state.admission.admitted(client_address(request)))
+                    held.enter_context(request.app.state.admission.admitted(client_of(request)))
                 if takes_body:  # what the framework would read itself, and call any error a malformed body
                     request._body = body
                 if body:
                     request._json = await _parse(body, self.MAX_VALUES)
-                return await handler(request)
+                answering = handler(request)
+                return await (cancel_on_disconnect(request, answering) if self.COMPUTES else answering)
 
         return strict
 
@@ -157,11 +171,14 @@ def _check_encoding(request: Request) -> None:
 
 
 def _check_parameters(sent: QueryParams, declared: Sequence[str]) -> None:
-    """Refuse unknown parameters and repeated ones: none is a list here, and of two values one would be ignored.
+    """Refuse unknown parameters, control characters and repeated ones: of two values one would be ignored.
 
     Raises:
-        InvalidError: With every name that is unknown or appears twice.
+        InvalidError: With every name that is unknown or appears twice, or whose value has control characters.
     """
+    for name, value in sent.multi_items():
+        if name in declared and not is_plain(value):
+            raise InvalidError(MESSAGE, parameter=name)
     counts = Counter(name for name, _ in sent.multi_items())
     wrong = [name for name, count in counts.items() if count > 1 or name not in declared][:MOST_ERRORS]
     if not wrong:

@@ -9,6 +9,8 @@ import logging
 import socket
 import struct
 import sys
+import termios
+from fcntl import ioctl
 from typing import TYPE_CHECKING, Any, cast
 from uuid import uuid4
 
@@ -19,8 +21,11 @@ from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from backend.http.connections import Connections, Decision
 from backend.http.guard import CLOSE, HEADERS, HEALTH_ONLY
+from backend.http.limits import client_key
+from backend.http.lingering import LingeringTransport
 from backend.http.problems import RETRY_SOON, problem
 from backend.http.request_log import HEADER
+from backend.http.unread import UnreadAnswers
 from backend.settings import Settings
 
 if TYPE_CHECKING:
@@ -28,6 +33,7 @@ if TYPE_CHECKING:
 
 logger = logging.getLogger(__name__)
 
+MAX_UNREAD = 96 * 1024 * 1024  # of all answers that wait in memory for slow readers [bytes]
 KEEP_ALIVE = 30  # longer than clients and proxies keep theirs, or one may send just as the other closes [s]
 RESET_ON_CLOSE = struct.pack("ii", 1, 0)
 
@@ -38,13 +44,15 @@ class GuardedProtocol(H11Protocol):
     HEAD_TIMEOUT = 10.0  # [s]
     WRITE_TIMEOUT = 60.0  # for which a client may take nothing of its answer [s]
     OPEN = Connections(per_client=200, total=800)
+    UNREAD = UnreadAnswers(MAX_UNREAD)
 
     _timer: asyncio.TimerHandle | None = None
     _stuck: asyncio.TimerHandle | None = None
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]  # uvicorn's own type
         """Count the connection, and begin to wait for a request."""
-        super().connection_made(transport)
+        self._lingering = LingeringTransport(transport, self._body_comes, self.HEAD_TIMEOUT)
+        super().connection_made(cast(asyncio.Transport, self._lingering))
         match self.OPEN.add(self, self.client[0] if self.client else ""):
             case Decision.REFUSE:
                 self._refuse("connections")
@@ -56,12 +64,17 @@ class GuardedProtocol(H11Protocol):
     def connection_lost(self, exc: Exception | None) -> None:
         """Count the connection as ended and stop its timers."""
         self.OPEN.remove(self)
+        self.UNREAD.remove(self)
         self._relax()
         self._unstick()
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
         """Feed the parser; bytes that do not complete a request do not extend its time."""
+        if self._body_comes() and not self._answering():
+            self._lingering.drop(len(data))
+        if self._lingering.lingers:
+            return
         super().data_received(data)
         if self._answering():
             self._relax()
@@ -69,14 +82,10 @@ class GuardedProtocol(H11Protocol):
             self._watch()
 
     def on_response_complete(self) -> None:
-        """Limit the time for the rest of a body that nobody reads.
-
-        It is read and dropped: a connection closed at once would be reset, and the client, still sending, would never
-        see its answer.
-        """
+        """Limit the time for the rest of a body that nobody reads."""
         self.OPEN.mark_used(self)
         super().on_response_complete()
-        if self.conn.their_state is h11.SEND_BODY and not self._answering():
+        if self._body_comes() and not self._answering():
             self._watch()
 
     @property
@@ -86,20 +95,52 @@ class GuardedProtocol(H11Protocol):
 
     def evict(self) -> None:
         """Close the connection to make room for another one."""
-        self.transport.close()
+        self.transport.abort()
 
     def pause_writing(self) -> None:
         """Start a timer: the client reads more slowly than the service sends."""
         super().pause_writing()
-        if self._stuck is None:
-            self._stuck = self.loop.call_later(self.WRITE_TIMEOUT, self._cut_off)
+        self._look_again()
+        self.UNREAD.add(self)
 
     def resume_writing(self) -> None:
         """Stop the timer: the client reads again."""
         super().resume_writing()
+        self.UNREAD.remove(self)
         self._unstick()
 
-    def _cut_off(self) -> None:
+    @property
+    def reader(self) -> str:
+        """The client that reads."""
+        client = self.scope["client"] if self.scope else self.client  # the scope's is the one behind a proxy
+        return client_key(client[0]) if client else ""
+
+    @property
+    def unread(self) -> int:
+        """What waits in this process to be sent [bytes]."""
+        return self.transport.get_write_buffer_size()
+
+    def _look_again(self) -> None:
+        """Look once more after `WRITE_TIMEOUT` whether the client has taken anything."""
+        self._unstick()
+        unread = self._unread_by_client()
+        self._stuck = self.loop.call_later(self.WRITE_TIMEOUT, self._check_progress, unread)
+
+    def _check_progress(self, unread: int) -> None:
+        if self._unread_by_client() < unread:
+            self._look_again()
+        else:
+            self.cut_off()
+
+    def _unread_by_client(self) -> int:
+        """What waits here and what the system has not delivered: that moves long before this does [bytes]."""
+        try:
+            queued = ioctl(self.transport.get_extra_info("socket"), termios.TIOCOUTQ, bytes(4))
+        except OSError:  # another system, or closed just now
+            return self.unread
+        return self.unread + int.from_bytes(queued, sys.byteorder)
+
+    def cut_off(self) -> None:
         """Reset the connection: the system would go on sending what the client does not read."""
         connection = self.transport.get_extra_info("socket")
         connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, RESET_ON_CLOSE)
@@ -114,6 +155,10 @@ class GuardedProtocol(H11Protocol):
         """Answer bytes that are not HTTP; the parser knows whether a head was only too long."""
         too_long = getattr(sys.exc_info()[1], "error_status_hint", 400) == 431
         self._refuse("headers-too-long" if too_long else "malformed-request", msg)
+
+    def _body_comes(self) -> bool:
+        """Whether a part of the request, or of what is none, has not come yet."""
+        return self.conn.their_state in (h11.SEND_BODY, h11.ERROR)
 
     def _answering(self) -> bool:
         return self.cycle is not None and not self.cycle.response_complete
@@ -160,7 +205,7 @@ def server_config(app: "FastAPI", settings: Settings) -> uvicorn.Config:
     connections = Connections(
         per_client=settings.max_client_connections, total=settings.max_connections, is_proxy=proxies.__contains__
     )
-    limits = {"HEAD_TIMEOUT": settings.head_timeout, "OPEN": connections}
+    limits = {"HEAD_TIMEOUT": settings.head_timeout, "OPEN": connections, "UNREAD": UnreadAnswers(MAX_UNREAD)}
     return uvicorn.Config(
         app,
         http=type("ConfiguredProtocol", (GuardedProtocol,), limits),

@@ -1,4 +1,4 @@
-"""Optional tokens: a file lists them; a request sends one in its header or, from the page, in a cookie."""
+"""Optional tokens, which a file lists."""
 
 import hashlib
 import hmac
@@ -8,15 +8,9 @@ from pathlib import Path
 from typing import Annotated
 
 from fastapi import Depends, Request
-from starlette.requests import HTTPConnection
-from starlette.types import ASGIApp, Receive, Scope, Send
-
-from backend.http.problems import RequestError, problem
 
 logger = logging.getLogger(__name__)
 
-COOKIE = "ridelab_login"
-LOGIN = "/api/v1/login"
 CALLER = "caller"  # key in a scope's state: the name of the token
 
 _LINE = re.compile(r"(?P<name>[A-Za-z0-9_.-]{1,64})\s+(?P<token>[A-Za-z0-9._~+/-]{16,256}={0,2})")  # RFC 6750, 2.1
@@ -48,8 +42,8 @@ def read_tokens(path: Path) -> dict[str, str]:
     return tokens
 
 
-def cookie_of(token: str) -> str:
-    """The value of the page's cookie: whoever reads it has no token for programs."""
+def cookie_key(token: str) -> str:
+    """With which the cookies of a token's logins are sealed."""
     return _digest(f"cookie {token}")
 
 
@@ -70,14 +64,14 @@ class Tokens:
         self._refresh()
         return _find(self._by_token, _digest(token))
 
-    def name_of_cookie(self, value: str) -> str | None:
-        """The name of the token for which the page got that cookie."""
+    def cookie_keys(self) -> dict[str, str]:
+        """The name of each token by its `cookie_key`."""
         self._refresh()
-        return _find(self._by_cookie, value)
+        return self._by_cookie_key
 
     def _accept(self, tokens: dict[str, str]) -> None:
         self._by_token = {_digest(token): name for name, token in tokens.items()}
-        self._by_cookie = {cookie_of(token): name for name, token in tokens.items()}
+        self._by_cookie_key = {cookie_key(token): name for name, token in tokens.items()}
 
     def _look(self) -> tuple[int, int, int] | None:
         try:
@@ -100,36 +94,6 @@ class Tokens:
             logger.info("The tokens were read again")
 
 
-class TokenMiddleware:
-    """Lets only requests with a token use the API; the page, its login, health and metrics are open.
-
-    Args:
-        app: ASGI.
-        tokens: Who may.
-    """
-
-    def __init__(self, app: ASGIApp, tokens: Tokens) -> None:
-        self.app = app
-        self._tokens = tokens
-
-    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """ASGI entry."""
-        if scope["type"] == "http":
-            caller = self._caller(HTTPConnection(scope))
-            scope.setdefault("state", {})[CALLER] = caller
-            if caller is None and scope["path"].startswith("/api/") and scope["path"] != LOGIN:
-                await problem("token-required")(scope, receive, send)
-                return
-        await self.app(scope, receive, send)
-
-    def _caller(self, request: HTTPConnection) -> str | None:
-        scheme, _, token = request.headers.get("authorization", "").partition(" ")
-        if scheme.lower() == "bearer":  # a program's: a cookie beside it counts for nothing
-            return self._tokens.name_of_token(token.strip())
-        cookie = request.cookies.get(COOKIE)
-        return None if cookie is None else self._tokens.name_of_cookie(cookie)
-
-
 async def caller(request: Request) -> str | None:
     """The name of the request's token; None where the service has no tokens."""
     name: str | None = getattr(request.state, CALLER, None)
@@ -137,17 +101,6 @@ async def caller(request: Request) -> str | None:
 
 
 Caller = Annotated[str | None, Depends(caller)]
-
-
-def check_login(tokens: Tokens | None, token: str) -> str:
-    """The value of the page's cookie for that token.
-
-    Raises:
-        RequestError: It is nobody's.
-    """
-    if tokens is None or tokens.name_of_token(token) is None:
-        raise RequestError("token-required", "This is none of the service's tokens.")
-    return cookie_of(token)
 
 
 def _digest(text: str) -> str:

@@ -1,4 +1,4 @@
-"""The runs of a job: planned, waiting, grouped in a chunk, computed. Workers import this, so it imports little."""
+"""The runs of a job: planned, waiting, in a chunk, computed, stored. Workers import this, so it imports little."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -54,6 +54,20 @@ class ComputedRun:
     compute_ms: float
     fallbacks: float = 0.0
     cacheable: bool = True
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JobRow:
+    """A run of a sweep with its stored result (`summary` is JSON text)."""
+
+    position: int
+    changes: str
+    strategy: str
+    status: str
+    reason: str | None
+    core_version: str | None
+    summary: str | None
+    compute_ms: float | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

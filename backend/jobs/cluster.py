@@ -194,7 +194,6 @@ async def _on_worker(chunk: Chunk) -> ChunkOutcome:
             chunk.runs,
             chunk.roads,
             chunk.budget,
-            ends_with_caller=True,
         )
     )
     running = _running.setdefault(chunk.group, set())

@@ -5,6 +5,7 @@ import contextlib
 from collections.abc import AsyncGenerator, AsyncIterator
 
 from fastapi.sse import format_sse_event
+from sqlalchemy.exc import SQLAlchemyError
 
 from backend.http.admission import Admission
 from backend.store import Store
@@ -31,12 +32,15 @@ async def _stream(
     store: Store, job_id: str, after: int, admission: Admission, client: str
 ) -> AsyncGenerator[bytes, None]:
     clock = asyncio.get_running_loop().time
-    with admission.streaming(client):
+    with admission.streaming(client), store.commits.following(job_id) as changes:
         yield f"retry: {RECONNECT}\n\n".encode()
         sent = clock()
         while True:
-            commits = store.commits.count
-            events, ended = await store.read(store.job_events.news, job_id, after)
+            changes.clear()
+            try:
+                events, ended = await store.read(store.job_events.news, job_id, after)
+            except SQLAlchemyError:  # /readyz and the log have why; who reads this stream need not come again
+                events, ended = [], False
             for event in events:
                 after, sent = event.number, clock()
                 yield format_sse_event(data_str=event.data, event=event.kind, id=str(event.number))
@@ -47,7 +51,7 @@ async def _stream(
             if clock() - sent > HEARTBEAT:
                 sent = clock()
                 yield b": still here\n\n"
-            await store.commits.wait_beyond(commits, LOOK)
+            await changes.wait(LOOK)
 
 
 async def _with_first(first: bytes, rest: AsyncGenerator[bytes, None]) -> AsyncIterator[bytes]:

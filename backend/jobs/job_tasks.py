@@ -9,6 +9,7 @@ from typing import Any, Protocol
 from sqlalchemy.exc import SQLAlchemyError
 
 from backend.errors import TemporaryError
+from backend.jobs.leadership import LeadershipLostError
 from backend.store import Store, StoredJob
 from backend.store.job import UNFINISHED, Kind
 
@@ -16,7 +17,7 @@ logger = logging.getLogger(__name__)
 
 MAX_TASKS = 4  # beyond it no job is driven; the others wait in the order they were accepted
 PAUSE = 2.0  # after the database failed, or the service was full [s]
-TRANSIENT = (SQLAlchemyError, OSError, TemporaryError)
+TRANSIENT = (SQLAlchemyError, OSError, TemporaryError, LeadershipLostError)
 UNFORESEEN = "It failed with an unforeseen error, which is in the service's log"
 
 

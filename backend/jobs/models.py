@@ -5,8 +5,9 @@ from typing import Annotated
 from pydantic import Field
 
 from backend.models import RequestModel
+from backend.plain_text import PlainText
 
-Label = Annotated[str | None, Field(min_length=1, max_length=200, description="A name for it, to find it again")]
+Label = Annotated[PlainText | None, Field(min_length=1, max_length=200, description="A name for it, to find it again")]
 
 
 class LabelRequest(RequestModel):

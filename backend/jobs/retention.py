@@ -3,8 +3,11 @@
 import asyncio
 import logging
 import time
+from collections.abc import Awaitable, Callable
 from datetime import UTC, datetime, timedelta
+from typing import Any
 
+from backend.jobs.leadership import LeadershipLostError
 from backend.metrics import REMOVED, STORED_BYTES
 from backend.settings import Settings
 from backend.store import Store
@@ -16,10 +19,17 @@ YOUNGEST = timedelta(hours=1)  # what is younger stays, however large the databa
 
 
 class Retention:
-    """Removes what is too old, and the oldest where there is too much; its methods belong to the event loop."""
+    """Removes what is too old, and the oldest where there is too much; its methods belong to the event loop.
 
-    def __init__(self, store: Store, settings: Settings) -> None:
+    Args:
+        store: The database.
+        settings: Have the limits.
+        write: As `Store.write`.
+    """
+
+    def __init__(self, store: Store, settings: Settings, write: Callable[..., Awaitable[Any]]) -> None:
         self._store = store
+        self._write = write
         self._days = settings.retention_days
         self._bytes = settings.retention_bytes
         self._due = time.monotonic()
@@ -27,8 +37,7 @@ class Retention:
 
     def begin_if_due(self) -> None:
         """Start a removal in the background, if it is due."""
-        off = self._days is None and self._bytes is None
-        if off or time.monotonic() < self._due or (self._task is not None and not self._task.done()):
+        if time.monotonic() < self._due or (self._task is not None and not self._task.done()):
             return
         self._due = time.monotonic() + INTERVAL
         self._task = asyncio.create_task(self._apply_safely())
@@ -41,11 +50,16 @@ class Retention:
     async def _apply_safely(self) -> None:
         try:
             await self.apply()
+        except LeadershipLostError:
+            return
         except Exception:  # whatever it was, jobs go on, and it is tried again
             logger.exception("Old jobs and results could not be removed")
 
     async def apply(self) -> None:
-        """Remove everything beyond the limits now."""
+        """Remove everything beyond the limits now, and what somebody's deletion left when a service ended."""
+        await self._purge()
+        if self._days is None and self._bytes is None:
+            return
         if self._days is not None:
             await self._remove_before(datetime.now(UTC) - timedelta(days=self._days))
         size = await self._store.read(self._store.retention.size)
@@ -65,5 +79,10 @@ class Retention:
             ("results", self._store.retention.remove_results),
             ("roads", self._store.retention.remove_roads),
         ):
-            while removed := await self._store.write(remove, before):
+            while removed := await self._write(remove, before):
                 REMOVED.labels(what).inc(removed)
+                await self._purge()
+
+    async def _purge(self) -> None:
+        while await self._write(self._store.jobs.purge):
+            pass

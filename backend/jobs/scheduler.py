@@ -17,6 +17,7 @@ from sqlalchemy.exc import SQLAlchemyError
 
 from backend import metrics
 from backend.compute.workers import Workers
+from backend.db.commits import Follower
 from backend.jobs.chunk import ClusterLostError
 from backend.jobs.chunks import Chunks
 from backend.jobs.job_tasks import JobTasks, Stepper
@@ -60,7 +61,8 @@ class Scheduler:
         self._store = store
         self._settings = settings
         self._background = background
-        self._retention = Retention(store, settings)
+        self._leadership = Leadership(store)
+        self._retention = Retention(store, settings, self._leadership.write)
         self._task: asyncio.Task[None] | None = None
         self._cluster: Cluster | None = None
         self._running_jobs: dict[str, RunningJob] = {}
@@ -86,24 +88,26 @@ class Scheduler:
         """Drive the jobs whenever this service is the leader."""
         while True:
             try:
-                async with Leadership(self._store).held() as leadership:
-                    await self._chunks.wait_until_stored(PARTING)  # what was computed before the lead was lost
-                    await self._lead(leadership)
-            except LeadershipLostError:
-                logger.warning("Another service drives the jobs now")
-                await self._chunks.wait_until_computed(PARTING)
+                try:
+                    async with self._leadership.held():
+                        await self._chunks.wait_until_stored(PARTING)  # what was computed before the lead was lost
+                        with self._store.commits.following() as changes:
+                            await self._lead(changes)
+                except LeadershipLostError:
+                    logger.warning("Another service drives the jobs now")
+                    await self._chunks.wait_until_computed(PARTING)
+                finally:
+                    await self._leave()
             except (SQLAlchemyError, OSError) as error:
                 logger.warning("The jobs rest: %s", type(error).__name__)
             except Exception:  # whatever it was, jobs must not rest for ever
                 logger.exception("Driving the jobs failed")
-            finally:
-                await self._leave()
             await asyncio.sleep(PAUSE)
 
-    async def _lead(self, leadership: Leadership) -> None:
+    async def _lead(self, changes: Follower) -> None:
         while True:
-            await leadership.confirm()
-            commits = self._store.commits.count
+            await self._leadership.confirm()
+            changes.clear()
             self._chunks.returned.clear()
             try:
                 await self._look()
@@ -117,14 +121,11 @@ class Scheduler:
                 logger.warning("The Dask scheduler does not answer: %s", error)
                 await self._end_cluster()
                 await asyncio.sleep(PAUSE)
-            await self._rest(commits)
+            await self._rest(changes)
 
-    async def _rest(self, commits: int) -> None:
+    async def _rest(self, changes: Follower) -> None:
         """Wait until a chunk comes back, a job changes, or the next look is due."""
-        waits = [
-            asyncio.create_task(wait)
-            for wait in (self._store.commits.wait_beyond(commits, LOOK), self._chunks.returned.wait())
-        ]
+        waits = [asyncio.create_task(wait) for wait in (changes.wait(LOOK), self._chunks.returned.wait())]
         try:
             await asyncio.wait(waits, return_when=asyncio.FIRST_COMPLETED)
         finally:
@@ -144,8 +145,8 @@ class Scheduler:
             if self._job_tasks.drives(job.kind):
                 self._job_tasks.drive(job)
             elif job.kind == "reproduction" and rows.is_abandoned(job):
-                await self._store.write(self._store.jobs.cancel, job.id)
-                await self._store.write(self._store.jobs.delete, job.id)
+                await self._leadership.write(self._store.jobs.cancel, job.id)
+                await self._leadership.write(self._store.jobs.delete, job.id)
             elif job.id not in self._running_jobs:
                 await self._begin(job)
             elif job.state == "queued":  # it was cancelled and resumed between two looks
@@ -167,7 +168,7 @@ class Scheduler:
 
             self._cluster = Cluster(self._settings)
             await self._cluster.start()
-        await self._store.write(self._store.jobs.start, job.id)
+        await self._leadership.write(self._store.jobs.start, job.id)
         self._running_jobs[job.id] = RunningJob(job=job)
 
     async def _send_chunks(self) -> None:
@@ -198,7 +199,7 @@ class Scheduler:
 
     async def _finish(self, running: RunningJob) -> None:
         job_id = running.job.id
-        if await self._store.write(self._store.jobs.finish, job_id):
+        if await self._leadership.write(self._store.jobs.finish, job_id):
             self._running_jobs.pop(job_id, None)
             if running.job.kind == "reproduction":
                 await self._forget(job_id)
@@ -209,17 +210,17 @@ class Scheduler:
         """Delete a reproduction that is done: its rows are stored results. One with failures stays and says why."""
         job = await self._store.read(self._store.jobs.load, job_id)
         if job is not None and not job.failed:
-            await self._store.write(self._store.jobs.delete, job_id)
+            await self._leadership.write(self._store.jobs.delete, job_id)
 
     async def _rekey(self, job: StoredJob) -> None:
         """Give the runs that another core version left uncomputed the keys of this one, which computes them."""
         logger.warning("Job %s goes on with core %s", job.id, CORE_VERSION)
         last: int | None = -1
         while last is not None:
-            last, runs = await self._store.write(self._store.job_runs.waiting, job.id, last, PAGE)
+            last, runs = await self._leadership.write(self._store.job_runs.waiting, job.id, last, PAGE)
             if runs:
                 keys = await self._background.call(rekeyed, job.request["scenario"], job.schema_version, runs)
-                await self._store.write(self._store.job_runs.rekey, job.id, keys)
+                await self._leadership.write(self._store.job_runs.rekey, job.id, keys)
         self._rekeyed.add(job.id)
 
     async def _report(self) -> None:
@@ -246,8 +247,8 @@ class Scheduler:
         await self._end_cluster()
 
     async def _end_cluster(self) -> None:
-        await self._chunks.stop_computing()
         self._running_jobs.clear()
+        await self._chunks.stop_computing()
         if self._cluster is not None:
             cluster, self._cluster = self._cluster, None
             await cluster.close()

@@ -100,13 +100,29 @@ class Jobs:
             for job in jobs
         }
 
-    async def cancel(self, job_id: str) -> StoredJob:
-        """Cancel a job's waiting and running runs; finished ones stay. A job that has ended is returned unchanged.
+    async def owned(self, job_id: str, owner: str | None) -> StoredJob:
+        """The job, for one who wants to change it: the token that submitted it, or anybody where none did.
+
+        Args:
+            job_id: The job.
+            owner: The name of the token that asks; None where the service has no tokens, and every job is everybody's.
 
         Raises:
             NotFoundError: There is none.
+            ForbiddenError: It belongs to another token.
         """
-        await self.get(job_id)
+        job = await self.get(job_id)
+        if None not in (job.owner, owner) and job.owner != owner:
+            raise ForbiddenError("This belongs to another token; only its owner may change it.")
+        return job
+
+    async def cancel(self, job_id: str, owner: str | None) -> StoredJob:
+        """Cancel a job's waiting and running runs; finished ones stay. A job that has ended is returned unchanged.
+
+        Raises:
+            NotFoundError, ForbiddenError: As `owned`.
+        """
+        await self.owned(job_id, owner)
         await self._store.write(self._store.jobs.cancel, job_id)
         return await self.get(job_id)
 
@@ -116,13 +132,13 @@ class Jobs:
         await self._store.write(self._store.jobs.resume, job_id, **values)
         return await self.get(job_id)
 
-    async def set_label(self, job_id: str, label: str | None) -> StoredJob:
+    async def set_label(self, job_id: str, label: str | None, owner: str | None) -> StoredJob:
         """Set its label, or (None) remove it.
 
         Raises:
-            NotFoundError: There is none.
+            NotFoundError, ForbiddenError: As `owned`.
         """
-        await self.get(job_id)
+        await self.owned(job_id, owner)
         await self._store.write(self._store.jobs.set_label, job_id, label)
         return await self.get(job_id)
 
@@ -130,17 +146,16 @@ class Jobs:
         """Delete a job; results that runs and other jobs share stay.
 
         Raises:
-            NotFoundError: There is none.
-            ForbiddenError: It belongs to another token than `owner`.
+            NotFoundError, ForbiddenError: As `owned`.
             ConflictError: It has not ended, or a link shows it.
         """
-        job = await self.get(job_id)
-        if None not in (job.owner, owner) and job.owner != owner:  # what came without a token is everybody's
-            raise ForbiddenError("This belongs to another token; only its owner deletes it.")
+        await self.owned(job_id, owner)
         if not await self._store.write(self._store.jobs.delete, job_id):
             raise ConflictError(
                 "It has not ended, or a link shows it: cancel it first; what a link shows stays.", kind="not-deletable"
             )
+        while await self._store.write(self._store.jobs.purge):
+            pass
 
     async def events(self, job_id: str, after: int, client: str) -> AsyncIterator[bytes]:
         """Server-sent events behind number `after`, as they happen, until the job has ended.

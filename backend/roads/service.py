@@ -13,10 +13,12 @@ from backend.roads import export, survey
 from backend.roads.models import CreatedRoad, FoundBumpAnswer, RoadAnswer
 from backend.store import Store
 from sim_core.car.measuring import FoundBump, bumps_in
+from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario
 from sim_core.scenario.measured import SPACING, MeasuredRoad
 
 SURVEY_COST = 1.0  # reading the longest file allowed [s of one core]
+CSV_COST = 2e-6  # of one height [s of one core]
 POINTER = "/scenario/road/profile"
 
 
@@ -38,7 +40,7 @@ class Roads:
         """
         with self._reading.acquired(client), self._admission.background(client, SURVEY_COST):
             try:
-                surveyed = await self._workers.call(survey.read, content)
+                surveyed = await self._workers.call(survey.read, content, client=client, cost=SURVEY_COST)
             except survey.SurveyError as error:
                 raise InvalidError(f"Line {error.line}: {error.message}.", pointer="") from None
         await self._store.write(self._store.roads.save, surveyed.road)
@@ -51,14 +53,16 @@ class Roads:
             warnings=surveyed.warnings,
         )
 
-    async def get(self, road_id: str, points: int) -> RoadAnswer:
+    async def get(self, road_id: str, points: int, client: str) -> RoadAnswer:
         """The stored road with about so many of its heights.
 
         Raises:
             NotFoundError: There is none.
+            TemporaryError: Too much is being computed.
         """
         road = await self._stored(road_id)
-        distance, height, bumps = await self._workers.call(drawn, road, points)
+        with self._admission.computing(client, 0.0):
+            distance, height, bumps = await self._workers.call(drawn, road, points, client=client)
         return RoadAnswer(
             id=road.id,
             length=road.length,
@@ -68,13 +72,17 @@ class Roads:
             height=height,
         )
 
-    async def csv(self, road_id: str) -> bytes:
+    async def csv(self, road_id: str, client: str) -> bytes:
         """Every height of the stored road as CSV; sent again, it is the same road.
 
         Raises:
             NotFoundError: There is none.
+            TemporaryError: Too much is being computed.
         """
-        return await self._workers.call(export.as_csv, await self._stored(road_id))
+        road = await self._stored(road_id)
+        cost = CSV_COST * road.samples
+        with self._admission.computing(client, cost):
+            return await self._workers.call(export.as_csv, road, client=client, cost=cost)
 
     async def _stored(self, road_id: str) -> MeasuredRoad:
         road = (await self._store.read(self._store.roads.load, [road_id])).get(road_id)
@@ -82,21 +90,32 @@ class Roads:
             raise NotFoundError("There is no measured road of this id.")
         return road
 
+    async def with_length(self, scenario: Scenario) -> Scenario:
+        """The scenario as it is driven and known by: without a length of its own it has its measured road's.
+
+        Raises:
+            InvalidError: There is no such road, or the bump is not on it.
+        """
+        return await self.on(scenario) if scenario.road.ends_with_profile else scenario
+
     async def on(self, scenario: Scenario) -> Scenario:
         """The scenario with the heights of the measured road it names.
 
         Raises:
-            InvalidError: There is no such road.
+            InvalidError: There is no such road, or the bump is not on it.
             ShortRoadError: It is shorter than the scenario's.
         """
         profile = scenario.road.profile
         if profile is None:
             return scenario
         road = (await self.named([profile]))[profile]
-        if scenario.road.length > road.length:
+        if scenario.road.length > road.length and not scenario.road.ends_with_profile:
             message = f"The measured road is {road.length:g} m long: the road's length can be at most that"
             raise ShortRoadError(f"{message}.", pointer="/scenario/road/length")
-        return scenario.on(road)
+        try:
+            return scenario.on(road)
+        except RidelabError as error:
+            raise InvalidError(f"{error.message}.", pointer=f"/scenario/{str(error.field).replace('.', '/')}") from None
 
     async def named(self, ids: Iterable[str], pointer: str = POINTER) -> Mapping[str, MeasuredRoad]:
         """The roads of these ids.

@@ -11,7 +11,7 @@ from backend import digest
 from backend.compute.flights import Flights
 from backend.compute.workers import Workers
 from backend.errors import BusyError, CostLimitError, GoneError, InvalidError, RoadGoneError
-from backend.http.admission import Admission
+from backend.http.admission import Admission, cost_of
 from backend.roads.service import Roads
 from backend.runs import bands, exports, pins
 from backend.runs.results import Results
@@ -21,6 +21,7 @@ from backend.store import Store, StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
 from sim_core.study.roads import seeded
+from sim_core.workload import estimate
 
 FIGURE_POINTS = 2000
 BAND_BYTES = 64 * 1024 * 1024  # of bands in memory: those of a dozen strategies
@@ -39,7 +40,6 @@ class Histories:
         self._bands: LRUCache[str, bands.Band] = LRUCache(BAND_BYTES, getsizeof=lambda band: band.nbytes)
         self._open_bytes = 0
         self._flights: Flights[str, bands.Band] = Flights()
-        self._slots = asyncio.Semaphore(workers.count)  # at most so many slices wait for a worker before others' work
 
     async def keys(self, stored: StoredRun) -> dict[str, str]:
         """Result keys of the strategies whose exact time histories are pinned or can be simulated again.
@@ -76,8 +76,8 @@ class Histories:
             await self._on_its_road(scenario)
             results = await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
             return {strategy: item.outcome for strategy, item in results.items()}
-        with self._admission.computing(client, scenario, ()):
-            arrays = await self._workers.call(pins.opened, pinned, _stages(stored), FIGURE_POINTS)
+        with self._admission.computing(client, 0.0):
+            arrays = await self._workers.call(pins.opened, pinned, _stages(stored), FIGURE_POINTS, client=client)
         return {
             item.strategy: ComputedResult(
                 status=item.status,
@@ -95,11 +95,12 @@ class Histories:
         pinned = await self._pinned(keys)
         scenario = Scenario.model_validate(stored.scenario)
         if pinned is not None:
-            with self._admission.computing(client, scenario, ()):  # a place, but next to no work
-                return await self._workers.call(exports.render_pinned, pinned, _stages(stored), export)
+            with self._admission.computing(client, 0.0):  # a place, but next to no work
+                return await self._workers.call(exports.render_pinned, pinned, _stages(stored), export, client=client)
         scenario = await self._on_its_road(scenario)
-        with self._admission.computing(client, scenario, keys):
-            return await self._workers.call(exports.render, scenario, export)
+        cost = cost_of(scenario, keys)
+        with self._admission.computing(client, cost):
+            return await self._workers.call(exports.render, scenario, export, client=client, cost=cost)
 
     async def over_roads(
         self,
@@ -126,9 +127,10 @@ class Histories:
         keys = {name: digest.band_key(roads[0], name, stored.roads) for name in names}
         found = {name: self._bands[key] for name, key in keys.items() if key in self._bands}
         missing = [name for name in names if name not in found]
-        with self._memory(roads[0], names), self._admission.computing(client, roads[0], missing * stored.roads):
+        cost = stored.roads * cost_of(roads[0], missing)
+        with self._memory(roads[0], names), self._admission.computing(client, cost):
             tasks = [
-                asyncio.create_task(self._flights.join(keys[name], partial(self._drive, roads, name)))
+                asyncio.create_task(self._flights.join(keys[name], partial(self._drive, roads, name, client)))
                 for name in missing
             ]
             try:
@@ -138,7 +140,9 @@ class Histories:
                     task.cancel()
             self._bands.update({keys[name]: found[name] for name in missing if found[name].nbytes <= BAND_BYTES})
             ordered = {name: found[name] for name in names}
-            return await self._workers.call(bands.render, ordered, _stages(stored), signals, points, encoding)
+            return await self._workers.call(
+                bands.render, ordered, _stages(stored), signals, points, encoding, client=client
+            )
 
     @contextmanager
     def _memory(self, scenario: Scenario, names: Sequence[str]) -> Iterator[None]:
@@ -158,12 +162,12 @@ class Histories:
         finally:
             self._open_bytes -= size
 
-    async def _drive(self, roads: Sequence[Scenario], name: str) -> bands.Band:
+    async def _drive(self, roads: Sequence[Scenario], name: str, client: str) -> bands.Band:
         """One strategy over all roads, slice by slice, so that other requests come in between."""
         band: bands.Band | None = None
+        cost = max(bands.LONGEST_TASK, estimate(roads[0], name))
         while band is None or band.roads < len(roads):
-            async with self._slots:
-                band = await self._workers.call(bands.drive, roads, name, band)
+            band = await self._workers.call(bands.drive, roads, name, band, client=client, cost=cost)
         return band
 
     async def _on_its_road(self, scenario: Scenario) -> Scenario:

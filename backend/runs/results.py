@@ -15,6 +15,7 @@ from backend.runs.memory import Memory
 from backend.runs.work import ComputedResult
 from backend.store import Store, StoredResult
 from sim_core.scenario import Scenario
+from sim_core.workload import estimate
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -23,6 +24,15 @@ class Result:
 
     outcome: ComputedResult
     cached: bool
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Request:
+    """Who asks, for how many samples of the time histories (None for none), and each strategy's estimated cost [s]."""
+
+    client: str
+    points: int | None
+    costs: Mapping[str, float]
 
 
 class Results:
@@ -70,8 +80,10 @@ class Results:
         CACHE.labels("miss").inc(len(costly))
         if costly:
             roads = [await self._roads.on(road) for road in roads]
-            with self._admission.computing(client, roads[0], costly):
-                computed = await self._compute_roads(roads, missing, points)
+            costs = {name: estimate(roads[0], name) for name in set(costly)}  # which no seed changes
+            request = _Request(client=client, points=points, costs=costs)
+            with self._admission.computing(client, sum(costs[name] for name in costly)):
+                computed = await self._compute_roads(roads, missing, request)
             results = [cached | new for cached, new in zip(results, computed, strict=True)]
         return [{name: each[name] for name in names} for each in results]
 
@@ -86,16 +98,16 @@ class Results:
         return {name: Result(outcome=each, cached=True) for name, each in outcomes.items() if each is not None}
 
     async def _compute_roads(
-        self, roads: Sequence[Scenario], missing: Sequence[Mapping[str, str]], points: int | None
+        self, roads: Sequence[Scenario], missing: Sequence[Mapping[str, str]], request: _Request
     ) -> list[dict[str, Result]]:
-        """At most as many roads at once as there are workers, so that other requests come in between."""
+        """At most as many roads at once as there are workers, so that the client's other requests come in between."""
         slots = asyncio.Semaphore(self._workers.count)
 
         async def one(road: Scenario, keys: Mapping[str, str]) -> dict[str, Result]:
             async with slots:
-                cached = self._cached(keys, {}, points)  # by now another request may have computed it
+                cached = self._cached(keys, {}, request.points)  # by now another request may have computed it
                 rest = {name: key for name, key in keys.items() if name not in cached}
-                return cached | (await self._compute(road, rest, points) if rest else {})
+                return cached | (await self._compute(road, rest, request) if rest else {})
 
         tasks = [asyncio.create_task(one(road, names)) for road, names in zip(roads, missing, strict=True)]
         try:
@@ -104,8 +116,9 @@ class Results:
             for task in tasks:
                 task.cancel()
 
-    async def _compute(self, scenario: Scenario, missing: Mapping[str, str], points: int | None) -> dict[str, Result]:
+    async def _compute(self, scenario: Scenario, missing: Mapping[str, str], request: _Request) -> dict[str, Result]:
         """Join computations in progress; one worker computes the rest, so that shared work is done once."""
+        points = request.points
 
         def running_task(key: str) -> asyncio.Task[dict[str, ComputedResult]] | None:
             return self._flights.find(lambda flight: flight[0] == key and points in (None, flight[1]))
@@ -114,13 +127,16 @@ class Results:
         joined = set(tasks)
         fresh = {name: key for name, key in missing.items() if name not in joined}
         if fresh:
-            computing = self._fly(scenario, fresh, points)
+            computing = self._fly(scenario, fresh, request)
             tasks |= dict.fromkeys(fresh, self._flights.begin([(key, points) for key in fresh.values()], computing))
         landed = await self._flights.wait(set(tasks.values()))
         return {name: Result(outcome=landed[task][name], cached=name in joined) for name, task in tasks.items()}
 
-    async def _fly(self, scenario: Scenario, fresh: Mapping[str, str], points: int | None) -> dict[str, ComputedResult]:
-        outcomes = await self._workers.call(work.run, scenario, list(fresh), points)
+    async def _fly(self, scenario: Scenario, fresh: Mapping[str, str], request: _Request) -> dict[str, ComputedResult]:
+        cost = sum(request.costs[name] for name in fresh)
+        outcomes = await self._workers.call(
+            work.run, scenario, list(fresh), request.points, client=request.client, cost=cost
+        )
         for outcome in outcomes.values():
             fallbacks = outcome.summary.get("events", {}).get("qp_fallbacks", 0)
             count_runs("interactive", outcome.status, fallbacks=fallbacks)

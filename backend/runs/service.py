@@ -10,8 +10,15 @@ from sqlalchemy.exc import SQLAlchemyError
 
 from backend import digest
 from backend.compute.workers import Workers
-from backend.errors import GoneError, InvalidError, NewerSchemaError, NotFoundError, RoadGoneError
-from backend.http.admission import Admission
+from backend.errors import (
+    EcuUnavailableError,
+    GoneError,
+    InvalidError,
+    NewerSchemaError,
+    NotFoundError,
+    RoadGoneError,
+)
+from backend.http.admission import Admission, cost_of
 from backend.json_types import JsonObject
 from backend.metrics import CACHE
 from backend.models import CreatedRun, LiveRun, Run
@@ -85,8 +92,8 @@ class Runs:
         self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None
     ) -> tuple[StoredRun, dict[str, bool]]:
         """The run in the database, and the strategies that were not computed for this request."""
-        names = ordered(strategies)
-        self._admission.check(scenario, names * roads)
+        names, scenario = ordered(strategies), await self._roads.with_length(scenario)
+        self._admission.check_cost(roads * cost_of(scenario, names))
         against = None if roads == 1 else baseline or default_baseline(names)
         run_id = digest.run_id(scenario, names, roads, against)
         stored = await self._store.read(self._store.runs.load, run_id)
@@ -137,8 +144,8 @@ class Runs:
         self, scenario: Scenario, strategies: Iterable[str], points: int, signals: Sequence[str] | None, client: str
     ) -> LiveRun:
         """Figures and decimated time histories of that scenario; nothing is stored."""
-        names = ordered(strategies)
-        self._admission.check(scenario, names)
+        names, scenario = ordered(strategies), await self._roads.with_length(scenario)
+        self._admission.check_cost(cost_of(scenario, names))
         results = await self._results.get(scenario, names, client, points=points)
         keys = series.ordered_signals(signals)
         outcomes = {name: item.outcome for name, item in results.items()}
@@ -230,9 +237,10 @@ class Runs:
             raise NotFoundError(f"There is no such figure; there are {', '.join(figures.PANELS)}.")
         stored = await self.stored(run_id, client)
         outcomes = await self._histories.outcomes(stored, client)
-        if name is not None:
-            return figures.filled(name, outcomes, axis)
-        return {"figures": {each: figures.filled(each, outcomes, axis) for each in figures.PANELS}}
+        with self._admission.computing(client, 0.0):
+            if name is not None:
+                return figures.filled(name, outcomes, axis)
+            return {"figures": {each: figures.filled(each, outcomes, axis) for each in figures.PANELS}}
 
     async def report(
         self, run_id: str, client: str, *, baseline: str | None, against: str | None, axis: str, compressed: bool
@@ -279,7 +287,7 @@ class Runs:
             axis=axis,
             gone=gone,
         )
-        with self._admission.computing(client, Scenario.model_validate(stored.scenario), ()):
+        with self._admission.reporting(client):
             return await in_thread(partial(run_report.report, facts, compressed=compressed))
 
     async def _other(self, run_id: str, client: str) -> StoredRun:
@@ -295,6 +303,7 @@ class Runs:
         Raises:
             NotFoundError: There is none.
             RoadGoneError: It would be computed on a measured road that is not stored any more.
+            EcuUnavailableError: It would be computed by an ECU's program that cannot take part here and now.
             TemporaryError: Too much is being computed.
         """
         stored = await self._store.read(self._store.runs.load, run_id)
@@ -320,9 +329,12 @@ class Runs:
         """A run whose results were removed, by this core version, which it then names."""
         scenario, names = Scenario.model_validate(stored.scenario), list(stored.by_strategy)
         try:
-            _, outcomes = await self._computed(scenario, names, stored.roads, client)
+            results, outcomes = await self._computed(scenario, names, stored.roads, client)
         except InvalidError:
             raise RoadGoneError from None
+        for item in (item for each in results for item in each.values()):
+            if not item.outcome.cacheable:  # stored, this failure would be the run's result for ever
+                raise EcuUnavailableError(item.outcome.summary["reason"])
         await self._store.write(self._store.runs.recompute, stored.id, CORE_VERSION, outcomes)
         return replace(stored, results=tuple(outcomes), core_version=CORE_VERSION)
 

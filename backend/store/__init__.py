@@ -9,6 +9,7 @@ from backend.store.job_events import JobEventStore
 from backend.store.job_runs import JobRunStore
 from backend.store.jobs import JobStore
 from backend.store.links import LinkStore, StoredLink
+from backend.store.logins import LoginStore
 from backend.store.retention import RetentionStore
 from backend.store.roads import RoadStore
 from backend.store.runs import RunStore, StoredResult, StoredRun
@@ -29,4 +30,5 @@ class Store(Database):
         self.job_events = JobEventStore(self)
         self.trials = TrialStore(self)
         self.links = LinkStore(self)
+        self.logins = LoginStore(self)
         self.retention = RetentionStore(self)

@@ -9,6 +9,7 @@ from backend.json_types import JsonObject
 from backend.store.roads import measured_roads, swept_roads
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION
+from sim_core.scenario.versions import upgraded
 
 State = Literal["queued", "running", "done", "cancelled", "failed"]
 Kind = Literal["sweep", "tuning", "reproduction"]
@@ -65,6 +66,11 @@ class StoredJob:
     created_at: datetime = field(default_factory=lambda: datetime.now(UTC))
     started_at: datetime | None = None
     finished_at: datetime | None = None
+
+    @property
+    def scenario(self) -> JsonObject:
+        """The request's as today's schema has it; as it was stored where a newer version of the service did that."""
+        return upgraded(self.request["scenario"], min(self.schema_version, SCHEMA_VERSION))
 
     @property
     def road_ids(self) -> set[str]:

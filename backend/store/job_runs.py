@@ -1,32 +1,17 @@
 """The runs of a sweep: a run refers to its result by key, and each result is stored once."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import Any
 
 from sqlalchemy import Connection, Select, Update, bindparam, select, update
 
 from backend.db.database import Database
-from backend.db.tables import job_runs, jobs, results
-from backend.jobs.chunk import ComputedRun, WaitingRun
+from backend.db.tables import EXPIRED, job_runs, jobs, results
+from backend.jobs.chunk import ComputedRun, JobRow, WaitingRun
 from backend.store.job_events import add_event
 from backend.store.jobs import lock
-from backend.store.runs import EXPIRED, insert_results
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class JobRow:
-    """A run of a sweep with its stored result (`summary` is JSON text)."""
-
-    position: int
-    changes: str
-    strategy: str
-    status: str
-    reason: str | None
-    core_version: str | None
-    summary: str | None
-    compute_ms: float | None
+from backend.store.runs import insert_results
 
 
 class JobRunStore:
@@ -48,7 +33,7 @@ class JobRunStore:
             with self._database.writing() as connection:
                 lock(connection, job_id)
                 _settle(connection, job_id, stored)
-            self._database.changed()
+            self._database.changed(job_id)
         runs = [
             WaitingRun(position=row.position, changes=row.changes, strategy=row.strategy, key=row.result_key)
             for row in rows
@@ -75,7 +60,7 @@ class JobRunStore:
             insert_results(connection, rows)
             _fail(connection, job_id, failures or {})
             _settle(connection, job_id, {item.key: item.status for item in computed})
-        self._database.changed()
+        self._database.changed(job_id)
 
     def rekey(self, job_id: str, keys: Mapping[int, tuple[str | None, str | None]]) -> None:
         """Give waiting runs (by position) the keys of another core version, or the reason why they have none."""
@@ -87,7 +72,7 @@ class JobRunStore:
                 connection.execute(at.values(result_key=bindparam("key")), new)
             reasons = {position: str(reason) for position, (key, reason) in keys.items() if key is None}
             _fail(connection, job_id, reasons)
-        self._database.changed()
+        self._database.changed(job_id)
 
     def rows(self, job_id: str, after: int, limit: int) -> list[JobRow]:
         """The next runs behind position `after`, each with its result if it has one."""
@@ -125,8 +110,10 @@ def _settle(connection: Connection, job_id: str, statuses: Mapping[str, str]) ->
     counts = dict.fromkeys(("ok", "failed"), 0)
     for status in set(statuses.values()):
         keys = [key for key, each in statuses.items() if each == status]
+        # Locked, so that retention sees that the run has it before it removes it.
         of_status = select(results.c.key).where(results.c.key.in_(keys), results.c.status == status)
-        matching = _update_waiting(job_id).where(job_runs.c.result_key.in_(of_status))
+        there = list(connection.execute(of_status.order_by(results.c.key).with_for_update(read=True)).scalars())
+        matching = _update_waiting(job_id).where(job_runs.c.result_key.in_(there))
         counts[status] = connection.execute(matching.values(status=status)).rowcount
     _count(connection, job_id, done=counts["ok"], failed=counts["failed"])
 

@@ -3,6 +3,7 @@
 A job that has not ended is driven until it has, whatever crashes: what is still to be done is a query.
 """
 
+import hashlib
 from collections.abc import Sequence
 from dataclasses import fields
 from datetime import UTC, datetime
@@ -12,7 +13,7 @@ from sqlalchemy import Connection, Row, Select, and_, delete, func, insert, or_,
 from sqlalchemy.exc import IntegrityError
 
 from backend.db.database import Database, insert_new
-from backend.db.tables import job_events, job_roads, job_runs, jobs, links, trials
+from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, trials
 from backend.jobs.chunk import PlannedRun
 from backend.json_types import JsonObject
 from backend.store.job import FINAL, UNFINISHED, Kind, State, StoredJob
@@ -23,6 +24,9 @@ from backend.store.trials import StoredTrial
 class ParentEndedError(Exception):
     """A job cannot be submitted for one that has ended."""
 
+
+PURGED = 2000  # rows deleted in one transaction
+LONGEST_KEY = 255  # characters, as the column has them
 
 NAMES = [each.name for each in fields(StoredJob)]
 WHOLE = [jobs.c[name] for name in NAMES]
@@ -45,7 +49,8 @@ class JobStore:
         Raises:
             ParentEndedError: The job that submits it has ended meanwhile.
         """
-        row = {name: getattr(job, name) for name in NAMES} | {"idempotency_key": idempotency_key}
+        stored_key = None if idempotency_key is None else _shortened(idempotency_key)
+        row = {name: getattr(job, name) for name in NAMES} | {"idempotency_key": stored_key}
         try:
             with self._database.writing() as connection:
                 if job.parent_id is not None:
@@ -55,7 +60,7 @@ class JobStore:
                         raise ParentEndedError
                 connection.execute(
                     update(jobs)
-                    .where(jobs.c.kind == job.kind, jobs.c.idempotency_key == idempotency_key)
+                    .where(jobs.c.kind == job.kind, jobs.c.idempotency_key == stored_key)
                     .where(jobs.c.state == "cancelled")
                     .values(idempotency_key=None)
                 )
@@ -70,16 +75,17 @@ class JobStore:
             if existing is None:
                 raise
             return existing, False
-        self._database.changed()
+        self._database.changed(job.id)
         return job, True
 
     def load(self, job_id: str) -> StoredJob | None:
         """The job of that id, if it is stored."""
-        return self._one(select(*WHOLE).where(jobs.c.id == job_id))
+        return self._one(select(*WHOLE).where(jobs.c.id == job_id, jobs.c.kind != REMOVED))
 
     def by_idempotency_key(self, kind: Kind, key: str) -> StoredJob | None:
         """The job that was accepted with that key and was not cancelled."""
-        of_key = and_(jobs.c.kind == kind, jobs.c.idempotency_key == key, jobs.c.state != "cancelled")
+        keys = {key, _shortened(key)}  # until 0.3.0 SQLite took long ones as they were
+        of_key = and_(jobs.c.kind == kind, jobs.c.idempotency_key.in_(keys), jobs.c.state != "cancelled")
         return self._one(select(*WHOLE).where(of_key))
 
     def page(
@@ -140,7 +146,7 @@ class JobStore:
             if connection.execute(waiting.limit(1)).first() is not None:
                 return False
             change_state(connection, job_id, UNFINISHED, "done", finished_at=datetime.now(UTC))
-        self._database.changed()
+        self._database.changed(job_id)
         return True
 
     def fail(self, job: StoredJob, reason: str) -> None:
@@ -154,17 +160,18 @@ class JobStore:
             if change_state(connection, job_id, UNFINISHED, "failed", reason=reason, finished_at=now):
                 waiting = update(job_runs).where(job_runs.c.job_id == job_id, job_runs.c.status == "waiting")
                 connection.execute(waiting.values(status="cancelled", reason=reason))
-        self._database.changed()
+        self._database.changed(job_id)
 
     def cancel(self, job_id: str) -> None:
         """Cancel a job and the jobs it submitted; those that have ended stay unchanged."""
         with self._database.writing() as connection:
             children = select(jobs.c.id).where(jobs.c.parent_id == job_id, jobs.c.state.in_(UNFINISHED))
-            for each in (job_id, *connection.execute(children).scalars()):
+            family = [job_id, *connection.execute(children).scalars()]
+            for each in family:
                 if change_state(connection, each, UNFINISHED, "cancelled", finished_at=datetime.now(UTC)):
                     waiting = update(job_runs).where(job_runs.c.job_id == each, job_runs.c.status == "waiting")
                     connection.execute(waiting.values(status="cancelled"))
-        self._database.changed()
+        self._database.changed(*family)
 
     def resume(self, job_id: str, **values: Any) -> None:
         """Continue a job that has ended, with these values changed: its cancelled runs wait again."""
@@ -173,7 +180,7 @@ class JobStore:
             if change_state(connection, job_id, FINAL, "queued", reason=None, finished_at=None, **values):
                 cancelled = update(job_runs).where(job_runs.c.job_id == job_id, job_runs.c.status == "cancelled")
                 connection.execute(cancelled.values(status="waiting"))
-        self._database.changed()
+        self._database.changed(job_id)
 
     def advance(
         self,
@@ -207,7 +214,7 @@ class JobStore:
             connection.execute(update(jobs).where(jobs.c.id == job.id).values(**values))
             if event is not None:
                 add_event(connection, job.id, event, details)
-        self._database.changed()
+        self._database.changed(job.id)
         return True
 
     def note_progress(self, job_id: str, **progress: Any) -> None:
@@ -222,7 +229,7 @@ class JobStore:
             connection.execute(update(jobs).where(jobs.c.id == job_id).values(label=label))
 
     def delete(self, job_id: str) -> bool:
-        """Delete a job with its runs, trials, events and the jobs it submitted.
+        """Delete a job and the jobs it submitted; `purge` then deletes their rows.
 
         False where one of them runs or a link shows it, or where it belongs to a job.
         """
@@ -236,11 +243,28 @@ class JobStore:
             linked = connection.execute(select(links.c.slug).where(links.c.job_id.in_(ids)).limit(1)).first()
             if linked is not None or any(member.state in UNFINISHED for member in members):
                 return False
-            for table in (job_runs, job_roads, job_events, trials):
-                connection.execute(delete(table).where(table.c.job_id.in_(ids)))
-            connection.execute(delete(jobs).where(jobs.c.parent_id == job_id))
+            mark_removed(connection, ids)
+        self._database.changed(*ids)
+        return True
+
+    def purge(self) -> bool:
+        """Delete some rows of a deleted job, or the job where it has none; False where there is no such job.
+
+        A job may have 100,000 rows, and SQLite lets nobody else write while they are deleted.
+        """
+        with self._database.writing() as connection:
+            job_id = connection.execute(select(jobs.c.id).where(jobs.c.kind == REMOVED).limit(1)).scalar()
+            if job_id is None:
+                return False
+            for number in (job_runs.c.position, job_events.c.number, trials.c.number):
+                of_job = number.table.c.job_id == job_id
+                piece = select(number).where(of_job).order_by(number).limit(PURGED).subquery()
+                last = connection.execute(select(func.max(piece.c[number.name]))).scalar()
+                if last is not None:
+                    connection.execute(delete(number.table).where(of_job, number <= last))
+                    return True
+            connection.execute(delete(job_roads).where(job_roads.c.job_id == job_id))
             connection.execute(delete(jobs).where(jobs.c.id == job_id))
-        self._database.changed()
         return True
 
     def _one(self, query: Select[Any]) -> StoredJob | None:
@@ -251,12 +275,23 @@ class JobStore:
     def _change_state(self, job_id: str, before: Sequence[str], state: State, **values: Any) -> None:
         with self._database.writing() as connection:
             change_state(connection, job_id, before, state, **values)
-        self._database.changed()
+        self._database.changed(job_id)
+
+
+def _shortened(key: str) -> str:
+    """An idempotency key as its column holds it; a long one, which follows a token's name, as a digest of it."""
+    return key if len(key) <= LONGEST_KEY else f"{len(key)} characters: {hashlib.sha256(key.encode()).hexdigest()}"
 
 
 def lock(connection: Connection, job_id: str) -> None:
     """Lock a job's row, so that its writers keep counts and event numbers in order (SQLite locks everything)."""
     connection.execute(select(jobs.c.id).where(jobs.c.id == job_id).with_for_update())
+
+
+def mark_removed(connection: Connection, ids: Sequence[str]) -> None:
+    """Make these jobs ones that nobody finds, to be purged."""
+    nobodys = {"kind": REMOVED, "parent_id": None, "idempotency_key": None, "label": None}
+    connection.execute(update(jobs).where(jobs.c.id.in_(ids)).values(**nobodys))
 
 
 def change_state(connection: Connection, job_id: str, before: Sequence[str], state: State, **values: Any) -> bool:

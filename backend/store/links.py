@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Literal
 
-from sqlalchemy import select
+from sqlalchemy import Connection, select
 
 from backend.db.database import Database, insert_new
-from backend.db.tables import links, pinned_series
+from backend.db.tables import EXPIRED, REMOVED, jobs, links, pinned_series, results, run_results
 from backend.json_types import JsonObject
 
 
@@ -29,8 +29,12 @@ class LinkStore:
     def __init__(self, database: Database) -> None:
         self._database = database
 
-    def save(self, link: StoredLink, pins: Mapping[str, bytes]) -> None:
-        """Commit a link and what is not yet pinned of its time histories (by result key), together."""
+    def save(self, link: StoredLink, pins: Mapping[str, bytes]) -> bool:
+        """Commit a link and what is not yet pinned of its time histories (by result key), together.
+
+        False, and no change, where retention has removed the batch or a result of the run: from the commit on it
+        removes nothing of either.
+        """
         row = {
             "slug": link.slug,
             "kind": link.kind,
@@ -43,9 +47,12 @@ class LinkStore:
             {"result_key": key, "content": content, "created_at": link.created_at} for key, content in pins.items()
         ]
         with self._database.writing() as connection:
+            if not _lock_target(connection, link):
+                return False
             if contents:
                 insert_new(connection, pinned_series, contents)
             connection.execute(links.insert(), [row])
+        return True
 
     def load(self, slug: str) -> StoredLink | None:
         """The link of that slug, if there is one."""
@@ -73,3 +80,21 @@ class LinkStore:
         with self._database.reading() as connection:
             rows = connection.execute(query.where(pinned_series.c.result_key.in_(list(keys)))).all()
         return {row.result_key: bytes(row.content) for row in rows}
+
+
+def _lock_target(connection: Connection, link: StoredLink) -> bool:
+    """Keep retention from removing what the link shows before it is committed; False where it has removed some of it.
+
+    A run of which there is nothing at all is left to the foreign key.
+    """
+    if link.kind == "batch":
+        target = select(jobs.c.kind).where(jobs.c.id == link.target).with_for_update(read=True)
+        return connection.execute(target).scalar() not in (None, REMOVED)
+    shown = (
+        select(results.c.status)
+        .join(run_results, run_results.c.result_key == results.c.key)
+        .where(run_results.c.run_id == link.target)
+        .order_by(results.c.key)
+        .with_for_update(read=True, of=results)
+    )
+    return EXPIRED not in connection.execute(shown).scalars()

@@ -1,15 +1,22 @@
 """Removal of what is old: jobs without a label or a link, results that nothing shows, roads that nothing names.
 
 A run stays with its scenario and its strategies, so that it can be computed again; of its results the summaries go.
+
+What may be removed is looked for first, then locked, then looked at again: who labels, resumes, links or uses it
+meanwhile has committed that by then, or waits and finds it removed (SQLite lets one write at a time anyway).
 """
 
+from collections.abc import Sequence
 from datetime import datetime
+from typing import Any
 
-from sqlalchemy import Select, and_, delete, exists, func, or_, select, update
+from sqlalchemy import Column, Connection, Select, and_, delete, exists, func, or_, select, update
 
 from backend.db.database import Database
 from backend.db.tables import (
-    job_events,
+    EXPIRED,
+    REMOVED,
+    UNEXPIRED,
     job_roads,
     job_runs,
     jobs,
@@ -19,12 +26,14 @@ from backend.db.tables import (
     roads,
     run_results,
     run_roads,
-    trials,
 )
 from backend.store.job import FINAL
-from backend.store.runs import EXPIRED
+from backend.store.jobs import mark_removed
 
-PAGE = 500  # jobs, results or roads in one transaction
+PAGE = 500  # results or roads in one transaction
+JOBS_PAGE = 20  # jobs of users, each with up to some hundred that it submitted
+
+Removable = Select[str, datetime]
 
 
 class RetentionStore:
@@ -34,11 +43,21 @@ class RetentionStore:
         self._database = database
 
     def size(self) -> int:
-        """Size of results, pinned time histories and rows of jobs [bytes]; the database's own overhead is extra."""
+        """Size of what is stored [bytes]; no row is read for it, however many there are.
+
+        Of SQLite the file's pages in use. A table of PostgreSQL does not shrink when rows are deleted: there it is the
+        size of results, pinned time histories, rows of jobs and measured roads, and its own overhead is extra.
+        """
         columns = (results.c.summary, pinned_series.c.content, job_runs.c.changes, jobs.c.sweep, roads.c.content)
         with self._database.reading() as connection:
+            if connection.dialect.name == "sqlite":
+                pages, free, each = (
+                    connection.exec_driver_sql(f"PRAGMA {name}").scalar_one()
+                    for name in ("page_count", "freelist_count", "page_size")
+                )
+                return int((pages - free) * each)
             sizes = [
-                connection.execute(select(func.coalesce(func.sum(func.length(column)), 0))).scalar_one()
+                connection.execute(select(func.coalesce(func.sum(func.octet_length(column)), 0))).scalar_one()
                 for column in columns
             ]
         return int(sum(sizes))
@@ -53,15 +72,16 @@ class RetentionStore:
         return min((created for created in pages if created is not None), default=None)
 
     def remove_jobs(self, before: datetime) -> int:
-        """Remove a page of jobs that ended before then, with the jobs they submitted; returns how many."""
+        """Remove a page of jobs that ended before then, with the jobs they submitted; returns how many.
+
+        `JobStore.purge` then deletes their rows.
+        """
+        removable = _removable_jobs(before)
         with self._database.writing() as connection:
-            ids = list(connection.execute(select(_removable_jobs(before).subquery().c.id)).scalars())
-            family = select(jobs.c.id).where(or_(jobs.c.id.in_(ids), jobs.c.parent_id.in_(ids)))
-            members = list(connection.execute(family).scalars())
-            for table in (job_runs, job_roads, job_events, trials):
-                connection.execute(delete(table).where(table.c.job_id.in_(members)))
-            connection.execute(delete(jobs).where(jobs.c.parent_id.in_(ids)))
-            connection.execute(delete(jobs).where(jobs.c.id.in_(ids)))
+            ids = _ids(connection, removable)
+            _lock(connection, jobs.c.id, _family(connection, ids))
+            ids = _ids(connection, removable.where(jobs.c.id.in_(ids)))
+            mark_removed(connection, _family(connection, ids))
         return len(ids)
 
     def remove_results(self, before: datetime) -> int:
@@ -69,8 +89,11 @@ class RetentionStore:
 
         Of a result that runs have, the summary alone is removed.
         """
+        removable = _removable_results(before)
         with self._database.writing() as connection:
-            keys = list(connection.execute(select(_removable_results(before).subquery().c.key)).scalars())
+            keys = _ids(connection, removable)
+            _lock(connection, results.c.key, keys)
+            keys = _ids(connection, removable.where(results.c.key.in_(keys)))
             in_runs = select(run_results.c.result_key).where(run_results.c.result_key.in_(keys))
             in_use = list(connection.execute(in_runs.distinct()).scalars())
             connection.execute(
@@ -81,20 +104,38 @@ class RetentionStore:
 
     def remove_roads(self, before: datetime) -> int:
         """Remove a page of roads stored before then that no run and no job names; returns how many."""
+        removable = _removable_roads(before)
         with self._database.writing() as connection:
-            ids = list(connection.execute(select(_removable_roads(before).subquery().c.id)).scalars())
+            ids = _ids(connection, removable)
+            _lock(connection, roads.c.id, ids)
+            ids = _ids(connection, removable.where(roads.c.id.in_(ids)))
             connection.execute(delete(roads).where(roads.c.id.in_(ids)))
         return len(ids)
 
 
-def _removable_roads(before: datetime | None) -> Select[tuple[str, datetime]]:
+def _ids(connection: Connection, removable: Removable) -> list[str]:
+    return [key for key, _ in connection.execute(removable).all()]
+
+
+def _lock(connection: Connection, column: Column[Any], ids: Sequence[str]) -> None:
+    """Lock these rows, in an order that every writer keeps to."""
+    connection.execute(select(column).where(column.in_(ids)).order_by(column).with_for_update())
+
+
+def _family(connection: Connection, ids: Sequence[str]) -> list[str]:
+    """The jobs and those they submitted."""
+    family = select(jobs.c.id).where(or_(jobs.c.id.in_(ids), jobs.c.parent_id.in_(ids)))
+    return list(connection.execute(family).scalars())
+
+
+def _removable_roads(before: datetime | None) -> Removable:
     query = select(roads.c.id, roads.c.created_at.label("created")).where(
         ~exists().where(run_roads.c.road_id == roads.c.id), ~exists().where(job_roads.c.road_id == roads.c.id)
     )
     return (query if before is None else query.where(roads.c.created_at < before)).order_by("created").limit(PAGE)
 
 
-def _removable_jobs(before: datetime | None) -> Select[tuple[str, datetime]]:
+def _removable_jobs(before: datetime | None) -> Removable:
     member = jobs.alias()  # the job itself, or one that it submitted
     named = or_(
         member.c.label.is_not(None),
@@ -103,15 +144,15 @@ def _removable_jobs(before: datetime | None) -> Select[tuple[str, datetime]]:
     )
     family = or_(member.c.id == jobs.c.id, member.c.parent_id == jobs.c.id)
     query = select(jobs.c.id, jobs.c.finished_at.label("created")).where(
-        jobs.c.parent_id.is_(None), jobs.c.state.in_(FINAL), ~exists().where(family, named)
+        jobs.c.parent_id.is_(None), jobs.c.state.in_(FINAL), jobs.c.kind != REMOVED, ~exists().where(family, named)
     )
-    return (query if before is None else query.where(jobs.c.finished_at < before)).order_by("created").limit(PAGE)
+    return (query if before is None else query.where(jobs.c.finished_at < before)).order_by("created").limit(JOBS_PAGE)
 
 
-def _removable_results(before: datetime | None) -> Select[tuple[str, datetime]]:
+def _removable_results(before: datetime | None) -> Removable:
     shown = exists().where(and_(links.c.run_id == run_results.c.run_id, run_results.c.result_key == results.c.key))
     query = select(results.c.key, results.c.created_at.label("created")).where(
-        results.c.status != EXPIRED,
+        UNEXPIRED,  # as the index has it
         ~exists().where(job_runs.c.result_key == results.c.key),
         ~exists().where(pinned_series.c.result_key == results.c.key),
         ~shown,

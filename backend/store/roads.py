@@ -1,5 +1,6 @@
 """Measured roads, stored by content."""
 
+import re
 from collections.abc import Iterable
 from datetime import UTC, datetime
 
@@ -8,7 +9,7 @@ from sqlalchemy import select, update
 from backend.db.database import Database, insert_new
 from backend.db.tables import roads
 from backend.json_types import JsonObject
-from sim_core.scenario.measured import MeasuredRoad
+from sim_core.scenario.measured import ID_PATTERN, MeasuredRoad
 
 PROFILE = "profile"  # a road's field
 
@@ -21,10 +22,10 @@ def measured_roads(scenario: JsonObject) -> set[str]:
 
 
 def swept_roads(sweep: JsonObject) -> set[str]:
-    """Ids of the measured roads that a sweep names, in the form of the request."""
+    """Ids of the measured roads that a sweep names, in the form of the request; what is no id is left out."""
     name = f"road.{PROFILE}"
     named = [*(sweep.get("grid") or {}).get(name, ()), *(point.get(name) for point in sweep.get("list") or ())]
-    return {each for each in named if isinstance(each, str)}
+    return {each for each in named if isinstance(each, str) and re.fullmatch(ID_PATTERN, each)}
 
 
 class RoadStore:

@@ -10,11 +10,9 @@ from sqlalchemy import Connection, Row, delete, insert, select, update
 from sqlalchemy.dialects import postgresql, sqlite
 
 from backend.db.database import Database, insert_new
-from backend.db.tables import results, run_results, run_roads, runs
+from backend.db.tables import EXPIRED, results, run_results, run_roads, runs
 from backend.json_types import JsonObject
 from backend.store.roads import measured_roads
-
-EXPIRED = "expired"  # the status of a result whose summary is gone; runs keep which strategies they have
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -189,6 +189,9 @@ class Solution:
         value: The value, in `unit`.
         metric_value: What is held to the limit, in `metric_unit`: over several roads the interval's upper end.
         interval: The metric at that value over the roads; None for one road.
+        resolution: Smallest change of the metric [%] that is more than luck; None where there is no luck, or none
+            known.
+        resolved_value: The value in no more digits than that leaves it, rounded down; not driven itself.
         bracket: The value, and the next larger one tried, which does not keep the limit; twice the value at the top of
             the range.
         runs: How many runs it took.
@@ -203,6 +206,8 @@ class Solution:
     value: float
     metric_value: float
     interval: Interval | None
+    resolution: float | None
+    resolved_value: float
     bracket: tuple[float, float]
     runs: int
     run_id: str

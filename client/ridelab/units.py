@@ -71,6 +71,11 @@ def starts_as_number(text: str) -> bool:
     return _NUMBER.match(text) is not None
 
 
+def is_number(text: str) -> bool:
+    """Whether it is a number and nothing else, without a unit."""
+    return _NUMBER.fullmatch(text) is not None
+
+
 def _of_same_quantity(unit: str) -> Mapping[str, float]:
     """Every unit of what this one measures; this one alone where the table does not have it."""
     return next((units for units in UNITS.values() if unit in units), {unit: 1.0})

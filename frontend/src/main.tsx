@@ -1,35 +1,43 @@
 import { MantineProvider } from "@mantine/core";
 import "./mantine.css";
-import { QueryClient, QueryClientProvider } from "@tanstack/react-query";
+import { QueryClientProvider } from "@tanstack/react-query";
 import { RouterProvider } from "@tanstack/react-router";
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
 import { api } from "./api/client";
+import { loadPinned, ownPins } from "./compare/usePins";
 import "./global.css";
 import { ownLibrary } from "./library/ownLibrary";
 import { createAppRouter } from "./router";
 import { LabContextProvider } from "./state/context";
 import { createLab } from "./state/lab";
+import { createQueryClient } from "./state/queryClient";
+import { restoreBefore, restoreTab, storeTab } from "./state/reload";
 import { storeSession, restoreSession } from "./state/session";
 import { watchPrinting } from "./state/printing";
 import { createLabRouter, startsAnew } from "./state/router";
 import { theme } from "./theme";
 
-const queries = new QueryClient({
-  // A local server needs no network, and asking again is the connection banner's work.
-  defaultOptions: { queries: { retry: false, networkMode: "always", refetchOnWindowFocus: false } },
-});
+const queries = createQueryClient();
 
 // The lab lives as long as the tab: other pages come and go beside it.
 const pages = createAppRouter();
 // An address that names a result opens that, and nothing is behind it.
 const restored = startsAnew(pages) ? restoreSession() : null;
 const router = createLabRouter(pages, restored?.view);
-const lab = createLab({ api, router, queries }, restored?.lab);
-router.onNavigate(lab.navigate);
+const tab = restoreTab({ runId: router.get().runId, scenario: restored?.lab.history?.present ?? null });
+const lab = createLab({ api, router, queries }, { ...restored?.lab, ...(tab && { history: tab.history }) });
+if (tab) restoreBefore(lab, tab, (run) => loadPinned(run, null, queries, new AbortController().signal));
 storeSession(lab, router);
+storeTab(lab);
+router.onNavigate(lab.navigate);
 watchPrinting();
-window.addEventListener("storage", ownLibrary.refresh); // another tab has changed it
+const readOwn = () => {
+  ownLibrary.refresh();
+  ownPins.refresh();
+};
+window.addEventListener("storage", readOwn); // another tab has changed them
+window.addEventListener("pageshow", readOwn); // or may have while the browser kept this page aside
 
 const context = { lab, router, standard: {}, restored: restored?.lab.history?.present ?? null };
 

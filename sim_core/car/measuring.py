@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from math import ceil
 
 import numpy as np
-from scipy.ndimage import median_filter, uniform_filter1d
 
 from sim_core.arrays import FloatArray
 from sim_core.scenario.measured import SPACING
@@ -57,6 +56,8 @@ def surveyed(distance: FloatArray, height: FloatArray) -> SurveyedRoad:
     slope = float(centred @ heights / (centred @ centred))
     offset = float(heights.mean() - slope * x.mean())
     window = round(CONTACT / SPACING) + 1
+    from scipy.ndimage import uniform_filter1d  # takes a tenth of a second: most processes never survey a road
+
     inner = uniform_filter1d(heights - offset - slope * x, window, mode="nearest")
     return SurveyedRoad(heights=inner, offset=offset, slope=slope)
 
@@ -67,6 +68,8 @@ def bumps_in(heights: FloatArray) -> list[FoundBump]:
     Each stands out from the running median over LEVEL by at least LEAST_BUMP and six times what the rest of the road
     does (by its median absolute deviation). It ends beyond a tenth of its height where it falls no more.
     """
+    from scipy.ndimage import median_filter  # takes a tenth of a second: most processes never look for bumps
+
     step = round(_COARSE / SPACING)
     coarse = heights[::step]
     window = min(2 * round(LEVEL / _COARSE / 2) + 1, len(coarse))

@@ -10,6 +10,7 @@ from sim_core.caching import cached
 from sim_core.car.half_car import DISTURBANCES, FORCES, OUTPUTS, STATES, half_car, hold
 from sim_core.scenario import Actuator, Vehicle
 
+_LONGEST_RECORD = 16_384  # control steps recorded in one matrix product
 _LONGEST_LIFT = 16  # fine steps in one matrix product; more would cost more than they save
 _SPEEDS = ("front_deflection_speed", "rear_deflection_speed")
 RECORDED = (*_SPEEDS, *(name for name in OUTPUTS if name not in _SPEEDS), "front_force", "rear_force")
@@ -55,16 +56,17 @@ class Plant:
         signals = len(self.lifts[0].outputs) // (self.lifts[0].fine + 1)
         if signals < len(RECORDED):
             table[signals:] = commands.T[:, np.newaxis]
-        first, state = 0, states.T
-        for lift in self.lifts:
-            last = first + lift.fine
-            causes = np.vstack([state, commands.T, disturbance[:, DISTURBANCES * first : DISTURBANCES * last].T])
-            if len(self.lifts) == 1:
-                np.matmul(lift.outputs, causes, out=table[:signals].reshape(len(lift.outputs), -1))
-            else:
-                table[:signals, first : last + 1] = (lift.outputs @ causes).reshape(signals, lift.fine + 1, -1)
-                state = lift.end @ causes
-            first = last
+        for begin in range(0, len(states), _LONGEST_RECORD):  # a product takes about as much memory as it gives
+            block = slice(begin, begin + _LONGEST_RECORD)
+            first, state, held = 0, states[block].T, commands[block].T
+            for lift in self.lifts:
+                last = first + lift.fine
+                causes = np.vstack([state, held, disturbance[block, DISTURBANCES * first : DISTURBANCES * last].T])
+                if len(self.lifts) == 1 and len(states) <= _LONGEST_RECORD:
+                    np.matmul(lift.outputs, causes, out=table[:signals].reshape(len(lift.outputs), -1))
+                    break
+                table[:signals, first : last + 1, block] = (lift.outputs @ causes).reshape(signals, lift.fine + 1, -1)
+                first, state = last, lift.end @ causes
         return table
 
 

@@ -16,7 +16,7 @@ from sim_core.compiled.library import ADDRESS, DOUBLE, INT, address, function
 from sim_core.errors import MissingRoadError, RidelabError
 from sim_core.scenario import Bump, Road
 from sim_core.scenario.measured import SPACING, MeasuredRoad
-from sim_core.scenario.parts import BumpShape
+from sim_core.scenario.road import BumpShape
 
 REFERENCE_FREQUENCY = 0.1  # n0 [1/m], ISO 8608
 CUTOFF_FREQUENCY = 0.011  # n00 [1/m]: below it the PSD is flat, so the road stays bounded

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
-enum shape { COSINE, HALF_SINE, CIRCULAR, FLAT_TOP, TRAPEZOID, KERB }; /* as scenario/parts.py has them */
+enum shape { COSINE, HALF_SINE, CIRCULAR, FLAT_TOP, TRAPEZOID, KERB }; /* as scenario/road.py has them */
 
 struct bump {
     int shape, count;
@@ -42,6 +42,8 @@ static double one_bump(const struct bump *bump, double along)
     if (bump->shape == CIRCULAR) {
         double radius = w * (w / fabs(h)) / 8 + fabs(h) / 2, from_crest = w * (s - 0.5), part = from_crest / radius;
         double depth = radius * sqrt(part * part < 1 ? 1 - part * part : 0) + radius - fabs(h);
+        if (depth == 0) /* the feet of half a circle */
+            return 0;
         return copysign((w * w / 4 - from_crest * from_crest) / depth, h);
     }
     double ramp = within(0, 4 * (s < 0.5 ? s : 1 - s), 1); /* 0 to 1 within a quarter of the width at either end */

@@ -123,7 +123,9 @@ class DaqpSolver(QpSolver):
         if self._model is None:
             self._model = daqp.Model()
             self._model.settings = {"primal_tol": 1e-9}
-            flag, _ = self._model.setup(shape.H, problem.f, shape.A, problem.upper, problem.lower)
+            # It takes no read-only arrays, and keeps their addresses.
+            hessian, rows = self._matrices = shape.H.copy(), shape.A.copy()
+            flag, _ = self._model.setup(hessian, problem.f, rows, problem.upper, problem.lower)
         else:
             flag = self._model.update(f=problem.f, bupper=problem.upper)
         if flag < 0:

@@ -7,7 +7,6 @@ Mamdani min/max inference, five even triangles each, centroid. One direct scikit
 from functools import lru_cache
 
 import numpy as np
-import skfuzzy
 
 from sim_core.arrays import FloatArray
 from sim_core.compiled.library import ADDRESS, INT, address, function
@@ -23,6 +22,8 @@ _torque_shares = function("torque_shares", ADDRESS, ADDRESS, INT, ADDRESS, ADDRE
 
 def even_triangles(universe: FloatArray) -> FloatArray:
     """Memberships (5, n) of five even triangles over a universe (n,); the outer two are halves."""
+    import skfuzzy  # takes a third of a second: a process that only plans never needs it
+
     peaks = np.linspace(universe[0], universe[-1], len(SETS))
     width = peaks[1] - peaks[0]
     return np.array([skfuzzy.trimf(universe, [peak - width, peak, peak + width]) for peak in peaks])

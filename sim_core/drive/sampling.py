@@ -30,8 +30,8 @@ class SampledDrive:
         time: Control instants (steps + 1,) [s], 0 when the front axle is at x = 0.
         fine: Fine steps in each control step.
         before: Control steps before x = 0.
-        position: Of the front and the rear axle at every fine instant (2, n + 1) [m].
-        braking: Deceleration, held over a fine step (n,) [m/s^2].
+        position: Of the front axle at every fine instant (n + 1,) [m].
+        wheelbase: How far behind the rear one is [m].
         on_record: The fine samples on record, from x = 0 to the road's end.
         series: The record's signals that no road changes (catalogue.SIGNALS).
     """
@@ -40,7 +40,7 @@ class SampledDrive:
     fine: int
     before: int
     position: FloatArray
-    braking: FloatArray
+    wheelbase: float
     on_record: slice
     series: dict[str, FloatArray]
 
@@ -142,14 +142,15 @@ def sample_road(
     fine = multiple * ceil(step / multiple / longest_fine_step - 1e-9)
     sampled = _sampled(drive, road.length, wheelbase, step, fine)
     surface = profile(road)
-    height = surface.height(sampled.position)
+    height = surface.height(np.stack([sampled.position, sampled.position - wheelbase]))
+    braking = _braking(drive, sampled, step / fine)
     held = np.empty((len(sampled.time) - 1, fine * DISTURBANCES))
-    _disturbances(address(height), address(sampled.braking), len(sampled.braking), sampled.fine_step, address(held))
+    _disturbances(address(height), address(braking), len(braking), sampled.fine_step, address(held))
     height.flags.writeable = False
     front, rear = height[:, sampled.on_record]
     return RoadInput(
         drive=sampled,
-        position=sampled.position[0, : -1 : sampled.fine],
+        position=sampled.position[: -1 : sampled.fine],
         disturbance=held,
         surface=surface,
         height=height,
@@ -173,18 +174,30 @@ def _sampled(drive: Drive, length: float, wheelbase: float, step: float, fine: i
         "time": time[record],
         "position": position[record],
         "speed": speed[record],
-        "brake_pressure": drive.sample(drive.pressure, time[record]),
-        "brake_deceleration": drive.sample(drive.braking, time[record]),
+        "brake_pressure": _on_record(drive, drive.pressure, time[record]),
+        "brake_deceleration": _on_record(drive, drive.braking, time[record]),
     }
     for values in series.values():
         values.flags.writeable = False
-    axles = np.stack([position, position - wheelbase])
     return SampledDrive(
         time=step * np.arange(-before, steps - before + 1, dtype=np.float64),
         fine=fine,
         before=before,
-        position=axles,
-        braking=drive.sample(drive.braking, time[:-1] + h / 2),
+        position=position,
+        wheelbase=wheelbase,
         on_record=record,
         series=series,
     )
+
+
+@cached
+def _braking(drive: Drive, sampled: SampledDrive, h: float) -> FloatArray:
+    """Deceleration, held over each fine step of h [s] (n,) [m/s^2]; apart from the drive, which lives longer."""
+    first = -sampled.before * sampled.fine
+    begins = h * np.arange(first, first + len(sampled.position) - 1, dtype=np.float64)
+    return drive.sample(drive.braking, begins + h / 2)
+
+
+def _on_record(drive: Drive, values: FloatArray, time: FloatArray) -> FloatArray:
+    """A sampled column of the drive; one that is zero throughout takes no memory."""
+    return drive.sample(values, time) if values.any() else np.broadcast_to(0.0, time.shape)

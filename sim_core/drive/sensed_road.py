@@ -4,7 +4,7 @@ In space, once for the whole drive: a place has one height for both axles and in
 """
 
 from dataclasses import dataclass
-from math import pi
+from math import ceil, floor, pi
 
 import numpy as np
 
@@ -65,10 +65,6 @@ def sensed_road(
 def trusted(seen: FloatArray, roughness: float, expected: ExpectedErrors) -> FloatArray:
     """The Wiener estimate of the roughness from what the sensors give (n,) [m].
 
-    Where they err by an offset of standard deviation s and by white noise, the best linear estimate weighs each spatial
-    frequency n by exp(-(2π n s)²/2) S(n) / (S(n) + N), S being the road's density and N = 2 σ² Δx the noise's (Wiener
-    1949; the first factor is the mean of exp(j 2π n offset) over a normal offset).
-
     Args:
         seen: Heights on the road's grid.
         roughness: Gd(n0) [m³], the road's class.
@@ -76,14 +72,25 @@ def trusted(seen: FloatArray, roughness: float, expected: ExpectedErrors) -> Flo
     """
     if expected == ExpectedErrors():
         return seen
-    n = np.fft.rfftfreq(2 * len(seen), GRID)
+    n = np.asarray(np.fft.rfftfreq(2 * len(seen), GRID), dtype=np.float64)
+    weight = trust(n, roughness, expected)
+    mirrored = np.concatenate([seen, seen[::-1]])  # so that no end jumps to the other
+    return np.asarray(np.fft.irfft(np.fft.rfft(mirrored) * weight)[: len(seen)])
+
+
+def trust(n: FloatArray, roughness: float, expected: ExpectedErrors) -> FloatArray:
+    """By how much the best linear estimate weighs what the sensors see at each spatial frequency n [1/m].
+
+    Where they err by an offset of standard deviation s and by white noise it is exp(-(2π n s)²/2) S(n) / (S(n) + N),
+    S being the road's density and N = 2 σ² Δx the noise's (Wiener 1949; the first factor is the mean of
+    exp(j 2π n offset) over a normal offset).
+    """
     weight = np.exp(-((2 * pi * n * expected.offset) ** 2) / 2)
     if expected.noise:
         density = roughness * REFERENCE_FREQUENCY**2 / (n**2 + CUTOFF_FREQUENCY**2)
         total = density + 2 * expected.noise**2 * GRID
         weight *= np.divide(density, total, out=np.ones_like(n), where=total > 0)
-    mirrored = np.concatenate([seen, seen[::-1]])  # so that no end jumps to the other
-    return np.asarray(np.fft.irfft(np.fft.rfft(mirrored) * weight)[: len(seen)])
+    return np.asarray(weight)
 
 
 def _noise(samples: int, seed: int, mismatch: Mismatch) -> FloatArray | float:
@@ -94,7 +101,13 @@ def _noise(samples: int, seed: int, mismatch: Mismatch) -> FloatArray | float:
 
 
 def _averaged(heights: FloatArray, length: float) -> FloatArray:
-    """Means over that length of road [m] about each sample."""
-    half = round(length / GRID / 2)
-    padded = np.pad(heights, half, mode="edge")
-    return np.convolve(padded, np.full(2 * half + 1, 1 / (2 * half + 1)), mode="valid")
+    """Means over that length of road [m] about each sample, the road being straight between samples.
+
+    The mean of a straight piece is its height in the middle, which both samples beside it share.
+    """
+    half = length / GRID / 2
+    ends = np.array([-half, *range(-floor(half), floor(half) + 1), half])
+    share, middle = np.diff(ends) / (2 * half), (ends[1:] + ends[:-1]) / 2
+    reach = ceil(half)
+    weights = share @ np.maximum(0, 1 - np.abs(middle[:, None] - np.arange(-reach, reach + 1)))
+    return np.convolve(np.pad(heights, reach, mode="edge"), weights, mode="valid")

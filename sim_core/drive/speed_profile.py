@@ -22,6 +22,9 @@ TARGET_BAND = 2.5 * KMH  # half width of the band the paper aims at, 20 to 25 km
 CONTROL_STEP = 0.01  # period of the speed controller [s]
 DRIVE_TIME = 0.5  # the drive closes a speed error with this time constant [s] (ours)
 DRIVE_LIMIT = 2.0  # and accelerates at most this much [m/s^2] (ours)
+# A place so little ahead of the car counts as reached [m]: far more than rounding, which differs between processors,
+# and far less than changes a metric. Otherwise a step that meets a place exactly reaches it on some processors only.
+REACHED = 1e-9
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -141,7 +144,7 @@ def _planned(inputs: SpeedPlanInputs) -> Drive:
     x, v, pressure = inputs.detection, inputs.initial_speed, 0.0
     rows = []
     while True:
-        coasting = x >= inputs.bump_start
+        coasting = x >= inputs.bump_start - REACHED
         error = v - target
         braking_wanted = not coasting and error > TARGET_BAND
         demand = 0.0
@@ -155,7 +158,7 @@ def _planned(inputs: SpeedPlanInputs) -> Drive:
         push = 0.0 if braking_wanted else _push(chain, v, reference)
         acceleration = push - chain.resistance(v) - chain.deceleration(pressure, v)
         rows.append((x, v, pressure, chain.deceleration(pressure, v)))
-        if x >= inputs.bump_end:
+        if x >= inputs.bump_end - REACHED:
             break
         middle = v + h / 2 * acceleration
         pressure_middle = demand + (pressure - demand) * keep_half

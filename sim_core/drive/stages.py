@@ -5,7 +5,7 @@ the rear axle has left it, cruise again. A car at constant speed has no brake st
 """
 
 from sim_core.arrays import FloatArray
-from sim_core.drive.speed_profile import Drive
+from sim_core.drive.speed_profile import REACHED, Drive
 from sim_core.result import Span
 from sim_core.scenario import Scenario
 from sim_core.scenario.fields import Weights
@@ -35,8 +35,11 @@ def spans(scenario: Scenario, strategy: Strategy, drive: Drive) -> tuple[Span, .
 
 
 def segments(stages: tuple[Span, ...], position: FloatArray) -> list[tuple[str, int, int]]:
-    """The control steps of each stage: (stage, first, one past the last) for ascending front-axle positions (n,)."""
-    firsts = [0] + [int(position.searchsorted(span.start_position)) for span in stages[1:]]
+    """The control steps of each stage: (stage, first, one past the last) for ascending front-axle positions (n,) [m].
+
+    A stage begins with the first step at its start or not further before it than `REACHED`.
+    """
+    firsts = [0] + [int(position.searchsorted(span.start_position - REACHED)) for span in stages[1:]]
     lasts = [*firsts[1:], len(position)]
     return [(span.stage, first, last) for span, first, last in zip(stages, firsts, lasts, strict=True) if last > first]
 

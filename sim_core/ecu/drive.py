@@ -5,9 +5,8 @@ import numpy as np
 from sim_core.car.half_car import DISTURBANCES, discrete
 from sim_core.car.on_road import on_road
 from sim_core.control.controller import SolverReport
-from sim_core.control.estimator import make_estimator
 from sim_core.control.mpc_design import CENTI
-from sim_core.controllers import mpc_designs
+from sim_core.controllers import make_filter, mpc_designs
 from sim_core.drive.preview import preview_windows
 from sim_core.drive.sampling import RoadInput
 from sim_core.drive.sensed_road import expected_errors
@@ -18,7 +17,7 @@ from sim_core.ecu.interface import Connect
 from sim_core.ecu.loop import HilLoop, Limits, LoopInputs, short_steps
 from sim_core.recording import Recording
 from sim_core.scenario import Scenario
-from sim_core.strategies import driven, strategy_named
+from sim_core.strategies import SuspensionPolicy, driven, strategy_named
 
 
 def ecu_calibration(scenario: Scenario, checked: Checked = "all") -> Calibration:
@@ -60,7 +59,7 @@ def drive_ecu(
     disturbance = road_input.disturbance.reshape(-1, DISTURBANCES * fine)
     before = road_input.drive.before * n
     step = road_input.step / n
-    estimator = make_estimator(scenario, step, motion.initial_speed, disturbance, per_control=n)
+    estimator = make_filter(scenario, SuspensionPolicy.ECU, motion, road_input, disturbance, per_control=n)
     car = on_road(scenario.real_vehicle, scenario.actuator, step, disturbance, before, estimator=estimator)
     numbers = [STAGES.index(stage) for stage, first, last in stages for _ in range(first, last)]
     if calibration.predicts:  # a command is made for the stage in which it takes effect

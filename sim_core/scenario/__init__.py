@@ -5,16 +5,15 @@ from sim_core.scenario.imperfections import Actuator, Estimation, Hil, Mismatch
 from sim_core.scenario.parts import (
     SCHEMA_VERSION,
     Brake,
-    Bump,
     Hook,
     Lqr,
     Mpc,
     Preview,
-    Road,
     Scenario,
     Speed,
     StageWeights,
 )
+from sim_core.scenario.road import Bump, Road
 from sim_core.scenario.vehicle import GRAVITY, Vehicle
 
 __all__ = [

@@ -141,6 +141,12 @@ class Estimation(Part):
         description="exact as in the paper; kalman: a steady-state filter on both deflections, the body's acceleration "
         "and the pitch rate, measured at each control instant.",
     )
+    knows_preview: bool = Field(
+        True,
+        title="Filter knows the preview",
+        description="The filter is told what its strategy previews of the road, with the errors that the sensors have; "
+        "the rest of the roughness is noise to it, as all of it is where nothing is previewed (kalman).",
+    )
     acceleration_noise: float = quantity(
         0.05,
         "m/s^2",

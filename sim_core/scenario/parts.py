@@ -5,138 +5,18 @@ SI units, except speeds a person types, which end in `_kmh`. Defaults are the pa
 and section 3) unless the description says "ours"; docs/physics.md gives each one's source.
 """
 
-from typing import Annotated, Any, ClassVar, Literal, Self, get_args
+from typing import ClassVar, Literal, Self
 
-from pydantic import BeforeValidator, Field, PrivateAttr, model_validator
-from pydantic_core import PydanticCustomError
+from pydantic import Field, model_validator
 
+from sim_core.errors import RidelabError
 from sim_core.scenario.fields import Part, Weights, at, count, quantity, weights
 from sim_core.scenario.imperfections import Actuator, Estimation, Hil, Mismatch
-from sim_core.scenario.measured import ID_PATTERN, MeasuredRoad
+from sim_core.scenario.measured import MeasuredRoad
+from sim_core.scenario.road import Road
 from sim_core.scenario.vehicle import Vehicle
 
-SCHEMA_VERSION = 1
-MAX_SEED = 2**32 - 1  # of a road
-
-
-BumpShape = Literal["cosine", "half_sine", "circular", "flat_top", "trapezoid", "kerb"]
-
-
-class Bump(Part):
-    """The obstacle, or several alike in a row, added to the roughness (Eq. 2-3)."""
-
-    ADDED: ClassVar = frozenset({"count", "spacing"})
-
-    shape: BumpShape = Field(
-        "cosine",
-        title="Shape",
-        description="cosine is the paper's (Eq. 2); circular is a Watts hump; flat_top has half-cosine ramps, "
-        "trapezoid straight ones, each a quarter of the width; kerb rises as half a cosine and stays up.",
-    )
-    height: float = quantity(
-        0.1,
-        "m",
-        "Height",
-        "Crest height; 0 is no bump, negative a pothole.",
-        soft=(-0.15, 0.2),
-        ge=-1,
-        le=1,
-        shown="cm",
-    )
-    width: float = quantity(4, "m", "Width", "Length along the road.", soft=(0.3, 10), ge=0.05, le=100)
-    start: float = quantity(100, "m", "Position", "Where the front axle meets it.", soft=(30, 130), ge=1, le=3000)
-    count: int = count(
-        1,
-        "Bumps",
-        "How many alike in a row; they count as one bump, from the first to the last.",
-        soft=(1, 10),
-        ge=1,
-        le=200,
-    )
-    spacing: float = quantity(
-        10,
-        "m",
-        "Spacing",
-        "From the start of each to the next one's; cosines as far apart as they are wide are a washboard.",
-        soft=(0.3, 20),
-        ge=0.05,
-        le=1000,
-    )
-
-    @property
-    def length(self) -> float:
-        """From the start of the first to the end of the last [m]."""
-        return (self.count - 1) * self.spacing + self.width
-
-    @property
-    def end(self) -> float:
-        """Where the last one ends [m]."""
-        return self.start + self.length
-
-
-RoadClass = Literal["A", "B", "C", "D", "E", "F", "G", "H"]
-CLASS_MEANS = {name: 16e-6 * 4**index for index, name in enumerate(get_args(RoadClass))}  # ISO 8608, table C.1 [m^3]
-
-
-def _class_mean(value: Any) -> Any:
-    """The mean roughness of a class that is named; anything else as it is."""
-    if not isinstance(value, str):
-        return value
-    if value not in CLASS_MEANS:
-        raise PydanticCustomError("road_class", "Input should be a number or a road class of ISO 8608, A to H")
-    return CLASS_MEANS[value]
-
-
-MAX_ROUGHNESS = CLASS_MEANS["H"]
-_BY_CLASS = BeforeValidator(
-    _class_mean, json_schema_input_type=Annotated[float, Field(ge=0, le=MAX_ROUGHNESS)] | RoadClass
-)
-
-
-class Road(Part):
-    """Rough road made in space by ISO 8608, or a measured one, with bumps (section 2.1)."""
-
-    ADDED: ClassVar = frozenset({"profile"})
-
-    roughness: Annotated[float, _BY_CLASS] = quantity(
-        64e-6,
-        "m^3",
-        "Roughness",
-        "Displacement PSD Gd(n0) at n0 = 0.1 1/m; or a class of ISO 8608 by its name, A to H, for its mean: A 16e-6, "
-        "B 64e-6, C 256e-6, D 1024e-6, …; 0 is smooth.",
-        soft=(0, 1024e-6),
-        ge=0,
-        le=MAX_ROUGHNESS,
-    )
-    seed: int = count(1, "Seed", "Same seed, same road.", soft=(1, 20), ge=0, le=MAX_SEED)
-    length: float = quantity(
-        150,
-        "m",
-        "Length",
-        "The run ends when the front axle gets here. The paper's road ends at 110 m; ours lets the car settle.",
-        soft=(110, 300),
-        ge=5,
-        le=3000,
-    )
-    profile: str | None = Field(
-        None,
-        pattern=ID_PATTERN,
-        title="Measured profile",
-        description="Id of a measured road, in place of one made from roughness and seed. Its file "
-        "is CSV with distance [m] and height [mm] in its header, or left [mm] and right [mm].",
-    )
-    bump: Bump = Bump()
-    _measured: MeasuredRoad | None = PrivateAttr(None)
-
-    @property
-    def measured(self) -> MeasuredRoad | None:
-        """The heights of `profile`, where somebody handed them over (`Scenario.on`)."""
-        return self._measured
-
-    @property
-    def is_smooth(self) -> bool:
-        """Whether there is nothing but the bumps."""
-        return self.profile is None and not self.roughness
+SCHEMA_VERSION = 2
 
 
 class Speed(Part):
@@ -339,6 +219,9 @@ class Hook(Part):
     )
 
 
+_BUMP_BEYOND = "The bump must end before the road does: position and width together at most the road's length"
+
+
 class Scenario(Part):
     """Everything a run depends on; an omitted part or field takes the paper's default."""
 
@@ -357,9 +240,17 @@ class Scenario(Part):
     hil: Hil = Field(Hil(), title="Hardware in the loop")
 
     def on(self, measured: MeasuredRoad) -> "Scenario":
-        """The scenario with the heights of its `road.profile`: no name of a road holds any, and the core reads none."""
-        road = self.road.model_copy()
+        """The scenario with the heights of its `road.profile`: no name of a road holds any, and the core reads none.
+
+        Where it was given no `road.length`, it has the profile's from here on.
+
+        Raises:
+            RidelabError: The bump is not on a road of that length.
+        """
+        road = self.road.model_copy(update={"length": measured.length} if self.road.ends_with_profile else None)
         road._measured = measured
+        if road.bump.end > road.length:
+            raise RidelabError(_BUMP_BEYOND, field="road.bump.start")
         return self.model_copy(update={"road": road})
 
     @property
@@ -372,11 +263,10 @@ class Scenario(Part):
         if self.mpc.control_horizon > self.mpc.prediction_horizon:
             raise at("mpc.control_horizon", "Control horizon must not exceed the prediction horizon")
         bump = self.road.bump
-        if bump.end > self.road.length:
+        if bump.end > self.road.length and not self.road.ends_with_profile:
             raise at(
                 "road.bump.start",
-                "The bump must end before the road does: position and width together at most the road's length"
-                + (", with the spacing of all in between" if bump.count > 1 else ""),
+                _BUMP_BEYOND + (", with the spacing of all in between" if bump.count > 1 else ""),
             )
         if bump.count > 1 and bump.spacing < bump.width:
             raise at("road.bump.spacing", "Bumps must not overlap: the spacing is at least their width")

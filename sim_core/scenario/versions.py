@@ -15,8 +15,15 @@ from sim_core.scenario import SCHEMA_VERSION, Scenario
 
 Step = Callable[[dict[str, Any]], dict[str, Any]]
 
-# version -> the step from it to the next one. Version 1 is today's: there is none yet.
-STEPS: Mapping[int, Step] = {}
+
+def _with_unaided_filter(scenario: dict[str, Any]) -> dict[str, Any]:
+    """Version 1, of core 0.3.0 and before: its filter was never told of a preview."""
+    return {**scenario, "estimation": {"knows_preview": False, **scenario.get("estimation", {})}}
+
+
+# Version -> the step from it to the next one. The page (frontend/src/editor/versions.ts) and the command line
+# (client/ridelab/cli/targets.py) take the same steps with what they have stored.
+STEPS: Mapping[int, Step] = {1: _with_unaided_filter}
 
 
 class NewerScenarioError(RidelabError):

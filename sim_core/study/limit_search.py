@@ -6,8 +6,9 @@ Here are the numbers alone: `next_indices` says which values to drive next, give
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 SCAN_INTERVALS = 16
 MAX_REFINEMENTS = 16  # bisection needs 10: a sixteenth of 9999 steps
@@ -50,6 +51,15 @@ class Axis:
         if index in (0, self.last):
             return self.low if index == 0 else self.high
         return round((self.first + index - 1) * 10.0**self.exponent, -self.exponent)
+
+    def resolved(self, index: int, width: float) -> float:
+        """The value of that index in as many decimals as values within `width` steps are told apart; never above it."""
+        exponent = math.floor(math.log10(width / 2)) + self.exponent if width > 0 else self.exponent
+        if exponent <= self.exponent:
+            return self.value(index)
+        step = 10.0**exponent
+        down = math.floor(self.value(index) / step + 1e-9) * step
+        return max(self.low, round(down, -exponent))
 
     @property
     def scan(self) -> list[int]:
@@ -109,6 +119,29 @@ def _brent(low: int, high: int, limit: float, bounds: Bounds) -> int | None:
     except _NotTriedError as missing:
         return missing.index
     return None
+
+
+def alike(limit: float, bounds: Bounds, best: int, share: float) -> tuple[float, float]:
+    """Between which indices the metric differs from the limit by less than that share of it [1], about the best value.
+
+    Straight between values tried. Where the metric jumps over the limit, both ends lie between two of them.
+    """
+    indices = sorted(bounds)
+    place = indices.index(best)
+
+    def end(ahead: Sequence[int], target: float) -> float:
+        for one, other in pairwise(ahead):
+            if not math.isfinite(bounds[other]):
+                return one
+            step = bounds[other] - bounds[one]
+            if step and (bounds[other] - target) * (bounds[best] - target) <= 0:
+                return one + (target - bounds[one]) / step * (other - one)
+        return ahead[-1]
+
+    tolerance = share * abs(limit)
+    if bounds[best] < limit - tolerance:  # a jump
+        return best, best
+    return end(indices[place::-1], limit - tolerance), end(indices[place:], limit + tolerance)
 
 
 def spans_over(limit: float, bounds: Bounds, below: int) -> list[tuple[int, int]]:

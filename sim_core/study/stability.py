@@ -13,7 +13,7 @@ from sim_core.car.linear import closed_loop_matrix, control_step
 from sim_core.car.plant import plant
 from sim_core.catalogue import STAGES
 from sim_core.control.estimator import make_estimator
-from sim_core.controllers import make_controller
+from sim_core.controllers import make_controller, told_preview
 from sim_core.drive.sampling import fine_step, sample_road
 from sim_core.drive.speed_profile import CONTROL_STEP, drive
 from sim_core.drive.stages import coordinated_weights
@@ -67,7 +67,10 @@ def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
     car = plant(scenario.real_vehicle, scenario.actuator if actuated else Actuator(), step, 1)
     stages = STAGES if actuated else ("cruise",)
     distinct = {coordinated_weights(believed, strategy, stage): stage for stage in stages}
-    estimator = make_estimator(scenario, step, motion.initial_speed, np.zeros((1, DISTURBANCES))) if actuated else None
+    estimator = None
+    if actuated:
+        mode, still = told_preview(scenario, strategy.suspension), np.zeros((1, DISTURBANCES))
+        estimator = make_estimator(scenario, step, motion.initial_speed, still, mode=mode)
     loop = control_step(car, scenario.real_vehicle, estimator)
     return min(damping(closed_loop_matrix(loop, controller.law(stage)), step) for stage in distinct.values())
 

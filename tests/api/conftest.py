@@ -2,11 +2,13 @@
 
 import asyncio
 import json
+import re
 import socket
 import threading
-from collections.abc import Coroutine, Iterator
+from collections.abc import Callable, Coroutine, Iterator
 from contextlib import closing
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -21,10 +23,12 @@ from backend.http.server import server_config
 from backend.settings import Settings
 from backend.store import Store
 from tests.api.cli import Cli
-from tests.servers.process import wait_until
+from tests.servers.process import HANG_TIMEOUT, wait_until
 from tests.servers.reproduction import store_in
 
 T = TypeVar("T")
+# Kinds of problems that any request may meet; they belong to no operation.
+BEFORE_ANY_ROUTE = ("address-too-long", "connections", "cross-site", "headers-too-long", "other-host", "two-lengths")
 ROAD = {"length": 130, "bump": {"start": 90}}  # not the paper's, so that stored paper runs never matter here
 
 
@@ -43,9 +47,19 @@ class Service:
         body = {"scenario": scenario or {}, "strategies": strategies, **more}
         return self.client.post("/api/v1/live", json=body)
 
-    def inside(self, work: Coroutine[Any, Any, T], seconds: float = 60) -> T:
+    def begun(self, method: str, path: str, body: Any = None) -> socket.socket:
+        """The connection of a request that was sent and is not answered yet; who closes it goes away."""
+        content = json.dumps(body).encode() if body is not None else b""
+        kind = "Content-Type: application/json\r\n" if body is not None else ""
+        assert self.client.base_url.port is not None
+        connection = socket.create_connection((self.client.base_url.host, self.client.base_url.port))
+        head = f"{method} {path} HTTP/1.1\r\nHost: x\r\n{kind}Content-Length: {len(content)}\r\n\r\n"
+        connection.sendall(head.encode() + content)
+        return connection
+
+    def inside(self, work: Coroutine[Any, Any, T]) -> T:
         """The result of the work, run in the service's own event loop."""
-        return asyncio.run_coroutine_threadsafe(work, self.loop).result(seconds)
+        return asyncio.run_coroutine_threadsafe(work, self.loop).result(HANG_TIMEOUT)
 
 
 class LoopServer(uvicorn.Server):
@@ -67,12 +81,28 @@ def serve(settings: Settings) -> Iterator[Service]:
         thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]})
         thread.start()
         try:
-            with httpx.Client(base_url=address, timeout=30) as client:
-                wait_until(lambda: ready(client), "the service gets ready", 40)
+            hooks: dict[str, list[Callable[..., Any]]] = {
+                "response": [partial(check_described, app.openapi()["paths"])]
+            }
+            with httpx.Client(base_url=address, timeout=HANG_TIMEOUT, event_hooks=hooks) as client:
+                wait_until(lambda: ready(client), "the service gets ready")
                 yield Service(client=client, app=app, loop=server.loop)
         finally:
             server.should_exit = True
             thread.join()
+
+
+def check_described(paths: dict[str, Any], response: httpx.Response) -> None:
+    """Fail where the API's description does not have the answer's status, whatever test asked."""
+    for path, operations in paths.items():
+        operation = operations.get(response.request.method.lower())
+        if operation is not None and re.fullmatch(re.sub(r"\{\w+\}", "[^/]+", path), response.request.url.path):
+            if response.headers.get("content-type") == "application/problem+json":
+                response.read()
+                if response.json()["type"].rpartition(":")[2] in BEFORE_ANY_ROUTE:
+                    return
+            name = operation["operationId"]
+            assert str(response.status_code) in operation["responses"], f"{name} does not describe {response}"
 
 
 def ready(client: httpx.Client) -> bool:

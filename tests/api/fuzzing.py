@@ -89,7 +89,7 @@ def seed(client: httpx.Client) -> dict[str, str]:
     small = {"scenario": short, "strategy": "lqr", "trials": 2, "seeds": [1], "fresh_seeds": [2, 3]}
     tuning = _good(client.post("/api/v1/tunings", json=small))
     link = _good(client.post("/api/v1/links", json={"run_id": run["id"], "view": {"baseline": "passive"}}))
-    client.get(f"/api/v1/batches/{batch['id']}/events", timeout=120)  # a stream that ends with it
+    client.get(f"/api/v1/batches/{batch['id']}/events")  # a stream that ends with it
     assert _good(client.get(f"/api/v1/batches/{batch['id']}"))["state"] == "done"
     return {"run": run["id"], "batch": batch["id"], "tuning": tuning["id"], "link": link["slug"]}
 

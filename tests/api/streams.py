@@ -5,10 +5,12 @@ from typing import Any
 
 import httpx
 
+from tests.servers.process import HANG_TIMEOUT
+
 
 def read_events(client: httpx.Client, path: str, **options: Any) -> list[dict[str, Any]]:
     """Each event: `id`, `event` and what its data holds."""
-    return events_of(client.get(path, timeout=120, **options).text)
+    return events_of(client.get(path, timeout=HANG_TIMEOUT, **options).text)
 
 
 def events_of(text: str) -> list[dict[str, Any]]:

@@ -9,11 +9,8 @@ import pytest
 from backend.errors import BusyError, TooManyRequestsError
 from backend.http.admission import Admission
 from backend.http.backlog import Backlog
-from backend.http.limits import ConcurrencyLimit, TokenBucket, client_key
-from sim_core.scenario import Scenario
-from sim_core.workload import estimate
-
-PASSIVE = estimate(Scenario(), "passive")
+from backend.http.limits import ConcurrencyLimit, FairLimit, TokenBucket, client_key
+from tests.servers.process import wait_until
 
 
 def refusal(opened: AbstractContextManager[Any]) -> tuple[int, int]:
@@ -41,18 +38,44 @@ def test_one_client_and_all_together_have_only_so_much_open() -> None:
 
 
 def test_each_thing_that_is_counted_has_its_own_limits() -> None:
-    gate = admission(max_client_requests=1, max_client_streams=1, max_streams=1, max_queued_cost=1.5 * PASSIVE)
-    with gate.streaming("a"), gate.computing("a", Scenario(), ["passive"]), gate.reading("a"), gate.receiving("a"):
-        assert gate.load == {"cost": PASSIVE, "wait": 0, "requests": 1, "streams": 1, "bodies": 1}
+    gate = admission(max_client_requests=1, max_client_streams=1, max_streams=1, max_queued_cost=1.5)
+    with gate.streaming("a"), gate.downloading("a", 1.0), gate.reading("a"), gate.receiving("a"):
+        assert gate.load == {"cost": 1.0, "wait": 0, "requests": 1, "streams": 1, "bodies": 1}
         assert refusal(gate.streaming("b")) == (503, 2)
-        assert refusal(gate.computing("a", Scenario(), ["passive"])) == (429, 2)
-        assert refusal(gate.computing("b", Scenario(), ["passive"])) == (503, 2)
+        assert refusal(gate.computing("a", 1.0)) == (429, 2)
+        assert refusal(gate.computing("b", 1.0)) == (503, 2)
         assert refusal(gate.reading("a")) == refusal(gate.admitted("a")) == (429, 2)
-        with gate.computing("b", Scenario(), ()), gate.admitted("b"):
+        with gate.computing("b", 0.5), gate.admitted("b"):
             pass
     assert set(gate.load.values()) == {0}
-    with gate.computing("a", Scenario(), ["passive"] * 9):
-        assert gate.load["cost"] > 1.5 * PASSIVE, "one alone may be as big as a request may be"
+    with gate.computing("a", 9.0):
+        assert gate.load["cost"] == 9.0, "one alone may be as big as a request may be"
+
+
+def test_a_greedy_client_fills_its_own_share_of_the_cost() -> None:
+    limit = FairLimit(what="computing", total=10)
+    with ExitStack() as held:
+        for _ in range(10):
+            held.enter_context(limit.acquired("greedy", 1))
+        assert refusal(limit.acquired("greedy", 1)) == (429, 2)
+        for _ in range(5):
+            held.enter_context(limit.acquired("b", 1))
+        assert refusal(limit.acquired("b", 1)) == (429, 2)
+        for client in range(10):
+            held.enter_context(limit.acquired(f"small {client}", 0.5))
+        assert refusal(limit.acquired("large", 5)) == (503, 2)
+        held.enter_context(limit.acquired("small", 0.5))
+    assert limit.amount == 0
+
+
+def test_what_was_admitted_as_a_whole_is_not_refused_half_way() -> None:
+    gate = admission(max_client_requests=1)
+    with gate.computing("a", 100.0):
+        with gate.computing("a", 100.0):
+            assert gate.load["cost"] == 100.0
+        assert refusal(gate.downloading("a", 1.0)) == (429, 2)
+    with gate.computing("a", 100.0):
+        pass
 
 
 def test_a_refusal_comes_before_anything_is_looked_up(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -67,10 +90,7 @@ def test_a_refusal_comes_before_anything_is_looked_up(service: Any, monkeypatch:
             response = service.client.post(f"/api/v1/{path}", json={"strategies": ["passive"]})
             assert response.status_code == 429
             assert int(response.headers["retry-after"]) > 0
-        for client in range(7):
-            for _ in range(64):
-                held.enter_context(gate.reading(f"192.0.2.{client}"))
-        assert refusal(gate.reading("another")) == (503, 2)
+        held.enter_context(gate.reading("192.0.2.1"))
     assert not looked_up
     monkeypatch.undo()
     assert service.live(["passive"]).status_code == 200
@@ -82,8 +102,8 @@ def test_a_request_that_would_wait_too_long_is_refused_before_its_body_is_read(
     gate, now = service.app.state.admission, 0.0
     monkeypatch.setattr(gate, "_backlog", Backlog(workers=1, max_wait=1, clock=lambda: now))
     with ExitStack() as held:
-        for _ in range(2):
-            held.enter_context(gate.admitted("192.0.2.1"))
+        for number in range(2):
+            held.enter_context(gate.admitted(f"192.0.2.{number}"))
         now = 9.5
         assert gate.load["wait"] == 9.5
         answer = client.post("/api/v1/runs", content=b"no JSON", headers={"Content-Type": "application/json"})
@@ -145,11 +165,41 @@ def test_an_ipv6_network_is_one_client(address: str, key: str) -> None:
     assert client_key(address) == key
 
 
+def test_downloads_tables_figures_and_reports_count_like_runs(service: Any, run: dict[str, Any]) -> None:
+    gate, client = service.app.state.admission, service.client
+    heights = "distance [m],height [mm]\n" + "".join(f"{0.1 * step:.1f},{step % 7}\n" for step in range(500))
+    road = client.post("/api/v1/roads", content=heights, headers={"Content-Type": "text/csv"})
+    asked = {"scenario": run["scenario"], "strategies": ["passive"], "sweep": {"grid": {"road.bump.height": [0.01]}}}
+    batch = client.post("/api/v1/batches", json=asked).json()
+    paths = [
+        f"roads/{road.json()['id']}",
+        f"roads/{road.json()['id']}?format=csv",
+        *(f"batches/{batch['id']}/results?format={each}" for each in ("json", "csv", "parquet")),
+        f"batches/{batch['id']}/table",
+        *(f"runs/{run['id']}/series?strategy=lv&format={each}" for each in ("json", "csv", "parquet")),
+        f"runs/{run['id']}/figures",
+        f"runs/{run['id']}/figures/speed",
+        f"runs/{run['id']}/report.html",
+    ]
+    with ExitStack() as held:
+        for _ in range(64):
+            held.enter_context(gate.downloading("127.0.0.1", 0.0))
+        for path in paths:
+            assert client.get(f"/api/v1/{path}").status_code == 429, path
+    for path in paths:
+        assert client.get(f"/api/v1/{path}").status_code == 200, path
+    wait_until(lambda: gate.load["requests"] == 0, "each is over once it was sent")
+    with gate.reporting("127.0.0.1"), gate.reporting("127.0.0.1"):
+        assert client.get(f"/api/v1/runs/{run['id']}/report.html").status_code == 429
+        with gate.reporting("192.0.2.1"):
+            pass
+
+
 def test_a_full_service_answers_what_is_stored_and_for_health(service: Any, run: dict[str, Any]) -> None:
     gate, new = service.app.state.admission, {"road": {"length": 150, "seed": 9001}}
     with ExitStack() as held:
         for _ in range(64):
-            held.enter_context(gate.computing("127.0.0.1", Scenario(), ()))
+            held.enter_context(gate.downloading("127.0.0.1", 0.0))
         refused = service.live(["passive"], new)
         assert (refused.status_code, int(refused.headers["retry-after"]) > 0) == (429, True)
         assert service.run(list(run["strategies"]), run["scenario"]).status_code == 200

@@ -43,7 +43,8 @@ def batch(client: httpx.Client) -> dict[str, Any]:
     assert answer.headers["location"] == f"/api/v1/batches/{answer.json()['id']}"
     assert answer.json()["state"] == "queued"
     assert answer.json()["total"] == 12
-    return wait_for(client, answer.json()["id"])
+    finished: dict[str, Any] = wait_for(client, answer.json()["id"])
+    return finished
 
 
 def test_every_combination_runs_once_in_order(client: httpx.Client, batch: dict[str, Any]) -> None:
@@ -132,7 +133,11 @@ def test_events_tell_everything_once_and_replay_after_a_number(client: httpx.Cli
 
 
 def test_a_latin_hypercube_is_spread_over_its_ranges_and_the_same_for_a_seed(client: httpx.Client) -> None:
-    ranges = {"road.bump.height": [0.02, 0.1], "mpc.prediction_horizon": [22, 26], "mpc.stage_weights.bump.2": [1, 9]}
+    ranges: dict[str, list[float]] = {
+        "road.bump.height": [0.02, 0.1],
+        "mpc.prediction_horizon": [22, 26],
+        "mpc.stage_weights.bump.2": [1, 9],
+    }
     sweep = {"latin_hypercube": {"ranges": ranges, "samples": 20, "seed": 5}}
     batches = [wait_for(client, submit(client, sweep, strategies=["speed_only"]).json()["id"]) for _ in range(2)]
     first, second = (rows(client, batch["id"]) for batch in batches)
@@ -276,7 +281,7 @@ def test_what_a_sweeps_runs_do_not_depend_on_is_said(client: httpx.Client) -> No
         "At 6 of 12 points the target speed is above the initial speed, which LV control then keeps",
     ]
     targets = {"grid": {"speed.target_speed_kmh": [20, 40]}}
-    alike = {"scenario": {"speed": {"policy": "constant"}}}
+    alike: dict[str, Any] = {"scenario": {"speed": {"policy": "constant"}}}
     assert submit(client, targets, dry_run=True, **alike).json()["notes"] == [
         f"{strategy} does not use target speed: its 2 runs give 1 result" for strategy in ("LV control", "Passive")
     ]
@@ -370,8 +375,9 @@ def test_any_field_can_be_swept_and_what_it_takes_is_what_a_scenario_takes(data:
         st.one_of(st.floats(0, 60), st.integers(0, 60), st.sampled_from(["none", "osqp", "flat"]), st.none())
     )
     sweep = sweeps.Sweep.model_validate({"grid": {name: [value]}})
-    whole = dotted.field(name).kind == "integer" and isinstance(value, float) and value.is_integer()
-    expected = int(value) if whole else value  # 3.0 is taken for a whole number
+    integer = dotted.field(name).kind == "integer"
+    whole = integer and isinstance(value, float) and value.is_integer()
+    expected = round(value) if whole and isinstance(value, float) else value  # 3.0 is taken for a whole number
     try:
         Scenario.model_validate(dotted.with_changes(base, {name: expected}))
         refused = False

@@ -102,6 +102,15 @@ def test_a_sweep_shows_its_first_rows_and_failed_runs_in_the_exit_code(cli: Cli,
     assert "done, 1 of 2 done, 1 failed" in cli.error
     long = cli("sweep", scenario, "--grid", "road.bump.height=0.01:0.05:25", "-s", "passive")
     assert long.splitlines()[-1] == "... 5 more; --out FILE writes all with every metric"
+    whole = json.loads(cli("sweep", scenario, "--grid", "road.bump.start=70,117", "--json", code=1))
+    assert whole["total"] == 2
+    assert [(row["road.bump.start"], row["status"]) for row in whole["rows"]] == [(70, "ok"), (117, "failed")]
+
+
+def test_a_run_says_what_its_numbers_do_not(cli: Cli, scenario: Path) -> None:
+    late = ["--set", "speed.detection_distance=5", "--set", "speed.target_speed_kmh=10"]
+    assert "\nLV control  target speed not reached\n" in cli("run", scenario, "-s", "lv,passive", *late)
+    assert "not reached" not in cli("run", scenario, "-s", "lv,passive")
 
 
 def test_a_sweep_left_alone_is_exported_later(cli: Cli, scenario: Path, client: httpx.Client, tmp_path: Path) -> None:

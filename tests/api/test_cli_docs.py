@@ -97,8 +97,10 @@ def shell(command: str) -> bytes:
     server = os.environ["RIDELAB_SERVER"]
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     variables = environment(PATH=path, PYTHONUNBUFFERED="1", RIDELAB_SERVER=server)
-    options = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
-    return subprocess.run(["sh", "-c", command], env=variables, check=False, **options).stdout
+    run = subprocess.run(
+        ["sh", "-c", command], env=variables, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
+    )
+    return run.stdout
 
 
 def printed(work: Callable[[], object]) -> bytes:

@@ -17,7 +17,7 @@ import pytest
 
 from tests.api.cli import Cli, command, environment
 from tests.api.conftest import Service
-from tests.servers.process import wait_until
+from tests.servers.process import HANG_TIMEOUT, request, wait_until
 
 # Half a second of one core each, so that a sweep of them is still running when it is interrupted.
 LONG = {"road": {"length": 10.1, "bump": {"start": 4}}, "mpc": {"solver": "osqp", "force_limit": 500}}
@@ -44,7 +44,7 @@ def no_service_left() -> Iterator[None]:
     """The processes that the command started end soon after the command."""
     before = set(private_services())
     yield
-    wait_until(lambda: not set(private_services()) - before, "the private service ends", 30)
+    wait_until(lambda: not set(private_services()) - before, "the private service ends")
 
 
 def private_services() -> list[int]:
@@ -64,11 +64,11 @@ def test_without_a_server_a_private_one_works_and_keeps_what_it_stored(alone: Cl
         process = subprocess.Popen(arguments, cwd=elsewhere, env=environment(), stdout=out, stderr=out)
     said(process, log, "Serving until Ctrl-C")
     address = log.read_text().splitlines()[0]
-    assert httpx.get(address).status_code in (200, 503)  # 503 where the dashboard is not built
-    stored = httpx.get(address.replace(f"/r/{run_id}", f"/api/v1/runs/{run_id}")).json()
+    assert request("GET", address).status_code in (200, 503)  # 503 where the dashboard is not built
+    stored = request("GET", address.replace(f"/r/{run_id}", f"/api/v1/runs/{run_id}")).json()
     assert list(stored["strategies"]) == ["passive"]
     process.send_signal(signal.SIGINT)
-    assert process.wait(60) == 0
+    assert process.wait(HANG_TIMEOUT) == 0
 
 
 def said(process: subprocess.Popen[bytes], log: Path, pattern: str) -> re.Match[str]:
@@ -99,7 +99,7 @@ def stopped(client: httpx.Client, how: signal.Signals, seeds: str, folder: Path,
     process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
     batch_id = running_batch(client, 80)
     process.send_signal(how)
-    _, said = process.communicate(timeout=60)
+    _, said = process.communicate(timeout=HANG_TIMEOUT)
     return batch_id, process.returncode, said
 
 
@@ -142,7 +142,7 @@ def test_ctrl_c_on_an_export_leaves_the_batch_alone(service: Service, tmp_path: 
     process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
     wait_until(lambda: service.app.state.admission.load["streams"] == 1, "it waits for the batch")
     process.send_signal(signal.SIGINT)
-    _, said = process.communicate(timeout=60)
+    _, said = process.communicate(timeout=HANG_TIMEOUT)
     assert process.returncode == 130
     assert said.startswith(f"Stopped waiting; the batch {batch_id} goes on.")
     assert f"ridelab export {batch_id}" in said
@@ -165,7 +165,7 @@ def test_a_private_service_that_still_starts_ends_with_its_command(
     process = subprocess.Popen(arguments, cwd=elsewhere, env=environment(), stderr=subprocess.PIPE, text=True)
     wait_until(lambda: set(private_services()) - before, "it starts its service")
     process.send_signal(how)
-    _, said = process.communicate(timeout=60)
+    _, said = process.communicate(timeout=HANG_TIMEOUT)
     assert (process.returncode, said) == (code, message)
     assert not (elsewhere / "rows.csv").exists()
 

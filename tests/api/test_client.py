@@ -62,7 +62,7 @@ def test_several_roads_come_as_means_with_intervals(ridelab: Ridelab) -> None:
         for seed in (1, 2, 3)
     ]
     name = "bump.body_acceleration.peak"
-    values = [outcome.figures()[name] for outcome in singles]
+    values = [float(outcome.figures()[name] or 0) for outcome in singles]
     peak = run["lv"].metrics["bump"]["body_acceleration"]["peak"]
     assert isinstance(peak, Interval)
     assert peak.mean == pytest.approx(np.mean(values))

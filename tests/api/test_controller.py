@@ -1,6 +1,8 @@
 """The ECU's program over HTTP: `lv_hil` in runs and batches, its sources, its fit, a drive by the clock."""
 
+import asyncio
 import io
+import threading
 import time
 import zipfile
 from concurrent.futures import ThreadPoolExecutor
@@ -12,12 +14,13 @@ import psutil
 import pytest
 
 from backend.ecu.models import ControllerReport, RealtimeReport
+from backend.ecu.realtime import drive_by_clock
 from ridelab import Ridelab
 from sim_core.scenario import Scenario
 from tests.api.conftest import Service
-from tests.servers.process import wait_until
+from tests.servers.process import HANG_TIMEOUT
 
-SMALL = {
+SMALL: dict[str, Any] = {
     "road": {"length": 20, "bump": {"start": 10, "width": 3, "height": 0.05}},
     "speed": {"initial_speed_kmh": 50, "target_speed_kmh": 50},
     "mpc": {"prediction_horizon": 6, "control_horizon": 3},
@@ -25,7 +28,7 @@ SMALL = {
 
 
 def post(service: Service, path: str, scenario: dict[str, Any] | None = None) -> httpx.Response:
-    return service.client.post(f"/api/v1/controller{path}", json={"scenario": scenario or SMALL}, timeout=120)
+    return service.client.post(f"/api/v1/controller{path}", json={"scenario": scenario or SMALL})
 
 
 def test_lv_hil_runs_the_program_in_a_process_of_its_own_which_is_gone_afterwards(service: Service) -> None:
@@ -64,11 +67,25 @@ class Driven:
 
 @pytest.fixture(scope="module")
 def driven(service: Service) -> Driven:
-    with ThreadPoolExecutor(1) as thread, Ridelab(str(service.client.base_url)) as ridelab:
-        begin = time.monotonic()
+    workers, begun, may_drive = service.app.state.workers, threading.Event(), threading.Event()
+    original = workers.call
+
+    async def held(function: Any, *arguments: Any, **options: Any) -> Any:
+        if function is drive_by_clock:
+            begun.set()
+            await asyncio.to_thread(may_drive.wait)
+        return await original(function, *arguments, **options)
+
+    with (
+        pytest.MonkeyPatch.context() as patch,
+        ThreadPoolExecutor(1) as thread,
+        Ridelab(str(service.client.base_url)) as ridelab,
+    ):
+        patch.setattr(workers, "call", held)
         drive = thread.submit(ridelab.realtime, SMALL)
-        wait_until(lambda: "ridelab_open_requests 1.0" in service.client.get("/metrics").text, "the drive's begin")
-        meanwhile = post(service, "/report")
+        assert begun.wait(HANG_TIMEOUT)
+        meanwhile, begin = post(service, "/report"), time.monotonic()
+        may_drive.set()
         return Driven(report=drive.result(), seconds=time.monotonic() - begin, meanwhile=meanwhile)
 
 

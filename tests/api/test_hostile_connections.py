@@ -3,22 +3,25 @@
 import contextlib
 import copy
 import json
+import select
 import socket
 import threading
 import time
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, cast
 
 import httpx
 import pytest
 import uvicorn
 from fastapi import FastAPI
 from starlette.datastructures import State
+from starlette.responses import Response
 
+from backend.http import lingering
 from backend.http.connections import HEALTH_CONNECTIONS
 from backend.http.guard import HEADERS
 from backend.http.server import GuardedProtocol, server_config
-from tests.servers.process import wait_until
+from tests.servers.process import HANG_TIMEOUT, request, wait_until
 
 Address = tuple[str, int]
 JSON = b"Content-Type: application/json\r\n"
@@ -32,6 +35,12 @@ def impatient(app: FastAPI, **limits: Any) -> Iterator[tuple[Address, uvicorn.Se
     same.state = State({**app.state._state, "settings": settings})
     config = server_config(same, settings)
     config.lifespan = "off"
+    with running(config) as served:
+        yield served
+
+
+@contextlib.contextmanager
+def running(config: uvicorn.Config) -> Iterator[tuple[Address, uvicorn.Server]]:
     server = uvicorn.Server(config)
     with socket.create_server(("127.0.0.1", 0)) as listener:
         thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]})
@@ -51,7 +60,7 @@ def hasty(service: Any) -> Iterator[Address]:
 
 
 def connect(address: Address) -> socket.socket:
-    return socket.create_connection(address, timeout=30)
+    return socket.create_connection(address, timeout=HANG_TIMEOUT)
 
 
 def rest(connection: socket.socket) -> bytes:
@@ -105,7 +114,7 @@ def test_what_never_ends_is_cut_off_in_time(hasty: Address, begin: bytes, drop: 
     with connect(hasty) as connection:
         connection.sendall(begin)
         connection.settimeout(0.1)
-        answer, end = b"", time.monotonic() + 20
+        answer, end = b"", time.monotonic() + HANG_TIMEOUT
         while time.monotonic() < end:  # a byte now and then wins no time
             try:
                 piece = connection.recv(65536)
@@ -132,12 +141,50 @@ def test_a_client_that_takes_nothing_of_its_answer_is_cut_off(service: Any, monk
         connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
         connection.settimeout(0.5)
         with pytest.raises(ConnectionError):
-            ask_on_and_on(connection, request, seconds=60)
+            ask_on_and_on(connection, request)
 
 
-def ask_on_and_on(connection: socket.socket, request: bytes, seconds: float) -> None:
+@contextlib.contextmanager
+def generous(
+    service: Any, monkeypatch: pytest.MonkeyPatch, patience: float
+) -> Iterator[tuple[Address, uvicorn.Server]]:
+    """Answers everything with 16 MB, and waits so long [s] for whoever takes nothing."""
+    monkeypatch.setattr(GuardedProtocol, "WRITE_TIMEOUT", patience)
+    config = server_config(Response(b"x" * 16_000_000), service.app.state.settings)  # type: ignore[arg-type]  # any ASGI
+    config.lifespan = "off"
+    with running(config) as started:
+        yield started
+
+
+def slow_reader(address: Address) -> socket.socket:
+    connection = socket.socket()
+    connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+    connection.settimeout(HANG_TIMEOUT)
+    connection.connect(address)
+    connection.sendall(b"GET / HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n")
+    return connection
+
+
+def test_a_download_lasts_as_long_as_it_moves(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    with generous(service, monkeypatch, 2.0) as (address, _), slow_reader(address) as connection:
+        received, end = 0, time.monotonic() + 3  # longer than nothing may be taken
+        while time.monotonic() < end:
+            received += len(connection.recv(1000))
+            time.sleep(0.02)
+        assert received < 1_000_000
+        assert received + len(rest(connection)) > 16_000_000
+
+
+def test_who_takes_nothing_for_long_loses_the_rest(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    with generous(service, monkeypatch, 0.5) as (address, server), slow_reader(address) as connection:
+        assert connection.recv(1) == b"H"
+        wait_until(lambda: not server.server_state.connections, "it is cut off")
+        assert len(rest(connection)) < 16_000_000
+
+
+def ask_on_and_on(connection: socket.socket, request: bytes) -> None:
     """Read nothing."""
-    sent, end = 0, time.monotonic() + seconds
+    sent, end = 0, time.monotonic() + HANG_TIMEOUT
     while time.monotonic() < end:
         with contextlib.suppress(TimeoutError):
             sent += connection.send((request * 50)[sent % len(request) :])
@@ -169,6 +216,39 @@ def test_what_is_not_http_is_a_problem_with_every_header(address: Address, reque
     content = check_problem(answer, 400)
     assert "althz" not in json.dumps(content)
     assert answer.count(b"HTTP/1.1 ") == 1
+
+
+@pytest.mark.parametrize("connection", ["close", "keep-alive"])
+@pytest.mark.parametrize(("kind", "status"), [("application/json", 413), ("text/plain", 415)])
+def test_a_long_body_that_is_refused_does_not_cost_its_answer(
+    address: Address, connection: str, kind: str, status: int
+) -> None:
+    """The client reads only once it has sent all, as most do."""
+    fields = f"Content-Type: {kind}\r\nContent-Length: 3000000\r\nConnection: {connection}\r\n\r\n"
+    with connect(address) as client:
+        client.sendall(b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\n" + fields.encode())
+        select.select([client], [], [], 30)  # it was answered, and perhaps closed
+        for _ in range(30):
+            client.sendall(b" " * 100_000)
+        client.shutdown(socket.SHUT_WR)
+        check_problem(rest(client), status)
+
+
+@pytest.mark.parametrize("connection", ["close", "keep-alive"])
+def test_who_sends_on_and_on_after_an_answer_is_reset(
+    address: Address, connection: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(lingering, "MAX_DROPPED", 1_000_000)
+    fields = f"Content-Length: 3000000000\r\nConnection: {connection}\r\n\r\n"
+    with connect(address) as client:
+        client.sendall(POST + fields.encode())
+        with pytest.raises(ConnectionError):
+            send_on_and_on(client)
+
+
+def send_on_and_on(connection: socket.socket) -> None:
+    for _ in range(100_000):
+        connection.sendall(b" " * 65536)
 
 
 @pytest.mark.parametrize("size", [9_000, 1_000_000])
@@ -228,7 +308,8 @@ def test_a_forwarded_address_counts_only_from_a_known_proxy(service: Any) -> Non
         return original(client, *rest)
 
     def ask(address: Address, seed: int) -> None:
-        response = httpx.post(
+        response = request(
+            "POST",
             f"http://127.0.0.1:{address[1]}/api/v1/live",
             json={"strategies": ["passive"], "scenario": {"road": {"length": 138.3, "seed": seed}}},
             headers={"X-Forwarded-For": "203.0.113.7"},
@@ -249,14 +330,22 @@ def test_connections_in_use_are_served_on_and_others_may_ask_for_health(service:
     """A server with room for eight, four of one client; each address of 127.0.0.0/8 is one."""
     health = b"GET /healthz HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n"
     schema = health.replace(b"/healthz", b"/api/v1/schema")
+    limits = {
+        "max_connections": 8,
+        "max_client_connections": 4,
+        "head_timeout": HANG_TIMEOUT,
+        "body_timeout": HANG_TIMEOUT,
+    }
     with (
-        impatient(service.app, max_connections=8, max_client_connections=4) as (address, server),
+        impatient(service.app, **limits) as (address, server),
         contextlib.ExitStack() as held,
     ):
 
         def open_one(number: int, sent: bytes = b"") -> socket.socket:
             source = (f"127.0.0.{number}", 0)
-            connection = held.enter_context(socket.create_connection(address, timeout=30, source_address=source))
+            connection = held.enter_context(
+                socket.create_connection(address, timeout=HANG_TIMEOUT, source_address=source)
+            )
             connection.sendall(sent)
             return connection
 
@@ -264,8 +353,8 @@ def test_connections_in_use_are_served_on_and_others_may_ask_for_health(service:
         assert all(rest(connection) == b"" for connection in idle[:16]), "its oldest ones went for its newer ones"
         begun = POST + b"Content-Length: %d\r\n\r\n" % len(BODY)
         used = [open_one(number, begun) for number in (2, 3) for _ in range(4)]
-        connections = server.server_state.connections
-        wait_until(lambda: sum(not each.idle for each in connections) == 8, "the server waits for eight bodies", 10)
+        connections = cast("set[GuardedProtocol]", server.server_state.connections)
+        wait_until(lambda: sum(not each.idle for each in connections) == 8, "the server waits for eight bodies")
         for number in (2, 4):
             refused = rest(open_one(number, schema))
             assert check_problem(refused, 503)["type"].endswith(":connections")

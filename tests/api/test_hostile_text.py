@@ -69,7 +69,7 @@ def test_no_header_comes_back(client: httpx.Client) -> None:
     sent = dict.fromkeys(("X-Request-ID", "Referer", "Origin", "User-Agent", "X-Forwarded-Host", "Cookie"), SCRIPT)
     sent |= {"Idempotency-Key": SCRIPT + "é", "Last-Event-ID": SCRIPT, "If-None-Match": SCRIPT, "Range": SCRIPT}
     for path in ("/", "/nowhere", "/api/v1/schema", "/api/v1/runs/x", "/api/v1/batches/x/events", "/favicon.svg"):
-        response = client.get(path, headers={name: value.encode() for name, value in sent.items()})  # type: ignore[misc]
+        response = client.get(path, headers={name.encode(): value.encode() for name, value in sent.items()})
         assert response.status_code < 500
         no_script(response)
         assert "access-control-allow-origin" not in response.headers
@@ -99,7 +99,7 @@ def test_files_are_served_from_their_folder_alone(client: httpx.Client, path: st
 def test_other_methods_are_refused(client: httpx.Client, method: str) -> None:
     for path in ("/", "/healthz", "/api/v1/runs", "/docs", "/assets/x", "/nowhere"):
         response = client.request(method, path, headers={"Origin": "https://elsewhere.example", "X-Secret": SCRIPT})
-        assert response.status_code in (404, 405)
+        assert response.status_code in (403, 404, 405)  # another site may not even ask for what changes something
         assert "access-control-allow-origin" not in response.headers
         no_script(response)
 

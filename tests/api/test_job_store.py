@@ -3,13 +3,14 @@
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
+from typing import Any
 
 import orjson
 import pytest
 
 from backend.db.tables import links
 from backend.jobs.chunk import ComputedRun, PlannedRun
-from backend.store import Store, StoredJob, StoredLink
+from backend.store import Store, StoredJob, StoredLink, jobs
 
 RUNS = 12
 BATCH = StoredJob(
@@ -36,9 +37,15 @@ def rows(prefix: str = "key", shared: int = 0) -> list[PlannedRun]:
 
 
 def computed(*keys: str, status: str = "ok") -> list[ComputedRun]:
-    summary = {"metrics": {}} if status == "ok" else {"reason": "too steep"}
+    summary: dict[str, Any] = {"metrics": {}} if status == "ok" else {"reason": "too steep"}
     text = orjson.dumps(summary).decode()
     return [ComputedRun(key=key, strategy="lv", status=status, summary=text, compute_ms=1.0) for key in keys]
+
+
+def purge(store: Store) -> None:
+    """Delete the rows of deleted jobs."""
+    while store.jobs.purge():
+        pass
 
 
 @pytest.fixture
@@ -195,5 +202,24 @@ def test_what_has_ended_is_deleted_with_its_children_unless_a_link_shows_it(stor
     assert store.jobs.delete(batch.id)
     assert store.jobs.load(batch.id) is None
     assert store.jobs.load("child") is None
+    purge(store)
     assert store.job_runs.rows(batch.id, -1, 9) == []
     assert "key-0" in store.runs.load_results(["key-0"]), "others may share a result"
+
+
+def test_a_deleted_job_is_gone_at_once_and_its_rows_go_piece_by_piece(
+    store: Store, batch: StoredJob, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """SQLite lets nobody else write meanwhile, and a job may have 100,000 rows."""
+    monkeypatch.setattr(jobs, "PURGED", 5)
+    store.jobs.cancel(batch.id)
+    assert store.jobs.delete(batch.id)
+    assert store.jobs.load(batch.id) is None
+    assert store.jobs.page("sweep", 9) == []
+    assert store.jobs.by_idempotency_key("sweep", "once") is None
+    assert store.jobs.create(replace(BATCH, id="again"), [], "once")[1], "its key is free"
+    left = []
+    while store.jobs.purge():
+        left.append(len(store.job_runs.rows(batch.id, -1, 99)))
+    assert left[:3] == [7, 2, 0]
+    assert store.job_events.of(batch.id, 0) == []

@@ -170,9 +170,9 @@ def test_pinned_histories_are_the_computed_ones_to_the_byte(
     used = []
     original = service.app.state.workers.call
 
-    async def noted(function: Any, *arguments: Any) -> Any:
+    async def noted(function: Any, *arguments: Any, **queued: Any) -> Any:
         used.append(function)
-        return await original(function, *arguments)
+        return await original(function, *arguments, **queued)
 
     monkeypatch.setattr(service.app.state.workers, "call", noted)
     assert histories(client, fresh["id"]) == computed
@@ -236,6 +236,52 @@ def test_erased_pins_are_computed_again_by_an_equal_core(
     of_another_core(store, fresh["id"])
     assert client.get(f"/api/v1/runs/{fresh['id']}/figures").status_code == 410
     assert opened(client, link["slug"])["run"]["strategies"]["lv"]["status"] == "ok"
+
+
+def expire(store: Store, run_id: str) -> None:
+    """Remove the results of the run that no link needs, as retention does with what is old."""
+    with store.writing() as connection:
+        old = datetime.now(UTC) - timedelta(days=40)
+        connection.execute(update(results).where(results.c.key.in_(keys(store, run_id))).values(created_at=old))
+    store.retention.remove_results(datetime.now(UTC) - timedelta(days=30))
+
+
+def test_a_run_that_expires_while_it_is_shared_is_kept_all_the_same(
+    service: Any, client: httpx.Client, fresh: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Retention comes after the run was read and before its link is there."""
+    store: Store = service.app.state.store
+    save, saves = store.links.save, list[bool]()
+
+    def late(*arguments: Any) -> bool:
+        if not saves:
+            expire(store, fresh["id"])
+        saves.append(save(*arguments))
+        return saves[-1]
+
+    monkeypatch.setattr(store.links, "save", late)
+    slug = share(client, fresh["id"])["slug"]
+    assert saves == [False, True]
+    expire(store, fresh["id"])
+    stored = store.runs.load(fresh["id"])
+    assert stored is not None
+    assert not stored.expired, "a link shows it"
+    assert opened(client, slug)["run"] == client.get(f"/api/v1/runs/{fresh['id']}").json()
+
+
+def test_a_link_whose_run_expired_computes_it_again(service: Any, client: httpx.Client, fresh: dict[str, Any]) -> None:
+    """Until 0.3.0 retention could come between."""
+    store: Store = service.app.state.store
+    link, before = share(client, fresh["id"]), client.get(f"/api/v1/runs/{fresh['id']}").json()
+    erase_pins(store, fresh["id"])
+    expired = update(results).where(results.c.key.in_(keys(store, fresh["id"])))
+    with store.writing() as connection:
+        connection.execute(expired.values(status="expired", summary="{}", compute_ms=0))
+    preview = client.get(f"/s/{link['slug']}")
+    assert (preview.status_code, "A stored run" in preview.text) == (200, True)
+    run = opened(client, link["slug"])["run"]
+    metrics = {name: each["metrics"] for name, each in run["strategies"].items()}
+    assert metrics == {name: each["metrics"] for name, each in before["strategies"].items()}
 
 
 def test_a_link_says_when_it_changed(service: Any, client: httpx.Client, fresh: dict[str, Any]) -> None:

@@ -15,7 +15,7 @@ from backend.db.tables import results, roads, run_roads
 from backend.roads.survey import read
 from backend.runs.memory import Memory
 from ridelab import Ridelab
-from sim_core.scenario import Scenario
+from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.simulate import simulate
 from sim_core.study.sample_roads import HUMP as HUMP_OF_STREET
 from sim_core.study.sample_roads import POTHOLE, SAMPLES
@@ -104,13 +104,58 @@ def test_a_batch_drives_several_roads(client: httpx.Client, scenario: dict[str, 
     assert client.post("/api/v1/batches", json={**body, "dry_run": True}).json()["estimated_seconds"] > 0
     batch = client.post("/api/v1/batches", json=body).json()
     path = f"/api/v1/batches/{batch['id']}"
-    wait_until(lambda: client.get(path).json()["state"] == "done", "the batch is done", 60)
+    wait_until(lambda: client.get(path).json()["state"] == "done", "the batch is done")
     rows = client.get(f"{path}/results").json()["rows"]
     assert [row["status"] for row in rows] == ["ok"] * 8
     peaks = {row["road.profile"]: row["metrics"]["bump"]["body_acceleration"]["peak"] for row in rows}
     assert peaks[sent["id"]] > 3 * peaks[None], "the hump is in the profile"
     nominal = client.get(f"{path}/summary").json()["strategies"]["passive"]
     assert nominal["figures"]["bump.body_acceleration.peak"]["nominal"] > 0
+
+
+def test_a_scenario_without_a_length_ends_with_its_road(service: Service, client: httpx.Client) -> None:
+    """Runs, live ones, batches and solve drive and answer the road's own length; a given one is as it was."""
+    short, long = (
+        send(client, HEAD + "".join(f"{x:.1f},{h:.2f}\n" for x, h in zip(X[:many], 9 * np.cos(X[:many]), strict=True)))
+        for many in (1200, 1300)
+    )
+    ids, lengths = [each.json()["id"] for each in (short, long)], [119.9, 129.9]
+    bump = {"height": 0, "start": 100}
+    scenario = {"road": {"profile": ids[0], "bump": bump}}
+    run = service.run(["passive"], scenario).json()
+    assert run["scenario"]["road"]["length"] == lengths[0]
+    assert service.run(["passive"], run["scenario"]).json()["id"] == run["id"], "the same run as with that length"
+    series = client.get(f"/api/v1/runs/{run['id']}/series?strategy=passive").json()["series"]
+    assert series["position"][-1] == pytest.approx(lengths[0], abs=0.1)
+    live = service.live(["passive"], scenario).json()
+    assert live["strategies"]["passive"]["travel_time"] == run["strategies"]["passive"]["travel_time"]
+    shorter = service.run(["passive"], {"road": {**scenario["road"], "length": 110}}).json()
+    assert (shorter["scenario"]["road"]["length"], shorter["id"] == run["id"]) == (110, False)
+    question = {"strategy": "passive", "field": "road.bump.height", "range": [0.01, 0.1]}
+    solution = client.post(
+        "/api/v1/solve", json={**question, "scenario": scenario, "metric": "bump.front_deflection.peak", "limit": 0.05}
+    )
+    assert solution.status_code == 200, solution.text
+    solved = client.get(f"/api/v1/runs/{solution.json()['run_id']}").json()
+    assert solved["scenario"]["road"]["length"] == lengths[0]
+    beyond = service.run(["passive"], {"road": {"profile": ids[0], "bump": {"start": 118}}})
+    assert beyond.json()["errors"][0]["pointer"] == "/scenario/road/bump/start"
+
+    def travel_times(base: dict[str, Any], sweep: dict[str, Any]) -> list[float | None]:
+        body = {"scenario": base, "strategies": ["passive"], "sweep": sweep}
+        batch = client.post("/api/v1/batches", json=body).json()
+        path = f"/api/v1/batches/{batch['id']}"
+        wait_until(lambda: client.get(path).json()["state"] == "done", "the batch is done")
+        rows = client.get(f"{path}/results").json()["rows"]
+        return [row["travel_time"] if row["status"] == "ok" else None for row in rows]
+
+    speed = 50 / 3.6
+    profiles = {"grid": {"road.profile": [*ids, None]}}
+    own = [pytest.approx(length / speed) for length in (*lengths, 150)]
+    assert travel_times({"road": {"bump": bump}}, profiles) == own
+    assert travel_times(scenario, {"list": [{"road.bump.height": 0.01}, {"road.profile": ids[1]}]}) == own[:2]
+    all_125 = [None, pytest.approx(125 / speed), pytest.approx(125 / speed)]
+    assert travel_times({"road": {"bump": bump, "length": 125}}, profiles) == all_125
 
 
 @pytest.mark.parametrize(
@@ -228,6 +273,15 @@ def test_the_client_and_the_command_send_a_road_and_drive_it(cli: Cli, client: h
     assert (run["scenario"]["road"]["bump"]["start"], run["scenario"]["road"]["bump"]["height"]) == (bump["start"], 0)
     again = json.loads(cli("run", scenario_file, "-s", "passive", "--set", f"road.profile={sent['id']}", "--json"))
     assert again["id"] == run["id"]
+    shorter = tmp_path / "shorter.csv"
+    shorter.write_text(HEAD + "0,0\n" + "".join(f"{x},{x % 3}\n" for x in range(1, 121)))
+    id_of_it = json.loads(cli("road", shorter, "--json"))["id"]
+    chosen = ("--set", f"road.profile={id_of_it}", "--set", "road.bump.height=0")
+    for target in ("paper", scenario_file):
+        run = json.loads(cli("run", target, "-s", "passive", *chosen, "--set", "road.bump.start=100", "--json"))
+        assert run["scenario"]["road"]["length"] == 120
+    run = json.loads(cli("run", "-s", "passive", *chosen, "--set", "road.length=110", "--json"))
+    assert run["scenario"]["road"]["length"] == 110
     (tmp_path / "bad.csv").write_text("distance [m],height [mm]\n0,0\n1,NaN\n")
     cli("road", tmp_path / "bad.csv", code=2)
     assert "Line 3: A value is not a finite number" in cli.error
@@ -238,14 +292,17 @@ def test_the_command_drives_a_librarys_file_with_its_road(
 ) -> None:
     """Where the scenario names a road that the service does not have, the file's own is sent to it."""
     csv = client.get(f"/api/v1/roads/{sent['id']}", params={"format": "csv"}).text
-    there = {"road": {**scenario["road"], "profile": MISSING}}
+    there = {"road": {**scenario["road"], "profile": MISSING}, "estimation": {"kind": "kalman"}}
     file = tmp_path / "street.json"
     file.write_text(json.dumps({"schema_version": 1, "label": "Street", "scenario": there, "measured_road": csv}))
     run = json.loads(cli("run", file, "-s", "passive", "--json"))
     assert run["scenario"]["road"]["profile"] == sent["id"]
+    estimation = run["scenario"]["estimation"]
+    assert (estimation["kind"], estimation["knows_preview"]) == ("kalman", False), "a file of core 0.3.0"
     file.write_text(json.dumps({"schema_version": 99, "scenario": there}))
     cli("run", file, "-s", "passive", code=2)
-    assert "street.json: its schema version is 99, and this service reads up to 1: update Ridelab" in cli.error
+    newest = f"this service reads up to {SCHEMA_VERSION}: update Ridelab"
+    assert f"street.json: its schema version is 99, and {newest}" in cli.error
 
 
 @pytest.mark.parametrize(

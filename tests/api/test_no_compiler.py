@@ -7,16 +7,20 @@ from typing import Any
 import httpx
 import pytest
 
+from backend import digest
 from backend.ecu.build import NO_COMPILER, NO_CROSS_COMPILER
 from backend.jobs.reproduction import models
 from backend.settings import Settings
+from backend.store import StoredResult, StoredRun
+from sim_core import __version__ as CORE_VERSION
+from sim_core.scenario import SCHEMA_VERSION, Scenario
 from tests.api.cli import Cli
 from tests.api.conftest import Service, serve
 from tests.html import check, read
 from tests.servers.compilers import Bare
 from tests.servers.reproduction import store_in
 
-SMALL = {
+SMALL: dict[str, Any] = {
     "road": {"length": 20, "bump": {"start": 10, "width": 3, "height": 0.05}},
     "speed": {"initial_speed_kmh": 50, "target_speed_kmh": 50},
     "mpc": {"prediction_horizon": 6, "control_horizon": 3},
@@ -60,6 +64,30 @@ def test_in_a_run_the_strategy_fails_with_the_remedy(bare: Service, command: Cli
     assert (again["lv_hil"]["cached"], again["passive"]["cached"]) == (False, True), "a compiler may come"
     assert bare.live(["lv_hil"], SMALL, points=50).json()["strategies"]["lv_hil"]["reason"] == NO_COMPILER
     assert f"LV as ECU code  failed: {NO_COMPILER}\n" in command("run", scenario, code=1)
+
+
+def test_a_run_whose_results_were_removed_waits_for_a_compiler(bare: Service) -> None:
+    """The failure is no result of the run: who asks again, here or where a compiler is, gets another try."""
+    store = bare.app.state.store
+    scenario = Scenario.model_validate({**SMALL, "road": {**SMALL["road"], "seed": 5}})
+    keys = {name: digest.result_key(scenario, name) for name in ("passive", "lv_hil")}
+    expired = [
+        StoredResult(key=key, strategy=name, status="expired", summary={}, compute_ms=0) for name, key in keys.items()
+    ]
+    run = StoredRun(
+        id=digest.run_id(scenario, keys),
+        core_version=CORE_VERSION,
+        schema_version=SCHEMA_VERSION,
+        scenario=scenario.model_dump(mode="json"),
+        results=tuple(expired),
+    )
+    store.runs.save(run)
+    answer = bare.client.get(f"/api/v1/runs/{run.id}")
+    assert (answer.status_code, answer.json()["type"]) == (503, "urn:problem-type:ridelab:ecu-unavailable")
+    assert answer.json()["detail"] == f"{NO_COMPILER}."
+    assert store.runs.load(run.id).results == run.results
+    again = bare.run(["lv_hil", "passive"], scenario.model_dump(mode="json")).json()
+    assert again["id"] != run.id, "tried again, and failed again"
 
 
 @pytest.mark.parametrize(

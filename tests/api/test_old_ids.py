@@ -15,6 +15,7 @@ def test_an_old_id_that_begins_with_a_sign_is_an_id(
 ) -> None:
     """New ones begin with a letter or a digit; those given out before stand in papers and scripts."""
     plain, long = "-s0h-wlxdeCgHw4J2eqW3g", "--0Zt9MhQy5rUqf5n_Xk7A"  # the letters of options, in a cluster and long
+    service.client.get(f"/api/v1/runs/{run['id']}").raise_for_status()  # computed again where its results were removed
     store, stored_run = service.app.state.store, service.app.state.store.runs.load(run["id"])
     for old in (plain, long):
         store.runs.save(replace(stored_run, id=old))

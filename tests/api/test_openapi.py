@@ -17,11 +17,14 @@ import pytest
 
 from backend.api.schema import Catalogue, PresetAnswer, StrategyAnswer
 from backend.app import create_app
+from backend.errors import BusyError, RoadGoneError, ServiceError, TooManyRequestsError
+from backend.runs.service import Runs
 from backend.settings import Settings
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.presets import PRESETS
 from sim_core.strategies import STRATEGIES
+from tests.servers.process import HANG_TIMEOUT
 
 ROOT = Path(__file__).parents[2]
 
@@ -52,6 +55,27 @@ def test_errors_are_described_as_problems(description: dict[str, Any]) -> None:
     statuses = set(description["paths"]["/api/v1/runs"]["post"]["responses"])
     assert {"200", "400", "413", "415", "422", "429", "503"} <= statuses
     assert "HTTPValidationError" not in description["components"]["schemas"]
+
+
+@pytest.mark.parametrize(
+    ("error", "status"), [(RoadGoneError(), 410), (TooManyRequestsError("Too many"), 429), (BusyError("Full"), 503)]
+)
+def test_whatever_reads_a_run_may_have_to_compute_it_again_and_says_so(
+    service: Any, description: dict[str, Any], monkeypatch: pytest.MonkeyPatch, error: ServiceError, status: int
+) -> None:
+    """The client of these tests fails where an answer's status is not described."""
+
+    async def refuse(*_: object) -> None:
+        raise error
+
+    monkeypatch.setattr(Runs, "stored", refuse)
+    addresses = [path for path in description["paths"] if path.startswith("/api/v1/runs/{id}")]
+    assert len(addresses) > 5
+    for path in addresses:
+        asked = service.client.get(path.format(id="A" * 22, name="speed"))
+        assert asked.status_code == status, path
+    link = {"run_id": "A" * 22}
+    assert service.client.post("/api/v1/links", json=link).status_code == status
 
 
 def test_every_address_is_documented_with_its_parameters(description: dict[str, Any]) -> None:
@@ -111,8 +135,8 @@ def test_what_no_id_names_is_not_found(client: httpx.Client, description: dict[s
     for path, operations in description["paths"].items():
         address = re.sub(r"\{(id|slug)\}", "A" * 22, path).replace("{name}", "speed")
         for method in operations if address != path else ():
-            body = {"json": {"label": None}} if method == "patch" else {}
-            assert client.request(method, address, **body).status_code == 404, (method, path)
+            body = {"label": None} if method == "patch" else None
+            assert client.request(method, address, json=body).status_code == 404, (method, path)
 
 
 def test_the_pages_types_are_generated_from_the_description(description: dict[str, Any], tmp_path: Path) -> None:
@@ -121,7 +145,9 @@ def test_the_pages_types_are_generated_from_the_description(description: dict[st
     node = shutil.which("node", path=os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]]))
     assert node is not None, "make development brings node"
     output = ROOT / committed if os.environ.get("UPDATE_DOCS") else target
-    subprocess.run([node, "frontend/scripts/generate-api.mjs", source, output], cwd=ROOT, check=True, timeout=60)
+    subprocess.run(
+        [node, "frontend/scripts/generate-api.mjs", source, output], cwd=ROOT, check=True, timeout=HANG_TIMEOUT
+    )
     if output == target and target.read_text() != (ROOT / committed).read_text():  # thousands of lines: no diff of them
         pytest.fail(f"{committed} is not what the description gives: UPDATE_DOCS=1 writes it anew")
 
@@ -230,4 +256,4 @@ def test_the_catalogue_is_the_cores(client: httpx.Client) -> None:
 
 def test_health(client: httpx.Client) -> None:
     assert client.get("/healthz").json() == {"status": "ok"}
-    assert client.get("/readyz").json() == {"status": "ready", "store": True, "workers": True}
+    assert client.get("/readyz").json() == {"status": "ready", "store": True, "workers": True, "reason": None}

@@ -1,8 +1,7 @@
 """The paper page's answers against runs asked for one by one."""
 
-import socket
 import statistics
-from collections.abc import Awaitable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import httpx
@@ -42,9 +41,10 @@ def test_every_printed_change_has_a_cell_of_the_described_shape(answer: dict[str
 @pytest.fixture(scope="module")
 def anew(service: Service) -> dict[str, Any]:
     """The reproduction on a few roads, which the workers drive now."""
-    return service.inside(
+    answer: models.PaperAnswer = service.inside(
         service.app.state.paper.reproduction(DEFAULT.choices, range(1, FEW + 1), "192.0.2.1")
-    ).model_dump()
+    )
+    return answer.model_dump()
 
 
 def test_a_switch_changes_what_it_says(client: httpx.Client, answer: dict[str, Any]) -> None:
@@ -96,7 +96,7 @@ def test_other_roads_are_asked_for_by_their_first_seed(service: Service, monkeyp
     paper, asked = service.app.state.paper, []
     reproduction = paper.reproduction
 
-    def of_few(choices: Mapping[str, str], roads: range, client: str, **more: Any) -> Awaitable[models.PaperAnswer]:
+    def of_few(choices: Mapping[str, str], roads: range, client: str, **more: Any) -> Any:
         asked.append(roads)
         return reproduction(choices, roads[:FEW], client, **more)
 
@@ -176,11 +176,9 @@ def test_the_figures_are_the_paper_s(client: httpx.Client) -> None:
 def test_what_nobody_waits_for_any_more_is_called_off(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
     """A visitor who leaves takes the work along: 100 roads would keep a worker busy for a minute."""
     monkeypatch.setattr("backend.jobs.reproduction.rows.LINGER", 0.3)
-
-    with socket.create_connection((service.client.base_url.host, service.client.base_url.port)) as connection:
-        connection.sendall(f"GET {PAPER}?seeds=100&force_limit=10 HTTP/1.1\r\nHost: x\r\n\r\n".encode())
-        wait_until(lambda: reproductions(service) > 0, "it is under way", 10)
-    wait_until(lambda: reproductions(service) == 0, "it is called off", 30)
+    with service.begun("GET", f"{PAPER}?seeds=100&force_limit=10"):
+        wait_until(lambda: reproductions(service) > 0, "it is under way")
+    wait_until(lambda: reproductions(service) == 0, "it is called off")
 
 
 def reproductions(service: Service) -> int:

@@ -3,6 +3,7 @@
 import os
 import re
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -66,7 +67,7 @@ def windows(client: httpx.Client) -> Iterator[str]:
             cells = []
             for choice in READINGS[WINDOW].choices:
                 query = {"interpretation": name, "window": choice.id, **without}
-                answer = client.get("/api/v1/paper", params=query, timeout=120).json()
+                answer = client.get("/api/v1/paper", params=query).json()
                 simulated, in_ecu = (answer[part]["reached"] for part in ("simulated", "ecu"))
                 cells.append(f"{answer['reached']} ({simulated} + {in_ecu})")
             yield f"| {label} | {' | '.join(cells)} |"
@@ -93,7 +94,7 @@ def interval(cell: dict[str, Any]) -> str:
 
 
 def worded(item: dict[str, Any]) -> str:
-    return item["verdict"] + ("" if item["certain"] else ", uncertain")
+    return f"{item['verdict']}{'' if item['certain'] else ', uncertain'}"
 
 
 def readings(answer: dict[str, Any], rows: list[dict[str, Any]]) -> Iterator[str]:
@@ -108,12 +109,16 @@ def readings(answer: dict[str, Any], rows: list[dict[str, Any]]) -> Iterator[str
         yield f"| {item['title']} | {label} | {numbers} |"
 
 
+def written_between(text: str, match: re.Match[str]) -> str:
+    return f"{match[1]}{text}\n{match[2]}"
+
+
 def with_blocks(page: str, blocks: dict[str, Iterator[str]]) -> str:
     for name, lines in blocks.items():
         written = "\n".join(line.rstrip() for line in lines)
         page, times = re.subn(
             rf"(<!-- {name} -->\n).*?(<!-- end -->)",
-            lambda match, text=written: f"{match[1]}{text}\n{match[2]}",
+            partial(written_between, written),
             page,
             flags=re.DOTALL,
         )
@@ -123,17 +128,17 @@ def with_blocks(page: str, blocks: dict[str, Iterator[str]]) -> str:
 
 @pytest.mark.usefixtures("reproduced")
 def test_the_page_shows_what_is_answered(client: httpx.Client) -> None:
-    answer = client.get("/api/v1/paper", timeout=120).json()
+    answer = client.get("/api/v1/paper").json()
     page = PAGE.read_text(encoding="utf-8")
     blocks = {"counts": counts(answer), "verdicts": verdicts(answer)}
     blocks["sets"] = sets(answer)
-    blocks["missed"] = missed(client.get("/api/v1/paper", params={"interpretation": "favourable"}, timeout=120).json())
+    blocks["missed"] = missed(client.get("/api/v1/paper", params={"interpretation": "favourable"}).json())
     blocks["sentences"] = (f"- {line}" for line in client.get("/api/v1/paper/attribution").json()["sentences"])
     if os.environ.get("UPDATE_DOCS"):  # what each switch does takes a minute or two: not in every run
-        while not (effects := client.get("/api/v1/paper/readings", timeout=120).json())["complete"]:
+        while not (effects := client.get("/api/v1/paper/readings").json())["complete"]:
             pass
         blocks["readings"] = readings(answer, effects["rows"])
-        fresh = client.get("/api/v1/paper", params={"first_seed": 21, "seeds": 40}, timeout=300).json()
+        fresh = client.get("/api/v1/paper", params={"first_seed": 21, "seeds": 40}).json()
         blocks["fresh"] = sets(fresh)
         blocks["windows"] = windows(client)
         PAGE.write_text(with_blocks(page, blocks), encoding="utf-8")
@@ -143,7 +148,7 @@ def test_the_page_shows_what_is_answered(client: httpx.Client) -> None:
 
 @pytest.mark.usefixtures("reproduced")
 def test_the_readme_names_both_counts(client: httpx.Client) -> None:
-    answer = client.get("/api/v1/paper", timeout=120).json()
+    answer = client.get("/api/v1/paper").json()
     default, favourable = answer["interpretations"]
     text = " ".join((PAGE.parents[1] / "README.md").read_text(encoding="utf-8").split())
     (own, own_ecu), (other, other_ecu) = (

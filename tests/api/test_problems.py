@@ -1,6 +1,5 @@
 """Every error is a problem with the security headers, and the service goes on."""
 
-import socket
 from typing import Any
 
 import httpx
@@ -19,6 +18,7 @@ from backend.http.problems import Problem
 from sim_core.errors import RidelabError, TooExpensiveError
 from sim_core.scenario import Scenario
 from sim_core.workload import estimate
+from tests.servers.process import HANG_TIMEOUT
 
 HARD = {
     "road": {"length": 3000},
@@ -109,28 +109,34 @@ def test_a_scenario_that_costs_too_much_is_refused_with_limit_and_estimate(servi
         assert [place.pointer for place in problem.errors] == ["/scenario"]
 
 
-def test_a_client_that_goes_away_calls_its_live_request_off(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    ("path", "asked"),
+    [
+        ("live", {"strategies": ["passive"], "scenario": {"road": {"length": 133.3}}}),
+        ("runs", {"strategies": ["passive"], "scenario": {"road": {"length": 133.4}}}),
+        ("controller", {"scenario": {"road": {"length": 133.3}}}),
+    ],
+)
+def test_a_client_that_goes_away_calls_its_request_off(
+    service: Any, monkeypatch: pytest.MonkeyPatch, path: str, asked: dict[str, Any]
+) -> None:
     """While somebody drags on, the waiting computation of the old position is cancelled."""
     import asyncio
     import threading
 
     waiting, called_off = threading.Event(), threading.Event()
 
-    async def never(*_: Any) -> Any:
+    async def never(*_: Any, **__: Any) -> Any:
         waiting.set()
         try:
-            await asyncio.sleep(30)
+            await asyncio.Event().wait()
         except asyncio.CancelledError:
             called_off.set()
             raise
 
     monkeypatch.setattr(service.app.state.workers, "call", never)
-    body = b'{"strategies": ["passive"], "scenario": {"road": {"length": 133.3}}}'
-    address = (service.client.base_url.host, service.client.base_url.port)
-    with socket.create_connection(address) as connection:
-        head = f"POST /api/v1/live HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: {len(body)}"
-        connection.sendall(head.encode() + b"\r\n\r\n" + body)
-        assert waiting.wait(10)
-    assert called_off.wait(10)
+    with service.begun("POST", f"/api/v1/{path}", asked):
+        assert waiting.wait(HANG_TIMEOUT)
+    assert called_off.wait(HANG_TIMEOUT)
     monkeypatch.undo()
-    assert service.live(["passive"], {"road": {"length": 133.3}}).status_code == 200
+    assert service.client.post(f"/api/v1/{path}", json=asked).status_code == 200

@@ -1,28 +1,48 @@
 """Old jobs and results are removed where the operator says so; runs, links and labels keep what they name."""
 
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import closing
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
-from sqlalchemy import update
+from sqlalchemy import event, update
 
-from backend.db.tables import jobs, results, roads
+from backend.db.tables import REMOVED, jobs, results, roads
 from backend.jobs.retention import Retention
 from backend.settings import Settings
-from backend.store import Store, StoredLink
+from backend.store import Store, StoredLink, retention
 from sim_core.scenario.measured import MeasuredRoad
 from tests.api.conftest import serve
-from tests.api.test_job_store import BATCH, computed, rows
+from tests.api.test_job_store import BATCH, computed, purge, rows
 from tests.api.test_store import outcomes, save
 from tests.servers import loops
+from tests.servers.postgres import Postgres
+from tests.servers.process import HANG_TIMEOUT
 
 LONG_AGO = datetime.now(UTC) - timedelta(days=40)
 
 
+LINK = StoredLink(slug="s" * 22, kind="run", target="linked", view={}, created_at=LONG_AGO)
+
+
 @pytest.fixture
 def store(store: Store) -> Store:
+    return fill(store)
+
+
+@pytest.fixture
+def on_server(postgres: Postgres, migrated_postgres: str) -> Iterator[Store]:
+    """The same on PostgreSQL."""
+    with closing(Store(postgres.new_database(migrated_postgres))) as store:
+        yield fill(store)
+
+
+def fill(store: Store) -> Store:
     """Runs `plain`, `linked` and `pinned`, jobs `plain`, `labelled` and `linked` with a child, all of them long ago."""
     for name in ("plain", "linked"):
         save(store, name, f"{name}-1", "shared")
@@ -45,7 +65,7 @@ def store(store: Store) -> Store:
 
 
 def apply(store: Store, **limits: float) -> None:
-    loops.run(Retention(store, Settings(data_dir=Path("unused"), **limits)).apply)  # type: ignore[arg-type]  # numbers
+    loops.run(Retention(store, Settings(data_dir=Path("unused"), **limits), store.write).apply)
 
 
 def test_what_is_old_goes_and_what_is_named_stays(store: Store) -> None:
@@ -78,6 +98,84 @@ def test_a_child_that_is_named_or_linked_keeps_its_family(store: Store) -> None:
     assert not store.jobs.delete("child"), "it belongs to a job"
 
 
+USES: dict[str, Callable[[Store], object]] = {
+    "label": lambda store: store.jobs.set_label("plain", "winter"),
+    "resume": lambda store: store.jobs.resume("plain"),
+    "link": lambda store: store.links.save(replace(LINK, kind="batch", target="plain"), {}),
+    "link to a run": lambda store: store.links.save(replace(LINK, target="plain"), {}),
+}
+
+
+@pytest.mark.parametrize("use", USES)
+def test_what_is_used_while_retention_looks_stays(on_server: Store, monkeypatch: pytest.MonkeyPatch, use: str) -> None:
+    """On PostgreSQL others write meanwhile: here between the look for what is old and its removal."""
+    store, lock = on_server, retention._lock
+    used: list[object] = []
+    before = datetime.now(UTC) - timedelta(days=30)
+    if use == "link to a run":
+        store.retention.remove_jobs(before)  # which need its results too
+        purge(store)
+
+    def late(*arguments: Any) -> None:
+        if not used:
+            used.append(USES[use](store))
+        lock(*arguments)
+
+    monkeypatch.setattr(retention, "_lock", late)
+    if use == "link to a run":
+        assert store.retention.remove_results(before) > 0
+        assert used == [True]
+        assert set(store.runs.load_results(["plain-1", "shared"])) == {"plain-1", "shared"}
+    else:
+        store.retention.remove_jobs(before)
+        purge(store)
+        assert store.jobs.load("plain") is not None
+        assert len(store.job_runs.rows("plain", -1, 20)) == 12
+
+
+def test_a_link_that_waits_for_a_removal_finds_it_done(on_server: Store) -> None:
+    with on_server.engine.connect() as connection, ThreadPoolExecutor(1) as threads:
+        connection.execute(update(jobs).where(jobs.c.id == "plain").values(kind=REMOVED))
+        linking = threads.submit(on_server.links.save, replace(LINK, kind="batch", target="plain"), {})
+        with pytest.raises(TimeoutError):
+            linking.result(timeout=0.3)
+        connection.commit()
+        assert linking.result(HANG_TIMEOUT) is False
+
+
+def test_nothing_large_is_read_to_find_what_is_old(tmp_path: Path) -> None:
+    """Without WAL nobody can commit meanwhile; a row's columns behind its summary are found only by reading it."""
+    with closing(Store(f"sqlite:///{tmp_path}/ridelab.sqlite")) as store:
+        store.migrate()
+        asked: list[tuple[str, Any]] = []
+        event.listen(store.engine, "before_cursor_execute", lambda *each: asked.append((each[2], each[3])))
+        store.retention.size()
+        store.retention.oldest()
+        with store.reading() as connection:
+            for removable in (retention._removable_jobs, retention._removable_results, retention._removable_roads):
+                connection.execute(removable(datetime.now(UTC)))
+        searches = [(text, values) for text, values in asked if text.startswith("SELECT")]
+        with store.engine.connect() as connection:
+            plans = [
+                str(row[3])
+                for text, values in searches
+                for row in connection.exec_driver_sql(f"EXPLAIN QUERY PLAN {text}", values)
+            ]
+    assert len(plans) > 10
+    assert not [plan for plan in plans if "TEMP B-TREE" in plan]
+    assert not [plan for plan in plans if plan.startswith("SCAN") and "INDEX" not in plan and " anon" not in plan], (
+        plans
+    )
+
+
+def test_rows_that_a_deletion_left_are_removed_where_nothing_else_is(store: Store) -> None:
+    """The service ended in the middle of it."""
+    assert store.jobs.delete("plain")
+    apply(store)
+    assert store.job_runs.rows("plain", -1, 20) == []
+    assert len(store.job_runs.rows("labelled", -1, 20)) == 12
+
+
 def test_an_expired_result_is_stored_again_whoever_computes_it(store: Store) -> None:
     apply(store, retention_days=30)
     store.jobs.create(replace(BATCH, id="again"), [rows()[0]._replace(key="plain-1")])
@@ -94,7 +192,9 @@ def test_a_road_stays_as_long_as_a_run_or_a_job_names_it(store: Store) -> None:
     measured = {name: MeasuredRoad.of(np.full(600, index * 0.01)) for index, name in enumerate(names)}
     for road in measured.values():
         store.roads.save(road)
-    runs = replace(store.runs.load("linked"), id="on-it", scenario={"road": {"profile": measured["a run's"].id}})
+    linked = store.runs.load("linked")
+    assert linked is not None
+    runs = replace(linked, id="on-it", scenario={"road": {"profile": measured["a run's"].id}})
     store.runs.save(runs)
     store.jobs.create(replace(BATCH, id="job", request={"scenario": {"road": {"profile": measured["a job's"].id}}}))
     grid = {"grid": {"road.profile": [None, measured["a sweep's"].id]}}
@@ -144,7 +244,7 @@ def test_a_run_whose_results_were_removed_is_computed_again_and_says_its_version
         first = service.client.post("/api/v1/runs", json=body).json()
         with service.app.state.store.writing() as connection:
             connection.execute(update(results).values(created_at=LONG_AGO))
-        loops.run(Retention(service.app.state.store, service.app.state.settings).apply)
+        loops.run(Retention(service.app.state.store, service.app.state.settings, service.app.state.store.write).apply)
         assert service.app.state.store.runs.load(first["id"]).expired
         assert 'ridelab_removed_total{what="results"}' in service.client.get("/metrics").text
         again = service.client.get(f"/api/v1/runs/{first['id']}").json()

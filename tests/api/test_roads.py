@@ -12,6 +12,7 @@ from backend.models import CreatedRun
 from backend.runs import bands, histories
 from backend.runs.roads_models import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
 from backend.runs.work import ComputedResult
+from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario
 from sim_core.study.intervals import change_with_interval, mean_with_interval
@@ -87,7 +88,7 @@ def test_asked_again_it_is_stored_under_the_same_id(
 def test_ids_given_out_before_there_were_roads_stay() -> None:
     """The content of an id, written out as it was."""
     scenario, names = Scenario(), ["lqr", "passive"]
-    content = {"core": digest.CORE_VERSION, "scenario": scenario.identity(), "strategies": names}
+    content = {"core": CORE_VERSION, "scenario": scenario.identity(), "strategies": names}
     before = digest._hash(content)[: digest.RUN_ID_LENGTH]
     assert digest.run_id(scenario, names) == digest.run_id(scenario, names, 1, None) == before
     several = {digest.run_id(scenario, names, roads, baseline) for roads in (2, 3) for baseline in ("passive", "lqr")}
@@ -209,8 +210,8 @@ def test_a_failure_on_one_road_is_the_strategys_and_names_the_seed(
     workers = service.app.state.workers
     original = workers.call
 
-    async def refused(function: Any, scenario: Scenario, names: list[str], points: int | None) -> Any:
-        outcomes = await original(function, scenario, names, points)
+    async def refused(function: Any, scenario: Scenario, names: list[str], points: int | None, **queued: Any) -> Any:
+        outcomes = await original(function, scenario, names, points, **queued)
         if scenario.road.seed == 72:
             outcomes["lqr"] = ComputedResult(status="failed", summary={"reason": "no controller"}, compute_ms=1.0)
         return outcomes
@@ -235,10 +236,10 @@ def test_equal_requests_at_once_drive_each_road_once_a_few_at_a_time(
     workers, seeds, at_once = service.app.state.workers, [], []
     original = workers.call
 
-    async def counted(function: Any, scenario: Scenario, *arguments: Any) -> Any:
+    async def counted(function: Any, scenario: Scenario, *arguments: Any, **queued: Any) -> Any:
         seeds.append(scenario.road.seed)
         at_once.append(len(seeds) - len(done))
-        result = await original(function, scenario, *arguments)
+        result = await original(function, scenario, *arguments, **queued)
         done.append(scenario.road.seed)
         return result
 
@@ -280,8 +281,8 @@ def test_bands_are_driven_once_in_slices_and_refused_of_another_core(
     workers, slices = service.app.state.workers, []
     original = workers.call
 
-    async def counted(function: Any, *arguments: Any) -> Any:
-        result = await original(function, *arguments)
+    async def counted(function: Any, *arguments: Any, **queued: Any) -> Any:
+        result = await original(function, *arguments, **queued)
         if function is bands.drive:
             _, name, band = arguments
             slices.extend([name] * (result.roads - (band.roads if band else 0)))

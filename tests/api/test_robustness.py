@@ -15,7 +15,7 @@ from sim_core.scenario import dotted
 from tests.servers.batches import wait_for
 
 # Nobody else's, so that nothing is stored yet; short, so that it is quick.
-BASE = {"road": {"length": 92, "bump": {"start": 70}}, "speed": {"detection_distance": 50}}
+BASE: dict[str, Any] = {"road": {"length": 92, "bump": {"start": 70}}, "speed": {"detection_distance": 50}}
 PEAK = "bump.body_acceleration.peak"
 TRAVEL = "events.travel_exceeded_mm"
 # Every third point contradicts itself: its bump would lie behind the road's end.

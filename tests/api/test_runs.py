@@ -138,8 +138,8 @@ def test_a_refused_strategy_fails_alone_and_says_why(service: Any, monkeypatch: 
     workers = service.app.state.workers
     original = workers.call
 
-    async def refused(function: Any, scenario: Scenario, names: list[str], points: int | None) -> Any:
-        outcomes = await original(function, scenario, names, points)
+    async def refused(function: Any, scenario: Scenario, names: list[str], points: int | None, **queued: Any) -> Any:
+        outcomes = await original(function, scenario, names, points, **queued)
         outcomes["lqr"] = ComputedResult(
             status="failed", summary={"reason": "no controller"}, compute_ms=1.0, points=points
         )

@@ -19,10 +19,12 @@ import pytest
 
 from backend.db import database, sqlite
 from backend.db.sqlite import DatabaseLockedError, DatabaseReplacedError, UnusableDatabaseError
+from backend.settings import Settings
 from backend.store import Store
+from tests.api.conftest import serve
 from tests.api.test_store import save
 from tests.servers import loops
-from tests.servers.process import ROOT
+from tests.servers.process import HANG_TIMEOUT, ROOT
 
 WRITE, READ, READ_WRITE = "BEGIN IMMEDIATE", "BEGIN", "BEGIN EXCLUSIVE"
 SHORT = 0.4  # [s]
@@ -101,7 +103,7 @@ def test_a_long_transaction_of_our_own_is_waited_for(store: Store) -> None:
                     "INSERT INTO runs VALUES (?, '1', 1, ?, 0, 1, NULL)", (str(number), "x" * 50_000)
                 )
             begun.set()
-            assert may_end.wait(30)
+            assert may_end.wait(HANG_TIMEOUT)
 
     async def work() -> None:
         writer = asyncio.create_task(store.write(long))
@@ -112,6 +114,28 @@ def test_a_long_transaction_of_our_own_is_waited_for(store: Store) -> None:
         assert not second.done()
         may_end.set()
         await asyncio.gather(writer, second)
+
+    together(work)
+
+
+def test_a_commit_waits_for_a_long_reader_of_our_own(store: Store) -> None:
+    """Without WAL it has to wait for every reader; no other program is to blame."""
+    begun, may_end = threading.Event(), threading.Event()
+
+    def long() -> None:
+        with store.reading() as connection:
+            connection.exec_driver_sql("SELECT count(*) FROM runs").all()
+            begun.set()
+            assert may_end.wait(HANG_TIMEOUT)
+
+    async def work() -> None:
+        reader = asyncio.create_task(store.read(long))
+        await asyncio.to_thread(begun.wait)
+        writer = asyncio.create_task(store.write(save, store, "second", "b"))
+        await asyncio.sleep(1.5)  # longer than a lock of another program is waited for
+        assert await store.read(store.runs.load, "before") is not None
+        may_end.set()
+        await asyncio.gather(reader, writer)
 
     together(work)
 
@@ -186,7 +210,7 @@ def changed(path: Path, statement: str) -> None:
         (lambda path: path.write_bytes(b"no database at all" * 100), "it is no SQLite database"),
         (lambda path: path.write_bytes(b""), "is empty: put a backup in its place"),
         (damaged, "it is damaged; put a backup in its place"),
-        (newer, "is of a newer version of Ridelab (schema 9999, this one knows 0007)"),
+        (newer, "is of a newer version of Ridelab (schema 9999, this one knows 0009)"),
         (older, "is of a version of Ridelab before 0.2.0 (schema 0003): start 0.2.0 on it once"),
         (strange, "is another program's database"),
         (lambda path: (path.unlink(), path.mkdir()), "it cannot be opened"),
@@ -203,6 +227,32 @@ def test_a_start_says_what_is_wrong_with_the_database(path: Path, spoil: Callabl
     assert reason in str(caught.value)
     assert "\n" not in str(caught.value)
     assert there is None or path.read_bytes() == there
+
+
+def test_a_damaged_page_is_said_once_it_is_met(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    """The header and most rows are as they were: only who reads the page can know."""
+    body = {"scenario": {"road": {"length": 12, "bump": {"start": 5, "width": 2}}}, "strategies": ["passive"]}
+    for service in serve(Settings(data_dir=tmp_path, workers=1, batch_workers=1)):
+        run = service.client.post("/api/v1/runs", json=body).raise_for_status().json()
+        assert service.client.get("/readyz").json()["reason"] is None
+        damage_pages(tmp_path / "ridelab.sqlite", b'"metrics"')
+        assert service.client.get(f"/api/v1/runs/{run['id']}").status_code == 503
+        unready = service.client.get("/readyz")
+        assert (unready.status_code, unready.json()["store"]) == (503, False)
+        assert unready.json()["reason"] == database.DAMAGED
+    (said,) = (each.getMessage() for each in caplog.records if "ridelab.sqlite" in each.getMessage())
+    assert "put a backup in its place" in said
+
+
+def damage_pages(path: Path, holding: bytes) -> None:
+    """Overwrite the beginning of each page with that text; the file stays the same one, and is seen to have changed."""
+    content, size = bytearray(path.read_bytes()), 4096
+    for page in range(size, len(content), size):
+        if holding in content[page : page + size]:
+            content[page : page + 100] = b"\xff" * 100
+    content[24:28] = (int.from_bytes(content[24:28], "big") + 1).to_bytes(4, "big")  # the counter of changes
+    with path.open("r+b") as file:
+        file.write(content)
 
 
 def test_a_start_waits_for_a_lock_longer_than_a_request_does(path: Path) -> None:

@@ -5,7 +5,6 @@ import json
 import shutil
 import sqlite3
 import threading
-import time
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -24,6 +23,7 @@ from backend.db.tables import metadata, results
 from backend.store import Store, StoredLink, StoredResult, StoredRun
 from tests.data import release
 from tests.servers.postgres import Postgres
+from tests.servers.process import HANG_TIMEOUT
 
 OpenStore = Callable[[], Store]
 
@@ -97,35 +97,26 @@ def test_migrations_are_one_line_from_release_0_2_0() -> None:
     assert steps == [f"{number:04}" for number in range(4, len(steps) + 4)]
 
 
-# What held a row in release 0.2.0, and what holds it now.
-MOVED = {
-    "batches": "jobs",
-    "batch_runs": "job_runs",
-    "batch_events": "job_events",
-    "tunings": "jobs",
-    "tuning_trials": "trials",
-    "tuning_events": "job_events",
-    "batch_id": "job_id",
-    "tuning_id": "job_id",
-    "comparison": "answer",
-}
-
-
-def test_a_database_of_release_0_2_0_keeps_every_row(open_store: OpenStore) -> None:
+@pytest.mark.parametrize("version", release.VERSIONS)
+def test_a_database_of_a_release_keeps_every_row(open_store: OpenStore, version: release.Version) -> None:
     store = open_store()
-    release.restore(store)
+    release.restore(store, version)
     store.migrate()
     with store.reading() as connection:
         now = release.dump(connection)
     assert now.keys() == metadata.tables.keys() | {"alembic_version"}
-    old = release.content()["tables"]
-    for table, rows in old.items():
-        there = now[MOVED.get(table, table)]
-        for row in rows:
-            renamed = {MOVED.get(name, name): value for name, value in row.items()}
-            same = {name: value for name, value in renamed.items() if name in there[0]}
+    for table, there in now.items():
+        for row in release.rows(version, table):
+            same = {name: value for name, value in row.items() if name in there[0]}
             assert any(same.items() <= each.items() for each in there), (table, row)
-    jobs = {job.id: job for row in now["jobs"] if (job := store.jobs.load(row["id"]))}
+
+
+def test_batches_and_tunings_of_release_0_2_0_are_kinds_of_job(open_store: OpenStore) -> None:
+    store = open_store()
+    release.restore(store, "0.2.0")
+    store.migrate()
+    old = release.content("0.2.0")["tables"]
+    jobs = {row["id"]: job for row in release.rows("0.2.0", "jobs") if (job := store.jobs.load(row["id"]))}
     for row in old["batches"]:
         job = jobs[row["id"]]
         assert job.request == {name: json.loads(row[name]) for name in ("scenario", "strategies", "fields")}
@@ -178,7 +169,7 @@ def test_many_writers_of_the_same_results_wait_for_each_other(open_store: OpenSt
     stores = [open_store() for _ in range(4)]
     stores[0].migrate()
     shared, rounds = [f"r{number:04}" for number in range(200)], range(3)
-    together = threading.Barrier(len(stores), timeout=60)
+    together = threading.Barrier(len(stores), timeout=HANG_TIMEOUT)
 
     def write(number: int) -> None:
         order = shared if number % 2 else shared[::-1]
@@ -196,12 +187,10 @@ def test_a_lost_database_is_reported_and_used_again_when_it_is_back(postgres: Po
     saved = save(server_store, "before", "a")
     for end in (postgres.stop, postgres.kill):
         end()
-        started = time.monotonic()
         with pytest.raises(SQLAlchemyError):
             server_store.ping()
         with pytest.raises(SQLAlchemyError):
             save(server_store, "during", "b")
-        assert time.monotonic() - started < 30, "it says so, it does not hang"
         postgres.start()
         server_store.ping()
         assert server_store.runs.load("before") == saved

@@ -1,19 +1,27 @@
 """With a file of tokens the API answers requests with a token, in a header or in the page's cookie."""
 
-from collections.abc import Awaitable, Callable
+import re
+import time
+from collections.abc import Awaitable, Callable, Iterator
+from functools import partial
 from pathlib import Path
 
 import httpx
 import pytest
 from fastapi import FastAPI
 from prometheus_client import CollectorRegistry
+from sqlalchemy.exc import OperationalError
 
 from backend.app import create_app
-from backend.http.tokens import COOKIE, Caller, Tokens, cookie_of, read_tokens
+from backend.http.logins import BELIEVED, COOKIE, LIFETIME, Logins
+from backend.http.tokens import Caller, Tokens, cookie_key, read_tokens
 from backend.settings import Settings, SettingsError
+from backend.store import Store
+from tests.api import tuning
 from tests.api.conftest import serve
 from tests.api.test_problems import check
 from tests.servers import loops
+from tests.servers.process import HANG_TIMEOUT
 
 ANN, BEN = "ann-0123456789abcdef", "ben/+~.0123456789=="
 LINES = f"# who may\n\nann {ANN}\n  ben\t{BEN}  \n"
@@ -30,8 +38,9 @@ def file(tmp_path: Path) -> Path:
 
 @pytest.fixture
 def app(tmp_path: Path, file: Path) -> FastAPI:
-    """A service that was not started: what is asked here needs neither its database nor its workers."""
+    """A service that was not started: what is asked here needs no workers, and of its database only ended logins."""
     app = create_app(Settings(data_dir=tmp_path, tokens_file=file))
+    app.state.store.migrate()
 
     @app.get("/caller")
     async def caller(caller: Caller) -> str | None:
@@ -56,8 +65,8 @@ def bearer(token: str) -> dict[str, str]:
 
 def test_the_api_is_for_those_with_a_token(app: FastAPI) -> None:
     for token, name in ((ANN, "ann"), (BEN, "ben")):
-        assert ask(app, "GET", API, headers=bearer(token)).status_code == 200
-        assert ask(app, "GET", "/caller", headers=bearer(token)).json() == name
+        assert ask(app, "GET", API, headers=bearer(token), timeout=HANG_TIMEOUT).status_code == 200
+        assert ask(app, "GET", "/caller", headers=bearer(token), timeout=HANG_TIMEOUT).json() == name
     for headers in ({}, bearer(""), bearer(ANN[:-1]), bearer("ann"), {"Authorization": f"Basic {ANN}"}):
         for method, path in (("GET", API), ("POST", "/api/v1/runs"), ("GET", "/api/v1/nothing"), ("HEAD", API)):
             refused = ask(app, method, path, headers=headers)
@@ -84,15 +93,75 @@ def test_the_page_logs_in_once_and_keeps_a_cookie(app: FastAPI, scheme: str) -> 
     logged_in = ask(app, "POST", "/api/v1/login", scheme=scheme, json={"token": ANN})
     assert logged_in.status_code == 204
     cookie = logged_in.headers["set-cookie"]
-    assert cookie.startswith(f"{COOKIE}={cookie_of(ANN)}; HttpOnly; Max-Age=7776000; Path=/; SameSite=strict")
+    assert cookie.startswith(f"{COOKIE}=")
+    assert "; HttpOnly; Max-Age=7776000; Path=/; SameSite=strict" in cookie
     assert cookie.endswith("; Secure") is (scheme == "https")
     assert ANN not in cookie
-    held = {"Cookie": f"{COOKIE}={cookie_of(ANN)}"}
+    held = {"Cookie": cookie.partition(";")[0]}
     assert ask(app, "GET", API, headers=held).status_code == 200
     assert ask(app, "GET", "/api/v1/login", headers=held).json() == {"required": True, "name": "ann"}
     assert ask(app, "GET", API, headers=held | bearer("wrong")).status_code == 401, "the header is who asks"
-    assert ask(app, "GET", API, headers=bearer(cookie_of(ANN))).status_code == 401, "the cookie is no token"
-    assert "Max-Age=0" in ask(app, "DELETE", "/api/v1/login", headers=held).headers["set-cookie"]
+    value = held["Cookie"].partition("=")[2]
+    assert ask(app, "GET", API, headers=bearer(value)).status_code == 401, "the cookie is no token"
+    for wrong in (
+        value[:-1] + "é",
+        value.partition(".")[2],
+        "." + value,
+        value.replace("-", "", 1),
+        cookie_key(ANN),
+        "",
+    ):
+        assert ask(app, "GET", API, headers={"Cookie": f"{COOKIE}={wrong}".encode()}).status_code == 401
+
+
+def test_a_copied_cookie_is_worth_nothing_after_logging_out(app: FastAPI) -> None:
+    mine, others = (
+        {"Cookie": ask(app, "POST", "/api/v1/login", json={"token": ANN}).headers["set-cookie"].partition(";")[0]}
+        for _ in range(2)
+    )
+    assert "Max-Age=0" in ask(app, "DELETE", "/api/v1/login", headers=mine).headers["set-cookie"]
+    assert ask(app, "GET", API, headers=mine).status_code == 401
+    assert ask(app, "GET", API, headers=others).status_code == 200, "another browser stays logged in"
+    for nothing in (mine, {}, {"Cookie": f"{COOKIE}=x.y"}):
+        assert ask(app, "DELETE", "/api/v1/login", headers=nothing).status_code == 204
+
+
+def test_without_its_database_the_api_cannot_tell_and_the_page_is_there(
+    app: FastAPI, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    cookie = ask(app, "POST", "/api/v1/login", json={"token": ANN}).headers["set-cookie"].partition(";")[0]
+
+    def fail(_: str) -> bool:
+        raise OperationalError("secret statement", {}, Exception())
+
+    monkeypatch.setattr(app.state.store.logins, "has_ended", fail)
+    check(ask(app, "GET", API, headers={"Cookie": cookie}), 503, "store-unavailable")
+    assert ask(app, "GET", "/docs", headers={"Cookie": cookie}).status_code == 200
+
+
+def test_a_login_ends_by_itself_and_at_once_for_all_replicas(
+    file: Path, store: Store, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    one, another = (
+        Logins(
+            Tokens(file),
+            remember=lambda login: store.write(store.logins.end, login),
+            has_ended=lambda login: store.read(store.logins.has_ended, login),
+        )
+        for _ in range(2)
+    )
+    first, second = (str(one.begin(ANN)) for _ in range(2))
+
+    async def names(cookie: str) -> list[str | None]:
+        return [await each.name(cookie) for each in (one, another)]
+
+    assert [loops.run(partial(names, cookie)) for cookie in (first, second)] == [["ann", "ann"]] * 2
+    loops.run(partial(one.end, first))
+    another._open.expire(another._open.timer() + BELIEVED + 1)  # as time does
+    assert loops.run(partial(names, first)) == [None, None]
+    now = time.time()
+    monkeypatch.setattr(time, "time", lambda: now + LIFETIME + 2)
+    assert loops.run(partial(names, second)) == [None, None]
 
 
 def test_without_a_file_everybody_may_ask_and_nobody_has_a_name(client: httpx.Client) -> None:
@@ -104,7 +173,7 @@ def test_the_file_is_read_again_when_it_changes_and_stays_in_force_while_it_cann
     tokens = Tokens(file)
     file.write_text(f"ann {ANN}x\n")
     assert (tokens.name_of_token(ANN), tokens.name_of_token(f"{ANN}x")) == (None, "ann")
-    assert (tokens.name_of_cookie(cookie_of(ANN)), tokens.name_of_cookie(cookie_of(f"{ANN}x"))) == (None, "ann")
+    assert tokens.cookie_keys() == {cookie_key(f"{ANN}x"): "ann"}
     for broken in (lambda: file.write_text("half"), lambda: file.write_bytes(b"\xff"), file.unlink):
         broken()
         assert tokens.name_of_token(f"{ANN}x") == "ann"
@@ -129,15 +198,63 @@ def test_a_file_that_cannot_be_meant_ends_the_start_and_is_not_repeated(file: Pa
         Settings.from_environment({"RIDELAB_TOKENS_FILE": str(file.with_name("absent"))})
 
 
-def test_a_job_belongs_to_a_token_and_only_that_one_deletes_it(tmp_path: Path, file: Path) -> None:
+SUBMITTED = {
+    "batches": {"scenario": {}, "strategies": ["passive"], "sweep": {"grid": {"road.seed": [1, 2]}}},
+    "tunings": tuning.REQUEST,
+}
+
+
+@pytest.fixture(scope="module")
+def guarded(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[httpx.Client, httpx.Client]]:
+    """A service with two tokens: the clients of both."""
+    folder = tmp_path_factory.mktemp("guarded")
+    file = folder / "tokens"
+    file.write_text(LINES)
     limits = {"workers": 1, "batch_workers": 1, "tokens_file": file}
-    for service in serve(Settings.model_validate({"data_dir": tmp_path, **limits})):
-        ann, ben = (httpx.Client(base_url=service.client.base_url, headers=bearer(token)) for token in (ANN, BEN))
+    for service in serve(Settings.model_validate({"data_dir": folder, **limits})):
+        check(service.client.get("/api/v1/batches"), 401, "token-required")
+        ann, ben = (
+            httpx.Client(base_url=service.client.base_url, headers=bearer(token), timeout=HANG_TIMEOUT)
+            for token in (ANN, BEN)
+        )
         with ann, ben:
-            body = {"scenario": {}, "strategies": ["passive"], "sweep": {"grid": {"road.seed": [1, 2]}}}
-            address = ann.post("/api/v1/batches", json=body).headers["location"]
-            check(service.client.get(address), 401, "token-required")
-            assert ben.post(f"{address}/cancel").status_code == 200, "whoever has a token may see and end it"
-            check(ben.delete(address), 403, "other-token")
-            assert ann.delete(address).status_code == 204
-            assert ben.get(address).status_code == 404
+            yield ann, ben
+
+
+@pytest.mark.parametrize("kind", SUBMITTED)
+def test_a_job_is_read_by_all_and_changed_by_the_token_that_submitted_it(
+    guarded: tuple[httpx.Client, httpx.Client], kind: str
+) -> None:
+    ann, ben = guarded
+    address = ann.post(f"/api/v1/{kind}", json=SUBMITTED[kind]).headers["location"]
+    changes = [("PATCH", ""), ("POST", "/cancel"), ("POST", "/resume"), ("DELETE", "")]
+
+    def change(client: httpx.Client, method: str, path: str) -> httpx.Response:
+        return client.request(method, f"{address}{path}", json={"label": "mine"} if method == "PATCH" else None)
+
+    for method, path in changes:
+        check(change(ben, method, path), 403, "other-token")
+    assert ben.get(address).json()["label"] is None
+    assert [change(ann, *each).status_code for each in changes[:2]] == [200, 200]
+    assert ben.get(address).json()["label"] == "mine"
+    assert change(ann, *changes[3]).status_code == 204
+    assert ben.get(address).status_code == 404
+
+
+def test_what_came_without_a_token_is_everybodys(tmp_path: Path, file: Path) -> None:
+    """The service got its file of tokens later."""
+    limits = {"data_dir": tmp_path, "workers": 1, "batch_workers": 1}
+    for service in serve(Settings.model_validate(limits)):
+        address = service.client.post("/api/v1/batches", json=SUBMITTED["batches"]).headers["location"]
+    for service in serve(Settings.model_validate({**limits, "tokens_file": file})):
+        renamed = service.client.patch(address, json={"label": "ours"}, headers=bearer(BEN))
+        assert renamed.json()["label"] == "ours"
+
+
+def test_no_shared_cache_keeps_what_needs_a_token(guarded: tuple[httpx.Client, httpx.Client]) -> None:
+    ann, _ = guarded
+    run = ann.post("/api/v1/runs", json={"strategies": ["passive"]}).json()["id"]
+    for path in (f"runs/{run}", f"runs/{run}/series?points=10"):
+        answer = ann.get(f"/api/v1/{path}")
+        assert answer.headers["cache-control"].startswith("private, max-age=")
+        assert {"Authorization", "Cookie"} <= set(re.split(", ?", answer.headers["vary"]))

@@ -147,7 +147,7 @@ def test_a_limit_nothing_keeps_leaves_the_papers_weights_alone(client: httpx.Cli
 
 
 def test_the_weights_of_lv_of_uncertain_cars_and_of_suspension_control(client: httpx.Client) -> None:
-    options = {"limits": [], "trials": 3, "population": 3, "fresh_seeds": [11, 12], "seeds": [1]}
+    options: dict[str, Any] = {"limits": [], "trials": 3, "population": 3, "fresh_seeds": [11, 12], "seeds": [1]}
     search = {"mpc.stage_weights.bump.2": [0.5, 50], "mpc.deflection_weight": [1, 9]}
     tuning = wait_for(client, begin(client, strategy="lv", search=search, **options)["id"])
     assert tuning["state"] == "done", tuning["reason"]
@@ -165,7 +165,11 @@ def test_the_weights_of_lv_of_uncertain_cars_and_of_suspension_control(client: h
         assert 0.5 <= other["weights"]["mpc.stage_weights.bump"][2] <= 50
         assert 1 <= other["weights"]["mpc.deflection_weight"] <= 9
         assert other["values"] != paper["values"]
-    uncertain = {"search": {"mpc.prediction_horizon": [20, 40]}, "previews": ["none", "obstacle"], "uncertain": True}
+    uncertain: dict[str, Any] = {
+        "search": {"mpc.prediction_horizon": [20, 40]},
+        "previews": ["none", "obstacle"],
+        "uncertain": True,
+    }
     drawn = wait_for(
         client, begin(client, strategy="lv", quantile=1, **uncertain, **(options | {"seeds": [1, 2]}))["id"]
     )

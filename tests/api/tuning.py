@@ -39,7 +39,7 @@ def get(client: httpx.Client, tuning_id: str, below: str = "") -> Any:
     return client.get(f"/api/v1/tunings/{tuning_id}{below}").raise_for_status().json()
 
 
-def wait_for(client: httpx.Client, tuning_id: str, generation: int = 1000, seconds: float = 120) -> dict[str, Any]:
+def wait_for(client: httpx.Client, tuning_id: str, generation: int = 1000) -> dict[str, Any]:
     """The tuning once it has ended, or has so many generations."""
     tuning: dict[str, Any] = {}
 
@@ -47,7 +47,7 @@ def wait_for(client: httpx.Client, tuning_id: str, generation: int = 1000, secon
         tuning.update(get(client, tuning_id))
         return tuning["state"] not in ("queued", "running") or tuning["generation"] >= generation
 
-    wait_until(far_enough, "the tuning gets there", seconds)
+    wait_until(far_enough, "the tuning gets there")
     return tuning
 
 

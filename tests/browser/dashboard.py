@@ -6,14 +6,16 @@ from typing import Any, Literal
 
 from playwright.sync_api import ConsoleMessage, Error, Locator, Page, Response, Route, ViewportSize, expect
 
-from tests.servers.process import ROOT, request
+from tests.servers.process import HANG_TIMEOUT, ROOT, request
 
 AXE = ROOT / "frontend/node_modules/axe-core/axe.min.js"
-LONG_MS = 60_000  # computing on a busy machine
+HANG_TIMEOUT_MS = 1000 * HANG_TIMEOUT
 LAPTOP: ViewportSize = {"width": 1440, "height": 900}
 Scheme = Literal["light", "dark"]
 # In the dark other colours are all that can be wrong beside.
 RULES: dict[Scheme, list[str]] = {"light": ["wcag2a", "wcag2aa", "wcag21aa"], "dark": ["color-contrast"]}
+# Of a whole page: what somebody who does not see it goes by.
+STRUCTURE = ["heading-order", "landmark-unique", "landmark-no-duplicate-main", "landmark-one-main"]
 REFUSE_COPYING = """
 Object.defineProperty(navigator, 'clipboard', {value: undefined});
 document.execCommand = () => false;
@@ -36,6 +38,7 @@ class Dashboard:
         self.page = page
         self.url = url
         self.failures: list[str] = []
+        page.set_default_timeout(HANG_TIMEOUT_MS)
         page.on("pageerror", self._fail)
         page.on("console", self._listen)
 
@@ -53,7 +56,7 @@ class Dashboard:
         try:
             page.unroute_all(behavior="ignoreErrors")
             page.goto("/favicon.svg")  # of the same origin: for an empty page the browser would take another process
-            page.evaluate("localStorage.clear()")
+            page.evaluate("localStorage.clear(); sessionStorage.clear()")
             page.set_viewport_size(LAPTOP)
             page.emulate_media(media="screen", color_scheme="light", reduced_motion="reduce")
             page.mouse.up()
@@ -185,8 +188,11 @@ class Dashboard:
         for scheme in RULES:
             self.page.emulate_media(color_scheme=scheme)
             expect(self.page.locator("html")).to_have_attribute("data-mantine-color-scheme", scheme)
-            violated = violations(part or self.page.locator("html"), scheme)
+            violated = violations(part or self.page.locator("html"), RULES[scheme])
             assert [text for impact, text in violated if impact in ("serious", "critical")] == [], scheme
+        if part is None:
+            found = violations(self.page.locator("html"), STRUCTURE)
+            assert found == [], found
         self.page.emulate_media(color_scheme="light")
 
     def drag(self, slider: Locator, steps: tuple[int, ...]) -> list[Response]:
@@ -207,14 +213,14 @@ class Dashboard:
         return answers
 
 
-def violations(part: Locator, scheme: Scheme) -> list[tuple[str, str]]:
-    """What axe-core finds against WCAG 2.1 A and AA as the page stands: impact, and rule with some elements."""
+def violations(part: Locator, rules: list[str]) -> list[tuple[str, str]]:
+    """What axe-core finds against these rules or groups of rules as the page stands: impact, and rule with elements."""
     page = part.page
     if not page.evaluate("Boolean(window.axe)"):
         page.evaluate(AXE.read_text())  # by the debugger, which a page's policy does not bind
     texts: list[tuple[str, str]] = part.evaluate(
         """async (part, runOnly) => (await axe.run(part, {runOnly})).violations.map(({id, impact, nodes}) =>
            [impact, [id, ...nodes.slice(0, 3).map(({html}) => html.slice(0, 160))].join(' | ')])""",
-        RULES[scheme],
+        rules,
     )
     return texts

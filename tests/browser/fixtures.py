@@ -6,12 +6,11 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Playwright, expect, sync_playwright
 
 from tests.browser.chromium import launch
-from tests.browser.dashboard import LAPTOP, Dashboard
+from tests.browser.dashboard import HANG_TIMEOUT_MS, LAPTOP, Dashboard
 from tests.browser.server import Server
 from tests.servers.process import ROOT
 
-WAIT_MS = 10_000
-expect.set_options(timeout=WAIT_MS)
+expect.set_options(timeout=HANG_TIMEOUT_MS)
 
 
 @pytest.fixture(scope="session")
@@ -41,7 +40,6 @@ def browser(playwright: Playwright) -> Iterator[Browser]:
 def context(browser: Browser, server: Server) -> Iterator[BrowserContext]:
     """One browser profile, which asked for no animations: they show nothing and cost frames."""
     context = browser.new_context(viewport=LAPTOP, base_url=server.url, color_scheme="light", reduced_motion="reduce")
-    context.set_default_timeout(WAIT_MS)
     yield context
     context.close()
 

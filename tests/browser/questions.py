@@ -6,7 +6,7 @@ from contextlib import contextmanager
 
 from playwright.sync_api import Locator, Page, expect
 
-from tests.browser.dashboard import LONG_MS, Dashboard
+from tests.browser.dashboard import Dashboard
 from tests.servers.process import ROOT
 
 Question = Callable[[Dashboard], None]
@@ -95,7 +95,7 @@ def my_van(dashboard: Dashboard) -> None:
     dialog.get_by_label("To", exact=True).fill("30")
     dialog.get_by_label("At most").fill("15 m/s²")
     dialog.get_by_role("button", name="Find").click()
-    expect(dialog.get_by_role("status")).to_contain_text(re.compile(r"at most [\d.]+"), timeout=LONG_MS)
+    expect(dialog.get_by_role("status")).to_contain_text(re.compile(r"at most [\d.]+"))
     page.keyboard.press("Escape")
     expect(dialog).not_to_be_visible()
 
@@ -110,9 +110,9 @@ def where_it_stops_paying(dashboard: Dashboard) -> None:
     dialog.get_by_role("combobox", name="Add a field").fill("target_speed")
     page.get_by_role("listbox").get_by_role("option", name="Target speed").click()
     dialog.get_by_label("Target speed, number of values").fill("3")
-    expect(dialog.get_by_role("button", name="Start")).to_be_enabled(timeout=LONG_MS)
+    expect(dialog.get_by_role("button", name="Start")).to_be_enabled()
     dialog.get_by_role("button", name="Start").click()
-    expect(page.get_by_test_id("batch-state")).to_have_text("Done", timeout=LONG_MS)
+    expect(page.get_by_test_id("batch-state")).to_have_text("Done")
     page.get_by_label("Change against", exact=True).select_option("lqr")
     page.get_by_label("Line at").fill("0")
     expect(page.get_by_test_id("map-note")).to_contain_text(
@@ -136,10 +136,10 @@ def real_sensors(dashboard: Dashboard) -> None:
     go(page, "Robustness")
     page.get_by_label("Samples").fill("20")
     start = page.get_by_role("button", name="Start")
-    expect(start).to_be_enabled(timeout=LONG_MS)
+    expect(start).to_be_enabled()
     start.click()
-    expect(page.get_by_role("heading", name="Where LV control is better")).to_be_visible(timeout=LONG_MS)
-    expect(page.get_by_text("Done", exact=True)).to_be_visible(timeout=LONG_MS)
+    expect(page.get_by_role("heading", name="Where LV control is better")).to_be_visible()
+    expect(page.get_by_text("Done", exact=True)).to_be_visible()
 
 
 def measured_road(dashboard: Dashboard) -> None:
@@ -159,11 +159,11 @@ def does_the_paper_hold(dashboard: Dashboard) -> None:
     """Does the paper hold? Which weights should I use? Does it fit my ECU?"""
     page = dashboard.page
     page.goto("/paper")
-    expect(page.get_by_test_id("count")).to_contain_text(re.compile(r"\d+ of 48"), timeout=LONG_MS)
+    expect(page.get_by_test_id("count")).to_contain_text(re.compile(r"\d+ of 48"))
     go(page, "Tuner")
-    expect(page.get_by_role("button", name="Start")).to_be_enabled(timeout=LONG_MS)
+    expect(page.get_by_role("button", name="Start")).to_be_enabled()
     go(page, "ECU")
-    expect(page.get_by_role("heading", name="ECU against simulation")).to_be_visible(timeout=LONG_MS)
+    expect(page.get_by_role("heading", name="ECU against simulation")).to_be_visible()
 
 
 QUESTIONS: tuple[Question, ...] = (

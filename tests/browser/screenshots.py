@@ -8,9 +8,9 @@ from pathlib import Path
 from playwright.sync_api import expect, sync_playwright
 
 from tests.browser.chromium import launch
-from tests.browser.dashboard import LONG_MS, Dashboard, Scheme
+from tests.browser.dashboard import Dashboard, Scheme
 from tests.browser.server import Server
-from tests.servers.process import ROOT, wait_until
+from tests.servers.process import ROOT, request
 
 FOLDER = ROOT / "docs/images"
 LAPTOP, PHONE = (1440, 900), (390, 844)
@@ -47,28 +47,33 @@ def _tuning(server: Server) -> str:
     objectives = [{"kind": "paper"}, {"kind": "peaks"}]
     body = {"strategy": "lqr", "objectives": objectives, "seeds": [1, 2], "trials": 64, "population": 16}
     tuning = server.post("/tunings", body)["id"]
-    wait_until(lambda: server.get(f"/tunings/{tuning}")["state"] == "done", "the tuning is done", 300)
+    _end(server, f"/tunings/{tuning}")
     return f"/tuner/{tuning}"
 
 
 def _finished(server: Server, path: str) -> str:
     batch = f"/batches/{path.removeprefix('/b/')}"
-    wait_until(lambda: server.get(batch)["state"] == "done", "the batch is done", 300)
+    _end(server, batch)
     return path
 
 
+def _end(server: Server, job: str) -> None:
+    request("GET", f"{server.url}/api/v1{job}/events").raise_for_status()  # a stream that ends with the job
+    assert server.get(job)["state"] == "done"
+
+
 def _plots(dashboard: Dashboard) -> None:
-    expect(dashboard.page.locator("svg.main-svg").first).to_be_visible(timeout=LONG_MS)
+    expect(dashboard.page.locator("svg.main-svg").first).to_be_visible()
 
 
 def _settled(dashboard: Dashboard) -> None:
-    expect(dashboard.page.get_by_role("heading").nth(1)).to_be_visible(timeout=LONG_MS)
-    dashboard.page.wait_for_load_state("networkidle", timeout=LONG_MS)
+    expect(dashboard.page.get_by_role("heading").nth(1)).to_be_visible()
+    dashboard.page.wait_for_load_state("networkidle")
 
 
 def _counted(dashboard: Dashboard) -> None:
     _settled(dashboard)
-    expect(dashboard.page.get_by_text("so far")).to_have_count(0, timeout=4 * LONG_MS)
+    expect(dashboard.page.get_by_text("so far")).to_have_count(0)
 
 
 PICTURES = (

@@ -1,6 +1,7 @@
 """Cursor, zoom, the moving car, keyboard, accessibility; and a server that is not there yet."""
 
 import re
+from collections.abc import Callable
 
 from playwright.sync_api import Locator, expect
 
@@ -14,7 +15,7 @@ NOT_COVERED = """head => {
   const x = Math.min(left + width / 2, innerWidth - 20);
   return head.closest('section').contains(document.elementFromPoint(x, top + height / 2));
 }"""
-CUT = """results => [...results.querySelectorAll('h3, p, span, button, th')]
+CUT = """results => [...results.querySelectorAll('h2, h3, p, span, button, th')]
   .filter(each => getComputedStyle(each).overflowX === 'hidden' && each.scrollWidth > each.clientWidth + 1)
   .filter(each => !each.matches('.visually-hidden')).map(each => each.textContent)"""
 
@@ -190,6 +191,20 @@ def test_commands_and_fields_are_found_by_name(dashboard: Dashboard) -> None:
     expect(page.get_by_role("heading", name="The paper, checked", level=1)).to_be_visible()
 
 
+def test_the_search_for_commands_closes_and_gives_the_focus_back(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page = dashboard.page
+    search = page.get_by_role("textbox", name="Search commands and fields")
+    close: tuple[Callable[[], None], ...] = (lambda: page.keyboard.press("Escape"), lambda: page.mouse.click(5, 400))
+    for each in close:
+        dashboard.entry("Height").focus()
+        page.keyboard.press("Control+k")
+        expect(search).to_be_focused()
+        each()
+        expect(search).to_have_count(0)
+        expect(dashboard.entry("Height")).to_be_focused()
+
+
 def test_no_serious_accessibility_violation(dashboard: Dashboard) -> None:
     """axe-core's WCAG 2 A and AA rules, both colour schemes, with every section of the form and a tooltip open."""
     dashboard.open()
@@ -214,3 +229,13 @@ def test_opening_while_the_server_starts(dashboard: Dashboard) -> None:
     page.unroute(refused)
     dashboard.expect_curves()
     expect(page.get_by_test_id("connection")).to_have_count(0)
+
+
+def test_the_keyboard_reaches_the_content_with_one_step(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page = dashboard.page
+    page.keyboard.press("Tab")
+    skip = page.get_by_role("button", name="Skip to the page’s content")
+    expect(skip).to_be_in_viewport()
+    page.keyboard.press("Enter")
+    expect(page.get_by_role("main")).to_be_focused()

@@ -8,13 +8,12 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator, Page, Route, expect
 
-from tests.browser.dashboard import LONG_MS, Dashboard
+from tests.browser.dashboard import Dashboard
 from tests.browser.server import Server
 from tests.servers.process import request
 
 FIGURES = [3, 4, 5, 6, 8, *range(10, 18), *range(19, 23)]
 VERDICTS = ("reached", "smaller", "contradicts")
-PATIENCE_MS = 60_000  # the first answer drives every strategy over every road; the contract gives it a minute
 # What the switches do is 12 reproductions more: the backend's tests compute it, here a table of the same shape stands.
 EFFECTS = {
     "rows": [
@@ -51,7 +50,7 @@ def paper(dashboard: Dashboard) -> Page:
 
 def open_paper(page: Page, query: str = "") -> None:
     page.goto(f"/paper{query}")
-    expect(page.get_by_test_id("count")).to_be_visible(timeout=PATIENCE_MS)
+    expect(page.get_by_test_id("count")).to_be_visible()
 
 
 def answer(page: Page, query: str = "") -> Any:
@@ -75,7 +74,7 @@ def choose(page: Page, reading: str, choice: str) -> None:
 def settled(page: Page) -> Locator:
     """The page under the readings the switches stand at."""
     main = page.locator("main")
-    expect(main).to_have_attribute("aria-busy", "false", timeout=PATIENCE_MS)
+    expect(main).to_have_attribute("aria-busy", "false")
     return main
 
 
@@ -158,7 +157,7 @@ def test_a_switch_changes_address_and_count_and_survives_a_reload(paper: Page) -
     # The table of what each switch does, which is asked for when it comes near the window, sets one from wherever the
     # others stand.
     paper.get_by_role("heading", name="What each switch does").scroll_into_view_if_needed()
-    paper.get_by_test_id("effects").get_by_role("button", name="Try Road preview: None").click(timeout=LONG_MS)
+    paper.get_by_test_id("effects").get_by_role("button", name="Try Road preview: None").click()
     expect(paper.get_by_test_id("count")).to_contain_text(count)
     paper.get_by_role("button", name="Reset 1 switch").click()
     expect(paper).to_have_url(re.compile(r"/paper$"))
@@ -203,11 +202,11 @@ def test_an_address_that_names_no_reading_says_so_and_leads_back(dashboard: Dash
     page.goto("/paper?preview=sideways")
     expect(page.get_by_role("alert")).to_contain_text("does not know")
     page.get_by_role("button", name="Show Ridelab’s own interpretation").click()
-    expect(page.get_by_test_id("count")).to_be_visible(timeout=PATIENCE_MS)
+    expect(page.get_by_test_id("count")).to_be_visible()
 
 
 def test_what_each_part_contributes_can_be_sorted_and_filtered(paper: Page) -> None:
-    expect(paper.get_by_test_id("sentences").locator("li").first).to_contain_text("lower speed", timeout=PATIENCE_MS)
+    expect(paper.get_by_test_id("sentences").locator("li").first).to_contain_text("lower speed")
     shares = paper.get_by_test_id("shares").locator("tbody tr")
     expect(shares).to_have_count(8)
     for row in shares.all_inner_texts():
@@ -230,7 +229,7 @@ def test_what_each_part_contributes_can_be_sorted_and_filtered(paper: Page) -> N
 
 def test_every_figure_is_drawn_when_it_is_scrolled_to(paper: Page) -> None:
     panels = paper.locator("figure[id^=figure-]")
-    expect(panels).to_have_count(len(FIGURES), timeout=PATIENCE_MS)
+    expect(panels).to_have_count(len(FIGURES))
     ids = [panel.get_attribute("id") for panel in panels.all()]
     assert ids == [f"figure-{number}" for number in FIGURES]
     assert paper.locator("figure .scatterlayer .trace").count() == 0
@@ -258,12 +257,12 @@ def test_it_works_by_keyboard_and_for_a_screen_reader(dashboard: Dashboard, pape
         page.keyboard.press("ArrowRight")
     expect(page).to_have_url(re.compile(r"preview=none$"))
     settled(page)
-    expect(page.get_by_test_id("sentences")).to_be_visible(timeout=PATIENCE_MS)
+    expect(page.get_by_test_id("sentences")).to_be_visible()
     dashboard.expect_accessible()
 
 
 def test_on_a_phone_only_tables_scroll_sideways(dashboard: Dashboard, paper: Page) -> None:
-    expect(paper.locator("figure[id^=figure-]").first).to_be_attached(timeout=PATIENCE_MS)
+    expect(paper.locator("figure[id^=figure-]").first).to_be_attached()
     dashboard.expect_no_wider(400)
     scrolls = "region => region.scrollWidth > region.clientWidth"
     assert paper.get_by_role("region", name="Table 4").evaluate(scrolls)

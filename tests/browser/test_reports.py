@@ -4,10 +4,10 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Page, expect
+from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, Request, expect
 
 from backend.runs.figures import PANELS
-from tests.browser.dashboard import Dashboard, Scheme, violations
+from tests.browser.dashboard import RULES, Dashboard, Scheme, violations
 from tests.browser.server import Server
 from tests.servers.process import request
 
@@ -39,9 +39,18 @@ def alone(browser: Browser) -> Iterator[BrowserContext]:
 def opened(context: BrowserContext, address: str, failures: list[str]) -> Page:
     """The page with all its figures drawn; what it would have asked for is a failure."""
     page = context.new_page()
-    page.on("console", lambda message: message.type in ("error", "warning") and failures.append(message.text))
+
+    def listen(message: ConsoleMessage) -> None:
+        if message.type in ("error", "warning"):
+            failures.append(message.text)
+
+    def ask(request: Request) -> None:
+        if request.url != address:
+            failures.append(f"asked for {request.url[:80]}")
+
+    page.on("console", listen)
     page.on("pageerror", lambda error: failures.append(str(error)))
-    page.on("request", lambda request: request.url != address and failures.append(f"asked for {request.url[:80]}"))
+    page.on("request", ask)
     page.goto(address)
     expect(page.locator("[data-drawn]")).to_have_count(len(PANELS))
     return page
@@ -66,7 +75,7 @@ def test_a_saved_report_works_offline(alone: BrowserContext, report: Path, tmp_p
         page.emulate_media(color_scheme=scheme)
         expect(axis).to_have_css("fill", colour)
         colours[scheme] = page.evaluate("getComputedStyle(document.body).color")
-        assert violations(page.locator("html"), scheme) == []
+        assert violations(page.locator("html"), RULES[scheme]) == []
     assert colours == {"light": "rgb(27, 35, 38)", "dark": "rgb(230, 234, 236)"}
 
     page.evaluate(

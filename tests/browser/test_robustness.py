@@ -5,7 +5,7 @@ from typing import Any
 
 from playwright.sync_api import Locator, Page, expect
 
-from tests.browser.dashboard import LONG_MS, Dashboard
+from tests.browser.dashboard import Dashboard
 from tests.browser.server import Server
 
 PEAK = "bump.body_acceleration.peak"
@@ -17,7 +17,7 @@ def ranges(page: Page, field: str) -> Locator:
 
 
 def expect_results(page: Page) -> None:
-    expect(page.locator("[data-testid=study-results][data-final]")).to_be_visible(timeout=LONG_MS)
+    expect(page.locator("[data-testid=study-results][data-final]")).to_be_visible()
 
 
 def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, server: Server) -> None:
@@ -41,7 +41,7 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     page.on("request", lambda request: streams.append(request.url) if "/events" in request.url else None)
     page.get_by_role("button", name="Start").click()
 
-    expect(page).to_have_url(re.compile(r"/robustness/[\w-]{22}\?one=[\w-]{22}$"), timeout=LONG_MS)
+    expect(page).to_have_url(re.compile(r"/robustness/[\w-]{22}\?one=[\w-]{22}$"))
     study = page.url
     expect_results(page)
     batch = page.url.split("/robustness/")[1][:22]
@@ -52,7 +52,7 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     expect(lead).to_contain_text(f"{round(100 * share)}\u2009%")
     limits = page.get_by_role("region", name="Limits", exact=True)
     expect(limits.locator("tr[data-strategy=lv]")).to_contain_text("no point")
-    expect(page.get_by_test_id("tornado").get_by_role("button")).to_have_count(22, timeout=LONG_MS)
+    expect(page.get_by_test_id("tornado").get_by_role("button")).to_have_count(22)
     assert {url.split("/batches/")[1][:22] for url in streams} <= {batch}  # a browser has six connections to a server
     dashboard.expect_accessible()
 
@@ -72,7 +72,7 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     page.get_by_role("radiogroup", name="Figures").get_by_text("Peak, bump").click()
     row = page.get_by_role("region", name="Values of the spread").locator(f"tr[data-strategy=lv][data-figure='{PEAK}']")
     row.get_by_role("button").click()
-    expect(page).to_have_url(re.compile("/r/"), timeout=LONG_MS)
+    expect(page).to_have_url(re.compile("/r/"))
     worst = summary["strategies"]["lv"]["figures"][PEAK]["highest"]
     opened = dashboard.stored_run()
     page.get_by_role("link", name="From study").click()

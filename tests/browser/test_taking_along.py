@@ -1,5 +1,6 @@
 """What somebody takes along: commands that give the same run elsewhere, files, paper."""
 
+import csv
 import json
 import os
 import subprocess
@@ -7,11 +8,13 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.dashboard import Dashboard
-from tests.servers.process import ROOT
+from tests.browser.server import Server
+from tests.servers.process import HANG_TIMEOUT, ROOT
 
 
 @pytest.fixture
@@ -34,7 +37,12 @@ def shell(command: str) -> str:
     """What a POSIX shell prints for it, in the repository with its programs at hand."""
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     done = subprocess.run(
-        ["sh", "-c", command], cwd=ROOT, env=os.environ | {"PATH": path}, capture_output=True, text=True, timeout=120
+        ["sh", "-c", command],
+        cwd=ROOT,
+        env=os.environ | {"PATH": path},
+        capture_output=True,
+        text=True,
+        timeout=HANG_TIMEOUT,
     )
     assert done.returncode == 0, done.stderr
     return done.stdout
@@ -99,6 +107,41 @@ def test_files_of_every_kind(dashboard: Dashboard) -> None:
     assert '<svg width="180mm" height="81mm"' in files["svg"].decode()[:200]
     assert f"# run: {dashboard.run_id}\n" in files["csv"].decode()
     assert "LV control: position [m],LV control: Body acceleration [m/s²]" in files["csv"].decode()
+
+
+def test_a_pins_name_is_a_text_in_a_drawing(dashboard: Dashboard) -> None:
+    """Also one that looks like a link."""
+    dashboard.open()
+    page, first = dashboard.page, dashboard.address()
+    page.get_by_role("region", name="Comparison").get_by_role("button", name="Pin", exact=True).click()
+    page.get_by_role("button", name="Paper’s scenario").click()
+    page.get_by_label("Name").fill('<a href="//other">x')
+    page.get_by_label("Name").press("Enter")
+    page.keyboard.press("Escape")
+    dashboard.type_into("Height", "12")
+    expect(page).not_to_have_url(first)
+    expect(page.locator("[data-pinned]").first).to_be_visible()
+    page.get_by_role("button", name="Export").click()
+    with page.expect_download() as download:
+        page.get_by_role("menuitem", name="SVG drawing").click()
+    for drawing in (download.value.path().read_bytes(), dashboard.saved_figure("Body acceleration", "SVG")):
+        assert b"<a " not in drawing
+        assert b'LV control, &#60;a href="//other"' in drawing
+
+
+def test_plotted_differences_are_those_of_the_runs(dashboard: Dashboard, server: Server) -> None:
+    """At every sample of the whole run, between curves that the service thins at different places."""
+    dashboard.open("/?baseline=lqr&plots=differences&zoom=whole")
+    lines = dashboard.saved_figure("Body acceleration", "CSV").decode().splitlines()
+    head, *rows = csv.reader(line for line in lines if not line.startswith("#"))
+    assert head[:2] == ["LV control: position [m]", "LV control: Body acceleration [m/s²]"]
+    places, drawn = np.array([row[:2] for row in rows if row[0]], dtype=float).T
+    series = server.get(f"/runs/{dashboard.run_id}/series?strategy=lv,lqr&signals=body_acceleration")["strategies"]
+    lv, lqr = (np.interp(places, series[name]["position"], series[name]["body_acceleration"]) for name in ("lv", "lqr"))
+    # Places are printed to 0.1 mm, over which a jump of the force between two samples, 6 mm apart, changes that much.
+    assert np.abs(drawn - (lv - lqr)).max() < 0.02
+    assert np.abs(drawn).max() > 1
+    assert len(places) > 500
 
 
 def test_every_plot_is_drawn_on_paper(dashboard: Dashboard, tmp_path: Path) -> None:

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.dashboard import LONG_MS, Dashboard
+from tests.browser.dashboard import Dashboard
 from tests.browser.server import Server
 
 SHORT = {"road": {"length": 95, "bump": {"start": 70}}, "speed": {"detection_distance": 50}}
@@ -23,7 +23,7 @@ def stored(server: Server, tuning: str) -> Any:
 
 
 def expect_state(page: Page, text: str) -> None:
-    expect(page.get_by_test_id("tuning-state")).to_have_text(text, timeout=LONG_MS)
+    expect(page.get_by_test_id("tuning-state")).to_have_text(text)
 
 
 def test_a_tuning_from_the_lab_and_back(dashboard: Dashboard, server: Server) -> None:
@@ -112,7 +112,7 @@ def test_the_form_says_what_cannot_be_tuned(dashboard: Dashboard) -> None:
 
     page.get_by_role("textbox", name="Training roads").fill("1-64")  # allowed by the fields, not by the server
     page.get_by_role("textbox", name="Trials").fill("5000")
-    expect(page.get_by_text(re.compile(r"runs are over the limit of"))).to_be_visible(timeout=LONG_MS)
+    expect(page.get_by_text(re.compile(r"runs are over the limit of"))).to_be_visible()
     expect(start).to_be_disabled()
     page.get_by_role("button", name="Reset").click()
     expect(page.get_by_role("textbox", name="Trials")).to_have_value("200")
@@ -151,9 +151,7 @@ def test_a_tuning_is_cancelled_and_goes_on(dashboard: Dashboard, server: Server)
     tuning = submit(server, trials=3000, population=8)
     page.goto(f"/tuner/{tuning}")
     expect_state(page, "Searching")
-    expect(page.get_by_test_id("tuning-counts")).to_contain_text(
-        re.compile(r"^[1-9]\d* of 3000 trials"), timeout=LONG_MS
-    )
+    expect(page.get_by_test_id("tuning-counts")).to_contain_text(re.compile(r"^[1-9]\d* of 3000 trials"))
     page.get_by_role("button", name="Cancel").click()
     expect_state(page, "Cancelled; complete generations are kept")
     done = stored(server, tuning)["trials"]["done"]
@@ -166,7 +164,6 @@ def test_a_tuning_is_cancelled_and_goes_on(dashboard: Dashboard, server: Server)
     page.wait_for_function(
         "done => Number(document.querySelector('[data-testid=tuning-counts]').textContent.split(' ')[0]) > done",
         arg=done,
-        timeout=LONG_MS,
     )
     page.get_by_role("button", name="Cancel").click()
     expect_state(page, "Cancelled; complete generations are kept")

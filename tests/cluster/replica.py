@@ -7,6 +7,8 @@ import time
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import Any, cast
 
+from tests.servers.process import HANG_TIMEOUT
+
 
 class Replica(ThreadingHTTPServer):
     """Answers with what it was asked.
@@ -76,7 +78,7 @@ class _Handler(BaseHTTPRequestHandler):
         self.end_headers()
         self.wfile.write(b"data: first\n\n")
         self.wfile.flush()
-        replica.proceed.wait(30)
+        replica.proceed.wait(HANG_TIMEOUT)
         time.sleep(float(self.headers.get("X-Silence", 0)))
         self.wfile.write(b"data: second\n\n")
 

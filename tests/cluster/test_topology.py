@@ -6,8 +6,8 @@
 import json
 import socket
 import ssl
-import time
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import httpx
@@ -17,10 +17,8 @@ import pytest
 from backend.jobs.leadership import LOCK_ID
 from tests.servers.compose import Topology
 from tests.servers.postgres import Postgres
-from tests.servers.process import Program, request, wait_until
+from tests.servers.process import HANG_TIMEOUT, Program, request, wait_until
 
-TAKEOVER = 30.0  # after the death of the replica that drives, batches go on within [s]
-FINISH = 120.0  # a batch of some seconds, on a busy machine [s]
 SHORT = {"length": 120, "bump": {"start": 90}}
 
 
@@ -29,7 +27,7 @@ def topology(postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> It
     topology = Topology(tmp_path_factory.mktemp("topology"), postgres, API_WORKERS="1", WORKER_CORES="1")
     try:
         topology.wait_until_ready()
-        wait_until(lambda: both_serve(topology), "both replicas serve", FINISH)
+        wait_until(lambda: both_serve(topology), "both replicas serve")
         yield topology
         check_stored_and_logged(topology)
     finally:
@@ -52,7 +50,7 @@ def check_stored_and_logged(topology: Topology) -> None:
 
 @pytest.fixture
 def client(topology: Topology) -> Iterator[httpx.Client]:
-    with httpx.Client(base_url=topology.url, timeout=90) as client:
+    with httpx.Client(base_url=topology.url, timeout=HANG_TIMEOUT) as client:
         yield client
 
 
@@ -78,7 +76,7 @@ def done(client: httpx.Client, identifier: str) -> int:
 
 def wait_until_begun(client: httpx.Client, identifier: str) -> int:
     """Wait until some runs are stored and others are not; returns how many are."""
-    wait_until(lambda: done(client, identifier) > 0, "the batch begins", FINISH)
+    wait_until(lambda: done(client, identifier) > 0, "the batch begins")
     stored = done(client, identifier)
     assert batch(client, identifier)["state"] == "running", "the test needs a longer batch"
     return stored
@@ -86,7 +84,7 @@ def wait_until_begun(client: httpx.Client, identifier: str) -> int:
 
 def assert_completes(client: httpx.Client, identifier: str, runs: int) -> None:
     """Every run once, every result stored once."""
-    wait_until(lambda: batch(client, identifier)["state"] not in ("queued", "running"), "the batch ends", FINISH)
+    wait_until(lambda: batch(client, identifier)["state"] not in ("queued", "running"), "the batch ends")
     end = batch(client, identifier)
     assert (end["state"], end["done"], end["failed"]) == ("done", runs, 0)
     rows = client.get(f"/api/v1/batches/{identifier}/results").json()["rows"]
@@ -126,7 +124,7 @@ def test_a_run_a_link_and_a_batch_go_through_the_proxy(topology: Topology, clien
     link = client.post("/api/v1/links", json={"run_id": run.json()["id"], "view": {"baseline": "passive"}})
     assert link.status_code == 201
     for number in (0, 1):
-        answer = request("GET", f"{topology.replica_url(number)}/api/v1/links/{link.json()['slug']}", timeout=60)
+        answer = request("GET", f"{topology.replica_url(number)}/api/v1/links/{link.json()['slug']}")
         assert answer.json()["run"]["id"] == run.json()["id"], "whichever replica is asked"
     identifier = submit(client, 0.05, 20)
     with client.stream("GET", f"/api/v1/batches/{identifier}/events") as events:
@@ -138,11 +136,15 @@ def test_a_run_a_link_and_a_batch_go_through_the_proxy(topology: Topology, clien
 
 def test_what_dask_opens_is_for_who_has_a_certificate(topology: Topology) -> None:
     for program in (topology.scheduler, *topology.workers):
-        wait_until(lambda program=program: len(listening_of(program)) == 2, "it listens", FINISH)
+        wait_until(partial(listens, program), "it listens")
         listening = listening_of(program)
         assert {address.ip for address in listening} == {"127.0.0.1"}
         kinds = [kind_of_port(address.port) for address in listening]
         assert sorted(kinds) == ["health", "tls"]
+
+
+def listens(program: Program) -> bool:
+    return len(listening_of(program)) == 2
 
 
 def listening_of(program: Program) -> list[Any]:
@@ -157,13 +159,13 @@ def kind_of_port(port: int) -> str:
     """`health` where HTTP answers health and nothing else; `tls` where a certificate is required."""
     try:
         answers = {
-            path: request("GET", f"http://127.0.0.1:{port}{path}", timeout=10).status_code
+            path: request("GET", f"http://127.0.0.1:{port}{path}").status_code
             for path in ("/health", "/status", "/metrics", "/info/main/workers.html", "/json/counts.json")
         }
     except httpx.TransportError:
         context = ssl.create_default_context()
         context.check_hostname, context.verify_mode = False, ssl.CERT_NONE
-        with socket.create_connection(("127.0.0.1", port), timeout=10) as connection:
+        with socket.create_connection(("127.0.0.1", port)) as connection:
             secure = context.wrap_socket(connection)  # in TLS 1.3 the server says what it thinks afterwards
             with secure, pytest.raises(ssl.SSLError, match="certificate required"):
                 secure.recv(1)
@@ -179,19 +181,17 @@ def test_a_batch_goes_on_when_the_replica_that_drives_is_killed(topology: Topolo
     killed, identifier = driver(topology), submit(client, 0.06, 500)
     stored = wait_until_begun(client, identifier)
     killed.kill(stays_dead=True)
-    at = time.monotonic()
     try:
-        wait_until(lambda: done(client, identifier) > stored, "the batch goes on", TAKEOVER)
+        wait_until(lambda: done(client, identifier) > stored, "the batch goes on")
         assert driver(topology) is not killed
-        assert time.monotonic() - at < TAKEOVER
         assert_completes(client, identifier, 500)
     finally:
         killed.revive()
-    wait_until(lambda: both_serve(topology), "it is back", FINISH)
+    wait_until(lambda: both_serve(topology), "it is back")
 
 
 def both_serve(topology: Topology) -> bool:
     try:
-        return all(request("GET", f"{topology.replica_url(n)}/readyz", timeout=5).status_code == 200 for n in (0, 1))
+        return all(request("GET", f"{topology.replica_url(n)}/readyz").status_code == 200 for n in (0, 1))
     except httpx.TransportError:
         return False

@@ -30,13 +30,21 @@ class Caller:
         self._address = address
         self._idle: list[Connection] = []
 
-    async def call(self, method: str, path: str, body: bytes = b"") -> tuple[int, dict[str, str], bytes]:
-        """Status, headers and body; asked again where the service closed an idle connection just then."""
+    async def call(
+        self, method: str, path: str, body: bytes = b"", *, kind: str = "application/json"
+    ) -> tuple[int, dict[str, str], bytes]:
+        """Status, headers and body; asked again where the service closed an idle connection just then.
+
+        A call that is cancelled hangs up.
+        """
         while True:
             reused = bool(self._idle)
             reader, writer = await self._connection()
             try:
-                answer = await _exchange(reader, writer, method, path, body)
+                answer = await _exchange(reader, writer, method, path, body, kind)
+            except asyncio.CancelledError:
+                writer.close()
+                raise
             except (ConnectionError, asyncio.IncompleteReadError):
                 writer.close()
                 if not reused:
@@ -78,9 +86,9 @@ class Caller:
 
 
 async def _exchange(
-    reader: asyncio.StreamReader, writer: asyncio.StreamWriter, method: str, path: str, body: bytes
+    reader: asyncio.StreamReader, writer: asyncio.StreamWriter, method: str, path: str, body: bytes, kind: str
 ) -> tuple[int, dict[str, str], bytes]:
-    head = f"{method} {path} HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\n"
+    head = f"{method} {path} HTTP/1.1\r\nHost: x\r\nContent-Type: {kind}\r\n"
     writer.write(f"{head}Content-Length: {len(body)}\r\n\r\n".encode() + body)
     first, *lines = (await reader.readuntil(b"\r\n\r\n")).decode().strip().split("\r\n")
     headers = {name.lower(): value.strip() for name, _, value in (line.partition(":") for line in lines)}

@@ -20,7 +20,7 @@ from backend.db.backup import back_up
 from backend.settings import Settings
 from tests.servers.accepted import Accepted, database
 from tests.servers.api import Api
-from tests.servers.process import request
+from tests.servers.process import HANG_TIMEOUT, request
 
 HELD = 8.0  # how long another program holds a lock [s]
 COPIES = 4
@@ -69,7 +69,7 @@ class Users:
         return answer
 
     def _look(self, name: str, url: str) -> None:
-        with httpx.Client(timeout=60) as client:
+        with httpx.Client(timeout=HANG_TIMEOUT) as client:
             while not self._end.wait(0.02):
                 answer = self._timed(name, lambda: client.get(url))
                 assert answer.status_code == 200, f"{name}: {answer.text}"
@@ -127,7 +127,7 @@ def users(api: Api, accepted: Accepted) -> Iterator[Users]:
 def test_long_locks_of_others(users: Users, api: Api, tmp_path: Path) -> None:
     for what, begin in (("foreign writer", "BEGIN IMMEDIATE"), ("foreign reader", "BEGIN")):
         path = tmp_path / "data/ridelab.sqlite"
-        with contextlib.closing(sqlite3.connect(path, isolation_level=None, timeout=10)) as other_program:
+        with contextlib.closing(sqlite3.connect(path, isolation_level=None, timeout=HANG_TIMEOUT)) as other_program:
             other_program.execute(begin)
             other_program.execute("SELECT count(*) FROM runs").fetchone()
             time.sleep(HELD)  # the fault itself

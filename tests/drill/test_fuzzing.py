@@ -25,6 +25,5 @@ def client(tmp_path: Path) -> Iterator[httpx.Client]:
 
 @pytest.mark.timeout(60 + 60 * EXAMPLES)
 def test_every_answer_is_as_described(client: httpx.Client, tmp_path: Path) -> None:
-    options = ("--max-examples", str(EXAMPLES), "--seed", SEED)
-    options += ("--request-timeout", "120")  # the paper on 99 roads is computed anew
-    fuzz(client, tmp_path, *options, short=False)
+    patience = ("--request-timeout", "120")  # the paper on 99 roads is computed anew
+    fuzz(client, tmp_path, "--max-examples", str(EXAMPLES), "--seed", SEED, *patience, short=False)

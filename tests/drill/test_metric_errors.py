@@ -1,29 +1,23 @@
 """Every metric of twenty roads of each class, of every bump and of lagging actuators, against steps of 0.02 ms."""
 
-import multiprocessing
 from itertools import product
 
 import pytest
 
 from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario
 from sim_core.scenario.presets import PRESETS
-from sim_core.simulate import simulate
+from sim_core.scenario.road import BumpShape
 from sim_core.strategies import STRATEGIES
-from tests.validation.reference.held import errors
+from tests.validation.metric_errors import errors_of
 
 CLASSES = {"A": 16e-6, "B": 64e-6, "C": 256e-6, "D": 1024e-6, "E": 4096e-6}
-SHAPES = ("cosine", "half_sine", "circular", "flat_top", "trapezoid", "kerb")
+SHAPES: tuple[BumpShape, ...] = ("cosine", "half_sine", "circular", "flat_top", "trapezoid", "kerb")
 SEEDS = range(1, 21)
-
-
-def _errors(task: tuple[Scenario, str]) -> dict[str, float]:
-    return errors(*task, simulate(*task))
 
 
 def judged(scenarios: list[Scenario], strategy: str) -> None:
     """RMS within 0.3 % on every road; peaks within 0.5 % on average, within 1 % on the worst road."""
-    with multiprocessing.get_context("spawn").Pool(2) as pool:
-        errors = pool.map(_errors, [(scenario, strategy) for scenario in scenarios], chunksize=5)
+    errors = errors_of(strategy, scenarios)
     for key in errors[0]:
         sizes = [abs(each[key]) for each in errors]
         if key.endswith(("peak", "peak_power")):

@@ -18,7 +18,7 @@ from backend.settings import Settings
 from sim_core import __version__
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from tests.servers import loops
-from tests.servers.process import ROOT, Program, reserved_port
+from tests.servers.process import HANG_TIMEOUT, ROOT, Program, reserved_port
 
 PAGE = (ROOT / "docs/operations.md").read_text()
 PLAIN = {"DASK_CONFIG": "backend/deploy/dask.yaml", "DASK_DISTRIBUTED__COMM__REQUIRE_ENCRYPTION": "false"}
@@ -46,7 +46,7 @@ def address(tmp_path: Path) -> Iterator[str]:
             ("worker", worker, {}),
             ("nanny", with_nanny, MAY_HAVE_CHILDREN),
         ):
-            stack.callback(Program(name, command, folder=tmp_path, environment=PLAIN | more).end, 1)
+            stack.callback(Program(name, command, folder=tmp_path, environment=PLAIN | more).end)
         yield f"tcp://127.0.0.1:{port}"
 
 
@@ -59,7 +59,7 @@ def chunk(seed: int) -> Chunk:
         base=Scenario().model_dump(mode="json"),
         runs=[run],
         roads={},
-        timeout=60,
+        timeout=HANG_TIMEOUT,
         budget=10,
     )
 

@@ -14,6 +14,7 @@ import pytest
 from tests.drill.callers import Caller, new_run, quantile
 from tests.servers import loops
 from tests.servers.api import Api
+from tests.servers.process import HANG_TIMEOUT
 
 SECONDS = 30.0
 OTHER = "127.0.0.2"
@@ -63,7 +64,9 @@ def port(tmp_path_factory: pytest.TempPathFactory) -> Iterator[int]:
 
 async def again_and_again(port: int, upload: Upload, address: str, end: float) -> None:
     transport = httpx.AsyncHTTPTransport(local_address=address)
-    async with httpx.AsyncClient(transport=transport, base_url=f"http://127.0.0.1:{port}", timeout=60) as client:
+    async with httpx.AsyncClient(
+        transport=transport, base_url=f"http://127.0.0.1:{port}", timeout=HANG_TIMEOUT
+    ) as client:
         while time.monotonic() < end:
             begin = time.monotonic()
             try:

@@ -8,10 +8,11 @@ import httpx
 import psutil
 import pytest
 
+from backend.compute.workers import RESERVED
 from backend.store import Store
 from tests.data import release
 from tests.servers.api import Api
-from tests.servers.process import wait_until
+from tests.servers.process import HANG_TIMEOUT, wait_until
 
 PAGE = '<!doctype html><html><head><meta charset="utf-8"><title>Ridelab</title></head><body></body></html>'
 
@@ -21,14 +22,14 @@ class Process(Api):
 
     def __init__(self, folder: Path, name: str, **environment: str) -> None:
         super().__init__(folder, name=name, **{"PYTHONWARNINGS": "error", **environment})
-        self.client = httpx.Client(base_url=self.url, timeout=90)
+        self.client = httpx.Client(base_url=self.url, timeout=HANG_TIMEOUT)
 
     def workers(self, nice: int = 0) -> list[psutil.Process]:
         """Its processes for interactive runs, or (`NICE`) those for batches."""
-        workers = []
+        workers, niceness = [], min(19, psutil.Process().nice() + nice)
         for child in self.children():
             with contextlib.suppress(psutil.Error):  # it may end meanwhile
-                if "spawn_main" in " ".join(child.cmdline()) and child.nice() == nice:
+                if "spawn_main" in " ".join(child.cmdline()) and child.nice() == niceness:
                     workers.append(child)
         return workers
 
@@ -41,37 +42,33 @@ class Process(Api):
                 times[worker] = spent.user + spent.system
         return times
 
-    def wait_until_warm(self, count: int) -> None:
-        """Wait for so many workers of which none computes (or warms up) for half a second."""
-        before, quiet = self.cpu_times(), 0
+    def wait_until_warm(self) -> None:
+        """Wait for all workers of a service that has two, all of them warm and without work."""
+        count = 2 + RESERVED
+        idle = f'ridelab_workers{{state="idle"}} {count}.0'
+        wait_until(
+            lambda: len(self.workers()) == count and idle in self.client.get("/metrics").text, "the workers are warm"
+        )
 
-        def still() -> bool:
-            nonlocal before, quiet
-            now = self.cpu_times()
-            same = now.keys() == before.keys() and sum(now.values()) - sum(before.values()) < 0.02
-            quiet = quiet + 1 if same and len(now) == count else 0
-            before = now
-            return quiet == 5
-
-        wait_until(still, "the workers are warm", 90, pause=0.1)
-
-    def wait_for_busy(self, nice: int = 0, among: psutil.Process | None = None) -> psutil.Process:
-        """The worker that computes, once one does, or that one does."""
+    def wait_for_busy(self, nice: int = 0, other_than: psutil.Process | None = None) -> psutil.Process:
+        """A worker that computes, once one does."""
         before, busy = self.cpu_times(nice), list[psutil.Process]()
 
         def look() -> bool:
             now = self.cpu_times(nice)
-            candidates = now if among is None else now.keys() & {among}
+            candidates = now.keys() - {other_than}
             busy.extend(worker for worker in candidates if now[worker] - before.get(worker, now[worker]) > 0.15)
             return bool(busy)
 
         wait_until(look, "a worker computes", pause=0.01)
         return busy[0]
 
-    def is_idle(self) -> bool:
-        """Whether no job waits or runs."""
-        lists = [(kind, state) for kind in ("batches", "tunings") for state in ("queued", "running")]
-        return not any(self.client.get(f"/api/v1/{kind}?state={state}").json()[kind] for kind, state in lists)
+    def finish(self) -> None:
+        """Wait until every job that waits or runs has ended."""
+        for kind in ("batches", "tunings"):
+            for state in ("queued", "running"):
+                for job in self.client.get(f"/api/v1/{kind}?state={state}").raise_for_status().json()[kind]:
+                    self.client.get(f"/api/v1/{kind}/{job['id']}/events")  # a stream that ends with it
 
 
 Start = Callable[..., Process]
@@ -114,7 +111,7 @@ def database(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("shared") / "data"
     folder.mkdir()
     store = Store(f"sqlite:///{folder}/ridelab.sqlite")
-    release.restore(store)
+    release.restore(store, "0.2.0")
     store.close()
     return folder / "ridelab.sqlite"
 
@@ -130,5 +127,5 @@ def service(start_beside: Start, built: str) -> Process:
     """One service for every test it can outlive: workers killed, batches cancelled, no room on the disk."""
     workers = {"RIDELAB_WORKERS": "2", "RIDELAB_BATCH_WORKERS": "1"}
     started = start_beside(**workers, RIDELAB_MAX_REQUEST_COST="1000", RIDELAB_FRONTEND_DIR=built)
-    wait_until(started.is_idle, "it finishes what it found unfinished", 90)
+    started.finish()
     return started

@@ -1,6 +1,5 @@
 """Batches in a real service: its ports, and heavy runs cancelled."""
 
-import time
 from typing import Any
 
 import psutil
@@ -9,7 +8,7 @@ from backend.jobs.cluster import NICE
 from tests.faults.conftest import Process
 from tests.servers.batches import rows, wait_for
 
-# A run of a minute: far longer than the ten seconds in which a cancelled batch has to have stopped.
+# A run of a minute of a core alone.
 HEAVY = {
     "road": {"length": 400.3, "bump": {"start": 30}},
     "mpc": {"solver": "osqp", "force_limit": 300, "prediction_horizon": 60, "control_horizon": 40},
@@ -41,7 +40,7 @@ def test_batches_open_no_port(service: Process) -> None:
     ports = {
         connection.laddr.port
         for connection in psutil.net_connections("inet")
-        if connection.pid in pids and connection.status == psutil.CONN_LISTEN
+        if connection.pid in pids and connection.laddr and connection.status == psutil.CONN_LISTEN
     }
     assert ports == {service.port}
 
@@ -50,10 +49,9 @@ def test_heavy_runs_stop_when_their_batch_is_cancelled(service: Process) -> None
     finished(service, submit(service, {"road": {"length": 127.3}}, 12), 12)  # afterwards its process is warm
     batch_id = submit(service, HEAVY, 6)
     busy = service.wait_for_busy(NICE)
-    begin = time.monotonic()
+    before = service.cpu_times(NICE)[busy]
     assert service.client.post(f"/api/v1/batches/{batch_id}/cancel").json()["state"] == "cancelled"
-    assert not psutil.wait_procs([busy], timeout=10)[1]
-    print(f"stopped {time.monotonic() - begin:.2f} s after the request to cancel")
     assert wait_for(service.client, batch_id)["done"] == 0
-    # Its successor serves the next batch.
     finished(service, submit(service, {"road": {"length": 127.4}}, 4), 4)
+    spent = service.cpu_times(NICE).get(busy, before) - before
+    assert spent < 20, "it was interrupted in the middle of its first run"

@@ -26,7 +26,7 @@ def post(service: Process, scenario: dict[str, Any], *strategies: str) -> httpx.
 
 
 def test_a_worker_killed_in_the_middle_of_a_run_costs_one_retry(service: Process) -> None:
-    service.wait_until_warm(2)
+    service.wait_until_warm()
     with ThreadPoolExecutor(1) as threads:
         answer = threads.submit(post, service, long(1), "lv")
         victim = service.wait_for_busy()
@@ -38,14 +38,12 @@ def test_a_worker_killed_in_the_middle_of_a_run_costs_one_retry(service: Process
 
 
 def test_a_run_that_kills_two_workers_is_refused_clearly_and_others_go_on(service: Process) -> None:
-    service.wait_until_warm(2)
+    service.wait_until_warm()
     with ThreadPoolExecutor(1) as threads:
         answer = threads.submit(post, service, long(2), "lv")
         first = service.wait_for_busy()
-        (other,) = [worker for worker in service.workers() if worker != first]
         first.kill()
-        service.wait_for_busy(among=other)
-        other.kill()
+        service.wait_for_busy(other_than=first).kill()
         response = answer.result()
     assert response.status_code == 503
     assert response.headers["content-type"] == "application/problem+json"
@@ -55,12 +53,12 @@ def test_a_run_that_kills_two_workers_is_refused_clearly_and_others_go_on(servic
 
 
 def test_workers_killed_while_idle_are_replaced_unnoticed(service: Process) -> None:
-    service.wait_until_warm(2)
+    service.wait_until_warm()
     killed = service.workers()
     for worker in killed:
         worker.kill()
     assert post(service, {"road": {"length": 131.6}}, "passive").status_code == 200
-    service.wait_until_warm(2)
+    service.wait_until_warm()
     assert not set(killed) & set(service.workers())
     assert service.ready
 

@@ -6,7 +6,6 @@
 import contextlib
 import socket
 import threading
-import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -17,14 +16,14 @@ import pytest
 
 from tests.servers.accepted import Accepted, database
 from tests.servers.api import Api, ask
-from tests.servers.process import request, wait_until
+from tests.servers.process import HANG_TIMEOUT, request, wait_until
 
 RUNS = 400  # of each batch: some seconds of one core, so that it is under way when the service ends
 SHORT = {"road": {"length": 131.7}}
-# Far longer than the ten seconds in which an ordered end has to be through.
+# Some minutes of a core: an end that waited for it would be taken for one that hangs.
 ENDLESS = {
     "road": {"length": 1500.3, "bump": {"start": 30}},
-    "mpc": {"solver": "osqp", "force_limit": 500},
+    "mpc": {"solver": "osqp", "force_limit": 500, "prediction_horizon": 100, "control_horizon": 80},
 }
 TUNING = {
     "scenario": {"road": {"length": 63, "bump": {"start": 45}}, "speed": {"detection_distance": 40}},
@@ -40,6 +39,7 @@ TUNING = {
 @pytest.fixture
 def api(tmp_path: Path) -> Iterator[Api]:
     limits = {"RIDELAB_WORKERS": "1", "RIDELAB_BATCH_WORKERS": "1", "RIDELAB_MAX_REQUEST_COST": "1000"}
+    limits["RIDELAB_RUN_TIMEOUT"] = "3600"
     api = Api(tmp_path, **limits)
     try:
         api.wait_until_ready()
@@ -68,7 +68,7 @@ def test_what_was_accepted_outlives_a_kill_and_an_ordered_end(api: Api, accepted
     family, starts = api.children(), api.starts
     api.kill()
     assert accepted.waiting() > 0, "the test needs a longer batch"
-    assert not psutil.wait_procs(family, timeout=10)[1], "its processes end by themselves"
+    assert not psutil.wait_procs(family, timeout=HANG_TIMEOUT)[1], "its processes end by themselves"
     wait_until(lambda: api.starts > starts, "it is started again")
     api.wait_until_ready()
 
@@ -92,22 +92,20 @@ def test_what_was_accepted_outlives_a_kill_and_an_ordered_end(api: Api, accepted
 
 
 def end_in_order(api: Api) -> None:
-    """Ends within ten seconds, during a computation and while a client never sends the rest of its request."""
+    """It waits neither for a computation nor for a client that never sends the rest of its request."""
     threading.Thread(target=ask_for_ever, args=(api.url,), daemon=True).start()
     wait_until(lambda: "ridelab_open_requests 1.0" in request("GET", f"{api.url}/metrics").text, "it is there")
     family, starts = api.children(), api.starts
     with socket.create_connection(("127.0.0.1", api.port)) as connection:
         connection.sendall(b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Length: 100\r\n\r\n{")
-        begin = time.monotonic()
         api.terminate()
-        assert time.monotonic() - begin < 10
-    assert not psutil.wait_procs(family, timeout=5)[1], "nothing is left"
+    assert not psutil.wait_procs(family, timeout=HANG_TIMEOUT)[1], "nothing is left"
     wait_until(lambda: api.starts > starts, "it is started again")
 
 
 def ask_for_ever(url: str) -> None:
     with contextlib.suppress(httpx.TransportError):  # the service ends before it answers
-        request("POST", f"{url}/api/v1/runs", json={"scenario": ENDLESS, "strategies": ["lv"]}, timeout=90)
+        request("POST", f"{url}/api/v1/runs", json={"scenario": ENDLESS, "strategies": ["lv"]}, timeout=3600)
 
 
 def series_of(api: Api, run: dict[str, Any]) -> bytes:
@@ -121,5 +119,5 @@ def tuning_of(api: Api, tuning_id: str) -> Any:
 
 def finished_tuning(api: Api, tuning_id: str) -> tuple[dict[str, Any], list[Any]]:
     """A tuning once it has ended, and its trials."""
-    wait_until(lambda: tuning_of(api, tuning_id)["state"] not in ("queued", "running"), "the tuning ends", 120)
+    wait_until(lambda: tuning_of(api, tuning_id)["state"] not in ("queued", "running"), "the tuning ends")
     return tuning_of(api, tuning_id), ask(api.url, "GET", f"/tunings/{tuning_id}/trials")["trials"]

@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import shlex
 import signal
 import sqlite3
 import subprocess
@@ -11,7 +12,7 @@ from pathlib import Path
 import psutil
 import pytest
 
-from tests.servers.process import wait_until
+from tests.servers.process import HANG_TIMEOUT, wait_until
 
 
 @pytest.mark.parametrize("port", ["99999", "-1", "http"])
@@ -32,7 +33,7 @@ def test_ctrl_c_ends_a_start_that_waits(tmp_path: Path) -> None:
             opened = psutil.Process(service.pid).open_files
             wait_until(lambda: any(file.path.endswith("ridelab.sqlite") for file in opened()), "it waits for the lock")
             service.send_signal(signal.SIGINT)
-            _, log = service.communicate(timeout=30)
+            _, log = service.communicate(timeout=HANG_TIMEOUT)
     assert service.returncode == 130
     assert "Traceback" not in log
 
@@ -46,7 +47,49 @@ def test_ctrl_c_ends_it_in_order(tmp_path: Path) -> None:
         assert service.stdout is not None
         assert service.stdout.readline().startswith("Ridelab is at http://127.0.0.1:")
         os.killpg(service.pid, signal.SIGINT)
-        _, log = service.communicate(timeout=30)
+        _, log = service.communicate(timeout=HANG_TIMEOUT)
     assert service.returncode == 130
     assert "Traceback" not in log
     assert "Application shutdown complete." in log
+
+
+def test_a_start_on_a_full_disk_says_so(tmp_path: Path) -> None:
+    """Here no file may become larger than a block, and a new database is larger."""
+    start = (
+        f"ulimit -f 1; exec {shlex.quote(sys.executable)} -m backend --port 0 --data-dir {shlex.quote(str(tmp_path))}"
+    )
+    ended = subprocess.run(["bash", "-c", start], capture_output=True, text=True, timeout=HANG_TIMEOUT, check=False)
+    assert ended.returncode == 2
+    (line,) = ended.stderr.splitlines()
+    assert line.startswith(f"Ridelab does not start: {tmp_path}/ridelab.sqlite: ")
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.skipif(os.getuid() != 0, reason="only root makes a process namespace")
+def test_process_1_ends_while_it_starts(tmp_path: Path) -> None:
+    """As which a container starts it: there the system itself does nothing at SIGTERM."""
+    command = ["unshare", "--pid", "--fork", "--kill-child", sys.executable, "-m", "backend", "--port", "0"]
+    with contextlib.closing(sqlite3.connect(tmp_path / "ridelab.sqlite", isolation_level=None)) as stranger:
+        stranger.execute("PRAGMA application_id=1")
+        stranger.execute("BEGIN EXCLUSIVE")
+        with subprocess.Popen([*command, "--data-dir", str(tmp_path)], stderr=subprocess.PIPE, text=True) as outside:
+            wait_until(lambda: opens(outside.pid, "ridelab.sqlite"), "it waits for the lock")
+            (first,) = psutil.Process(outside.pid).children()
+            first.send_signal(signal.SIGTERM)
+            _, log = outside.communicate(timeout=HANG_TIMEOUT)
+    assert outside.returncode == 143
+    assert "Traceback" not in log
+
+
+def test_a_start_is_ended_before_it_has_imported_anything_large(tmp_path: Path) -> None:
+    """Seconds pass until the server handles signals itself."""
+    early = "import signal, sys; from backend import __main__; sys.modules['backend.settings'] = None; "
+    show = "print(type(signal.getsignal(signal.SIGTERM)).__name__, 'uvicorn' in sys.modules, 'numpy' in sys.modules)"
+    code = f"{early}\ntry:\n  __main__.main(['--port', '0'])\nexcept ImportError:\n  {show}"
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, cwd=tmp_path)
+    assert ended.stdout.split() == ["_Ending", "False", "False"], ended.stderr
+
+
+def opens(pid: int, name: str) -> bool:
+    """Whether a process below that one has a file of this name open."""
+    return any(file.path.endswith(name) for each in psutil.Process(pid).children() for file in each.open_files())

@@ -15,7 +15,7 @@ from tests.faults.conftest import Process, starter
 from tests.faults.test_batches import finished, state, submit
 from tests.faults.test_disk_full import LONG_BATCH, SHORT, check_refused, halted, post, refused_batch
 from tests.servers.postgres import Postgres, url
-from tests.servers.process import ROOT, reserved_port, wait_until
+from tests.servers.process import HANG_TIMEOUT, ROOT, reserved_port, wait_until
 
 RESTS = ("The jobs rest", "Another service drives the jobs now")  # the driver's words where it lost the database
 
@@ -71,7 +71,9 @@ def test_a_start_without_it_says_so_and_ends(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "backend", "--port", "0", "--data-dir", str(tmp_path)]
     environment = {**os.environ, "RIDELAB_WORKERS": "1"}
     environment["RIDELAB_DATABASE_URL"] = url(reserved_port(), "ridelab")  # where nobody listens
-    ended = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=90, check=False)
+    ended = subprocess.run(
+        command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=HANG_TIMEOUT, check=False
+    )
     assert ended.returncode != 0
     assert "onnect" in ended.stderr
     for secret in ("p@ss", "p%40ss"):

@@ -11,7 +11,7 @@ import pytest
 
 from backend.ecu import build
 from tests.packaging.environments import Environment, built
-from tests.servers.process import wait_until
+from tests.servers.process import HANG_TIMEOUT, wait_until
 
 
 @pytest.fixture(scope="module")
@@ -37,12 +37,12 @@ def address(server: Environment, tmp_path_factory: pytest.TempPathFactory) -> It
     with log.open("wb") as out:
         command = [server.program("ridelab"), "serve", "--port", "0"]
         process = subprocess.Popen(command, cwd=folder, env=server.variables(), stdout=out, stderr=out)
-    wait_until(lambda: "Ridelab is at " in log.read_text() or process.poll() is not None, "it serves", 60)
+    wait_until(lambda: "Ridelab is at " in log.read_text() or process.poll() is not None, "it serves")
     announced = re.search(r"Ridelab is at (\S+)\n", log.read_text())
     assert announced is not None, log.read_text()
     yield announced[1]
     process.terminate()
-    assert process.wait(60) is not None
+    assert process.wait(HANG_TIMEOUT) is not None
 
 
 def test_the_client_alone_is_small_and_asks_a_service(client: Environment, address: str) -> None:
@@ -60,28 +60,28 @@ def test_the_client_alone_is_small_and_asks_a_service(client: Environment, addre
 def test_what_needs_the_server_says_what_to_install(client: Environment, words: str) -> None:
     run = client.run("ridelab", *words.split())
     assert (run.returncode, run.stdout) == (3, "")
-    assert run.stderr.startswith("Ridelab's server is not installed here: pip install 'ridelab[server]'")
+    assert run.stderr.startswith("Ridelab's server is not installed here: name a service with --server")
 
 
 @pytest.mark.parametrize(("path", "assets"), [("/", 2), ("/docs", 2)])
 def test_the_servers_wheel_has_its_pages(address: str, path: str, assets: int) -> None:
-    page = httpx.get(address + path)
+    page = httpx.get(address + path, timeout=HANG_TIMEOUT)
     assert page.status_code == 200, page.text
     named = [name for name in re.findall(r'(?:src|href)="(/[^"]+)"', page.text) if not name.startswith("//")]
     assert len(named) >= assets
     for name in named:
-        asset = httpx.get(address + name)
+        asset = httpx.get(address + name, timeout=HANG_TIMEOUT)
         assert (asset.status_code, bool(asset.content)) == (200, True), name
 
 
 def test_the_servers_wheel_has_the_ecus_sources_and_the_reports_templates(address: str) -> None:
     body = {"scenario": {"road": {"length": 40, "bump": {"start": 20}}}, "strategies": ["lv_hil", "passive"]}
-    run = httpx.post(f"{address}/api/v1/runs", json=body, timeout=60).json()
+    run = httpx.post(f"{address}/api/v1/runs", json=body, timeout=HANG_TIMEOUT).json()
     outcome = run["strategies"]["lv_hil"]
     assert outcome["status"] == ("ok" if build.compilers() else "failed"), outcome
-    sources = httpx.post(f"{address}/api/v1/controller", json={"scenario": body["scenario"]}, timeout=60)
+    sources = httpx.post(f"{address}/api/v1/controller", json={"scenario": body["scenario"]}, timeout=HANG_TIMEOUT)
     assert (sources.status_code, sources.content[:2]) == (200, b"PK")
-    report = httpx.get(f"{address}/api/v1/runs/{run['id']}/report.html", timeout=60)
+    report = httpx.get(f"{address}/api/v1/runs/{run['id']}/report.html", timeout=HANG_TIMEOUT)
     assert report.status_code == 200, report.text
 
 

@@ -9,7 +9,7 @@ from backend.db.tables import job_runs, results
 from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate
 from tests.servers.api import ask
-from tests.servers.process import wait_until
+from tests.servers.process import HANG_TIMEOUT, wait_until
 
 
 @dataclass
@@ -50,7 +50,7 @@ class Accepted:
     def await_work(self) -> None:
         """Wait for new results; a service that has just been killed takes some seconds."""
         before = self.waiting()
-        wait_until(lambda: self.waiting() != before, "results come in", 90)
+        wait_until(lambda: self.waiting() != before, "results come in")
 
     def check_stored(self) -> None:
         """Every result stored before is the same row now: neither lost nor computed again."""
@@ -81,7 +81,7 @@ class Accepted:
             batch.update(ask(self.url, "GET", f"/batches/{batch_id}"))
             return batch["state"] not in ("queued", "running")
 
-        wait_until(is_over, f"{batch_id} ends", 180, pause=0.2)
+        wait_until(is_over, f"{batch_id} ends", pause=0.2)
         assert (batch["state"], batch["done"], batch["failed"]) == ("done", self.runs, 0), batch["reason"]
         rows = ask(self.url, "GET", f"/batches/{batch_id}/results")["rows"]
         assert [row["run"] for row in rows] == list(range(self.runs))
@@ -91,7 +91,7 @@ class Accepted:
 
 def database(url: str) -> Engine:
     """The database as an onlooker reads it, who notices when the server went away and came back."""
-    patience = {"timeout": 30} if url.startswith("sqlite") else {}
+    patience = {"timeout": HANG_TIMEOUT} if url.startswith("sqlite") else {}
     return create_engine(url, connect_args=patience, pool_pre_ping=True)
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import httpx
 
-from tests.servers.process import Program, request, reserved_port, wait_until
+from tests.servers.process import HANG_TIMEOUT, Program, request, reserved_port, wait_until
 
 
 class Api(Program):
@@ -28,20 +28,20 @@ class Api(Program):
     def ready(self) -> bool:
         """Whether it says so now."""
         with contextlib.suppress(httpx.TransportError):
-            return request("GET", f"{self.url}/readyz", timeout=5).status_code == 200
+            return request("GET", f"{self.url}/readyz").status_code == 200
         return False
 
     def wait_until_ready(self) -> None:
         """Wait for it."""
-        wait_until(lambda: self.ready, f"{self.name} is ready", 90)
+        wait_until(lambda: self.ready, f"{self.name} is ready")
 
 
-def ask(url: str, method: str, path: str, seconds: float = 120, **options: Any) -> Any:
+def ask(url: str, method: str, path: str, **options: Any) -> Any:
     """The JSON of an answer with a good status; while the service is down or full it is asked again."""
-    end = time.monotonic() + seconds
+    end = time.monotonic() + HANG_TIMEOUT
     while time.monotonic() < end:
         with contextlib.suppress(httpx.TransportError):
-            answer = request(method, f"{url}/api/v1{path}", timeout=30, **options)
+            answer = request(method, f"{url}/api/v1{path}", **options)
             if answer.is_success:
                 return answer.json()
             assert answer.status_code in (429, 502, 503, 504), f"{answer.status_code} {answer.text}"

@@ -4,10 +4,14 @@ from typing import Any
 
 import httpx
 
+from tests.servers.process import HANG_TIMEOUT
 
-def wait_for(client: httpx.Client, batch_id: str, seconds: float = 120) -> Any:
+
+def wait_for(client: httpx.Client, batch_id: str) -> Any:
     """The batch once it has ended."""
-    client.get(f"/api/v1/batches/{batch_id}/events", timeout=seconds).raise_for_status()  # a stream that ends with it
+    client.get(
+        f"/api/v1/batches/{batch_id}/events", timeout=HANG_TIMEOUT
+    ).raise_for_status()  # a stream that ends with it
     batch = client.get(f"/api/v1/batches/{batch_id}").json()
     assert batch["state"] not in ("queued", "running")
     return batch

@@ -59,9 +59,9 @@ class Topology:
         with engine.connect() as connection:
             return [tuple(row) for row in connection.exec_driver_sql(query, values)]
 
-    def wait_until_ready(self, seconds: float = 120) -> None:
+    def wait_until_ready(self) -> None:
         """Wait until the proxy has a ready replica."""
-        wait_until(lambda: self.proxy.answers("/readyz"), "a replica gets ready", seconds)
+        wait_until(lambda: self.proxy.answers("/readyz"), "a replica gets ready")
 
     def end(self) -> None:
         """End everything, whatever became of it."""

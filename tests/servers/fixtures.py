@@ -15,7 +15,7 @@ def nothing_left_running() -> Iterator[None]:
     """Set up before and so ended after every other: what any test started has ended by then."""
     leftovers.mark()
     yield
-    assert not leftovers.left_running(15)
+    assert not leftovers.left_running()
 
 
 @pytest.fixture(scope="session")

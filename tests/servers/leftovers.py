@@ -5,6 +5,8 @@ import time
 
 import psutil
 
+from tests.servers.process import HANG_TIMEOUT
+
 MARK = "STARTED_BY_TESTS_OF"  # in the environment of whatever this process starts
 OURS = "multiprocessing.resource_tracker"  # Python's own; it ends with the process that runs the tests
 
@@ -14,9 +16,9 @@ def mark() -> None:
     os.environ[MARK] = str(os.getpid())
 
 
-def left_running(seconds: float) -> list[str]:
-    """Processes still running after so long, as pid and command; they are killed."""
-    end = time.monotonic() + seconds
+def left_running() -> list[str]:
+    """Processes that do not end by themselves, as pid and command; they are killed."""
+    end = time.monotonic() + HANG_TIMEOUT
     while (left := _marked()) and time.monotonic() < end:
         time.sleep(0.1)
     for process in left:

@@ -13,7 +13,7 @@ from urllib.parse import quote
 import psutil
 import psycopg
 
-from tests.servers.process import reserved_port
+from tests.servers.process import HANG_TIMEOUT, reserved_port
 from tests.servers.programs import find, unprivileged
 
 USER = "ridelab"
@@ -46,7 +46,7 @@ class Postgres:
         """The server's log so far."""
         return (self.folder / "log").read_text(errors="replace")
 
-    def start(self, seconds: float = 60) -> None:
+    def start(self) -> None:
         """Start, and wait until it answers; nothing where it runs already."""
         if self.running:
             return
@@ -54,7 +54,7 @@ class Postgres:
         command = [program("postgres"), "-D", str(self.folder / "data"), "-h127.0.0.1", f"-p{self.port}", *options]
         with (self.folder / "log").open("ab") as log:
             self._process = subprocess.Popen(command, cwd=self.folder, stdout=log, stderr=log, **self._as_user)
-        end = time.monotonic() + seconds
+        end = time.monotonic() + HANG_TIMEOUT
         while time.monotonic() < end and self.running:
             try:
                 self._connect().close()
@@ -68,7 +68,7 @@ class Postgres:
         """End it in order; open connections are closed."""
         if self._process is not None:
             self._process.send_signal(signal.SIGINT)
-            self._process.wait(60)
+            self._process.wait(HANG_TIMEOUT)
             self._process = None
 
     def kill(self) -> None:
@@ -116,7 +116,7 @@ class Postgres:
             user=USER,
             password=PASSWORD,
             dbname="postgres",
-            connect_timeout=5,
+            connect_timeout=int(HANG_TIMEOUT),
             autocommit=True,
         )
 
@@ -127,7 +127,7 @@ class Postgres:
         options = [f"--username={USER}", f"--pwfile={secret}", "--auth=scram-sha-256", "--encoding=UTF8", "--locale=C"]
         command = [program("initdb"), f"--pgdata={self.folder / 'data'}", "--no-sync", *options]
         done = subprocess.run(
-            command, cwd=self.folder, capture_output=True, text=True, timeout=120, check=False, **self._as_user
+            command, cwd=self.folder, capture_output=True, text=True, timeout=HANG_TIMEOUT, check=False, **self._as_user
         )
         if done.returncode != 0:
             raise RuntimeError(f"initdb failed:\n{done.stdout}{done.stderr}")

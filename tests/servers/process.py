@@ -16,6 +16,8 @@ import httpx
 import psutil
 
 ROOT = Path(__file__).parents[2]
+# The limit of every wait of every test [s]. It ends what hangs: a machine that is busy never reaches it.
+HANG_TIMEOUT = 120.0
 
 
 # For plain HTTP no certificate is needed; without this httpx reads all it knows for every request, 20 ms of a core.
@@ -36,20 +38,20 @@ def reserved_port() -> int:
     return int(holder.getsockname()[1])
 
 
-def request(method: str, url: str, *, timeout: float = 60, **options: Any) -> httpx.Response:
+def request(method: str, url: str, *, timeout: float = HANG_TIMEOUT, **options: Any) -> httpx.Response:
     """The answer to one request to a server of this machine."""
     return httpx.request(method, url, timeout=timeout, verify=_NO_CERTIFICATES, **options)
 
 
-def wait_until(condition: Callable[[], object], what: str, seconds: float = 60, *, pause: float = 0.05) -> None:
+def wait_until(condition: Callable[[], object], what: str, *, pause: float = 0.05) -> None:
     """Wait for it to hold; an OSError means not yet."""
-    end = time.monotonic() + seconds
+    end = time.monotonic() + HANG_TIMEOUT
     while time.monotonic() < end:
         with contextlib.suppress(OSError):
             if condition():
                 return
         time.sleep(pause)
-    raise TimeoutError(f"It took too long: {what}")
+    raise TimeoutError(f"It hangs: {what}")
 
 
 class Program:
@@ -109,16 +111,16 @@ class Program:
         """Let it be started again, where it was to stay dead."""
         self._may_live.set()
 
-    def terminate(self, seconds: float = 15, *, stays_dead: bool = False) -> int:
+    def terminate(self, *, stays_dead: bool = False) -> int:
         """End its process in order; its exit code. It is started again where it would be after a crash."""
         with self._lock:
             if stays_dead:
                 self._may_live.clear()
             process = self._process
         process.send_signal(signal.SIGTERM)
-        return process.wait(seconds)
+        return process.wait(HANG_TIMEOUT)
 
-    def end(self, seconds: float = 15) -> int | None:
+    def end(self) -> int | None:
         """End it in order, for good; returns its exit code, None where it had to be killed."""
         with self._lock:
             self._ended.set()
@@ -128,7 +130,7 @@ class Program:
         if self.running:
             self._process.send_signal(signal.SIGTERM)
         with contextlib.suppress(subprocess.TimeoutExpired):
-            code = self._process.wait(seconds)
+            code = self._process.wait(HANG_TIMEOUT)
         for process in left:
             with contextlib.suppress(psutil.NoSuchProcess):
                 process.kill()

@@ -46,7 +46,6 @@ SOURCES = (
     "backend/jobs/reproduction/work.py",
     "tests/servers/reproduction.py",
 )
-WAIT = 240.0  # for another test process that computes it [s]
 IN_ECU = f"{work.PREFIX}{paper.IN_ECU}"
 ROADS = range(1, paper.SEEDS + 1)
 
@@ -75,7 +74,7 @@ def rows() -> Any:
     """By key what a service stores for the page; computed where no test process of this checkout has done so yet."""
     path = FOLDER / f"reproduction-{digest()}.json"
     FOLDER.mkdir(exist_ok=True)
-    with FileLock(FOLDER / "reproduction.lock", timeout=WAIT):
+    with FileLock(FOLDER / "reproduction.lock"):  # while another test process computes it
         if not path.exists():
             for old in FOLDER.glob("reproduction-*"):
                 old.unlink()

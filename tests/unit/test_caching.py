@@ -1,12 +1,19 @@
 """The cache that runs share stays within its bytes, and large results are not cached."""
 
+import gc
+from types import FunctionType, ModuleType
+from typing import Any
+
 import numpy as np
+import pytest
+from numpy.typing import NDArray
 
 from sim_core import caching
 from sim_core.arrays import FloatArray
 from sim_core.caching import MEBIBYTE, Cache
-from sim_core.scenario import Mpc, Scenario, Vehicle
+from sim_core.scenario import Actuator, Estimation, Lqr, Mismatch, Mpc, Scenario, Vehicle
 from sim_core.simulate import simulate
+from sim_core.strategies import STRATEGIES
 
 
 def test_latest_results_are_cached_while_they_fit() -> None:
@@ -36,3 +43,48 @@ def test_runs_with_nothing_in_common_stay_within_the_limit() -> None:
         longest = Mpc(prediction_horizon=200, control_horizon=100 - number)
         simulate(Scenario(vehicle=Vehicle(body_mass=1000.0 + number), mpc=longest), "lv")
     assert caching.MAX_BYTES / 2 < caching.SHARED.size <= caching.MAX_BYTES
+
+
+def test_nobody_can_write_into_what_runs_share() -> None:
+    """Everything that the cached results of all strategies lead to, by the interpreter's own references."""
+    other = Scenario(
+        vehicle=Vehicle(rebound_ratio=2, tyre_lift_off=True),
+        actuator=Actuator(bandwidth=10),
+        estimation=Estimation(kind="kalman"),
+        mismatch=Mismatch(preview_noise=0.001, preview_resolution=0.05),
+        mpc=Mpc(preview="wheelbase"),
+        lqr=Lqr(preview="obstacle"),
+    )
+    for strategy in STRATEGIES:
+        simulate(Scenario(), strategy)
+        simulate(other, strategy)
+    shared = arrays_reached_from(caching.SHARED.results())
+    assert len(shared) > 100
+    assert not [array.shape for array in shared if array.flags.writeable]
+
+
+def arrays_reached_from(roots: list[object]) -> list[NDArray[Any]]:
+    ways, seen, found = [*roots], set[int](), []
+    while ways:
+        value = ways.pop()
+        if id(value) in seen or isinstance(value, type | ModuleType | FunctionType):
+            continue
+        seen.add(id(value))
+        if isinstance(value, np.ndarray):
+            found.append(value)
+            ways.append(value.base)
+        else:
+            ways += gc.get_referents(value)
+    return found
+
+
+def test_a_result_is_the_same_read_only_one_whether_it_is_cached_or_too_large() -> None:
+    @Cache(MEBIBYTE).cached
+    def make(length: int) -> dict[str, tuple[FloatArray, ...]]:
+        whole = np.zeros(length)
+        return {"whole and half": (whole, whole[: length // 2])}
+
+    for length in (10, MEBIBYTE):
+        for array in make(length)["whole and half"]:
+            with pytest.raises(ValueError, match="read-only"):
+                array[0] = 1

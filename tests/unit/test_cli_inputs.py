@@ -18,7 +18,7 @@ from ridelab.cli.names import Names
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
 from ridelab.cli.targets import find
-from sim_core.scenario import Scenario, dotted
+from sim_core.scenario import Estimation, Scenario, dotted
 from sim_core.simulate import simulate
 
 UNITS = {name: field.unit for name, field in dotted.fields().items()}
@@ -56,10 +56,32 @@ def test_changes_are_set_in_what_is_given(services: Services) -> None:
 
 
 @pytest.mark.parametrize(
+    ("road", "changes", "swept", "length"),
+    [
+        ({}, ["road.seed=2"], (), None),
+        ({"length": 130}, ["road.seed=2"], (), 130),
+        ({"length": 130}, ["road.profile=A"], (), None),
+        ({"length": 130}, ["road.profile=A", "road.length=90"], (), 90),
+        ({"profile": "A"}, ["road.seed=2"], (), None),
+        ({"profile": "A", "length": 60}, ["road.seed=2"], (), 60),
+        ({"length": 130}, [], ("road.profile",), None),
+        ({"length": 130}, [], ("road.profile", "road.length"), 130),
+        ({"length": 130}, ["road.seed=2"], ("road.seed",), 130),
+    ],
+)
+def test_a_measured_road_that_is_chosen_brings_its_length(
+    services: Services, road: dict[str, Any], changes: list[str], swept: tuple[str, ...], length: float | None
+) -> None:
+    """None is no length: the service's answer has the road's."""
+    assert fields.changed({"road": road}, changes, services, swept)["road"].get("length") == length
+
+
+@pytest.mark.parametrize(
     ("change", "said"),
     [
         ("road.bump.height=NaN", "road.bump.height: NaN is not a finite number"),
         ("road.bump.height=12 kg", "road.bump.height: 12 kg is not understood: it takes m, mm, cm, km, in or ft"),
+        ("road.bump.hight=12 cm", "road.bump.hight: there is no such name; perhaps road.bump.height"),
         ("road.bump.height", "--set takes FIELD=VALUE, and road.bump.height is no such pair"),
         ("road.bump.height=", "--set takes FIELD=VALUE, and road.bump.height= is no such pair"),
     ],
@@ -72,8 +94,8 @@ def test_changes_that_cannot_be_made_name_the_field(change: str, said: str, serv
 
 def test_sweeps() -> None:
     grid = {
-        "road.bump.height": ("5cm:0.15:5", [0.05, 0.075, 0.1, 0.125, 0.15]),
-        "road.bump.width": ("0.1, 50mm", [0.1, 0.05]),
+        "road.bump.height": ("5cm:150mm:5", [0.05, 0.075, 0.1, 0.125, 0.15]),
+        "road.bump.width": ("0, 10cm, 50mm", [0, 0.1, 0.05]),
         "road.seed": ("1:5:3", [1, 3, 5]),
         "mpc.preview": ("lookahead,none", ["lookahead", "none"]),
         "mpc.stage_weights.cruise": ("[8,1,1],[2,6,1]", [[8, 1, 1], [2, 6, 1]]),
@@ -81,7 +103,7 @@ def test_sweeps() -> None:
     parsed = fields.grid_of([f"{name}={text}" for name, (text, _) in grid.items()], UNITS)
     assert parsed == {name: values for name, (_, values) in grid.items()}
     assert all(isinstance(value, int) for value in parsed["road.seed"])
-    ranges = fields.ranges_of(["road.bump.height=5cm:0.1", "road.seed=1:9"], "--range", UNITS)
+    ranges = fields.ranges_of(["road.bump.height=5cm:10 cm", "road.seed=1:9"], "--range", UNITS)
     assert ranges == {"road.bump.height": [0.05, 0.1], "road.seed": [1, 9]}
 
 
@@ -102,6 +124,10 @@ def _range(specs: list[str]) -> object:
         (_grid, ["road.bump.height=0:1e999:3"], "1e999 is not a finite number"),
         (_grid, ["mpc.stage_weights.cruise=[8,NaN,1]"], "NaN is no number"),
         (_grid, ["road.seed=1", "road.seed=2"], "road.seed: given twice"),
+        (_grid, ["road.bump.height=0.05,60mm"], "road.bump.height: 0.05 and 60mm: give each number its unit, or none"),
+        (_grid, ["road.bump.width=2:120cm:3"], "road.bump.width: 2 and 120cm: give each number its unit"),
+        (_range, ["road.bump.width=2:120cm"], "road.bump.width: 2 and 120cm: give each number its unit"),
+        (_range, ["road.bump.hight=2cm:12cm"], "road.bump.hight: there is no such name; perhaps road.bump.height"),
         (_range, ["road.bump.height=1"], "a range is LOW:HIGH"),
     ],
 )
@@ -181,6 +207,12 @@ def test_comparing_files_needs_no_service(
         ("--tolerance-abs 1.5", 0),
         ("--strategy lv", 0),
         ("--metric bump.*,comfort.*", 0),
+        ("--metric bmp.*", 2),
+        ("--metric bump.*,bmp.*", 2),
+        ("--metric=", 2),
+        ("--tolerance comfrt.*=0.2", 2),
+        ("--tolerance-abs comfrt.*=9", 2),
+        ("--strategy=", 2),
         ("--worse", 1),
         ("--strategy lqr", 2),
         ("--tolerance travel_time=much", 2),
@@ -192,6 +224,8 @@ def test_comparing_files_needs_no_service(
     assert printed.out.endswith("Not worse beyond the tolerance: 140 metrics of passive, lv\n")
     said = printed.err
     assert "it has no lqr, only passive, lv" in said
+    assert "--metric: bmp.* fits no metric; their names begin with arrival_speed_kmh, bump, comfort, events," in said
+    assert "--strategy: it names nothing" in said
     assert "--tolerance: travel_time=much is neither a number from 0 on nor PATTERN=NUMBER" in said
     assert app.run(["compare", a, b, "--json"]) == 1
     comparison = json.loads(capsys.readouterr().out)
@@ -202,6 +236,29 @@ def test_comparing_files_needs_no_service(
     other["strategies"] = {**answer["strategies"], "lqr": answer["strategies"]["lv"]}
     Path(b).write_text(json.dumps(other), encoding="utf-8")
     assert [app.run(["compare", a, b, *words]) for words in ([], ["--worse"])] == [1, 0], "one strategy more"
+    other = {**copy(answer), "scenario": {**answer["scenario"], "road": {**answer["scenario"]["road"], "seed": 2}}}
+    Path(b).write_text(json.dumps(other), encoding="utf-8")
+    capsys.readouterr()
+    assert [app.run(["compare", a, b, *words]) for words in ([], ["--same-scenario"])] == [0, 1]
+    assert capsys.readouterr().out.endswith("The scenarios differ in 1 field\n")
+
+
+def test_what_core_0_3_0_saved_has_the_filter_it_had(
+    answer: dict[str, Any], services: Services, tmp_path: Path
+) -> None:
+    saved, file = copy(answer), tmp_path / "saved.json"
+    kalman = Estimation(kind="kalman").model_dump(mode="json", exclude={"knows_preview"})
+    stored: dict[str, Any]
+    for told, stored in ((False, kalman), (True, {**kalman, "knows_preview": True})):
+        saved["scenario"]["estimation"] = stored
+        for content in (saved, saved["scenario"]):  # as `run --json` prints it, and `tune --out` writes it
+            file.write_text(json.dumps(content), encoding="utf-8")
+            found = find(str(file), services)
+            assert found.scenario["estimation"] == {**stored, "knows_preview": told}
+            assert found.run is None or found.run.scenario == found.scenario
+    typed = {"estimation": {"kind": "kalman"}}
+    file.write_text(json.dumps(typed), encoding="utf-8")
+    assert find(str(file), services).scenario == typed, "what a person wrote is today's"
 
 
 @pytest.mark.parametrize(

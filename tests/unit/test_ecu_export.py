@@ -27,6 +27,7 @@ from sim_core.ecu.interface import Ecu, Frame, Reply
 from sim_core.ecu.sources import FLAGS, SOURCES
 from sim_core.scenario import Bump, Hil, Mpc, Road, Scenario, Speed
 from sim_core.simulate import simulate
+from tests.events import event
 
 SMALL = Scenario(
     road=Road(length=40, bump=Bump(start=20, width=3, height=0.09)),
@@ -64,7 +65,7 @@ def test_the_zip_builds_with_its_own_makefile_and_drives_bit_for_bit_like_ridela
     loaded = simulate(SMALL, "lv_hil", connected, calibration)
     assert exported.summary() == loaded.summary()
     assert all(np.array_equal(exported.series[key], loaded.series[key]) for key in loaded.series)
-    assert loaded.events["limited_steps"] > 5
+    assert event(loaded, "limited_steps") > 5
 
 
 def test_the_rest_of_ridelabs_program_compiles_without_a_warning_too(tmp_path: Path) -> None:

@@ -16,6 +16,7 @@ from sim_core.ecu.interface import Connect, Ecu, Frame, Reply
 from sim_core.result import StrategyResult
 from sim_core.scenario import Actuator, Bump, Hil, Mpc, Road, Scenario, Speed
 from sim_core.simulate import simulate
+from tests.events import event
 
 SHORT = Scenario(
     road=Road(length=12, bump=Bump(start=4, width=3, height=0.05)),
@@ -131,8 +132,8 @@ def test_noise_has_the_share_of_the_range_that_was_asked_for() -> None:
 
 def test_values_beyond_a_range_are_counted() -> None:
     wall = SHORT.model_copy(update={"road": Road(length=12, bump=Bump(start=4, width=0.2, height=0.5))})
-    assert simulate(wall, "lv_hil").events["ecu_clipped_values"] > 0
-    assert simulate(SHORT, "lv_hil").events["ecu_clipped_values"] == 0
+    assert event(simulate(wall, "lv_hil"), "ecu_clipped_values") > 0
+    assert event(simulate(SHORT, "lv_hil"), "ecu_clipped_values") == 0
 
 
 def test_the_actuators_limits_hold_between_control_steps_too() -> None:

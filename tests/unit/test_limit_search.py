@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim_core.study.limit_search import MAX_VALUES, Axis, bracket, next_indices, spans_over, turning_points
+from sim_core.study.limit_search import MAX_VALUES, Axis, alike, bracket, next_indices, spans_over, turning_points
 
 Function = Callable[[float], float]
 
@@ -49,6 +49,32 @@ def test_the_bracket_of_a_known_function(
     low: float, high: float, limit: float, function: Function, expected: tuple[float, float]
 ) -> None:
     assert solved(low, high, limit, function) == expected
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "limit", "share", "function", "expected"),
+    [
+        (0, 0.2, 5, 0.15, lambda x: 61.2 * x, 0.08),  # 0.0694 to 0.0940 are alike: steps of 0.01
+        (0, 0.2, 5, 0.07, lambda x: 61.2 * x, 0.081),  # 0.0760 to 0.0874
+        (0, 0.2, 5, 0.001, lambda x: 61.2 * x, 0.0816),  # all digits tried
+        (10, 60, 5, 0.15, lambda x: x**2 / 100, 22),  # 20.6 to 24.0
+        (10, 60, 5, 0.0, lambda x: x**2 / 100, 22.36),
+        (14, 60, 4.9, 0.9, lambda x: 4 + x / 20, 14),  # not below the range: nearly all of it is alike
+        (10, 60, 0.5, 0.15, lambda x: float(x > 31.237), 31.23),  # a jump
+        (10, 60, 1, 0.15, lambda x: 0.0 if x < 31.237 else math.inf, 31.23),
+        (-0.15, 0.2, -0.05, 0.2, lambda x: x, -0.05),  # -0.06 to -0.04
+        (-0.15, 0.2, -0.0512, 0.2, lambda x: x, -0.06),  # down, not towards 0
+    ],
+)
+def test_a_value_has_as_many_digits_as_the_metrics_resolution_leaves_it(
+    low: float, high: float, limit: float, share: float, function: Function, expected: float
+) -> None:
+    axis = Axis.of(low, high, whole=False)
+    bounds = search(axis, limit, function)
+    best, _ = bracket(axis, limit, bounds)
+    assert best is not None
+    first, last = alike(limit, bounds, best, share)
+    assert axis.resolved(best, last - first) == expected
 
 
 def test_whole_numbers_stay_whole_and_few_are_all_tried() -> None:

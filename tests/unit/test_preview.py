@@ -89,16 +89,17 @@ def test_a_run_without_those_figures_still_has_a_preview(strategies: dict[str, A
 
 
 def test_a_batch_tells_how_many_runs_over_what() -> None:
+    fields = [
+        {"name": "road.bump.height", "title": "Height", "unit": "m"},
+        {"name": "speed.target_speed_kmh", "title": "Target speed", "unit": "km/h"},
+    ]
     batch = {
         "state": "running",
         "total": 12000,
         "failed": 3,
         "strategies": ["lv", "passive"],
         "core_version": "0.1.0",
-        "fields": [
-            {"name": "road.bump.height", "title": "Height", "unit": "m"},
-            {"name": "speed.target_speed_kmh", "title": "Target speed", "unit": "km/h"},
-        ],
+        "fields": fields,
     }
     card = preview.of_batch(batch, WHEN)
     assert card.title == "12 000 runs over bump height × target speed"
@@ -106,7 +107,7 @@ def test_a_batch_tells_how_many_runs_over_what() -> None:
         "12 000 runs over bump height × target speed: LV control, Passive; running; 3 failed; "
         "Ridelab core 0.1.0, 2026-11-21"
     )
-    done = preview.of_batch({**batch, "state": "done", "failed": 0, "fields": batch["fields"] * 3}, WHEN)
+    done = preview.of_batch({**batch, "state": "done", "failed": 0, "fields": fields * 3}, WHEN)
     assert done.title.endswith("× …")
     assert "done" not in done.description
 

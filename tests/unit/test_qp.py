@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from sim_core.arrays import FloatArray
-from sim_core.control import mpc as mpc_module
 from sim_core.control.qp import SOLVERS, TOLERANCE, QpProblem, QpShape, QpSolver
-from sim_core.scenario import Bump, Mpc, Road, Scenario
+from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario
 from sim_core.simulate import simulate
+from tests.events import event
 
 
 def _problem(shape: QpShape, f: FloatArray, b: FloatArray) -> QpProblem:
@@ -79,23 +79,32 @@ class _Refusing(QpSolver):
 HARD = Scenario(road=Road(bump=Bump(height=0.14)), mpc=Mpc(deflection_limit=0.05, force_limit=2500))
 
 
+def test_limits_of_the_actuator_alone_need_no_qp() -> None:
+    """Forces and travel far from the controller's limits, changes of force slower than it asks for."""
+    result = simulate(
+        Scenario(actuator=Actuator(rate_limit=20_000), mpc=Mpc(force_limit=1e5, deflection_limit=1)), "lv"
+    )
+    assert event(result, "limited_steps") > 100
+    assert event(result, "qp_solves") == 0
+
+
 def test_the_other_solver_steps_in_and_is_counted(monkeypatch: pytest.MonkeyPatch) -> None:
     normal = simulate(HARD, "lv")
-    monkeypatch.setitem(mpc_module.SOLVERS, "daqp", _Refusing)
+    monkeypatch.setitem(SOLVERS, "daqp", _Refusing)
     fallen = simulate(HARD, "lv")
     assert normal.events["qp_fallbacks"] == 0
-    assert normal.events["qp_solves"] > 10
+    assert event(normal, "qp_solves") > 10
     assert fallen.events["qp_fallbacks"] == fallen.events["qp_solves"]
     assert fallen.events["qp_failures"] == 0
     assert fallen.series["front_force"] == pytest.approx(normal.series["front_force"], abs=0.1)
 
 
 def test_when_no_solver_answers_the_last_force_is_held_and_counted(monkeypatch: pytest.MonkeyPatch) -> None:
-    for name in list(mpc_module.SOLVERS):
-        monkeypatch.setitem(mpc_module.SOLVERS, name, _Refusing)
+    for name in list(SOLVERS):
+        monkeypatch.setitem(SOLVERS, name, _Refusing)
     result = simulate(HARD, "lv")
     assert result.events["qp_failures"] == result.events["qp_solves"]
-    assert result.events["qp_failures"] > 0
+    assert event(result, "qp_failures") > 0
     for name in ("front_force", "rear_force"):
         assert np.isfinite(result.series[name]).all()
         assert np.abs(result.series[name]).max() <= HARD.mpc.force_limit

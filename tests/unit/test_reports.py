@@ -174,7 +174,9 @@ def test_text_never_becomes_markup(outcomes: dict[str, ComputedResult]) -> None:
 
 
 def test_even_with_every_strategy_it_fits_into_a_mail(outcomes: dict[str, ComputedResult]) -> None:
+    assert outcomes["lv"].series is not None
+    long = np.tile(outcomes["lv"].series, 40)
     all_of_them = dict.fromkeys(STRATEGIES, outcomes["lv"])
-    longest = {name: replace(each, series=np.tile(each.series, 40)) for name, each in all_of_them.items()}
+    longest = {name: replace(each, series=long) for name, each in all_of_them.items()}
     content = report(facts(longest), compressed=False).content
     assert 1e6 <= len(content) <= 1.5e6

@@ -11,7 +11,8 @@ from sim_core.scenario import Scenario
 def _nested(path: str, value: Any) -> dict[str, Any]:
     for key in reversed(path.split(".")):
         value = {key: value}
-    return value
+    nested: dict[str, Any] = value
+    return nested
 
 
 @pytest.mark.parametrize(

@@ -3,6 +3,7 @@
 import math
 import subprocess
 import sys
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -16,11 +17,11 @@ from pydantic import ValidationError
 from backend.analysis import comparison, front, robustness
 from backend.analysis.measure import Aims, Failure
 from backend.analysis.objectives import StoredLimit, StoredObjective, UndefinedObjectiveError
+from backend.jobs.chunk import JobRow
 from backend.jobs.running_job import RunningJob
 from backend.jobs.tuning import space
 from backend.jobs.tuning.models import TuningRequest
 from backend.jobs.tuning.search import Search, ask
-from backend.store.job_runs import JobRow
 from backend.store.trials import StoredTrial
 from sim_core.scenario import Scenario, dotted
 from tests.api.test_job_store import BATCH
@@ -187,7 +188,7 @@ def test_an_uncertain_road_is_a_point_of_the_robustness_study_that_its_seed_name
 
 def test_a_quantile_over_the_roads_is_what_is_minimised() -> None:
     aims = replace(AIMS, quantile=0.9)
-    runs = {seed: {"objectives.0": float(seed)} for seed in range(1, 12)}
+    runs: dict[int, Mapping[str, float] | Failure] = {seed: {"objectives.0": float(seed)} for seed in range(1, 12)}
     assert aims.trial(0, 0, {}, runs).values == [10.0]
     assert AIMS.trial(0, 0, {}, runs).values == [6.0]
     compared = comparison.compared([trial(0, 10.0)], {0: ["paper"]}, {0: runs}, [*range(1, 12)], [1, 2], aims)

@@ -1,15 +1,21 @@
 """The cost of a run: bounds that hold, an estimate that grows with the work, and an end where it is too much."""
 
 import pickle
+import subprocess
+import sys
+from contextlib import nullcontext
+from math import inf
 
 import pytest
 
+from sim_core import workload
+from sim_core.binding_limits import LimitShares
 from sim_core.control import mpc as mpc_module
 from sim_core.errors import TooExpensiveError
-from sim_core.scenario import Brake, Bump, Mpc, Road, Scenario, Speed
+from sim_core.scenario import Brake, Bump, Estimation, Mpc, Road, Scenario, Speed
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
-from sim_core.workload import duration, estimate
+from sim_core.workload import SECONDS, check_affordable, duration, estimate, memory, work
 
 AT_LIMITS = Scenario(road=Road(bump=Bump(height=0.14)), mpc=Mpc(solver="osqp", deflection_limit=0.03, force_limit=1500))
 ENDLESS = Scenario(
@@ -62,13 +68,36 @@ def test_a_run_with_too_many_steps_ends_before_it_begins(strategy: str) -> None:
         assert estimate(ENDLESS, strategy) < 1
 
 
+@pytest.mark.parametrize("factor", [0.0, 1e6])
+def test_seconds_fitted_anew_refuse_and_accept_the_same_runs(factor: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(workload, "SECONDS", {unit: factor * value for unit, value in SECONDS.items()})
+    monkeypatch.setattr(workload, "MAX_BYTES", inf)  # its own test is below
+    at_the_limit = ENDLESS.model_copy(update={"mpc": Mpc(sample_time=0.002, prediction_horizon=130)})
+    beyond_it = ENDLESS.model_copy(update={"mpc": Mpc(sample_time=0.002, prediction_horizon=131)})
+    for scenario, strategy, refused in (
+        (at_the_limit, "lv", False),
+        (beyond_it, "lv", True),
+        (Scenario(), "lv_hil", False),
+        (ENDLESS, "lv_hil", True),
+    ):
+        with pytest.raises(TooExpensiveError) if refused else nullcontext():
+            check_affordable(scenario, STRATEGIES[strategy], 540.0)
+
+
+def test_work_is_counted_in_whole_steps_and_an_ecu_has_none_at_a_limit() -> None:
+    always = LimitShares(limited=1.0)
+    assert work(Scenario(), STRATEGIES["lv"], 20.0, always)["limited steps"] == 2000
+    counts = work(Scenario(), STRATEGIES["lv_hil"], 20.0, always)
+    assert (counts["exchanges"], counts["limited steps"]) == (2000, 0)
+
+
 def test_a_run_whose_qps_take_too_much_ends_at_the_same_qp_each_time(monkeypatch: pytest.MonkeyPatch) -> None:
     whole = simulate(AT_LIMITS, "lv").events["qp_solves"]
     assert whole is not None
     monkeypatch.setattr(mpc_module, "MAX_EFFORT", 0.05)
     solved = []
     for _ in range(2):
-        counted = []
+        counted = list[int]()
         step = mpc_module.MpcController.step
 
         def counting(*arguments: object, step: object = step, counted: list[int] = counted) -> object:
@@ -84,3 +113,50 @@ def test_a_run_whose_qps_take_too_much_ends_at_the_same_qp_each_time(monkeypatch
     assert refused.value.fields[0] == "mpc.solver"
     sent = pickle.loads(pickle.dumps(refused.value))  # noqa: S301 - our own, as between processes
     assert (sent.message, sent.fields) == (refused.value.message, refused.value.fields)
+
+
+MEASURE = """
+import pathlib, re, sys
+from sim_core.scenario import Scenario
+from sim_core.simulate import simulate
+
+def most():
+    return 1024 * int(re.search(r"VmHWM:\\s+(\\d+)", pathlib.Path("/proc/self/status").read_text())[1])
+
+scenario = Scenario.model_validate_json(sys.argv[1])
+simulate(scenario.model_copy(update={"road": scenario.road.model_copy(update={"length": 100})}), sys.argv[2])
+before = most()
+simulate(scenario, sys.argv[2])
+print(most() - before)
+"""
+
+
+@pytest.mark.parametrize(
+    ("strategy", "mpc", "more"),
+    [
+        ("passive", Mpc(), {}),
+        ("lqr", Mpc(sample_time=0.002), {"estimation": Estimation(kind="kalman")}),
+        ("lv", Mpc(prediction_horizon=100, preview="none"), {}),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)
+def test_a_run_takes_no_more_memory_than_is_reckoned(strategy: str, mpc: Mpc, more: dict[str, Estimation]) -> None:
+    """In a process of its own, whose peak the system knows; other runs' caches take 48 MiB at most."""
+    scenario = Scenario(
+        road=Road(length=600, bump=Bump(start=60)),
+        speed=Speed(initial_speed_kmh=5, target_speed_kmh=5),
+        mpc=mpc,
+        **more,  # type: ignore[arg-type]  # as the field has it
+    )
+    reckoned = memory(scenario, STRATEGIES[strategy], duration(scenario, strategy))
+    assert reckoned > 8e7, "enough to be told from what any run takes"
+    command = [sys.executable, "-c", MEASURE, scenario.model_dump_json(), strategy]
+    measured = int(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    assert 0.4 * reckoned < measured < 1.05 * reckoned + 2e7
+
+
+def test_a_run_that_takes_too_much_memory_is_refused_and_the_longest_walk_is_not() -> None:
+    walk = Scenario(road=Road(length=3000), speed=Speed(initial_speed_kmh=5, target_speed_kmh=5))
+    check_affordable(walk, STRATEGIES["passive"], duration(walk, "passive"))
+    with pytest.raises(TooExpensiveError):
+        check_affordable(walk, STRATEGIES["passive"], 1.1 * duration(walk, "passive"))

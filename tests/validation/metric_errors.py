@@ -4,7 +4,7 @@
 """
 
 import multiprocessing
-import sys
+from functools import partial
 
 from sim_core.scenario import Road, Scenario
 from sim_core.simulate import simulate
@@ -30,25 +30,29 @@ ROWS = {
 }
 
 
-def _errors(task: tuple[str, int]) -> tuple[str, dict[str, float]]:
-    strategy, seed = task
-    scenario = Scenario(road=Road(seed=seed))
-    return strategy, errors(scenario, strategy, simulate(scenario, strategy))
+def errors_of(strategy: str, scenarios: list[Scenario]) -> list[dict[str, float]]:
+    """Of each scenario the errors of its metrics, computed in two processes."""
+    with multiprocessing.get_context("spawn").Pool(2) as pool:
+        return pool.map(partial(_errors, strategy), scenarios, chunksize=5)
+
+
+def _errors(strategy: str, scenario: Scenario) -> dict[str, float]:
+    return errors(scenario, strategy, simulate(scenario, strategy))
 
 
 def main() -> None:
     """Print it: the mean size of the errors, then the largest."""
-    with multiprocessing.get_context("spawn").Pool(2) as pool:
-        errors = pool.map(_errors, [(strategy, seed) for strategy in STRATEGIES for seed in SEEDS], chunksize=5)
+    roads = [Scenario(road=Road(seed=seed)) for seed in SEEDS]
+    by_strategy = {name: errors_of(name, roads) for name in STRATEGIES}
     print("| % off, mean (worst road) |", " | ".join(f"`{name}`" for name in STRATEGIES), "|")
     print("|---|" + "---:|" * len(STRATEGIES))
     for label, keys in ROWS.items():
         cells = []
         for name in STRATEGIES:
-            sizes = [abs(each[key]) * 100 for strategy, each in errors if strategy == name for key in keys]
+            sizes = [abs(each[key]) * 100 for each in by_strategy[name] for key in keys]
             cells.append(f"{sum(sizes) / len(sizes):.2f} ({max(sizes):.2f})" if max(sizes) else "")
         print(f"| {label} | " + " | ".join(cells) + " |")
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -5,9 +5,10 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from sim_core.scenario import Actuator, Bump, Lqr, Mpc, Road, Scenario, Speed
+from sim_core.scenario import Actuator, Bump, Lqr, Mpc, Preview, Road, Scenario, Speed
 from sim_core.scenario.presets import preset
 from sim_core.simulate import simulate
+from tests.events import event
 from tests.validation.reference.loop import drive
 from tests.validation.reference.vehicle import OUTPUTS
 
@@ -40,11 +41,11 @@ ROAD = Road(length=120, seed=7)
 FREE = Mpc(force_limit=1e6, deflection_limit=1.0)  # no limit binds
 
 
-def difference(scenario: Scenario, strategy: str, *, always: bool = False) -> tuple[float, int]:
+def difference(scenario: Scenario, strategy: str) -> tuple[float, int]:
     """Largest difference of any output or force, each relative to its own peak; and the steps at a limit."""
     law, weighting = LAWS[strategy]
     result = simulate(scenario, strategy)
-    trace = drive(scenario, result, weighting(scenario), law=law, always=always)
+    trace = drive(scenario, result, weighting(scenario), law=law)
     recorded = trace.fine_time > -1e-9
     count = min(recorded.sum(), len(result.series["time"]))
     theirs = np.array([result.series[name] for name in (*OUTPUTS, "front_force", "rear_force")])[:, :count]
@@ -53,12 +54,12 @@ def difference(scenario: Scenario, strategy: str, *, always: bool = False) -> tu
     rows = slice(None) if scenario.actuator.bandwidth is None else slice(len(OUTPUTS))  # commands are not on record
     gap = np.abs(mine - theirs).max(axis=1) / np.abs(theirs).max(axis=1)
     assert count > 0.95 * len(result.series["time"])
-    return float(gap[rows].max()), int(result.events["limited_steps"])
+    return float(gap[rows].max()), int(event(result, "limited_steps"))
 
 
 @pytest.mark.parametrize("preview", ["lookahead", "wheelbase", "none"])
 @pytest.mark.parametrize("strategy", ["lv", "suspension_only"])
-def test_without_a_limit_the_runs_are_the_same(strategy: str, preview: str) -> None:
+def test_without_a_limit_the_runs_are_the_same(strategy: str, preview: Preview) -> None:
     """Linear all through: what is left is rounding, and the road plan's samples (1e-6)."""
     scenario = Scenario(road=ROAD, mpc=FREE.model_copy(update={"preview": preview}))
     gap, limited = difference(scenario, strategy)
@@ -72,7 +73,7 @@ def test_lqr_is_the_same() -> None:
 
 @pytest.mark.parametrize("preview", ["lookahead", "wheelbase", "none"])
 @pytest.mark.parametrize("strategy", ["lv", "suspension_only"])
-def test_the_papers_scenario_with_its_limits(strategy: str, preview: str) -> None:
+def test_the_papers_scenario_with_its_limits(strategy: str, preview: Preview) -> None:
     """DAQP's active set is exact and the interior-point reference polishes to 1e-10: 1e-6 of the peak is left."""
     scenario = Scenario(mpc=Mpc(preview=preview))
     gap, _ = difference(scenario, strategy)

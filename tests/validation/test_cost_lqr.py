@@ -1,10 +1,13 @@
 """The normalised cost and the regulator against a frequency-domain σ and a Riccati equation set up from scratch."""
 
+from typing import Any
+
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import example, given, settings
+from numpy.typing import NDArray
 
 from sim_core.control.cost import KILO, CostTerms, passive_rms, stage_cost
-from sim_core.control.lqr import regulator
+from sim_core.control.lqr import Regulator, regulator
 from sim_core.scenario import Vehicle
 from tests.validation.reference.sampled import (
     cost_to_go,
@@ -15,10 +18,19 @@ from tests.validation.reference.sampled import (
     to_deflections,
     weights,
 )
-from tests.validation.reference.vehicle import state_space, stationary_rms
+from tests.validation.reference.vehicle import StateSpace, state_space, stationary_rms
 from tests.validation.strategies import between, vehicles
 
 PAPER_SPEED = 50 / 3.6
+# Where six points of quadrature, used at first, were a thousandth off.
+LIGHT_AND_HARD = Vehicle(
+    body_mass=300,
+    front_wheel_mass=20,
+    rear_wheel_mass=20,
+    front_damping=10_000,
+    rear_damping=10_000,
+    front_tyre_stiffness=500_000,
+)
 
 
 def terms(car: Vehicle, sample_time: float, q: tuple[float, float, float], travel: float) -> CostTerms:
@@ -50,7 +62,7 @@ def test_sigma_equals_the_integral_over_frequency(car: Vehicle, speed: float) ->
 def stage_costs(car: Vehicle, sample_time: float) -> tuple[np.ndarray, np.ndarray]:
     """The core's quadratic form and the reference's on the same z, both scaled to the reference's unit diagonal."""
     model = state_space(car)
-    mine = mean_cost(model, weights(car, (8, 1, 2), 3, 0.08, PAPER_SPEED), sample_time, 1e-9, *gauss(16))
+    mine = mean_cost(model, weights(car, (8, 1, 2), 3, 0.08, PAPER_SPEED), sample_time, 1e-9, *gauss(40))
     theirs = stage_cost(terms(car, sample_time, (8, 1, 2), 3))
     # w = (x, u, z_start, z_end, a) of the reference in terms of z = (state, u [kN], road velocity, a), road at 0.
     change = np.zeros((15, 13))
@@ -63,21 +75,19 @@ def stage_costs(car: Vehicle, sample_time: float) -> tuple[np.ndarray, np.ndarra
     return theirs / np.outer(scale, scale), expected / np.outer(scale, scale)
 
 
-def test_papers_stage_cost_is_the_mean_of_the_outputs_over_the_interval() -> None:
-    """Six Gauss points are exact to 1e-7 for the paper's car, whose fastest pole moves 1 rad in an interval."""
-    theirs, mine = stage_costs(Vehicle(), 0.01)
+@settings(max_examples=15)
+@given(vehicles, between(0.005, 0.02))
+@example(Vehicle(), 0.01)
+@example(LIGHT_AND_HARD, 0.02)
+def test_stage_cost_is_the_mean_of_the_outputs_over_the_interval(car: Vehicle, sample_time: float) -> None:
+    """Every entry for any car; the tolerance is rounding's share where the fastest pole moves 10 rad in an interval."""
+    theirs, mine = stage_costs(car, sample_time)
     np.testing.assert_allclose(theirs, mine, atol=1e-7)
 
 
-@settings(max_examples=15)
-@given(vehicles, between(0.005, 0.02))
-def test_stage_cost_is_the_mean_of_the_outputs_over_the_interval(car: Vehicle, sample_time: float) -> None:
-    """Every entry for any car. Poles that move 10 rad in an interval (light wheel, hard damper) leave it 0.3 %."""
-    theirs, mine = stage_costs(car, sample_time)
-    np.testing.assert_allclose(theirs, mine, atol=3e-3)
-
-
-def design(car: Vehicle, sample_time: float, q: tuple[float, float, float], travel: float):
+def design(
+    car: Vehicle, sample_time: float, q: tuple[float, float, float], travel: float
+) -> tuple[Regulator, StateSpace, NDArray[np.floating[Any]]]:
     """The core's regulator and the reference's model and cost for the same wishes."""
     theirs = regulator(terms(car, sample_time, q, travel))
     model = state_space(car)

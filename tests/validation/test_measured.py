@@ -41,7 +41,7 @@ def test_heights_are_straight_between_those_given() -> None:
 
 
 @settings(max_examples=30)
-@given(st.lists(st.floats(-3, 3), min_size=600, max_size=700))
+@given(st.lists(st.floats(-3, 3), min_size=1, max_size=100))
 def test_heights_survive_packing_to_a_micrometre_and_equal_ones_have_one_id(values: list[float]) -> None:
     heights = np.array(values)
     road = MeasuredRoad.of(heights)
@@ -104,6 +104,28 @@ def test_without_its_heights_or_beyond_its_end_a_road_is_refused_at_its_field() 
         with pytest.raises(RidelabError) as caught:
             simulate(scenario, "passive")
         assert caught.value.field == field
+
+
+@pytest.mark.parametrize("length", [120.0, 200.0])
+def test_without_a_length_a_scenario_ends_with_its_measured_road(length: float) -> None:
+    road = measured_on(Road(bump=Bump(height=0)), length=length)
+    end = {"start": length - 10, "width": 4.0}  # beyond the 150 m of a made road too
+    scenario = Scenario.model_validate({"road": {"profile": road.id, "bump": end}}).on(road)
+    result = simulate(scenario, "passive")
+    assert result.series["position"][-1] == pytest.approx(length, abs=0.02)
+    assert scenario.identity()["road"]["length"] == scenario.model_dump(mode="json")["road"]["length"] == length
+    given = Scenario.model_validate({"road": {"profile": road.id, "length": length, "bump": end}}).on(road)
+    assert given == scenario
+    assert scenario.on(road) == scenario
+    stored = Scenario.model_validate(Scenario(road=Road(profile=road.id, length=110)).model_dump(mode="json"))
+    assert stored.on(road).road.length == 110
+
+
+def test_a_bump_behind_the_end_of_a_measured_road_is_refused_at_its_field() -> None:
+    road = measured_on(Road(bump=Bump(height=0)), length=80)
+    with pytest.raises(RidelabError, match="The bump must end before the road does") as caught:
+        Scenario(road=Road(profile=road.id)).on(road)
+    assert caught.value.field == "road.bump.start"
 
 
 def test_a_scenario_carries_its_road_to_another_process_and_to_other_seeds() -> None:

@@ -6,9 +6,10 @@ import pytest
 from sim_core.car import road
 from sim_core.drive.preview import preview_windows
 from sim_core.drive.sampling import sample_road
-from sim_core.drive.sensed_road import ExpectedErrors, trusted
+from sim_core.drive.sensed_road import ExpectedErrors, sensed_road, trusted
 from sim_core.drive.speed_profile import drive
 from sim_core.scenario import Actuator, Bump, Lqr, Mismatch, Mpc, Preview, Road, Scenario, Speed, Vehicle
+from sim_core.scenario.parts import StageWeights
 from sim_core.simulate import simulate
 from sim_core.strategies import SpeedPolicy
 
@@ -85,7 +86,20 @@ def test_resolution_averages_the_road() -> None:
     exact, blurred = windows(Mismatch(), wave), windows(Mismatch(preview_resolution=0.4), wave)
     inside = slice(np.flatnonzero(exact[:, 0])[0] + 20, np.flatnonzero(exact[:, 0])[-1] - 20)
     share = blurred[inside, 0].std() / exact[inside, 0].std()
-    assert share == pytest.approx(np.sinc(0.41 / 1), rel=0.02)  # 41 samples 10 mm apart
+    assert share == pytest.approx(np.sinc(0.4 / 1), rel=0.01)  # over a control step the road is straight
+
+
+@pytest.mark.parametrize("resolution", [1e-9, 0.004, 0.01, 0.03, 0.035, 0.05, 0.1, 2.0])
+def test_resolution_averages_over_its_true_length(resolution: float) -> None:
+    """The mean of |x| over a length L about x is L/4 + x²/L within L/2 of the kink, and |x| beyond."""
+    x = road.GRID * np.arange(-400, 401)
+    roof = road.rough_profile(np.abs(x), Bump(height=0))
+    errors = Mismatch(preview_resolution=resolution)
+    sensed = sensed_road(roof, Road(), errors, ExpectedErrors(), obstacle_alone=False).roughness
+    within = np.abs(x) < resolution / 2
+    expected = np.where(within, resolution / 4 + x**2 / resolution, np.abs(x))
+    inner = slice(110, -110)  # beyond its ends the road is level
+    np.testing.assert_allclose(sensed[inner], expected[inner], atol=1e-12)
 
 
 def test_obstacle_is_the_bump_without_the_roughness() -> None:
@@ -126,15 +140,16 @@ def test_the_more_offset_is_expected_the_less_of_the_short_waves_is_trusted() ->
 
 def test_preview_lqr_is_the_mpc_without_limits() -> None:
     """With Nc = Np, no Δu weight and limits out of reach, MPC and LQR with the same preview command the same forces."""
-    free = {"deflection_limit": 1.0, "force_limit": 1e6, "deflection_weight": 3.0}
     scenario = SHORT.model_copy(
         update={
             "mpc": Mpc(
-                **free,
+                deflection_limit=1.0,
+                force_limit=1e6,
+                deflection_weight=3.0,
                 prediction_horizon=25,
                 control_horizon=25,
                 force_change_weight=0,
-                stage_weights={"cruise": (2, 1, 3), "brake": (2, 1, 3), "bump": (2, 1, 3)},
+                stage_weights=StageWeights(cruise=(2, 1, 3), brake=(2, 1, 3), bump=(2, 1, 3)),
             ),
             "lqr": Lqr(weights=(2, 1, 3), preview="lookahead", preview_horizon=25),
         }

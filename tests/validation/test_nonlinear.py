@@ -9,6 +9,7 @@ from sim_core.drive.speed_profile import drive
 from sim_core.scenario import Actuator, Bump, Hil, Mismatch, Road, Scenario, Vehicle
 from sim_core.simulate import simulate
 from sim_core.strategies import strategy_named
+from tests.events import event
 from tests.validation.reference import adaptive
 from tests.validation.strategies import examples
 
@@ -44,7 +45,7 @@ def test_metrics_are_an_adaptive_solvers() -> None:
             actuator=Actuator(bandwidth=10.0 if i % 4 == 3 else None),
         )
         runs.append(adaptive.run(scenario, ("suspension_only", "passive")[i % 2]))
-    assert sum(run.result.events["airborne_ms"] > 0 for run in runs) >= len(runs) / 2
+    assert sum(event(run.result, "airborne_ms") > 0 for run in runs) >= len(runs) / 2
     stops = [run.scenario.vehicle.bump_stop_clearance or 0.0 for run in runs]
     travels = [run.result.metrics["whole"]["front_deflection"]["peak"] for run in runs]
     assert sum(travel > stop for travel, stop in zip(travels, stops, strict=True)) > len(runs) / 2
@@ -107,7 +108,7 @@ def test_a_tyre_that_lifts_off_never_pulls() -> None:
     for axle, static in zip(("front", "rear"), Vehicle().static_loads, strict=True):
         assert pulls.series[f"{axle}_tyre_load"].min() < -static
         assert lifts.series[f"{axle}_tyre_load"].min() == -static
-        assert lifts.events[f"{axle}_airborne_ms"] > 0
+        assert event(lifts, f"{axle}_airborne_ms") > 0
         assert lifts.metrics["bump"][f"{axle}_tyre_load"]["peak"] != pulls.metrics["bump"][f"{axle}_tyre_load"]["peak"]
 
 

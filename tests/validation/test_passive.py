@@ -7,6 +7,7 @@ from hypothesis import given, settings
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.scenario import Bump, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.presets import preset
+from sim_core.scenario.road import BumpShape
 from sim_core.simulate import simulate
 from tests.validation.reference.bump import crossing, peaks
 from tests.validation.reference.vehicle import OUTPUTS, road_response, state_space
@@ -42,7 +43,7 @@ def test_peaks_of_any_car_bump_and_speed(car: Vehicle, bump: Bump, speed_kmh: fl
 
 
 @pytest.mark.parametrize("shape", ["cosine", "circular", "flat_top"])
-def test_whole_time_history_over_the_bump(shape: str) -> None:
+def test_whole_time_history_over_the_bump(shape: BumpShape) -> None:
     """Every sample, not peaks alone; 0.5 % of the peak, for the reference is read at the neighbouring instant."""
     bump = Bump(shape=shape)
     result = simulate(smooth_scenario(Vehicle(), bump, 50), "passive")

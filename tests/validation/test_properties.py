@@ -7,7 +7,9 @@ from hypothesis import strategies as st
 
 from backend.ecu.drive import simulate  # as the service does it: an ECU is its C program
 from sim_core.scenario import Actuator, Bump, Lqr, Mpc, Road, Scenario, Speed, Vehicle
+from sim_core.scenario.parts import RoadWeights, StageWeights
 from sim_core.strategies import STRATEGIES
+from tests.events import event
 from tests.validation.strategies import between, bumps, examples, scenarios, vehicles
 
 ACTIVE = ["lv", "suspension_only", "lqr"]
@@ -17,16 +19,16 @@ ACTIVE = ["lv", "suspension_only", "lqr"]
 @given(scenarios, st.sampled_from(list(STRATEGIES)))
 def test_any_run_is_finite_and_keeps_or_reports_its_limits(scenario: Scenario, strategy: str) -> None:
     result = simulate(scenario, strategy)
-    series, events, mpc = result.series, result.events, scenario.mpc
+    series, mpc = result.series, scenario.mpc
     for name, values in series.items():
         assert np.isfinite(values).all(), name
     forces = max(np.abs(series["front_force"]).max(), np.abs(series["rear_force"]).max())
     assert forces <= mpc.force_limit
-    assert events["qp_failures"] == 0 or strategy == "lv_hil"  # whose iterations are bounded
-    assert events["qp_fallbacks"] <= events["qp_solves"] <= events["limited_steps"]
+    assert event(result, "qp_failures") == 0 or strategy == "lv_hil"  # whose iterations are bounded
+    assert event(result, "qp_fallbacks") <= event(result, "qp_solves") <= event(result, "limited_steps")
     largest = max(np.abs(series["front_deflection"]).max(), np.abs(series["rear_deflection"]).max())
     # Metrics may find a little more than the histories have: their windows end between samples.
-    exceeded, beyond = events["travel_exceeded_mm"] / 1000, max(0.0, largest - mpc.deflection_limit)
+    exceeded, beyond = event(result, "travel_exceeded_mm") / 1000, max(0.0, largest - mpc.deflection_limit)
     assert beyond <= exceeded + 1e-12 <= beyond + 0.01 * largest
     for window in result.metrics.values():
         for statistics in window.values():
@@ -44,7 +46,7 @@ def test_known_road_and_enough_force_hold_the_travel_or_say_so(car: Vehicle, bum
     # Within a hundredth: the prediction takes the road as linear over 10 ms, and a trapezoid's kinks lie within.
     for axle in ("front", "rear"):
         at_instants = np.abs(result.series[f"{axle}_deflection"][::stride]).max()
-        assert at_instants <= 0.08 * 1.01 or result.events["max_slack_mm"] > 0.05
+        assert at_instants <= 0.08 * 1.01 or event(result, "max_slack_mm") > 0.05
 
 
 @settings(max_examples=examples(25))
@@ -112,8 +114,8 @@ EXTREME = {
     "one weight": Scenario(
         mpc=Mpc(
             deflection_weight=0,
-            stage_weights={"cruise": (0, 0, 1), "brake": (0, 1, 0), "bump": (1, 0, 0)},
-            road_weights={"rough": (0, 1, 0), "bump": (0, 0, 1)},
+            stage_weights=StageWeights(cruise=(0, 0, 1), brake=(0, 1, 0), bump=(1, 0, 0)),
+            road_weights=RoadWeights(rough=(0, 1, 0), bump=(0, 0, 1)),
         ),
         lqr=Lqr(weights=(1, 0, 0), deflection_weight=0),
     ),
@@ -151,11 +153,12 @@ def test_any_weights_make_a_loop_that_settles(
     car: Vehicle, weights: tuple[float, float, float], travel: float, strategy: str
 ) -> None:
     """On a smooth road the tyre loads after the bump are no larger than while crossing it: nothing rings up."""
-    stages = {"cruise": weights, "brake": weights, "bump": weights}
+    stages = StageWeights(cruise=weights, brake=weights, bump=weights)
+    roads = RoadWeights(rough=weights, bump=weights)
     scenario = Scenario(
         vehicle=car,
         road=Road(roughness=0, length=130, bump=Bump(start=50)),
-        mpc=Mpc(deflection_weight=travel, stage_weights=stages, road_weights={"rough": weights, "bump": weights}),
+        mpc=Mpc(deflection_weight=travel, stage_weights=stages, road_weights=roads),
         lqr=Lqr(weights=weights, deflection_weight=travel),
     )
     series = simulate(scenario, strategy).series

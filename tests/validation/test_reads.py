@@ -11,7 +11,7 @@ import pytest
 
 from backend.ecu.drive import simulate  # as the service does it: an ECU is its C program
 from sim_core.result import StrategyResult
-from sim_core.scenario import Bump, Hil, Lqr, Mpc, Road, Scenario, Speed, Vehicle
+from sim_core.scenario import Bump, Estimation, Hil, Lqr, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.strategies import STRATEGIES, part_read
 
@@ -116,6 +116,7 @@ SILENT = {
     ("estimation", "acceleration_noise"),  # the state is told exactly
     ("estimation", "deflection_noise"),
     ("estimation", "pitch_rate_noise"),
+    ("estimation", "knows_preview"),
 }
 
 
@@ -134,6 +135,17 @@ def test_fields_read_change_the_key_and_the_result(strategy: str) -> None:
     only_braking = {f"vehicle.{name}" for name in ("cg_height", "anti_dive", "anti_lift", "front_brake_share")}
     allowed = only_braking if STRATEGIES[strategy].speed != "planned" else set()
     assert set(silent) <= allowed
+
+
+@pytest.mark.parametrize("strategy", STRATEGIES)
+def test_whether_the_filter_knows_the_preview_is_read_by_those_who_look_ahead(strategy: str) -> None:
+    told, untold = (
+        BASE.model_copy(update={"estimation": Estimation(kind="kalman", knows_preview=each)}) for each in (True, False)
+    )
+    looks_ahead = is_read(strategy, ("mismatch", "preview_offset"))
+    assert is_read(strategy, ("estimation", "knows_preview")) == looks_ahead
+    assert (part_read(told, strategy) == part_read(untold, strategy)) == (not looks_ahead)
+    assert same(simulate(told, strategy), simulate(untold, strategy)) == (not looks_ahead)
 
 
 @pytest.mark.parametrize("strategy", STRATEGIES)

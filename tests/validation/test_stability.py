@@ -5,9 +5,11 @@ import pytest
 from scipy.linalg import expm
 
 from sim_core.car.half_car import half_car
-from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario, Speed
+from sim_core.scenario import Actuator, Bump, Estimation, Mismatch, Road, Scenario, Speed
 from sim_core.simulate import simulate
 from sim_core.study.stability import damping, least_damping
+
+TOLD, UNTOLD = Estimation(kind="kalman"), Estimation(kind="kalman", knows_preview=False)
 
 
 @pytest.mark.parametrize("ratio", [-0.3, 0.0, 0.2, 0.95])
@@ -61,3 +63,16 @@ def test_a_small_disturbance_grows_where_the_loop_is_unstable(
     ratio = least_damping(scenario, name)
     assert ratio is not None
     assert (late > early or late > 1000) == (ratio < 0)
+
+
+def test_margins_are_judged_with_the_filter_that_drives() -> None:
+    """On a rougher road the filter trusts its sensors more, and the loop's margin is another."""
+    noisy = Estimation(kind="kalman", deflection_noise=0.01)
+    judged = [
+        least_damping(Scenario(estimation=noisy, mismatch=Mismatch(body_mass=0.5), road=Road(roughness=each)), "lqr")
+        for each in (64e-6, 1024e-6)
+    ]
+    assert judged[0] != pytest.approx(judged[1], rel=0.01)
+    light = Scenario(mismatch=Mismatch(body_mass=0.5))
+    told, untold = (least_damping(light.model_copy(update={"estimation": each}), "lv") for each in (TOLD, UNTOLD))
+    assert told != pytest.approx(untold, rel=0.01)

@@ -115,15 +115,16 @@ class PaperRows:
     async def _wait(self, job: StoredJob) -> str | None:
         """Wait for the job's end while telling the scheduler that somebody waits; why one of its runs failed."""
         noted = time.monotonic()
-        while True:
-            commits = self._store.commits.count
-            now = await self._store.read(self._store.jobs.load, job.id)
-            if now is None or now.state in FINAL:
-                break
-            if time.monotonic() - noted > LINGER / 4:
-                noted = time.monotonic()
-                await self._note(job)
-            await self._store.commits.wait_beyond(commits, LOOK)
+        with self._store.commits.following(job.id) as changes:
+            while True:
+                changes.clear()
+                now = await self._store.read(self._store.jobs.load, job.id)
+                if now is None or now.state in FINAL:
+                    break
+                if time.monotonic() - noted > LINGER / 4:
+                    noted = time.monotonic()
+                    await self._note(job)
+                await changes.wait(LOOK)
         if now is None or not now.failed:
             return None
         rows = await self._store.read(self._store.job_runs.rows, job.id, -1, now.total)

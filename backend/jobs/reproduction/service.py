@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from backend.errors import BusyError
-from backend.http.admission import Admission
+from backend.http.admission import Admission, cost_of
 from backend.jobs.reproduction import answers, drawings, work
 from backend.jobs.reproduction.models import AttributionAnswer, PaperAnswer, PaperFigures, ReadingsAnswer
 from backend.jobs.reproduction.report import report
@@ -112,7 +112,7 @@ class Paper:
         """
         page = await self.reproduction(choices, roads, client)
         parts, drawn = await self.attribution(roads, client), await self.figures(roads, client)
-        with self._admission.computing(client, Scenario(), ()):
+        with self._admission.reporting(client):
             return await in_thread(partial(report, page, parts, drawn.figures, compressed=compressed))
 
     async def _study(self, study: str, roads: range, client: str) -> list[Any]:
@@ -124,7 +124,7 @@ class Paper:
 
     async def _get(self, client: str, *requests: Requests, patience: float | None) -> Rows:
         """These rows; one road's runs must be within the cost limit of a request."""
-        self._admission.check(Scenario(), paper.STRATEGIES)
+        self._admission.check_cost(cost_of(Scenario(), paper.STRATEGIES))
         with self._admission.reading(client):
             every = [row for by_strategy in requests for rows in by_strategy.values() for row in rows]
             return await self._rows.get(every, patience)

@@ -75,7 +75,7 @@ class BatchItem(Answer):
         leaders = {field: name for name, fields in linked.items() for field in fields}
         fields = [_field(name, leaders.get(name)) for name in job.request["fields"]]
         own = {name: getattr(job, name) for name in cls.model_fields if hasattr(job, name)}
-        return cls(**own, **job.request | {"fields": fields}, position=position)
+        return cls(**job.request | own | {"fields": fields}, position=position)
 
 
 def _field(name: str, leader: str | None) -> BatchField:

@@ -23,6 +23,8 @@ from sim_core.workload import estimate
 PILOTS = 5  # runs tried to tell how long a batch takes
 PILOT_LIMIT = 1.0  # estimated cost [s] beyond which a run is not tried
 NO_ROADS: Mapping[str, MeasuredRoad] = {}
+NO_LENGTHS: Mapping[str | None, float] = {}
+PROFILE, LENGTH = "road.profile", "road.length"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -86,13 +88,24 @@ def rekeyed(
     return keys
 
 
-def plan(base: JsonObject, strategies: Sequence[str], sweep: Sweep) -> SweepPlan:
+def plan(
+    base: JsonObject,
+    strategies: Sequence[str],
+    sweep: Sweep,
+    lengths: Mapping[str | None, float] = NO_LENGTHS,
+) -> SweepPlan:
     """Plan every point under every strategy.
+
+    Args:
+        base: The plain scenario whose fields the sweep changes.
+        strategies: Ids.
+        sweep: The points.
+        lengths: Of the roads by profile [m], where base was given none: points on another road are as long as it.
 
     Raises:
         SweepError: The sweep has fields or values that cannot be used.
     """
-    fields, changes_by_point = points(sweep, base)
+    fields, changes_by_point = _points(base, sweep, lengths)
     runs: list[PlannedRun] = []
     cost = max_run_cost = 0.0
     for changes in changes_by_point:
@@ -112,6 +125,15 @@ def plan(base: JsonObject, strategies: Sequence[str], sweep: Sweep) -> SweepPlan
     return SweepPlan(fields=fields, notes=said, runs=runs, cost=cost, max_run_cost=max_run_cost)
 
 
+def _points(base: JsonObject, sweep: Sweep, lengths: Mapping[str | None, float]) -> tuple[list[str], list[JsonObject]]:
+    fields, every_point = points(sweep, base)
+    if not lengths or PROFILE not in fields:
+        return fields, every_point
+    return fields, [
+        {LENGTH: lengths[changes[PROFILE]], **changes} if PROFILE in changes else changes for changes in every_point
+    ]
+
+
 def contradiction(error: ValidationError) -> str:
     """Why the fields of a point contradict each other, as its row's reason."""
     first = error.errors(include_input=False, include_url=False)[0]
@@ -120,10 +142,14 @@ def contradiction(error: ValidationError) -> str:
 
 
 def pilot(
-    base: JsonObject, strategies: Sequence[str], sweep: Sweep, roads: Mapping[str, MeasuredRoad] = NO_ROADS
+    base: JsonObject,
+    strategies: Sequence[str],
+    sweep: Sweep,
+    lengths: Mapping[str | None, float] = NO_LENGTHS,
+    roads: Mapping[str, MeasuredRoad] = NO_ROADS,
 ) -> float | None:
     """Time of one point under all strategies [s], the median of a few; None where a run would take too long."""
-    _, every_point = points(sweep, base)
+    _, every_point = _points(base, sweep, lengths)
     times = []
     step = max(1, len(every_point) // PILOTS)
     for changes in every_point[step // 2 :: step][:PILOTS]:

@@ -1,14 +1,16 @@
 """Batches: accepted whole or refused, then read while the scheduler has them computed."""
 
-import asyncio
-from collections.abc import AsyncIterator, Callable, Iterable, Sequence
+from collections.abc import AsyncIterator, Awaitable, Callable, Iterable, Mapping, Sequence
+from contextlib import ExitStack
+from functools import partial
 from typing import Any, TypeVar
 
 from backend.compute.workers import Workers
 from backend.errors import CHEAPER_RUN, ConflictError, CostLimitError, InvalidError
 from backend.http.admission import Admission
+from backend.jobs.chunk import JobRow
 from backend.jobs.service import Jobs, request_hash
-from backend.jobs.sweep import plan, table
+from backend.jobs.sweep import plan, rendering, table
 from backend.jobs.sweep.models import Batch, Batches, BatchItem, BatchSummary, Estimate
 from backend.jobs.sweep.summaries import Summaries
 from backend.jobs.sweep.sweeps import Sweep, SweepError, size
@@ -19,9 +21,8 @@ from backend.runs.service import ordered
 from backend.settings import Settings
 from backend.store import Store, StoredJob
 from backend.store.job import UNFINISHED, State
-from backend.store.job_runs import JobRow
 from backend.store.roads import measured_roads, swept_roads
-from sim_core.scenario import Scenario
+from sim_core.scenario import Road, Scenario
 from sim_core.scenario.measured import MeasuredRoad
 
 PAGE = 250  # rows read in one transaction
@@ -67,12 +68,15 @@ class Sweeps:
         Raises:
             ServiceError: As `create`.
         """
-        names, base = ordered(strategies), scenario.model_dump(mode="json")
-        planned = await self._planned(base, names, sweep, client)
+        names, given = ordered(strategies), scenario
+        scenario = await self._roads.with_length(scenario)
+        base = scenario.model_dump(mode="json")
         roads = await self._named_roads(base, _sent(sweep))
-        with self._admission.computing(client, scenario, names):
-            cost = plan.PILOTS * len(names) * planned.max_run_cost
-            seconds = await self._call(cost, plan.pilot, base, names, sweep, roads)
+        lengths = _lengths(given, roads)
+        planned = await self._planned(base, names, sweep, lengths, client)
+        cost = plan.PILOTS * len(names) * min(plan.PILOT_LIMIT, planned.max_run_cost)
+        with self._admission.background(client, cost):
+            seconds = await self._call(client, cost, plan.pilot, base, names, sweep, lengths, roads)
         points = len(planned.runs) // len(names)
         if seconds is not None:
             seconds *= points / self._settings.batch_workers
@@ -116,16 +120,17 @@ class Sweeps:
             CostLimitError: It is over a limit.
             TemporaryError: Too much is waiting.
         """
-        names, base = ordered(strategies), scenario.model_dump(mode="json")
-        sent = _sent(sweep)
+        names, sent, given = ordered(strategies), _sent(sweep), scenario
+        scenario = await self._roads.with_length(scenario)
+        base = scenario.model_dump(mode="json")
         hashed = request_hash({"scenario": scenario.identity(), "strategies": names, "sweep": sent})
         existing = await self.jobs.existing(key, hashed)
         if existing is not None:
             return existing
-        await self._named_roads(base, sent)
+        lengths = _lengths(given, await self._named_roads(base, sent))
         self._check_size(sweep, names)
         await self.jobs.check_room()
-        planned = await self._planned(base, names, sweep, client)
+        planned = await self._planned(base, names, sweep, lengths, client)
         job = StoredJob(
             kind="sweep",
             parent_id=parent_id,
@@ -156,33 +161,36 @@ class Sweeps:
         positions = await self.jobs.positions(*jobs)
         return Batches(batches=[BatchItem.of(job, positions[job.id]) for job in jobs], next=after)
 
-    async def resume(self, job_id: str) -> StoredJob:
+    async def resume(self, job_id: str, owner: str | None) -> StoredJob:
         """Continue a cancelled batch; one that has not ended is returned unchanged.
 
         Raises:
-            NotFoundError: There is none.
+            NotFoundError, ForbiddenError: As `Jobs.owned`.
             ConflictError: It is done.
         """
-        job = await self.jobs.get(job_id)
+        job = await self.jobs.owned(job_id, owner)
         if job.state in UNFINISHED:
             return job
         if job.state == "done":
             raise ConflictError("It is done: nothing is left to run.", kind="done")
         return await self.jobs.resume(job_id)
 
-    async def table(self, job_id: str, figures: Sequence[str]) -> JsonObject:
+    async def table(self, job_id: str, figures: Sequence[str], client: str) -> JsonObject:
         """Every row column by column, with those figures, as `BatchTable`; a large one would take long to validate.
 
         Raises:
             NotFoundError: There is no such batch.
+            TemporaryError: Too much is being computed.
         """
         job = await self.jobs.get(job_id)
         fields = job.request["fields"]
-        whole: dict[str, list[Any]] = table.columns([], fields, figures)
-        async for rows in self.rows(job.id):
-            page = await asyncio.to_thread(table.columns, rows, fields, figures)
-            for name, values in page.items():
-                whole[name] += values
+        whole: dict[str, list[Any]] = rendering.columns([], fields, figures)
+        call = self._page_call(client)
+        with self._admission.computing(client, rendering.ROW_COST * job.total):
+            async for rows in self.rows(job.id):
+                page = await call(rendering.columns, rows, fields, figures)
+                for name, values in page.items():
+                    whole[name] += values
         units = {name: unit for name, unit in table.units(job).items() if name in whole}
         return {"batch": job.id, "state": job.state, "units": units, "columns": whole}
 
@@ -196,14 +204,18 @@ class Sweeps:
         """
         return await self._summaries.get(await self.jobs.get(job_id), figures, baseline, client)
 
-    async def results(self, job_id: str, file_format: Format) -> tuple[StoredJob, AsyncIterator[bytes]]:
-        """The batch and its rows in that format, piece by piece.
+    async def results(
+        self, job_id: str, file_format: Format, client: str
+    ) -> tuple[StoredJob, AsyncIterator[bytes], ExitStack]:
+        """The batch, its rows in that format piece by piece, and what counts them as open until it is closed.
 
         Raises:
             NotFoundError: There is no such batch.
+            TemporaryError: Too much is being computed.
         """
-        job = await self.jobs.get(job_id)
-        return job, table.RENDERERS[file_format](job, self.rows(job.id))
+        job, counted = await self.jobs.get(job_id), ExitStack()
+        counted.enter_context(self._admission.downloading(client, rendering.ROW_COST * job.total))
+        return job, table.RENDERERS[file_format](job, self.rows(job.id), self._page_call(client)), counted
 
     async def rows(self, job_id: str) -> AsyncIterator[list[JobRow]]:
         """Its rows in order, page by page."""
@@ -221,12 +233,19 @@ class Sweeps:
         of_base = await self._roads.named(measured_roads(base))
         return {**of_base, **await self._roads.named(swept_roads(sent), "/sweep")}
 
-    async def _planned(self, base: JsonObject, names: Sequence[str], sweep: Sweep, client: str) -> plan.SweepPlan:
+    async def _planned(
+        self,
+        base: JsonObject,
+        names: Sequence[str],
+        sweep: Sweep,
+        lengths: Mapping[str | None, float],
+        client: str,
+    ) -> plan.SweepPlan:
         self._check_size(sweep, names)
         try:
             cost = PLAN_COST * size(sweep) * len(names)
             with self._admission.background(client, cost):
-                planned = await self._call(cost, plan.plan, base, names, sweep)
+                planned = await self._call(client, cost, plan.plan, base, names, sweep, lengths)
         except SweepError as error:
             raise InvalidError(
                 "The sweep has fields that cannot be used; errors names each.", errors=error.problems()
@@ -243,11 +262,14 @@ class Sweeps:
             )
         return planned
 
-    async def _call(self, cost: float, function: Callable[..., T], *args: Any) -> T:
-        """Run a function in a process; a long one in the background, where it ends when the client goes away."""
-        if cost < QUICK:
-            return await self._workers.call(function, *args)
-        return await self._background.call(function, *args, ends_with_caller=True)
+    async def _call(self, client: str, cost: float, function: Callable[..., T], *args: Any) -> T:
+        """Run a function in a process; a long one in the background."""
+        processes = self._workers if cost < QUICK else self._background
+        return await processes.call(function, *args, client=client, cost=cost)
+
+    def _page_call(self, client: str) -> Callable[..., Awaitable[Any]]:
+        """Runs a function of a page of rows in a worker, so that clients take turns page by page."""
+        return partial(self._workers.call, client=client, cost=rendering.ROW_COST * PAGE)
 
     def _check_size(self, sweep: Sweep, names: Sequence[str]) -> None:
         total, limit = size(sweep) * len(names), self._settings.max_batch_runs
@@ -258,6 +280,13 @@ class Sweeps:
         """Cost of other jobs' runs before a new job of that cost ends, as all share the processes [s of one core]."""
         unfinished = [job for job in await self._store.read(self._store.jobs.unfinished) if job.kind != "tuning"]
         return sum(min(own, job.estimated_cost * job.open_runs / job.total) for job in unfinished)
+
+
+def _lengths(scenario: Scenario, roads: Mapping[str, MeasuredRoad]) -> dict[str | None, float]:
+    """Lengths of the roads that a sweep may name, by profile [m]; none where the scenario was given a length."""
+    if "length" in scenario.road.model_fields_set:
+        return {}
+    return {None: Road().length} | {profile: road.length for profile, road in roads.items()}
 
 
 def _sent(sweep: Sweep) -> JsonObject:

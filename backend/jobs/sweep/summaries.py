@@ -13,11 +13,11 @@ from backend.analysis import reading, robustness
 from backend.compute.flights import Flights
 from backend.errors import InvalidError
 from backend.http.admission import Admission
+from backend.jobs.chunk import JobRow
 from backend.jobs.sweep.models import BatchSummary
 from backend.roads.service import Roads
 from backend.store import StoredJob
 from backend.store.job import FINAL
-from backend.store.job_runs import JobRow
 
 CACHED = 16  # a page that is opened again asks for the same
 REUSE = 10  # a summary of a batch that goes on is answered again for so many times as long as it took
@@ -44,7 +44,7 @@ class Summaries:
 
     Args:
         rows: A batch's rows, page by page, by its id.
-        call: Runs a function of that cost [s of one core] in a process.
+        call: Runs a function of that client and that cost [s of one core] in a process.
         admission: What is accepted at once.
         roads: The measured roads.
     """
@@ -83,7 +83,7 @@ class Summaries:
             return cached.answer.model_copy(update={"state": job.state})
         begin = time.perf_counter()
         cost = COST * ended
-        rows, call = self._rows(job.id), partial(self._call, cost)
+        rows, call = self._rows(job.id), partial(self._call, client, cost)
         measured = await self._roads.named(job.road_ids)
         with self._admission.background(client, cost):
             answer = await self._flights.join(

@@ -1,21 +1,23 @@
 """Batches as tables: a row for each run, units in the header, built page by page so that memory stays flat."""
 
+import asyncio
 import io
-from collections.abc import AsyncIterator, Callable, Iterable, Mapping, Sequence
+from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
 from typing import Any, Literal
 
 import orjson
 import pyarrow as pa
 from pyarrow import csv, parquet
 
-from backend.json_types import JsonObject
+from backend.jobs.chunk import JobRow
+from backend.jobs.sweep import rendering
 from backend.store import StoredJob
-from backend.store.job_runs import JobRow
 from sim_core.catalogue import METRICS
 from sim_core.scenario import dotted
 
 Format = Literal["json", "csv", "parquet"]
 Pages = AsyncIterator[list[JobRow]]
+Call = Callable[..., Awaitable[Any]]  # runs a function in a worker
 
 FIXED = ("run", "strategy", "status", "reason", "core_version")
 
@@ -26,62 +28,46 @@ def units(batch: StoredJob) -> dict[str, str]:
     return named | {key: metric.unit for key, metric in METRICS.items()}
 
 
-def columns(rows: Sequence[JobRow], names: Iterable[str], figures: Iterable[str]) -> dict[str, list[Any]]:
-    """Some rows column by column: the fixed ones, the swept fields `names`, and `figures` (keys of `METRICS`)."""
-    changes = [orjson.loads(row.changes) for row in rows]
-    summaries = [orjson.loads(row.summary) if row.summary is not None else {} for row in rows]
-    table: dict[str, list[Any]] = {
-        "run": [row.position for row in rows],
-        "strategy": [row.strategy for row in rows],
-        "status": [row.status for row in rows],
-        "reason": [_reason(row, summary) for row, summary in zip(rows, summaries, strict=True)],
-        "core_version": [row.core_version for row in rows],
-    }
-    table |= {name: [change.get(name) for change in changes] for name in names}
-    for key in figures:
-        table[key] = [METRICS[key].of(summary) for summary in summaries]
-    return table
-
-
-async def as_json(batch: StoredJob, pages: Pages) -> AsyncIterator[bytes]:
+async def as_json(batch: StoredJob, pages: Pages, call: Call) -> AsyncIterator[bytes]:
     """`{"batch", …, "rows": [{"run", fields, "strategy", "status", "metrics", …}, …]}`."""
     head = {
         "batch": batch.id,
         "core_version": batch.core_version,
-        "scenario": batch.request["scenario"],
+        "scenario": batch.scenario,
         "sweep": batch.sweep,
         "units": units(batch),
     }
     yield orjson.dumps(head)[:-1] + b',"rows":['
     first = True
     async for rows in pages:
-        text = b",".join(map(_json_row, rows))
+        text = await call(rendering.as_json, rows)
         yield text if first else b"," + text
         first = False
     yield b"]}"
 
 
-async def as_csv(batch: StoredJob, pages: Pages) -> AsyncIterator[bytes]:
+async def as_csv(batch: StoredJob, pages: Pages, call: Call) -> AsyncIterator[bytes]:
     """A header with units, then a line for each run, as spreadsheets read it."""
     schema = _schema(batch)
     options = csv.WriteOptions(include_header=True, quoting_header="none")
-    yield _csv(schema.empty_table(), options)
+    yield rendering.csv_of(schema.empty_table(), options)
     async for rows in pages:
-        yield _csv(_page(batch, rows, schema), csv.WriteOptions(include_header=False))
+        yield await call(rendering.as_csv, rows, batch.id, batch.request["fields"], schema.remove_metadata())
 
 
-async def as_parquet(batch: StoredJob, pages: Pages) -> AsyncIterator[bytes]:
+async def as_parquet(batch: StoredJob, pages: Pages, call: Call) -> AsyncIterator[bytes]:
     """The table as Parquet, a row group for each page; units are field metadata, the provenance is the file's."""
     schema, sink = _schema(batch), _Drain()
     writer = parquet.ParquetWriter(sink, schema, compression="zstd")
     async for rows in pages:
-        writer.write_table(_page(batch, rows, schema))
+        page = await call(rendering.as_arrow, rows, batch.id, batch.request["fields"], schema.remove_metadata())
+        await asyncio.to_thread(writer.write_table, page)
         yield sink.drained()
     writer.close()
     yield sink.drained()
 
 
-RENDERERS: Mapping[Format, Callable[[StoredJob, Pages], AsyncIterator[bytes]]] = {
+RENDERERS: Mapping[Format, Callable[[StoredJob, Pages, Call], AsyncIterator[bytes]]] = {
     "json": as_json,
     "csv": as_csv,
     "parquet": as_parquet,
@@ -112,21 +98,6 @@ class _Drain(io.RawIOBase):
         return piece
 
 
-def _json_row(row: JobRow) -> bytes:
-    head = {"run": row.position, **orjson.loads(row.changes), "strategy": row.strategy, "status": row.status}
-    if row.core_version is not None:
-        head |= {"core_version": row.core_version, "compute_ms": row.compute_ms}
-    if row.reason is not None:
-        head["reason"] = row.reason
-    text = orjson.dumps(head)
-    # What is stored is JSON already, {"metrics": …} or {"reason": …}: its members go in as they are.
-    return text if row.summary is None else text[:-1] + b"," + row.summary.encode()[1:]
-
-
-def _reason(row: JobRow, summary: JsonObject) -> str | None:
-    return row.reason if row.reason is not None else summary.get("reason")
-
-
 def _schema(batch: StoredJob) -> pa.Schema:
     types = {"run": pa.int64(), **{name: _field_type(name) for name in batch.request["fields"]}}
     types |= {key: pa.bool_() if metric.flag else pa.float64() for key, metric in METRICS.items()}
@@ -142,7 +113,7 @@ def _schema(batch: StoredJob) -> pa.Schema:
     provenance = {
         "ridelab.batch": batch.id,
         "ridelab.core_version": batch.core_version,
-        "ridelab.scenario": orjson.dumps(batch.request["scenario"]),
+        "ridelab.scenario": orjson.dumps(batch.scenario),
         "ridelab.sweep": orjson.dumps(batch.sweep),
     }
     return pa.schema(fields, metadata=provenance)
@@ -151,20 +122,3 @@ def _schema(batch: StoredJob) -> pa.Schema:
 def _field_type(name: str) -> pa.DataType:
     kind = dotted.fields()[name].kind if name in dotted.fields() else None
     return {"number": pa.float64(), "integer": pa.int64(), "switch": pa.bool_()}.get(str(kind), pa.string())
-
-
-def _page(batch: StoredJob, rows: Sequence[JobRow], schema: pa.Schema) -> pa.Table:
-    table = columns(rows, batch.request["fields"], METRICS)
-    table["batch"] = [batch.id] * len(rows)
-    arrays = []
-    for field, values in zip(schema, table.values(), strict=True):
-        if field.type == pa.string():
-            values = [item if item is None or isinstance(item, str) else orjson.dumps(item).decode() for item in values]
-        arrays.append(pa.array(values, field.type))
-    return pa.Table.from_arrays(arrays, schema=schema)
-
-
-def _csv(table: pa.Table, options: csv.WriteOptions) -> bytes:
-    sink = io.BytesIO()
-    csv.write_csv(table, sink, options)
-    return sink.getvalue()

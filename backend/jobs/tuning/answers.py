@@ -162,7 +162,7 @@ class Tuning(TuningItem):
         members = front.front(trials)
         return cls(
             **cls._fields(job),
-            scenario=request["scenario"],
+            scenario=job.scenario,
             paper=trials[0] if trials else None,
             own=trials[1] if own and len(trials) > 1 else None,
             best=[front.best(trials, index) for index in range(len(request["objectives"]))],

@@ -43,10 +43,8 @@ class TuningService:
         first = first_weights(stored["scenario"], request.strategy, ranges_of(stored))
         points = [{**weights, **road(stored, seed)} for weights in first for seed in request.seeds]
         sweep = Sweep.model_validate({"list": points})
-        with self._admission.computing(client, request.scenario, [request.strategy]):
-            each = await self._background.call(
-                plan.pilot, stored["scenario"], [request.strategy], sweep, ends_with_caller=True
-            )
+        with self._admission.background(client, plan.PILOTS * estimate(request.scenario, request.strategy)):
+            each = await self._background.call(plan.pilot, stored["scenario"], [request.strategy], sweep, client=client)
         return TuningEstimate(
             runs=runs,
             generations=math.ceil(request.trials / request.population),
@@ -102,17 +100,17 @@ class TuningService:
         trials = await self._store.read(self._store.trials.of, job.id)
         return Trials(tuning=job.id, trials=trials)
 
-    async def resume(self, job_id: str, trials: int | None) -> StoredJob:
+    async def resume(self, job_id: str, trials: int | None, owner: str | None) -> StoredJob:
         """Continue a tuning, up to so many trials; one that has not ended is returned unchanged.
 
         Raises:
-            NotFoundError: There is none.
+            NotFoundError, ForbiddenError: As `Jobs.owned`.
             ConflictError: It has not ended and other trials are asked for, or there is nothing left to do.
             InvalidError: It has more trials already.
             CostLimitError: It would be over a limit.
             BusyError: Too many are waiting.
         """
-        job = await self.jobs.get(job_id)
+        job = await self.jobs.owned(job_id, owner)
         total = job.total if trials is None else trials
         if job.state in UNFINISHED and total == job.total:
             return job
@@ -122,7 +120,7 @@ class TuningService:
             raise InvalidError(f"It has {job.done + job.failed} trials already", parameter="trials")
         if job.state == "done" and total == job.total:
             raise ConflictError("It is done: name a greater number of trials to go on.", kind="done")
-        _, cost = self._workload(job.request, total)
+        _, cost = self._workload({**job.request, "scenario": job.scenario}, total)
         progress = job.progress | {"step": "search", "attempt": job.progress["attempt"] + 1}
         resumed = await self.jobs.resume(job_id, total=total, estimated_cost=cost, answer=None, progress=progress)
         if resumed.total != total:  # somebody else resumed it meanwhile, with another number of trials

@@ -20,6 +20,7 @@ from backend.analysis.measure import Aims, Failure, Measured, Roads
 from backend.analysis.models import Comparison
 from backend.analysis.objectives import UndefinedObjectiveError
 from backend.errors import ServiceError, TemporaryError
+from backend.jobs.chunk import JobRow
 from backend.jobs.job_tasks import JobFailedError
 from backend.jobs.sweep.service import Sweeps
 from backend.jobs.sweep.sweeps import Sweep
@@ -27,7 +28,6 @@ from backend.jobs.tuning.space import Weights, first_weights, ranges_of, road, w
 from backend.json_types import JsonObject, Summary
 from backend.store import Store, StoredJob
 from backend.store.job import FINAL
-from backend.store.job_runs import JobRow
 from backend.store.jobs import ParentEndedError
 from backend.store.trials import StoredTrial
 from sim_core import __version__ as CORE_VERSION
@@ -227,12 +227,13 @@ class TuningSteps:
         Raises:
             JobFailedError: It was cancelled, or failed as a whole.
         """
-        while True:
-            commits = self._store.commits.count
-            now = await self._store.read(self._store.jobs.load, sweep.id)
-            if now is None or now.state in FINAL:
-                break
-            await self._store.commits.wait_beyond(commits, LOOK)
+        with self._store.commits.following(sweep.id) as changes:
+            while True:
+                changes.clear()
+                now = await self._store.read(self._store.jobs.load, sweep.id)
+                if now is None or now.state in FINAL:
+                    break
+                await changes.wait(LOOK)
         if now is None or now.state == "cancelled":
             raise JobFailedError("One of its batches was cancelled")
         if now.state == "failed":

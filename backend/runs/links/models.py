@@ -15,6 +15,7 @@ from pydantic_core import PydanticCustomError
 
 from backend.jobs.sweep.models import Batch
 from backend.models import Answer, RequestModel, Run, StrategyName, inconsistent
+from backend.plain_text import PlainText
 from backend.runs.roads_models import RoadsRun
 from sim_core.catalogue import METRIC_SIGNALS, METRICS, RUN_FIGURES, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario
@@ -57,7 +58,7 @@ Column = Annotated[str, AfterValidator(_check_column)]
 class LinkPin(RequestModel):
     """A run that the shared one is compared with, by a name."""
 
-    name: str = Field(min_length=1, max_length=80)
+    name: PlainText = Field(min_length=1, max_length=80)
     run: Id
 
 

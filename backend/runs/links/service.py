@@ -9,7 +9,7 @@ from typing import Any, Literal
 from backend import digest
 from backend.compute.workers import Workers
 from backend.errors import InvalidError, NotFoundError
-from backend.http.admission import Admission
+from backend.http.admission import Admission, cost_of
 from backend.jobs.sweep.models import Batch
 from backend.json_types import JsonObject
 from backend.roads.service import Roads
@@ -21,7 +21,7 @@ from backend.runs.links.preview import Preview
 from backend.runs.service import Runs, upgraded_scenario
 from backend.store import Store, StoredJob, StoredLink, StoredRun
 from sim_core import __version__ as CORE_VERSION
-from sim_core.scenario import Scenario
+from sim_core.scenario import SCHEMA_VERSION, Scenario
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,8 +57,8 @@ class Links:
         self._admission.linking(client, links=len(shared), pinned=len(missing))
         series = [await self._pin(each, client) for each in shared]
         for each, pinned in zip(shared[1:], series[1:], strict=True):
-            await self._save("run", each.stored.id, LinkView(), pinned)
-        slug = await self._save("run", run_id, view, series[0])
+            await self._save_run(each.stored.id, LinkView(), pinned, client)
+        slug = await self._save_run(run_id, view, series[0], client)
         complete = set(shared[0].missing.values()) <= series[0].keys()
         return CreatedLink(slug=slug, url=url(slug), series_pinned=bool(_histories(shared[0].stored)) and complete)
 
@@ -86,21 +86,27 @@ class Links:
             raise _unknown("view/x", f"This batch sweeps {', '.join(stored.request['fields'])}")
         self._admission.linking(client)
         slug = await self._save("batch", batch_id, view, {})
+        if slug is None:
+            raise _unknown("batch_id", "There is no batch of this id")
         return CreatedLink(slug=slug, url=url(slug), series_pinned=False)
 
-    async def get(self, slug: str) -> Link:
+    async def get(self, slug: str, client: str) -> Link:
         """The answer about a link.
 
         Raises:
             NotFoundError: There is none.
+            RoadGoneError, EcuUnavailableError, TemporaryError: Its run has to be computed again, see `Runs.stored`.
         """
         link = await self._load(slug)
         if link is None:
             raise NotFoundError("There is no link of this slug.")
         if link.kind == "batch":
             job = await self._job(link)
-            return _opened(link, job, job.request["scenario"], batch=Batch.of(job, 0))
+            return _opened(link, job, job.request["scenario"], batch=_batch(job))
         stored = await self._run(link)
+        if stored.expired:
+            again = await self._runs.stored(stored.id, client)
+            stored = replace(again, schema_version=stored.schema_version)
         keys = set(_histories(stored).values())
         pinned = await self._store.read(self._store.links.pinned, keys)
         return _opened(
@@ -114,9 +120,13 @@ class Links:
             return None
         if link.kind == "batch":
             batch = await self._job(link)
-            return preview.of_batch(Batch.of(batch, 0).model_dump(), batch.finished_at or batch.created_at)
+            return preview.of_batch(_batch(batch).model_dump(), batch.finished_at or batch.created_at)
         run = await self._run(link)
-        return preview.of_run(run_answer(run).model_dump(mode="json"), link.view, run.created_at)
+        if run.expired:  # its numbers are computed for whoever opens the link, not for a preview
+            answer = {"core_version": run.core_version, "scenario": run.scenario, "strategies": {}}
+        else:
+            answer = run_answer(run).model_dump(mode="json")
+        return preview.of_run(answer, link.view, run.created_at)
 
     async def _pin(self, shared: _SharedRun, client: str) -> dict[str, bytes]:
         """By result key the time histories to pin; empty where another core version computed them."""
@@ -125,18 +135,25 @@ class Links:
             return {}
         scenario = Scenario.model_validate(upgraded_scenario(stored.scenario, stored.schema_version))
         scenario = await self._roads.on(scenario)
-        with self._admission.computing(client, scenario, missing):
-            series = await self._workers.call(pins.make, scenario, list(missing))
+        cost = cost_of(scenario, missing)
+        with self._admission.computing(client, cost):
+            series = await self._workers.call(pins.make, scenario, list(missing), client=client, cost=cost)
         return {missing[name]: content for name, content in series.items()}
+
+    async def _save_run(self, run_id: str, view: LinkView, series: Mapping[str, bytes], client: str) -> str:
+        """Save a link to a run; results that were removed since the run was read are computed again first."""
+        while (slug := await self._save("run", run_id, view, series)) is None:
+            await self._runs.stored(run_id, client)
+        return slug
 
     async def _save(
         self, kind: Literal["run", "batch"], target: str, view: LinkView, series: Mapping[str, bytes]
-    ) -> str:
+    ) -> str | None:
+        """The new link's slug; None where a result of the run, or the batch, was removed meanwhile."""
         slug = digest.random_id()
         sent = view.model_dump(mode="json", exclude_unset=True)
         link = StoredLink(slug=slug, kind=kind, target=target, view=sent, created_at=datetime.now(UTC))
-        await self._store.write(self._store.links.save, link, series)
-        return slug
+        return slug if await self._store.write(self._store.links.save, link, series) else None
 
     async def _load(self, slug: str) -> StoredLink | None:
         return await self._store.read(self._store.links.load, slug) if re.fullmatch(SLUG_PATTERN, slug) else None
@@ -153,6 +170,11 @@ class Links:
             raise RuntimeError("A link's batch is not there, though nothing removes it")
         scenario = upgraded_scenario(stored.request["scenario"], stored.schema_version)
         return replace(stored, request={**stored.request, "scenario": scenario})
+
+
+def _batch(job: StoredJob) -> Batch:
+    """A batch whose scenario is today's already."""
+    return Batch.of(replace(job, schema_version=SCHEMA_VERSION), 0)
 
 
 def url(slug: str) -> str:

@@ -22,6 +22,8 @@ Value = int | float  # a whole-number field's stays one
 
 
 def _check_field(name: str) -> str:
+    if name in dotted.fields() and name not in FIELDS:
+        raise PydanticCustomError("no_order", "{name} has no largest value: its values have no order", {"name": name})
     if name not in FIELDS:
         offered = [each for each in dotted.offered(name) if each in FIELDS]
         raise PydanticCustomError("unknown_field", "{said}", {"said": unknown_name("field", name, offered or FIELDS)})
@@ -70,7 +72,13 @@ class SolveRequest(RequestModel):
 
     def value(self, index: int) -> Value:
         """One of them, as the field takes it."""
-        value = self.axis.value(index)
+        return self._typed(self.axis.value(index))
+
+    def resolved(self, index: int, width: float) -> Value:
+        """The same in as many digits as values within `width` steps are told apart."""
+        return self._typed(self.axis.resolved(index, width))
+
+    def _typed(self, value: float) -> Value:
         return int(value) if self._whole(self.field) else value
 
 
@@ -89,6 +97,13 @@ class Solution(Answer):
     value: Value = Field(description="The field's unit")
     metric_value: float = Field(description="What is held to the limit; over several roads the interval's upper end")
     interval: Interval | None = Field(description="The metric at that value over the roads; null for one road")
+    resolution: float | None = Field(
+        description="Smallest change of the metric [%] that is more than luck: on one road the strategy's "
+        "`one_road_resolution`, over several half the interval; null of metrics and roads without one"
+    )
+    resolved_value: Value = Field(
+        description="The value in no more digits than `resolution` leaves it, rounded down; not driven itself"
+    )
     bracket: tuple[Value, Value] = Field(
         description="The value, and the next larger one tried, which does not keep the limit; twice the value at the "
         "top of the range"

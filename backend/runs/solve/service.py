@@ -5,6 +5,7 @@ from pydantic import ValidationError
 from backend.errors import ShortRoadError
 from backend.http.admission import Admission
 from backend.jobs.sweep.plan import contradiction, scenario_at
+from backend.roads.service import Roads
 from backend.runs.service import Runs
 from backend.runs.solve.models import Solution, SolveRequest
 from backend.runs.solve.solution import Tried, bounds_of, solution
@@ -20,9 +21,10 @@ LENGTH = "road.length"
 class Solver:
     """Finds the largest value of a field that keeps a limit; its methods belong to the event loop."""
 
-    def __init__(self, *, runs: Runs, admission: Admission) -> None:
+    def __init__(self, *, runs: Runs, admission: Admission, roads: Roads) -> None:
         self._runs = runs
         self._admission = admission
+        self._roads = roads
 
     async def solve(self, request: SolveRequest, client: str) -> Solution:
         """The largest value in the range, its bracket, and what is to be said about it.
@@ -36,11 +38,14 @@ class Solver:
             InvalidError: No value in the range can be driven, or the strategy has no such metric.
             TemporaryError: Too much is being computed.
         """
-        self._admission.check_cost(_max_cost(request))
+        request = request.model_copy(update={"scenario": await self._roads.with_length(request.scenario)})
+        cost = _max_cost(request)
+        self._admission.check_cost(cost)
         tried: dict[int, Tried] = {}
-        while indices := next_indices(request.axis, request.limit, bounds_of(tried)):
-            for index in indices:
-                tried[index] = await self._drive(request, index, client)
+        with self._admission.computing(client, cost):
+            while indices := next_indices(request.axis, request.limit, bounds_of(tried)):
+                for index in indices:
+                    tried[index] = await self._drive(request, index, client)
         return solution(request, tried)
 
     async def _drive(self, request: SolveRequest, index: int, client: str) -> Tried:

@@ -8,10 +8,11 @@ from backend.errors import InvalidError, NoSolutionError, ServiceError
 from backend.runs.roads_models import Interval
 from backend.runs.solve.models import Solution, SolveRequest, TriedValue
 from sim_core import __version__ as CORE_VERSION
-from sim_core.catalogue import METRICS
+from sim_core.catalogue import METRICS, RMS
 from sim_core.scenario import dotted
 from sim_core.study import limit_search
 from sim_core.study.intervals import mean_with_interval
+from sim_core.study.roads import one_road_resolution
 
 RESOLUTION = 0.005  # of a metric: peaks are exact to half a percent (docs/physics.md)
 MAX_EXTREMA = 4  # that one sentence names
@@ -66,16 +67,22 @@ def solution(request: SolveRequest, tried: Mapping[int, Tried]) -> Solution:
     if low is None:
         raise _refusal(request, tried)
     best = tried[low]
+    resolution = _resolution(request, best)
+    alike: tuple[float, float] = (low, low)
+    if resolution is not None and high > low:
+        alike = limit_search.alike(request.limit, bounds, low, resolution / 100)
     return Solution(
         value=request.value(low),
         metric_value=best.bound,
         interval=best.interval,
+        resolution=resolution,
+        resolved_value=request.resolved(low, alike[1] - alike[0]),
         bracket=(request.value(low), request.value(high)),
         runs=request.roads * sum(each.run_id is not None for each in tried.values()),
         run_id=str(best.run_id),
         unit=dotted.field(request.field).unit,
         metric_unit=METRICS[request.metric].unit,
-        warnings=list(_warnings(request, tried, bounds, low)),
+        warnings=[*_unresolved(request, resolution, alike), *_warnings(request, tried, bounds, low)],
         tried=[_answered(request.value(index), each) for index, each in sorted(tried.items())],
         core_version=CORE_VERSION,
     )
@@ -98,6 +105,30 @@ def _refusal(request: SolveRequest, tried: Mapping[int, Tried]) -> ServiceError:
         f"{_metric(request, tried[least].bound)}, is at {_value(request, least)}.",
         pointer="/range",
     )
+
+
+def _resolution(request: SolveRequest, best: Tried) -> float | None:
+    """The smallest change of the metric there [%] that is more than luck; None where none is known."""
+    if best.interval is not None:
+        half = best.interval.high - best.interval.mean
+        return 100 * half / abs(best.bound) if half and best.bound else None
+    path = METRICS[request.metric].path
+    if request.scenario.road.is_smooth or path[0] not in ("metrics", "comfort"):
+        return None
+    resolution = one_road_resolution(request.strategy)
+    return resolution.get(path[-1], resolution[RMS])
+
+
+def _unresolved(request: SolveRequest, resolution: float | None, alike: tuple[float, float]) -> Iterator[str]:
+    """What the value's last digits do not tell."""
+    first, last = (request.value(round(index)) for index in alike)
+    if resolution is None or first == last:
+        return
+    known = f"On one road a change of {request.metric} below {resolution:.2g} % may be luck"
+    if request.roads > 1:
+        known = f"Over {request.roads} roads the mean of {request.metric} is known to ±{resolution:.2g} %"
+    unit = dotted.field(request.field).unit
+    yield f"{known}; from {first:.4g} to {last:.4g}{'' if unit == '1' else f' {unit}'} it changes by less."
 
 
 def _warnings(

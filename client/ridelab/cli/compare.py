@@ -33,6 +33,9 @@ def compare(
     worse: Annotated[
         bool, options.flag("Only what is worse in B: greater, no longer true, failed.", "--worse")
     ] = False,
+    same_scenario: Annotated[
+        bool, options.flag("Different scenarios are a difference, too.", "--same-scenario")
+    ] = False,
     limit: Annotated[int, typer.Option(metavar="N", min=0, help="Show the N largest differences, 0 for all.")] = 20,
     as_json: options.AsJson = False,
 ) -> None:
@@ -47,16 +50,20 @@ def compare(
         raise InputError("Only one of A and B can be standard input")
     equal = equal_within(tolerance or [], tolerance_abs or [])
     sides = [targets.find(target, services) for target in (a, b)]
-    named, patterns = options.listed(strategy), options.listed(metric) or ["*"]
+    named, patterns = options.listed(strategy), options.listed(metric, "--metric")
     first, second = (_run(side, named, sides, services) for side in sides)
     names = named or list(dict.fromkeys([*first.strategies, *second.strategies]))
-    differing = [item for item in differences(first, second, names, equal, patterns) if item.worse or not worse]
+    check_patterns(first, second, {"--metric": patterns, **limited(tolerance or [], tolerance_abs or [])})
+    differing = [
+        item for item in differences(first, second, names, equal, patterns or ["*"]) if item.worse or not worse
+    ]
     changed = inputs(first.scenario, second.scenario)
+    other_scenario = same_scenario and bool(changed)
     if as_json:
         head = {key: {"id": run.id, "core_version": run.core_version} for key, run in (("a", first), ("b", second))}
         fields = [{"field": name, "a": one, "b": other} for name, one, other in changed]
         listed = [{**asdict(item), "change": item.change if math.isfinite(item.change) else None} for item in differing]
-        print_json({**head, "equal": not differing, "inputs": fields, "differences": listed})
+        print_json({**head, "equal": not (differing or other_scenario), "inputs": fields, "differences": listed})
     else:
         for letter, side, run in zip("AB", sides, (first, second), strict=True):
             over = f", mean of {run.roads} roads" if run.roads > 1 else ""
@@ -68,10 +75,12 @@ def compare(
             _show(differing[: limit or None], len(differing))
         else:
             metrics = [metric for name in names for metric in _all(first, name) if metric != "status"]
-            count = sum(_fits(metric, patterns) for metric in metrics)
+            count = sum(_fits(metric, patterns or ["*"]) for metric in metrics)
             how = "Not worse beyond" if worse else "Equal within"
             typer.echo(f"{how} the tolerance: {count} metrics of {', '.join(names)}")
-    if differing:
+        if other_scenario:
+            typer.echo(f"The scenarios differ in {len(changed)} field{'s' * (len(changed) > 1)}")
+    if differing or other_scenario:
         raise typer.Exit(DIFFERENT)
 
 
@@ -119,6 +128,26 @@ def inputs(a: Mapping[str, Any], b: Mapping[str, Any]) -> list[tuple[str, Any, A
     first, second = dict(flat(a)), dict(flat(b))
     pairs = [(name, first.get(name), second.get(name)) for name in dict.fromkeys([*first, *second])]
     return [(name, one, other) for name, one, other in pairs if one != other]
+
+
+def check_patterns(a: RunResult, b: RunResult, patterns: Mapping[str, Sequence[str]]) -> None:
+    """Refuse a pattern that fits no metric: a comparison of nothing would always pass.
+
+    Raises:
+        InputError: Naming the option and what the names of metrics begin with.
+    """
+    metrics = {name for run in (a, b) for outcome in run for name in outcome.figures()} or {*a.units, *b.units}
+    for option, given in patterns.items():
+        for pattern in given:
+            if not any(fnmatchcase(metric, pattern) for metric in metrics):
+                starts = sorted({metric.partition(".")[0] for metric in metrics})
+                raise InputError(f"{option}: {pattern} fits no metric; their names begin with {', '.join(starts)}")
+
+
+def limited(relative: Sequence[str], absolute: Sequence[str]) -> dict[str, list[str]]:
+    """The patterns of both tolerances, by option."""
+    texts = {"--tolerance": relative, "--tolerance-abs": absolute}
+    return {option: [text.rpartition("=")[0] or "*" for text in given] for option, given in texts.items()}
 
 
 def _fits(metric: str, patterns: Sequence[str]) -> bool:

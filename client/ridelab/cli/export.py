@@ -50,7 +50,7 @@ def export(
     elif source.run is not None and source.ridelab is not None:
         names = options.listed(strategy) or [each.strategy for each in source.run if each.status == "ok"]
         content = source.ridelab.series_content(
-            source.run, kind, strategies=names, signals=options.listed(signals) or None, points=points
+            source.run, kind, strategies=names, signals=options.listed(signals, "--signals") or None, points=points
         )
     else:
         raise InputError(f"{target}: export takes a stored run, batch or link; run and sweep make them")

@@ -6,30 +6,40 @@ A number may have a unit (`12cm`). Which fields there are and which values they 
 import json
 import math
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
 from ridelab.cli.targets import document, find
-from ridelab.units import quantity, starts_as_number
+from ridelab.units import is_number, quantity, starts_as_number
 
 _SPAN = re.compile(r"([^:]+):([^:]+):(\d+)")
 _DIGITS = 12  # 0.05:0.15:11 gives 0.06 and not 0.060000000000000005
 _MOST_VALUES = 1_000_000
 VEHICLE = "vehicle"  # the part of a scenario that --set takes whole
+PROFILE, LENGTH = "road.profile", "road.length"
 _WORDS = {"true": True, "false": False, "null": None}
 
 
-def scenario_of(target: str, changes: Sequence[str] | None, services: Services) -> dict[str, Any]:
-    """The scenario of a target with each `FIELD=VALUE` in its place."""
-    return changed(find(target, services).scenario, changes or [], services)
+def scenario_of(
+    target: str, changes: Sequence[str] | None, services: Services, swept: Collection[str] = ()
+) -> dict[str, Any]:
+    """The scenario of a target with each `FIELD=VALUE` in its place; `swept` fields get their values later."""
+    return changed(find(target, services).scenario, changes or [], services, swept)
 
 
-def changed(scenario: Mapping[str, Any], changes: Sequence[str], services: Services) -> dict[str, Any]:
-    """The scenario with each `FIELD=VALUE` in its place."""
-    if not changes:
+def changed(
+    scenario: Mapping[str, Any], changes: Sequence[str], services: Services, swept: Collection[str] = ()
+) -> dict[str, Any]:
+    """The scenario with each `FIELD=VALUE` in its place; `swept` fields get their values later.
+
+    A length that nobody gave is left to the service: where the road is measured it is that road's. The one that the
+    scenario has belongs to its own road, not to a measured one that is chosen here.
+    """
+    if not changes and PROFILE not in swept:
         return dict(scenario)
     whole = _merged(next(iter(services.names.presets.values())), scenario)
     pairs = [_pair(change, "--set takes FIELD=VALUE") for change in changes]
@@ -39,7 +49,11 @@ def changed(scenario: Mapping[str, Any], changes: Sequence[str], services: Servi
         name: vehicle_of(text, services) if name == VEHICLE else _read(name, text, _value, units)
         for name, text in pairs
     }
-    return with_values(whole, values)
+    result, named, road = with_values(whole, values), {*values, *swept}, scenario.get("road")
+    has_length = isinstance(road, dict) and "length" in road and PROFILE not in named
+    if LENGTH not in named and not has_length and isinstance(result["road"], dict):
+        result["road"].pop("length", None)
+    return result
 
 
 def vehicle_of(target: str, services: Services) -> Any:
@@ -72,6 +86,9 @@ def with_values(scenario: Mapping[str, Any], values: Mapping[str, Any]) -> dict[
     return copy
 
 
+Read = Callable[[str, str], Any]  # a text, in a unit unless it says another
+
+
 def grid_of(specs: Sequence[str], units: Mapping[str, str]) -> dict[str, list[Any]]:
     """Each `FIELD=VALUES`; `units` are the fields' own."""
     return _unique(specs, "--grid", "FIELD=VALUES", _values, units)
@@ -94,9 +111,6 @@ def limit_of(text: str, units: Mapping[str, str], example: str) -> tuple[str, fl
     return name, _read(name, most, quantity, units)
 
 
-Read = Callable[[str, str], Any]  # a text, in a unit unless it says another
-
-
 def _unique(specs: Sequence[str], option: str, form: str, read: Read, units: Mapping[str, str]) -> dict[str, Any]:
     values: dict[str, Any] = {}
     for name, text in (_pair(spec, f"{option} takes {form}") for spec in specs):
@@ -115,9 +129,13 @@ def _pair(text: str, form: str) -> tuple[str, str]:
 
 
 def _read(name: str, text: str, read: Read, units: Mapping[str, str]) -> Any:
+    """What the text says in that name's unit; `units` is empty where the names are not known here."""
     try:
         return read(text, units.get(name, "1"))
     except ValueError as error:
+        if units and name not in units:  # then its unit was a guess
+            similar = " or ".join(get_close_matches(name, units))
+            raise InputError(f"{name}: there is no such name{similar and f'; perhaps {similar}'}") from None
         raise InputError(f"{name}: {error}") from None
 
 
@@ -126,11 +144,11 @@ def _values(text: str, unit: str) -> list[Any]:
     if text.startswith("["):
         return list(document(f"[{text}]".encode(), "weights"))
     if ":" not in text:
-        return [_value(item.strip(), unit) for item in text.split(",")]
+        return _together(text.split(","), unit, _value)
     if (span := _SPAN.fullmatch(text)) is None:
         hint = "LOW:HIGH:COUNT, such as 0.05:0.15:11 for 11 values with both ends, nor values with commas between them"
         raise ValueError(f"{text} is neither {hint}")
-    low, high, count = quantity(span[1].strip(), unit), quantity(span[2].strip(), unit), int(span[3])
+    (low, high), count = _together([span[1], span[2]], unit, quantity), int(span[3])
     if not 2 <= count <= _MOST_VALUES:
         raise ValueError(f"LOW:HIGH:COUNT takes a count from 2 to {_MOST_VALUES}")
     steps = [float(f"{low + (high - low) * index / (count - 1):.{_DIGITS}g}") for index in range(count)]
@@ -141,7 +159,22 @@ def _range(text: str, unit: str) -> list[Any]:
     low, sign, high = text.partition(":")
     if not sign or ":" in high:
         raise ValueError("a range is LOW:HIGH, such as 0.05:0.15 or 5cm:15cm")
-    return [_value(low.strip(), unit), _value(high.strip(), unit)]
+    return _together([low, high], unit, _value)
+
+
+def _together(texts: Sequence[str], unit: str, read: Read) -> list[Any]:
+    """Values that belong together: all numbers but 0 say their unit, or none does.
+
+    Raises:
+        ValueError: A value is none, or only some say their unit: whoever writes 2:120cm does not mean 2 m.
+    """
+    texts = [text.strip() for text in texts]
+    values = [read(text, unit) for text in texts]
+    numbers = [text for text in texts if starts_as_number(text)]
+    bare = [is_number(text) for text in numbers if not (is_number(text) and float(text) == 0)]  # 0 is 0 in every unit
+    if len(set(bare)) > 1:
+        raise ValueError(f"{' and '.join(numbers)}: give each number its unit, or none of them")
+    return values
 
 
 def _value(text: str, unit: str) -> Any:

@@ -7,6 +7,7 @@ from typing import Annotated, Any
 import typer
 
 from ridelab.cli.names import remembered
+from ridelab.cli.reporting import InputError
 
 
 def folder(text: str) -> Path:
@@ -58,7 +59,14 @@ AsJson = Annotated[bool, flag("All of it, as JSON.", "--json")]
 Seed = Annotated[int, typer.Option(metavar="N", min=0, help="Of what is drawn: same seed, same points.")]
 
 
-def listed(names: list[str] | None) -> list[str]:
-    """The names of an option that may be repeated and may hold commas, each once."""
+def listed(names: list[str] | None, option: str = "--strategy") -> list[str]:
+    """The names of an option that may be repeated and may hold commas, each once; none where it is left out.
+
+    Raises:
+        InputError: It was given and names nothing: an empty variable in a script is a mistake.
+    """
     split = (name.strip() for text in names or () for name in text.split(","))
-    return list(dict.fromkeys(name for name in split if name))
+    unique = list(dict.fromkeys(name for name in split if name))
+    if names and not unique:
+        raise InputError(f"{option}: it names nothing; leave it out for the default")
+    return unique

@@ -108,6 +108,14 @@ def print_json(value: Any) -> None:
     typer.echo(json.dumps(value, indent=1, ensure_ascii=False))
 
 
+def print_json_rows(head: dict[str, Any], rows: Iterable[Any]) -> None:
+    """An object for machines with a last member `rows`, row by row: there may be more than fit in memory."""
+    typer.echo(json.dumps(head, indent=1, ensure_ascii=False).removesuffix("\n}") + ',\n "rows": [', nl=False)
+    for index, row in enumerate(rows):
+        typer.echo(("," if index else "") + "\n  " + json.dumps(row, ensure_ascii=False), nl=False)
+    typer.echo("\n ]\n}")
+
+
 def folder_of(out: str, option: str) -> None:
     """Refuse a file whose folder does not exist."""
     if not Path(out).parent.is_dir():

@@ -45,7 +45,7 @@ def robustness(
         raise InputError(f"--baseline: {baseline} is not among the strategies {', '.join(names)}")
     varied = {} if only else {each["field"]: [each["low"], each["high"]] for each in usual["ranges"]}
     varied |= fields.ranges_of(ranges or [], "--range", services.names.fields)
-    for name in options.listed(exact):
+    for name in options.listed(exact, "--exact"):
         if varied.pop(name, None) is None:
             raise InputError(f"--exact: {name} is not varied; what is: {', '.join(varied) or 'nothing'}")
     if not varied:

@@ -69,8 +69,22 @@ def _show(run: RunResult, name: str, baseline: str | None, names: Names) -> None
     heads = [drive, "travel time", "at the bump", "airborne", "over travel", "QPs", "run"]
     show_table(heads, [[label, *_drive(outcome)] for label, outcome in ran.items()])
     for outcome in run:
-        if outcome.status != "ok":
-            typer.echo(f"{names.label(outcome.strategy)}  failed: {outcome.reason}")
+        for caveat in _caveats(outcome):
+            typer.echo(f"{names.label(outcome.strategy)}  {caveat}")
+
+
+def _caveats(outcome: Outcome) -> list[str]:
+    """Why it did not run, or what its numbers do not tell by themselves (the table has lift-off and travel)."""
+    if outcome.status != "ok":
+        return [f"failed: {outcome.reason}"]
+    caveats = []
+    if outcome.events.get("target_reached") is False:
+        caveats.append("target speed not reached")
+    if outcome.events.get("bump_complete") is False:
+        caveats.append("the road ends before the rear axle has left the bump: its peaks are those up to there")
+    if failures := outcome.events.get("qp_failures"):
+        caveats.append(f"{failures} QPs not solved: the last safe force was held")
+    return caveats
 
 
 def _cell(run: RunResult, outcome: Outcome, base: Outcome | None, metric: tuple[str, str, str]) -> str:

@@ -31,8 +31,8 @@ def server_command(*arguments: str, data_dir: Path | None = None) -> list[str]:
     """The command line of `python -m backend`, which only an installed server has."""
     if importlib.util.find_spec("sim_core") is None:  # `backend` may be anybody's
         raise UnavailableError(
-            "Ridelab's server is not installed here: pip install 'ridelab[server]', or name a service with --server "
-            "or RIDELAB_SERVER"
+            "Ridelab's server is not installed here: name a service with --server or RIDELAB_SERVER, or use the "
+            "command in a folder of Ridelab's sources (`make setup` there, then .venv/bin/ridelab)"
         )
     where = [] if data_dir is None else ["--data-dir", str(data_dir)]
     return [sys.executable, "-P", "-m", "backend", *arguments, *where]

@@ -52,14 +52,16 @@ def solve(
 
 def _show(solution: Solution, name: str, metric: str, roads: int) -> None:
     low, high = solution.bracket
-    value = _with_unit(low, solution.unit)
-    if high > low:
-        typer.echo(f"{name} at most {value}; {_with_unit(high, solution.unit)} does not keep the limit")
+    value, above, resolved = (_with_unit(each, solution.unit) for each in (low, high, solution.resolved_value))
+    if high > low and resolved == value:
+        typer.echo(f"{name} at most {value}; {above} does not keep the limit")
+    elif high > low:
+        typer.echo(f"{name} at most about {resolved}: {value} keeps the limit, {above} does not")
     else:
         typer.echo(f"{name}: {value}, the top of the range, keeps the limit; the largest value may lie beyond")
     held = _with_unit(solution.metric_value, solution.metric_unit, 4)
     over = f", the upper end of {solution.interval} over {roads} roads" if solution.interval is not None else ""
-    typer.echo(f"{metric} is {held} there{over} ({solution.runs} runs)")
+    typer.echo(f"{metric} is {held} at {value}{over} ({solution.runs} runs)")
     for warning in solution.warnings:
         note(warning)
 

@@ -1,13 +1,14 @@
 """`ridelab sweep`: a batch of what-ifs."""
 
 import itertools
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 from ridelab.cli import fields, following, options, targets
-from ridelab.cli.reporting import InputError, deliver, note, output_format, print_json
+from ridelab.cli.reporting import InputError, deliver, note, output_format, print_json_rows
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, with_unit
 from ridelab.errors import RidelabClientError
@@ -40,7 +41,7 @@ def sweep(
     label: options.Label = None,
     detach: options.Detach = False,
     dry_run: options.DryRun = False,
-    as_json: options.AsJson = False,
+    as_json: Annotated[bool, options.flag("The batch and all its rows, as JSON.", "--json")] = False,
 ) -> None:
     """Run many variants of a scenario; Ctrl-C cancels and keeps what is finished.
 
@@ -65,7 +66,7 @@ def sweep(
         following.detached_service(services) if detach else services.at(),
         options.listed(strategy) or ["lv"],
     )
-    start = fields.scenario_of(scenario, changes, services)
+    start = fields.scenario_of(scenario, changes, services, _set_in_every_point(swept))
     if dry_run:
         following.show_estimate(ridelab.estimate(start, names, swept), "total", "points", as_json=as_json)
         return
@@ -82,8 +83,16 @@ def sweep(
     elif not as_json:
         _preview(batch, services)
     if as_json:
-        print_json(batch.answer)
+        print_json_rows(batch.answer, batch.rows())
     raise typer.Exit(code or following.say_end(batch))
+
+
+def _set_in_every_point(swept: Mapping[str, Any]) -> set[str]:
+    """Names of the fields whose value in the scenario no point has."""
+    points = swept.get("list", [swept.get("grid", {})])
+    if not isinstance(points, list) or not points or not all(isinstance(point, dict) for point in points):
+        return set()  # the service says what is wrong
+    return set[str].intersection(*map(set, points))
 
 
 def _write(batch: Batch, file_format: str, out: str, follow_up: str) -> None:

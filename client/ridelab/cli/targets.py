@@ -18,6 +18,7 @@ from ridelab.jobs import Batch, Job
 from ridelab.results import LinkedResult, RunResult
 
 _ID = re.compile(r"[A-Za-z0-9_-]{22}")
+_FILTER = {"kind", "acceleration_noise", "deflection_noise", "pitch_rate_noise"}  # what core 0.3.0 says of a filter
 _PAGES = {"r": "get_run", "b": "get_batch", "s": "open_link"}
 
 
@@ -96,9 +97,9 @@ def _document(content: bytes, name: str, services: Services) -> Target:
     if "strategies" not in value and isinstance(value.get("scenario"), dict):
         return Target(name=name, scenario=_of_library(value, name, services))
     if "strategies" not in value:
-        return Target(name=name, scenario=value)
+        return Target(name=name, scenario=_upgraded(value, 1) if _is_written_out(value) else value)
     try:
-        run = RunResult.of(value)
+        run = RunResult.of({**value, "scenario": _upgraded(value["scenario"], 1)})
         whole = isinstance(run.scenario, dict) and all(outcome.figures() for outcome in run if outcome.status == "ok")
     except (KeyError, TypeError, AttributeError):
         whole = False
@@ -123,7 +124,21 @@ def _of_library(value: dict[str, Any], name: str, services: Services) -> dict[st
         if not isinstance(part, dict):
             raise InputError(f"{name}: road has to be a JSON object")
         scenario = {**scenario, "road": {**part, "profile": profile}}
-    return scenario
+    return _upgraded(scenario, version)
+
+
+def _is_written_out(scenario: dict[str, Any]) -> bool:
+    """Whether a program wrote it, with every field that there was: a person writes what differs from the paper."""
+    estimation = scenario.get("estimation")
+    return isinstance(estimation, dict) and estimation.keys() >= _FILTER
+
+
+def _upgraded(scenario: dict[str, Any], version: int) -> dict[str, Any]:
+    """A stored scenario as today's: the steps of sim_core/scenario/versions.py."""
+    estimation = scenario.get("estimation", {})
+    if version > 1 or not isinstance(estimation, dict):
+        return scenario
+    return {**scenario, "estimation": {"knows_preview": False, **estimation}}
 
 
 def _address(address: str, services: Services) -> Target:

@@ -1003,6 +1003,8 @@ export interface components {
             readonly interval: components["schemas"]["Interval"] | null;
             readonly metric_unit: string;
             readonly metric_value: number;
+            readonly resolution: number | null;
+            readonly resolved_value: number;
             readonly run_id: string;
             readonly runs: number;
             readonly tried: readonly components["schemas"]["TriedValue"][];

@@ -23,15 +23,18 @@ interface Props extends Pick<SweepParts, "batch" | "catalogue" | "strategies" | 
 const NOTHING: Columns = {};
 
 export function BatchResults({ batch: stored, form, catalogue, strategies, markers, figures, view, onView }: Props) {
-  const batch = useMemo(() => ({ ...stored, fields: shownFields(stored.fields, form) }), [stored, form]);
-  const shown = useMemo(() => shownPlot(batch, strategies, figures, view), [batch, strategies, figures, view]);
+  // Every event is a new batch: what is drawn depends on its fields alone, which stay.
+  const { fields: storedFields, sweep } = stored;
+  const fields = useMemo(() => shownFields(storedFields, form), [storedFields, form]);
+  const batch = useMemo(() => ({ ...stored, fields }), [stored, fields]);
+  const shown = useMemo(() => shownPlot({ fields, sweep }, strategies, figures, view), [fields, sweep, strategies, figures, view]);
   const y = shown?.y;
   const plotted = shown && [shown.y.key, ...(shown.kind === "trade_off" ? [shown.versus.key] : [])].join(" ");
   const keys = useMemo(() => [...new Set([...(plotted?.split(" ") ?? []), ...paperFigures(catalogue)])], [catalogue, plotted]);
   const requested = useMemo(() => [...new Set([...keys, ...CAVEAT_COLUMNS])], [keys]);
   const table = useQuery({ ...tableQuery(batch, requested), placeholderData: keepPreviousData });
   const fetched = table.data?.columns ?? NOTHING;
-  const columns = useMemo(() => shownColumns(fetched, stored.fields, form), [fetched, stored.fields, form]);
+  const columns = useMemo(() => shownColumns(fetched, storedFields, form), [fetched, storedFields, form]);
   // The first finished runs are shown as soon as they are known of, not when rows are due again.
   const readFirst = useEffectEvent(() => {
     if (!columns.status?.includes("ok")) void table.refetch();

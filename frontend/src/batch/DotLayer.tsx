@@ -3,7 +3,7 @@
 import { useEffect, useEffectEvent, useRef, useState, type RefObject } from "react";
 import type { PlotElement } from "../plots/plotly";
 import classes from "./batch.module.css";
-import { clearDots, drawDots, nearest, locate, type Axes, type Hit, type LocatedDots } from "./dots";
+import { clearDots, drawDots, drawnAxes, nearest, locate, type Axes, type Hit, type LocatedDots } from "./dots";
 import type { Dots } from "./scatter";
 
 interface Props {
@@ -17,27 +17,30 @@ interface Props {
   /** What a row says of itself, line by line. */
   readonly textOf: (row: number) => readonly string[];
   readonly onOpen: (row: number) => void;
+  /** It cannot be told where plotly's axes lie: the points have to be plotly's own. */
+  readonly onNoAxes: () => void;
 }
 
 const REACH_PX = 12;
 /** Further is a drag, which zooms. */
 const CLICK_PX = 4;
 
-export function DotLayer({ host, drawing, dots, width, height, textOf, onOpen }: Props) {
+export function DotLayer({ host, drawing, dots, width, height, textOf, onOpen, onNoAxes }: Props) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const drawn = useRef<{ readonly located: readonly LocatedDots[]; readonly axes: Axes } | null>(null);
   const [hit, setHit] = useState<Hit | null>(null);
 
   useEffect(() => {
-    const element = host.current as (PlotElement & { readonly _fullLayout?: Axes }) | null;
-    if (!element?._fullLayout || !canvas.current) return undefined;
+    const element = host.current as PlotElement | null;
+    if (drawing === 0 || !element || !canvas.current) return undefined;
     const paint = () => {
-      const axes = element._fullLayout;
-      if (!axes || !canvas.current) return;
+      if (!canvas.current) return;
       setHit(null);
-      if (dots.length === 0) {
+      const axes = dots.length === 0 ? null : drawnAxes(element);
+      if (!axes) {
         drawn.current = null;
         clearDots(canvas.current);
+        if (dots.length > 0) onNoAxes();
         return;
       }
       const located = locate(dots, axes);
@@ -47,7 +50,7 @@ export function DotLayer({ host, drawing, dots, width, height, textOf, onOpen }:
     paint();
     element.on("plotly_relayout", paint);
     return () => element.removeAllListeners?.("plotly_relayout");
-  }, [host, drawing, dots, width, height]);
+  }, [host, drawing, dots, width, height, onNoAxes]);
 
   const open = useEffectEvent((row: number) => onOpen(row));
   useEffect(() => {

@@ -1,7 +1,7 @@
 /** A metric over two swept fields in colours, and how much of it keeps a threshold. */
 
 import { Group, Text, useComputedColorScheme } from "@mantine/core";
-import { useMemo, useRef } from "react";
+import { useMemo, useRef, useState } from "react";
 import { Chart } from "../plots/Chart";
 import { ChartButton } from "../plots/ChartButton";
 import { ON_PAPER, PALETTES } from "../plots/palettes";
@@ -10,10 +10,13 @@ import { fullName } from "./figures";
 import { mapGrid, shareBelow } from "./map";
 import { mapFigure } from "./mapFigure";
 import type { PlotParts } from "./parts";
+import { useHeld } from "./useHeld";
 
-export function MapPlot({ batch, columns, shown, strategies, height, textOf, onOpen }: PlotParts) {
+export function MapPlot({ batch, columns: newest, shown, strategies, height, textOf, onOpen }: PlotParts) {
   const scheme = useComputedColorScheme("light");
   const { x, other, y, strategy, against, threshold, mapUnit } = shown;
+  const [pointed, setPointed] = useState(false);
+  const columns = useHeld(newest, y.key, pointed);
   const labelOf = (id: string | null) => strategies.find((each) => each.id === id)?.label ?? "";
   const otherLabel = labelOf(against);
   const grid = useMemo(
@@ -47,7 +50,9 @@ export function MapPlot({ batch, columns, shown, strategies, height, textOf, onO
   const colours = titleWithUnit(name, mapUnit);
   return (
     <>
-      <Chart hostRef={host} figure={drawn} height={height} label={`${name} over ${x.title} and ${other.title}. ${sentence} Every value stands in the table below.`} onPoint={onOpen} />
+      <div onPointerEnter={() => setPointed(true)} onPointerLeave={() => setPointed(false)}>
+        <Chart hostRef={host} figure={drawn} height={height} label={`${name} over ${x.title} and ${other.title}. ${sentence} Every value stands in the table below.`} onPoint={onOpen} />
+      </div>
       <Group gap="0" align="flex-start" justify="space-between" wrap="nowrap" pr="0.7rem">
         <Text size="xs" p="0.2rem 0.9rem 0.6rem" c="dimmed" data-testid="map-note">
           {colours}. {sentence}

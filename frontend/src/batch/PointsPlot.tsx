@@ -1,7 +1,7 @@
 /** Runs as points in their strategy's colour: a metric over a swept field, or over another metric. */
 
 import { Group, Text, useComputedColorScheme } from "@mantine/core";
-import { useMemo, useRef } from "react";
+import { useCallback, useMemo, useRef, useState } from "react";
 import type { Batch, Strategy } from "../api/types";
 import { IconAlertTriangle } from "../icons";
 import { isFinal } from "../jobs/follow";
@@ -33,6 +33,8 @@ const NONE: readonly number[] = [];
 export function PointsPlot({ batch, columns, catalogue, strategies, visible, markers, shown, best, height, textOf, onOpen }: Props) {
   const palette = PALETTES[useComputedColorScheme("light")];
   const host = useRef<HTMLDivElement>(null);
+  const [ownPoints, setOwnPoints] = useState(false);
+  const onNoAxes = useCallback(() => setOwnPoints(true), []);
 
   const { y, versus } = shown;
   const tradeOff = shown.kind === "trade_off";
@@ -53,7 +55,7 @@ export function PointsPlot({ batch, columns, catalogue, strategies, visible, mar
     const input = { points, markers, x, y, ringed, front: tradeOff, lines, curves, labelOf, isHollow, textOf };
     return (look: Pick<Parameters<typeof scatterFigure>[0], "strategies" | "palette" | "most">) => scatterFigure({ ...input, ...look });
   }, [points, columns, axes, joined, curves, markers, x, y, best, tradeOff, front, textOf]);
-  const figure = useMemo(() => draw({ strategies, palette }), [draw, strategies, palette]);
+  const figure = useMemo(() => draw({ strategies, palette, ...(ownPoints && { most: Infinity }) }), [draw, strategies, palette, ownPoints]);
   const light = useLightColours(strategies);
   const drawOnPaper = () => {
     return { figure: draw({ strategies: light, palette: ON_PAPER, most: Infinity }), legend: light.map(({ label }) => label) };
@@ -71,7 +73,7 @@ export function PointsPlot({ batch, columns, catalogue, strategies, visible, mar
           points={drawn}
           label={`${fullName(y)} over ${x.title}, ${drawn} runs. Every value stands in the table below.`}
           onPoint={onOpen}
-          over={(drawing, width) => <DotLayer {...{ host, drawing, width, height, onOpen, textOf }} dots={figure.dots} />}
+          over={(drawing, width) => <DotLayer {...{ host, drawing, width, height, onOpen, onNoAxes, textOf }} dots={figure.dots} />}
         />
         {drawn === 0 && <Text className={classes.plotEmpty}>{emptyReason(batch, visible.length, columns)}</Text>}
       </div>

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { markersOf } from "../plots/markers";
-import { nearest, locate } from "./dots";
+import { drawnAxes, nearest, locate } from "./dots";
 import { linesOf } from "./lines";
 import { secondsLeft, withMark, type Mark } from "../jobs/pace";
 import { MANY, scatterFigure } from "./scatter";
@@ -126,6 +126,14 @@ describe("a plot of many points", () => {
     const figureOf = (list: typeof decades | typeof names) => scatterFigure({ ...rest, points: list, ringed: [] });
     expect(figureOf(decades).layout.xaxis).toMatchObject({ type: "log" });
     expect(figureOf(names).data[0]?.x).toEqual(["Cosine", "Flat top"]);
+  });
+
+  it("knows plotly's axes where they are as they have been, else none", () => {
+    const axis = { _offset: 0, _length: 100, d2p: Number };
+    const host = (layout: object) => ({ _fullLayout: layout }) as unknown as HTMLElement;
+    expect(drawnAxes(host({ xaxis: axis, yaxis: axis }))).toEqual({ xaxis: axis, yaxis: axis });
+    for (const other of [{}, { xaxis: axis }, { xaxis: axis, yaxis: { ...axis, d2p: undefined } }, { xaxis: { ...axis, _offset: undefined }, yaxis: axis }]) expect(drawnAxes(host(other))).toBeNull();
+    expect(drawnAxes({} as HTMLElement)).toBeNull();
   });
 
   it("finds the point under the pointer, where it is in sight", () => {

@@ -3,7 +3,7 @@
 import { outlineOf } from "../plots/markers";
 import type { Dots } from "./scatter";
 
-/** The part of plotly's axis that says where a value lies; its own code calls these on every figure. */
+/** The part of plotly's axis that says where a value lies. */
 export interface DrawnAxis {
   /** [px] from the figure's edge. */
   readonly _offset: number;
@@ -14,6 +14,14 @@ export interface DrawnAxis {
 export interface Axes {
   readonly xaxis: DrawnAxis;
   readonly yaxis: DrawnAxis;
+}
+
+const isDrawnAxis = (axis: Partial<DrawnAxis> | undefined) => typeof axis?._offset === "number" && typeof axis._length === "number" && typeof axis.d2p === "function";
+
+/** The axes plotly has drawn in an element. They are no part of its documented interface: `null` where a version of it has others. */
+export function drawnAxes(element: HTMLElement): Axes | null {
+  const { _fullLayout: layout } = element as { readonly _fullLayout?: Partial<Axes> };
+  return layout && isDrawnAxis(layout.xaxis) && isDrawnAxis(layout.yaxis) ? (layout as Axes) : null;
 }
 
 export interface LocatedDots {

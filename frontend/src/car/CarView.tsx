@@ -7,9 +7,8 @@ import { useEffect, useEffectEvent, useState } from "react";
 import type { StrategyId } from "../api/types";
 import { axisUnit } from "../plots/figure";
 import { useCommands } from "../state/commands";
-import { cursor } from "../state/cursor";
+import { cursor, useCursor } from "../state/cursor";
 import type { Scene } from "../state/scene";
-import { useStore } from "../state/store";
 import classes from "./car.module.css";
 import { Key } from "./Key";
 import { Lane } from "./Lane";
@@ -96,7 +95,7 @@ export function CarView({ scene }: { readonly scene: Scene }) {
 
 function Scrubber({ scene }: { readonly scene: Scene }) {
   const [low, high] = scene.range;
-  const at = useStore(cursor) ?? restingCursor(scene);
+  const at = useCursor(scene.axis) ?? restingCursor(scene);
   return (
     <input
       type="range"
@@ -107,7 +106,7 @@ function Scrubber({ scene }: { readonly scene: Scene }) {
       max={high}
       step={(high - low) / 1000}
       value={Math.min(high, Math.max(low, at))}
-      onChange={(event) => cursor.set(Number(event.currentTarget.value))}
+      onChange={(event) => cursor.set(scene.axis, Number(event.currentTarget.value))}
     />
   );
 }

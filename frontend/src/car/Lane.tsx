@@ -3,9 +3,8 @@
 import { Box, Group } from "@mantine/core";
 import { useMemo } from "react";
 import type { Strategy } from "../api/types";
-import { cursor } from "../state/cursor";
+import { useCursor } from "../state/cursor";
 import type { Scene } from "../state/scene";
-import { useStore } from "../state/store";
 import { metres, toKmh } from "../units/brands";
 import { formatNumber } from "../units/format";
 import classes from "./car.module.css";
@@ -23,7 +22,7 @@ interface Props {
 }
 
 export function Lane({ scene, strategy, width, exaggeration }: Props) {
-  const at = Math.min(useStore(cursor) ?? restingCursor(scene), scene.whole[1]);
+  const at = Math.min(useCursor(scene.axis) ?? restingCursor(scene), scene.whole[1]);
   const size = useMemo(() => dimensionsOf(scene.shown.scenario, staticLoads(scene, strategy.id)), [scene, strategy.id]);
   const scale = useMemo(() => scaleOf(width, exaggeration, size), [width, exaggeration, size]);
   const { metre, rise } = scale;

@@ -26,7 +26,7 @@ export function play(scene: () => Scene, strategy: () => string, speed: () => nu
     const elapsed = Math.min(0.1, (now - last) / 1000) * speed();
     last = now;
     const current = scene();
-    cursor.set(advance(current, strategy(), cursor.get() ?? restingCursor(current), elapsed));
+    cursor.set(current.axis, advance(current, strategy(), cursor.get(current.axis) ?? restingCursor(current), elapsed));
     frame = requestAnimationFrame(step);
   };
   frame = requestAnimationFrame(step);

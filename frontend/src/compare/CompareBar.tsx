@@ -17,7 +17,7 @@ const STRATEGY = "strategy:";
 export function CompareBar({ scene }: { readonly scene: Scene }) {
   const { router } = useLabContext();
   return (
-    <div className={classes.bar}>
+    <div className={classes.bar} data-unprinted>
       <AgainstSelect scene={scene} />
       <SpeedSelect />
       <Checkbox

@@ -25,7 +25,7 @@ export function FieldFrame({ id, field, leaf: { changed, error }, standard, asid
   const { pointer, title, description } = field;
   return (
     <div className={classes.field} data-pointer={pointer} data-changed={changed || undefined} data-error={error !== undefined || undefined}>
-      <Group gap="0.25rem" wrap="nowrap" mih={30}>
+      <Group gap="0.25rem" wrap={aside === undefined ? "nowrap" : "wrap"} mih={30}>
         <label className={classes.label} htmlFor={id} id={`${id}-label`}>
           {title}
         </label>

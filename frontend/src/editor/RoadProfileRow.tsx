@@ -55,7 +55,7 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
           id={name}
           value={id}
           disabled={leaf.readOnly}
-          data={[NONE, ...(id === "" || saved.some(({ value }) => value === id) ? [] : [{ value: id, label: `Not in the library: ${id}` }]), ...(saved.length > 0 ? [{ group: "Your measured roads", items: saved }] : [])]}
+          data={[NONE, ...(id === "" || saved.some(({ value }) => value === id) ? [] : [{ value: id, label: "A measured road, not in the library" }]), ...(saved.length > 0 ? [{ group: "Your measured roads", items: saved }] : [])]}
           onChange={(event) => choose(event.currentTarget.value)}
         />
       )}

@@ -2,6 +2,7 @@
 
 import type { JsonValue, Scenario } from "../api/types";
 import { formatExact, prettyUnit } from "../units/format";
+import { roadName } from "../library/roadName";
 import { inShownUnit } from "./limits";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
 import { fieldsOf, optionOf, optionTitle, type Field, type Member, type NumberField, type ChoiceField, type TextField } from "./schema";
@@ -55,7 +56,7 @@ function named(group: string, title: string): string {
 function shown(value: JsonValue | undefined, leaf: Leaf): string {
   if (value === null || value === undefined || value === "") return "none";
   if (leaf.kind === "choice") return optionTitle(optionOf(value)).toLowerCase();
-  return typeof value === "number" && leaf.kind === "number" ? formatExact(inShownUnit(leaf, value), "1") : typeof value === "string" ? value : JSON.stringify(value);
+  return typeof value === "number" && leaf.kind === "number" ? formatExact(inShownUnit(leaf, value), "1") : typeof value === "string" ? roadName(value) : JSON.stringify(value);
 }
 
 /** Every field with a name that says on its own which one it is: `Bump height`. */
@@ -71,7 +72,8 @@ export function changedFields(form: Member, from: Scenario, to: Scenario): reado
     const [one, other] = [getAt(from, leaf.pointer), getAt(to, leaf.pointer)];
     if (sameValue(one, other)) return [];
     const unit = leaf.kind === "number" && typeof other === "number" ? `\u00a0${prettyUnit(leaf.shown.unit)}`.trimEnd() : "";
-    return [{ pointer: leaf.pointer, name, change: `${shown(one, leaf)} → ${shown(other, leaf)}${unit}` }];
+    const [before, after] = [shown(one, leaf), shown(other, leaf)];
+    return [{ pointer: leaf.pointer, name, change: `${before} → ${before === after ? "another" : after}${unit}` }];
   });
 }
 

@@ -2,9 +2,10 @@
 
 import { Button, Menu, Modal, Text, Textarea } from "@mantine/core";
 import { IconBrandPython, IconCheck, IconCpu, IconDownload, IconFileText, IconPhoto, IconTerminal2, IconWorldUpload } from "../icons";
-import { useQuery, useQueryClient } from "@tanstack/react-query";
+import { useMutation, useQuery, useQueryClient } from "@tanstack/react-query";
 import { useState } from "react";
 import { address } from "../api/http";
+import { explain } from "../api/problem";
 import { useCompared } from "../compare/useCompared";
 import { useCommands } from "../state/commands";
 import { whyNotCompared } from "../state/compare";
@@ -50,11 +51,12 @@ export function ExportMenu() {
   const { save, saving, error: unsaved, reset } = useController();
   const runId = shown?.runId ?? null;
 
-  const saveImage = (format: "png" | "svg") => {
-    if (!shown || !figures || !strategies) return;
-    const scene = makeScene(shown, strategies, selected, view, compared);
-    void plotsImage(client, figures, scene, format).then((address) => download(address, `ridelab-${runId ?? "live"}.${format}`));
-  };
+  const picture = useMutation({
+    mutationFn: async (format: "png" | "svg") => {
+      if (!shown || !figures || !strategies) return;
+      download(await plotsImage(client, figures, makeScene(shown, strategies, selected, view, compared), format), `ridelab-${runId ?? "live"}.${format}`);
+    },
+  });
   const saveReport = () => {
     if (!shown || !strategies || runId === null) return;
     const { baseline, against } = makeScene(shown, strategies, selected, view, compared);
@@ -65,15 +67,14 @@ export function ExportMenu() {
   const copyAs = (write: (request: CopyRequest) => string) => {
     if (!form) return;
     const scenario = lab.get().history?.present ?? shown?.scenario ?? {};
-    const over = shown?.over && selected.includes(shown.over.baseline) ? { roads: shown.over.roads, baseline: shown.over.baseline } : null;
-    copy(write({ origin: window.location.origin, form, scenario, strategies: selected, over }));
+    copy(write({ origin: window.location.origin, form, scenario, strategies: selected, over: shown?.over ?? null }));
   };
 
   const saveController = () => save(lab.get().history?.present ?? shown?.scenario ?? {});
 
   useCommands([
     ...(runId === null ? [] : [{ group: "Lab", label: "Export HTML report", run: saveReport } as const]),
-    ...(shown?.missing === null ? FIGURES.map(({ format, label }) => ({ group: "Lab", label: `Export plots: ${label}`, run: () => saveImage(format) }) as const) : []),
+    ...(shown?.missing === null ? FIGURES.map(({ format, label }) => ({ group: "Lab", label: `Export plots: ${label}`, run: () => picture.mutate(format) }) as const) : []),
     { group: "Lab", label: "Export controller (C)", run: saveController },
     ...COPIES.map(({ label, write }) => ({ group: "Lab", label, run: () => copyAs(write) }) as const),
   ]);
@@ -89,7 +90,7 @@ export function ExportMenu() {
             leftSection={copied ? <IconCheck size={15} /> : <IconDownload size={15} />}
             classNames={compact}
             disabled={!shown}
-            loading={saving}
+            loading={saving || picture.isPending}
           >
             {copied ? "Copied" : "Export"}
           </Button>
@@ -124,7 +125,7 @@ export function ExportMenu() {
           </Menu.Item>
           <Menu.Label>Plots as shown</Menu.Label>
           {FIGURES.map(({ format, label }) => (
-            <Menu.Item key={format} leftSection={<IconPhoto size={16} />} disabled={shown?.missing !== null} onClick={() => saveImage(format)}>
+            <Menu.Item key={format} leftSection={<IconPhoto size={16} />} disabled={shown?.missing !== null} onClick={() => picture.mutate(format)}>
               {label}
             </Menu.Item>
           ))}
@@ -142,6 +143,9 @@ export function ExportMenu() {
       </Menu>
       <Modal opened={unsaved !== null} onClose={reset} title="The controller could not be exported" closeButtonProps={{ "aria-label": "Close" }}>
         <Text size="sm">{unsaved?.message}</Text>
+      </Modal>
+      <Modal opened={picture.isError} onClose={picture.reset} title="The plots could not be saved" closeButtonProps={{ "aria-label": "Close" }}>
+        <Text size="sm">{picture.error && explain(picture.error)}</Text>
       </Modal>
       <Modal opened={refused !== null} onClose={() => setRefused(null)} title="Select the address and copy it" size="lg" closeButtonProps={{ "aria-label": "Close" }}>
         <Textarea

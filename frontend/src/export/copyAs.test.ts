@@ -42,6 +42,13 @@ it("several roads and their baseline are written out", () => {
   expect(asPython(several)).toContain(`ridelab.run(scenario, ["lv", "lqr"], roads=10, baseline="lqr")`);
 });
 
+it("several roads are written out where their baseline is hidden", () => {
+  const several = { ...copyRequest(PAPER), over: { roads: 5, baseline: "passive" } };
+  expect(asCurl(several)).toContain(`"strategies":["lv","lqr"],"roads":5}`);
+  expect(asCommand(several)).toContain("--strategy lv,lqr --roads 5 --server");
+  expect(asPython(several)).toContain(`ridelab.run(scenario, ["lv", "lqr"], roads=5)`);
+});
+
 describe("Python", () => {
   it("uses the client", () => {
     expect(asPython(copyRequest())).toBe(`from ridelab import Ridelab

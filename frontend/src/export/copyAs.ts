@@ -12,9 +12,12 @@ export interface CopyRequest {
   readonly form: Group;
   readonly scenario: Scenario;
   readonly strategies: readonly StrategyId[];
-  /** Over how many roads and against which strategy; `null` for one road. */
+  /** Over how many roads, and against which strategy where that is one of them; `null` for one road. */
   readonly over: { readonly roads: number; readonly baseline: StrategyId } | null;
 }
+
+/** Without a baseline that is hidden: the service then takes its own. */
+const roadsOf = ({ over, strategies }: CopyRequest) => over && { roads: over.roads, ...(strategies.includes(over.baseline) && { baseline: over.baseline }) };
 
 /** The part of a scenario that is not the paper's; weights come whole. */
 export function changedPart(scenario: Scenario, form: Group): JsonObject {
@@ -30,18 +33,21 @@ const quoted = (text: string) => `'${text.replace(/'/g, `'\\''`)}'`;
 
 const word = (text: string) => (/^[\w@%+=:,./-]+$/.test(text) ? text : quoted(text));
 
-export function asCurl({ origin, form, scenario, strategies, over }: CopyRequest): string {
-  const body = JSON.stringify({ scenario: changedPart(scenario, form), strategies, ...over });
+export function asCurl(request: CopyRequest): string {
+  const { origin, form, scenario, strategies } = request;
+  const body = JSON.stringify({ scenario: changedPart(scenario, form), strategies, ...roadsOf(request) });
   return `curl -sS ${word(`${origin}/api/v1/runs`)} -H 'content-type: application/json' -d ${quoted(body)}`;
 }
 
-export function asCommand({ origin, form, scenario, strategies, over }: CopyRequest): string {
+export function asCommand(request: CopyRequest): string {
+  const { origin, form, scenario, strategies } = request;
+  const over = roadsOf(request);
   const changes = leavesOf(form).flatMap((leaf) => {
     const value = getAt(scenario, leaf.pointer);
     if (value === undefined || !isChanged(scenario, leaf)) return [];
     return [`--set ${word(`${dotted(leaf.pointer)}=${typeof value === "string" ? value : JSON.stringify(value)}`)}`];
   });
-  const roads = over ? [`--roads ${over.roads} --baseline ${word(over.baseline)}`] : [];
+  const roads = [...(over ? [`--roads ${over.roads}`] : []), ...(over?.baseline ? [`--baseline ${word(over.baseline)}`] : [])];
   return ["ridelab run", ...changes, `--strategy ${word(strategies.join(","))}`, ...roads, `--server ${word(origin)}`].join(" ");
 }
 
@@ -60,14 +66,15 @@ function literal(value: JsonValue, depth = 1): string {
   return `{\n${members.map((member) => `${pad}${member},\n`).join("")}${INDENT.repeat(depth - 1)}}`;
 }
 
-export function asPython({ origin, form, scenario, strategies, over }: CopyRequest): string {
-  const roads = over ? `, roads=${over.roads}, baseline=${JSON.stringify(over.baseline)}` : "";
+export function asPython(request: CopyRequest): string {
+  const { origin, form, scenario, strategies } = request;
+  const over = Object.entries(roadsOf(request) ?? {}).map(([name, value]) => `, ${name}=${JSON.stringify(value)}`);
   return [
     "from ridelab import Ridelab",
     "",
     `scenario = ${literal(changedPart(scenario, form))}`,
     `with Ridelab(${JSON.stringify(origin)}) as ridelab:`,
-    `${INDENT}run = ridelab.run(scenario, ${JSON.stringify(strategies).replace(/,/g, ", ")}${roads})`,
+    `${INDENT}run = ridelab.run(scenario, ${JSON.stringify(strategies).replace(/,/g, ", ")}${over.join("")})`,
     "",
   ].join("\n");
 }

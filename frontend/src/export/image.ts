@@ -6,7 +6,7 @@ import type { FigureTemplate, SeriesByStrategy } from "../api/types";
 import { buildFigure, axisUnit, overRoads } from "../plots/figure";
 import { layersOf } from "../plots/layers";
 import { ON_PAPER } from "../plots/palettes";
-import { loadPlotly, type PlotFigure } from "../plots/plotly";
+import { asText, loadPlotly, withPlainNames, type PlotFigure } from "../plots/plotly";
 import { drawnOf, subtrahend } from "../plots/differences";
 import { curvesFrom, layeredFrom, loadDetail } from "../plots/useDetail";
 import type { Scene } from "../state/scene";
@@ -36,7 +36,7 @@ function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, scene: 
     axes[`yaxis${suffix}`] = { ...layout.yaxis, anchor: name("x", index), domain: [top - row * (1 - GAP), top - row * 0.12] };
   });
   const data = built.flatMap((figure, index) =>
-    figure.data.map((trace) => ({ ...trace, xaxis: name("x", index), yaxis: name("y", index), showlegend: index === 0 && trace.showlegend !== false })),
+    withPlainNames(figure.data).map((trace) => ({ ...trace, xaxis: name("x", index), yaxis: name("y", index), showlegend: index === 0 && trace.showlegend !== false })),
   );
   const shapes = built.flatMap(({ layout }, index) =>
     layout.shapes.map((shape) => ({
@@ -46,7 +46,7 @@ function stackFigures(figures: Readonly<Record<string, FigureTemplate>>, scene: 
     })),
   );
   const annotations: Readonly<Record<string, unknown>>[] = templates.map(({ layout: { meta } }, index) => ({
-    text: `<b>${meta.title}</b> [${meta.unit}]${differences ? `, less ${subtrahend(scene)}` : ""}`,
+    text: `<b>${meta.title}</b> [${meta.unit}]${differences ? `, less ${asText(subtrahend(scene))}` : ""}`,
     xref: "paper", yref: "paper", x: 0, y: 1 - index * row - row * 0.1, xanchor: "left", yanchor: "bottom",
     showarrow: false, font: { size: 13, color: ON_PAPER.text },
   }));

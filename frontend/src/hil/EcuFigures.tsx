@@ -11,7 +11,6 @@ import { DEFAULT_VIEW, type Axis, type Zoom } from "../state/address";
 import { DETAIL_POINTS, seriesQuery } from "../state/queries";
 import { makeScene } from "../state/scene";
 import { fromRun } from "../state/shown";
-import { cursor } from "../state/cursor";
 import { StrategyName } from "../tables/StrategyKey";
 import classes from "./hil.module.css";
 import { Fault } from "../ui/Fault";
@@ -41,7 +40,7 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
   const curves = useMemo(() => scene && { ...scene, driven: scene.series, live: false, runId: scene.shown.runId, coreVersion: scene.shown.coreVersion }, [scene]);
   const templates = useMemo(() => templatesOf(catalogue, figures), [catalogue, figures]);
   return (
-    <section aria-label="Time histories" data-stale={stale || undefined}>
+    <section className={classes.part} aria-label="Time histories" data-stale={stale || undefined}>
       <Group component="header" gap="0.4rem 1rem" mih="2.7rem" p="0.4rem 0.9rem">
         <h2 className={ui.heading}>Figures 19 to 22, for this scenario</h2>
         <Group component="span" gap="0.2rem 0.9rem" fz="xs" c="dimmed">
@@ -60,7 +59,6 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
           onChange={(next) => {
             setAxis(next);
             setZoom(null);
-            cursor.set(null);
           }}
         />
       </Group>

@@ -11,6 +11,7 @@ import { StrategyName } from "../tables/StrategyKey";
 import tables from "../tables/tables.module.css";
 import { shownUnit } from "../tables/units";
 import { formatResult, formatWhole, prettyUnit } from "../units/format";
+import classes from "./hil.module.css";
 import { rowsOf, RULE_PERCENT, type HilRow } from "./rule";
 import { DataTable, type Column } from "../ui/DataTable";
 import { Card } from "../ui/Card";
@@ -30,6 +31,7 @@ export function EcuTable({ summaries, strategies, catalogue, figures, stale }: P
   const reached = judged.filter(({ within }) => within).length;
   return (
     <Card
+      className={classes.part}
       aria-label="LV in the ECU against LV in the simulation"
       data-stale={stale || undefined}
       title="ECU against simulation"

@@ -29,7 +29,7 @@ interface Props {
 }
 
 export function RealTime({ scenario, catalogue, seconds, colour }: Props) {
-  const drive = useMutation({ mutationFn: (wanted: Scenario) => ask("post", "/controller/realtime", { body: { scenario: wanted } }), networkMode: "always" });
+  const drive = useMutation({ mutationFn: (wanted: Scenario) => ask("post", "/controller/realtime", { body: { scenario: wanted } }) });
   const report = drive.data;
   const other = drive.isSuccess && drive.variables !== scenario;
   return (

@@ -17,7 +17,6 @@ function saveAs(blob: Blob, name: string): void {
 export function useController() {
   const { mutate, isPending, error, reset } = useMutation({
     mutationFn: (scenario: Scenario) => askFile("post", "/controller", { body: { scenario } }),
-    networkMode: "always",
     onSuccess: (zip) => saveAs(zip, "ridelab-controller.zip"),
   });
   return { save: mutate, saving: isPending, error, reset };

@@ -42,7 +42,6 @@ export function useEcuRun({ scenario: stored, choose }: PageScenario): EcuRun {
       newest.current = new AbortController();
       return api.createRun(scenario, STRATEGIES, newest.current.signal);
     },
-    networkMode: "always",
     onSuccess: (run) => {
       queries.setQueryData(runKey(run.id), run);
       queries.setQueryData(ecuRunQuery(run.scenario).queryKey, run);

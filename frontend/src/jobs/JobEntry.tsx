@@ -69,7 +69,6 @@ function useChange<Item extends Common, Job extends Item, Value = void>({ name }
   const queries = useQueryClient();
   return useMutation({
     mutationFn: call,
-    networkMode: "always",
     onSuccess: () => {
       onClose();
       return queries.invalidateQueries({ queryKey: [name] });

@@ -23,7 +23,7 @@ function read(text: string): JobEvent | null {
   }
 }
 
-interface Handlers {
+export interface Handlers {
   readonly onEvent: (event: JobEvent) => void;
   /** Whether events can arrive at the moment. */
   readonly onConnected: (connected: boolean) => void;

@@ -1,10 +1,11 @@
 /** A job as it stands: read once, then kept up to date by its events. */
 
-import { queryOptions, useMutation, useQuery, useQueryClient } from "@tanstack/react-query";
+import { queryOptions, useMutation, useQuery, useQueryClient, type QueryClient } from "@tanstack/react-query";
 import { useEffect, useState } from "react";
 import { batches, tunings, type JobCalls } from "../api/jobs";
 import type { Batch, BatchItem, Tuning, TuningItem } from "../api/types";
-import { follow, isFinal, type JobEvent } from "./follow";
+import { createLatest } from "../state/latest";
+import { follow, isFinal, type Handlers, type JobEvent } from "./follow";
 import { secondsLeft, withMark, type Mark } from "./pace";
 
 export type Common = Pick<Batch, "id" | "state" | "reason" | "label" | "position" | "created_at">;
@@ -61,6 +62,30 @@ export interface JobStatus<Job> {
   readonly left: number | null;
 }
 
+/**
+ * Keeps the stored job up to date by its events, until the returned function is called.
+ *
+ * The job is asked for once at a time: of events that come meanwhile only the newest asks again.
+ */
+export function followJob<Item extends Common, Job extends Item>(kind: Kind<Item, Job>, id: string, queries: QueryClient, handlers: Handlers): () => void {
+  const { queryKey } = jobQuery(kind, id);
+  const asking = createLatest({ run: () => queries.invalidateQueries({ queryKey }), onAnswer: () => undefined, onError: () => undefined });
+  const stop = follow((after) => kind.calls.eventsAddress(id, after), {
+    ...handlers,
+    onEvent: (event) => {
+      handlers.onEvent(event);
+      const before = queries.getQueryData<Job>(queryKey);
+      const now = before ? kind.withEvent(before, event) : null;
+      if (now) queries.setQueryData<Job>(queryKey, now);
+      else asking.request(undefined);
+    },
+  });
+  return () => {
+    stop();
+    asking.cancel();
+  };
+}
+
 export function useJob<Item extends Common, Job extends Item>(kind: Kind<Item, Job>, id: string): JobStatus<Job> {
   const queries = useQueryClient();
   const { data: job, error } = useQuery({
@@ -74,17 +99,12 @@ export function useJob<Item extends Common, Job extends Item>(kind: Kind<Item, J
   useEffect(() => {
     if (!unfinished) return undefined;
     const opened = performance.now();
-    const { queryKey } = jobQuery(kind, id);
-    return follow((after) => kind.calls.eventsAddress(id, after), {
+    return followJob(kind, id, queries, {
       onConnected: setConnected,
       onEvent: (event) => {
         const mark = { at: performance.now(), finished: event.done + event.failed };
         // Events of the past come all at once and say nothing of the pace.
         setMarks((all) => (mark.at - opened < REPLAY_MS ? [mark] : withMark(all, mark)));
-        const before = queries.getQueryData<Job>(queryKey);
-        const now = before ? kind.withEvent(before, event) : null;
-        if (now) queries.setQueryData<Job>(queryKey, now);
-        else void queries.invalidateQueries({ queryKey });
       },
     });
   }, [kind, id, unfinished, queries]);
@@ -97,7 +117,6 @@ export function useJobCall<Item extends Common, Job extends Item, Value = undefi
   const queries = useQueryClient();
   return useMutation({
     mutationFn: call,
-    networkMode: "always",
     onSuccess: (now) => queries.setQueryData<Job>([kind.name, id], now),
   });
 }

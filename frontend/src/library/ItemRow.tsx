@@ -1,7 +1,7 @@
 /** One item of the library: opened by a click; renamed, exported and deleted by its menu. */
 
 import { ActionIcon, Menu } from "@mantine/core";
-import { useState } from "react";
+import { useRef, useState } from "react";
 import { changedFields, changesText, completed } from "../editor/diff";
 import type { Group } from "../editor/schema";
 import { IconDots } from "../icons";
@@ -9,7 +9,7 @@ import { LONGEST_NAME } from "../state/pins";
 import { NameForm } from "../ui/NameForm";
 import { formatMinute } from "../units/dates";
 import { count } from "../units/format";
-import type { Item } from "./library";
+import { cleanName, type Item } from "./library";
 import classes from "./library.module.css";
 import { useExportItem } from "./open";
 import { ownLibrary } from "./ownLibrary";
@@ -19,6 +19,9 @@ interface Props {
   readonly form: Group;
   readonly open: (item: Item) => void;
   readonly remove: (item: Item) => void;
+  /** It has just got its name: the focus is on its menu, as it was before. */
+  readonly isRenamed: boolean;
+  readonly onRenamed: (name: string) => void;
 }
 
 /** A scenario and a vehicle by what differs from the paper's. */
@@ -32,8 +35,9 @@ function describe({ kind, value }: Item, form: Group): string {
   return changesText(changedFields(form, paper, completed(form, scenario))) || "As in the paper";
 }
 
-export function ItemRow({ item, form, open, remove }: Props) {
+export function ItemRow({ item, form, open, remove, isRenamed, onRenamed }: Props) {
   const [isRenaming, setRenaming] = useState(false);
+  const menu = useRef<HTMLButtonElement>(null);
   const exportItem = useExportItem();
   const { name, saved } = item;
   return (
@@ -46,7 +50,7 @@ export function ItemRow({ item, form, open, remove }: Props) {
       </button>
       <Menu position="bottom-end" width={160}>
         <Menu.Target>
-          <ActionIcon variant="subtle" color="gray" size={28} pos="absolute" top="0.3rem" right="0.2rem" aria-label={`Rename, export or delete ${name}`}>
+          <ActionIcon ref={menu} autoFocus={isRenamed} variant="subtle" color="gray" size={28} pos="absolute" top="0.3rem" right="0.2rem" aria-label={`Rename, export or delete ${name}`}>
             <IconDots size={16} />
           </ActionIcon>
         </Menu.Target>
@@ -56,16 +60,30 @@ export function ItemRow({ item, form, open, remove }: Props) {
           <Menu.Item onClick={() => remove(item)}>Delete</Menu.Item>
         </Menu.Dropdown>
       </Menu>
-      {isRenaming && <Rename item={item} onClose={() => setRenaming(false)} />}
+      {isRenaming && (
+        <Rename
+          item={item}
+          onRenamed={onRenamed}
+          onClose={() => {
+            setRenaming(false);
+            menu.current?.focus();
+          }}
+        />
+      )}
     </li>
   );
 }
 
-function Rename({ item, onClose }: { readonly item: Item; readonly onClose: () => void }) {
+interface RenameProps extends Pick<Props, "item" | "onRenamed"> {
+  readonly onClose: () => void;
+}
+
+function Rename({ item, onRenamed, onClose }: RenameProps) {
   const [wrong, setWrong] = useState<string | null>(null);
   const rename = (name: string) => {
     try {
       ownLibrary.rename(item, name);
+      onRenamed(cleanName(name));
       onClose();
     } catch (error) {
       setWrong(error instanceof Error ? error.message : String(error));

@@ -2,7 +2,7 @@
 
 import { Button } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
-import { lazy, Suspense } from "react";
+import { lazy } from "react";
 import type { Preset } from "../api/types";
 import { IconTemplate } from "../icons";
 import { useCommands, type Command } from "../state/commands";
@@ -10,10 +10,13 @@ import { useReadOnly } from "../state/context";
 import { schemaQuery } from "../state/queries";
 import { useStore } from "../state/store";
 import { compact } from "../ui/compact";
+import { LazyPart } from "../ui/LazyPart";
 import { useOpenItem } from "./open";
 import { dialog, ownLibrary } from "./ownLibrary";
 
 const LibraryDialog = lazy(() => import("./LibraryDialog").then((module) => ({ default: module.LibraryDialog })));
+
+const close = () => dialog.set(null);
 
 export function LibraryButton({ presets }: { readonly presets: readonly Preset[] }) {
   const form = useQuery(schemaQuery).data;
@@ -41,9 +44,9 @@ export function LibraryButton({ presets }: { readonly presets: readonly Preset[]
         Library
       </Button>
       {saving && form && !readOnly && (
-        <Suspense>
-          <LibraryDialog {...{ form, presets, saving }} onClose={() => dialog.set(null)} />
-        </Suspense>
+        <LazyPart onClose={close}>
+          <LibraryDialog {...{ form, presets, saving }} onClose={close} />
+        </LazyPart>
       )}
     </>
   );

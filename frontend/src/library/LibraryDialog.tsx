@@ -83,13 +83,14 @@ interface ListProps {
 
 function OwnItems({ title, kind, ...row }: ListProps) {
   const items = useItems(kind);
+  const [renamed, setRenamed] = useState<string | null>(null);
   if (items.length === 0) return null;
   return (
     <>
       <Box component="h3" m="1rem 0 0.3rem" fz="sm" fw={650}>{title}</Box>
       <ul className={classes.list} aria-label={title}>
         {items.map((item) => (
-          <ItemRow key={item.name} item={item} {...row} />
+          <ItemRow key={item.name} item={item} isRenamed={item.name === renamed} onRenamed={setRenamed} {...row} />
         ))}
       </ul>
     </>

@@ -19,6 +19,19 @@ it("Scenarios, runs, vehicles and roads are told apart by their content", () => 
   expect(read(commented, "street.csv")).toEqual({ kind: "road", csv: commented });
 });
 
+it("What core 0.3.0 wrote opens with the filter it had, what a person wrote is today's", () => {
+  const kalman = { kind: "kalman", acceleration_noise: 0.05, deflection_noise: 0.0005, pitch_rate_noise: 0.002 };
+  const scenario = { road: {}, estimation: kalman };
+  const had = { value: { road: {}, estimation: { ...kalman, knows_preview: false } } };
+  expect(read(JSON.stringify({ schema_version: 1, scenario }))).toMatchObject(had);
+  expect(read(JSON.stringify({ core_version: "0.3.0", scenario, strategies: {} }))).toMatchObject(had);
+  expect(read(JSON.stringify(scenario))).toMatchObject(had);
+  const typed = { road: {}, estimation: { kind: "kalman" } };
+  expect(read(JSON.stringify(typed))).toMatchObject({ value: typed });
+  expect(read(written({ kind: "scenario", name: "s", value: scenario }).text)).toEqual({ kind: "scenario", value: scenario, label: "s", road: null });
+  expect(read('{"schema_version": 1, "vehicle": {"body_mass": 5}}')).toMatchObject({ kind: "vehicle" });
+});
+
 it("What is exported is read again", () => {
   const vehicle = written({ kind: "vehicle", name: "Van: 887/2 kg", value: { body_mass: 5 } });
   expect(vehicle.name).toBe("Van_ 887_2 kg.json");

@@ -3,6 +3,7 @@
 import type { JsonObject } from "../api/types";
 import { getAt } from "../editor/path";
 import type { Form } from "../editor/schema";
+import { isWrittenOut, upgraded } from "../editor/versions";
 import type { Item } from "./library";
 
 export type Content =
@@ -29,18 +30,20 @@ export function readFile(name: string, content: string, form: Form): Content {
   }
   const whole = parsed(content);
   if (!isObject(whole)) throw new Error(EXPECTED);
-  checkVersion(whole.schema_version, form.version);
   const scenario = isObject(whole.scenario) ? whole.scenario : whole;
+  // A run and what `ridelab tune --out` writes say no version; what a person wrote is today's.
+  const version = whole.schema_version ?? (isObject(whole.scenario) || isWrittenOut(scenario) ? 1 : form.version);
+  checkVersion(version, form.version);
   const parts = form.members.map(({ pointer }) => pointer.slice(1));
   const named = Object.keys(scenario).filter((part) => parts.includes(part));
   const label = text(whole.label);
   if (scenario === whole && named.join() === "vehicle" && isObject(scenario.vehicle)) return { kind: "vehicle", value: scenario.vehicle, label };
   if (named.length === 0) throw new Error(`${EXPECTED}. A scenario has one of the members ${parts.join(", ")}`);
-  return { kind: "scenario", value: scenario, label, road: text(whole.measured_road) };
+  return { kind: "scenario", value: upgraded(scenario, version), label, road: text(whole.measured_road) };
 }
 
-function checkVersion(version: unknown, newest: number): void {
-  if (version === undefined || (Number.isInteger(version) && (version as number) <= newest)) return;
+function checkVersion(version: unknown, newest: number): asserts version is number {
+  if (Number.isInteger(version) && (version as number) <= newest) return;
   if (typeof version !== "number") throw new Error("The schema_version of this file is not a number");
   throw new Error(`This file comes from a newer version of Ridelab: it has schema version ${version}, and this Ridelab reads up to ${newest}. Update this Ridelab to open it`);
 }

@@ -33,6 +33,20 @@ describe("one's own library", () => {
     expect(open(storage).get()).toMatchObject([{ kind: "scenario", name: "Soft: 2", value: HARD }, { kind: "vehicle", name: "Van" }]);
   });
 
+  it("opens what core 0.3.0 stored with the filter it had, and what it stores itself as it is", () => {
+    const storage = fakeStorage();
+    const kalman = { estimation: { kind: "kalman" } };
+    storage.setItem("ridelab-library:scenario:Old", JSON.stringify({ value: kalman, saved: new Date(0).toISOString() }));
+    open(storage).save("scenario", "New", kalman);
+    const had = { estimation: { kind: "kalman", knows_preview: false } };
+    expect(Object.fromEntries(open(storage).get().map(({ name, value }) => [name, value]))).toEqual({ Old: had, New: kalman });
+    const library = open(storage);
+    const [, old] = library.get();
+    if (!old) throw new Error("not read");
+    library.rename(old, "Older");
+    expect(open(storage).get()[1]).toMatchObject({ name: "Older", value: had });
+  });
+
   it("renames, deletes and takes a deletion back; a name that is taken is refused", () => {
     const library = open(fakeStorage());
     library.save("scenario", "A", SOFT);

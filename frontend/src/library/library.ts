@@ -2,6 +2,7 @@
 
 import type { JsonObject } from "../api/types";
 import { sameValue } from "../editor/path";
+import { SCHEMA_VERSION, upgraded } from "../editor/versions";
 import { LONGEST_NAME } from "../state/pins";
 import { isLike } from "../state/storage";
 import { createStore, type Store } from "../state/store";
@@ -30,6 +31,11 @@ export interface Library extends Pick<Store<readonly Item[]>, "get" | "subscribe
   readonly restore: (item: Item) => void;
 }
 
+/** What the browser has of an item; `version` is the schema's, which core 0.3.0 and before did not store. */
+interface Stored extends Pick<Item, "value" | "saved"> {
+  readonly version?: number;
+}
+
 const PREFIX = "ridelab-library:";
 const REFUSED = "This browser has no room for it, or keeps nothing for this page: export it as a file instead";
 
@@ -42,7 +48,9 @@ function readItem(key: string, text: string | null): readonly Item[] {
   const known = KINDS.find((each) => each === kind);
   try {
     const content: unknown = JSON.parse(text ?? "null");
-    return known && name !== undefined && isLike({ value: {}, saved: "" }, content) ? [{ kind: known, name, ...content }] : [];
+    if (!known || name === undefined || !isLike<Stored>({ value: {}, saved: "" }, content)) return [];
+    const { value, saved, version = 1 } = content;
+    return [{ kind: known, name, saved, value: known === "scenario" ? upgraded(value, version) : value }];
   } catch {
     return []; // somebody else wrote it
   }
@@ -62,7 +70,8 @@ export function createLibrary(storage: Storage | null, now: () => string = () =>
   const write = (item: Item) => {
     try {
       if (storage === null) throw new Error(REFUSED);
-      storage.setItem(keyOf(item), JSON.stringify({ value: item.value, saved: item.saved }));
+      const stored: Stored = { value: item.value, saved: item.saved, version: SCHEMA_VERSION };
+      storage.setItem(keyOf(item), JSON.stringify(stored));
     } catch {
       throw new Error(REFUSED);
     }

@@ -1,8 +1,9 @@
 /** Saves one figure as it is shown; what it takes is loaded at the first click. */
 
 import { ActionIcon } from "@mantine/core";
-import { lazy, Suspense, useMemo, useState } from "react";
+import { lazy, useMemo, useState } from "react";
 import { IconDownload } from "../icons";
+import { LazyPart } from "../ui/LazyPart";
 import classes from "./plots.module.css";
 import type { FigureSource } from "./saved";
 
@@ -35,10 +36,16 @@ export function FigureButton({ source }: { readonly source: FigureSource }) {
   );
   if (!requested) return button;
   return (
-    <Suspense fallback={button}>
+    <LazyPart
+      fallback={button}
+      onClose={() => {
+        setRequested(false);
+        setOpened(false);
+      }}
+    >
       <FigureMenu source={source} opened={opened} onChange={setOpened}>
         {button}
       </FigureMenu>
-    </Suspense>
+    </LazyPart>
   );
 }

@@ -2,12 +2,13 @@
 
 import { useEffect, useRef, type PointerEvent } from "react";
 import { cursor } from "../state/cursor";
-import type { Zoom } from "../state/address";
+import type { Axis, Zoom } from "../state/address";
 import { brush } from "./brush";
 import { MARGIN } from "./figure";
 import classes from "./plots.module.css";
 
 interface Props {
+  readonly axis: Axis;
   readonly range: Zoom;
   readonly onZoom: (zoom: Zoom | null) => void;
 }
@@ -15,7 +16,7 @@ interface Props {
 /** Shorter drags are clicks. */
 const LEAST_DRAG_PX = 6;
 
-export function Overlay({ range, onZoom }: Props) {
+export function Overlay({ axis, range, onZoom }: Props) {
   const area = useRef<HTMLDivElement>(null);
   const line = useRef<HTMLDivElement>(null);
   const band = useRef<HTMLDivElement>(null);
@@ -24,7 +25,7 @@ export function Overlay({ range, onZoom }: Props) {
   useEffect(() => {
     const percent = (x: number) => `${((x - low) / (high - low)) * 100}%`;
     const drawLine = () => {
-      const x = cursor.get();
+      const x = cursor.get(axis);
       if (!line.current) return;
       const visible = x !== null && x >= low && x <= high;
       line.current.style.display = visible ? "block" : "none";
@@ -45,7 +46,7 @@ export function Overlay({ range, onZoom }: Props) {
     return () => {
       for (const stop of stops) stop();
     };
-  }, [low, high]);
+  }, [axis, low, high]);
 
   const positionOf = (event: PointerEvent) => {
     const box = area.current?.getBoundingClientRect();
@@ -62,13 +63,13 @@ export function Overlay({ range, onZoom }: Props) {
       className={classes.overlay}
       style={{ inset: `${MARGIN.t}px ${MARGIN.r}px ${MARGIN.b}px ${MARGIN.l}px` }}
       onPointerDown={(event) => {
-        cursor.set(positionOf(event));
+        cursor.set(axis, positionOf(event));
         if (event.pointerType !== "mouse" || event.button !== 0) return;
         event.currentTarget.setPointerCapture(event.pointerId);
         brush.set({ from: positionOf(event), to: positionOf(event) });
       }}
       onPointerMove={(event) => {
-        cursor.set(positionOf(event));
+        cursor.set(axis, positionOf(event));
         const stretch = brush.get();
         if (stretch) brush.set({ ...stretch, to: positionOf(event) });
       }}

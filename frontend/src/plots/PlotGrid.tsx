@@ -31,8 +31,8 @@ export function PlotGrid({ templates, scene }: Props) {
   // What changes are against is drawn only in plots of the differences.
   const [base, against] = differences ? [baseline, scene.against] : [null, null];
   const drawn = useMemo(
-    () => drawnOf({ differences, against, baseline: base, ids, axis, summaries }, own, other),
-    [differences, against, base, ids, axis, summaries, own, other],
+    () => drawnOf({ differences, against, baseline: base, ids, axis, range, summaries }, own, other),
+    [differences, against, base, ids, axis, range, summaries, own, other],
   );
   const minus = differences ? subtrahend(scene) : undefined;
   const layers = useMemo(() => (differences ? [] : layersOf(layered)), [differences, layered]);

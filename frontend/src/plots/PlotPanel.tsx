@@ -65,9 +65,9 @@ export const PlotPanel = memo(function PlotPanel({ plotly, template, curves, pal
   const figure = useMemo(() => (inViewport ? buildFigure({ template, palette, ...curves }) : null), [inViewport, template, curves, palette]);
   const drawn = strategies.map(({ label }) => label).join(", ");
   return (
-    <Card ref={viewRef} className={classes.panel ?? ""} aria-label={meta.title} data-figure={meta.signal}>
+    <Card ref={viewRef} className={classes.panel ?? ""} aria-label={`${meta.title}, curves`} data-figure={meta.signal}>
       <Group component="header" gap="0.5rem" wrap="nowrap" mih="2rem" p="0 0.7rem 0 0.8rem">
-        <Box component="h3" flex="1 0 8rem" w="min-content" m={0} fz="0.8125rem" fw={600} lh="1.3">
+        <Box component="h2" flex="1 0 auto" m={0} fz="0.8125rem" fw={600} lh="1.3" className={classes.title ?? ""}>
           {meta.title} <Box component="span" fw={400} c="dimmed">
             {meta.unit}
             {minus !== undefined && `, less ${minus}`}
@@ -78,7 +78,7 @@ export const PlotPanel = memo(function PlotPanel({ plotly, template, curves, pal
       </Group>
       <Box pos="relative" h={176} role="img" aria-label={`${meta.title} in ${meta.unit} over ${axis}: ${drawn}`}>
         <Surface plotly={plotly} figure={figure} live={live} />
-        <Overlay range={range} onZoom={onZoom} />
+        <Overlay axis={axis} range={range} onZoom={onZoom} />
       </Box>
     </Card>
   );

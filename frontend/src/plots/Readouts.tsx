@@ -3,9 +3,8 @@
 import { useMemo } from "react";
 import type { FigureMeta, SeriesByStrategy, Strategy } from "../api/types";
 import type { Axis } from "../state/address";
-import { cursor } from "../state/cursor";
+import { useCursor } from "../state/cursor";
 import { axisKey } from "../state/scene";
-import { useStore } from "../state/store";
 import { formatFixed } from "../units/format";
 import classes from "./plots.module.css";
 import { extent, valueAt } from "./samples";
@@ -25,7 +24,7 @@ function decimalsFor({ signal, scale }: FigureMeta, all: SeriesByStrategy): numb
 }
 
 export function Readouts({ meta, series, strategies, axis }: Props) {
-  const x = useStore(cursor);
+  const x = useCursor(axis);
   const decimals = useMemo(() => decimalsFor(meta, series), [meta, series]);
   return (
     <span className={classes.readouts} data-empty={x === null || undefined} aria-hidden>

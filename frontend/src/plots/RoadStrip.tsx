@@ -31,7 +31,7 @@ export function RoadStrip({ template, scene }: Props) {
   const part = (x: number) => (x - whole[0]) / (whole[1] - whole[0]);
   const [left, right] = [part(range[0]), 1 - part(range[1])];
   return (
-    <Card className={classes.strip ?? ""} aria-label={meta.title} data-figure={meta.signal}>
+    <Card className={classes.strip ?? ""} aria-label={`${meta.title}, curves`} data-figure={meta.signal}>
       <div role="img" aria-label={`${meta.title} in ${meta.unit} over ${axis}, whole run`}>
         <Surface plotly={plotly} figure={figure} live={shown.source === "live"} />
         {range !== whole && (
@@ -40,11 +40,11 @@ export function RoadStrip({ template, scene }: Props) {
             <div style={{ right: 0, width: `${100 * right}%` }} />
           </div>
         )}
-        <Overlay range={whole} onZoom={onZoom} />
+        <Overlay axis={axis} range={whole} onZoom={onZoom} />
       </div>
-      <h3 className={classes.stripTitle}>
+      <h2 className={classes.stripTitle}>
         {meta.title} <Box component="span" fw={400} c="dimmed">{meta.unit}</Box>
-      </h3>
+      </h2>
     </Card>
   );
 }

@@ -11,7 +11,7 @@ const numbers = (...values: number[]) => new Float32Array(values);
 const now = { lv: { time: numbers(0, 1, 2), position: numbers(0, 10, 20), speed: numbers(5, 7, 9) } };
 
 const BEFORE = { shown: {}, name: "before" } as unknown as Scene["against"];
-const scene = (axis: Axis) => ({ differences: true, against: BEFORE, baseline: null, ids: ["lv"], axis, summaries: {} });
+const scene = (axis: Axis) => ({ differences: true, against: BEFORE, baseline: null, ids: ["lv"], axis, range: [0, 20] as const, summaries: {} });
 const differences = (own: SeriesByStrategy, other: SeriesByStrategy, axis: Axis) => drawnOf(scene(axis), own, other).series;
 
 describe("curves as differences", () => {
@@ -21,6 +21,25 @@ describe("curves as differences", () => {
     expect([...(lv?.speed ?? [])]).toEqual([4, 4, 4]);
     expect([...(lv?.position ?? [])]).toEqual([0, 10, 20]);
     expect([...(differences(now, before, "time").lv?.speed ?? [])]).toEqual([4, 5.5, 7]);
+  });
+
+  it("of two thinned runs of the same motion are none: all samples are subtracted, then few are drawn", () => {
+    const samples = Array.from({ length: 20_001 }, (_, index) => index);
+    const motion = (time: number) => Math.sin(40 * time);
+    const series = (kept: readonly number[]) => ({ lv: { time: numbers(...kept.map((i) => i / 1000)), position: numbers(...kept.map((i) => i / 1000)), speed: numbers(...kept.map((i) => motion(i / 1000))) } });
+    const [one, other] = [series(samples.filter((i) => i % 37 === 0 || i % 5000 < 40)), series(samples.filter((i) => i % 41 === 0 || i % 5000 < 40))];
+    const all = series(samples);
+    const between = (own: SeriesByStrategy, subtracted: SeriesByStrategy, range: readonly [number, number]) => drawnOf({ ...scene("distance"), range }, own, subtracted).series.lv?.speed;
+    const largest = (values: Float32Array | undefined) => Math.max(...(values ?? [NaN]).map(Math.abs));
+    expect(largest(between(one, other, [0, 20]))).toBeLessThan(1e-5); // where both have all samples, and nowhere else
+    expect(between(one, other, [0, 20])).toHaveLength(40);
+    expect(between(one, other, [7, 8])).toHaveLength(0);
+    expect(largest(between(all, all, [0, 20]))).toBe(0);
+
+    const bumped = { lv: { ...all.lv, speed: all.lv.speed.map((value, i) => (i === 7777 ? value + 3 : value)) } };
+    const drawn = between(bumped, all, [0, 20]);
+    expect(largest(drawn)).toBeCloseTo(3, 5);
+    expect(drawn?.length).toBeLessThan(2000);
   });
 
   it("are zero against itself, and there are none of what only one has", () => {

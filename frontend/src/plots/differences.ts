@@ -2,10 +2,11 @@
 
 import { isExtreme, type Series } from "../api/decode";
 import type { SeriesByStrategy, StrategyId, Summary } from "../api/types";
-import type { Axis } from "../state/address";
+import type { Axis, Zoom } from "../state/address";
 import { axisKey, type Scene } from "../state/scene";
 import type { FigureInput } from "./figure";
 import type { Numbers } from "./plotly";
+import { covering } from "./samples";
 
 const COORDINATES = ["time", "position"];
 
@@ -24,6 +25,65 @@ function resampled(samples: Numbers, values: Numbers, places: Numbers): Numbers 
   return result;
 }
 
+/** Around the middle of a range: how far no sample of the run is left out. Those of a whole run lie evenly in time. */
+function wholePart(series: Series, axis: Axis, [low, high]: Zoom): Zoom {
+  const [x, { time }] = [series[axisKey(axis)], series];
+  if (!x || !time) return [-Infinity, Infinity];
+  const step = (index: number) => (time[index] ?? NaN) - (time[index - 1] ?? NaN);
+  let least = Infinity;
+  for (let i = 1; i < time.length; i++) least = Math.min(least, step(i));
+  let [, to] = covering(x, (low + high) / 2, (low + high) / 2);
+  let from = to - 1;
+  const isNext = (index: number) => step(index) <= MOST_UNEVEN * least;
+  while (from > 0 && isNext(from)) from--;
+  while (to < x.length && isNext(to)) to++;
+  return [x[from] ?? low, x[to - 1] ?? high];
+}
+
+/** Where both curves have all their samples; where not, a difference would be that of their samples. */
+function commonPart(one: Series, other: Series, axis: Axis, range: Zoom): Zoom {
+  const [own, subtracted] = [wholePart(one, axis, range), wholePart(other, axis, range)];
+  return [Math.max(own[0], subtracted[0]), Math.min(own[1], subtracted[1])];
+}
+
+function within(series: Series, axis: Axis, [low, high]: Zoom): Series {
+  const inside = (series[axisKey(axis)] ?? new Float32Array()).map((x) => Number(x >= low && x <= high));
+  return Object.fromEntries(Object.entries(series).map(([key, values]) => [key, values.filter((_, index) => inside[index] === 1)]));
+}
+
+/** Times in single precision are uneven by less. */
+const MOST_UNEVEN = 1.5;
+
+/** Of the part that is shown and of what lies on either side of it. */
+const [PARTS_SHOWN, PARTS_BESIDE] = [400, 20];
+
+/** As many samples as a screen shows: of each small part of the axis every signal's smallest and largest value. */
+function thinned(series: Series, axis: Axis, [low, high]: Zoom): Series {
+  const x = series[axisKey(axis)];
+  if (!x || x.length <= PARTS_SHOWN) return series;
+  const [from, to] = covering(x, low, high);
+  const kept = new Set([0, from, to - 1, x.length - 1]);
+  const keep = (start: number, end: number, parts: number) => {
+    for (const [key, values] of Object.entries(series)) {
+      if (COORDINATES.includes(key)) continue;
+      for (let part = 0; part < parts; part++) {
+        const [first, last] = [part, part + 1].map((edge) => start + Math.round(((end - start) * edge) / parts)) as [number, number];
+        let [bottom, top] = [first, first];
+        for (let i = first; i < last; i++) {
+          if ((values[i] ?? 0) < (values[bottom] ?? 0)) bottom = i;
+          if ((values[i] ?? 0) > (values[top] ?? 0)) top = i;
+        }
+        if (last > first) kept.add(bottom).add(top);
+      }
+    }
+  };
+  keep(0, from, PARTS_BESIDE);
+  keep(from, to, PARTS_SHOWN);
+  keep(to, x.length, PARTS_BESIDE);
+  const places = Uint32Array.from(kept).sort();
+  return Object.fromEntries(Object.entries(series).map(([key, values]) => [key, Float32Array.from(places, (place) => values[place] ?? 0)]));
+}
+
 function difference(one: Series, other: Series, axis: Axis): Series {
   const [places, samples] = [one[axisKey(axis)], other[axisKey(axis)]];
   if (!places || !samples) return {};
@@ -38,12 +98,14 @@ function difference(one: Series, other: Series, axis: Axis): Series {
   return Object.fromEntries(keys.map((key) => [key, less(key, one[key] ?? places)]));
 }
 
-/** Of those strategies that both have. */
-function differencesOf(series: SeriesByStrategy, other: SeriesByStrategy, axis: Axis): SeriesByStrategy {
+/** Of those strategies that both have: subtracted with all samples, thinned for the screen afterwards. */
+function differencesOf(series: SeriesByStrategy, other: SeriesByStrategy, axis: Axis, range: Zoom): SeriesByStrategy {
   return Object.fromEntries(
     Object.entries(series).flatMap(([id, own]) => {
       const subtracted = other[id];
-      return subtracted ? [[id, difference(own, subtracted, axis)]] : [];
+      if (!subtracted) return [];
+      const whole = within(difference(own, subtracted, axis), axis, commonPart(own, subtracted, axis, range));
+      return [[id, thinned(whole, axis, range)]];
     }),
   );
 }
@@ -62,9 +124,9 @@ const withoutReferences = (summaries: Readonly<Record<StrategyId, Summary>>): Re
 type Drawn = Pick<FigureInput, "series" | "driven" | "summaries">;
 
 /** What is drawn of a scene: the curves themselves, or what they differ by from what changes are against. */
-export function drawnOf(scene: Pick<Scene, "differences" | "against" | "baseline" | "ids" | "axis" | "summaries">, own: SeriesByStrategy, ofAgainst: SeriesByStrategy): Drawn {
+export function drawnOf(scene: Pick<Scene, "differences" | "against" | "baseline" | "ids" | "axis" | "range" | "summaries">, own: SeriesByStrategy, ofAgainst: SeriesByStrategy): Drawn {
   if (!scene.differences) return { series: own, driven: own, summaries: scene.summaries };
-  const series = differencesOf(own, seriesAgainst(scene, own, ofAgainst), scene.axis);
+  const series = differencesOf(own, seriesAgainst(scene, own, ofAgainst), scene.axis, scene.range);
   return { series, driven: own, summaries: withoutReferences(scene.summaries) };
 }
 

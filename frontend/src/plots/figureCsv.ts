@@ -5,7 +5,16 @@ import { axisSignal, axisUnit, buildFigure, overRoads } from "./figure";
 import { ON_PAPER } from "./palettes";
 import type { Curves } from "./PlotPanel";
 
-export const cell = (text: string) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+/** On one line, and nothing of it a formula to a spreadsheet, whichever sign separates its cells. */
+const harmless = (text: string) => text.replace(/[\p{Cc}\u2028\u2029]+/gu, " ").replace(/(^|[,;])(\s*)(?=[=+\-@])/g, "$1$2'");
+
+export function cell(text: string): string {
+  const clean = harmless(text);
+  return /[",;]/.test(clean) ? `"${clean.replaceAll('"', '""')}"` : clean;
+}
+
+/** A line that says where the numbers come from. */
+export const comment = (text: string): string => harmless(`# ${text}`);
 
 /**
  * Lines of `#` say where it comes from; below stand, for each curve, its places and its values.
@@ -16,17 +25,17 @@ export function figureCsv(template: FigureTemplate, curves: Curves, address: str
   const { title, unit } = template.layout.meta;
   const { data } = buildFigure({ template, ...curves, palette: ON_PAPER });
   const provenance = [
-    `# Ridelab: ${title} [${unit}]${curves.minus === undefined ? "" : `, less ${curves.minus}`}`,
-    `# run: ${curves.runId ?? "none, a live preview"}`,
-    `# core: ${curves.coreVersion}`,
-    ...(curves.roads === undefined ? [] : [`# ${overRoads(curves.roads, curves.minus !== undefined)}`]),
-    `# scenario: ${address}`,
+    `Ridelab: ${title} [${unit}]${curves.minus === undefined ? "" : `, less ${curves.minus}`}`,
+    `run: ${curves.runId ?? "none, a live preview"}`,
+    `core: ${curves.coreVersion}`,
+    ...(curves.roads === undefined ? [] : [overRoads(curves.roads, curves.minus !== undefined)]),
+    `scenario: ${address}`,
   ];
   const names = data.flatMap(({ name = title }) => [`${name}: ${axisSignal(curves.axis)} [${axisUnit(curves.axis)}]`, `${name}: ${title} [${unit}]`]);
   const columns = data.flatMap(({ x, y }) => [x, y]);
   const longest = Math.max(0, ...columns.map(({ length }) => length));
   const rows = Array.from({ length: longest }, (_, row) => columns.map((column) => printed(column[row])).join(","));
-  return [...provenance, names.map(cell).join(","), ...rows, ""].join("\n");
+  return [...provenance.map(comment), names.map(cell).join(","), ...rows, ""].join("\n");
 }
 
 /** As many digits as single precision has. */

@@ -2,7 +2,7 @@
 
 import { decodeArray } from "../api/decode";
 import type { ChartFigure } from "./Chart";
-import { cell, printed } from "./figureCsv";
+import { cell, comment, printed } from "./figureCsv";
 import { POINT, sheet } from "./paperFigure";
 import type { AnyTrace, GridTrace, PlotElement, PlotLayout } from "./plotly";
 import type { PaperFigure, PaperSize } from "./saved";
@@ -80,7 +80,7 @@ export function chartCsv({ figure: { data, layout }, legend, colours, table }: C
   const rows = table ?? (grid
     ? [[x, y, colours], ...grid.y.flatMap((up, i) => grid.x.map((across, j) => [across, up, grid.z[i]?.[j]]))]
     : [["", x, y], ...data.filter(({ name }) => legend.includes(name)).flatMap((trace) => pointsOf(trace, dotted).map((point) => [trace.name, ...point]))]);
-  return [...about.map((line) => `# ${line}`), ...rows.map((row) => row.map(text).join(",")), ""].join("\n");
+  return [...about.map(comment), ...rows.map((row) => row.map(text).join(",")), ""].join("\n");
 }
 
 /** A line that joins points has them a second time: `dotted` are the names of traces of points. */

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { FigureTemplate, Strategy } from "../api/types";
-import { figureCsv } from "./figureCsv";
+import { cell, figureCsv } from "./figureCsv";
 import { paperFigure, sized } from "./paperFigure";
 import type { Curves } from "./PlotPanel";
 
@@ -45,6 +45,14 @@ describe("a figure for a paper", () => {
     expect(figureCsv(template, { ...curves, roads: 10 }, "")).toContain("\n# Mean of 10 roads; range: minimum to maximum\n");
   });
 
+  it("shows a pin's name as it stands: nothing of it is a link or a tag", () => {
+    const name = '<a href="https://other.test">R&D</a>';
+    const { data, layout } = paperFigure(template, { ...curves, layers: [{ name, series: curves.series, line: {}, opacity: 1 }], minus: name }, { width: 88, font: 9 });
+    const texts = [...data.map((trace) => trace.name), (layout.yaxis as { title: { text: string } }).title.text];
+    expect(texts.join()).not.toContain("<");
+    expect(texts).toEqual(['LV, control, &lt;a href="https://other.test">R&amp;D&lt;/a>', "LV, control", 'Load [kN], less &lt;a href="https://other.test">R&amp;D&lt;/a>']);
+  });
+
   it("is as wide wherever it is placed", () => {
     expect(sized('<svg class="main-svg" width="333" height="238"><g width="5"/></svg>', 88, 63)).toBe(
       '<svg width="88mm" height="63mm" viewBox="0 0 333 238" class="main-svg"><g width="5"/></svg>',
@@ -66,4 +74,13 @@ describe("a figure's table", () => {
       "",
     ]);
   });
+});
+
+it("Nothing of a pin's name is a line or a formula of its own in a table", () => {
+  const pinned = (name: string) => figureCsv(template, { ...curves, layers: [{ name, series: curves.series, line: {}, opacity: 1 }], minus: name }, "").split("\n");
+  const lines = pinned('x\r\n=HYPERLINK("https://other.test");@SUM(1)\u2028,+1');
+  expect(lines[0]).toBe(`# Ridelab: Load [kN], less x =HYPERLINK("https://other.test");'@SUM(1) ,'+1`);
+  expect(lines).toHaveLength(pinned("x").length);
+  expect(lines[4]).toContain(`"LV, control, x =HYPERLINK(""https://other.test"");'@SUM(1) ,'+1: Load [kN]"`);
+  expect([cell("=1+1"), cell("-5"), cell(" @a"), cell("a;b"), cell("\t=1")]).toEqual(["'=1+1", "'-5", " '@a", '"a;b"', " '=1"]);
 });

@@ -4,7 +4,7 @@ import type { FigureTemplate } from "../api/types";
 import { axisSignal, buildFigure, overRoads } from "./figure";
 import { ON_PAPER } from "./palettes";
 import type { Curves } from "./PlotPanel";
-import { loadPlotly, type PlotLayout, type PlotTrace } from "./plotly";
+import { asText, loadPlotly, withPlainNames, type PlotLayout, type PlotTrace } from "./plotly";
 import type { PaperFigure, PaperSize } from "./saved";
 
 export const WIDTHS = [
@@ -73,12 +73,12 @@ export function sheet(layout: PlotLayout, paper: PaperSize, xaxis: AxisOnPaper, 
 export function paperFigure(template: FigureTemplate, curves: Curves, size: PaperSize): PaperFigure<PlotTrace> {
   const { meta } = template.layout;
   const { data, layout } = buildFigure({ template, ...curves, strategies: onPaper(template, curves.strategies), palette: ON_PAPER });
-  const less = curves.minus === undefined ? "" : `, less ${curves.minus}`;
+  const less = curves.minus === undefined ? "" : `, less ${asText(curves.minus)}`;
   const roadsNote = curves.roads === undefined ? "" : `<br>${overRoads(curves.roads, curves.minus !== undefined)}`;
   const x = { ...layout.xaxis, tickmode: "auto", nticks: 7, text: `${meta.axes[axisSignal(curves.axis)] ?? ""}${roadsNote}` };
   const y = { ...layout.yaxis, tickmode: "auto", nticks: 6, text: `${meta.title} [${meta.unit}]${less}` };
   const names = data.flatMap(({ name, showlegend }) => (name === undefined || showlegend === false ? [] : [name]));
-  return { data, ...sheet(layout, size, x, y, names) };
+  return { data: withPlainNames(data), ...sheet(layout, size, x, y, names) };
 }
 
 /** A drawing whose width and height are lengths, so that it is as large as asked for wherever it is placed. */

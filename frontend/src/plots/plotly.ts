@@ -103,6 +103,12 @@ export interface PanelFigure extends PlotFigure {
   readonly layout: PlotLayout & { readonly xaxis: AxisOptions; readonly yaxis: AxisOptions };
 }
 
+/** Plotly reads texts as HTML, links included: what somebody has typed has to be shown as it stands. */
+export const asText = (text: string): string => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
+
+/** The names are texts. */
+export const withPlainNames = (data: readonly PlotTrace[]): readonly PlotTrace[] => data.map((trace) => (trace.name === undefined ? trace : { ...trace, name: asText(trace.name) }));
+
 interface ImageOptions {
   readonly format: "png" | "svg";
   readonly width: number;

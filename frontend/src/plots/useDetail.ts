@@ -1,9 +1,9 @@
-/** The series to draw: means over a run's roads, finer samples once somebody looks closely, else those there are. */
+/** The series to draw: means over a run's roads, finer samples once somebody looks closely, all of them for differences, else those there are. */
 
 import { useQueries, useQuery, type QueryClient } from "@tanstack/react-query";
 import { useCallback, useMemo } from "react";
 import type { FigureTemplate, SeriesByStrategy } from "../api/types";
-import { DETAIL_POINTS, figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../state/queries";
+import { allSamplesQuery, DETAIL_POINTS, figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../state/queries";
 import { axisKey, type Scene } from "../state/scene";
 import { roadsOf, type Shown } from "../state/shown";
 import { covering } from "./samples";
@@ -11,7 +11,7 @@ import { covering } from "./samples";
 /** Fewer samples of a curve in the range shown are too coarse for a screen. */
 const LEAST_SAMPLES = 200;
 
-type Drawn = Pick<Scene, "shown" | "ids" | "series" | "axis" | "range">;
+type Drawn = Pick<Scene, "shown" | "ids" | "series" | "axis" | "range" | "differences">;
 
 function needsDetail({ shown, ids, series, axis, range }: Drawn): boolean {
   const coarse = ids.some((id) => {
@@ -37,29 +37,39 @@ function meansQuery(shown: Shown, figures: Readonly<Record<string, FigureTemplat
 /** A band has three curves: half as many samples of each. */
 const detailQuery = (shown: Shown, signals: readonly string[] | null) => seriesQuery(shown.runId ?? "", computedIn(shown), signals ? DETAIL_POINTS / 2 : DETAIL_POINTS, signals);
 
+/** Differences are taken of all samples: two curves that were thinned at different places differ where the runs do not. */
+const allQuery = (shown: Shown, figures: Readonly<Record<string, FigureTemplate>> | undefined) => allSamplesQuery(shown.runId ?? "", computedIn(shown), signalsOf(figures), hasMeans(shown));
+
 /** Means and extremes over the roads of a result; `undefined` of one road, or until they are there. */
 function useMeans(shown: Shown): SeriesByStrategy | undefined {
   const means = useQuery(meansQuery(shown, useQuery(figuresQuery).data)).data;
   return hasMeans(shown) ? means : undefined;
 }
 
+const NOTHING: SeriesByStrategy = {};
+
 export function useDetail(drawn: Drawn): SeriesByStrategy {
   const figures = useQuery(figuresQuery).data;
-  const { shown } = drawn;
+  const { shown, differences } = drawn;
   const means = useMeans(shown);
+  const isStored = shown.runId !== null;
+  const all = useQuery({ ...allQuery(shown, figures), enabled: differences && isStored && figures !== undefined });
   const series = means ?? drawn.series;
-  const needed = needsDetail({ ...drawn, series });
+  const needed = !differences && needsDetail({ ...drawn, series });
   const detail = useQuery({ ...detailQuery(shown, means ? signalsOf(figures) : null), enabled: needed });
+  if (differences && isStored) return all.data ?? NOTHING;
   return needed && detail.data ? detail.data : series;
 }
 
 /** The same for a file: waits for the finer samples of what is on the screen. */
 export async function loadDetail(client: QueryClient, drawn: Drawn): Promise<SeriesByStrategy> {
-  const { shown } = drawn;
+  const { shown, differences } = drawn;
+  const figures = client.getQueryData(figuresQuery.queryKey);
+  if (differences && shown.runId !== null) return client.query({ ...allQuery(shown, figures), staleTime: "static" });
   const means = cachedMeans(client, shown);
   const series = means ?? drawn.series;
   if (!needsDetail({ ...drawn, series })) return series;
-  const signals = means ? signalsOf(client.getQueryData(figuresQuery.queryKey)) : null;
+  const signals = means ? signalsOf(figures) : null;
   return client.query({ ...detailQuery(shown, signals), staleTime: "static" });
 }
 

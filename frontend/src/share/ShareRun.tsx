@@ -31,7 +31,7 @@ export function ShareRun() {
     if (!shown?.runId) return Promise.reject(new Error("there is no result"));
     const { view } = router.get();
     const scene = makeScene(shown, catalogue, strategies, view, compared);
-    return ask("post", "/links", { body: { run_id: shown.runId, view: viewToShare(scene, cursor.get()) } });
+    return ask("post", "/links", { body: { run_id: shown.runId, view: viewToShare(scene, cursor.get(scene.axis)) } });
   };
   return <ShareLink make={make} obstacle={obstacle} opens={OPENS} />;
 }

@@ -39,7 +39,6 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
   const over = run.over && { roads: run.over.roads, baseline: run.over.baseline };
   const again = useMutation({
     mutationFn: () => api.createRun(link.scenario, Object.keys(run.strategies), undefined, over),
-    networkMode: "always",
   });
   return (
     <>

@@ -13,7 +13,7 @@ export function FromPage() {
   const { lab, router, restored } = useLabContext();
   const { from, slug } = useStore(router);
   // An edit makes the scenario this visit's.
-  const untouched = useLab((state) => state.history?.past.length === 0 && state.history.present === restored);
+  const untouched = useLab((state) => state.history?.present === restored);
   if (slug !== null) return null;
   if (from !== undefined) return <Back from={from} />;
   if (!untouched) return null;

@@ -11,7 +11,7 @@ export function HeaderEnd() {
   const isDark = useComputedColorScheme("light") === "dark";
   const next = isDark ? "light" : "dark";
   const name = useQuery({ ...query("/login", {}), staleTime: Infinity }).data?.name ?? null;
-  const logOut = useMutation({ mutationFn: () => ask("delete", "/login", {}), networkMode: "always", onSuccess: () => window.location.reload() });
+  const logOut = useMutation({ mutationFn: () => ask("delete", "/login", {}), onSuccess: () => window.location.reload() });
   return (
     <>
       <IconButton label={`Use ${next} colours`} onClick={() => setColorScheme(next)}>

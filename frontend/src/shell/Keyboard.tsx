@@ -1,7 +1,8 @@
 /** Keys that mean commands, the list of them, and the search for a command by its name. */
 
-import { lazy, Suspense, useEffect, useEffectEvent, useState } from "react";
+import { lazy, useEffect, useEffectEvent, useState } from "react";
 import { commands, useCommands } from "../state/commands";
+import { LazyPart } from "../ui/LazyPart";
 import { belongsToFocus, isPressed, watchTyping } from "./keys";
 
 const Palette = lazy(() => import("./Palette").then((module) => ({ default: module.Palette })));
@@ -30,9 +31,9 @@ export function Keyboard() {
   }, []);
   const close = () => setOpened(null);
   return (
-    <Suspense>
+    <LazyPart onClose={close}>
       {opened === "palette" && <Palette onClose={close} />}
       {opened === "keys" && <KeyList onClose={close} />}
-    </Suspense>
+    </LazyPart>
   );
 }

@@ -19,15 +19,8 @@ export function LabCommands({ form, presets, strategies }: Props) {
   const { selected, toggle } = useSelected(strategies);
   const isReadOnly = useLab((state) => state.shared !== null);
 
-  /** A text that is no value is the newest change. */
-  const undo = () => {
-    const rejected = Object.keys(lab.get().rejected);
-    if (rejected.length === 0) lab.undo();
-    for (const pointer of rejected) lab.accept(pointer as `/${string}`);
-  };
-
   const edits: readonly Command[] = [
-    { group: "Lab", label: "Undo", keys: "mod+Z", run: undo },
+    { group: "Lab", label: "Undo", keys: "mod+Z", run: lab.undo },
     { group: "Lab", label: "Redo", keys: "mod+shift+Z", run: lab.redo },
     { group: "Lab", label: "Redo", keys: "mod+Y", run: lab.redo },
     { group: "Lab", label: "Open the paper’s scenario", run: lab.openPaper },

@@ -3,6 +3,7 @@
 import { IconArrowBackUp, IconArrowForwardUp } from "../icons";
 import type { Preset } from "../api/types";
 import { useLabContext, useLab } from "../state/context";
+import { hasRejected } from "../state/labState";
 import { ExportMenu } from "../export/ExportMenu";
 import { LibraryButton } from "../library/LibraryButton";
 import { ShareRun } from "../share/ShareRun";
@@ -13,7 +14,7 @@ import { StatusLine } from "./StatusLine";
 
 export function LabTools({ presets }: { readonly presets: readonly Preset[] }) {
   const { lab } = useLabContext();
-  const canUndo = useLab((state) => state.shared === null && (state.history?.past.length ?? 0) > 0);
+  const canUndo = useLab((state) => state.shared === null && (hasRejected(state) || (state.history?.past.length ?? 0) > 0));
   const canRedo = useLab((state) => state.shared === null && (state.history?.future.length ?? 0) > 0);
   return (
     <>

@@ -10,7 +10,6 @@ export function Login() {
   const [token, setToken] = useState("");
   const login = useMutation({
     mutationFn: () => ask("post", "/login", { body: { token: token.trim() } }),
-    networkMode: "always",
     onSuccess: () => window.location.reload(),
   });
   return (

@@ -1,25 +1,22 @@
 /** Finds a command, a page or a field of the form by its name. */
 
 import { Kbd } from "@mantine/core";
-import { Spotlight, type SpotlightActionData } from "@mantine/spotlight";
+import { createSpotlight, Spotlight, type SpotlightActionData } from "@mantine/spotlight";
 import "@mantine/spotlight/styles.layer.css";
-import { useState } from "react";
+import { useEffect, useState } from "react";
 import { commands, type Command } from "../state/commands";
 import { keyNames } from "./keyNames";
 
 const GROUPS = ["Pages", "Lab", "Strategies", "Library", "Presets", "Fields"] as const;
 const MOST = 40;
+const TRANSITION_MS = 100;
 
-const actionOf = ({ label, description, keys, run }: Command, index: number, close: () => void): SpotlightActionData => ({
+const actionOf = (command: Command, index: number, choose: (command: Command) => void): SpotlightActionData => ({
   id: String(index),
-  label,
-  ...(description !== undefined && { description }),
-  ...(keys !== undefined && { rightSection: <Kbd size="xs">{keyNames(keys)}</Kbd> }),
-  // The window gives the focus back when it closes: what moves it has to come after.
-  onClick: () => {
-    close();
-    setTimeout(run);
-  },
+  label: command.label,
+  ...(command.description !== undefined && { description: command.description }),
+  ...(command.keys !== undefined && { rightSection: <Kbd size="xs">{keyNames(command.keys)}</Kbd> }),
+  onClick: () => choose(command),
 });
 
 /** One that has two keys stands there once. */
@@ -38,17 +35,31 @@ function found(all: readonly Command[], query: string): readonly Command[] {
 export function Palette({ onClose }: { readonly onClose: () => void }) {
   const [all] = useState(() => commands().filter(isFirst));
   const [query, setQuery] = useState("");
+  const [[store, { open }]] = useState(createSpotlight);
+  const [chosen, setChosen] = useState<Command | null>(null);
+  const [focused] = useState(() => document.activeElement);
+  useEffect(open, [open]);
   const shown = found(all, query);
-  const actions = GROUPS.map((group) => ({ group, actions: shown.filter((command) => command.group === group).map((command) => actionOf(command, all.indexOf(command), onClose)) }));
+  const actions = GROUPS.map((group) => ({ group, actions: shown.filter((command) => command.group === group).map((command) => actionOf(command, all.indexOf(command), setChosen)) }));
   return (
     <Spotlight
-      forceOpened
+      store={store}
       shortcut={null}
       actions={actions.filter((group) => group.actions.length > 0)}
       filter={(_, given) => given}
       query={query}
       onQueryChange={setQuery}
-      onSpotlightClose={onClose}
+      returnFocus={false}
+      transitionProps={{
+        transition: "pop",
+        duration: TRANSITION_MS,
+        onExited: () => {
+          onClose();
+          // A command may move it on.
+          if (focused instanceof HTMLElement) focused.focus({ preventScroll: true });
+          chosen?.run();
+        },
+      }}
       nothingFound="Nothing of that name"
       scrollable
       maxHeight={420}

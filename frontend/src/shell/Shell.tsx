@@ -11,6 +11,13 @@ import { Nav } from "./Nav";
 import { SlotsContext } from "./slots";
 import classes from "./shell.module.css";
 
+/** Not by an address with a fragment: the address belongs to what is shown. */
+function focusMain() {
+  const main = document.querySelector("main");
+  main?.setAttribute("tabindex", "-1");
+  main?.focus();
+}
+
 export function Shell() {
   const { lab } = useLabContext();
   const [tools, setTools] = useState<HTMLElement | null>(null);
@@ -20,6 +27,9 @@ export function Shell() {
     <LoginGate>
       <SlotsContext value={slots}>
         <div className={classes.shell}>
+          <button type="button" className={classes.skip} onClick={focusMain}>
+            Skip to the page’s content
+          </button>
           <header className={classes.header}>
             <Nav />
             <div className={classes.tools} ref={setTools} />

@@ -29,7 +29,7 @@ export interface RunInLab<What> {
 /** Runs something first; one thing at a time. */
 export function useRunInLab<What>(run: (what: What) => Promise<Run>): RunInLab<What> {
   const openInLab = useOpenInLab();
-  const { mutate, isPending, variables, error } = useMutation({ mutationFn: run, networkMode: "always" });
+  const { mutate, isPending, variables, error } = useMutation({ mutationFn: run });
   return {
     open: (what) => {
       if (!isPending) mutate(what, { onSuccess: openInLab() });

@@ -2,9 +2,10 @@
 
 import { ActionIcon, Tooltip } from "@mantine/core";
 import { useDisclosure } from "@mantine/hooks";
-import { lazy, memo, Suspense } from "react";
+import { lazy, memo } from "react";
 import { IconGauge } from "../icons";
 import { useCatalogues } from "../state/useCatalogues";
+import { LazyPart } from "../ui/LazyPart";
 import classes from "./solve.module.css";
 
 const SolveDialog = lazy(() => import("./SolveDialog").then((module) => ({ default: module.SolveDialog })));
@@ -27,9 +28,9 @@ export const SolveButton = memo(function SolveButton({ metric, label }: Props) {
         </ActionIcon>
       </Tooltip>
       {opened && catalogues && (
-        <Suspense>
+        <LazyPart onClose={close}>
           <SolveDialog {...{ catalogues, metric }} onClose={close} />
-        </Suspense>
+        </LazyPart>
       )}
     </>
   );

@@ -17,7 +17,7 @@ import sweep from "../sweep/sweep.module.css";
 import { Fault } from "../ui/Fault";
 import { Entry, labelled } from "../ui/Entry";
 import { formatExact, formatResult, prettyUnit } from "../units/format";
-import { askable, readDraft, type SolveDraft } from "./draft";
+import { askable, otherField, readDraft, type Range, type SolveDraft } from "./draft";
 import { inPageUnits } from "./words";
 
 const [TARGET, INITIAL] = ["speed.target_speed_kmh", "speed.initial_speed_kmh"] as const;
@@ -67,6 +67,11 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
     setAsked(false);
     setDraft({ ...draft, ...change });
   };
+  /** The speed that the other strategy meets the bump at, where it is asked for the speed. */
+  const withSpeedOf = (id: string) => {
+    const [before, after] = [draft.strategy, id].map((strategy) => speedField(byId(strategy), scenario)) as [string, string];
+    return draft.field === before ? otherField(draft, rangeOf(fields, before), rangeOf(fields, after)) : {};
+  };
   const find = () => {
     setAsked(true);
     if (question) search.mutate(question);
@@ -86,7 +91,7 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
         {entry("to", "To", unit)}
       </Group>
       <Group gap="xs" align="flex-start">
-        <Select size="xs" label="Strategy" allowDeselect={false} data={labelled(strategies)} value={draft.strategy} onChange={(id) => id !== null && patch({ strategy: id, ...(draft.field === speedField(byId(draft.strategy), scenario) ? rangeOf(fields, speedField(byId(id), scenario)) : {}) })} />
+        <Select size="xs" label="Strategy" allowDeselect={false} data={labelled(strategies)} value={draft.strategy} onChange={(id) => id !== null && patch({ strategy: id, ...withSpeedOf(id) })} />
         <Select size="xs" label="Metric" w={250} searchable allowDeselect={false} data={optionsOf(figures)} value={draft.metric} onChange={(key) => key !== null && patch({ metric: key, limit: "" })} />
         {entry("limit", "At most", figure?.unit ?? "1")}
         {entry("roads", "Roads", "1")}
@@ -105,7 +110,7 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
   );
 }
 
-function rangeOf(fields: readonly SweepField[], name: string): Pick<SolveDraft, "field" | "from" | "to"> {
+function rangeOf(fields: readonly SweepField[], name: string): Range {
   const field = fields.find((each) => each.name === name);
   const leaf = field?.leaf.kind === "number" ? field.leaf : null;
   const [low, high] = leaf?.soft ?? [0, 1];
@@ -130,6 +135,7 @@ function Answer({ solution, field, figure, onClose }: AnswerProps) {
   const readOnly = useReadOnly();
   const [, above] = solution.bracket;
   const isWhole = above === solution.value;
+  const isExact = solution.resolved_value === solution.value;
   const text = (value: number) => (field.leaf.kind === "number" ? valueText(field.leaf, value) : formatExact(value, solution.unit));
   const take = () => {
     edit.commit(setAt(edit.newest(), pointerOf(field.name), solution.value));
@@ -139,7 +145,7 @@ function Answer({ solution, field, figure, onClose }: AnswerProps) {
     <div role="status">
       <Group gap="sm">
         <Text fw={600}>
-          {isWhole ? `The limit holds at ${text(solution.value)}, the top of the range; the largest value may lie beyond` : `${field.title} at most ${text(solution.value)}`}
+          {isWhole ? `The limit holds at ${text(solution.value)}, the top of the range; the largest value may lie beyond` : `${field.title} at most ${isExact ? "" : "about "}${text(solution.resolved_value)}`}
         </Text>
         {!readOnly && (
           <Button size="compact-sm" variant="light" onClick={take}>
@@ -148,7 +154,7 @@ function Answer({ solution, field, figure, onClose }: AnswerProps) {
         )}
       </Group>
       <Text size="sm">
-        {fullName(figure)}: {formatResult(solution.metric_value * figure.scale)} {prettyUnit(figure.unit)} there
+        {fullName(figure)}: {formatResult(solution.metric_value * figure.scale)} {prettyUnit(figure.unit)} at {text(solution.value)}
         {solution.interval ? ", the upper end of its interval" : ""}.{" "}
         {isWhole ? "" : `${text(above)} does not keep the limit.`}
       </Text>

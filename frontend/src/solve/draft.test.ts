@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Figure } from "../batch/figures";
 import type { NumberField } from "../editor/schema";
-import { readDraft, type SolveDraft } from "./draft";
+import { otherField, readDraft, type SolveDraft } from "./draft";
 import { inPageUnits } from "./words";
 
 const FIELD = { kind: "number", integer: false, unit: "m", minimum: -1, maximum: 1, exclusiveMinimum: false, soft: [0, 0.2], shown: { unit: "cm", scale: 100 } } as unknown as NumberField;
@@ -27,4 +27,11 @@ describe("a question as it is typed", () => {
 it("the service's warnings are in the names and units of the page", () => {
   const said = inPageUnits("Not every smaller value keeps the limit: 0.05 to 0.06 m exceed it. bump.front_tyre_load.peak is 6200 N at 0.08 m.", { name: "road.bump.height", title: "Height", section: "Bump", leaf: FIELD }, LOAD);
   expect(said).toBe("Not every smaller value keeps the limit: 5 to 6\u00a0cm exceed it. Front tyre dynamic load, peak, bump is 6.2\u00a0kN at 8\u00a0cm.");
+});
+
+it("An end of the range that was typed stays when another strategy is asked about", () => {
+  const [target, initial] = [{ field: "speed.target", from: "15", to: "60" }, { field: "speed.initial", from: "30", to: "80" }];
+  expect(otherField({ ...target, from: "5" }, target, target)).toEqual({ ...target, from: "5" });
+  expect(otherField({ ...target, from: "5" }, target, initial)).toEqual({ field: "speed.initial", from: "5", to: "80" });
+  expect(otherField(target, target, initial)).toEqual(initial);
 });

@@ -21,6 +21,16 @@ export interface SolveDraft {
   readonly roads: string;
 }
 
+/** A field, and the ends of the range that it opens with. */
+export type Range = Pick<SolveDraft, "field" | "from" | "to">;
+
+/** Another field of the same kind in its place: an end that somebody has typed stays. */
+export const otherField = (draft: Range, before: Range, after: Range): Range => ({
+  field: after.field,
+  from: draft.from === before.from ? after.from : draft.from,
+  to: draft.to === before.to ? after.to : draft.to,
+});
+
 type Typed = "from" | "to" | "limit" | "roads";
 
 /** What is asked, or what has to be changed first at each field. */

@@ -14,8 +14,8 @@ export function switchAxis(router: Router, scene: Scene | null, axis: Axis): voi
   const convert = (x: number) => (from && to ? valueAt(from, to, x) : null);
 
   const { zoom } = router.get().view;
-  const at = cursor.get();
-  cursor.set(at === null ? null : convert(at));
+  const at = scene && cursor.get(scene.axis);
+  cursor.set(axis, at === null ? null : convert(at));
   router.setView({ axis, zoom: converted(zoom, convert) });
 }
 

@@ -1,5 +1,8 @@
 /** Undo and redo over whole values. */
 
+import type { JsonValue } from "../api/types";
+import { sameValue } from "../editor/path";
+
 export interface History<T> {
   readonly past: readonly T[];
   readonly present: T;
@@ -12,7 +15,9 @@ export function begin<T>(present: T): History<T> {
   return { past: [], present, future: [] };
 }
 
-export function record<T>(history: History<T>, next: T): History<T> {
+/** What equals the present is no step: it would make an undo that changes nothing, and forget what can be done again. */
+export function record<T extends JsonValue>(history: History<T>, next: T): History<T> {
+  if (sameValue(history.present, next)) return history;
   return { past: [...history.past, history.present].slice(-DEPTH), present: next, future: [] };
 }
 

@@ -131,6 +131,18 @@ describe("the lab's address and page", () => {
   });
 });
 
+it("Undo takes back a text that is no value before it takes back an edit", async () => {
+  const { lab, respond, start } = harness();
+  await start();
+  lab.commit(LOW);
+  await respond();
+  lab.reject("/height", { text: "3 kg", message: "Takes cm" });
+  lab.undo();
+  expect(lab.get()).toMatchObject({ rejected: {}, busy: false, history: { present: LOW } });
+  lab.undo();
+  expect(lab.get()).toMatchObject({ busy: true, history: { present: PAPER } });
+});
+
 describe("the state before the last edit", () => {
   it("is what was shown, from the first movement of a slider to the next edit", async () => {
     const { lab, answer, respond, start } = harness();

@@ -2,8 +2,9 @@
 
 import { createRequests, type Form, type Services } from "./requests";
 import type { Scenario, StrategyId } from "../api/types";
+import { sameValue } from "../editor/path";
 import { begin, record, redo, undo, type History } from "./history";
-import type { Lab, LabState } from "./labState";
+import { hasRejected, type Lab, type LabState } from "./labState";
 import { NO_ERRORS } from "./problems";
 import { answers } from "./shown";
 import { createStore } from "./store";
@@ -84,9 +85,7 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
     commit: (scenario) => {
       const { history, shared } = store.get();
       if (shared) return;
-      const same = history?.present === scenario;
-      if (!same) patch({ history: history ? record(history, scenario) : begin(scenario) });
-      patch({ drag: null });
+      patch({ history: history ? record(history, scenario) : begin(scenario), drag: null });
       submit("push");
     },
     reject: (pointer, rejected) => patch({ rejected: { ...store.get().rejected, [pointer]: rejected } }),
@@ -94,7 +93,11 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
       const { [pointer]: removed, ...rejected } = store.get().rejected;
       if (removed) patch({ rejected });
     },
-    undo: () => move(undo),
+    undo: () => {
+      // A text that is no value is the newest change.
+      if (hasRejected(store.get())) patch({ rejected: {} });
+      else move(undo);
+    },
     redo: () => move(redo),
     setStrategies: (ids) => {
       const { shown, history, shared, roads, drag } = store.get();
@@ -109,6 +112,10 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
       if (store.get().shared) return;
       patch({ roads });
       submit("push");
+    },
+    compareWith: (scenario, result) => {
+      const { exact, before } = store.get();
+      if (before === null && sameValue(exact?.scenario, scenario)) patch({ before: result });
     },
     resume: requests.resume,
   };

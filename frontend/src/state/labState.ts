@@ -40,6 +40,8 @@ export interface LabState {
   readonly failure: Failure | null;
 }
 
+export const hasRejected = ({ rejected }: LabState): boolean => Object.keys(rejected).length > 0;
+
 export interface Lab extends Pick<Store<LabState>, "get" | "subscribe"> {
   readonly open: (address: Address) => void;
   /** Opens where Back or Forward led to. */
@@ -53,9 +55,12 @@ export interface Lab extends Pick<Store<LabState>, "get" | "subscribe"> {
   readonly commit: (scenario: Scenario) => void;
   readonly reject: (pointer: Pointer, rejected: Rejected) => void;
   readonly accept: (pointer: Pointer) => void;
+  /** Takes back the texts that are no values, else the last edit. */
   readonly undo: () => void;
   readonly redo: () => void;
   readonly setStrategies: (strategies: readonly StrategyId[]) => void;
+  /** Takes a result for the state before the last edit where there is none, and the shown result is still of that scenario. */
+  readonly compareWith: (scenario: Scenario, before: Shown) => void;
   readonly setRoads: (roads: number) => void;
   /** Asks again for what could not be had; does nothing where nothing is missing. */
   readonly resume: () => void;

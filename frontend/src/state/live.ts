@@ -6,6 +6,7 @@ import type { Form, Services } from "./requests";
 import type { LabState } from "./labState";
 import { createLatest } from "./latest";
 import { NO_ERRORS, refusal } from "./problems";
+import { ALL_POINTS } from "./queries";
 import { axisKey } from "./scene";
 import { fromLive } from "./shown";
 import type { Store } from "./store";
@@ -31,7 +32,8 @@ export function createLive({ store, grace, api, router, form }: Parts) {
 
   /** The bump has half of all samples; zoomed in by hand, the same density takes more of them over the whole run. */
   const points = () => {
-    const { zoom, axis } = router.get().view;
+    const { zoom, axis, differences } = router.get().view;
+    if (differences) return ALL_POINTS;
     const longest = Object.values(store.get().shown?.series ?? {}).map((series) => series[axisKey(axis)]?.at(-1) ?? 0);
     const part = Array.isArray(zoom) ? (zoom[1] - zoom[0]) / Math.max(1e-9, ...longest) : 1;
     return Math.round(Math.min(POINTS_MOST, POINTS / Math.max(part, 0.01)));

@@ -20,6 +20,26 @@ describe("pinned variants", () => {
     expect(createPins(storage).get()).toEqual([{ name: "Hard", run: "b" }]);
   });
 
+  it("of another tab stay, and are shown once they are read again", () => {
+    const storage = fakeStorage();
+    const [one, other] = [createPins(storage), createPins(storage)];
+    one.add({ name: "Soft", run: "a" });
+    other.add({ name: "Hard", run: "b" });
+    one.refresh();
+    expect(one.get()).toEqual([{ name: "Soft", run: "a" }, { name: "Hard", run: "b" }]);
+    one.remove("a");
+    other.rename("b", "Harder");
+    expect(createPins(storage).get()).toEqual([{ name: "Harder", run: "b" }]);
+  });
+
+  it("stay until the tab is closed where the storage is full", () => {
+    const full = { getItem: () => null, setItem: () => { throw new DOMException("full", "QuotaExceededError"); } } as unknown as Storage;
+    const pins = createPins(full);
+    pins.add({ name: "Soft", run: "a" });
+    pins.add({ name: "Hard", run: "b" });
+    expect(pins.get()).toHaveLength(2);
+  });
+
   it("are at most eight", () => {
     const pins = createPins(fakeStorage());
     for (let run = 0; run < 12; run++) pins.add({ name: `n${run}`, run: String(run) });

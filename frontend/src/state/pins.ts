@@ -12,6 +12,8 @@ export interface Pins extends Pick<Store<readonly Pin[]>, "get" | "subscribe"> {
   readonly add: (pin: Pin) => void;
   readonly rename: (run: string, name: string) => void;
   readonly remove: (run: string) => void;
+  /** Reads what another tab has changed. */
+  readonly refresh: () => void;
 }
 
 export const MOST_PINS = 8;
@@ -21,41 +23,50 @@ const KEY = "ridelab-pins";
 const isPin = (value: unknown): value is Pin =>
   typeof value === "object" && value !== null && "name" in value && typeof value.name === "string" && "run" in value && typeof value.run === "string";
 
-function read(storage: Storage | null): readonly Pin[] {
+function parse(text: string | null): readonly Pin[] {
   try {
-    const value: unknown = JSON.parse(storage?.getItem(KEY) ?? "[]");
+    const value: unknown = JSON.parse(text ?? "[]");
     return Array.isArray(value) ? value.filter(isPin).slice(0, MOST_PINS) : [];
   } catch {
-    return []; // written by somebody else, or the browser gives no storage
-  }
-}
-
-function write(storage: Storage | null, pins: readonly Pin[]): void {
-  try {
-    storage?.setItem(KEY, JSON.stringify(pins));
-  } catch {
-    // Full or forbidden: the pins stay until the tab is closed.
+    return []; // written by another program
   }
 }
 
 export function createPins(storage: Storage | null): Pins {
-  const store = createStore<readonly Pin[]>(read(storage));
-  const change = (next: readonly Pin[]) => {
-    store.set(next);
-    write(storage, next);
+  const store = createStore<readonly Pin[]>([]);
+  /** What the storage held last. */
+  let stored: string | null = null;
+  const refresh = () => {
+    const text = storage?.getItem(KEY) ?? null;
+    if (text === stored) return;
+    stored = text;
+    store.set(parse(text));
   };
+  const change = (edit: (pins: readonly Pin[]) => readonly Pin[]) => {
+    refresh(); // another tab may have changed them
+    const before = store.get();
+    const next = edit(before);
+    if (next === before) return;
+    store.set(next);
+    const text = JSON.stringify(next);
+    try {
+      storage?.setItem(KEY, text);
+      stored = text;
+    } catch {
+      // Full or forbidden: the pins stay until the tab is closed.
+    }
+  };
+  refresh();
   return {
     get: store.get,
     subscribe: store.subscribe,
-    add: (pin) => {
-      const pins = store.get();
-      if (pins.length < MOST_PINS && pins.every(({ run }) => run !== pin.run)) change([...pins, pin]);
-    },
+    refresh,
+    add: (pin) => change((pins) => (pins.length < MOST_PINS && pins.every(({ run }) => run !== pin.run) ? [...pins, pin] : pins)),
     rename: (run, name) => {
       const trimmed = name.trim().slice(0, LONGEST_NAME);
-      if (trimmed !== "") change(store.get().map((pin) => (pin.run === run ? { run, name: trimmed } : pin)));
+      if (trimmed !== "") change((pins) => pins.map((pin) => (pin.run === run ? { run, name: trimmed } : pin)));
     },
-    remove: (run) => change(store.get().filter((pin) => pin.run !== run)),
+    remove: (run) => change((pins) => pins.filter((pin) => pin.run !== run)),
   };
 }
 

@@ -11,6 +11,9 @@ export const OVERVIEW_POINTS = 560;
 /** Samples per strategy once somebody zooms in: finer than a screen at any stage of a usual run. */
 export const DETAIL_POINTS = 8_000;
 
+/** The most that the service gives of a strategy: all samples of a run of up to 100 s. */
+export const ALL_POINTS = 100_000;
+
 const FOR_EVER = { staleTime: Infinity, gcTime: Infinity } as const;
 
 export const schemaQuery = queryOptions({
@@ -48,5 +51,15 @@ export function seriesQuery(id: string, strategies: readonly StrategyId[], point
     queryFn: ({ signal }) => (overRoads ? api.bands(id, strategies, overRoads, points, signal) : api.series(id, strategies, points, signal)),
     staleTime: Infinity,
     gcTime: 5 * 60_000,
+  });
+}
+
+/** Every sample of some signals of a run, or of their means over its roads; far more than a screen shows, so it is not kept for long. */
+export function allSamplesQuery(id: string, strategies: readonly StrategyId[], signals: readonly string[], overRoads: boolean) {
+  return queryOptions({
+    queryKey: ["all samples", id, strategies, signals, overRoads],
+    queryFn: ({ signal }) => (overRoads ? api.bands(id, strategies, signals, ALL_POINTS, signal) : api.series(id, strategies, ALL_POINTS, signal, signals)),
+    staleTime: Infinity,
+    gcTime: 30_000,
   });
 }

@@ -17,22 +17,29 @@ interface Navigation {
   readonly params?: { readonly id: string };
   readonly search?: Readonly<Record<string, unknown>>;
   readonly replace?: boolean;
+  readonly state?: object;
 }
 
-/** A browser's history before the page's routes. */
-function browser(path: string) {
+type Listener = (change: { readonly location: object; readonly action: object }) => void;
+
+/** A browser's history before the page's routes; one that is `late` changes the address bar only after a while. */
+function browser(path: string, late = false) {
   const entries = [path];
   let at = 0;
-  const listeners = new Set<() => void>();
-  const tell = () => listeners.forEach((listener) => listener());
+  const listeners = new Set<Listener>();
+  const tell = (type: string, state: object) => listeners.forEach((listener) => listener({ location: { state }, action: { type } }));
   const href = () => entries[at] ?? "";
-  const navigate = ({ to, params, search = {}, replace = false }: Navigation) => {
+  const change = ({ to, params, search = {}, replace = false, state = {} }: Navigation) => {
     if (!replace) entries.splice(++at);
     entries[at] = to.replace("$id", params?.id ?? "") + stringifySearch(search);
-    tell();
+    tell(replace ? "REPLACE" : "PUSH", state);
+  };
+  const navigate = (to: Navigation) => {
+    if (late) setTimeout(() => change(to));
+    else change(to);
   };
   const pages = {
-    history: { location: {}, subscribe: (listener: () => void) => listeners.add(listener) },
+    history: { location: {}, subscribe: (listener: Listener) => listeners.add(listener) },
     parseLocation: () => ({ pathname: href().split("?")[0], search: parseSearch(href().split("?")[1] ?? "") }),
     getMatchedRoutes: (pathname: string) => {
       const [, page = "", id] = pathname.split("/");
@@ -43,7 +50,7 @@ function browser(path: string) {
   const follow = (to: string) => navigate({ to });
   const back = () => {
     at -= 1;
-    tell();
+    tell("BACK", {});
   };
   return { entries, href, follow, back, pages };
 }
@@ -59,7 +66,7 @@ const runOf = (scenario: Scenario, ids: readonly StrategyId[]): Run => ({
 });
 
 /** A lab before a browser and a server whose runs come when a test says so. `h7` is the run of the height 7; over 90 there is none. */
-function harness(path: string, initial: Partial<LabState> = {}) {
+function harness(path: string, initial: Partial<LabState> = {}, late = false) {
   const held: (() => void)[] = [];
   const hold = <T>(value: T, signal: AbortSignal | undefined) =>
     new Promise<T>((resolve, reject) => {
@@ -73,7 +80,7 @@ function harness(path: string, initial: Partial<LabState> = {}) {
     live: () => new Promise(() => undefined),
     link: () => Promise.reject(new Error("no link here")),
   };
-  const { pages, ...page } = browser(path);
+  const { pages, ...page } = browser(path, late);
   const router = createLabRouter(pages);
   const lab = createLab({ api, router, queries: new QueryClient({ defaultOptions: { queries: { gcTime: 0 } } }) }, initial);
   router.onNavigate(lab.navigate);
@@ -154,4 +161,29 @@ it("A run that is merely opened has no state before the last edit", async () => 
   follow("/r/h7");
   await respondToAll();
   expect(lab.get()).toMatchObject({ shown: { runId: "h7" }, before: null });
+});
+
+it("A run of the same scenario that is opened is no step to undo", async () => {
+  const { lab, follow, respondToAll } = await twoRuns();
+  lab.undo();
+  await respondToAll();
+  const { history } = lab.get();
+  follow("/r/h1?axis=time");
+  await respondToAll();
+  expect(lab.get()).toMatchObject({ shown: { runId: "h1" }, history: { past: [], present: { height: 1 }, future: [{ height: 2 }] } });
+  lab.commit({ height: 1 });
+  expect(lab.get().history).toEqual(history);
+});
+
+it("What the lab itself writes into the address bar is no link that was followed, however late it stands there", async () => {
+  const { lab, router, respond, href, entries } = harness("/", {}, true);
+  await respond();
+  await wait();
+  expect(href()).toBe("/r/h1");
+  router.setView({ axis: "time" });
+  router.setView({ baseline: "lqr" });
+  await wait();
+  expect(lab.get()).toMatchObject({ busy: false, stale: false });
+  expect(router.get().view).toMatchObject({ axis: "time", baseline: "lqr" });
+  expect([href(), entries.length]).toEqual(["/r/h1?axis=time&baseline=lqr", 1]);
 });

@@ -139,7 +139,7 @@ export function createRequests(store: Store<LabState>, { api, router, queries }:
         const { view, strategies, at } = readSharedView(link);
         router.confirmNavigation();
         router.setView(view);
-        cursor.set(at);
+        cursor.set(view.axis, at);
         const shown = link.run && histories ? fromRun(link.run, histories, performance.now() - startedAt, true) : null;
         const roads = link.run?.over?.roads ?? 1;
         patch({ shared: link, history: begin(link.scenario), strategies, roads, rejected: {}, drag: null, shown, exact: shown, before: null });

@@ -21,6 +21,13 @@ export interface Router extends Pick<Store<Address>, "get" | "subscribe"> {
   readonly cancelNavigation: () => void;
 }
 
+declare module "@tanstack/react-router" {
+  interface HistoryState {
+    /** The lab itself wrote the entry: told from a link by this, however late the browser's history tells of it. */
+    ofLab?: true;
+  }
+}
+
 const START: Address = { runId: null, slug: null, view: DEFAULT_VIEW };
 
 /** Whether no result is asked for: the lab opens as it was left. */
@@ -60,15 +67,11 @@ export function createLabRouter(router: AppRouter, opening = DEFAULT_VIEW): Rout
   /** The lab's address when the browser left it for another page, `null` while it is on one of the lab's. */
   let addressBeforeLeaving: Address | null = null;
   let isOpen = false;
-  let isWriting = false;
   const current = () => pending ?? store.get();
 
   const write = (address: Address, replace: boolean) => {
     if (addressBeforeLeaving) return; // the address bar is another page's
-    const how = { replace, resetScroll: false };
-    isWriting = true;
-    void router.navigate({ ...how, ...labLink(address) });
-    isWriting = false;
+    void router.navigate({ replace, resetScroll: false, state: { ofLab: true }, ...labLink(address) });
   };
 
   const readAddressBar = (listener: (address: Address) => void) => {
@@ -107,8 +110,9 @@ export function createLabRouter(router: AppRouter, opening = DEFAULT_VIEW): Rout
     },
     onNavigate: (listener) => {
       readAddressBar(listener);
-      router.history.subscribe(() => {
-        if (!isWriting) readAddressBar(listener);
+      router.history.subscribe(({ location, action: { type } }) => {
+        const isOwn = location.state.ofLab === true && (type === "PUSH" || type === "REPLACE");
+        if (!isOwn) readAddressBar(listener);
       });
     },
     confirmNavigation: () => {

@@ -55,3 +55,9 @@ it("A run or a link that is opened replaces nothing until it is edited", () => {
   patch({ exact: exactOf(THEIRS) });
   expect(scenario()).toEqual(THEIRS);
 });
+
+it("A tab that core 0.3.0 stored comes back with the filter it had", () => {
+  const stored = { scenario: { estimation: { kind: "kalman" } }, strategies: ["lv"], roads: 1, search: "" };
+  localStorage.setItem("ridelab-lab", JSON.stringify(stored));
+  expect(restoreSession()?.lab.history?.present).toEqual({ estimation: { kind: "kalman", knows_preview: false } });
+});

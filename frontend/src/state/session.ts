@@ -2,6 +2,7 @@
 
 import type { Scenario, StrategyId } from "../api/types";
 import { sameValue } from "../editor/path";
+import { SCHEMA_VERSION, upgraded } from "../editor/versions";
 import { parseSearch, readLabSearch, searchOf, stringifySearch, viewOf, type View } from "./address";
 import { begin } from "./history";
 import type { Lab, LabState } from "./labState";
@@ -13,6 +14,8 @@ import { readStored, writeStored } from "./storage";
 const NAME = "ridelab-lab";
 
 interface StoredSession {
+  /** Of the scenario's schema; core 0.3.0 and before did not store it. */
+  readonly version?: number;
   readonly scenario: Scenario;
   readonly strategies: readonly StrategyId[];
   readonly roads: number;
@@ -41,8 +44,8 @@ export interface RestoredSession {
 export function restoreSession(): RestoredSession | null {
   const value = readStored(NAME);
   if (!isStoredSession(value)) return null;
-  const { scenario, strategies, roads, search } = value;
-  return { lab: { history: begin(scenario), strategies, roads }, view: viewOf(readLabSearch(parseSearch(search))) };
+  const { version = 1, scenario, strategies, roads, search } = value;
+  return { lab: { history: begin(upgraded(scenario, version)), strategies, roads }, view: viewOf(readLabSearch(parseSearch(search))) };
 }
 
 export function storeSession(lab: Pick<Lab, "get" | "subscribe">, router: Pick<Router, "get" | "subscribe">): void {
@@ -62,7 +65,7 @@ export function storeSession(lab: Pick<Lab, "get" | "subscribe">, router: Pick<R
     const parts = [scenario, strategies, roads, view];
     if (parts.every((part, index) => part === written[index])) return;
     written = parts;
-    const session: StoredSession = { scenario, strategies, roads, search: stringifySearch(searchOf({ ...view, hidden: [] })) };
+    const session: StoredSession = { version: SCHEMA_VERSION, scenario, strategies, roads, search: stringifySearch(searchOf({ ...view, hidden: [] })) };
     writeStored(NAME, session);
   };
   lab.subscribe(write);

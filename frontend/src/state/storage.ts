@@ -9,20 +9,23 @@ export function ownStorage(): Storage | null {
   }
 }
 
+/** What the browser keeps until somebody removes it, or with the tab alone. */
+type Kept = "localStorage" | "sessionStorage";
+
 /** `null` where there is nothing, nothing that can be read, or the browser stores nothing. */
-export function readStored(name: string): unknown {
+export function readStored(name: string, kept: Kept = "localStorage"): unknown {
   try {
-    return JSON.parse(localStorage.getItem(name) ?? "null");
+    return JSON.parse(globalThis[kept].getItem(name) ?? "null");
   } catch {
     return null;
   }
 }
 
 /** `null` removes it. Does nothing where the storage is full or forbidden. */
-export function writeStored(name: string, value: unknown): void {
+export function writeStored(name: string, value: unknown, kept: Kept = "localStorage"): void {
   try {
-    if (value === null) localStorage.removeItem(name);
-    else localStorage.setItem(name, JSON.stringify(value));
+    if (value === null) globalThis[kept].removeItem(name);
+    else globalThis[kept].setItem(name, JSON.stringify(value));
   } catch {
     // Then the next visit begins without it.
   }

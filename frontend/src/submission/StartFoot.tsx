@@ -30,8 +30,9 @@ interface Props<Estimate extends Cost> {
 const time = ({ estimated_seconds: seconds, estimated_cost: cost }: Cost) =>
   seconds === null ? `about ${formatDuration(cost)} of one processor core` : `about ${formatDuration(seconds)}`;
 
-export function StartFoot<Estimate extends Cost>({ submission: { estimate, pending, errors, starting, start }, draft, amount, notes, className = ui.foot, inForm = false, children }: Props<Estimate>) {
-  const otherwise = Object.keys(errors).length > 0 ? "Correct the marked fields." : pending ? "Estimating…" : "\u00a0";
+export function StartFoot<Estimate extends Cost>({ submission: { estimate, pending, errors, general, starting, start }, draft, amount, notes, className = ui.foot, inForm = false, children }: Props<Estimate>) {
+  const wrong = [...new Set([...general, ...Object.values(errors)])];
+  const otherwise = wrong.length > 0 ? `It cannot start: ${wrong.join(". ")}` : pending ? "Estimating…" : "\u00a0";
   return (
     <div className={className}>
       <Box flex="1 1 9rem" mih="1.4rem" role="status" data-testid="estimate">

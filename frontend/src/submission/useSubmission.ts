@@ -64,7 +64,6 @@ export function useSubmission<Body, Estimate>(submission: Submission<Body, Estim
   const started = useMutation({
     mutationFn: ({ body }: Started<Body>) => submission.submit(body, keyOf),
     onSuccess: (_, { onSubmitted }) => onSubmitted(),
-    networkMode: "always",
   });
 
   const problem = started.error ?? (isUpToDate ? estimate.error : null);

@@ -4,9 +4,10 @@ import { Button, Tooltip } from "@mantine/core";
 import { useDisclosure } from "@mantine/hooks";
 import { IconGridDots } from "../icons";
 import { useQuery } from "@tanstack/react-query";
-import { lazy, Suspense } from "react";
+import { lazy } from "react";
 import { schemaQuery, strategiesQuery } from "../state/queries";
 import { compact } from "../ui/compact";
+import { LazyPart } from "../ui/LazyPart";
 
 const SweepDialog = lazy(() => import("./SweepDialog").then((module) => ({ default: module.SweepDialog })));
 
@@ -30,9 +31,9 @@ export function SweepButton() {
         </Button>
       </Tooltip>
       {opened && form && strategies && (
-        <Suspense>
+        <LazyPart onClose={close}>
           <SweepDialog form={form} strategies={strategies} onClose={close} />
-        </Suspense>
+        </LazyPart>
       )}
     </>
   );

@@ -28,10 +28,10 @@ export function Tables({ scene, catalogue, figures }: Props) {
   const id = useId();
   const others = catalogue.metric_signals.filter((signal) => !catalogue.paper_signals.includes(signal));
   const narrow = useMediaQuery(NARROW, false, { getInitialValueInEffect: false });
-  const compare = (signals: readonly SignalKey[], caption: string) =>
+  const compare = (signals: readonly SignalKey[], caption: string, of = "") =>
     narrow ? (
       VIEWS.map((view) => (
-        <NarrowTable key={view.window} {...{ scene, catalogue, figures, signals, view }} heading={headingOf(view, catalogue)} />
+        <NarrowTable key={view.window} {...{ scene, catalogue, figures, signals, view }} heading={`${headingOf(view, catalogue)}${of}`} />
       ))
     ) : (
       <ComparisonTable {...{ scene, catalogue, figures, signals, caption }} />
@@ -42,7 +42,7 @@ export function Tables({ scene, catalogue, figures }: Props) {
       {compare(catalogue.paper_signals, "RMS on the rough road and peak on the bump")}
       {more && (
         <div id={id}>
-          {compare(others, "Suspension travel and actuator forces")}
+          {compare(others, "Suspension travel and actuator forces", ": travel and forces")}
           <RunTable scene={scene} catalogue={catalogue} />
         </div>
       )}

@@ -128,10 +128,10 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
 function Part({ title, detail, children }: { readonly title: string; readonly detail?: string; readonly children: React.ReactNode }) {
   return (
     <section className={ui.part} aria-label={title}>
-      <h3 className={ui.heading}>
+      <h2 className={ui.heading}>
         {title}
         {detail !== undefined && <span className={ui.dim}> {detail}</span>}
-      </h3>
+      </h2>
       {children}
     </section>
   );

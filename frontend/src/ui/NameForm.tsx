@@ -1,7 +1,7 @@
 /** Renames something in its list. */
 
 import { Button, TextInput } from "@mantine/core";
-import { useState } from "react";
+import { useEffect, useRef, useState } from "react";
 
 interface Props {
   readonly name: string;
@@ -18,6 +18,9 @@ interface Props {
 
 export function NameForm({ name, label, action, longest, className, error, saving = false, onSave, onClose }: Props) {
   const [typed, setTyped] = useState(name);
+  const entry = useRef<HTMLInputElement>(null);
+  // Not at once: the menu that it was chosen from would take the focus back.
+  useEffect(() => entry.current?.focus(), []);
   return (
     <form
       className={className}
@@ -26,7 +29,7 @@ export function NameForm({ name, label, action, longest, className, error, savin
         onSave(typed);
       }}
     >
-      <TextInput size="xs" flex={1} aria-label={label} placeholder="Name" autoFocus maxLength={longest} value={typed} error={error} onChange={(event) => setTyped(event.currentTarget.value)} />
+      <TextInput ref={entry} size="xs" flex={1} aria-label={label} placeholder="Name" maxLength={longest} value={typed} error={error} onChange={(event) => setTyped(event.currentTarget.value)} />
       <Button type="submit" size="xs" loading={saving}>
         {action}
       </Button>

@@ -18,7 +18,8 @@ from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario, Vehicle
 from sim_core.simulate import simulate
 from sim_core.strategies import SpeedPolicy
-from tests.validation.reference.held import OUTPUTS, Held, run_in
+from tests.validation.reference.held import Held, run_in
+from tests.validation.reference.vehicle import OUTPUTS
 
 Array = NDArray[np.float64]
 SAMPLES = 200  # in a control step
@@ -107,7 +108,7 @@ class Cars:
         load = np.maximum(self.tyre.reshape(shape) * (road - x[2:4]), self.lowest.reshape(shape))
         return travel, speed, force, load
 
-    def slope(self, x: Array, road: Array, braking: Array, command: Array) -> Array:
+    def slope(self, x: Array, road: Array, braking: float, command: Array) -> Array:
         """Time derivative of x (10, …, cars)."""
         shape = (2, *[1] * (x.ndim - 2), -1)
         _, _, force, load = self.forces(x, road)
@@ -122,7 +123,7 @@ def _solved(runs: list[AdaptiveRun]) -> list[dict[str, float]]:
     motion = drive(runs[0].scenario, SpeedPolicy.CONSTANT)
     steps, n, h = len(runs[0].commands), len(runs), CONTROL_STEP / SAMPLES
     time = CONTROL_STEP * (np.arange(steps)[:, None] - run_in(runs[0].scenario, motion, CONTROL_STEP))
-    time = time + h * np.arange(SAMPLES + 1)
+    time = time + h * np.arange(SAMPLES + 1, dtype=np.float64)
     position = motion.at(time)[0]
     roads = np.empty((steps, 2, SAMPLES + 1, n))
     for i, run in enumerate(runs):
@@ -149,10 +150,8 @@ def _solved(runs: list[AdaptiveRun]) -> list[dict[str, float]]:
                 flat.reshape(10, n), (1 - share) * road[:, j] + share * road[:, j + 1], 0.0, command
             ).ravel()
 
-        solved = solve_ivp(
-            *(slope, (0, CONTROL_STEP), x.ravel(), "RK45", h * np.arange(SAMPLES + 1)),
-            **{"rtol": 1e-6, "atol": 1e-8, "max_step": 1e-3},
-        )
+        instants = h * np.arange(SAMPLES + 1)
+        solved = solve_ivp(slope, (0, CONTROL_STEP), x.ravel(), "RK45", instants, rtol=1e-6, atol=1e-8, max_step=1e-3)
         states = np.moveaxis(solved.y.reshape(10, n, -1), 1, 2)  # (10, samples, cars)
         travel, speed, _, load = cars.forces(states, roads[k])
         rates = cars.slope(states, roads[k], 0.0, command[:, None])

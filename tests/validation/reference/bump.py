@@ -1,6 +1,7 @@
 """Bump shapes and a high-accuracy solution of the passive car crossing one on a smooth road."""
 
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +10,7 @@ from scipy.integrate import solve_ivp
 from sim_core.scenario import Bump, Vehicle
 from tests.validation.reference.vehicle import StateSpace, state_space
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating[Any]]
 
 
 def bump_height(bump: Bump, x: Array) -> Array:
@@ -63,17 +64,19 @@ def crossing(car: Vehicle, bump: Bump, speed: float, settle: float = 1.5, step: 
     ends.append(ends[-1] + settle)
 
     def road(t: Array) -> Array:
-        x = bump.start + speed * np.asarray(t)
+        x = bump.start + speed * t
         return np.array([bump_height(bump, x), bump_height(bump, x - wheelbase)])
 
-    times, outputs, state = [], [], np.zeros(8)
+    def slope(t: float, x: Array) -> Array:
+        return np.asarray(model.A @ x + model.E @ road(np.asarray(t)))
+
+    times, outputs = list[Array](), list[Array]()
+    state = np.zeros(8)
     for begin, end in pairwise(ends):
         if end - begin < 1e-12:
             continue
         read = np.linspace(begin, end, max(2, int(np.ceil((end - begin) / step))))
-        solution = solve_ivp(
-            lambda t, x: model.A @ x + model.E @ road(t), (begin, end), state, "DOP853", read, rtol=1e-10, atol=1e-12
-        )
+        solution = solve_ivp(slope, (begin, end), state, "DOP853", read, rtol=1e-10, atol=1e-12)
         state = solution.y[:, -1]
         times.append(read)
         outputs.append(_read_out(model, solution.y, road(read)))
@@ -88,4 +91,5 @@ def peaks(car: Vehicle, bump: Bump, speed: float) -> Array:
     """Largest magnitude of OUTPUTS from the front axle's touch until the rear axle has left the bump."""
     time, output = crossing(car, bump, speed, settle=0.0005)
     end = ((bump.count - 1) * bump.spacing + bump.width + car.cg_to_front + car.cg_to_rear) / speed
-    return np.abs(output[time <= end + 1e-9]).max(axis=0)
+    largest: Array = np.abs(output[time <= end + 1e-9]).max(axis=0)
+    return largest

@@ -18,7 +18,8 @@ UNIVERSE = np.linspace(0, 1, 2001)
 def grades(value: float, top: float) -> Array:
     """How much a value belongs to each of five even triangles on [0, top]."""
     scaled = min(max(value, 0.0), top) / top * 4
-    return np.maximum(0, 1 - np.abs(scaled - np.arange(5)))
+    degrees: Array = np.maximum(0, 1 - np.abs(scaled - np.arange(5)))
+    return degrees
 
 
 OUTPUT_SETS = np.maximum(0, 1 - np.abs(4 * UNIVERSE[None] - np.arange(5)[:, None]))

@@ -1,21 +1,24 @@
 """Metrics and comfort from a run's series by their definitions: trapezoids in time, Wk in the frequency domain."""
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating[Any]]
+Mask = NDArray[np.bool]
 
 
-def window(result: StrategyResult, low: float, high: float) -> Array:
+def window(result: StrategyResult, low: float, high: float) -> Mask:
     """Mask of the samples with the front axle from `low` to `high` [m]."""
     x = result.series["position"]
     return (x >= low) & (x <= high)
 
 
-def windows(scenario: Scenario, result: StrategyResult) -> dict[str, Array]:
+def windows(scenario: Scenario, result: StrategyResult) -> dict[str, Mask]:
     """The paper's two windows and the whole run."""
     bump, car = scenario.road.bump, scenario.vehicle
     end = bump.start + (bump.count - 1) * bump.spacing + bump.width + car.cg_to_front + car.cg_to_rear
@@ -39,7 +42,8 @@ def wk(frequency: Array) -> Array:
     low = w2**2 / (s**2 + np.sqrt(2) * w2 * s + w2**2)
     transition = (1 + s / w3) / (1 + s / (0.63 * w4) + (s / w4) ** 2)
     step = (1 + s / (0.91 * w5) + (s / w5) ** 2) / (1 + s / (0.91 * w6) + (s / w6) ** 2) * (w5 / w6) ** 2
-    return high * low * transition * step
+    response: Array = high * low * transition * step
+    return response
 
 
 def weighted(acceleration: Array, step: float) -> Array:

@@ -69,10 +69,10 @@ class Held:
     def _comfort(self, scenario: Scenario, end: float) -> dict[str, float]:
         rows = self.time[:, 0] <= end + 1e-9
         inside = self.time[rows] <= end + 1e-9
-        power = sum(
-            np.abs(self.signals[f"{axle}_force"] * speed)
-            for axle, speed in zip(("front", "rear"), self.speed, strict=True)
-        )[rows]
+        front, rear = (
+            self.signals[f"{axle}_force"] * speed for axle, speed in zip(("front", "rear"), self.speed, strict=True)
+        )
+        power = (np.abs(front) + np.abs(rear))[rows]
         both = inside[:, :-1] & inside[:, 1:]
         flat = self.signals["body_acceleration"][rows].copy()
         flat[1:, 0] = (flat[1:, 0] + flat[:-1, -1]) / 2  # the area on both sides of a jump is its trapezoids'
@@ -116,7 +116,7 @@ def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, fl
         wanted = law.gain @ z + feeds[k]
         if not controller.holds(k, stages[k], z[None], wanted[None])[0]:
             wanted, _ = controller.step(k, stages[k], state, previous)
-        previous = np.clip(previous + np.clip(wanted - previous, -most, most), -strongest, strongest)
+        previous = np.asarray(np.clip(previous + np.clip(wanted - previous, -most, most), -strongest, strongest))
         return previous
 
     held = _drive(scenario, motion, Ts, len(road_input.position), command, step)

@@ -7,6 +7,7 @@ reference's own: absolute coordinates, its own prediction, cost, Riccati solutio
 from collections.abc import Callable
 from dataclasses import dataclass
 from math import ceil
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,9 +18,9 @@ from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from tests.validation.reference import qp
 from tests.validation.reference.sampled import gauss, interval, mean_cost, regulator, weights
-from tests.validation.reference.vehicle import state_space
+from tests.validation.reference.vehicle import StateSpace, state_space
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating[Any]]
 RUN_IN = 20.0  # the car starts in equilibrium this far behind the start [m]
 KILO = 1000.0
 
@@ -40,7 +41,9 @@ def plan_of(result: StrategyResult) -> Plan:
 
     def position(time: Array) -> Array:
         inside = np.clip(time, t[0], t[-1])
-        return spline(inside) + np.minimum(time - t[0], 0) * v[0] + np.maximum(time - t[-1], 0) * v[-1]
+        beyond = np.minimum(time - t[0], 0) * v[0] + np.maximum(time - t[-1], 0) * v[-1]
+        at: Array = spline(inside) + beyond
+        return at
 
     return Plan(position=position, speed=lambda time: np.interp(time, t, v), braking=lambda time: np.interp(time, t, a))
 
@@ -48,7 +51,7 @@ def plan_of(result: StrategyResult) -> Plan:
 class Predictor:
     """Stacked maps from (x, U, road heights, decelerations) to every interval's w = (x, u, z_start, z_end, a)."""
 
-    def __init__(self, model, length: float, horizon: int, moves: int) -> None:
+    def __init__(self, model: StateSpace, length: float, horizon: int, moves: int) -> None:
         step = interval(model, length, length).state
         self.horizon, self.moves = horizon, moves
         n = 8 + 2 * moves + 2 * (horizon + 1) + horizon
@@ -105,8 +108,8 @@ class ReferenceMpc:
         pick, none = np.eye(n), np.zeros((n, 2))
         self.A = np.block([[rows, slack], [-rows, slack], [pick, none], [-pick, none], [np.zeros((2, n)), -np.eye(2)]])
 
-    def solve(self, x: Array, previous: Array, heights: Array, braking: Array, *, always: bool = False) -> Array:
-        """First force of the optimum [N]; `always` asks the solver also where the unconstrained optimum is allowed.
+    def solve(self, x: Array, previous: Array, heights: Array, braking: Array) -> Array:
+        """First force of the optimum [N]; the solver is asked where the unconstrained optimum is not allowed.
 
         heights: (Np + 1, 2), braking: (Np,).
         """
@@ -117,7 +120,7 @@ class ReferenceMpc:
         force = np.full(n, self.mpc.force_limit / KILO)
         b = np.concatenate([limit - offset, limit + offset, force, force, np.zeros(2)])
         y = np.concatenate([np.linalg.solve(self.H[:n, :n], -g[:n]), np.zeros(2)])
-        if always or not np.all(self.A @ y <= b):
+        if not np.all(self.A @ y <= b):
             answer = qp.solve(self.H, g, self.A, b)
             assert answer.residual < 1e-10
             y = answer.x
@@ -140,7 +143,6 @@ def drive(
     stage_weights: Callable[[float], tuple[float, float, float]],
     *,
     law: str,
-    always: bool = False,
 ) -> Trace:
     """Drive the scenario with the speed plan of `result`; `stage_weights` gives q1-q3 at a front-axle position.
 
@@ -156,11 +158,11 @@ def drive(
     most = np.inf if actuator.rate_limit is None else actuator.rate_limit * Ts
 
     def heights(time: Array) -> Array:
-        x = plan.position(time)
+        x = np.asarray(plan.position(time), dtype=np.float64)
         return np.stack([surface.height(x), surface.height(x - wheelbase)], axis=-1)
 
     def seen(t: float) -> tuple[Array, Array]:
-        horizon = t + Ts * np.arange(mpc.prediction_horizon + 1)
+        horizon: Array = t + Ts * np.arange(mpc.prediction_horizon + 1)
         if mpc.preview == "lookahead":
             return heights(horizon), plan.braking(horizon[:-1] + Ts / 2)
         level = np.tile(heights(np.array([t])), (len(horizon), 1))
@@ -183,7 +185,7 @@ def drive(
         )
         K = regulator(model, mean_cost(model, weight, Ts, mpc.force_weight, *gauss()), Ts).K
         lever = np.array([[1, -car.cg_to_front], [1, car.cg_to_rear]])
-    predictor = Predictor(model, Ts, mpc.prediction_horizon, mpc.control_horizon) if law == "mpc" else None
+    predictor = Predictor(model, Ts, mpc.prediction_horizon, mpc.control_horizon)
     problems: dict[tuple[float, float, float], ReferenceMpc] = {}
 
     begin = -ceil(RUN_IN / (result.series["speed"][0] * Ts))
@@ -198,7 +200,7 @@ def drive(
             q = stage_weights(float(plan.position(np.array([t]))[0]))
             if q not in problems:
                 problems[q] = ReferenceMpc(scenario, predictor, q)
-            wanted = problems[q].solve(x, u, *seen(t), always=always)
+            wanted = problems[q].solve(x, u, *seen(t))
         else:
             z = heights(np.array([t]))[0]
             wanted = -K @ (x - np.concatenate([np.linalg.solve(lever, z), z, np.zeros(4)]))

@@ -1,12 +1,14 @@
 """A dense interior-point solver of its own (Mehrotra's predictor-corrector) and a KKT check."""
 
 from dataclasses import dataclass
+from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating[Any]]
 
 
 @dataclass(frozen=True)
@@ -34,14 +36,7 @@ def solve(H: Array, g: Array, A: Array, b: Array, iterations: int = 60) -> QpSol
         except np.linalg.LinAlgError:  # as far as rounding lets the barrier go
             break
 
-        def step(
-            target: Array, factor=factor, dual=dual, primal=primal, slack=slack, multiplier=multiplier
-        ) -> tuple[Array, Array, Array]:
-            right = -dual - A.T @ ((multiplier * primal - target) / slack)
-            dx = cho_solve(factor, right)
-            ds = -primal - A @ dx
-            return dx, ds, -(target + multiplier * ds) / slack
-
+        step = partial(_newton_step, A, factor, dual, primal, slack, multiplier)
         _, ds, dm = step(slack * multiplier)
         affine_step = _longest(slack, ds, multiplier, dm, 1.0)
         centring = ((slack + affine_step * ds) @ (multiplier + affine_step * dm) / len(b) / gap) ** 3
@@ -49,6 +44,15 @@ def solve(H: Array, g: Array, A: Array, b: Array, iterations: int = 60) -> QpSol
         length = _longest(slack, ds, multiplier, dm, 0.995)
         x, slack, multiplier = x + length * dx, slack + length * ds, multiplier + length * dm
     return _polished(H, g, A, b, x, multiplier, slack)
+
+
+def _newton_step(
+    A: Array, factor: Any, dual: Array, primal: Array, slack: Array, multiplier: Array, target: Array
+) -> tuple[Array, Array, Array]:
+    """The step in x, slack and multipliers towards complementary products of `target`."""
+    dx = cho_solve(factor, -dual - A.T @ ((multiplier * primal - target) / slack))
+    ds = -primal - A @ dx
+    return dx, ds, -(target + multiplier * ds) / slack
 
 
 def _polished(H: Array, g: Array, A: Array, b: Array, x: Array, multiplier: Array, slack: Array) -> QpSolution:

@@ -1,6 +1,7 @@
 """Sampled-data control of the half-car: exact discretisation, the normalised cost, Riccati and QP, all from scratch."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +10,7 @@ from scipy.linalg import expm
 from sim_core.scenario import Vehicle
 from tests.validation.reference.vehicle import StateSpace, stationary_rms
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating[Any]]
 
 
 @dataclass(frozen=True)

@@ -79,7 +79,8 @@ def state_space(car: Vehicle) -> StateSpace:
 def road_response(model: StateSpace, frequency: Array, delay: float) -> Array:
     """Complex response (n, 6) of OUTPUTS to a unit front road at `frequency` [Hz], met by the rear `delay` [s] late."""
     both = axle_responses(model, frequency)
-    return both[..., 0] + both[..., 1] * np.exp(-2j * np.pi * np.asarray(frequency) * delay)[:, None]
+    late: Array = both[..., 1] * np.exp(-2j * np.pi * np.asarray(frequency) * delay)[:, None]
+    return both[..., 0] + late
 
 
 def axle_responses(model: StateSpace, frequency: Array) -> Array:

@@ -1,0 +1,30 @@
+"""Logins of the page that were ended before their time, so that no replica takes their cookies any more."""
+
+from datetime import UTC, datetime, timedelta
+
+from sqlalchemy import delete, select
+
+from backend.db.database import Database, insert_new
+from backend.db.tables import ended_logins
+
+KEPT = timedelta(days=91)  # a login lasts 90 days
+
+
+class LoginStore:
+    """Reads and writes ended logins."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+
+    def end(self, login: str) -> None:
+        """Commit that a login has ended; those whose cookies are too old by now are forgotten."""
+        now = datetime.now(UTC)
+        with self._database.writing() as connection:
+            connection.execute(delete(ended_logins).where(ended_logins.c.ended_at < now - KEPT))
+            insert_new(connection, ended_logins, [{"login": login, "ended_at": now}])
+
+    def has_ended(self, login: str) -> bool:
+        """Whether it has."""
+        with self._database.reading() as connection:
+            found = connection.execute(select(ended_logins.c.login).where(ended_logins.c.login == login)).first()
+        return found is not None

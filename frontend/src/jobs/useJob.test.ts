@@ -1,0 +1,53 @@
+import { QueryObserver } from "@tanstack/react-query";
+import { afterEach, expect, it, vi } from "vitest";
+import type { Tuning, TuningItem } from "../api/types";
+import { createQueryClient } from "../state/queryClient";
+import { followJob, jobQuery, TUNING, type Kind } from "./useJob";
+
+/** A stream whose events come when a test says so. */
+class Stream extends EventTarget {
+  static newest: Stream | null = null;
+  readonly readyState = 1;
+  close = () => undefined;
+  constructor() {
+    super();
+    Stream.newest = this;
+  }
+  say(number: number) {
+    const data = JSON.stringify({ state: "running", done: 10 * number, failed: 0, total: 1000 });
+    this.dispatchEvent(new MessageEvent("progress", { data, lastEventId: String(number) }));
+  }
+}
+
+afterEach(() => {
+  vi.unstubAllGlobals();
+});
+
+it("A running tuning whose past events come all at once is asked for once at a time, and once more for the newest", async () => {
+  vi.stubGlobal("EventSource", Stream);
+  const queries = createQueryClient();
+  const asked: { readonly answer: () => void; readonly signal: AbortSignal | undefined }[] = [];
+  const get = (id: string, signal?: AbortSignal) =>
+    new Promise<Tuning>((resolve) => {
+      const done = 10 * asked.length;
+      asked.push({ answer: () => resolve({ id, state: "running", trials: { done } } as unknown as Tuning), signal });
+    });
+  const kind: Kind<TuningItem, Tuning> = { ...TUNING, calls: { ...TUNING.calls, get } };
+  const observer = new QueryObserver(queries, jobQuery(kind, "T"));
+  const leave = observer.subscribe(() => undefined);
+  asked[0]?.answer();
+  await vi.waitFor(() => expect(observer.getCurrentResult().data).toBeDefined());
+
+  const stop = followJob(kind, "T", queries, { onConnected: () => undefined, onEvent: () => undefined });
+  for (let number = 1; number <= 60; number++) Stream.newest?.say(number);
+  expect(asked).toHaveLength(2);
+  asked[1]?.answer();
+  await vi.waitFor(() => expect(asked).toHaveLength(3));
+  asked[2]?.answer();
+  await vi.waitFor(() => expect(observer.getCurrentResult().data?.trials.done).toBe(20));
+  expect(asked).toHaveLength(3);
+  expect(asked.map(({ signal }) => signal?.aborted)).toEqual([false, false, false]);
+  stop();
+  leave();
+  queries.clear();
+});

@@ -1,0 +1,135 @@
+"""The road of a scenario: its roughness or a measured profile, and the bumps on it."""
+
+from typing import Annotated, Any, ClassVar, Literal, get_args
+
+from pydantic import BeforeValidator, Field, PrivateAttr
+from pydantic_core import PydanticCustomError
+
+from sim_core.scenario.fields import Part, count, quantity
+from sim_core.scenario.measured import ID_PATTERN, MeasuredRoad
+
+MAX_SEED = 2**32 - 1
+BumpShape = Literal["cosine", "half_sine", "circular", "flat_top", "trapezoid", "kerb"]
+
+
+class Bump(Part):
+    """The obstacle, or several alike in a row, added to the roughness (Eq. 2-3)."""
+
+    ADDED: ClassVar = frozenset({"count", "spacing"})
+
+    shape: BumpShape = Field(
+        "cosine",
+        title="Shape",
+        description="cosine is the paper's (Eq. 2); circular is a Watts hump; flat_top has half-cosine ramps, "
+        "trapezoid straight ones, each a quarter of the width; kerb rises as half a cosine and stays up.",
+    )
+    height: float = quantity(
+        0.1,
+        "m",
+        "Height",
+        "Crest height; 0 is no bump, negative a pothole.",
+        soft=(-0.15, 0.2),
+        ge=-1,
+        le=1,
+        shown="cm",
+    )
+    width: float = quantity(4, "m", "Width", "Length along the road.", soft=(0.3, 10), ge=0.05, le=100)
+    start: float = quantity(100, "m", "Position", "Where the front axle meets it.", soft=(30, 130), ge=1, le=3000)
+    count: int = count(
+        1,
+        "Bumps",
+        "How many alike in a row; they count as one bump, from the first to the last.",
+        soft=(1, 10),
+        ge=1,
+        le=200,
+    )
+    spacing: float = quantity(
+        10,
+        "m",
+        "Spacing",
+        "From the start of each to the next one's; cosines as far apart as they are wide are a washboard.",
+        soft=(0.3, 20),
+        ge=0.05,
+        le=1000,
+    )
+
+    @property
+    def length(self) -> float:
+        """From the start of the first to the end of the last [m]."""
+        return (self.count - 1) * self.spacing + self.width
+
+    @property
+    def end(self) -> float:
+        """Where the last one ends [m]."""
+        return self.start + self.length
+
+
+RoadClass = Literal["A", "B", "C", "D", "E", "F", "G", "H"]
+CLASS_MEANS = {name: 16e-6 * 4**index for index, name in enumerate(get_args(RoadClass))}  # ISO 8608, table C.1 [m^3]
+
+
+def _class_mean(value: Any) -> Any:
+    """The mean roughness of a class that is named; anything else as it is."""
+    if not isinstance(value, str):
+        return value
+    if value not in CLASS_MEANS:
+        raise PydanticCustomError("road_class", "Input should be a number or a road class of ISO 8608, A to H")
+    return CLASS_MEANS[value]
+
+
+MAX_ROUGHNESS = CLASS_MEANS["H"]
+_BY_CLASS = BeforeValidator(
+    _class_mean, json_schema_input_type=Annotated[float, Field(ge=0, le=MAX_ROUGHNESS)] | RoadClass
+)
+
+
+class Road(Part):
+    """Rough road made in space by ISO 8608, or a measured one, with bumps (section 2.1)."""
+
+    ADDED: ClassVar = frozenset({"profile"})
+
+    roughness: Annotated[float, _BY_CLASS] = quantity(
+        64e-6,
+        "m^3",
+        "Roughness",
+        "Displacement PSD Gd(n0) at n0 = 0.1 1/m; or a class of ISO 8608 by its name, A to H, for its mean: A 16e-6, "
+        "B 64e-6, C 256e-6, D 1024e-6, …; 0 is smooth.",
+        soft=(0, 1024e-6),
+        ge=0,
+        le=MAX_ROUGHNESS,
+    )
+    seed: int = count(1, "Seed", "Same seed, same road.", soft=(1, 20), ge=0, le=MAX_SEED)
+    length: float = quantity(
+        150,
+        "m",
+        "Length",
+        "The run ends when the front axle gets here. The paper's road ends at 110 m; ours lets the car settle. Where "
+        "none is given beside a measured profile, it is the profile's.",
+        soft=(110, 300),
+        ge=5,
+        le=3000,
+    )
+    profile: str | None = Field(
+        None,
+        pattern=ID_PATTERN,
+        title="Measured profile",
+        description="Id of a measured road, in place of one made from roughness and seed. Its file "
+        "is CSV with distance [m] and height [mm] in its header, or left [mm] and right [mm].",
+    )
+    bump: Bump = Bump()
+    _measured: MeasuredRoad | None = PrivateAttr(None)
+
+    @property
+    def measured(self) -> MeasuredRoad | None:
+        """The heights of `profile`, where somebody handed them over (`Scenario.on`)."""
+        return self._measured
+
+    @property
+    def ends_with_profile(self) -> bool:
+        """Whether its length is that of its `profile`, which `Scenario.on` sets: none was given."""
+        return self.profile is not None and "length" not in self.model_fields_set
+
+    @property
+    def is_smooth(self) -> bool:
+        """Whether there is nothing but the bumps."""
+        return self.profile is None and not self.roughness

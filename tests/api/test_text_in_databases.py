@@ -1,0 +1,93 @@
+"""Text that a database could fail on: PostgreSQL takes no NUL and no value longer than its column."""
+
+import shutil
+from collections.abc import Iterator
+from contextlib import closing
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+from sqlalchemy import update
+
+from backend.db.tables import jobs
+from backend.settings import Settings
+from backend.store import Store
+from tests.api.conftest import serve
+from tests.api.test_job_store import BATCH
+from tests.api.test_problems import check
+from tests.servers.postgres import Postgres
+from tests.servers.process import HANG_TIMEOUT
+
+OWNER, TOKEN = "o" * 64, "0123456789abcdef"
+SWEEP: dict[str, Any] = {"strategies": ["passive"], "sweep": {"list": [{"road.seed": 1}]}}
+
+
+@pytest.fixture(scope="module")
+def client(
+    postgres: Postgres, migrated_postgres: str, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[httpx.Client]:
+    """A service on PostgreSQL, and a token with the longest name."""
+    folder: Path = tmp_path_factory.mktemp("text")
+    (folder / "tokens").write_text(f"{OWNER} {TOKEN}\n")
+    settings = {
+        "data_dir": folder,
+        "database_url": postgres.new_database(migrated_postgres),
+        "workers": 1,
+        "batch_workers": 1,
+        "tokens_file": folder / "tokens",
+    }
+    for service in serve(Settings.model_validate(settings)):
+        headers = {"Authorization": f"Bearer {TOKEN}"}
+        with httpx.Client(base_url=service.client.base_url, headers=headers, timeout=HANG_TIMEOUT) as client:
+            yield client
+
+
+@pytest.mark.parametrize("text", ["a\0b", "a\nb", "\tx", "a\x7f", "a\u2028b", "a\u202eb"])
+def test_a_name_with_control_characters_is_refused_at_its_field(client: httpx.Client, text: str) -> None:
+    job = client.post("/api/v1/batches", json=SWEEP).json()["id"]
+    pin = {"name": text, "run": "A" * 22}
+    for method, path, body, pointer in (
+        ("POST", "batches", {**SWEEP, "label": text}, "/label"),
+        ("POST", "tunings", {"label": text}, "/label"),
+        ("PATCH", f"batches/{job}", {"label": text}, "/label"),
+        ("POST", "links", {"run_id": "A" * 22, "view": {"pins": [pin]}}, "/view/pins/0/name"),
+    ):
+        problem = check(client.request(method, f"/api/v1/{path}", json=body), 422, "invalid-request")
+        (place,) = [each for each in problem.errors if each.pointer == pointer]
+        assert place.message == "Control characters, such as tabs and line breaks, cannot be part of this"
+
+
+def test_an_address_with_control_characters_names_nothing(client: httpx.Client) -> None:
+    for path in ("runs", "batches", "tunings", "links", "roads"):
+        check(client.get(f"/api/v1/{path}/a%00b"), 404, "not-found")
+    check(client.post("/api/v1/batches/%00/cancel"), 404, "not-found")
+    for path, name in (("batches", "label"), (f"runs/{'A' * 22}/changes", "against"), ("batches", "cursor")):
+        problem = check(client.get(f"/api/v1/{path}?{name}=a%00b"), 422, "invalid-request")
+        assert problem.errors[0].parameter == name
+
+
+def test_a_sweep_over_roads_that_are_no_ids_is_refused(client: httpx.Client) -> None:
+    body = {**SWEEP, "sweep": {"grid": {"road.profile": ["a\0b"]}}}
+    check(client.post("/api/v1/batches", json=body), 422, "invalid-request")
+
+
+def test_the_longest_key_of_the_longest_name_is_one(client: httpx.Client) -> None:
+    keys = ["k" * 255, "k" * 254 + "l", "short"]
+    first, again = (
+        [client.post("/api/v1/batches", json=SWEEP, headers={"Idempotency-Key": key}) for key in keys] for _ in range(2)
+    )
+    assert [answer.status_code for answer in first + again] == [202] * 6
+    ids = [answer.json()["id"] for answer in first]
+    assert [answer.json()["id"] for answer in again] == ids
+    assert len(set(ids)) == 3
+
+
+def test_a_long_key_that_sqlite_stored_as_it_was_still_matches(migrated_sqlite: Path, tmp_path: Path) -> None:
+    """Until 0.3.0: SQLite holds columns to no length."""
+    key = f"{OWNER} {'k' * 255}"
+    with closing(Store(f"sqlite:///{shutil.copy(migrated_sqlite, tmp_path)}")) as store:
+        store.jobs.create(BATCH, (), "short")
+        with store.writing() as connection:
+            connection.execute(update(jobs).values(idempotency_key=key))
+        assert store.jobs.by_idempotency_key("sweep", key) == BATCH

@@ -1,0 +1,213 @@
+"""What stays where something else goes: on a reload, in another tab, behind Back and Forward, without a file."""
+
+import re
+from collections.abc import Callable, Iterator
+
+import pytest
+from playwright.sync_api import Page, Playwright, Route, expect
+
+from tests.browser.chromium import launch
+from tests.browser.dashboard import LAPTOP, Dashboard
+from tests.browser.server import Server
+
+BEFORE = "Before the last edit"
+
+
+@pytest.fixture
+def cached(playwright: Playwright, server: Server) -> Iterator[Dashboard]:
+    """A browser with the back/forward cache, which brings a page back as it was left."""
+    browser = launch(playwright, back_forward_cache=True)
+    context = browser.new_context(base_url=server.url, viewport=LAPTOP, reduced_motion="reduce")
+    context.add_init_script("addEventListener('pageshow', event => window.cached = event.persisted)")
+    dashboard = Dashboard(context.new_page(), server.url)
+    yield dashboard
+    browser.close()
+    assert dashboard.failures == []
+
+
+def edited(dashboard: Dashboard) -> None:
+    """Two edits, the second one undone, and changes against the state before that."""
+    page, paper = dashboard.page, dashboard.address()
+    dashboard.type_into("Height", "6")
+    expect(page).not_to_have_url(paper)
+    low = dashboard.address()
+    dashboard.type_into("Width", "3")
+    expect(page).not_to_have_url(low)
+    page.get_by_role("button", name="Undo").click()
+    expect(page).to_have_url(low)
+    dashboard.expect_curves()
+    page.get_by_label("Change against").select_option("Before the undo")
+    expect(page).to_have_url(re.compile("against=before"))
+
+
+def expect_edited(dashboard: Dashboard) -> None:
+    """What `edited` has left behind, to be compared, undone and done again."""
+    page = dashboard.page
+    expect(page.get_by_label("Change against").locator("option:checked")).to_have_text("Before the undo")
+    expect(page.get_by_test_id("differences")).to_contain_text("Bump width 3 → 4\u00a0m")
+    page.get_by_role("button", name="Undo").click()
+    expect(dashboard.entry("Height")).to_have_value("10")
+    for height, width in (("6", "4"), ("6", "3")):
+        page.get_by_role("button", name="Redo").click()
+        expect(dashboard.entry("Height")).to_have_value(height)
+        expect(dashboard.entry("Width")).to_have_value(width)
+    expect(page.get_by_role("button", name="Redo")).to_be_disabled()
+
+
+def test_a_reload_keeps_undo_redo_and_what_changes_are_against(dashboard: Dashboard) -> None:
+    """On the lab's page and on another one; a lab that opens as it was left still offers the paper's scenario."""
+    dashboard.open()
+    edited(dashboard)
+    page = dashboard.page
+    page.reload()
+    dashboard.expect_curves()
+    expect_edited(dashboard)
+    page.goto("/tuner")
+    page.get_by_role("navigation", name="Pages").get_by_role("link", name="Lab").click()
+    dashboard.expect_curves()
+    expect(page.get_by_text("Your last scenario.")).to_be_visible()
+    page.get_by_role("button", name="Undo").click()
+    expect(dashboard.entry("Width")).to_have_value("4")
+    expect(page.get_by_text("Your last scenario.")).to_have_count(0)
+
+
+def test_a_new_tab_has_nothing_to_undo(dashboard: Dashboard) -> None:
+    dashboard.open()
+    edited(dashboard)
+    with dashboard.page.context.new_page() as page:
+        page.goto(dashboard.address())
+        expect(page.locator(".scatterlayer .trace").first).to_be_visible()
+        expect(page.get_by_role("button", name="Undo")).to_be_disabled()
+
+
+def test_back_from_another_document_keeps_them_with_and_without_the_browsers_cache(
+    cached: Dashboard, dashboard: Dashboard
+) -> None:
+    for each in (dashboard, cached):
+        each.open()
+        edited(each)
+        page, address = each.page, each.address()
+        page.evaluate("window.cached = false; location.href = '/docs'")
+        page.wait_for_function("document.querySelector('#swagger-ui')")
+        page.evaluate("history.back()")
+        if each is cached:
+            page.wait_for_function("window.cached")
+        each.expect_curves()
+        assert each.address() == address
+        expect_edited(each)
+
+
+def test_forward_leads_to_an_edit_that_back_has_left(cached: Dashboard) -> None:
+    """Through another document: what is shown is what the address names, and Undo changes something."""
+    cached.open()
+    page, paper = cached.page, cached.address()
+    cached.type_into("Height", "6")
+    expect(page).not_to_have_url(paper)
+    low = cached.address()
+    page.evaluate("location.href = '/docs'")
+    page.wait_for_function("document.querySelector('#swagger-ui')")
+    for address, height in ((low, "6"), (paper, "10"), (low, "6")):
+        page.evaluate(f"history.{'forward' if page.url == paper else 'back'}()")
+        expect(page).to_have_url(address)
+        expect(cached.entry("Height")).to_have_value(height)
+        cached.expect_curves()
+    page.get_by_role("button", name="Undo").click()
+    expect(cached.entry("Height")).to_have_value("10")
+
+
+def pin(page: Page) -> None:
+    page.get_by_role("region", name="Comparison").get_by_role("button", name="Pin", exact=True).click()
+
+
+def test_pins_of_two_tabs_stay(cached: Dashboard) -> None:
+    """Also those that another tab makes while the browser keeps this one aside."""
+    cached.open()
+    page = cached.page
+    pins = page.get_by_role("list", name="Pinned results").get_by_role("button")
+    with page.context.new_page() as other:
+        second = Dashboard(other, cached.url)
+        second.open("/")
+        pin(page)
+        expect(pins).to_have_count(1)
+        second.type_into("Height", "6")
+        expect(second.results.get_by_test_id("differences")).to_be_visible()
+        pin(other)
+        expect(pins).to_have_count(2)
+        page.evaluate("window.cached = false; location.href = '/docs'")
+        page.wait_for_function("document.querySelector('#swagger-ui')")
+        second.type_into("Height", "7")
+        expect(second.entry("Height")).to_have_value("7")
+        second.expect_curves()
+        pin(other)
+        expect(other.get_by_role("list", name="Pinned results").get_by_role("button")).to_have_count(3)
+    page.evaluate("history.back()")
+    page.wait_for_function("window.cached")
+    expect(pins).to_have_count(3)
+
+
+def test_a_part_whose_file_is_missing_leaves_the_lab(dashboard: Dashboard) -> None:
+    """As after an update of the server: it says so, and everything else goes on."""
+    dashboard.open()
+    page = dashboard.page
+    page.route(re.compile(r"/assets/(\w+Dialog|Palette|KeyList|FigureMenu)-"), lambda route: route.abort())
+    opening: dict[str, Callable[[], None]] = {
+        "the library": lambda: page.get_by_role("button", name="Library").click(),
+        "a sweep": lambda: page.get_by_role("button", name="Sweep…").click(),
+        "a limit": lambda: page.get_by_role("button", name="How fast may it go: Body acceleration, bump").click(),
+        "commands": lambda: page.keyboard.press("Control+k"),
+        "keys": lambda: page.keyboard.press("?"),
+        "a figure": lambda: page.get_by_role("button", name="Save figure: Body acceleration").click(),
+    }
+    failed = page.get_by_role("dialog", name="This part of the page could not be shown")
+    for what, open_part in opening.items():
+        open_part()
+        expect(failed, what).to_be_visible()
+        expect(failed.get_by_role("button", name="Load again")).to_be_visible()
+        failed.get_by_role("button", name="Close").last.click()
+        expect(failed).to_have_count(0)
+    dashboard.expect_table_to_be_the_stored_run()
+    dashboard.failures.clear()  # the browser and React write a missing file to the console
+
+
+def test_plots_that_cannot_be_saved_say_so(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page = dashboard.page
+
+    def refuse(route: Route) -> None:
+        route.fulfill(status=500, json={"title": "Not now"})
+
+    page.route("**/series?*", refuse)
+    page.get_by_label("Plot differences").check()
+    page.get_by_role("button", name="Export").click()
+    page.get_by_role("menuitem", name="PNG picture").click()
+    dialog = page.get_by_role("dialog", name="The plots could not be saved")
+    expect(dialog).to_contain_text("Not now")
+    page.keyboard.press("Escape")
+    expect(dialog).to_have_count(0)
+    page.unroute("**/series?*", refuse)
+    page.get_by_role("button", name="Export").click()
+    with page.expect_download():
+        page.get_by_role("menuitem", name="PNG picture").click()
+
+
+def test_renaming_in_the_library_keeps_the_focus(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page = dashboard.page
+    for name in ("Low", "High"):
+        page.keyboard.press("Control+s")
+        page.get_by_role("textbox", name="Name", exact=True).fill(name)
+        page.keyboard.press("Enter")
+        expect(page.get_by_role("dialog", name="Library")).to_have_count(0)
+    page.keyboard.press("Control+s")
+    menu = page.get_by_role("button", name="Rename, export or delete Low")
+    for answer in ("Close", "Rename"):
+        menu.focus()
+        page.keyboard.press("Enter")
+        page.get_by_role("menuitem", name="Rename").press("Enter")
+        entry = page.get_by_role("textbox", name="New name")
+        expect(entry).to_be_focused()
+        entry.fill("Flat")
+        page.locator("form").get_by_role("button", name=answer, exact=True).press("Enter")
+        expect(entry).to_have_count(0)
+        after = "Flat" if answer == "Rename" else "Low"
+        expect(page.get_by_role("button", name=f"Rename, export or delete {after}")).to_be_focused()

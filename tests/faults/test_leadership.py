@@ -1,0 +1,169 @@
+"""Of several services on one PostgreSQL one drives the jobs. Where it hangs another one does, and nothing is twice.
+
+The role is an ordinary one, as a service has it.
+"""
+
+import asyncio
+import contextlib
+import os
+import signal
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+import psutil
+import pytest
+from sqlalchemy import make_url, text
+
+from backend.jobs import leadership
+from backend.jobs.leadership import LOCK_ID, Leadership, LeadershipLostError
+from backend.store import Store
+from tests.api.test_job_store import BATCH, rows
+from tests.faults.conftest import Process, Start
+from tests.faults.test_batches import state, submit
+from tests.servers import loops
+from tests.servers.postgres import Postgres
+from tests.servers.process import HANG_TIMEOUT, wait_until
+
+RUNS = 400
+COUNTS = text(
+    "SELECT count(*), count(DISTINCT result_key), count(key) FROM job_runs LEFT JOIN results ON key = result_key"
+)
+PASSWORD = "of-an-ordinary-role"  # noqa: S105
+
+
+@pytest.fixture
+def url(postgres: Postgres) -> str:
+    """A database whose owner is no administrator."""
+    address = make_url(postgres.new_database())
+    role = f"owner_of_{address.database}"
+    postgres.execute(f"CREATE ROLE {role} LOGIN PASSWORD '{PASSWORD}'")
+    postgres.execute(f"ALTER DATABASE {address.database} OWNER TO {role}")
+    return address.set(username=role, password=PASSWORD).render_as_string(hide_password=False)
+
+
+@pytest.fixture
+def stores(url: str) -> Iterator[tuple[Store, Store]]:
+    with contextlib.closing(Store(url)) as first, contextlib.closing(Store(url)) as second:
+        first.migrate()
+        yield first, second
+
+
+async def led(of: Leadership, until: asyncio.Event, got: asyncio.Event) -> None:
+    async with of.held():
+        got.set()
+        await until.wait()
+
+
+def test_a_leader_that_hangs_loses_the_lead_and_can_write_nothing_more(
+    stores: tuple[Store, Store], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(leadership, "BEAT", HANG_TIMEOUT)  # it hangs
+    monkeypatch.setattr(leadership, "RETRY", 0.1)
+    monkeypatch.setattr(leadership, "HUNG", 1.0)
+    first, second = stores
+    job = first.jobs.create(BATCH, rows())[0]
+
+    async def work() -> None:
+        old, new, got, end = Leadership(first), Leadership(second), asyncio.Event(), asyncio.Event()
+        with first.engine.connect() as unfinished:
+            async with old.held():
+                await old.confirm()
+                await old.write(first.jobs.start, job.id)
+                unfinished.execute(text("UPDATE jobs SET label = 'by the old one'"))  # its row is locked
+                waiting = asyncio.create_task(led(new, end, got))
+                async with asyncio.timeout(HANG_TIMEOUT):
+                    await got.wait()
+                await new.write(second.jobs.set_label, job.id, "by the new one")
+                with pytest.raises(LeadershipLostError):
+                    await old.write(first.jobs.cancel, job.id)
+                with pytest.raises(LeadershipLostError):
+                    await old.confirm()
+                end.set()
+                await waiting
+            unfinished.invalidate()
+
+    loops.run(work)
+    now = second.jobs.load(job.id)
+    assert now is not None
+    assert (now.state, now.label) == ("running", "by the new one")
+
+
+def test_a_leader_that_has_nothing_to_do_keeps_the_lead(
+    stores: tuple[Store, Store], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(leadership, "BEAT", 0.1)
+    monkeypatch.setattr(leadership, "RETRY", 0.1)
+    monkeypatch.setattr(leadership, "HUNG", 2.0)
+    first, second = stores
+
+    async def work() -> None:
+        old, new, got, end = Leadership(first), Leadership(second), asyncio.Event(), asyncio.Event()
+        async with old.held():
+            waiting = asyncio.create_task(led(new, end, got))
+            await asyncio.sleep(5)
+            assert not got.is_set()
+            await old.confirm()
+        async with asyncio.timeout(HANG_TIMEOUT):
+            await got.wait()
+        end.set()
+        await waiting
+
+    loops.run(work)
+
+
+def test_a_batch_goes_on_when_its_leader_is_stopped_and_nothing_is_twice_when_it_wakes(
+    start: Start, url: str, tmp_path: Path
+) -> None:
+    replicas = [
+        start(RIDELAB_WORKERS="1", RIDELAB_BATCH_WORKERS="1", RIDELAB_DATABASE_URL=url, RIDELAB_LOG_FORMAT="console")
+        for _ in range(2)
+    ]
+    with contextlib.closing(Store(url)) as store:
+        stopped = leading(store, replicas)
+        (other,) = (each for each in replicas if each is not stopped)
+        batch = submit(other, {"road": {"length": 121.7}}, RUNS)
+        wait_until(lambda: state(other, batch)["done"] > 0, "the batch begins", pause=0.01)
+        os.kill(stopped.pid, signal.SIGSTOP)
+        try:
+            before, begin = state(other, batch)["done"], time.monotonic()
+            assert before < RUNS, "the test needs a longer batch"
+            wait_until(lambda: state(other, batch)["done"] > before, "the batch goes on")
+            print(f"went on {time.monotonic() - begin:.1f} s after the leader had stopped")
+            assert leading(store, replicas) is other
+        finally:
+            os.kill(stopped.pid, signal.SIGCONT)
+        wait_until(lambda: "Another service drives the jobs now" in stopped.log, "the old one has stepped down")
+        wait_until(lambda: state(other, batch)["state"] == "done", "the batch ends")
+        assert stopped.client.get(f"/api/v1/batches/{batch}").json()["done"] == RUNS
+        assert leading(store, replicas) is other
+        with store.reading() as connection:
+            counts = connection.execute(COUNTS).one()
+        assert set(counts) == {RUNS}
+        numbers = [event.number for event in store.job_events.of(batch, 0)]
+        assert numbers == list(range(1, len(numbers) + 1))
+    assert not any("Traceback" in each.log for each in replicas)
+
+
+def leading(store: Store, replicas: list[Process]) -> Process:
+    """The replica that holds the lock: the database knows who connected."""
+    found: list[Process] = []
+
+    def look() -> bool:
+        with store.reading() as connection:
+            ports = connection.execute(
+                text(
+                    "SELECT client_port FROM pg_stat_activity JOIN pg_locks USING (pid) WHERE objid = :id AND granted"
+                ),
+                {"id": LOCK_ID},
+            ).scalars()
+            for port in ports:
+                found.extend(each for each in replicas if port in ports_of(each))
+        return bool(found)
+
+    wait_until(look, "a replica drives")
+    return found[0]
+
+
+def ports_of(replica: Process) -> set[int]:
+    return {connection.laddr.port for connection in psutil.Process(replica.pid).net_connections()}

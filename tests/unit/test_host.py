@@ -1,0 +1,121 @@
+"""What the core does to the process it is imported into: nothing; and BLAS has one thread while a run is simulated."""
+
+import os
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from threadpoolctl import ThreadpoolController
+
+from sim_core.metrics import evaluate
+from sim_core.scenario import Scenario
+from sim_core.simulate import simulate
+from tests.servers.process import HANG_TIMEOUT
+
+# Prints how many blocks of 4 MiB glibc fetches from the system one by one: it keeps none of them when they are freed.
+_FETCHED = """
+import ctypes, sys
+import numpy as np
+
+class Info(ctypes.Structure):
+    NAMES = "arena ordblks smblks hblks hblkhd usmblks fsmblks uordblks fordblks keepcost"
+    _fields_ = [(name, ctypes.c_size_t) for name in NAMES.split()]
+
+mallinfo = getattr(ctypes.CDLL(None), "mallinfo2", None)
+if mallinfo is None:
+    sys.exit()
+mallinfo.restype = Info
+before = mallinfo().hblks
+blocks = [np.empty(2**19) for _ in range(3)]
+print(mallinfo().hblks - before)
+"""
+
+
+def printed(code: str) -> str:
+    environment = {name: value for name, value in os.environ.items() if not name.endswith("_NUM_THREADS")}
+    command = [sys.executable, "-c", code]
+    return subprocess.run(
+        command, env=environment, capture_output=True, text=True, check=True, timeout=HANG_TIMEOUT
+    ).stdout.strip()
+
+
+def test_importing_the_core_leaves_the_environment_alone() -> None:
+    code = "import os; before = dict(os.environ); import sim_core.simulate; print(dict(os.environ) == before)"
+    assert printed(code) == "True"
+
+
+def test_importing_the_core_leaves_the_allocator_alone_and_a_worker_has_it_keep_memory() -> None:
+    if not (fetched := printed(_FETCHED)):
+        pytest.skip("This C library does not say how it allocates")
+    assert fetched == "3"
+    assert printed(f"import sim_core.simulate\n{_FETCHED}") == "3"
+    start = "from backend.compute.processes import start; start(0)"
+    assert printed(f"{start}\n{_FETCHED}") == "0"
+
+
+@pytest.fixture
+def libraries() -> Iterator[list[Any]]:
+    """Every BLAS that NumPy and SciPy have loaded, with three threads each."""
+    found = [each for each in ThreadpoolController().lib_controllers if each.user_api == "blas"]
+    assert found, "threadpoolctl knows the BLAS of NumPy's and SciPy's wheels"
+    before = [each.get_num_threads() for each in found]
+    for each in found:
+        each.set_num_threads(3)  # this thread sets the number from now on, threadpoolctl says
+    assert threads(found) == {3}
+    yield found
+    for each, number in zip(found, before, strict=True):
+        each.set_num_threads(number)
+
+
+def threads(libraries: list[Any]) -> set[int]:
+    return {each.get_num_threads() for each in libraries}
+
+
+def test_a_run_has_one_thread_of_blas_and_the_host_has_its_own_back(
+    libraries: list[Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    during = []
+
+    def seen(*arguments: Any) -> Any:
+        during.append(threads(libraries))
+        return evaluate(*arguments)
+
+    monkeypatch.setattr("sim_core.simulate.evaluate", seen)
+    simulate(Scenario(), "passive")
+    assert (during, threads(libraries)) == ([{1}], {3})
+
+    def failing(*_: Any) -> Any:
+        raise RuntimeError("a bug")
+
+    monkeypatch.setattr("sim_core.simulate.evaluate", failing)
+    with pytest.raises(RuntimeError, match="a bug"):
+        simulate(Scenario(), "passive")
+    assert threads(libraries) == {3}
+
+
+def test_runs_of_several_threads_may_overlap(libraries: list[Any], monkeypatch: pytest.MonkeyPatch) -> None:
+    """The one that began first ends first: the other still has one thread, and afterwards all is as before."""
+    begun, free = [threading.Event() for _ in range(2)], threading.Event()
+
+    def waiting(scenario: Scenario, *arguments: Any) -> Any:
+        begun[scenario.road.seed - 1].set()
+        if scenario.road.seed == 2:
+            assert free.wait(HANG_TIMEOUT)
+        else:
+            assert begun[1].wait(HANG_TIMEOUT)
+        return evaluate(scenario, *arguments)
+
+    monkeypatch.setattr("sim_core.simulate.evaluate", waiting)
+    scenarios = [Scenario.model_validate({"road": {"seed": seed}}) for seed in (1, 2)]
+    first, second = (threading.Thread(target=simulate, args=(each, "passive")) for each in scenarios)
+    first.start()
+    assert begun[0].wait(HANG_TIMEOUT)
+    second.start()
+    first.join(HANG_TIMEOUT)
+    assert (first.is_alive(), threads(libraries)) == (False, {1})
+    free.set()
+    second.join(HANG_TIMEOUT)
+    assert (second.is_alive(), threads(libraries)) == (False, {3})
