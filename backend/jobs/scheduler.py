@@ -64,6 +64,7 @@ class Scheduler:
         self._leadership = Leadership(store)
         self._retention = Retention(store, settings, self._leadership.write)
         self._task: asyncio.Task[None] | None = None
+        self._closed = False
         self._cluster: Cluster | None = None
         self._running_jobs: dict[str, RunningJob] = {}
         self._rekeyed: set[str] = set()  # jobs of another core version whose waiting runs have this one's keys
@@ -78,6 +79,7 @@ class Scheduler:
 
     async def close(self) -> None:
         """Stop driving; unfinished jobs wait for another service or the next start."""
+        self._closed = True
         if self._task is not None:
             self._task.cancel()
             with contextlib.suppress(asyncio.CancelledError):
@@ -86,7 +88,7 @@ class Scheduler:
 
     async def _run(self) -> None:
         """Drive the jobs whenever this service is the leader."""
-        while True:
+        while not self._closed:  # an error while leaving takes the place of a cancellation
             try:
                 try:
                     async with self._leadership.held():

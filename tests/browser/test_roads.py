@@ -146,4 +146,4 @@ def test_the_state_before_is_named_after_an_undo_and_can_be_hidden(dashboard: Da
     dashboard.expect_accessible()
     page.reload()
     dashboard.expect_curves()
-    expect(comparison.get_by_role("checkbox", name="Before the last edit")).not_to_be_checked()
+    expect(before).not_to_be_checked()

@@ -1,14 +1,26 @@
 """Event loops for tests: the browser's tests leave one running in the main thread, where no other may run then."""
 
 import asyncio
+import threading
 from collections.abc import Callable, Coroutine
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future
 from typing import Any, TypeVar
 
 T = TypeVar("T")
 
 
 def run(main: Callable[[], Coroutine[Any, Any, T]]) -> T:
-    """The result of a coroutine, in a thread and an event loop of its own."""
-    with ThreadPoolExecutor(1) as thread:
-        return thread.submit(lambda: asyncio.run(main())).result()
+    """The result of a coroutine, in a thread and an event loop of its own.
+
+    The thread is a daemon: where a test runs into its time limit, nothing waits for it.
+    """
+    result: Future[T] = Future()
+
+    def drive() -> None:
+        try:
+            result.set_result(asyncio.run(main()))
+        except BaseException as error:  # noqa: BLE001  # it is raised where the result is asked for
+            result.set_exception(error)
+
+    threading.Thread(target=drive, daemon=True).start()
+    return result.result()
