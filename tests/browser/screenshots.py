@@ -1,5 +1,10 @@
-"""Pictures of every page for README and docs: `make screenshots` writes docs/images again, one file a page."""
+"""Pictures of every page for README and docs: `make screenshots` writes docs/images again, one file a page.
 
+Beside them lies words.json, the words in each picture: test_pictures.py compares them with the page of today.
+"""
+
+import json
+import re
 import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -8,12 +13,28 @@ from pathlib import Path
 from playwright.sync_api import expect, sync_playwright
 
 from tests.browser.chromium import launch
-from tests.browser.dashboard import Dashboard, Scheme
+from tests.browser.dashboard import HANG_TIMEOUT_MS, Dashboard, Scheme
 from tests.browser.server import Server
 from tests.servers.process import ROOT, request
 
 FOLDER = ROOT / "docs/images"
+WORDS = FOLDER / "words.json"
 LAPTOP, PHONE = (1440, 900), (390, 844)
+PAPER_MS = 20 * 60 * 1000  # the paper's table on all its roads
+TIMES = re.compile(r"\d+ \w+ \d{4}, \d+:\d+|took [^·]*|from store|computed in")  # other words at another time
+VISIBLE_TEXTS = """() => {
+  const texts = [];
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+  while (walker.nextNode()) {
+    const range = document.createRange();
+    range.selectNodeContents(walker.currentNode);
+    const box = range.getBoundingClientRect();
+    const inside = box.width > 1 && box.bottom > 0 && box.top < innerHeight && box.right > 0 && box.left < innerWidth;
+    const element = walker.currentNode.parentElement;
+    if (inside && element.checkVisibility({visibilityProperty: true})) texts.push(range.toString());
+  }
+  return texts;
+}"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -62,8 +83,20 @@ def _end(server: Server, job: str) -> None:
     assert server.get(job)["state"] == "done"
 
 
+def words(dashboard: Dashboard) -> list[str]:
+    """The words in the visible part of the page, each once, in order of the alphabet; numbers and times are none."""
+    texts = dashboard.page.evaluate(VISIBLE_TEXTS)
+    return sorted({word for text in texts for word in re.findall(r"[^\W\d_]{3,20}", TIMES.sub("", text))})
+
+
 def _plots(dashboard: Dashboard) -> None:
     expect(dashboard.page.locator("svg.main-svg").first).to_be_visible()
+    _settled(dashboard)
+
+
+def _ranges(dashboard: Dashboard) -> None:
+    expect(dashboard.page.get_by_role("figure").first).to_be_visible()
+    _settled(dashboard)
 
 
 def _settled(dashboard: Dashboard) -> None:
@@ -73,7 +106,7 @@ def _settled(dashboard: Dashboard) -> None:
 
 def _counted(dashboard: Dashboard) -> None:
     _settled(dashboard)
-    expect(dashboard.page.get_by_text("so far")).to_have_count(0)
+    expect(dashboard.page.get_by_test_id("count")).not_to_contain_text("so far", timeout=PAPER_MS)
 
 
 PICTURES = (
@@ -81,7 +114,7 @@ PICTURES = (
     Picture(name="dashboard-dark", address=lambda server: "/", scheme="dark"),
     Picture(name="dashboard-phone", address=lambda server: "/", size=PHONE),
     Picture(name="sweep", address=_sweep, ready=_plots),
-    Picture(name="robustness", address=_study, ready=_settled),
+    Picture(name="robustness", address=_study, ready=_ranges),
     Picture(name="tuner", address=_tuning, ready=_plots),
     Picture(name="paper", address=lambda server: "/paper", ready=_counted),
     Picture(name="ecu", address=lambda server: "/ecu", ready=_settled),
@@ -90,6 +123,8 @@ PICTURES = (
 
 def main() -> None:
     """Take them."""
+    expect.set_options(timeout=HANG_TIMEOUT_MS)
+    shown = {}
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         server = Server(Path(folder))
         server.wait_until_ready()
@@ -107,11 +142,13 @@ def main() -> None:
                 dashboard.page.goto(address)
                 picture.ready(dashboard)
                 dashboard.page.screenshot(path=FOLDER / f"{picture.name}.png")
+                shown[picture.name] = words(dashboard)
                 context.close()
                 print(FOLDER / f"{picture.name}.png")
         finally:
             browser.close()
             server.end()
+    WORDS.write_text(json.dumps(shown, ensure_ascii=False, indent=1) + "\n", "utf-8")
 
 
 if __name__ == "__main__":
