@@ -33,7 +33,8 @@ class Actuator(Part):
         None,
         "N",
         "Saturation",
-        "Greatest force the actuator gives, unknown to every controller; none: the force limit.",
+        "Greatest force the actuator gives; no controller plans with it, each is told the force accepted last. "
+        "None: the force limit.",
         soft=(500, 10_000),
         ge=1,
         le=1_000_000,

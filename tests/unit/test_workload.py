@@ -12,6 +12,7 @@ from backend.compute.fair_queue import SHORT
 from sim_core import workload
 from sim_core.binding_limits import LimitShares
 from sim_core.control import mpc as mpc_module
+from sim_core.control import qp
 from sim_core.errors import TooExpensiveError
 from sim_core.scenario import Brake, Bump, Estimation, Mpc, Road, Scenario, Speed
 from sim_core.simulate import simulate
@@ -65,7 +66,7 @@ def test_a_long_walk_is_no_short_task_and_no_estimate_is_beyond_what_a_run_may_s
     dearest = Mpc(solver="osqp", deflection_limit=0.005, force_limit=100, prediction_horizon=100, control_horizon=60)
     scenario = Scenario(mpc=dearest, road=Road(length=600))
     by_daqp = Scenario(mpc=dearest.model_copy(update={"solver": "daqp"}), road=Road(length=600))
-    at_most = SECONDS["OSQP"] * mpc_module.MAX_EFFORT + estimate(by_daqp, "lv")
+    at_most = SECONDS["OSQP"] * qp.MAX_EFFORT + estimate(by_daqp, "lv")
     assert estimate(scenario, "lv") == pytest.approx(at_most)
 
 
