@@ -132,8 +132,10 @@ def test_the_state_before_is_named_after_an_undo_and_can_be_hidden(dashboard: Da
     dashboard.type_into("Height", "12")
     expect(page).not_to_have_url(address)
     expect(legend).to_have_text([re.compile("before the last edit"), re.compile("Paper’s scenario")])
+    entries = page.evaluate("history.length")
     page.get_by_role("button", name="Undo").click()
     expect(page).to_have_url(address)
+    assert page.evaluate("history.length") == entries, "undos do not fill the browser's history"
     expect(legend).to_have_text([re.compile("before the undo")])
     expect(page.get_by_test_id("differences")).to_contain_text("12 → 10")
     curves = page.locator('[data-figure="body_acceleration"] .scatterlayer .trace')

@@ -42,7 +42,7 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
     const next = step(history);
     if (next === history) return;
     patch({ history: next, rejected: {}, drag: null });
-    submit("push");
+    submit("replace"); // the browser's Back goes through edits, not through each undo of them
   };
 
   /** Shows those of the result that is there; no other answer is waited for. */
