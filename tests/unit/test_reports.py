@@ -124,7 +124,9 @@ def facts(outcomes: dict[str, ComputedResult], **more: Any) -> RunFacts:
 
 def test_caveats_are_sentences_only_where_there_are_any(outcomes: dict[str, ComputedResult]) -> None:
     entry = {"status": "ok", "arrival_speed_kmh": 41.26, "events": {}}
-    assert caveats({**entry, "events": {"airborne_ms": 0.9, "travel_exceeded_mm": 0.007, "target_reached": None}}) == []
+    vehicle = {"tyre_lift_off": False, "bump_stop_clearance": None}
+    minute = {"airborne_ms": 0.9, "travel_exceeded_mm": 0.007, "target_reached": None}
+    assert caveats({**entry, "events": minute}, vehicle) == []
     events = {
         "airborne_ms": 94.0,
         "travel_exceeded_mm": 1.57,
@@ -134,7 +136,7 @@ def test_caveats_are_sentences_only_where_there_are_any(outcomes: dict[str, Comp
         "qp_fallbacks": 3,
         "qp_failures": 1,
     }
-    sentences = caveats({**entry, "events": events})
+    sentences = caveats({**entry, "events": events}, vehicle)
     assert [text.partition(":")[0] for text in sentences] == [
         "Airborne",
         "Over travel",
@@ -147,7 +149,11 @@ def test_caveats_are_sentences_only_where_there_are_any(outcomes: dict[str, Comp
     assert "1.6\u00a0mm" in sentences[1]
     assert "41.3\u00a0km/h" in sentences[2]
     assert "1 of 79" in sentences[4]
-    assert caveats({"status": "failed", "reason": "no controller"}) == ["It could not run: no controller"]
+    real = caveats({**entry, "events": events}, {"tyre_lift_off": True, "bump_stop_clearance": 0.05})
+    assert real[0] == "Airborne: a tyre is off the road for 94\u00a0ms."
+    assert real[1].endswith("beyond its travel limit.")
+    assert sentences[1].endswith("has no bump stops.")
+    assert caveats({"status": "failed", "reason": "no controller"}, vehicle) == ["It could not run: no controller"]
     page = report(facts(outcomes), compressed=False).content.decode()
     airborne = outcomes["passive"].summary["events"]["airborne_ms"]
     assert airborne > 0

@@ -5,20 +5,21 @@ from backend.runs.reports.numbers import amount, in_words, with_unit
 from sim_core.catalogue import EVENTS
 
 
-def caveats(entry: JsonObject) -> list[str]:
-    """Sentences about one strategy of a run, as `Run` has it; empty where there is no caveat."""
+def caveats(entry: JsonObject, vehicle: JsonObject) -> list[str]:
+    """Sentences about one strategy of a run, as `Run` has it, of that scenario's car; empty where there is none."""
     if entry["status"] != "ok":
         return [f"It could not run: {entry['reason']}"]
     events, sentences = entry["events"], []
     if airborne := _notable(events, "airborne_ms"):
         sentences.append(
-            f"Airborne: for {airborne} a tyre's dynamic load is below minus its static load. The model's linear "
+            f"Airborne: a tyre is off the road for {airborne}."
+            if vehicle["tyre_lift_off"]
+            else f"Airborne: for {airborne} a tyre's dynamic load is below minus its static load. The model's linear "
             "tyre then pulls on the road, which a real one cannot."
         )
     if exceeded := _notable(events, "travel_exceeded_mm"):
-        sentences.append(
-            f"Over travel: the suspension goes {exceeded} beyond its travel limit. The model has no bump stops."
-        )
+        stops = " The model has no bump stops." if vehicle["bump_stop_clearance"] is None else ""
+        sentences.append(f"Over travel: the suspension goes {exceeded} beyond its travel limit.{stops}")
     if events.get("target_reached") is False:
         speed = with_unit(in_words(entry["arrival_speed_kmh"]), "km/h")
         sentences.append(f"Target speed not reached: the car meets the bump at {speed}.")

@@ -101,7 +101,11 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
         "seed": answer["scenario"]["road"]["seed"],
         "parts": inputs.parts(answer["scenario"]),
         "command": inputs.command(answer["scenario"], list(entries), roads, facts.baseline),
-        "caveats": [(label(name), sentences) for name, entry in entries.items() if (sentences := caveats(entry))],
+        "caveats": [
+            (label(name), sentences)
+            for name, entry in entries.items()
+            if (sentences := caveats(entry, answer["scenario"]["vehicle"]))
+        ],
         "ran": [key_of(name) for name in ran],
         "tables": {
             title: [(signal, SIGNALS[signal].label, *_shown_unit(signal)) for signal in signals]

@@ -28,6 +28,12 @@ describe("what differs from the paper", () => {
     expect(otherThanPaper(changed, FORM)).toBe("Other than the paper: Height −6\u00a0cm, Cruise: Pitch 3.");
   });
 
+  it("names a measured road", () => {
+    const profile = { kind: "text", pointer: "/road/profile", title: "Profile", description: "", standard: null } as const;
+    const form = { ...FORM, members: [...FORM.members, profile] };
+    expect(otherThanPaper(setAt(paper, "/road/profile", "A".repeat(22)), form)).toBe("Other than the paper: Profile a measured road.");
+  });
+
   it("leaves out what is swept", () => {
     expect(otherThanPaper(changed, FORM, ["road.bump.height", "mpc.weights"])).toBe("Everything else as in the paper.");
   });
