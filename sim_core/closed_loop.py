@@ -12,10 +12,10 @@ import numpy as np
 from sim_core.arrays import BoolArray, FloatArray
 from sim_core.car.driven_car import DrivenCar
 from sim_core.car.half_car import FORCES, STATES
-from sim_core.car.on_road import on_road
+from sim_core.car.on_road import is_linear, on_road
 from sim_core.control.controller import Controller
-from sim_core.controllers import make_controller, make_filter
-from sim_core.drive.sampling import RoadInput
+from sim_core.controllers import make_controller, make_filter, semi_active_dampers
+from sim_core.drive.sampling import RoadInput, under_axles
 from sim_core.drive.speed_profile import Drive
 from sim_core.recording import Recording
 from sim_core.scenario import Actuator, Scenario
@@ -123,10 +123,13 @@ def drive_controller(
     actuator = Actuator() if passive else scenario.actuator
     before = road_input.drive.before
     controller = make_controller(scenario, strategy, motion, road_input)
-    disturbance, clipped = road_input.disturbance, controller.clipped
+    dampers, disturbance = semi_active_dampers(scenario, strategy), road_input.disturbance
     estimator = make_filter(scenario, strategy.suspension, motion, road_input, disturbance)
     car = on_road(
-        scenario.real_vehicle, actuator, road_input.step, disturbance, before, estimator=estimator, clipped=clipped
+        *(scenario.real_vehicle, actuator, road_input.step, disturbance, before),
+        estimator=estimator,
+        dampers=dampers,
+        road=None if is_linear(scenario.real_vehicle, dampers) else under_axles(road_input),
     )
     most_change = np.inf if actuator.rate_limit is None else actuator.rate_limit * road_input.step
     most_force = np.inf if actuator.saturation is None else actuator.saturation

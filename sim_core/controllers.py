@@ -1,7 +1,9 @@
 """Which controller a strategy has and what estimates the state for it, made from the scenario."""
 
+from math import inf
+
 from sim_core.arrays import FloatArray
-from sim_core.car.driven_car import Estimator
+from sim_core.car.driven_car import Estimator, SemiActiveDampers
 from sim_core.catalogue import STAGES
 from sim_core.control.controller import Controller, PassiveController
 from sim_core.control.cost import CostTerms
@@ -33,7 +35,7 @@ def make_controller(scenario: Scenario, strategy: Strategy, motion: Drive, road_
     if strategy.suspension in HOOKS:
         share = HOOKS[strategy.suspension]
         gain = hook_gain(scenario.vehicle, scenario.hook, scenario.hook.alpha if share is None else share)
-        return HookController(scenario.vehicle, gain, scenario.mpc.force_limit, semi_active=scenario.hook.semi_active)
+        return HookController(gain, scenario.mpc.force_limit)
     mpc, lqr = scenario.mpc, scenario.lqr
     sensing = scenario.vehicle.wheelbase, scenario.mismatch, expected_errors(mpc)
     if strategy.suspension is SuspensionPolicy.LQR:
@@ -44,6 +46,18 @@ def make_controller(scenario: Scenario, strategy: Strategy, motion: Drive, road_
         return LqrController(regulator(terms), mpc.force_limit, windows @ feedforward(terms, lqr.preview_horizon).T)
     forecast = preview(mpc.preview, scenario.road, motion, road_input, mpc.prediction_horizon, *sensing)
     return MpcController(mpc_designs(scenario, strategy, motion), forecast, mpc)
+
+
+def semi_active_dampers(scenario: Scenario, strategy: Strategy) -> SemiActiveDampers | None:
+    """The car's dampers where the strategy sets their coefficients; None where its actuators act beside them."""
+    hook = scenario.hook
+    if strategy.suspension not in HOOKS or not hook.semi_active:
+        return None
+    return SemiActiveDampers(
+        least=hook.min_damping,
+        most=inf if hook.max_damping is None else hook.max_damping,
+        most_force=min(scenario.mpc.force_limit, scenario.actuator.saturation or inf),
+    )
 
 
 def mpc_designs(scenario: Scenario, strategy: Strategy, motion: Drive) -> dict[str, MpcDesign]:

@@ -88,7 +88,15 @@ _MPC = (
 _LQR = (*_PREVIEW, "actuator", "estimation", "lqr", "mpc.sample_time", "mpc.force_limit", "mpc.force_weight")
 
 _FILTER = tuple(f"estimation.{name}" for name in ("kind", "acceleration_noise", "deflection_noise", "pitch_rate_noise"))
-_HOOK = ("actuator", *_FILTER, "mpc.sample_time", "mpc.force_limit", "hook.semi_active")  # without preview
+_HOOK = (
+    "actuator",
+    *_FILTER,  # without preview
+    "mpc.sample_time",
+    "mpc.force_limit",
+    "hook.semi_active",
+    "hook.min_damping",
+    "hook.max_damping",
+)
 
 STRATEGIES: dict[str, Strategy] = {
     strategy.id: strategy

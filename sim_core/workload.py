@@ -9,8 +9,9 @@ from math import ceil, sqrt
 
 from sim_core.binding_limits import LimitShares, expected_limits
 from sim_core.car.nonlinear import substeps
+from sim_core.car.on_road import is_linear
 from sim_core.control.qp import MAX_EFFORT, OsqpSolver
-from sim_core.controllers import HOOKS
+from sim_core.controllers import HOOKS, semi_active_dampers
 from sim_core.drive.sampling import fine_step
 from sim_core.drive.speed_profile import CONTROL_STEP, KMH, TARGET_BAND, drive
 from sim_core.ecu.loop import short_steps
@@ -46,7 +47,7 @@ SECONDS: Mapping[str, float] = {
     "design entries": 3.9e-10,
     "fine steps": 1.7e-07,
     "uncached steps": 3.7e-07,
-    "nonlinear steps": 3.7e-08,
+    "nonlinear steps": 1.0e-07,
     "check entries": 9.2e-11,
     "limited steps": 7.9e-06,
     "QPs": 7.8e-06,
@@ -146,9 +147,10 @@ def work(scenario: Scenario, strategy: Strategy, time: float, expected: LimitSha
     mpc, policy = scenario.mpc, strategy.suspension
     counts = {"run": 1.0, "fine steps": time / fine_step(scenario, strategy)}
     counts["uncached steps"] = max(0.0, counts["fine steps"] - CACHED_STEPS)
-    if not scenario.real_vehicle.linear or (policy in HOOKS and scenario.hook.semi_active):
-        step = fine_step(scenario, strategy)
-        counts["nonlinear steps"] = counts["fine steps"] * substeps(scenario.real_vehicle, scenario.actuator, step)
+    vehicle, dampers = scenario.real_vehicle, semi_active_dampers(scenario, strategy)
+    if not is_linear(vehicle, dampers):
+        short = substeps(vehicle, scenario.actuator, dampers, fine_step(scenario, strategy))
+        counts["nonlinear steps"] = counts["fine steps"] * short
     if strategy.speed is SpeedPolicy.PLANNED:
         counts["plan"] = 1.0
     if policy is SuspensionPolicy.PASSIVE:

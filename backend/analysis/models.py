@@ -81,7 +81,7 @@ class FigureSummary(SensitiveDistribution):
 
 
 class StabilitySummary(SensitiveDistribution):
-    """Least damping ratio of the closed loop's modes near rest [1]; below 0 the loop is unstable."""
+    """Least damping ratio of the closed loop near rest [1]; below 0 the loop is unstable."""
 
     known: int = Field(description="Runs whose loop could be judged")
     unstable: int

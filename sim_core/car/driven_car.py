@@ -14,13 +14,26 @@ LAW_INPUTS = STATES + FORCES  # what a law multiplies: the state, then the previ
 class LinearLaw:
     """u = gain·z + feed while no limit binds; z (10,) = [state (8); previous command (2) in N], gain (2, 10).
 
-    Where a car is stepped one control step after another (`on_road`), it meets these limits itself: the force is within
-    `force_limit` [N] and, if `dissipative`, none where it would put energy in (u·ḋ > 0).
+    A car that is stepped one control step after another (`on_road`) keeps the force within `force_limit` [N] itself.
     """
 
     gain: FloatArray
     force_limit: float = inf
-    dissipative: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SemiActiveDampers:
+    """Dampers of both axles whose coefficients the actuators set, so that all they do is take energy out.
+
+    Attributes:
+        least: What a damper can be set to, the passive one included [N s/m].
+        most: The same; infinite where there is no limit.
+        most_force: What control changes of the passive damper's force at most [N].
+    """
+
+    least: float
+    most: float
+    most_force: float
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)

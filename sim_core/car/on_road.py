@@ -1,11 +1,12 @@
 """Which kind of car a vehicle is on its road."""
 
 from sim_core.arrays import FloatArray
-from sim_core.car.driven_car import DrivenCar, Estimator
+from sim_core.car.driven_car import DrivenCar, Estimator, SemiActiveDampers
 from sim_core.car.half_car import DISTURBANCES
 from sim_core.car.linear import LinearCar
 from sim_core.car.nonlinear import NonlinearCar
 from sim_core.car.plant import plant
+from sim_core.car.road import RoadUnderAxles
 from sim_core.scenario import Actuator, Vehicle
 
 
@@ -17,7 +18,8 @@ def on_road(
     before: int,
     *,
     estimator: Estimator | None = None,
-    clipped: bool = False,
+    dampers: SemiActiveDampers | None = None,
+    road: RoadUnderAxles | None = None,
 ) -> DrivenCar:
     """A car on its road.
 
@@ -28,9 +30,16 @@ def on_road(
         disturbance: In each control step, fine step after fine step (steps, 3 · fine), as `RoadInput.disturbance`.
         before: Control steps before those on record.
         estimator: Between car and controller; None where that has the state itself.
-        clipped: Whether the law's limits shape the force in most steps, so that blocks of free steps gain nothing.
+        dampers: Its dampers where they are semi-active; None where actuators act beside passive ones.
+        road: What a nonlinear car drives on, whose stops, tyres and limits make much of how the road runs within a fine
+            step; None where that is straight, as `disturbance` has it and a linear car takes it.
     """
-    if vehicle.linear and not clipped:
+    if is_linear(vehicle, dampers):
         matrices = plant(vehicle, actuator, step, disturbance.shape[1] // DISTURBANCES)
         return LinearCar(matrices, vehicle, disturbance, before, estimator)
-    return NonlinearCar(vehicle, actuator, step, disturbance, before, estimator)
+    return NonlinearCar(vehicle, actuator, step, disturbance, before, estimator, dampers, road)
+
+
+def is_linear(vehicle: Vehicle, dampers: SemiActiveDampers | None) -> bool:
+    """Whether its steps are exact."""
+    return vehicle.linear and dampers is None

@@ -44,6 +44,7 @@ class CompiledRoad(ctypes.Structure):
 
 _make_rough = function("roughness", ADDRESS, INT, DOUBLE, DOUBLE, DOUBLE, result=DOUBLE)
 _bump_heights = function("bump_heights", ctypes.POINTER(_Bump), ADDRESS, INT, ADDRESS)
+_within_steps = function("within_steps", ctypes.POINTER(CompiledRoad), ADDRESS, INT, ADDRESS)
 _road_heights = function("road_heights", ctypes.POINTER(CompiledRoad), ADDRESS, INT, ADDRESS)
 
 
@@ -91,6 +92,29 @@ class RoadProfile:
         A chord deviates from the road by at most a quarter of that times its length.
         """
         return self.slopes, self.slopes + 2 * steepest(self.bump)
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class RoadUnderAxles:
+    """The road that a drive meets.
+
+    Attributes:
+        surface: The road.
+        position: Of both axles at every fine instant (2, n + 1) [m].
+        within: How far the road under both lies above its chord in each fine step, on average, then its first moments
+            about the middle (n, 4) [m].
+    """
+
+    surface: RoadProfile
+    position: FloatArray
+    within: FloatArray
+
+
+def road_under_axles(surface: RoadProfile, position: FloatArray) -> RoadUnderAxles:
+    """The road at positions (2, n + 1) [m]."""
+    within = np.empty((position.shape[1] - 1, 4))
+    _within_steps(surface.compiled, address(position), len(within), address(within))
+    return RoadUnderAxles(surface=surface, position=position, within=within)
 
 
 def rough_profile(roughness: FloatArray, bump: Bump) -> RoadProfile:

@@ -19,6 +19,8 @@ struct road {
     struct bump bump;
 };
 
+enum { PARTS = 4 }; /* of a fine step on a bump */
+
 static const double PI = 3.14159265358979323846;
 
 static double within(double low, double value, double high)
@@ -62,7 +64,7 @@ static double bump_height(const struct bump *bump, double position)
 }
 
 /* Linear between the roughness' samples, level beyond them, and the bumps. */
-static double road_height(const struct road *road, double position)
+double ridelab_road_height(const struct road *road, double position)
 {
     double place = within(0, (position - road->first) / road->grid, road->samples - 1.000001);
     if (!(place >= 0)) /* not a number has no cell */
@@ -100,7 +102,7 @@ void ridelab_bump_heights(const struct bump *bump, const double *position, int n
 void ridelab_road_heights(const struct road *road, const double *position, int n, double *height)
 {
     for (int i = 0; i < n; i++)
-        height[i] = road_height(road, position[i]);
+        height[i] = ridelab_road_height(road, position[i]);
 }
 
 /* height    of the road under the front and the rear axle at every fine instant, 2 x (steps + 1) [m]
@@ -115,6 +117,47 @@ void ridelab_disturbances(const double *restrict height, const double *restrict 
         held[3 * i] = (height[i + 1] - height[i]) * per_step;
         held[3 * i + 1] = (rear[i + 1] - rear[i]) * per_step;
         held[3 * i + 2] = braking[i];
+    }
+}
+
+/* How far the road lies above its chord between two positions, on average [m]; `moment` is its first moment about the
+   middle, per length. Where the slope changes by k, at distances a and b from the ends, that adds -k a b / (2 (a + b)) to
+   the mean and -k a b (a - b) / (12 (a + b)^2) to the moment. The bumps are judged at `PARTS` - 1 places in between
+   (Simpson). */
+double ridelab_above_chord(const struct road *road, double begin, double end, double *moment)
+{
+    double length = end - begin, all = *moment = 0;
+    if (!(length > 0))
+        return 0;
+    double per_grid = 1 / road->grid, per_length = 1 / length;
+    int last = (int)within(0, (end - road->first) * per_grid, road->samples - 2);
+    for (int i = (int)within(0, (begin - road->first) * per_grid, road->samples) + 1; i <= last; i++) {
+        const double *z = road->roughness + i;
+        double a = road->first + i * road->grid - begin, b = length - a;
+        double mean = -(z[1] - 2 * z[0] + z[-1]) * per_grid * a * b * per_length / 2;
+        all += mean;
+        *moment += mean * (a - b) * per_length / 6;
+    }
+    if (end > road->bump.start && begin < road->bump.until) {
+        double first = bump_height(&road->bump, begin), rise = bump_height(&road->bump, end) - first;
+        for (int part = 1; part < PARTS; part++) {
+            double share = (double)part / PARTS, weight = (part % 2 ? 4.0 : 2.0) / (3 * PARTS);
+            double mean = weight * (bump_height(&road->bump, begin + length * share) - first - rise * share);
+            all += mean;
+            *moment += mean * (share - 0.5);
+        }
+    }
+    return all;
+}
+
+/* position  of both axles at every fine instant, 2 x (steps + 1) [m]
+   within    steps x 4: how far both roads lie above their chords on average, then their first moments [m] */
+void ridelab_within_steps(const struct road *road, const double *position, int steps, double *within)
+{
+    const double *rear = position + steps + 1;
+    for (int i = 0; i < steps; i++, within += 4) {
+        within[0] = ridelab_above_chord(road, position[i], position[i + 1], within + 2);
+        within[1] = ridelab_above_chord(road, rear[i], rear[i + 1], within + 3);
     }
 }
 
@@ -134,7 +177,7 @@ static double load_at(const struct road *road, const struct axle *axle, double k
 {
     const double *height = axle->height + step;
     double chord = height[0] + share * (height[1] - height[0]);
-    double load = a + share * (b - a) + axle->stiffness * (road_height(road, kink) - chord);
+    double load = a + share * (b - a) + axle->stiffness * (ridelab_road_height(road, kink) - chord);
     return fabs(load < axle->lowest ? axle->lowest : load);
 }
 

@@ -29,8 +29,6 @@ class SolverReport:
 class Controller(ABC):
     """One run's suspension controller; its memory is the previous command, which the caller keeps."""
 
-    clipped = False  # whether limits shape its force in most steps
-
     def __init__(self) -> None:
         self.report = SolverReport()
 

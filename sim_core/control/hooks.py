@@ -24,29 +24,22 @@ def hook_gain(vehicle: Vehicle, hook: Hook, alpha: float) -> FloatArray:
 
 
 class HookController(Controller):
-    """One of these laws within the force limit; semi-active, a force that would put energy in is none."""
+    """One of these laws within the force limit; what semi-active dampers make of it is theirs (`SemiActiveDampers`)."""
 
-    def __init__(self, vehicle: Vehicle, gain: FloatArray, force_limit: float, *, semi_active: bool) -> None:
+    def __init__(self, gain: FloatArray, force_limit: float) -> None:
         super().__init__()
-        self._law = LinearLaw(gain=gain, force_limit=force_limit, dissipative=semi_active)
-        self.clipped = semi_active
-        self._speeds = deflection_speeds(vehicle)
+        self._law = LinearLaw(gain=gain, force_limit=force_limit)
 
     def law(self, stage: str) -> LinearLaw:
         """The same in every stage."""
         return self._law
 
     def holds(self, first: int, stage: str, measured: FloatArray, commands: FloatArray) -> BoolArray:
-        """Where its forces are within the limit and, semi-active, take energy out."""
-        within = (np.abs(commands) <= self._law.force_limit).all(axis=1)
-        if self._law.dissipative:
-            within &= (commands * (measured[:, :STATES] @ self._speeds.T) <= 0).all(axis=1)
-        return np.asarray(within)
+        """Where its forces are within the limit."""
+        return np.asarray((np.abs(commands) <= self._law.force_limit).all(axis=1))
 
     def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> tuple[FloatArray, bool]:
         """The law's force, clipped."""
         wanted = self._law.gain[:, :STATES] @ state
         force = np.clip(wanted, -self._law.force_limit, self._law.force_limit)
-        if self._law.dissipative:
-            force = np.where(force * (self._speeds @ state) > 0, 0.0, force)
         return force, not np.array_equal(force, wanted)

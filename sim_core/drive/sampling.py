@@ -12,7 +12,7 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.car.half_car import DISTURBANCES
-from sim_core.car.road import GRID, RoadProfile, detail, profile
+from sim_core.car.road import GRID, RoadProfile, RoadUnderAxles, detail, profile, road_under_axles
 from sim_core.compiled.library import ADDRESS, DOUBLE, INT, address, function
 from sim_core.drive.speed_profile import KMH, Drive, run_in_steps
 from sim_core.scenario import Road, Scenario
@@ -53,6 +53,11 @@ class SampledDrive:
     def fine_step(self) -> float:
         """Fine step [s]."""
         return self.step / self.fine
+
+    @property
+    def axles(self) -> FloatArray:
+        """Position of both axles at every fine instant (2, n + 1) [m]."""
+        return np.stack([self.position, self.position - self.wheelbase])
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -142,7 +147,7 @@ def sample_road(
     fine = multiple * ceil(step / multiple / longest_fine_step - 1e-9)
     sampled = _sampled(drive, road.length, wheelbase, step, fine)
     surface = profile(road)
-    height = surface.height(np.stack([sampled.position, sampled.position - wheelbase]))
+    height = surface.height(sampled.axles)
     braking = _braking(drive, sampled, step / fine)
     held = np.empty((len(sampled.time) - 1, fine * DISTURBANCES))
     _disturbances(address(height), address(braking), len(braking), sampled.fine_step, address(held))
@@ -156,6 +161,12 @@ def sample_road(
         height=height,
         series=sampled.series | {"front_road": front, "rear_road": rear},
     )
+
+
+@cached
+def under_axles(road_input: RoadInput) -> RoadUnderAxles:
+    """The road that `disturbance` has straight within each fine step."""
+    return road_under_axles(road_input.surface, road_input.drive.axles)
 
 
 @cached

@@ -3,12 +3,12 @@
 import numpy as np
 
 from sim_core.car.half_car import DISTURBANCES, discrete
-from sim_core.car.on_road import on_road
+from sim_core.car.on_road import is_linear, on_road
 from sim_core.control.controller import SolverReport
 from sim_core.control.mpc_design import CENTI
 from sim_core.controllers import make_filter, mpc_designs
 from sim_core.drive.preview import preview_windows
-from sim_core.drive.sampling import RoadInput
+from sim_core.drive.sampling import RoadInput, under_axles
 from sim_core.drive.sensed_road import expected_errors
 from sim_core.drive.speed_profile import Drive, drive
 from sim_core.ecu.calibration import Calibration, Checked, calibrate
@@ -60,7 +60,9 @@ def drive_ecu(
     before = road_input.drive.before * n
     step = road_input.step / n
     estimator = make_filter(scenario, SuspensionPolicy.ECU, motion, road_input, disturbance, per_control=n)
-    car = on_road(scenario.real_vehicle, scenario.actuator, step, disturbance, before, estimator=estimator)
+    vehicle = scenario.real_vehicle
+    road = None if is_linear(vehicle, None) else under_axles(road_input)
+    car = on_road(vehicle, scenario.actuator, step, disturbance, before, estimator=estimator, road=road)
     numbers = [STAGES.index(stage) for stage, first, last in stages for _ in range(first, last)]
     if calibration.predicts:  # a command is made for the stage in which it takes effect
         numbers = [*numbers[1:], numbers[-1]]

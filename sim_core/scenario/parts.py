@@ -201,7 +201,9 @@ class Lqr(Part):
 class Hook(Part):
     """Skyhook, groundhook and hybrid: dampers against sky and ground, beside the car's own (docs/physics.md)."""
 
-    ADDED: ClassVar = frozenset({"skyhook_damping", "groundhook_damping", "alpha", "semi_active"})
+    ADDED: ClassVar = frozenset(
+        {"skyhook_damping", "groundhook_damping", "alpha", "semi_active", "min_damping", "max_damping"}
+    )
 
     skyhook_damping: float = quantity(
         4000, "N·s/m", "Skyhook damping", "Of the body over each axle (ours).", soft=(0, 10_000), ge=0, le=500_000
@@ -215,7 +217,26 @@ class Hook(Part):
     semi_active: bool = Field(
         False,
         title="Semi-active",
-        description="The actuator only takes energy out, like a controlled damper: a force that would add some is 0.",
+        description="Damper and control are one controlled damper, which only takes energy out: where the law asks for "
+        "a force that it cannot give, it gives the nearest that it can.",
+    )
+    min_damping: float = quantity(
+        0,
+        "N·s/m",
+        "Least damping",
+        "Softest setting of a semi-active damper as a whole, the passive one included.",
+        soft=(0, 2000),
+        ge=0,
+        le=500_000,
+    )
+    max_damping: float | None = quantity(
+        None,
+        "N·s/m",
+        "Greatest damping",
+        "Hardest setting of a semi-active damper as a whole, the passive one included; none is no limit.",
+        soft=(5000, 20_000),
+        ge=10,
+        le=500_000,
     )
 
 
@@ -272,4 +293,6 @@ class Scenario(Part):
             raise at("road.bump.spacing", "Bumps must not overlap: the spacing is at least their width")
         if bump.shape == "circular" and abs(bump.height) > bump.width / 2:
             raise at("road.bump.height", "A circular bump's height must not exceed half its width")
+        if self.hook.max_damping is not None and self.hook.max_damping < self.hook.min_damping:
+            raise at("hook.max_damping", "The greatest damping must not be below the least")
         return self

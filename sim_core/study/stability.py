@@ -1,23 +1,29 @@
 """Whether the loop is stable with the car and the actuators as they really are (docs/robustness.md, "Stability").
 
-Near rest no limit binds, and the loop of car, actuators and controller is linear: its modes say whether a small
-disturbance dies out. An unstable loop here never grows beyond all bounds: the actuators' limits end it in a steady
-oscillation, so no single figure of a run shows it reliably, and the modes do.
+Near rest no limit binds, no stop is met and no tyre lifts off. With dampers alike both ways the loop of car, actuators
+and controller is then linear, and its modes say whether a small disturbance dies out. With unequal dampers it is linear
+piece by piece: it has no modes, and how it grows is measured. An unstable loop here never grows beyond all bounds: the
+actuators' limits end it in a steady oscillation, so no single figure of a run shows it reliably.
 """
+
+from dataclasses import replace
+from math import acos, ceil, exp, hypot
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.car.half_car import DISTURBANCES
+from sim_core.car.driven_car import Estimator, LinearLaw
+from sim_core.car.half_car import DISTURBANCES, FORCES, STATES
 from sim_core.car.linear import closed_loop_matrix, control_step
+from sim_core.car.nonlinear import NonlinearCar
 from sim_core.car.plant import plant
 from sim_core.catalogue import STAGES
 from sim_core.control.estimator import make_estimator
-from sim_core.controllers import make_controller, told_preview
+from sim_core.controllers import make_controller, semi_active_dampers, told_preview
 from sim_core.drive.sampling import fine_step, sample_road
 from sim_core.drive.speed_profile import CONTROL_STEP, drive
 from sim_core.drive.stages import coordinated_weights
-from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario
+from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario, Vehicle
 from sim_core.strategies import Strategy, SuspensionPolicy, driven, strategy_named
 
 JUDGED = {
@@ -29,6 +35,9 @@ JUDGED = {
     SuspensionPolicy.MPC_BY_ROAD,
     SuspensionPolicy.MPC_BY_STAGE,
 }
+_SETTLED = 8.0  # from then on a loop with unequal dampers moves as it goes on [s]
+_BLOCK = 100  # control steps after which its motion is brought back to size 1
+_GONE = 1e-6  # of a mode, what is left of it after a control step: none
 _ANY_ROAD = Road(
     roughness=0, length=30, bump=Bump(height=0, start=20)
 )  # no law depends on it, a Kalman filter on the roughness alone
@@ -40,6 +49,11 @@ def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
     Of a mode exp(s·t) it is -Re(s)/|s|: 1 does not oscillate, 0 oscillates for ever, below 0 the loop is unstable.
     Each stage is taken by itself; preview is left out, because it is not fed back and cannot make a loop unstable.
 
+    With unequal dampers it is that of the mean dampers' modes, or of the motion that dies out last if that is smaller;
+    and it is below 0 exactly where that motion grows.
+
+    A semi-active damper is not judged: whatever the law, it puts no energy in, and nothing grows near rest.
+
     Args:
         scenario: With its mismatch: the controller is designed without it and meets the real car.
         name: Strategy id, or a strategy that is in no table.
@@ -49,7 +63,7 @@ def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
     strategy = driven(strategy_named(name) if isinstance(name, str) else name, scenario.speed.policy)
-    if strategy.suspension not in JUDGED:
+    if strategy.suspension not in JUDGED or semi_active_dampers(scenario, strategy) is not None:
         return None
     actuated = strategy.suspension is not SuspensionPolicy.PASSIVE
     believed = scenario.model_copy(
@@ -64,15 +78,21 @@ def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
     motion = drive(believed, strategy.speed)
     road_input = sample_road(believed.road, believed.vehicle.wheelbase, motion, step, fine_step(believed, strategy))
     controller = make_controller(believed, strategy, motion, road_input)
-    car = plant(scenario.real_vehicle, scenario.actuator if actuated else Actuator(), step, 1)
+    vehicle, actuator = scenario.real_vehicle, scenario.actuator if actuated else Actuator()
     stages = STAGES if actuated else ("cruise",)
     distinct = {coordinated_weights(believed, strategy, stage): stage for stage in stages}
+    laws = list(dict.fromkeys(controller.law(stage) for stage in distinct.values()))
     estimator = None
     if actuated:
         mode, still = told_preview(scenario, strategy.suspension), np.zeros((1, DISTURBANCES))
         estimator = make_estimator(scenario, step, motion.initial_speed, still, mode=mode)
-    loop = control_step(car, scenario.real_vehicle, estimator)
-    return min(damping(closed_loop_matrix(loop, controller.law(stage)), step) for stage in distinct.values())
+    exact = control_step(plant(vehicle, actuator, step, 1), vehicle, estimator)
+    loops = [closed_loop_matrix(exact, law) for law in laws]
+    of_modes = [damping(loop, step) for loop in loops]
+    if vehicle.rebound_ratio == 1 or not actuated:  # dampers alone only take energy out
+        return min(of_modes)
+    last = [_last_motion(vehicle, actuator, step, estimator, law, loop) for law, loop in zip(laws, loops, strict=True)]
+    return min(slowest if mean < 0 else min(mean, slowest) for mean, slowest in zip(of_modes, last, strict=True))
 
 
 def damping(loop: FloatArray, step: float) -> float:
@@ -83,3 +103,38 @@ def damping(loop: FloatArray, step: float) -> float:
     size = np.abs(poles)
     ratios = np.where(size > 0, -poles.real / np.where(size > 0, size, 1), 0.0)
     return float(ratios.min(initial=1.0))
+
+
+def _last_motion(
+    vehicle: Vehicle, actuator: Actuator, step: float, estimator: Estimator | None, law: LinearLaw, loop: FloatArray
+) -> float:
+    """Damping ratio [1] of the motion that dies out last, or grows most, of a loop with unequal dampers near rest.
+
+    Such a loop is homogeneous: twice the disturbance, twice the motion. From a start in which all states take part it
+    is driven for `_SETTLED` s, and for as long again its motion gives a mean rate of growth r and a mean frequency w:
+    the ratio is -r / |r + jw|. Both are those of the motion x in the modes of the `loop` with the mean dampers; with
+    g = e^(r step) a mode changes by |x' - x|² = (1 + g² - 2 g cos(w step)) |x|² in a step.
+    """
+    near_rest = vehicle.model_copy(update={"bump_stop_clearance": None, "tyre_lift_off": False})
+    if estimator is not None:
+        estimator = replace(estimator, input=np.zeros((_BLOCK, STATES)))
+    car = NonlinearCar(near_rest, actuator, step, np.zeros((_BLOCK, DISTURBANCES)), _BLOCK, estimator)
+    unlimited, no_feed = LinearLaw(gain=law.gain), np.zeros((_BLOCK, FORCES))
+    eigenvalues, modes = np.linalg.eig(loop)
+    to_modes = np.linalg.pinv(modes)[np.abs(eigenvalues) > _GONE].T
+    blocks = ceil(_SETTLED / (step * _BLOCK))
+    z, grown = np.ones(len(loop)), 0.0
+    logarithms, changes = [], []
+    for block in range(2 * blocks):
+        motion = car.free_run(unlimited, 0, z, no_feed)
+        x = motion @ to_modes
+        size = np.linalg.norm(x, axis=1)
+        if block >= blocks:
+            logarithms.append(grown + np.log(size[:-1]))
+            changes.append((np.linalg.norm(x[1:] - x[:-1], axis=1) / size[:-1]) ** 2)
+        grown, z = grown + float(np.log(size[-1])), motion[-1] / size[-1]
+    history = np.concatenate(logarithms)
+    rate = float(np.polyfit(step * np.arange(len(history)), history, 1)[0])
+    growth = exp(rate * step)
+    cosine = (1 + growth**2 - float(np.mean(changes))) / (2 * growth)
+    return -rate / hypot(rate, acos(min(max(cosine, -1.0), 1.0)) / step)

@@ -1,17 +1,12 @@
-"""Skyhook, groundhook and hybrid: the law by its definition, what it is for, and semi-active as stepped in C."""
+"""Skyhook, groundhook and hybrid: the law by its definition, and what it is for."""
 
 import numpy as np
 import pytest
 
-from sim_core.control.hooks import HookController, hook_gain
-from sim_core.scenario import Actuator, Bump, Hook, Mpc, Road, Scenario, Vehicle
+from sim_core.control.hooks import hook_gain
+from sim_core.scenario import Bump, Hook, Mpc, Road, Scenario, Vehicle
 from sim_core.simulate import simulate
-from tests.events import event
-from tests.validation.reference import adaptive
 from tests.validation.reference.sampled import to_deflections
-
-LAWS = ("skyhook", "groundhook", "hybrid")
-SEMI_ACTIVE = Scenario(hook=Hook(semi_active=True), road=Road(length=120, bump=Bump(start=80)))
 
 
 @pytest.mark.parametrize(("alpha", "sky", "ground"), [(1.0, 3000, 0), (0.0, 0, 2000), (0.3, 900, 1400)])
@@ -23,33 +18,6 @@ def test_the_law_is_dampers_against_sky_and_ground(alpha: float, sky: float, gro
     force = hook_gain(car, Hook(skyhook_damping=3000, groundhook_damping=2000), alpha)[:, :8] @ state
     body = speeds[0] + np.array([-1.2, 1.5]) * speeds[1]
     np.testing.assert_allclose(force, -sky * body + ground * speeds[2:], rtol=1e-12, atol=1e-9)
-
-
-@pytest.mark.parametrize("scenario", [SEMI_ACTIVE, SEMI_ACTIVE.model_copy(update={"actuator": Actuator(bandwidth=10)})])
-@pytest.mark.parametrize("law", LAWS)
-def test_semi_active_is_the_same_stepped_in_c_and_step_by_step(
-    law: str, scenario: Scenario, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Against exact steps of the linear car whose commands the controller clips itself."""
-    in_c = simulate(scenario, law)
-    monkeypatch.setattr(HookController, "clipped", property(lambda _: False, lambda *_: None), raising=False)
-    single = simulate(scenario, law)
-    assert event(single, "limited_steps") > 100
-    assert in_c.events["limited_steps"] == pytest.approx(single.events["limited_steps"], rel=0.02)
-    for name, values in single.series.items():
-        # A speed near zero may have either sign: such a step differs, and little follows from it.
-        assert np.std(in_c.series[name] - values) <= 0.02 * (np.std(values) or 1.0), name
-
-
-@pytest.mark.parametrize("law", LAWS)
-def test_semi_active_puts_no_energy_in(law: str) -> None:
-    """This holds at the control instants; within a control step the command is held, whatever the damper does."""
-    trajectory = adaptive.run(SEMI_ACTIVE, law).trajectory
-    car = SEMI_ACTIVE.vehicle
-    rates = trajectory.states[:, 4:5] + trajectory.states[:, 5:6] * [-car.cg_to_front, car.cg_to_rear]
-    power = trajectory.commands * (rates - trajectory.states[:, 6:8])
-    assert power.max() <= 1e-9
-    assert power.min() < -10
 
 
 def test_each_law_does_what_it_is_for() -> None:

@@ -117,6 +117,8 @@ SILENT = {
     ("estimation", "deflection_noise"),
     ("estimation", "pitch_rate_noise"),
     ("estimation", "knows_preview"),
+    ("hook", "min_damping"),  # no damper is semi-active
+    ("hook", "max_damping"),
 }
 
 

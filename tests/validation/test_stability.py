@@ -5,7 +5,7 @@ import pytest
 from scipy.linalg import expm
 
 from sim_core.car.half_car import half_car
-from sim_core.scenario import Actuator, Bump, Estimation, Mismatch, Road, Scenario, Speed
+from sim_core.scenario import Actuator, Bump, Estimation, Hook, Mismatch, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
 from sim_core.study.stability import damping, least_damping
 
@@ -76,3 +76,81 @@ def test_margins_are_judged_with_the_filter_that_drives() -> None:
     light = Scenario(mismatch=Mismatch(body_mass=0.5))
     told, untold = (least_damping(light.model_copy(update={"estimation": each}), "lv") for each in (TOLD, UNTOLD))
     assert told != pytest.approx(untold, rel=0.01)
+
+
+def limit(name: str, ratio: float, actuator: Actuator) -> float:
+    """Damping over the believed one below which the loop is unstable."""
+    low, high = 0.3, 1.0
+    while high - low > 0.002:
+        middle = (low + high) / 2
+        damped = least_damping(near_rest(middle, ratio, actuator), name)
+        assert damped is not None
+        low, high = (middle, high) if damped < 0 else (low, middle)
+    return high
+
+
+def near_rest(damping: float, ratio: float, actuator: Actuator) -> Scenario:
+    return Scenario(
+        road=Road(roughness=0, length=450, bump=Bump(height=1e-6, width=1, start=5)),
+        speed=Speed(target_speed_kmh=50),
+        mismatch=Mismatch(damping=damping, rebound_ratio=ratio),
+        actuator=actuator,
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "ratio", "actuator", "expected"),
+    [
+        ("lv", 2, Actuator(), 0.68),
+        ("lv", 3, Actuator(), 0.77),
+        ("suspension_only", 2.5, Actuator(), 0.73),
+        ("suspension_only", 3, Actuator(bandwidth=10), 0.47),
+        ("lqr", 3, Actuator(), 0.5),
+    ],
+)
+def test_with_unequal_dampers_the_limit_is_where_a_simulation_begins_to_grow(
+    name: str, ratio: float, actuator: Actuator, expected: float
+) -> None:
+    """To 0.02 of the believed damping, from a bump of a micrometre, 14 to 30 s after it; the mean dampers' is 0.66.
+
+    At a limit a motion neither grows nor dies: so near to it, it takes longer than that to tell which.
+    """
+    found = limit(name, ratio, actuator)
+    assert found == pytest.approx(expected, abs=0.01)
+    for share, unstable in ((found - 0.02, True), (found + 0.02, False)):
+        signals = simulate(near_rest(share, ratio, actuator), name).series
+        load = np.hypot(signals["front_tyre_load"], signals["rear_tyre_load"])
+        early, late = (load[(signals["position"] > a) & (signals["position"] < a + 30)].max() for a in (200, 419))
+        assert (late > early or late > 10) == unstable  # 10 N: a hundred times what the bump makes
+
+
+@pytest.mark.parametrize(
+    "scenario",
+    [
+        Scenario(),
+        Scenario(mismatch=Mismatch(damping=0.64)),
+        Scenario(mismatch=Mismatch(damping=0.5), actuator=Actuator(bandwidth=10)),
+        Scenario(estimation=Estimation(kind="kalman"), mismatch=Mismatch(body_mass=1.2)),
+    ],
+)
+@pytest.mark.parametrize("name", ["lv", "lqr", "skyhook", "passive"])
+def test_dampers_that_are_hardly_unequal_are_as_equal_ones(name: str, scenario: Scenario) -> None:
+    """A growth that is measured over 8 s, of a mode or of all at once, is a mode's to a few thousandths."""
+    hardly = scenario.model_copy(update={"vehicle": Vehicle(rebound_ratio=1.00001)})
+    equal, ratio = least_damping(scenario, name), least_damping(hardly, name)
+    assert equal is not None
+    assert ratio is not None
+    if equal > 0:
+        assert ratio == pytest.approx(equal, abs=0.005)
+    else:  # the motion that grows most, and not the mode with the smallest ratio
+        assert ratio < 0
+
+
+@pytest.mark.parametrize("name", ["skyhook", "groundhook", "hybrid"])
+def test_a_semi_active_damper_is_not_judged(name: str) -> None:
+    """It takes energy out whatever the law (test_semi_active); active, skyhook would be unstable here."""
+    lagging = Scenario(hook=Hook(skyhook_damping=100_000, groundhook_damping=100_000), actuator=Actuator(bandwidth=2))
+    active = least_damping(lagging, name)
+    assert active is not None
+    assert (active < 0) == (name == "skyhook")
+    assert least_damping(lagging.model_copy(update={"hook": Hook(semi_active=True)}), name) is None

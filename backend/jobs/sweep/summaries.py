@@ -21,7 +21,7 @@ from backend.store.job import FINAL
 
 CACHED = 16  # a page that is opened again asks for the same
 REUSE = 10  # a summary of a batch that goes on is answered again for so many times as long as it took
-COST = 0.002  # of one run, its loop's stability included [s of one core]
+COST = 0.005  # of one run, its loop's stability included [s of one core]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

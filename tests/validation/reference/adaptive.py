@@ -15,14 +15,15 @@ from sim_core.car.road import profile
 from sim_core.closed_loop import ClosedLoop, Trajectory
 from sim_core.drive.speed_profile import CONTROL_STEP, drive
 from sim_core.result import StrategyResult
-from sim_core.scenario import Scenario, Vehicle
+from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
-from sim_core.strategies import SpeedPolicy
+from sim_core.strategies import SpeedPolicy, SuspensionPolicy, strategy_named
 from tests.validation.reference.held import Held, run_in
 from tests.validation.reference.vehicle import OUTPUTS
 
 Array = NDArray[np.float64]
 SAMPLES = 200  # in a control step
+_HOOKS = (SuspensionPolicy.SKYHOOK, SuspensionPolicy.GROUNDHOOK, SuspensionPolicy.HYBRID)
 NAMES = (*OUTPUTS, "front_force", "rear_force")
 
 
@@ -53,13 +54,13 @@ def run(scenario: Scenario, name: str) -> AdaptiveRun:
         return AdaptiveRun(scenario, simulate(scenario, name), caught[0])
 
 
-def errors(runs: list[AdaptiveRun]) -> list[dict[str, float]]:
-    """How far each RMS value and peak of the core is from the solver's, relative.
+def errors(runs: list[AdaptiveRun], tolerance: float = 1e-6) -> list[dict[str, float]]:
+    """How far each RMS value and peak of the core is from the solver's, relative; `tolerance` is the solver's.
 
     All runs at one constant speed, of one length and with control steps of `CONTROL_STEP`.
     """
     relative_errors = []
-    for run, theirs in zip(runs, _solved(runs), strict=True):
+    for run, theirs in zip(runs, _solved(runs, tolerance), strict=True):
         ours = {
             f"{window}.{signal}.{statistic}": value
             for window, signals in run.result.metrics.items()
@@ -71,9 +72,14 @@ def errors(runs: list[AdaptiveRun]) -> list[dict[str, float]]:
 
 
 class Cars:
-    """The cars' forces; every array has a column a car, pairs are front and rear (2, cars)."""
+    """The cars' forces; every array has a column a car, pairs are front and rear (2, cars).
 
-    def __init__(self, cars: list[Vehicle], corner: list[float]) -> None:
+    `semi_active` says for each whether its dampers are, `most_force` what these add or take at most [N].
+    """
+
+    def __init__(self, runs: list[AdaptiveRun], corner: list[float]) -> None:
+        cars = [run.scenario.real_vehicle for run in runs]
+
         def pair(name: str) -> Array:
             return np.array([[getattr(car, f"{axle}_{name}") for car in cars] for axle in ("front", "rear")])
 
@@ -91,6 +97,35 @@ class Cars:
         self.lowest = np.where(lifts, -weight - self.wheel_mass * 9.80665, -np.inf)
         self.brake = np.array([car.body_mass * car.cg_height for car in cars])
         self.corner = np.array(corner)
+        hooks = [run.scenario.hook for run in runs]
+        policies = [strategy_named(run.result.strategy).suspension for run in runs]
+        self.semi_active = np.array([h.semi_active and p in _HOOKS for h, p in zip(hooks, policies, strict=True)])
+        self.most_force = np.array([run.scenario.mpc.force_limit for run in runs])
+        self.least = np.array([hook.min_damping for hook in hooks])
+        # Without a limit a damper that would stop its wheel within a millisecond.
+        self.most = np.array([hook.max_damping or np.nan for hook in hooks]) * np.ones((2, 1))
+        self.most = np.where(np.isnan(self.most), self.wheel_mass / 1e-3, self.most)
+
+    def control(self, x: Array, speed: Array, asked: Array) -> Array:
+        """Force that control adds [N]: the actuators' state (2, …, cars), or what semi-active dampers make of it.
+
+        A lagging semi-active damper's state is not a force but what it adds to the coefficient.
+        """
+        shape = (2, *[1] * (x.ndim - 2), -1)
+        passive = np.where(speed > 0, self.rebound.reshape(shape), self.compression.reshape(shape))
+        lagging = -np.clip(asked * speed, -self.most_force, self.most_force)
+        ends = self.least * speed, self.most.reshape(shape) * speed
+        whole = passive * speed - np.where(self.corner > 0, lagging, asked)
+        whole = np.clip(whole, np.minimum(*ends), np.maximum(*ends))
+        return np.where(self.semi_active, passive * speed - whole, asked)
+
+    def lag(self, x: Array, speed: Array, command: Array) -> Array:
+        """Rate of the actuators' state."""
+        shape = (2, *[1] * (x.ndim - 2), -1)
+        passive = np.where(speed > 0, self.rebound.reshape(shape), self.compression.reshape(shape))
+        added = -command / np.where(speed == 0, np.inf, speed)
+        added = np.clip(added, self.least - passive, self.most.reshape(shape) - passive)
+        return np.asarray(self.corner * (np.where(self.semi_active, added, command) - x[8:]))
 
     def forces(self, x: Array, road: Array) -> tuple[Array, Array, Array, Array]:
         """Travel [m], its speed [m/s], force between body and wheel without the actuator's, dynamic tyre load [N].
@@ -111,15 +146,15 @@ class Cars:
     def slope(self, x: Array, road: Array, braking: float, command: Array) -> Array:
         """Time derivative of x (10, …, cars)."""
         shape = (2, *[1] * (x.ndim - 2), -1)
-        _, _, force, load = self.forces(x, road)
-        net = force - x[8:]
+        _, speed, force, load = self.forces(x, road)
+        net = force - self.control(x, speed, x[8:])
         pitch = (self.brake * braking - (self.arm.reshape(shape) * net).sum(axis=0)) / self.inertia
         body = -net.sum(axis=0) / self.mass
         wheels = (load + net) / self.wheel_mass.reshape(shape)
-        return np.concatenate([x[4:8], body[None], pitch[None], wheels, self.corner * (command - x[8:])])
+        return np.concatenate([x[4:8], body[None], pitch[None], wheels, self.lag(x, speed, command)])
 
 
-def _solved(runs: list[AdaptiveRun]) -> list[dict[str, float]]:
+def _solved(runs: list[AdaptiveRun], tolerance: float) -> list[dict[str, float]]:
     motion = drive(runs[0].scenario, SpeedPolicy.CONSTANT)
     steps, n, h = len(runs[0].commands), len(runs), CONTROL_STEP / SAMPLES
     time = CONTROL_STEP * (np.arange(steps)[:, None] - run_in(runs[0].scenario, motion, CONTROL_STEP))
@@ -131,7 +166,7 @@ def _solved(runs: list[AdaptiveRun]) -> list[dict[str, float]]:
             roads[:, axle, :, i] = profile(run.scenario.road).height(position - behind)
     commands = np.stack([run.commands.T for run in runs], axis=-1)  # (2, steps, cars)
     bandwidths = [run.scenario.actuator.bandwidth if run.commands.any() else None for run in runs]
-    cars = Cars([run.scenario.real_vehicle for run in runs], [2 * np.pi * (each or 0.0) for each in bandwidths])
+    cars = Cars(runs, [2 * np.pi * (each or 0.0) for each in bandwidths])
     ideal = cars.corner == 0
 
     x = np.zeros((10, n))
@@ -150,12 +185,16 @@ def _solved(runs: list[AdaptiveRun]) -> list[dict[str, float]]:
                 flat.reshape(10, n), (1 - share) * road[:, j] + share * road[:, j + 1], 0.0, command
             ).ravel()
 
-        instants = h * np.arange(SAMPLES + 1)
-        solved = solve_ivp(slope, (0, CONTROL_STEP), x.ravel(), "RK45", instants, rtol=1e-6, atol=1e-8, max_step=1e-3)
+        solved = solve_ivp(
+            *(slope, (0, CONTROL_STEP), x.ravel(), "RK45", h * np.arange(SAMPLES + 1)),
+            rtol=tolerance,
+            atol=tolerance / 100,
+            max_step=1e-3,
+        )
         states = np.moveaxis(solved.y.reshape(10, n, -1), 1, 2)  # (10, samples, cars)
         travel, speed, _, load = cars.forces(states, roads[k])
         rates = cars.slope(states, roads[k], 0.0, command[:, None])
-        values[k] = np.concatenate([rates[4:6], load, travel, states[8:], speed])
+        values[k] = np.concatenate([rates[4:6], load, travel, cars.control(states, speed, states[8:]), speed])
         x = states[:, -1].copy()
     seen = time[:, 0] >= -1e-9
     metrics_by_run = []

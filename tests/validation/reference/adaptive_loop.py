@@ -1,0 +1,152 @@
+"""The closed loop of a nonlinear car, its motion by SciPy's adaptive solver between any two fine instants.
+
+Newton's second law with the forces as they are and the road at `_SUBSAMPLES` places of each fine step. Taken from the
+core are the road's heights, the drive, the controller, the filter's matrices and what a recording is made into.
+"""
+
+from unittest.mock import patch
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.integrate import ode
+
+from sim_core.car.driven_car import DrivenCar, Estimator, LinearLaw, SemiActiveDampers
+from sim_core.car.road import RoadUnderAxles
+from sim_core.drive.sampling import fine_step
+from sim_core.result import StrategyResult
+from sim_core.scenario import Actuator, Scenario, Vehicle
+from sim_core.simulate import simulate
+
+Array = NDArray[np.float64]
+FINER = 4  # times as many fine steps: samples of the record, in which positions and braking are linear and constant
+_SUBSAMPLES = 8  # of the road in each of these
+
+
+def solved(scenario: Scenario, strategy: str) -> StrategyResult:
+    """A run of any strategy without semi-active dampers and without an ECU."""
+    with (
+        patch("sim_core.closed_loop.on_road", SolvedCar),
+        patch("sim_core.closed_loop._LONGEST_BLOCK", 1),
+        patch("sim_core.closed_loop._BLOCK_AFTER_LIMIT", 1),
+        patch("sim_core.simulate.fine_step", lambda *arguments: fine_step(*arguments) / FINER),
+    ):
+        return simulate(scenario, strategy)
+
+
+class SolvedCar(DrivenCar):
+    """A car whose arguments are `on_road`'s."""
+
+    def __init__(
+        self,
+        vehicle: Vehicle,
+        actuator: Actuator,
+        step: float,
+        disturbance: Array,
+        before: int,
+        *,
+        estimator: Estimator | None,
+        dampers: SemiActiveDampers | None,
+        road: RoadUnderAxles | None,
+    ) -> None:
+        assert dampers is None
+        assert road is not None
+        self._vehicle, self._estimator, self._before = vehicle, estimator, before
+        self._fine: int = disturbance.shape[1] // 3
+        self._h = step / self._fine
+        self._braking: list[float] = disturbance.reshape(-1, 3)[:, 2].tolist()
+        self._corner = 2 * np.pi * (actuator.bandwidth or 0.0)
+        self._states = 10 if self._corner else 8
+        self.size = self._states + (8 if estimator else 0)
+        share = np.arange(_SUBSAMPLES) / _SUBSAMPLES
+        position = road.position[:, :-1, np.newaxis] + np.diff(road.position)[..., np.newaxis] * share
+        ends = road.surface.height(road.position[:, -1:])
+        heights = road.surface.height(position.reshape(2, -1))
+        self._roads: list[list[float]] = np.hstack([heights, ends]).tolist()
+        self._spring = vehicle.front_spring, vehicle.rear_spring
+        self._tyre = vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness
+        ratio, damping = vehicle.rebound_ratio, (vehicle.front_damping, vehicle.rear_damping)
+        self._compression = [2 / (1 + ratio) * each for each in damping]
+        self._rebound = [2 * ratio / (1 + ratio) * each for each in damping]
+        self._clearance: float = vehicle.bump_stop_clearance or np.inf
+        self._stop, self._link = vehicle.bump_stop_stiffness, vehicle.link_forces
+        lifts = vehicle.tyre_lift_off
+        self._lowest: list[float] = [-each if lifts else -np.inf for each in vehicle.static_loads]
+        self._table = np.empty((10, self._fine + 1, len(disturbance) - before))
+        rates = ode(lambda time, x: self._rates(time, x.tolist()))
+        self._solver = rates.set_integrator("dopri5", nsteps=5000, first_step=self._h, rtol=1e-7, atol=1e-9)
+
+    def free_run(self, law: LinearLaw, first: int, start: Array, feed: Array) -> Array:
+        """As DrivenCar says."""
+        loop = np.empty((len(feed) + 1, self.size + 2))
+        loop[0] = start
+        for k, fed in enumerate(feed):
+            inputs = np.concatenate([loop[k, :8], loop[k, self.size :]])
+            command = np.clip(law.gain @ inputs + fed, -law.force_limit, law.force_limit)
+            loop[k + 1, : self.size] = self.advance(first + k, loop[k, : self.size], command)
+            loop[k + 1, self.size :] = command
+        return loop
+
+    def advance(self, step: int, state: Array, command: Array) -> Array:
+        """As DrivenCar says."""
+        x, column = [*state[-self._states :].tolist(), *command.tolist()][:10], step - self._before
+        self._command = command.tolist()
+        for j in range(self._fine):
+            self._begin(step * self._fine + j)
+            if column >= 0:
+                self._table[:, j, column] = self._signals(0.0, x)
+            end = self._solver.set_initial_value(x, 0.0).integrate(self._h).tolist()
+            assert self._solver.successful()
+            x = [*end[:2], end[2] - self._risen[0][-1], end[3] - self._risen[1][-1], *end[4:]]
+        if column >= 0:
+            self._table[:, self._fine, column] = self._signals(self._h, end)
+        reached = np.array(x[: self._states])
+        if self._estimator is None:
+            return reached
+        e, measured = self._estimator, np.array([x[0], x[1], self._rates(self._h, end)[4], x[5]])
+        estimate = e.state @ state[:8] + e.command @ command + e.measurement @ measured + e.input[step]
+        return np.concatenate([estimate, reached])
+
+    def record(self, states: Array, commands: Array) -> Array:
+        """As DrivenCar says."""
+        return self._table
+
+    def _begin(self, fine_step: int) -> None:
+        place = fine_step * _SUBSAMPLES
+        self._risen = [[z - road[place] for z in road[place : place + _SUBSAMPLES + 1]] for road in self._roads]
+        self._brakes = self._braking[fine_step]
+
+    def _signals(self, time: float, x: list[float]) -> list[float]:
+        """plant.RECORDED."""
+        rates = self._rates(time, x)
+        loads = [self._load(axle, time, x[2 + axle]) for axle in (0, 1)]
+        return [*rates[:2], *rates[4:6], *loads, *x[:2], *x[8:]]
+
+    def _load(self, axle: int, time: float, raised: float) -> float:
+        place = time / self._h * _SUBSAMPLES
+        i = min(int(place), _SUBSAMPLES - 1)
+        road = self._risen[axle]
+        deflection: float = raised - road[i] - (place - i) * (road[i + 1] - road[i])
+        return max(-self._tyre[axle] * deflection, self._lowest[axle])
+
+    def _strut(self, axle: int, travel: float, speed: float, control: float) -> float:
+        """Force between body and wheel."""
+        force = self._spring[axle] * travel + (self._rebound if speed > 0 else self._compression)[axle] * speed
+        if abs(travel) > self._clearance:
+            force += self._stop * (travel - self._clearance if travel > 0 else travel + self._clearance)
+        return force - control - self._link[axle] * self._brakes
+
+    def _rates(self, time: float, x: list[float]) -> list[float]:
+        """Of both travels, wheels above the road at the fine step's beginning, body, pitch, wheels' speeds, forces."""
+        car = self._vehicle
+        front, rear = x[4] - car.cg_to_front * x[5] - x[6], x[4] + car.cg_to_rear * x[5] - x[7]
+        a, b = self._strut(0, x[0], front, x[8]), self._strut(1, x[1], rear, x[9])
+        brake = car.body_mass * car.cg_height * self._brakes
+        return [
+            *(front, rear, x[6], x[7]),
+            -(a + b) / car.body_mass,
+            (brake + car.cg_to_front * a - car.cg_to_rear * b) / car.pitch_inertia,
+            (self._load(0, time, x[2]) + a) / car.front_wheel_mass,
+            (self._load(1, time, x[3]) + b) / car.rear_wheel_mass,
+            self._corner * (self._command[0] - x[8]),
+            self._corner * (self._command[1] - x[9]),
+        ]

@@ -1,0 +1,15 @@
+"""Nonlinear cars on the road that linear ones drive on."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from unittest.mock import patch
+
+
+@contextmanager
+def straight_within_fine_steps() -> Iterator[None]:
+    """The road of every car is straight within a fine step."""
+    with (
+        patch("sim_core.closed_loop.under_axles", lambda _: None),
+        patch("sim_core.ecu.drive.under_axles", lambda _: None),
+    ):
+        yield
