@@ -16,6 +16,7 @@ from backend.http.admission import Admission
 from backend.http.guard import GuardMiddleware
 from backend.http.logins import Logins
 from backend.http.request_log import RequestLogMiddleware
+from backend.http.spool import Spool
 from backend.http.token_middleware import TokenMiddleware
 from backend.http.tokens import Tokens
 from backend.jobs.reproduction.service import Paper
@@ -129,7 +130,11 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         results = Results(store=store, workers=workers, memory=memory, admission=admission, roads=measured)
         app.state.admission = admission
         app.state.metrics = service_registry(workers, admission)
-        app.state.runs = Runs(store=store, workers=workers, results=results, admission=admission, roads=measured)
+        spool = Spool(settings.data_dir / "spool", settings.spool_bytes)
+        await asyncio.to_thread(spool.clear)
+        app.state.runs = Runs(
+            store=store, workers=workers, results=results, admission=admission, roads=measured, spool=spool
+        )
         app.state.solver = Solver(runs=app.state.runs, admission=admission, roads=measured)
         app.state.paper = Paper(store=store, results=results, admission=admission)
         app.state.controllers = Controllers(
@@ -143,6 +148,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
             admission=admission,
             settings=settings,
             roads=measured,
+            spool=spool,
         )
         app.state.sweeps = sweeps
         app.state.tunings = TuningService(store=store, background=background, admission=admission, settings=settings)

@@ -18,17 +18,15 @@ class Series(Mapping[str, FloatArray]):
     """
 
     def __init__(self, shared: Mapping[str, FloatArray], columns: Mapping[str, FloatArray]) -> None:
-        self._made = dict(shared)
+        self._shared = shared
         self._columns = columns
         self._length = len(shared["time"])
 
     def __getitem__(self, key: str) -> FloatArray:
-        """The history of a signal (samples,)."""
-        if key not in self._made:
-            if key not in SIGNALS:
-                raise KeyError(key)
-            self._made[key] = self._columns[key][:-1].T.reshape(-1)[: self._length]
-        return self._made[key]
+        """The history of a signal (samples,), made anew each time: kept, long ones would take as much again."""
+        if key in self._shared:
+            return self._shared[key]
+        return self._columns[key][:-1].T.reshape(-1)[: self._length]
 
     def columns(self, key: str) -> FloatArray:
         """A signal with its values at both ends of every held command (samples + 1, n).

@@ -12,7 +12,7 @@ from backend.api.deps import Client, part_of_application
 from backend.api.runs import MEDIA_TYPES
 from backend.errors import InvalidError
 from backend.http import problems
-from backend.http.answers import IMMUTABLE, Download, cancel_on_disconnect, json_answer
+from backend.http.answers import IMMUTABLE, Download, cancel_on_disconnect, content_answer, json_answer
 from backend.http.routing import ComputingRoute
 from backend.http.tokens import Caller
 from backend.jobs.sweep.models import (
@@ -108,7 +108,7 @@ async def get_batch_table(
     figures: Annotated[str, Query(description=f"Keys with commas, such as {PAPER_METRICS[4]}")] = "",
 ) -> Response:
     """Rows column by column: run, strategy, status, reason, the swept fields and the figures asked for."""
-    return json_answer(await service.table(job_id, _figures(figures, METRICS), client))
+    return content_answer(await service.table(job_id, _figures(figures, METRICS), client), {}, MEDIA_TYPES["json"])
 
 
 @batches.get(

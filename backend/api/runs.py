@@ -10,7 +10,14 @@ from backend.api import router
 from backend.api.deps import Client, RunsService, SolverService, html_answer
 from backend.digest import RUN_ID_LENGTH
 from backend.errors import InvalidError
-from backend.http.answers import IMMUTABLE, answer_unless_cached, cancel_on_disconnect, json_answer, takes_gzip
+from backend.http.answers import (
+    IMMUTABLE,
+    answer_unless_cached,
+    cancel_on_disconnect,
+    content_answer,
+    json_answer,
+    takes_gzip,
+)
 from backend.http.routing import ComputingRoute, ScenarioRoute
 from backend.json_types import JsonObject
 from backend.runs.figures import PANELS
@@ -112,7 +119,7 @@ async def get_series(
         headers["Content-Disposition"] = (
             f'attachment; filename="{"-".join(["ridelab", run_id, *(names or [])])}.{file_format}"'
         )
-    return Response(content, headers=headers, media_type=MEDIA_TYPES[file_format])
+    return content_answer(content, headers, MEDIA_TYPES[file_format])
 
 
 @drawing.get("/runs/{id}/bands", operation_id="getBands", response_model=Bands)
@@ -134,7 +141,7 @@ async def get_bands(
         points=points,
         encoding=encoding,
     )
-    return Response(content, headers=CACHED_FOR_AN_HOUR, media_type=MEDIA_TYPES["json"])
+    return content_answer(content, CACHED_FOR_AN_HOUR, MEDIA_TYPES["json"])
 
 
 @drawing.get(

@@ -12,6 +12,8 @@ from pydantic import BaseModel
 from starlette.requests import ClientDisconnect
 from starlette.types import Receive, Scope, Send
 
+from backend.http.spool import SpoolFile
+
 T = TypeVar("T")
 
 IMMUTABLE = "public, max-age=31536000, immutable"
@@ -44,6 +46,16 @@ class Download(StreamingResponse):
         """ASGI entry."""
         with self._counted:
             await super().__call__(scope, receive, send)
+
+
+def content_answer(content: bytes | SpoolFile, headers: Mapping[str, str], media_type: str) -> Response:
+    """A rendered answer, a long one piece by piece."""
+    if isinstance(content, bytes):
+        return Response(content, headers=headers, media_type=media_type)
+    headers = {**headers, "Content-Length": str(content.size)}
+    held = ExitStack()
+    held.callback(content.close)
+    return Download(content.pieces(), held, headers=headers, media_type=media_type)
 
 
 def takes_gzip(request: Request) -> bool:

@@ -5,23 +5,23 @@ The functions run in worker processes.
 """
 
 import time
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
 from typing import Self
 
 import numpy as np
-import orjson
 from numpy.typing import NDArray
 
 from backend.ecu.drive import simulate
 from backend.json_types import JsonObject
-from backend.runs.series import ROWS, SeriesArray, Stages, decimate, pack, packed
+from backend.pieces import rendered, write_json
+from backend.runs.exports import VALUE_BYTES
+from backend.runs.series import ROWS, SeriesArray, Stages, as_json, decimate, most_samples, pack
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import SIGNALS
-from sim_core.drive.sampling import fine_step
 from sim_core.scenario import Scenario
-from sim_core.strategies import driven, strategy_named
-from sim_core.workload import duration
 
 MAX_BYTES = 128 * 1024 * 1024  # of the bands of one request
 LONGEST_TASK = 0.2  # a worker is free again for others after about so long [s]
@@ -47,28 +47,33 @@ class Band:
     @classmethod
     def of(cls, series: SeriesArray) -> Self:
         """Of one road."""
-        return cls(roads=1, total=series.astype(np.float64), minimum=series, maximum=series)
+        return cls(roads=1, total=series.astype(np.float64), minimum=series, maximum=series.copy())
 
     def with_road(self, series: SeriesArray) -> "Band":
-        """With one road more."""
-        return Band(
-            roads=self.roads + 1,
-            total=self.total + series,
-            minimum=np.minimum(self.minimum, series),
-            maximum=np.maximum(self.maximum, series),
-        )
+        """With one road more, in the same arrays."""
+        np.add(self.total, series, out=self.total)
+        np.minimum(self.minimum, series, out=self.minimum)
+        np.maximum(self.maximum, series, out=self.maximum)
+        return replace(self, roads=self.roads + 1)
+
+    @classmethod
+    def load(cls, path: Path, roads: int) -> Self:
+        """The band of so many roads that `save` wrote."""
+        with path.open("rb") as file:
+            total, minimum, maximum = (np.load(file) for _ in range(3))
+        return cls(roads=roads, total=total, minimum=minimum, maximum=maximum)
+
+    def save(self, path: Path) -> None:
+        """Write it over a file that is there."""
+        with path.open("r+b") as file:
+            for array in (self.total, self.minimum, self.maximum):
+                np.save(file, array)
 
     @staticmethod
     def most_nbytes(scenario: Scenario, strategy: str) -> int:
         """About the most memory that the arrays of a band of this scenario take."""
-        driving = driven(strategy_named(strategy), scenario.speed.policy)
-        samples = duration(scenario, strategy) / fine_step(scenario, driving)
-        return round(samples * len(SIGNALS) * (np.dtype(np.float64).itemsize + 2 * np.dtype(np.float32).itemsize))
-
-    @property
-    def nbytes(self) -> int:
-        """Memory its arrays take."""
-        return self.total.nbytes + self.minimum.nbytes + self.maximum.nbytes
+        samples = most_samples(scenario, strategy)
+        return samples * len(SIGNALS) * (np.dtype(np.float64).itemsize + 2 * np.dtype(np.float32).itemsize)
 
     @property
     def mean(self) -> SeriesArray:
@@ -76,51 +81,80 @@ class Band:
         return (self.total / self.roads).astype(np.float32)
 
 
-def drive(roads: Sequence[Scenario], strategy: str, band: Band | None) -> Band:
+def text_size(samples: Iterable[int], signals: int, points: int | None) -> float:
+    """About how long the JSON of so many signals is [bytes], from how many samples each strategy has."""
+    return 3 * signals * VALUE_BYTES["json"] * sum(count if points is None else min(count, points) for count in samples)
+
+
+def drive(roads: Sequence[Scenario], strategy: str, before: tuple[Path, int], after: Path) -> int:
     """Drive those of the roads that the band does not hold yet, as many as fit into `LONGEST_TASK`, at least one.
+
+    Args:
+        roads: All of them.
+        strategy: Its id.
+        before: The band's file, and how many roads it holds, perhaps none.
+        after: The file that will hold the band with these roads; another one, so that a task can be tried again.
+
+    Returns:
+        How many roads that one holds.
 
     Raises:
         RidelabError: As `simulate` raises.
     """
     end = time.perf_counter() + LONGEST_TASK
-    for road in roads[band.roads if band else 0 :]:
+    path, done = before
+    band: Band | None = None
+    for road in roads[done:]:
         series = pack(simulate(road, strategy))
+        if band is None and done:
+            band = Band.load(path, done)
         band = Band.of(series) if band is None else band.with_road(series)
         if time.perf_counter() > end:
             break
     if band is None:
         raise ValueError("No roads")
-    return band
+    band.save(after)
+    return band.roads
 
 
 def render(
-    bands: Mapping[str, Band], stages: Mapping[str, Stages], signals: Sequence[str], points: int | None, encoding: str
+    files: Mapping[str, Path],
+    roads: int,
+    stages: Mapping[str, Stages],
+    signals: Sequence[str],
+    points: int | None,
+    encoding: str,
+    path: Path | None,
 ) -> bytes:
     """JSON of `backend.runs.roads_models.Bands`.
 
     Args:
-        bands: By strategy, all over the same roads.
+        files: By strategy its band's.
+        roads: How many each holds.
         stages: By strategy its driving stages, see `series.decimate`.
         signals: Keys in the catalogue's order, time the first.
         points: About how many samples, the same ones of mean, minimum and maximum; None is all.
         encoding: How JSON holds numbers: `list` or `base64`.
+        path: Where to, see `pieces.rendered`.
     """
-    (roads,) = {band.roads for band in bands.values()}
     content = {
         "core_version": CORE_VERSION,
         "roads": roads,
         "units": {key: SIGNALS[key].unit for key in signals},
-        "strategies": {name: _decimated(band, signals, points, stages[name], encoding) for name, band in bands.items()},
+        "strategies": {
+            name: partial(_decimated, file, roads, signals, points, stages[name], encoding)
+            for name, file in files.items()
+        },
     }
-    return orjson.dumps(content, option=orjson.OPT_SERIALIZE_NUMPY)
+    return rendered(partial(write_json, content), path)
 
 
-def _decimated(band: Band, signals: Sequence[str], points: int | None, stages: Stages, encoding: str) -> JsonObject:
+def _decimated(
+    file: Path, roads: int, signals: Sequence[str], points: int | None, stages: Stages, encoding: str
+) -> JsonObject:
+    band = Band.load(file, roads)
     spread = [key for key in signals if key not in SAME_ON_EVERY_ROAD]
-    parts = [(band.mean, signals), (band.minimum, spread), (band.maximum, spread)]
-    few = decimate(np.vstack([array[[ROWS[key] for key in keys]] for array, keys in parts]), points, stages)
-    rows = iter(packed(row) if encoding == "base64" else row for row in few)
-    return {
-        name: {key: next(rows) for key in keys}
-        for name, (_, keys) in zip(("mean", "minimum", "maximum"), parts, strict=True)
-    }
+    parts = {"mean": (band.mean, signals), "minimum": (band.minimum, spread), "maximum": (band.maximum, spread)}
+    few = decimate(np.vstack([array[[ROWS[key] for key in keys]] for array, keys in parts.values()]), points, stages)
+    rows = iter(few)
+    return {name: as_json({key: next(rows) for key in keys}, keys, encoding) for name, (_, keys) in parts.items()}

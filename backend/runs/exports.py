@@ -1,21 +1,34 @@
-"""Time histories of a run as a file: JSON, CSV or Parquet; pinned, or simulated again; in a worker."""
+"""Time histories of a run as a file: JSON, CSV or Parquet; pinned, or simulated again; in a worker.
 
-import io
-from collections.abc import Mapping, Sequence
+Strategy after strategy is driven and written, some samples at a time: the text never stands in memory as a whole.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from functools import partial
+from pathlib import Path
+from typing import IO, Literal
 
-import numpy as np
-import orjson
 import pyarrow as pa
 from pyarrow import csv, parquet
 
 from backend.ecu.drive import simulate
 from backend.json_types import JsonObject
+from backend.pieces import rendered, write_json
 from backend.runs import pins
-from backend.runs.series import ROWS, SeriesArray, Stages, as_json, pack
+from backend.runs.series import SeriesArray, Stages, as_json, by_signal, pack
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
+
+AT_ONCE = 50_000  # samples of a table
+# Of one value, about [bytes]; text of float32.
+VALUE_BYTES = {"csv": 12.0, "json": 12.0, "parquet": 5.0}
+BASE64_BYTES = 16 / 3
+NAME_BYTES = 16  # of a strategy in each row of CSV [bytes]
+BYTE_COST = 2e-8  # of one byte [s of one core]
+
+Columns = Mapping[str, SeriesArray]  # by signal; shape (samples,)
+Members = Mapping[str, Callable[[], Columns]]  # by strategy what makes them: those of one at a time are there
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,56 +49,67 @@ class Export:
     encoding: Literal["list", "base64"]
     provenance: Mapping[str, str]
 
+    def size(self, samples: Iterable[int]) -> float:
+        """About how long the file will be [bytes], from how many samples each strategy has."""
+        is_base64 = self.file_format == "json" and self.encoding == "base64"
+        each = len(self.signals) * (BASE64_BYTES if is_base64 else VALUE_BYTES[self.file_format])
+        if self.file_format == "csv" and len(self.strategies) > 1:
+            each += NAME_BYTES
+        return each * sum(count if self.points is None else min(count, self.points) for count in samples)
 
-def render(scenario: Scenario, export: Export) -> bytes:
-    """Simulate and render."""
-    return _rendered({name: pack(simulate(scenario, name), export.points) for name in export.strategies}, export)
+
+def render(scenario: Scenario, export: Export, path: Path | None) -> bytes:
+    """Simulate and render; arguments and result as of `pieces.rendered`."""
+    members = {name: partial(_driven, scenario, name, export.points) for name in export.strategies}
+    return rendered(partial(_write, members, export), path)
 
 
-def render_pinned(pinned: Mapping[str, bytes], stages: Mapping[str, Stages], export: Export) -> bytes:
+def render_pinned(
+    pinned: Mapping[str, bytes], stages: Mapping[str, Stages], export: Export, path: Path | None
+) -> bytes:
     """Render pinned time histories (arguments as for `pins.opened`); signals that were not pinned are left out."""
-    members = pins.opened(pinned, stages, export.points)
-    present = [key for key in export.signals if not any(np.isnan(array[ROWS[key]]).all() for array in members.values())]
-    return _rendered(members, replace(export, signals=present))
+    present = set.intersection(*(pins.signals(content) for content in pinned.values()))
+    export = replace(export, signals=[key for key in export.signals if key in present])
+    members = {name: partial(pins.columns, pinned[name], stages[name], export.points) for name in pinned}
+    return rendered(partial(_write, members, export), path)
 
 
-def _rendered(members: Mapping[str, SeriesArray], export: Export) -> bytes:
-    if export.file_format == "csv":
-        return render_csv(members, export)
-    if export.file_format == "parquet":
-        return render_parquet(members, export)
-    return render_json(members, export)
+def _driven(scenario: Scenario, name: str, points: int | None) -> Columns:
+    return by_signal(pack(simulate(scenario, name), points))
 
 
-def render_json(members: Mapping[str, SeriesArray], export: Export) -> bytes:
+def _write(members: Members, export: Export, file: IO[bytes]) -> None:
+    {"json": _write_json, "csv": _write_csv, "parquet": _write_parquet}[export.file_format](members, export, file)
+
+
+def _write_json(members: Members, export: Export, file: IO[bytes]) -> None:
     """`{strategy, series}` of one strategy, `{strategies}` of several, with the units beside."""
-    bodies = {name: as_json(array, export.signals, export.encoding) for name, array in members.items()}
+
+    def series(columns: Callable[[], Columns]) -> JsonObject:
+        return as_json(columns(), export.signals, export.encoding)
+
+    bodies: JsonObject = {name: partial(series, columns) for name, columns in members.items()}
     if len(bodies) == 1:
         ((name, body),) = bodies.items()
         content: JsonObject = {"strategy": name, "series": body}
     else:
         content = {"strategies": bodies}
     units = {key: SIGNALS[key].unit for key in export.signals}
-    head = {"core_version": export.provenance["core_version"], "units": units}
-    return orjson.dumps({**head, **content}, option=orjson.OPT_SERIALIZE_NUMPY)
+    write_json({"core_version": export.provenance["core_version"], "units": units, **content}, file)
 
 
-def render_csv(members: Mapping[str, SeriesArray], export: Export) -> bytes:
+def _write_csv(members: Members, export: Export, file: IO[bytes]) -> None:
     """A table with units in its header and nothing else, as spreadsheets read it."""
-    sink = io.BytesIO()
-    csv.write_csv(_table(members, export.signals), sink, csv.WriteOptions(quoting_header="none"))
-    return sink.getvalue()
+    with csv.CSVWriter(file, _schema(export), write_options=csv.WriteOptions(quoting_header="none")) as writer:
+        for table in _tables(members, export):
+            writer.write_table(table)
 
 
-def render_parquet(members: Mapping[str, SeriesArray], export: Export) -> bytes:
+def _write_parquet(members: Members, export: Export, file: IO[bytes]) -> None:
     """The table as Parquet; units are field metadata, the provenance is the file's."""
-    table = _table(members, export.signals)
-    units = {column_name(key): {"signal": key, "unit": SIGNALS[key].unit} for key in export.signals}
-    fields = [field.with_metadata(units.get(field.name, {})) for field in table.schema]
-    provenance = {f"ridelab.{key}": value for key, value in export.provenance.items()}
-    sink = io.BytesIO()
-    parquet.write_table(table.cast(pa.schema(fields, metadata=provenance)), sink, compression="zstd")
-    return sink.getvalue()
+    with parquet.ParquetWriter(file, _schema(export), compression="zstd") as writer:
+        for table in _tables(members, export):
+            writer.write_table(table)
 
 
 def column_name(key: str) -> str:
@@ -93,12 +117,27 @@ def column_name(key: str) -> str:
     return f"{key} [{SIGNALS[key].unit}]"
 
 
-def _table(members: Mapping[str, SeriesArray], signals: Sequence[str]) -> pa.Table:
-    """A table with a row for each sample; a first column names the strategy where there are several."""
-    columns = {}
-    if len(members) > 1:
-        lengths = [array.shape[1] for array in members.values()]
-        columns["strategy"] = pa.array(np.repeat(list(members), lengths))
-    for key in signals:
-        columns[column_name(key)] = pa.array(np.concatenate([array[ROWS[key]] for array in members.values()]))
-    return pa.table(columns)
+def _schema(export: Export) -> pa.Schema:
+    """A column for each signal; a first one names the strategy where there are several."""
+    named = [pa.field("strategy", pa.string())] if len(export.strategies) > 1 else []
+    fields = [
+        pa.field(column_name(key), pa.float32(), metadata={"signal": key, "unit": SIGNALS[key].unit})
+        for key in export.signals
+    ]
+    provenance = {f"ridelab.{key}": value for key, value in export.provenance.items()}
+    return pa.schema(named + fields, metadata=provenance)
+
+
+def _tables(members: Members, export: Export) -> Iterator[pa.Table]:
+    """Tables of that schema with a row for each sample."""
+    for name, columns in members.items():
+        yield from _tables_of(name, columns(), export)
+
+
+def _tables_of(name: str, columns: Columns, export: Export) -> Iterator[pa.Table]:
+    schema, count = _schema(export), len(columns[export.signals[0]])
+    for start in range(0, count, AT_ONCE):
+        end = min(count, start + AT_ONCE)
+        named = [pa.repeat(name, end - start)] if len(export.strategies) > 1 else []
+        values = [pa.array(columns[key][start:end]) for key in export.signals]
+        yield pa.Table.from_arrays(named + values, schema=schema)

@@ -1,8 +1,7 @@
 """Time histories of stored runs: pinned by a link, or simulated again by the core version that computed the run."""
 
 import asyncio
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from functools import partial
 
 from cachetools import LRUCache
@@ -10,12 +9,13 @@ from cachetools import LRUCache
 from backend import digest
 from backend.compute.flights import Flights
 from backend.compute.workers import Workers
-from backend.errors import BusyError, CostLimitError, GoneError, InvalidError, RoadGoneError
+from backend.errors import CostLimitError, GoneError, InvalidError, RoadGoneError
 from backend.http.admission import Admission, cost_of
+from backend.http.spool import Spool, SpoolFile, refused_where_full
 from backend.roads.service import Roads
 from backend.runs import bands, exports, pins
 from backend.runs.results import Results
-from backend.runs.series import Stages
+from backend.runs.series import Stages, most_samples
 from backend.runs.work import ComputedResult
 from backend.store import Store, StoredRun
 from sim_core import __version__ as CORE_VERSION
@@ -24,22 +24,24 @@ from sim_core.study.roads import seeded
 from sim_core.workload import estimate
 
 FIGURE_POINTS = 2000
-BAND_BYTES = 64 * 1024 * 1024  # of bands in memory: those of a dozen strategies
-MAX_OPEN_BYTES = 2 * bands.MAX_BYTES  # of the bands of all requests at once
+BAND_BYTES = 64 * 1024 * 1024  # of cached bands: those of a dozen strategies
+LEAST_BAND = 4 * 1024 * 1024  # as which a shorter one counts, so that few files stay open [bytes]
 
 
 class Histories:
     """Reads or simulates time histories; its methods belong to the event loop."""
 
-    def __init__(self, *, store: Store, workers: Workers, results: Results, admission: Admission, roads: Roads) -> None:
+    def __init__(
+        self, *, store: Store, workers: Workers, results: Results, admission: Admission, roads: Roads, spool: Spool
+    ) -> None:
+        self._spool = spool
         self._store = store
         self._workers = workers
         self._results = results
         self._admission = admission
         self._roads = roads
-        self._bands: LRUCache[str, bands.Band] = LRUCache(BAND_BYTES, getsizeof=lambda band: band.nbytes)
-        self._open_bytes = 0
-        self._flights: Flights[str, bands.Band] = Flights()
+        self._bands: LRUCache[str, SpoolFile] = LRUCache(BAND_BYTES, getsizeof=lambda band: max(LEAST_BAND, band.size))
+        self._flights: Flights[str, SpoolFile] = Flights()
 
     async def keys(self, stored: StoredRun) -> dict[str, str]:
         """Result keys of the strategies whose exact time histories are pinned or can be simulated again.
@@ -90,17 +92,27 @@ class Histories:
             if item.strategy in arrays
         }
 
-    async def exported(self, stored: StoredRun, keys: Mapping[str, str], export: exports.Export, client: str) -> bytes:
-        """Those strategies' time histories (`keys` has their result keys) as a file."""
-        pinned = await self._pinned(keys)
+    async def exported(
+        self, stored: StoredRun, keys: Mapping[str, str], export: exports.Export, client: str
+    ) -> bytes | SpoolFile:
+        """Those strategies' time histories (`keys` has their result keys) as a file.
+
+        Raises:
+            CostLimitError: It would be too long.
+            TemporaryError: Too much is being computed, or waits to be read.
+        """
         scenario = Scenario.model_validate(stored.scenario)
+        size = export.size(most_samples(scenario, name) for name in keys)
+        cost = exports.BYTE_COST * size
+        pinned = await self._pinned(keys)
         if pinned is not None:
-            with self._admission.computing(client, 0.0):  # a place, but next to no work
-                return await self._workers.call(exports.render_pinned, pinned, _stages(stored), export, client=client)
-        scenario = await self._on_its_road(scenario)
-        cost = cost_of(scenario, keys)
+            work = partial(exports.render_pinned, pinned, _stages(stored), export)
+        else:
+            work = partial(exports.render, await self._on_its_road(scenario), export)
+            cost += cost_of(scenario, keys)
         with self._admission.computing(client, cost):
-            return await self._workers.call(exports.render, scenario, export, client=client, cost=cost)
+            call = partial(self._workers.call, work, client=client, cost=cost)
+            return await self._spool.render(client, size, call)
 
     async def over_roads(
         self,
@@ -110,13 +122,13 @@ class Histories:
         points: int | None,
         encoding: str,
         client: str,
-    ) -> bytes:
+    ) -> bytes | SpoolFile:
         """Mean, smallest and largest values of those strategies over the run's roads as JSON (`bands.render`).
 
         Raises:
             GoneError: Another core version computed the run: links pin the first road's time histories alone.
             CostLimitError: Its time histories are too long.
-            BusyError: Those of other requests take the memory.
+            TemporaryError: Too much is being computed, or waits to be read.
         """
         if stored.core_version != CORE_VERSION:
             raise GoneError(
@@ -128,7 +140,8 @@ class Histories:
         found = {name: self._bands[key] for name, key in keys.items() if key in self._bands}
         missing = [name for name in names if name not in found]
         cost = stored.roads * cost_of(roads[0], missing)
-        with self._memory(roads[0], names), self._admission.computing(client, cost):
+        self._check_memory(roads[0], names)
+        with self._admission.computing(client, cost):
             tasks = [
                 asyncio.create_task(self._flights.join(keys[name], partial(self._drive, roads, name, client)))
                 for name in missing
@@ -138,15 +151,15 @@ class Histories:
             finally:
                 for task in tasks:
                     task.cancel()
-            self._bands.update({keys[name]: found[name] for name in missing if found[name].nbytes <= BAND_BYTES})
-            ordered = {name: found[name] for name in names}
-            return await self._workers.call(
-                bands.render, ordered, _stages(stored), signals, points, encoding, client=client
-            )
+            self._bands.update({keys[name]: found[name] for name in missing if found[name].size <= BAND_BYTES})
+            paths = {name: found[name].path for name in names}
+            work = partial(bands.render, paths, stored.roads, _stages(stored), signals, points, encoding)
+            size = bands.text_size((most_samples(roads[0], name) for name in names), len(signals), points)
+            return await self._spool.render(client, size, partial(self._workers.call, work, client=client))
 
-    @contextmanager
-    def _memory(self, scenario: Scenario, names: Sequence[str]) -> Iterator[None]:
-        """Count the memory of one request's bands, which this process holds while workers drive road after road."""
+    @staticmethod
+    def _check_memory(scenario: Scenario, names: Sequence[str]) -> None:
+        """Refuse bands that would be too large for a worker."""
         size = sum(bands.Band.most_nbytes(scenario, name) for name in names)
         if size > bands.MAX_BYTES:
             raise CostLimitError(
@@ -154,21 +167,18 @@ class Histories:
                 f"{bands.MAX_BYTES >> 20} MiB: ask for fewer strategies, or run a shorter road or a higher speed.",
                 parameter="strategy",
             )
-        if self._open_bytes + size > MAX_OPEN_BYTES:
-            raise BusyError("The service is full: too many time histories over several roads are being computed.")
-        self._open_bytes += size
-        try:
-            yield
-        finally:
-            self._open_bytes -= size
 
-    async def _drive(self, roads: Sequence[Scenario], name: str, client: str) -> bands.Band:
-        """One strategy over all roads, slice by slice, so that other requests come in between."""
-        band: bands.Band | None = None
+    async def _drive(self, roads: Sequence[Scenario], name: str, client: str) -> SpoolFile:
+        """The band of one strategy over all roads, slice by slice, so that other requests come in between."""
+        size, done = bands.Band.most_nbytes(roads[0], name), 0
+        before, after = self._spool.file(client, size), self._spool.file(client, size)
         cost = max(bands.LONGEST_TASK, estimate(roads[0], name))
-        while band is None or band.roads < len(roads):
-            band = await self._workers.call(bands.drive, roads, name, band, client=client, cost=cost)
-        return band
+        with refused_where_full():
+            while done < len(roads):
+                work = partial(bands.drive, roads, name, (before.path, done), after.path)
+                done = await self._workers.call(work, client=client, cost=cost)
+                before, after = after, before
+        return before
 
     async def _on_its_road(self, scenario: Scenario) -> Scenario:
         """A stored run's scenario with the heights of its measured road.

@@ -47,11 +47,21 @@ def write(series: SeriesArray, strategy: str, core_version: str = CORE_VERSION) 
     return sink.getvalue()
 
 
-def read(content: bytes) -> dict[str, SeriesArray]:
-    """By signal its samples: the signals of the current catalogue with the same unit, in its order."""
-    table = parquet.read_table(pa.BufferReader(content))
-    units = {field.name: (field.metadata or {}).get(b"unit", b"").decode() for field in table.schema}
-    return {key: table[key].to_numpy() for key, quantity in SIGNALS.items() if units.get(key) == quantity.unit}
+def signals(content: bytes) -> set[str]:
+    """The pinned signals of the current catalogue with the same unit."""
+    schema = parquet.read_schema(pa.BufferReader(content))
+    units = {field.name: (field.metadata or {}).get(b"unit", b"").decode() for field in schema}
+    return {key for key, quantity in SIGNALS.items() if units.get(key) == quantity.unit}
+
+
+def columns(content: bytes, stages: Stages, points: int | None) -> dict[str, SeriesArray]:
+    """By signal about so many of its samples; `signals` in the catalogue's order."""
+    present = signals(content)
+    table = parquet.read_table(pa.BufferReader(content), columns=[key for key in SIGNALS if key in present])
+    samples = {key: column.to_numpy() for key, column in zip(table.column_names, table.columns, strict=True)}
+    if points is None:
+        return samples
+    return dict(zip(samples, decimate(np.stack(list(samples.values())), points, stages), strict=True))
 
 
 def opened(pinned: Mapping[str, bytes], stages: Mapping[str, Stages], points: int | None) -> dict[str, SeriesArray]:
@@ -62,11 +72,11 @@ def opened(pinned: Mapping[str, bytes], stages: Mapping[str, Stages], points: in
         stages: By strategy its driving stages, see `series.decimate`.
         points: About how many samples; None is all.
     """
-    return {name: _aligned(read(content), stages[name], points) for name, content in pinned.items()}
+    return {name: _aligned(columns(content, stages[name], points)) for name, content in pinned.items()}
 
 
-def _aligned(columns: Mapping[str, SeriesArray], stages: Stages, points: int | None) -> SeriesArray:
-    few = decimate(np.stack(list(columns.values())), points, stages)
-    array = np.full((len(ROWS), few.shape[1]), np.nan, dtype=np.float32)
-    array[[ROWS[key] for key in columns]] = few
+def _aligned(few: Mapping[str, SeriesArray]) -> SeriesArray:
+    array = np.full((len(ROWS), len(few["time"])), np.nan, dtype=np.float32)
+    for key, values in few.items():
+        array[ROWS[key]] = values
     return array

@@ -7,6 +7,8 @@ import base64
 import itertools
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
+from math import ceil
 from typing import Self
 
 import numpy as np
@@ -15,6 +17,9 @@ from numpy.typing import NDArray
 from backend.json_types import JsonObject
 from sim_core.catalogue import BUMP, SIGNALS
 from sim_core.result import StrategyResult
+from sim_core.scenario import Scenario
+from sim_core.strategies import driven, strategy_named
+from sim_core.workload import duration, samples
 
 SeriesArray = NDArray[np.float32]
 ROWS = {key: row for row, key in enumerate(SIGNALS)}
@@ -138,8 +143,20 @@ def unpacked(values: Mapping[str, str]) -> NDArray[np.float32]:
     return np.frombuffer(base64.b64decode(values["bdata"]), dtype="<f4")
 
 
-def as_json(series: SeriesArray, signals: Iterable[str], encoding: str) -> JsonObject:
-    """By signal its values, as lists (`list`) or typed arrays (`base64`)."""
+def as_json(series: Mapping[str, SeriesArray], signals: Iterable[str], encoding: str) -> JsonObject:
+    """By signal its values for `pieces.write_json`, as lists (`list`) or typed arrays (`base64`)."""
     if encoding == "base64":
-        return {key: packed(series[ROWS[key]]) for key in signals}
-    return {key: series[ROWS[key]] for key in signals}
+        return {key: partial(packed, series[key]) for key in signals}
+    return {key: series[key] for key in signals}
+
+
+def by_signal(series: SeriesArray) -> dict[str, SeriesArray]:
+    """The rows of a series array by their signals."""
+    return dict(zip(SIGNALS, series, strict=True))
+
+
+def most_samples(scenario: Scenario, strategy: str) -> int:
+    """About the most samples that the strategy's time histories have."""
+    driving = driven(strategy_named(strategy), scenario.speed.policy)
+    steps, fine = samples(scenario, driving, duration(scenario, strategy))
+    return ceil(steps) * fine

@@ -19,6 +19,7 @@ from backend.errors import (
     RoadGoneError,
 )
 from backend.http.admission import Admission, cost_of
+from backend.http.spool import Spool, SpoolFile
 from backend.json_types import JsonObject
 from backend.metrics import CACHE
 from backend.models import CreatedRun, LiveRun, Run
@@ -52,12 +53,16 @@ logger = logging.getLogger(__name__)
 class Runs:
     """The one service of runs; its methods belong to the event loop."""
 
-    def __init__(self, *, store: Store, workers: Workers, results: Results, admission: Admission, roads: Roads) -> None:
+    def __init__(
+        self, *, store: Store, workers: Workers, results: Results, admission: Admission, roads: Roads, spool: Spool
+    ) -> None:
         self._store = store
         self._results = results
         self._admission = admission
         self._roads = roads
-        self._histories = Histories(store=store, workers=workers, results=results, admission=admission, roads=roads)
+        self._histories = Histories(
+            store=store, workers=workers, results=results, admission=admission, roads=roads, spool=spool
+        )
         self._store_usable = True
 
     async def store_usable(self) -> bool:
@@ -152,7 +157,7 @@ class Runs:
         fields: dict[str, JsonObject] = {name: {"cached": item.cached} for name, item in results.items()}
         for name, outcome in outcomes.items():
             if outcome.series is not None:
-                fields[name]["series"] = series.as_json(outcome.series, keys, "base64")
+                fields[name]["series"] = {key: series.packed(outcome.series[series.ROWS[key]]) for key in keys}
         return live_answer(scenario, outcomes, fields)
 
     async def series(
@@ -165,7 +170,7 @@ class Runs:
         points: int | None,
         file_format: Literal["json", "csv", "parquet"],
         encoding: Literal["list", "base64"],
-    ) -> bytes:
+    ) -> bytes | SpoolFile:
         """Time histories of a stored run in one of the formats.
 
         Args:
@@ -207,7 +212,7 @@ class Runs:
         signals: Sequence[str] | None,
         points: int | None,
         encoding: Literal["list", "base64"],
-    ) -> bytes:
+    ) -> bytes | SpoolFile:
         """Time histories over all roads of a stored run as JSON; arguments as for `series`, no strategies are all.
 
         Raises:

@@ -32,6 +32,11 @@ def columns(rows: Sequence[JobRow], names: Iterable[str], figures: Iterable[str]
     return table
 
 
+def column_texts(rows: Sequence[JobRow], names: Iterable[str], figures: Iterable[str]) -> list[bytes]:
+    """`columns` as JSON, of each its values with commas between."""
+    return [orjson.dumps(values)[1:-1] for values in columns(rows, names, figures).values()]
+
+
 def as_json(rows: Sequence[JobRow]) -> bytes:
     """Some rows as objects of JSON with commas between."""
     return b",".join(map(_json_row, rows))

@@ -1,5 +1,6 @@
 """Batches: accepted whole or refused, then read while the scheduler has them computed."""
 
+import asyncio
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from functools import partial
@@ -8,6 +9,7 @@ from typing import Any, TypeVar
 from backend.compute.workers import Workers
 from backend.errors import CHEAPER_RUN, ConflictError, CostLimitError, InvalidError
 from backend.http.admission import Admission
+from backend.http.spool import Spool, SpoolFile
 from backend.jobs.chunk import JobRow
 from backend.jobs.service import Jobs, request_hash
 from backend.jobs.sweep import plan, rendering, table
@@ -41,6 +43,7 @@ class Sweeps:
         admission: What is accepted at once.
         settings: Of the service.
         roads: The measured ones.
+        spool: For long tables.
     """
 
     def __init__(
@@ -52,7 +55,9 @@ class Sweeps:
         admission: Admission,
         settings: Settings,
         roads: Roads,
+        spool: Spool,
     ) -> None:
+        self._spool = spool
         self.jobs = Jobs("sweep", store=store, admission=admission, settings=settings)
         self._store = store
         self._workers = workers
@@ -175,24 +180,27 @@ class Sweeps:
             raise ConflictError("It is done: nothing is left to run.", kind="done")
         return await self.jobs.resume(job_id)
 
-    async def table(self, job_id: str, figures: Sequence[str], client: str) -> JsonObject:
-        """Every row column by column, with those figures, as `BatchTable`; a large one would take long to validate.
+    async def table(self, job_id: str, figures: Sequence[str], client: str) -> bytes | SpoolFile:
+        """Every row column by column, with those figures, as JSON of `BatchTable`.
 
         Raises:
             NotFoundError: There is no such batch.
-            TemporaryError: Too much is being computed.
+            TemporaryError: Too much is being computed, or waits to be read.
         """
         job = await self.jobs.get(job_id)
         fields = job.request["fields"]
-        whole: dict[str, list[Any]] = rendering.columns([], fields, figures)
-        call = self._page_call(client)
-        with self._admission.computing(client, rendering.ROW_COST * job.total):
+        names = [*table.FIXED, *fields, *figures]
+        size, call = table.VALUE_BYTES * job.total * len(names), self._page_call(client)
+        with (
+            self._admission.computing(client, rendering.ROW_COST * job.total),
+            self._spool.scratch(client, size) as scratch,
+        ):
+            pages = table.ColumnPages(names, scratch)
             async for rows in self.rows(job.id):
-                page = await call(rendering.columns, rows, fields, figures)
-                for name, values in page.items():
-                    whole[name] += values
-        units = {name: unit for name, unit in table.units(job).items() if name in whole}
-        return {"batch": job.id, "state": job.state, "units": units, "columns": whole}
+                pages.add(await call(rendering.column_texts, rows, fields, figures))
+            units = {name: unit for name, unit in table.units(job).items() if name in names}
+            head = {"batch": job.id, "state": job.state, "units": units}
+            return await self._spool.render(client, size, partial(asyncio.to_thread, pages.assembled, head))
 
     async def summary(self, job_id: str, figures: Sequence[str], baseline: str | None, client: str) -> BatchSummary:
         """The summary of its finished rows.

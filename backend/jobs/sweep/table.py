@@ -2,8 +2,11 @@
 
 import asyncio
 import io
-from collections.abc import AsyncIterator, Awaitable, Callable, Mapping
-from typing import Any, Literal
+import itertools
+from collections.abc import AsyncIterator, Awaitable, Callable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import IO, Any, Literal
 
 import orjson
 import pyarrow as pa
@@ -11,6 +14,8 @@ from pyarrow import csv, parquet
 
 from backend.jobs.chunk import JobRow
 from backend.jobs.sweep import rendering
+from backend.json_types import JsonObject
+from backend.pieces import rendered
 from backend.store import StoredJob
 from sim_core.catalogue import METRICS
 from sim_core.scenario import dotted
@@ -19,6 +24,7 @@ Format = Literal["json", "csv", "parquet"]
 Pages = AsyncIterator[list[JobRow]]
 Call = Callable[..., Awaitable[Any]]  # runs a function in a worker
 
+VALUE_BYTES = 16  # of one value as JSON, about
 FIXED = ("run", "strategy", "status", "reason", "core_version")
 
 
@@ -72,6 +78,40 @@ RENDERERS: Mapping[Format, Callable[[StoredJob, Pages, Call], AsyncIterator[byte
     "csv": as_csv,
     "parquet": as_parquet,
 }
+
+
+class ColumnPages:
+    """Columns as JSON texts that come page by page and are read column by column; memory holds none of them.
+
+    Args:
+        names: Of the columns.
+        file: Where the texts are meanwhile.
+    """
+
+    def __init__(self, names: Sequence[str], file: IO[bytes]) -> None:
+        self._names = names
+        self._file = file
+        self._pages: list[list[int]] = []  # of each page where its columns end in the file
+
+    def add(self, texts: Sequence[bytes]) -> None:
+        """Add a page: of each column the next values with commas between."""
+        begin = self._file.tell()
+        self._file.write(b"".join(texts))
+        self._pages.append(list(itertools.accumulate(map(len, texts), initial=begin)))
+
+    def assembled(self, head: JsonObject, path: Path | None) -> bytes:
+        """The members of `head`, then `columns` by name; where to, see `pieces.rendered`."""
+        return rendered(partial(self._write, head), path)
+
+    def _write(self, head: JsonObject, file: IO[bytes]) -> None:
+        file.write(orjson.dumps(head)[:-1] + b',"columns":{')
+        for column, name in enumerate(self._names):
+            file.write((b"," if column else b"") + orjson.dumps(name) + b":[")
+            for number, ends in enumerate(self._pages):
+                self._file.seek(ends[column])
+                file.write((b"," if number else b"") + self._file.read(ends[column + 1] - ends[column]))
+            file.write(b"]")
+        file.write(b"}}")
 
 
 class _Drain(io.RawIOBase):
