@@ -23,10 +23,17 @@ class Series(Mapping[str, FloatArray]):
         self._length = len(shared["time"])
 
     def __getitem__(self, key: str) -> FloatArray:
-        """The history of a signal (samples,), made anew each time: kept, long ones would take as much again."""
+        """The history of a signal (samples,), put together anew each time: long ones would take as much again."""
+        return self.between(key, 0, self._length)
+
+    def between(self, key: str, start: int, end: int) -> FloatArray:
+        """A signal's samples from `start` up to before `end`."""
         if key in self._shared:
-            return self._shared[key]
-        return self._columns[key][:-1].T.reshape(-1)[: self._length]
+            return self._shared[key][start:end]
+        columns = self._columns[key]
+        each = len(columns) - 1
+        first = start // each
+        return columns[:-1, first : -(-end // each)].T.reshape(-1)[start - first * each : end - first * each]
 
     def columns(self, key: str) -> FloatArray:
         """A signal with its values at both ends of every held command (samples + 1, n).

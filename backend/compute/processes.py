@@ -51,6 +51,15 @@ def _set_allocator(*settings: tuple[int, int]) -> None:
             mallopt(parameter, value)
 
 
+def make_room() -> None:
+    """Empty the caches, and have glibc give back what it keeps, before a task that takes much memory."""
+    from sim_core.caching import SHARED
+
+    SHARED.clear()
+    with suppress(OSError, AttributeError):  # another C library
+        ctypes.CDLL(None).malloc_trim(0)
+
+
 def start(nice: int) -> None:
     """Make a new worker keep its memory and end with the service, even a killed one, and tasks end by INTERRUPT.
 

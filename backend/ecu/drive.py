@@ -2,6 +2,7 @@
 
 import logging
 
+from backend.compute.processes import make_room
 from backend.ecu import build
 from backend.ecu.build import EcuError
 from backend.ecu.link import connected
@@ -9,9 +10,11 @@ from backend.errors import EcuUnavailableError
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate as simulate_core
-from sim_core.strategies import SuspensionPolicy, strategy_named
+from sim_core.strategies import SuspensionPolicy, driven, strategy_named
+from sim_core.workload import expected_time, memory
 
 logger = logging.getLogger(__name__)
+LARGE = 100e6  # a run's arrays, before which everything that can be spared makes room [bytes]
 
 
 def simulate(scenario: Scenario, name: str) -> StrategyResult:
@@ -21,7 +24,10 @@ def simulate(scenario: Scenario, name: str) -> StrategyResult:
         EcuUnavailableError: The program cannot be built, or failed twice.
         RidelabError: As `sim_core.simulate.simulate` raises.
     """
-    if strategy_named(name).suspension is SuspensionPolicy.ECU:
+    strategy = driven(strategy_named(name), scenario.speed.policy)
+    if memory(scenario, strategy, expected_time(scenario, strategy)) > LARGE:
+        make_room()
+    if strategy.suspension is SuspensionPolicy.ECU:
         try:
             build.program()
         except EcuError as error:

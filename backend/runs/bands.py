@@ -157,4 +157,7 @@ def _decimated(
     parts = {"mean": (band.mean, signals), "minimum": (band.minimum, spread), "maximum": (band.maximum, spread)}
     few = decimate(np.vstack([array[[ROWS[key] for key in keys]] for array, keys in parts.values()]), points, stages)
     rows = iter(few)
-    return {name: as_json({key: next(rows) for key in keys}, keys, encoding) for name, (_, keys) in parts.items()}
+    by_part: dict[str, dict[str, SeriesArray]] = {
+        name: {key: next(rows) for key in keys} for name, (_, keys) in parts.items()
+    }
+    return {name: as_json(each.__getitem__, each, encoding) for name, each in by_part.items()}

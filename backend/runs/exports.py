@@ -9,6 +9,7 @@ from functools import partial
 from pathlib import Path
 from typing import IO, Literal
 
+import numpy as np
 import pyarrow as pa
 from pyarrow import csv, parquet
 
@@ -16,18 +17,30 @@ from backend.ecu.drive import simulate
 from backend.json_types import JsonObject
 from backend.pieces import rendered, write_json
 from backend.runs import pins
-from backend.runs.series import SeriesArray, Stages, as_json, by_signal, pack
+from backend.runs.series import ROWS, SeriesArray, Stages, as_json, pack
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
 
-AT_ONCE = 50_000  # samples of a table
+AT_ONCE = 10_000  # samples of a table
 # Of one value, about [bytes]; text of float32.
 VALUE_BYTES = {"csv": 12.0, "json": 12.0, "parquet": 5.0}
 BASE64_BYTES = 16 / 3
 NAME_BYTES = 16  # of a strategy in each row of CSV [bytes]
 BYTE_COST = 2e-8  # of one byte [s of one core]
 
-Columns = Mapping[str, SeriesArray]  # by signal; shape (samples,)
+
+@dataclass(frozen=True, slots=True)
+class Columns:
+    """One strategy's time histories: how many samples, and a signal's samples from one up to before another."""
+
+    count: int
+    values: Callable[[str, int, int], SeriesArray]
+
+    def whole(self, key: str) -> SeriesArray:
+        """All samples of a signal."""
+        return self.values(key, 0, self.count)
+
+
 Members = Mapping[str, Callable[[], Columns]]  # by strategy what makes them: those of one at a time are there
 
 
@@ -70,12 +83,22 @@ def render_pinned(
     """Render pinned time histories (arguments as for `pins.opened`); signals that were not pinned are left out."""
     present = set.intersection(*(pins.signals(content) for content in pinned.values()))
     export = replace(export, signals=[key for key in export.signals if key in present])
-    members = {name: partial(pins.columns, pinned[name], stages[name], export.points) for name in pinned}
+    members = {name: partial(_pinned, pinned[name], stages[name], export.points) for name in pinned}
     return rendered(partial(_write, members, export), path)
 
 
 def _driven(scenario: Scenario, name: str, points: int | None) -> Columns:
-    return by_signal(pack(simulate(scenario, name), points))
+    result = simulate(scenario, name)
+    if points is None:
+        series = result.series
+        return Columns(len(series["time"]), lambda key, *ends: series.between(key, *ends).astype(np.float32))
+    array = pack(result, points)
+    return Columns(array.shape[1], lambda key, start, end: array[ROWS[key], start:end])
+
+
+def _pinned(content: bytes, stages: Stages, points: int | None) -> Columns:
+    columns = pins.columns(content, stages, points)
+    return Columns(len(columns["time"]), lambda key, start, end: columns[key][start:end])
 
 
 def _write(members: Members, export: Export, file: IO[bytes]) -> None:
@@ -86,7 +109,7 @@ def _write_json(members: Members, export: Export, file: IO[bytes]) -> None:
     """`{strategy, series}` of one strategy, `{strategies}` of several, with the units beside."""
 
     def series(columns: Callable[[], Columns]) -> JsonObject:
-        return as_json(columns(), export.signals, export.encoding)
+        return as_json(columns().whole, export.signals, export.encoding)
 
     bodies: JsonObject = {name: partial(series, columns) for name, columns in members.items()}
     if len(bodies) == 1:
@@ -135,9 +158,9 @@ def _tables(members: Members, export: Export) -> Iterator[pa.Table]:
 
 
 def _tables_of(name: str, columns: Columns, export: Export) -> Iterator[pa.Table]:
-    schema, count = _schema(export), len(columns[export.signals[0]])
-    for start in range(0, count, AT_ONCE):
-        end = min(count, start + AT_ONCE)
+    schema = _schema(export)
+    for start in range(0, columns.count, AT_ONCE):
+        end = min(columns.count, start + AT_ONCE)
         named = [pa.repeat(name, end - start)] if len(export.strategies) > 1 else []
-        values = [pa.array(columns[key][start:end]) for key in export.signals]
+        values = [pa.array(columns.values(key, start, end)) for key in export.signals]
         yield pa.Table.from_arrays(named + values, schema=schema)

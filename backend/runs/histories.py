@@ -105,14 +105,16 @@ class Histories:
         size = export.size(most_samples(scenario, name) for name in keys)
         cost = exports.BYTE_COST * size
         pinned = await self._pinned(keys)
-        if pinned is not None:
-            work = partial(exports.render_pinned, pinned, _stages(stored), export)
-        else:
-            work = partial(exports.render, await self._on_its_road(scenario), export)
+        if pinned is None:
+            scenario = await self._on_its_road(scenario)
             cost += cost_of(scenario, keys)
         with self._admission.computing(client, cost):
-            call = partial(self._workers.call, work, client=client, cost=cost)
-            return await self._spool.render(client, size, call)
+            call = partial(self._workers.call, client=client, cost=cost)
+            if pinned is None:
+                work = partial(call, exports.render, scenario, export)
+            else:
+                work = partial(call, exports.render_pinned, pinned, _stages(stored), export)
+            return await self._spool.render(client, size, work)
 
     async def over_roads(
         self,
@@ -153,9 +155,11 @@ class Histories:
                     task.cancel()
             self._bands.update({keys[name]: found[name] for name in missing if found[name].size <= BAND_BYTES})
             paths = {name: found[name].path for name in names}
-            work = partial(bands.render, paths, stored.roads, _stages(stored), signals, points, encoding)
+            shown = (paths, stored.roads, _stages(stored), signals, points, encoding)
             size = bands.text_size((most_samples(roads[0], name) for name in names), len(signals), points)
-            return await self._spool.render(client, size, partial(self._workers.call, work, client=client))
+            return await self._spool.render(
+                client, size, partial(self._workers.call, bands.render, *shown, client=client)
+            )
 
     @staticmethod
     def _check_memory(scenario: Scenario, names: Sequence[str]) -> None:
@@ -175,8 +179,9 @@ class Histories:
         cost = max(bands.LONGEST_TASK, estimate(roads[0], name))
         with refused_where_full():
             while done < len(roads):
-                work = partial(bands.drive, roads, name, (before.path, done), after.path)
-                done = await self._workers.call(work, client=client, cost=cost)
+                done = await self._workers.call(
+                    bands.drive, roads, name, (before.path, done), after.path, client=client, cost=cost
+                )
                 before, after = after, before
         return before
 

@@ -5,11 +5,11 @@ A series array has shape (signals, samples), float32, rows in the catalogue's or
 
 import base64
 import itertools
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from math import ceil
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,10 +35,28 @@ def ordered_signals(signals: Iterable[str] | None) -> list[str]:
 
 def pack(result: StrategyResult, points: int | None = None) -> SeriesArray:
     """A result's time histories as one array; about `points` samples, or all."""
-    array = np.empty((len(SIGNALS), len(result.series["time"])), dtype=np.float32)
-    for key, row in ROWS.items():
-        array[row] = result.series[key]
-    return decimate(array, points, Stages.of((span.stage, span.start_time, span.end_time) for span in result.stages))
+    count = len(result.series["time"])
+    if points is None or points >= count:
+        array = np.empty((len(SIGNALS), count), dtype=np.float32)
+        for key, row in ROWS.items():
+            array[row] = result.series[key]
+        return array
+    stages = Stages.of((span.stage, span.start_time, span.end_time) for span in result.stages)
+    return decimate(_Rows(result), points, stages)
+
+
+class _Rows(Sequence[SeriesArray]):
+    """A result's time histories in the catalogue's order, one at a time: all of a long run take 130 MB."""
+
+    def __init__(self, result: StrategyResult) -> None:
+        self._series = result.series
+        self._keys = list(SIGNALS)
+
+    def __len__(self) -> int:
+        return len(self._keys)
+
+    def __getitem__(self, row: Any) -> Any:
+        return self._series[self._keys[row]].astype(np.float32)
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,71 +83,81 @@ class Stages:
         return cls(tuple(start for _, start, _ in later), bumps[0] if bumps else None)
 
 
-def decimate(series: SeriesArray, points: int | None, stages: Stages | None = None) -> SeriesArray:
+def decimate(series: Sequence[SeriesArray] | SeriesArray, points: int | None, stages: Stages) -> SeriesArray:
     """About `points` samples of a series, the same ones for all signals, every peak among them.
 
     Half of them are spent on the bump, where there is one. Added is each signal's largest and smallest value in each
     stage.
 
     Args:
-        series: Shape (signals, samples), its first row the time [s].
+        series: Signals (samples,), the first of them the time [s].
         points: How many samples, or None for all.
         stages: Of the run.
     """
-    count, stages = series.shape[1], stages or Stages()
+    time = series[0]
+    count = len(time)
     if points is None or points >= count:
-        return series
-    spans = np.ptp(series, axis=1)
-    first, last = np.searchsorted(series[0], stages.bump or ()).tolist() or (0, count)
+        return np.asarray(series)
+    first, last = np.searchsorted(time, stages.bump or ()).tolist() or (0, count)
     if stages.bump is None or 2 * (last - first) >= count:
-        keep = [_most_telling(series, spans, points)]
+        parts = [_Missed(0, count, points)]
     else:
         around = count - (last - first)
-        keep = [
-            start + _most_telling(series[:, start:end], spans, max(2, share))
-            for start, end, share in (
-                (0, first, points * first // (2 * around)),
-                (first, last, points // 2),
-                (last, count, points * (count - last) // (2 * around)),
-            )
+        parts = [
+            _Missed(0, first, max(2, points * first // (2 * around))),
+            _Missed(first, last, max(2, points // 2)),
+            _Missed(last, count, max(2, points * (count - last) // (2 * around))),
         ]
-    return np.take(series, np.unique(np.concatenate([*keep, [0, count - 1], _extremes(series, stages.breaks)])), axis=1)
+    cuts = np.searchsorted(time, np.asarray(stages.breaks, dtype=np.float32)).tolist()
+    windows = list(itertools.pairwise(sorted({0, *cuts, count})))
+    keep = {0, count - 1}
+    for row in series:
+        keep.update(start + int(find(row[start:end])) for start, end in windows for find in (np.argmin, np.argmax))
+        span = np.ptp(row) or np.float32(1)
+        for part in parts:
+            part.add(row, span)
+    indices = np.unique(np.concatenate([np.array(sorted(keep)), *(part.indices() for part in parts)]))
+    return np.stack([row[indices] for row in series])
 
 
-def _most_telling(series: SeriesArray, spans: NDArray[np.float32], points: int) -> NDArray[np.int64]:
-    """Indices of about `points` samples.
+class _Missed:
+    """How far straight lines between even samples miss the others, of signals one after the other.
 
-    Half of them lie evenly. The other half are those that straight lines between these miss most (relative to the
+    Half of about `points` indices lie evenly. The other half are those that the lines miss most (relative to the
     signal's span), at most one in each half of a gap, so that a spike gets its flanks.
+
+    Args:
+        start: First sample.
+        end: One after the last.
+        points: About how many indices.
     """
-    count = series.shape[1]
-    if points >= count:
-        return np.arange(count)
-    half = -(-count // points)
-    stride, gaps = 2 * half, (count - 1) // (2 * half)
-    nodes = np.arange(gaps + 1) * stride
-    fraction = np.arange(stride, dtype=np.float32) / np.float32(stride)
-    missed = np.zeros((gaps, stride), dtype=np.float32)
-    for row, span in zip(series, spans, strict=True):  # one at a time: all at once would take several times the memory
-        start, step = row[nodes[:-1], None], np.diff(row[nodes])[:, None]
-        away = np.abs(row[: gaps * stride].reshape(gaps, stride) - (start + step * fraction))
-        np.maximum(missed, away / (span or 1), out=missed)
-    halves = missed.reshape(2 * gaps, half)
-    worst = np.arange(2 * gaps) * half + halves.argmax(axis=1)
-    most_missed = worst[np.argsort(halves.max(axis=1))[gaps:]]
-    return np.concatenate([nodes, most_missed])
 
+    def __init__(self, start: int, end: int, points: int) -> None:
+        self._start, self._count = start, end - start
+        self._every = points >= self._count
+        self._half = max(1, -(-self._count // points))
+        self._gaps = (self._count - 1) // (2 * self._half)
+        self._fraction = np.arange(2 * self._half, dtype=np.float32) / np.float32(2 * self._half)
+        self._most = np.zeros((0 if self._every else self._gaps, 2 * self._half), dtype=np.float32)
 
-def _extremes(series: SeriesArray, breaks: Sequence[float]) -> NDArray[np.int64]:
-    """Indices of each signal's extremes in each window between the breaks."""
-    cuts = np.searchsorted(series[0], np.asarray(breaks, dtype=np.float32))
-    edges = np.unique(np.concatenate([[0], cuts, [series.shape[1]]]))
-    extremes = [
-        start + extreme(series[:, start:end], axis=1)
-        for start, end in itertools.pairwise(edges)
-        for extreme in (np.argmin, np.argmax)
-    ]
-    return np.concatenate(extremes)
+    def add(self, row: SeriesArray, span: np.float32) -> None:
+        """Add a signal (samples,) of that span."""
+        if self._every:
+            return
+        stride, part = 2 * self._half, row[self._start : self._start + self._count]
+        nodes = part[: self._gaps * stride + 1 : stride]
+        lines = nodes[:-1, None] + np.diff(nodes)[:, None] * self._fraction
+        away = np.abs(part[: self._gaps * stride].reshape(self._gaps, stride) - lines)
+        np.maximum(self._most, away / span, out=self._most)
+
+    def indices(self) -> NDArray[np.int64]:
+        """Indices into the whole series, once every signal was added."""
+        if self._every:
+            return self._start + np.arange(self._count)
+        halves = self._most.reshape(2 * self._gaps, self._half)
+        worst = np.arange(2 * self._gaps) * self._half + halves.argmax(axis=1)
+        most_missed = worst[np.argsort(halves.max(axis=1))[self._gaps :]]
+        return self._start + np.concatenate([np.arange(self._gaps + 1) * 2 * self._half, most_missed])
 
 
 def packed(values: NDArray[np.float32]) -> dict[str, str]:
@@ -143,16 +171,13 @@ def unpacked(values: Mapping[str, str]) -> NDArray[np.float32]:
     return np.frombuffer(base64.b64decode(values["bdata"]), dtype="<f4")
 
 
-def as_json(series: Mapping[str, SeriesArray], signals: Iterable[str], encoding: str) -> JsonObject:
-    """By signal its values for `pieces.write_json`, as lists (`list`) or typed arrays (`base64`)."""
-    if encoding == "base64":
-        return {key: partial(packed, series[key]) for key in signals}
-    return {key: series[key] for key in signals}
+def as_json(values: Callable[[str], SeriesArray], signals: Iterable[str], encoding: str) -> JsonObject:
+    """By signal its `values` for `pieces.write_json`, as lists (`list`) or typed arrays (`base64`)."""
 
+    def typed(key: str) -> JsonObject:
+        return {**packed(values(key))}
 
-def by_signal(series: SeriesArray) -> dict[str, SeriesArray]:
-    """The rows of a series array by their signals."""
-    return dict(zip(SIGNALS, series, strict=True))
+    return {key: partial(typed if encoding == "base64" else values, key) for key in signals}
 
 
 def most_samples(scenario: Scenario, strategy: str) -> int:

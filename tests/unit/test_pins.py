@@ -85,7 +85,9 @@ def test_another_catalogue_reads_what_it_knows(stages: dict[str, Stages], points
     np.testing.assert_array_equal(array[rows], expected)
     assert np.isnan(array[[ROWS["rear_force"], ROWS["brake_pressure"]]]).all()
 
-    answer = orjson.loads(exports.render_pinned({"lv": old}, stages, export(strategies=["lv"], file_format="json")))
+    answer = orjson.loads(
+        exports.render_pinned({"lv": old}, stages, export(strategies=["lv"], file_format="json"), None)
+    )
     assert list(answer["series"]) == list(answer["units"]) == shared
-    text = exports.render_pinned({"lv": old}, stages, export(strategies=["lv"], file_format="csv")).decode()
+    text = exports.render_pinned({"lv": old}, stages, export(strategies=["lv"], file_format="csv"), None).decode()
     assert text.splitlines()[0].split(",") == [f"{key} [{SIGNALS[key].unit}]" for key in shared]

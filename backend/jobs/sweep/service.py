@@ -4,6 +4,7 @@ import asyncio
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from functools import partial
+from pathlib import Path
 from typing import Any, TypeVar
 
 from backend.compute.workers import Workers
@@ -200,7 +201,11 @@ class Sweeps:
                 pages.add(await call(rendering.column_texts, rows, fields, figures))
             units = {name: unit for name, unit in table.units(job).items() if name in names}
             head = {"batch": job.id, "state": job.state, "units": units}
-            return await self._spool.render(client, size, partial(asyncio.to_thread, pages.assembled, head))
+
+            async def assembled(path: Path | None) -> bytes:
+                return await asyncio.to_thread(pages.assembled, head, path)
+
+            return await self._spool.render(client, size, assembled)
 
     async def summary(self, job_id: str, figures: Sequence[str], baseline: str | None, client: str) -> BatchSummary:
         """The summary of its finished rows.

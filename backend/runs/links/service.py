@@ -18,10 +18,15 @@ from backend.runs.answers import run_answer
 from backend.runs.links import preview
 from backend.runs.links.models import SLUG_PATTERN, CreatedLink, Link, LinkView
 from backend.runs.links.preview import Preview
+from backend.runs.series import most_samples
 from backend.runs.service import Runs, upgraded_scenario
 from backend.store import Store, StoredJob, StoredLink, StoredRun
 from sim_core import __version__ as CORE_VERSION
+from sim_core.catalogue import SIGNALS
 from sim_core.scenario import SCHEMA_VERSION, Scenario
+
+SAMPLE_BYTES = 4 * len(SIGNALS)  # of one sample of all signals
+MOST_PINNED = 64 * 1024 * 1024  # of one run, before they are compressed: some 150 of the paper's [bytes]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -129,11 +134,13 @@ class Links:
         return preview.of_run(answer, link.view, run.created_at)
 
     async def _pin(self, shared: _SharedRun, client: str) -> dict[str, bytes]:
-        """By result key the time histories to pin; empty where another core version computed them."""
+        """By result key the time histories to pin; empty where another core version computed them, or they are long."""
         stored, missing = shared.stored, shared.missing
         if not missing or stored.core_version != CORE_VERSION:
             return {}
         scenario = Scenario.model_validate(upgraded_scenario(stored.scenario, stored.schema_version))
+        if SAMPLE_BYTES * sum(most_samples(scenario, name) for name in missing) > MOST_PINNED:
+            return {}
         scenario = await self._roads.on(scenario)
         cost = cost_of(scenario, missing)
         with self._admission.computing(client, cost):
