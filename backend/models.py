@@ -19,6 +19,7 @@ from sim_core.study.roads import MAX_ROADS
 
 DEFAULT_POINTS = 800
 MAX_POINTS = 100_000
+MAX_LIVE_POINTS = 10_000  # of an answer that stays in memory: nine strategies take 7 MB
 STRATEGY_IDS = list(STRATEGIES)
 
 
@@ -60,7 +61,7 @@ def _check_signal(name: str) -> str:
 StrategyName = Annotated[str, AfterValidator(_check_strategy), Field(json_schema_extra={"enum": STRATEGY_IDS})]
 SignalName = Annotated[str, AfterValidator(_check_signal), Field(json_schema_extra={"enum": list(SIGNALS)})]
 MetricName = Annotated[str, AfterValidator(_check_metric), Field(json_schema_extra={"enum": list(NUMBERS)})]
-Points = Annotated[int, Field(ge=2, le=MAX_POINTS, description="About how many samples; peaks survive.")]
+Points = Annotated[int, Field(ge=2, le=MAX_LIVE_POINTS, description="About how many samples; peaks survive.")]
 
 
 _EXAMPLE: JsonDict = {"scenario": {"road": {"bump": {"height": 0.12}}}, "strategies": ["lv", "lqr", "passive"]}

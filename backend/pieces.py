@@ -8,7 +8,7 @@ from typing import IO, Any
 import orjson
 
 
-def rendered(write: Callable[[IO[bytes]], None], path: Path | None) -> bytes:
+def rendered(write: Callable[[IO[bytes]], object], path: Path | None) -> bytes:
     """What `write` writes; nothing where it goes into a file, which has to be there."""
     if path is None:
         memory = io.BytesIO()

@@ -19,6 +19,7 @@ from backend.http.limits import ConcurrencyLimit, FairLimit
 SHORT = 4 * 1024 * 1024  # what is expected to be no longer stays in memory [bytes]
 PIECE = 256 * 1024  # read and sent at once [bytes]
 SHARE = 4  # the longest answer is that part of all that may be there
+MOST_OF_CLIENT, MOST = 48, 128  # files
 LEAST_FREE = 256 * 1024 * 1024  # left on the disk for the database [bytes]
 
 
@@ -58,7 +59,7 @@ class Spool:
         self._folder = folder
         self._longest = limit // SHARE
         self._bytes = FairLimit(what="space for long answers", total=limit)
-        self._files = ConcurrencyLimit(what="long answers", per_client=32, total=128)
+        self._files = ConcurrencyLimit(what="long answers", per_client=MOST_OF_CLIENT, total=MOST)
 
     def clear(self) -> None:
         """Remove the files that no living service uses."""

@@ -1,0 +1,153 @@
+"""Answers too long for memory: the same bytes from a file, which goes when they were read or nobody reads them."""
+
+import json
+import socket
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from backend.http import spool
+from backend.http.server import GuardedProtocol
+from tests.api.test_hostile_connections import impatient, rest
+from tests.servers.process import HANG_TIMEOUT, wait_until
+
+
+@pytest.fixture(autouse=True)
+def folder(service: Any) -> Iterator[Path]:
+    """Where the files are; none is left after a test."""
+    folder: Path = service.app.state.settings.data_dir / "spool"
+    yield folder
+    wait_until(lambda: not files(folder), "every file is gone")
+
+
+def files(folder: Path) -> list[Path]:
+    return list(folder.glob("*"))
+
+
+def both(client: httpx.Client, monkeypatch: pytest.MonkeyPatch, path: str, **query: Any) -> list[httpx.Response]:
+    """The answer from memory, and from a file."""
+    answers = []
+    for short in (spool.SHORT, 0):
+        monkeypatch.setattr(spool, "SHORT", short)
+        answers.append(client.get(f"/api/v1{path}", params=query, headers={"Accept-Encoding": "identity"}))
+    monkeypatch.undo()
+    return answers
+
+
+@pytest.mark.parametrize("query", [{"format": "csv"}, {"format": "parquet"}, {"encoding": "base64"}, {"points": 500}])
+def test_time_histories_are_the_same(
+    client: httpx.Client, run: dict[str, Any], monkeypatch: pytest.MonkeyPatch, query: dict[str, Any]
+) -> None:
+    path = f"/runs/{run['id']}/series"
+    for strategies in ("lv", "passive,lv"):
+        short, long = both(client, monkeypatch, path, strategy=strategies, **query)
+        assert short.status_code == long.status_code == 200
+        assert short.content == long.content
+        changing = {"x-request-id", "date"}
+        assert {key: short.headers[key] for key in short.headers if key not in changing} == {
+            key: long.headers[key] for key in long.headers if key not in changing
+        }
+
+
+def test_a_long_one_is_compressed_and_asked_for_by_its_head(
+    client: httpx.Client, run: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path, query = f"/api/v1/runs/{run['id']}/series", {"strategy": "lv", "format": "csv"}
+    plain = client.get(path, params=query)
+    monkeypatch.setattr(spool, "SHORT", 0)
+    with client.stream("GET", path, params=query, headers={"Accept-Encoding": "gzip"}) as compressed:
+        assert compressed.headers["content-encoding"] == "gzip"
+        assert len(b"".join(compressed.iter_raw())) < len(plain.content) / 2
+    head = client.head(path, params=query, headers={"Accept-Encoding": "identity"})
+    assert (head.status_code, head.content) == (200, b"")
+    assert int(head.headers["content-length"]) == len(plain.content)
+
+
+def test_a_batchs_table_is_the_same(service: Any, client: httpx.Client, monkeypatch: pytest.MonkeyPatch) -> None:
+    body = {
+        "scenario": {"road": {"length": 131.7}},
+        "strategies": ["passive"],
+        "sweep": {"grid": {"road.bump.height": [0.05, 0.06]}},
+    }
+    batch = client.post("/api/v1/batches", json=body).json()["id"]
+    wait_until(lambda: client.get(f"/api/v1/batches/{batch}").json()["state"] == "done", "the batch is done")
+    short, long = both(client, monkeypatch, f"/batches/{batch}/table", figures="travel_time")
+    assert short.content == long.content
+    assert json.loads(long.content)["columns"]["run"] == [0, 1]
+
+
+def test_bands_are_the_same(service: Any, client: httpx.Client, monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
+    body = {"scenario": {"road": {"length": 131.8}}, "strategies": ["passive"], "roads": 2}
+    run = client.post("/api/v1/runs", json=body).json()["id"]
+    short, long = both(client, monkeypatch, f"/runs/{run}/bands", points=100)
+    assert short.status_code == long.status_code == 200
+    assert short.content == long.content
+    assert len(files(folder)) == 1, "the bands are cached"
+    histories = service.app.state.runs._histories
+    service.inside(forgotten(histories))
+
+
+async def forgotten(histories: Any) -> None:
+    histories._bands.clear()
+
+
+def test_no_room_is_said(
+    service: Any, client: httpx.Client, run: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(spool, "SHORT", 0)
+    path, query = f"/api/v1/runs/{run['id']}/series", {"strategy": "lv", "format": "csv"}
+    monkeypatch.setattr(spool, "LEAST_FREE", 1 << 60)
+    full = client.get(path, params=query)
+    assert full.status_code == 503
+    assert full.json()["type"].endswith(":full")
+    assert int(full.headers["retry-after"]) > 0
+    monkeypatch.setattr(service.app.state.runs._histories._spool, "_longest", 1000)
+    refused = client.get(path, params=query)
+    assert refused.status_code == 422
+    assert refused.json()["type"].endswith(":cost-limit")
+    assert "fewer" in refused.json()["detail"]
+
+
+@pytest.mark.parametrize("hangs_up", [True, False])
+def test_who_takes_nothing_or_hangs_up_keeps_no_file(
+    service: Any, folder: Path, monkeypatch: pytest.MonkeyPatch, hangs_up: bool
+) -> None:
+    monkeypatch.setattr(GuardedProtocol, "WRITE_TIMEOUT", HANG_TIMEOUT if hangs_up else 0.5)
+    scenario = {"road": {"length": 1000}, "speed": {"initial_speed_kmh": 10, "target_speed_kmh": 10}}
+    run = service.run(["passive"], scenario).json()["id"]
+    with impatient(service.app) as (address, _), socket.socket() as connection:
+        connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        connection.settimeout(HANG_TIMEOUT)
+        connection.connect(address)
+        connection.sendall(f"GET /api/v1/runs/{run}/series?format=csv HTTP/1.1\r\nHost: x\r\n\r\n".encode())
+        assert connection.recv(12) == b"HTTP/1.1 200"
+        if hangs_up:
+            assert len(files(folder)) == 1
+            connection.close()
+        wait_until(lambda: not files(folder), "its file is gone")
+        if not hangs_up:
+            assert len(rest(connection)) < 1_000_000
+
+
+def test_a_slow_reader_gets_all(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(GuardedProtocol, "WRITE_TIMEOUT", 1.0)
+    monkeypatch.setattr(spool, "SHORT", 0)
+    run = service.run(["passive"], {"road": {"length": 400}}).json()["id"]
+    path = f"/api/v1/runs/{run}/series?format=csv"
+    whole = service.client.get(path).content
+    with impatient(service.app) as (address, _), socket.socket() as connection:
+        connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        connection.settimeout(HANG_TIMEOUT)
+        connection.connect(address)
+        connection.sendall(f"GET {path} HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n".encode())
+        received, end = b"", time.monotonic() + 2  # longer than nothing may be taken
+        while time.monotonic() < end:
+            received += connection.recv(2000)
+            time.sleep(0.02)
+        received += rest(connection)
+    assert received.endswith(whole[-1000:])
+    assert len(received) > len(whole)
