@@ -1,7 +1,8 @@
 """Time histories of stored runs: pinned by a link, or simulated again by the core version that computed the run."""
 
 import asyncio
-from collections.abc import Mapping, Sequence
+from collections.abc import AsyncIterator, Mapping, Sequence
+from contextlib import asynccontextmanager
 from functools import partial
 
 from cachetools import LRUCache
@@ -11,11 +12,12 @@ from backend.compute.flights import Flights
 from backend.compute.workers import Workers
 from backend.errors import CostLimitError, GoneError, InvalidError, RoadGoneError
 from backend.http.admission import Admission, cost_of
+from backend.http.limits import FairLimit
 from backend.http.spool import Spool, SpoolFile, refused_where_full
 from backend.roads.service import Roads
 from backend.runs import bands, exports, pins
 from backend.runs.results import Results
-from backend.runs.series import Stages, most_samples
+from backend.runs.series import SAMPLE_BYTES, Stages, most_samples
 from backend.runs.work import ComputedResult
 from backend.store import Store, StoredRun
 from sim_core import __version__ as CORE_VERSION
@@ -25,6 +27,7 @@ from sim_core.workload import estimate
 
 FIGURE_POINTS = 2000
 BAND_BYTES = 64 * 1024 * 1024  # of cached bands: those of a dozen strategies
+PIN_BYTES = 64 * 1024 * 1024  # of the pins of all requests at once, before they were compressed
 LEAST_BAND = 4 * 1024 * 1024  # as which a shorter one counts, so that few files stay open [bytes]
 
 
@@ -42,6 +45,7 @@ class Histories:
         self._roads = roads
         self._bands: LRUCache[str, SpoolFile] = LRUCache(BAND_BYTES, getsizeof=lambda band: max(LEAST_BAND, band.size))
         self._flights: Flights[str, SpoolFile] = Flights()
+        self._pins = FairLimit(what="pinned time histories", total=PIN_BYTES)
 
     async def keys(self, stored: StoredRun) -> dict[str, str]:
         """Result keys of the strategies whose exact time histories are pinned or can be simulated again.
@@ -72,14 +76,14 @@ class Histories:
         keys = await self.keys(stored)
         if not keys:
             return {}
-        pinned = await self._pinned(keys)
         scenario = Scenario.model_validate(stored.scenario)
-        if pinned is None:
-            await self._on_its_road(scenario)
-            results = await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
-            return {strategy: item.outcome for strategy, item in results.items()}
-        with self._admission.computing(client, 0.0):
-            arrays = await self._workers.call(pins.opened, pinned, _stages(stored), FIGURE_POINTS, client=client)
+        async with self._pinned(scenario, keys, client) as pinned:
+            if pinned is None:
+                await self._on_its_road(scenario)
+                results = await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
+                return {strategy: item.outcome for strategy, item in results.items()}
+            with self._admission.computing(client, 0.0):
+                arrays = await self._workers.call(pins.opened, pinned, _stages(stored), FIGURE_POINTS, client=client)
         return {
             item.strategy: ComputedResult(
                 status=item.status,
@@ -104,17 +108,17 @@ class Histories:
         scenario = Scenario.model_validate(stored.scenario)
         size = export.size(most_samples(scenario, name) for name in keys)
         cost = exports.BYTE_COST * size
-        pinned = await self._pinned(keys)
-        if pinned is None:
-            scenario = await self._on_its_road(scenario)
-            cost += cost_of(scenario, keys)
-        with self._admission.computing(client, cost):
-            call = partial(self._workers.call, client=client, cost=cost)
+        async with self._pinned(scenario, keys, client) as pinned:
             if pinned is None:
-                work = partial(call, exports.render, scenario, export)
-            else:
-                work = partial(call, exports.render_pinned, pinned, _stages(stored), export)
-            return await self._spool.render(client, size, work)
+                scenario = await self._on_its_road(scenario)
+                cost += cost_of(scenario, keys)
+            with self._admission.computing(client, cost):
+                call = partial(self._workers.call, client=client, cost=cost)
+                if pinned is None:
+                    work = partial(call, exports.render, scenario, export)
+                else:
+                    work = partial(call, exports.render_pinned, pinned, _stages(stored), export)
+                return await self._spool.render(client, size, work)
 
     async def over_roads(
         self,
@@ -196,10 +200,22 @@ class Histories:
         except InvalidError:
             raise RoadGoneError from None
 
-    async def _pinned(self, keys: Mapping[str, str]) -> dict[str, bytes] | None:
-        """By strategy its pinned time histories, from result keys; None unless every one is pinned."""
-        pinned = await self._store.read(self._store.links.load_pins, keys.values())
-        return {name: pinned[key] for name, key in keys.items()} if set(keys.values()) <= set(pinned) else None
+    @asynccontextmanager
+    async def _pinned(
+        self, scenario: Scenario, keys: Mapping[str, str], client: str
+    ) -> AsyncIterator[dict[str, bytes] | None]:
+        """By strategy its pinned time histories, from result keys; None unless every one is pinned.
+
+        Raises:
+            TemporaryError: Those of other requests take the memory.
+        """
+        wanted = set(keys.values())
+        if not wanted <= await self._store.read(self._store.links.pinned, wanted):
+            yield None
+            return
+        with self._pins.acquired(client, SAMPLE_BYTES * sum(most_samples(scenario, name) for name in keys)):
+            contents = await self._store.read(self._store.links.load_pins, wanted)
+            yield {name: contents[key] for name, key in keys.items()}
 
 
 def _stages(stored: StoredRun) -> dict[str, Stages]:

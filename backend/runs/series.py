@@ -23,6 +23,7 @@ from sim_core.workload import duration, samples
 
 SeriesArray = NDArray[np.float32]
 ROWS = {key: row for row, key in enumerate(SIGNALS)}
+SAMPLE_BYTES = 4 * len(SIGNALS)  # of a series array
 ALWAYS = ("time", "position")
 BEFORE, BEHIND = 0.6, 0.9  # parts of the bump's length that are shown around it, as the page does
 

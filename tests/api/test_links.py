@@ -162,6 +162,16 @@ def test_what_cannot_be_shared_is_named(
     assert "my theme" not in answer.text, "only what looks like a name is repeated"
 
 
+def test_a_run_with_very_many_samples_is_shared_without_them(service: Any, client: httpx.Client) -> None:
+    """2.2 million: pinned they would take 130 MB of the service and of the database."""
+    scenario = {"road": {"length": 3000}, "speed": {"initial_speed_kmh": 5, "target_speed_kmh": 5}}
+    run = service.run(["passive"], scenario).json()["id"]
+    link = share(client, run)
+    assert link["series_pinned"] is False
+    assert opened(client, link["slug"])["series_pinned"] is False
+    assert client.get(f"/api/v1/runs/{run}/series?points=50").status_code == 200, "they are computed again"
+
+
 def test_pinned_histories_are_the_computed_ones_to_the_byte(
     service: Any, client: httpx.Client, fresh: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -18,15 +18,13 @@ from backend.runs.answers import run_answer
 from backend.runs.links import preview
 from backend.runs.links.models import SLUG_PATTERN, CreatedLink, Link, LinkView
 from backend.runs.links.preview import Preview
-from backend.runs.series import most_samples
+from backend.runs.series import SAMPLE_BYTES, most_samples
 from backend.runs.service import Runs, upgraded_scenario
 from backend.store import Store, StoredJob, StoredLink, StoredRun
 from sim_core import __version__ as CORE_VERSION
-from sim_core.catalogue import SIGNALS
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 
-SAMPLE_BYTES = 4 * len(SIGNALS)  # of one sample of all signals
-MOST_PINNED = 64 * 1024 * 1024  # of one run, before they are compressed: some 150 of the paper's [bytes]
+MOST_PINNED = 32 * 1024 * 1024  # of one run, before they are compressed: 75 strategies on the paper's road [bytes]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
