@@ -23,6 +23,7 @@ from sim_core.workload import duration, samples
 
 SeriesArray = NDArray[np.float32]
 ROWS = {key: row for row, key in enumerate(SIGNALS)}
+LONG = 200_000  # samples, of which no array is made to be thinned out
 SAMPLE_BYTES = 4 * len(SIGNALS)  # of a series array
 ALWAYS = ("time", "position")
 BEFORE, BEHIND = 0.6, 0.9  # parts of the bump's length that are shown around it, as the page does
@@ -36,14 +37,14 @@ def ordered_signals(signals: Iterable[str] | None) -> list[str]:
 
 def pack(result: StrategyResult, points: int | None = None) -> SeriesArray:
     """A result's time histories as one array; about `points` samples, or all."""
-    count = len(result.series["time"])
-    if points is None or points >= count:
-        array = np.empty((len(SIGNALS), count), dtype=np.float32)
-        for key, row in ROWS.items():
-            array[row] = result.series[key]
-        return array
+    rows = _Rows(result)
     stages = Stages.of((span.stage, span.start_time, span.end_time) for span in result.stages)
-    return decimate(_Rows(result), points, stages)
+    if points is not None and len(rows[0]) > LONG:
+        return decimate(rows, points, stages)
+    array = np.empty((len(rows), len(rows[0])), dtype=np.float32)
+    for number, row in enumerate(rows):
+        array[number] = row
+    return decimate(array, points, stages)
 
 
 class _Rows(Sequence[SeriesArray]):
@@ -113,7 +114,9 @@ def decimate(series: Sequence[SeriesArray] | SeriesArray, points: int | None, st
     windows = list(itertools.pairwise(sorted({0, *cuts, count})))
     keep = {0, count - 1}
     for row in series:
-        keep.update(start + int(find(row[start:end])) for start, end in windows for find in (np.argmin, np.argmax))
+        for start, end in windows:
+            window = row[start:end]
+            keep.update((start + int(window.argmin()), start + int(window.argmax())))
         span = np.ptp(row) or np.float32(1)
         for part in parts:
             part.add(row, span)
