@@ -20,7 +20,18 @@ from tests.servers.process import HANG_TIMEOUT, wait_until
 def folder(service: Any) -> Iterator[Path]:
     """Where the files are; none is left after a test."""
     folder: Path = service.app.state.settings.data_dir / "spool"
+    empty(service, folder)  # other tests' bands may be cached
     yield folder
+    empty(service, folder)
+
+
+def empty(service: Any, folder: Path) -> None:
+    """Forget cached bands; no other file may stay."""
+
+    async def forget() -> None:
+        service.app.state.runs._histories._bands.clear()
+
+    service.inside(forget())
     wait_until(lambda: not files(folder), "every file is gone")
 
 
@@ -80,19 +91,13 @@ def test_a_batchs_table_is_the_same(service: Any, client: httpx.Client, monkeypa
     assert json.loads(long.content)["columns"]["run"] == [0, 1]
 
 
-def test_bands_are_the_same(service: Any, client: httpx.Client, monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
+def test_bands_are_the_same(client: httpx.Client, monkeypatch: pytest.MonkeyPatch, folder: Path) -> None:
     body = {"scenario": {"road": {"length": 131.8}}, "strategies": ["passive"], "roads": 2}
     run = client.post("/api/v1/runs", json=body).json()["id"]
     short, long = both(client, monkeypatch, f"/runs/{run}/bands", points=100)
     assert short.status_code == long.status_code == 200
     assert short.content == long.content
-    assert len(files(folder)) == 1, "the bands are cached"
-    histories = service.app.state.runs._histories
-    service.inside(forgotten(histories))
-
-
-async def forgotten(histories: Any) -> None:
-    histories._bands.clear()
+    wait_until(lambda: len(files(folder)) == 1, "the answer's file is gone, and the band's is cached")
 
 
 def test_no_room_is_said(
