@@ -16,7 +16,7 @@ from sim_core.drive.sampling import fine_step
 from sim_core.drive.speed_profile import CONTROL_STEP, KMH, TARGET_BAND, drive
 from sim_core.ecu.loop import short_steps
 from sim_core.errors import TooExpensiveError
-from sim_core.scenario import Scenario
+from sim_core.scenario import Actuator, Scenario
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy, driven, strategy_named
 
 CACHED_STEPS = 3e5  # of a run: so many fine steps' arrays fit into the processor's cache
@@ -149,7 +149,8 @@ def work(scenario: Scenario, strategy: Strategy, time: float, expected: LimitSha
     counts["uncached steps"] = max(0.0, counts["fine steps"] - CACHED_STEPS)
     vehicle, dampers = scenario.real_vehicle, semi_active_dampers(scenario, strategy)
     if not is_linear(vehicle, dampers):
-        short = substeps(vehicle, scenario.actuator, dampers, fine_step(scenario, strategy))
+        actuator = Actuator() if policy is SuspensionPolicy.PASSIVE else scenario.actuator
+        short = substeps(vehicle, actuator, dampers, fine_step(scenario, strategy))
         counts["nonlinear steps"] = counts["fine steps"] * short
     if strategy.speed is SpeedPolicy.PLANNED:
         counts["plan"] = 1.0

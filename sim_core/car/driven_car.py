@@ -28,7 +28,7 @@ class SemiActiveDampers:
     Attributes:
         least: What a damper can be set to, the passive one included [N s/m].
         most: The same; infinite where there is no limit.
-        most_force: What control changes of the passive damper's force at most [N].
+        most_force: What control changes of the passive damper's force at most [N]; `least` and `most` go before it.
     """
 
     least: float

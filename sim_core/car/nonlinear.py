@@ -1,10 +1,10 @@
 """The half-car where dampers, stops and tyres are not linear, stepped by the C of compiled/nonlinear_car.c.
 
-F_i = k_i d + c_i(ḋ) ḋ + stop_i(d) - u_i,  load_i = max(-k_t,i (z_w - z_r), -static load_i). The slope of each of these
-changes where a damper turns, a stop is met or a tyre lifts off: a step (Runge-Kutta, fourth order) ends there. The road
-is a polynomial within a fine step, by its mean height and first moment. A semi-active damper's force is the nearest to
-c_i(ḋ) ḋ - u_i that lies between `least` ḋ and `most` ḋ. tests/validation/test_nonlinear.py holds metrics to an adaptive
-solver's and to those of much finer steps.
+F_i = k_i d + c_i(ḋ) ḋ + stop_i(d) - u_i - link_i a, a being the braking, and load_i = max(-k_t,i (z_w - z_r), -static
+load_i). The slope of each of these changes where a damper turns, a stop is met or a tyre lifts off: a step
+(Runge-Kutta, fourth order) ends there. The road is a polynomial within a fine step, by its mean height and first
+moment. A semi-active damper's force is the nearest to c_i(ḋ) ḋ - u_i that lies between `least` ḋ and `most` ḋ.
+tests/validation/test_nonlinear.py holds metrics to an adaptive solver's and to those of much finer steps.
 """
 
 import ctypes
@@ -21,7 +21,7 @@ from sim_core.car.road import GRID, CompiledRoad, RoadUnderAxles
 from sim_core.compiled.library import ADDRESS, DOUBLE, INT, address, function
 from sim_core.scenario import Actuator, Vehicle
 
-_LONGEST_ANGLE = 0.09  # of the fastest pole in one step of Runge-Kutta [rad], as the drill's 300 loops need it
+_LONGEST_ANGLE = 0.09  # of the fastest pole in one step of Runge-Kutta [rad]; larger ones miss test_nonlinear_loops
 # Of a semi-active damper that no limit is given for: it does not stop a wheel faster [s]. Without this its coefficient
 # would be infinite whenever travel turns, and a lagging actuator would keep it so.
 _SHORTEST_STOP = 1e-3
@@ -50,7 +50,7 @@ class _Input(ctypes.Structure):
     _fields_ = [
         ("road", ctypes.POINTER(CompiledRoad)),
         *((name, ADDRESS) for name in ("position", "within", "disturbance")),
-        *((name, INT) for name in ("fine_steps", "fine", "short_ones")),
+        *((name, INT) for name in ("fine_steps", "fine", "substeps")),
         *((name, DOUBLE) for name in ("time", "cell")),
     ]
 

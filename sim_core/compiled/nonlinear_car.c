@@ -9,7 +9,7 @@
 enum { STATE = 8, INPUTS = 10, DISTURBANCES = 3 };
 enum { MOST_EVENTS = 4 };          /* that a step ends at; both axles' dampers may turn again and again around rest */
 enum { PARTS = 8 };                /* of a fine step in which a tyre lifts off or lands */
-static const double NEAR = 1e-3;   /* of a step: it need not end at an event so near to an end of it */
+static const double NEAR = 1e-3;   /* of a step: an event nearer to one of its ends does not divide it */
 static const double TINY = 1e-300; /* squared speed that is no speed [m^2/s^2] */
 
 /* Kept out of the functions that call it, so that these stay short and fast; or within them although they are many. */
@@ -42,10 +42,10 @@ double ridelab_above_chord(const struct road *road, double begin, double end, do
 /* What a drive meets, fine step after fine step. */
 struct input {
     const struct road *road;              /* NULL: straight within a fine step */
-    const double *position, *within;      /* of both axles at every fine instant, 2 x (fine_steps + 1) [m]; 4 a fine step:
-                                             both roads' means above their chords, then their first moments [m] */
+    const double *position;               /* of both axles at every fine instant, 2 x (fine_steps + 1) [m] */
+    const double *within;                 /* 4 a fine step: both roads' means above their chords, then moments [m] */
     const double *disturbance;            /* 3 a fine step: both road velocities [m/s], braking [m/s^2] */
-    int fine_steps, fine, short_ones;     /* of all, in a control step; steps of Runge-Kutta in a fine one */
+    int fine_steps, fine, substeps;       /* of all, in a control step; steps of Runge-Kutta in a fine one */
     double time, cell;                    /* of a fine step [s]; distance between the road's samples [m] */
 };
 
@@ -258,7 +258,7 @@ static int may_lift(const struct car *car, const struct piece *w, struct state x
 RARE static struct state cross_parts(const struct car *car, const struct input *input, int step, int parts, pair command,
                                      struct state x)
 {
-    int short_ones = (input->short_ones + parts - 1) / parts;
+    int substeps = (input->substeps + parts - 1) / parts;
     const double *front = input->position + step, *rear = front + input->fine_steps + 1;
     double share = 1.0 / parts, time = input->time * share, length = (front[1] - front[0]) * share;
     double begin[2] = {front[0], rear[0]}, end[2], bends[2];
@@ -271,7 +271,7 @@ RARE static struct state cross_parts(const struct car *car, const struct input *
         for (int axle = 0; axle < 2; axle++)
             mean[axle] = ridelab_above_chord(input->road, begin[axle], end[axle], bends + axle);
         struct piece w = piece((high - low) / time, mean, (pair){bends[0], bends[1]}, braking, time);
-        x = cross(car, short_ones, command, &w, derivative(car, x, command, &w, 0), x);
+        x = cross(car, substeps, command, &w, derivative(car, x, command, &w, 0), x);
         memcpy(begin, end, sizeof end);
         low = high;
     }
@@ -301,7 +301,7 @@ static struct state hold(const struct car *car, const struct input *input, int f
         if (parts > 1)
             next = cross_parts(car, input, first + j, parts, command, x);
         else
-            next = cross(car, input->short_ones, command, &w, rate, x);
+            next = cross(car, input->substeps, command, &w, rate, x);
         if (input->road && may_lift(car, &w, x, next))
             next = cross_parts(car, input, first + j, PARTS, command, x);
         x = next;

@@ -32,7 +32,12 @@ _UNSTABLE = "No stable Kalman filter was found for this vehicle and these sensor
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class KalmanFilter:
-    """x̂ = x̂⁻ + gain·(y - C x̂⁻ - D u): gain (8, 4), covariance (8, 8) of what x̂ is off by."""
+    """x̂ = x̂⁻ + gain·(y - C x̂⁻ - D u - F a), a the disturbances at the measurement.
+
+    Attributes:
+        gain: (8, 4).
+        covariance: (8, 8), of what x̂ is off by.
+    """
 
     gain: FloatArray
     covariance: FloatArray
@@ -54,7 +59,7 @@ def kalman_filter(
         noise: Of the sensors.
         step: Between measurements [s].
         intensity: Of each axle's road velocity, two-sided [m²/s].
-        unseen: Share of that intensity which preview leaves unknown, front and rear.
+        unseen: Share of that intensity that preview does not measure, front and rear.
         per_control: Measurements in a control step, whose mean velocity preview gives.
 
     Raises:
@@ -161,8 +166,8 @@ def unseen_share(vehicle: Vehicle, roughness: float, speed: float, expected: Exp
 def _added(vehicle: Vehicle, step: float, unseen: FloatArray, seen: FloatArray, per_control: int) -> FloatArray:
     """Covariance (8, 8) that the road adds to what the filter predicts of the state over a step [s].
 
-    Of a road whose mean velocity over a control step is known, only what it does around that mean is added: h times
-    the intensity is the mean's own covariance. Measurements within a control step share that evenly.
+    Of a road whose mean velocity over a control step h is known, only what it does around that mean is added: the mean
+    itself has the covariance intensity / h. Measurements within a control step share that evenly.
 
     Args:
         vehicle: The believed one.

@@ -35,12 +35,11 @@ JUDGED = {
     SuspensionPolicy.MPC_BY_ROAD,
     SuspensionPolicy.MPC_BY_STAGE,
 }
-_SETTLED = 8.0  # from then on a loop with unequal dampers moves as it goes on [s]
+_SETTLED = 8.0  # by then only the motion of a loop with unequal dampers that dies out last is left [s]
 _BLOCK = 100  # control steps after which its motion is brought back to size 1
-_GONE = 1e-6  # of a mode, what is left of it after a control step: none
-_ANY_ROAD = Road(
-    roughness=0, length=30, bump=Bump(height=0, start=20)
-)  # no law depends on it, a Kalman filter on the roughness alone
+_NEGLIGIBLE = 1e-6  # a mode with a smaller eigenvalue has died out after one control step
+# No control law depends on the road; a Kalman filter depends on its roughness alone.
+_ANY_ROAD = Road(roughness=0, length=30, bump=Bump(height=0, start=20))
 
 
 def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
@@ -49,8 +48,9 @@ def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
     Of a mode exp(s·t) it is -Re(s)/|s|: 1 does not oscillate, 0 oscillates for ever, below 0 the loop is unstable.
     Each stage is taken by itself; preview is left out, because it is not fed back and cannot make a loop unstable.
 
-    With unequal dampers it is that of the mean dampers' modes, or of the motion that dies out last if that is smaller;
-    and it is below 0 exactly where that motion grows.
+    With unequal dampers it is the smaller of two ratios, that of the mean dampers' modes and that of the motion that
+    dies out last; where the mean dampers' loop is unstable it is the latter alone. So it is below 0 exactly where that
+    motion grows. Of the passive car, in which nothing can grow, it is always the mean dampers'.
 
     A semi-active damper is not judged: whatever the law, it puts no energy in, and nothing grows near rest.
 
@@ -121,7 +121,7 @@ def _last_motion(
     car = NonlinearCar(near_rest, actuator, step, np.zeros((_BLOCK, DISTURBANCES)), _BLOCK, estimator)
     unlimited, no_feed = LinearLaw(gain=law.gain), np.zeros((_BLOCK, FORCES))
     eigenvalues, modes = np.linalg.eig(loop)
-    to_modes = np.linalg.pinv(modes)[np.abs(eigenvalues) > _GONE].T
+    to_modes = np.linalg.pinv(modes)[np.abs(eigenvalues) > _NEGLIGIBLE].T
     blocks = ceil(_SETTLED / (step * _BLOCK))
     z, grown = np.ones(len(loop)), 0.0
     logarithms, changes = [], []

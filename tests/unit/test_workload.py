@@ -13,7 +13,7 @@ from sim_core import workload
 from sim_core.binding_limits import LimitShares
 from sim_core.control import mpc as mpc_module
 from sim_core.errors import TooExpensiveError
-from sim_core.scenario import Brake, Bump, Estimation, Mpc, Road, Scenario, Speed
+from sim_core.scenario import Actuator, Brake, Bump, Estimation, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
 from sim_core.workload import SECONDS, check_affordable, duration, estimate, memory, work
@@ -56,6 +56,14 @@ def test_estimate_grows_with_what_costs() -> None:
     assert estimate(Scenario(mpc=Mpc(solver="osqp")), "lv") > 3 * plain
     assert estimate(AT_LIMITS, "lv") > 3 * estimate(Scenario(mpc=Mpc(solver="osqp")), "lv")
     assert estimate(Scenario(), "passive") < plain
+
+
+def test_the_actuator_is_no_work_of_a_passive_car() -> None:
+    slow, fast = (
+        Scenario(vehicle=Vehicle(tyre_lift_off=True), actuator=Actuator(bandwidth=bandwidth)) for bandwidth in (1, 1000)
+    )
+    assert estimate(slow, "passive") == estimate(fast, "passive")
+    assert estimate(slow, "lqr") < estimate(fast, "lqr")
 
 
 def test_a_long_walk_is_no_short_task() -> None:
