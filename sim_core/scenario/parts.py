@@ -271,7 +271,8 @@ class Scenario(Part):
         road = self.road.model_copy(update={"length": measured.length} if self.road.ends_with_profile else None)
         road._measured = measured
         if road.bump.end > road.length:
-            raise RidelabError(_BUMP_BEYOND, field="road.bump.start")
+            lengths = f"the bump ends at {road.bump.end:g} m, the measured road at {road.length:g} m"
+            raise RidelabError(f"{_BUMP_BEYOND}; {lengths}", field="road.bump.start")
         return self.model_copy(update={"road": road})
 
     @property

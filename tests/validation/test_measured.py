@@ -123,7 +123,7 @@ def test_without_a_length_a_scenario_ends_with_its_measured_road(length: float) 
 
 def test_a_bump_behind_the_end_of_a_measured_road_is_refused_at_its_field() -> None:
     road = measured_on(Road(bump=Bump(height=0)), length=80)
-    with pytest.raises(RidelabError, match="The bump must end before the road does") as caught:
+    with pytest.raises(RidelabError, match="the bump ends at 104 m, the measured road at 80 m") as caught:
         Scenario(road=Road(profile=road.id)).on(road)
     assert caught.value.field == "road.bump.start"
 

@@ -63,7 +63,7 @@ class ReportingGroup(TyperGroup):
             raise failed(UNAVAILABLE, [str(error)]) from None
         except KeyboardInterrupt as interrupt:  # who has handed in a job, has said what becomes of it
             code = TERMINATED if isinstance(interrupt, Terminated) else INTERRUPTED
-            raise failed(code, ["Interrupted, nothing was submitted"]) from None
+            raise failed(code, ["Interrupted: nothing was submitted, no file was written"]) from None
         except BrokenPipeError:
             abandon_output()
             raise typer.Exit(BROKEN_PIPE) from None

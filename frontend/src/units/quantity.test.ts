@@ -41,8 +41,8 @@ describe("a number as people write it", () => {
     ["3 furlongs", "km/h", "Takes km/h (also without a unit), m/s or mph"],
     ["2 m", "1", "Takes a number without a unit, or %"],
     ["2 m", "1/N^2", "Takes 1/N² (also without a unit)"],
-    ["5,000", "N", "Enter a number, e.g. 0.12 N; no commas for thousands"],
-    ["1.2.3 m", "m", "Enter a number, e.g. 0.12 m; no commas for thousands"],
+    ["5,000", "N", "Enter a number, e.g. 12 N; no commas for thousands"],
+    ["1.2.3 m", "m", "Enter a number, e.g. 12 m; no commas for thousands"],
     ["high", "1", "Enter a number, e.g. 0.12; no commas for thousands"],
   ])("%s where %s is asked for is refused: %s", (text, unit, message) => {
     expect(value(text, unit)).toBe(message);

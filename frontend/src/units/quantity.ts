@@ -47,7 +47,7 @@ export function parseQuantity(text: string, unit: string): Quantity {
   const compact = text.trim().replace("−", "-");
   const [digits = ""] = NUMBER.exec(compact) ?? [];
   const value = parseInput(digits);
-  if (value === null) return { ok: false, message: `Enter a number, e.g. ${unit === "1" ? "0.12" : `0.12 ${prettyUnit(unit)}`}; no commas for thousands` };
+  if (value === null) return { ok: false, message: `Enter a number, e.g. ${unit === "1" ? "0.12" : `12 ${prettyUnit(unit)}`}; no commas for thousands` };
   const written = keyOf(compact.slice(digits.length));
   if (written === "") return { ok: true, value };
   const units = unitsLike(unit);
