@@ -155,7 +155,10 @@ def test_ctrl_c_on_an_export_leaves_the_batch_alone(service: Service, tmp_path: 
 @pytest.mark.usefixtures("no_service_left")
 @pytest.mark.parametrize(
     ("how", "code", "message"),
-    [(signal.SIGINT, 130, "Interrupted: nothing was submitted, no file was written\n"), (signal.SIGKILL, -signal.SIGKILL, "")],
+    [
+        (signal.SIGINT, 130, "Interrupted: nothing was submitted, no file was written\n"),
+        (signal.SIGKILL, -signal.SIGKILL, ""),
+    ],
 )
 def test_a_private_service_that_still_starts_ends_with_its_command(
     elsewhere: Path, how: signal.Signals, code: int, message: str

@@ -1,6 +1,5 @@
 """Long answers lie in files whose sum is bounded, and nothing is left of them."""
 
-import asyncio
 import errno
 import io
 import shutil
@@ -18,6 +17,7 @@ from backend.http import spool
 from backend.http.spool import MOST_OF_CLIENT, SHORT, Spool, SpoolFile
 from backend.jobs.sweep.table import ColumnPages
 from backend.pieces import rendered, write_json
+from tests.servers import loops
 from tests.servers.process import HANG_TIMEOUT, ROOT
 
 MEGABYTE = 1_000_000
@@ -38,14 +38,14 @@ async def told(content: bytes, path: Path | None) -> bytes:
 
 
 def rendering(spool: Spool, content: bytes, size: float, client: str = "one") -> bytes | SpoolFile:
-    return asyncio.run(spool.render(client, size, partial(told, content)))
+    return loops.run(lambda: spool.render(client, size, partial(told, content)))
 
 
 def read(file: SpoolFile) -> bytes:
     async def pieces() -> bytes:
         return b"".join([piece async for piece in file.pieces()])
 
-    return asyncio.run(pieces())
+    return loops.run(pieces)
 
 
 def long_answer(spool: Spool, size: float = LONG, client: str = "one") -> SpoolFile:
@@ -118,7 +118,7 @@ def test_a_failure_leaves_nothing_and_a_full_disk_is_said(tmp_path: Path, monkey
         (ValueError("a bug"), ValueError),
     ):
         with pytest.raises(raised):
-            asyncio.run(spooled.render("one", LONG, partial(fails, error)))
+            loops.run(partial(spooled.render, "one", LONG, partial(fails, error)))
         assert not list(tmp_path.iterdir())
     monkeypatch.setattr(shutil, "disk_usage", lambda _: SimpleNamespace(free=spool.LEAST_FREE))
     with pytest.raises(BusyError, match="disk"):
