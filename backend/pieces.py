@@ -8,20 +8,20 @@ from typing import IO, Any
 import orjson
 
 
-def rendered(write: Callable[[IO[bytes]], object], path: Path | None) -> bytes:
-    """What `write` writes; nothing where it goes into a file, which has to be there."""
+def render_to(write: Callable[[IO[bytes]], object], path: Path | None) -> bytes:
+    """What `write` writes: returned, or written into the existing file at `path`."""
     if path is None:
         memory = io.BytesIO()
         write(memory)
         return memory.getvalue()
-    with path.open("r+b") as file:  # nobody waits for one that is gone, and none may be made
+    with path.open("r+b") as file:  # not created: if the file is gone, its request was cancelled
         write(file)
         file.truncate()  # what a worker that died may have left behind
     return b""
 
 
 def write_json(value: Any, file: IO[bytes]) -> None:
-    """Write JSON: of a dictionary member after member, and of a function what it returns when its turn comes."""
+    """Write JSON piece by piece: a dictionary member by member; a function is called when its value is due."""
     if callable(value):
         value = value()
     if not isinstance(value, dict) or not value:

@@ -37,7 +37,8 @@ class FairQueue:
     gains nothing where its tasks are estimated too low. Of one client the oldest task is next.
 
     Args:
-        reserved: Of all places so many are left to short tasks of clients that have no task running.
+        reserved: Of all places so many, but not the last one, are left to short tasks of clients that have no task
+            running.
         clock: Seconds, monotonic.
     """
 
@@ -67,12 +68,13 @@ class FairQueue:
     def begin_next(self, places: int) -> Task | None:
         """Begin the task that is next, where so many may run at once; None where none may begin."""
         running = Counter(task.client for task in self._running)
-        in_reserved = sum(task.reserved for task in self._running)
-        anybody = len(self._running) - in_reserved < places - self._reserved
+        reserved = max(0, min(self._reserved, places - 1))
+        in_reserved = min(reserved, sum(task.reserved for task in self._running))
+        anybody = len(self._running) - in_reserved < places - reserved
         eligible = [
             task
             for task in self._waiting
-            if anybody or (in_reserved < self._reserved and task.cost <= SHORT and not running[task.client])
+            if anybody or (in_reserved < reserved and task.cost <= SHORT and not running[task.client])
         ]
         if not eligible:
             return None

@@ -49,6 +49,7 @@ DAMAGED = (
     "(docs/operations.md, Backup and restore)"
 )
 CONNECT_TIMEOUT = 5  # to a PostgreSQL server [s]
+USER_TIMEOUT = 12_000  # for which what was sent to it may stay unacknowledged (TCP_USER_TIMEOUT, RFC 5482) [ms]
 # A server that hears nothing from a client for so long frees what that client held, its advisory locks too.
 KEEPALIVES = {"tcp_keepalives_idle": 8, "tcp_keepalives_interval": 3, "tcp_keepalives_count": 3}
 
@@ -271,7 +272,11 @@ def insert_new(connection: Connection, table: Table, rows: Sequence[dict[str, ob
 
 
 def _server_engine(url: URL) -> Engine:
-    own = {"connect_timeout": CONNECT_TIMEOUT, "application_name": f"{APPLICATION}{secrets.token_hex(8)}"}
+    own = {
+        "connect_timeout": CONNECT_TIMEOUT,
+        "tcp_user_timeout": USER_TIMEOUT,
+        "application_name": f"{APPLICATION}{secrets.token_hex(8)}",
+    }
     engine = create_engine(url, pool_pre_ping=True, connect_args=own)
     event.listen(engine, "connect", _set_up_server)
     return engine

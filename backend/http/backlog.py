@@ -61,8 +61,7 @@ class Backlog:
     @property
     def expected_wait(self) -> float:
         """How long a request of a new client would wait [s]."""
-        before = len(self._open)
-        return 0.0 if before <= self._workers else self._wait(before)
+        return self._wait(len(self._open))
 
     def check(self, client: str) -> None:
         """Refuse a request that would wait too long.

@@ -2,6 +2,7 @@
 
 import asyncio
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
 MAX_DROPPED = 32 * 1024 * 1024  # of what a client sends after its answer; beyond it is reset all the same [bytes]
@@ -45,8 +46,9 @@ class LingeringTransport:
             return
         self._lingers = True
         self._transport.resume_reading()
-        self._transport.write_eof()
         asyncio.get_running_loop().call_later(self._seconds, self._transport.abort)
+        with suppress(OSError):  # the client has reset it just now
+            self._transport.write_eof()
 
     def drop(self, size: int) -> None:
         """Count bytes that came after the answer; too many of them end the connection."""

@@ -13,8 +13,8 @@ from backend.http.tokens import Tokens, cookie_key
 COOKIE = "ridelab_login"
 LOGIN = "/api/v1/login"
 LIFETIME = 90 * 86400  # of a login [s]
-BELIEVED = 5.0  # what another replica has ended counts for so long [s]
-MOST_BELIEVED = 10_000
+RECHECK_AFTER = 5.0  # a login that another replica has ended counts for at most so long [s]
+MAX_CHECKED = 10_000  # logins
 
 
 class Logins:
@@ -39,7 +39,7 @@ class Logins:
         self._tokens = tokens
         self._remember = remember
         self._has_ended = has_ended
-        self._open: TTLCache[str, bool] = TTLCache(MOST_BELIEVED, BELIEVED)
+        self._open: TTLCache[str, bool] = TTLCache(MAX_CHECKED, RECHECK_AFTER)
 
     def begin(self, token: str) -> str | None:
         """The value of the page's cookie for that token; None where it is nobody's."""
@@ -57,9 +57,10 @@ class Logins:
                 name = each
         if name is None or time.time() - int(login.partition("-")[0], 16) > LIFETIME:
             return None
-        if login not in self._open and await self._has_ended(login):
-            return None
-        self._open[login] = True
+        if login not in self._open:
+            if await self._has_ended(login):
+                return None
+            self._open[login] = True  # only here: what is used all the time has to be checked again too
         return name
 
     async def end(self, cookie: str) -> None:

@@ -9,18 +9,22 @@ import shutil
 import weakref
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterator
 from contextlib import ExitStack, contextmanager, suppress
+from functools import partial
 from pathlib import Path
 from tempfile import NamedTemporaryFile
-from typing import IO
+from typing import IO, cast
 
 from backend.errors import BusyError, CostLimitError
 from backend.http.limits import ConcurrencyLimit, FairLimit
 
-SHORT = 4 * 1024 * 1024  # what is expected to be no longer stays in memory [bytes]
-PIECE = 256 * 1024  # read and sent at once [bytes]
-SHARE = 4  # the longest answer is that part of all that may be there
-MOST_OF_CLIENT, MOST = 48, 128  # files
+MAX_IN_MEMORY = 4 * 1024 * 1024  # an answer that is expected to be longer is written into a file [bytes]
+CHUNK = 256 * 1024  # read and sent at once [bytes]
+LARGEST_SHARE = 1 / 4  # of the whole space, for one file
+MAX_FILES_PER_CLIENT, MAX_FILES = 48, 128
 LEAST_FREE = 256 * 1024 * 1024  # left on the disk for the database [bytes]
+
+FEWER = "ask for fewer strategies, signals, points or columns"
+Work = Callable[[Path | None], Awaitable[bytes]]  # returns a short answer, or writes a long one into that file
 
 
 class SpoolFile:
@@ -43,7 +47,7 @@ class SpoolFile:
 
     async def pieces(self) -> AsyncIterator[bytes]:
         """All of it, piece by piece."""
-        while piece := await asyncio.to_thread(self._file.read, PIECE):
+        while piece := await asyncio.to_thread(self._file.read, CHUNK):
             yield piece
 
 
@@ -57,9 +61,10 @@ class Spool:
 
     def __init__(self, folder: Path, limit: int) -> None:
         self._folder = folder
-        self._longest = limit // SHARE
+        self._longest = limit * LARGEST_SHARE
         self._bytes = FairLimit(what="space for long answers", total=limit)
-        self._files = ConcurrencyLimit(what="long answers", per_client=MOST_OF_CLIENT, total=MOST)
+        self._files = ConcurrencyLimit(what="long answers", per_client=MAX_FILES_PER_CLIENT, total=MAX_FILES)
+        self._expected: dict[int, float] = {}  # by descriptor of an open file how long it will be [bytes]
 
     def clear(self) -> None:
         """Remove the files that no living service uses."""
@@ -68,32 +73,31 @@ class Spool:
                 fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
                 path.unlink()
 
-    async def render(
-        self, client: str, size: float, work: Callable[[Path | None], Awaitable[bytes]]
-    ) -> bytes | SpoolFile:
-        """What `work` renders.
+    @contextmanager
+    def reserved(self, client: str, size: float) -> Iterator[Callable[[Work], Awaitable[bytes | SpoolFile]]]:
+        """Reserve space for an answer before anything is computed for it; it is freed where the block fails.
 
         Args:
             client: Who asks.
-            size: About how long it will be [bytes].
-            work: Returns a short answer, or writes a long one into the file of that path.
+            size: About how long the answer will be [bytes].
+
+        Yields:
+            What has the answer written: returns a short one, or the file that holds a long one.
 
         Raises:
             CostLimitError, TemporaryError: As `file`; also where the disk is full before all is written.
         """
-        if size <= SHORT:
-            return await work(None)
-        file = self.file(client, size)
+        file = None if size <= MAX_IN_MEMORY else self.file(client, size)
         with ExitStack() as held, refused_where_full():
-            held.callback(file.close)
-            await work(file.path)
+            if file is not None:
+                held.callback(file.close)
+            yield partial(_written, file)
             held.pop_all()
-        return file
 
     @contextmanager
     def scratch(self, client: str, size: float) -> Iterator[IO[bytes]]:
         """Memory, or a file, for about so many bytes until the block ends; raises what `file` raises."""
-        if size <= SHORT:
+        if size <= MAX_IN_MEMORY:
             yield io.BytesIO()
             return
         file = self.file(client, size)
@@ -101,8 +105,13 @@ class Spool:
             held.callback(file.close)
             yield opened
 
-    def file(self, client: str, size: float) -> SpoolFile:
+    def file(self, client: str, size: float, *, advice: str = FEWER) -> SpoolFile:
         """An empty file for about so many bytes.
+
+        Args:
+            client: Who asks.
+            size: How many.
+            advice: What makes it shorter.
 
         Raises:
             CostLimitError: It would be longer than any may be.
@@ -110,18 +119,42 @@ class Spool:
         """
         if size > self._longest:
             raise CostLimitError(
-                f"The answer would have about {size / 1e6:.0f} MB, and the limit is {self._longest / 1e6:.0f} MB: ask "
-                "for fewer strategies, signals, points or columns."
+                f"A file of about {size / 1e6:.0f} MB would be needed, and the limit is {self._longest / 1e6:.0f} MB: "
+                f"{advice}."
             )
         with ExitStack() as held, refused_where_full():
             held.enter_context(self._files.acquired(client))
             held.enter_context(self._bytes.acquired(client, size))
             self._folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-            if shutil.disk_usage(self._folder).free < size + LEAST_FREE:
-                raise OSError(errno.ENOSPC, "less is free than the answer needs")
-            file = held.enter_context(NamedTemporaryFile(dir=self._folder, buffering=0))
-            fcntl.flock(file, fcntl.LOCK_EX)
+            if shutil.disk_usage(self._folder).free < size + self._unwritten() + LEAST_FREE:
+                raise OSError(errno.ENOSPC, "less is free than the files will need")
+            file = held.enter_context(_locked_file(self._folder))
+            self._expected[file.fileno()] = size
+            held.callback(self._expected.pop, file.fileno())
             return SpoolFile(file, held.pop_all())
+
+    def _unwritten(self) -> float:
+        """What the open files will still need on the disk [bytes]."""
+        return sum(max(0.0, size - os.fstat(number).st_size) for number, size in self._expected.items())
+
+
+async def _written(file: SpoolFile | None, work: Work) -> bytes | SpoolFile:
+    if file is None:
+        return await work(None)
+    await work(file.path)
+    return file
+
+
+def _locked_file(folder: Path) -> IO[bytes]:
+    """A new file with a lock on it; not one that a starting service's `clear` has locked or removed before that."""
+    while True:
+        file = NamedTemporaryFile(dir=folder, buffering=0)  # noqa: SIM115  # the caller closes it
+        with suppress(BlockingIOError):
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            if os.fstat(file.fileno()).st_nlink:
+                return cast(IO[bytes], file)
+        with suppress(FileNotFoundError):  # it is removed already
+            file.close()
 
 
 @contextmanager

@@ -164,7 +164,9 @@ def _end_hung_leader(store: Store) -> bool:
         # The lock last: when another service gets it, nothing else of the hanging one is left.
         ended = bool(connection.execute(_END_HOLDER, values).scalar_one())
     if ended:
-        logger.warning("The service that drove the jobs had not moved for %g s; its connections were ended", HUNG)
+        logger.warning(
+            "The leader had not used its lock's connection for more than %g s; its connections were ended", HUNG
+        )
     return ended
 
 

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from backend.ecu.drive import simulate
 from backend.json_types import JsonObject
-from backend.pieces import rendered, write_json
-from backend.runs.exports import VALUE_BYTES
+from backend.pieces import render_to, write_json
+from backend.runs import exports
 from backend.runs.series import ROWS, SeriesArray, Stages, as_json, decimate, most_samples, pack
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import SIGNALS
@@ -81,9 +81,10 @@ class Band:
         return (self.total / self.roads).astype(np.float32)
 
 
-def text_size(samples: Iterable[int], signals: int, points: int | None) -> float:
-    """About how long the JSON of so many signals is [bytes], from how many samples each strategy has."""
-    return 3 * signals * VALUE_BYTES["json"] * sum(count if points is None else min(count, points) for count in samples)
+def text_size(samples: Iterable[int], signals: Sequence[str], points: int | None, encoding: str) -> float:
+    """About how long the JSON of those signals is [bytes], from how many samples each strategy has; see `render`."""
+    columns = len(signals) + 2 * len(_spread(signals))
+    return columns * exports.value_bytes("json", encoding) * exports.rows(samples, points)
 
 
 def drive(roads: Sequence[Scenario], strategy: str, before: tuple[Path, int], after: Path) -> int:
@@ -135,7 +136,7 @@ def render(
         signals: Keys in the catalogue's order, time the first.
         points: About how many samples, the same ones of mean, minimum and maximum; None is all.
         encoding: How JSON holds numbers: `list` or `base64`.
-        path: Where to, see `pieces.rendered`.
+        path: Where to, see `pieces.render_to`.
     """
     content = {
         "core_version": CORE_VERSION,
@@ -146,14 +147,19 @@ def render(
             for name, file in files.items()
         },
     }
-    return rendered(partial(write_json, content), path)
+    return render_to(partial(write_json, content), path)
+
+
+def _spread(signals: Sequence[str]) -> list[str]:
+    """Those that differ from road to road: the others have neither minimum nor maximum."""
+    return [key for key in signals if key not in SAME_ON_EVERY_ROAD]
 
 
 def _decimated(
     file: Path, roads: int, signals: Sequence[str], points: int | None, stages: Stages, encoding: str
 ) -> JsonObject:
     band = Band.load(file, roads)
-    spread = [key for key in signals if key not in SAME_ON_EVERY_ROAD]
+    spread = _spread(signals)
     parts = {"mean": (band.mean, signals), "minimum": (band.minimum, spread), "maximum": (band.maximum, spread)}
     few = decimate(np.vstack([array[[ROWS[key] for key in keys]] for array, keys in parts.values()]), points, stages)
     rows = iter(few)

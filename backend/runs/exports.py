@@ -15,7 +15,7 @@ from pyarrow import csv, parquet
 
 from backend.ecu.drive import simulate
 from backend.json_types import JsonObject
-from backend.pieces import rendered, write_json
+from backend.pieces import render_to, write_json
 from backend.runs import pins
 from backend.runs.series import ROWS, SeriesArray, Stages, as_json, pack
 from sim_core.catalogue import SIGNALS
@@ -24,7 +24,7 @@ from sim_core.scenario import Scenario
 AT_ONCE = 10_000  # samples of a table
 # Of one value, about [bytes]; text of float32.
 VALUE_BYTES = {"csv": 12.0, "json": 12.0, "parquet": 5.0}
-BASE64_BYTES = 16 / 3
+BASE64_BYTES = 16 / 3  # four bytes become 16/3 characters (RFC 4648, section 4)
 NAME_BYTES = 16  # of a strategy in each row of CSV [bytes]
 BYTE_COST = 2e-8  # of one byte [s of one core]
 
@@ -64,17 +64,26 @@ class Export:
 
     def size(self, samples: Iterable[int]) -> float:
         """About how long the file will be [bytes], from how many samples each strategy has."""
-        is_base64 = self.file_format == "json" and self.encoding == "base64"
-        each = len(self.signals) * (BASE64_BYTES if is_base64 else VALUE_BYTES[self.file_format])
+        each = len(self.signals) * value_bytes(self.file_format, self.encoding)
         if self.file_format == "csv" and len(self.strategies) > 1:
             each += NAME_BYTES
-        return each * sum(count if self.points is None else min(count, self.points) for count in samples)
+        return each * rows(samples, self.points)
+
+
+def value_bytes(file_format: str, encoding: str) -> float:
+    """About how long one value is in a file of that format [bytes]."""
+    return BASE64_BYTES if (file_format, encoding) == ("json", "base64") else VALUE_BYTES[file_format]
+
+
+def rows(samples: Iterable[int], points: int | None) -> int:
+    """About how many samples come out of strategies with so many, at about `points` of each (None is all)."""
+    return sum(count if points is None else min(count, points) for count in samples)
 
 
 def render(scenario: Scenario, export: Export, path: Path | None) -> bytes:
-    """Simulate and render; arguments and result as of `pieces.rendered`."""
+    """Simulate and render; arguments and result as of `pieces.render_to`."""
     members = {name: partial(_driven, scenario, name, export.points) for name in export.strategies}
-    return rendered(partial(_write, members, export), path)
+    return render_to(partial(_write, members, export), path)
 
 
 def render_pinned(
@@ -84,7 +93,7 @@ def render_pinned(
     present = set.intersection(*(pins.signals(content) for content in pinned.values()))
     export = replace(export, signals=[key for key in export.signals if key in present])
     members = {name: partial(_pinned, pinned[name], stages[name], export.points) for name in pinned}
-    return rendered(partial(_write, members, export), path)
+    return render_to(partial(_write, members, export), path)
 
 
 def _driven(scenario: Scenario, name: str, points: int | None) -> Columns:

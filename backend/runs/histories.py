@@ -26,9 +26,10 @@ from sim_core.study.roads import seeded
 from sim_core.workload import estimate
 
 FIGURE_POINTS = 2000
+SHORTER_RUN = "run a shorter road or a higher speed"
 BAND_BYTES = 64 * 1024 * 1024  # of cached bands: those of a dozen strategies
 PIN_BYTES = 64 * 1024 * 1024  # of the pins of all requests at once, before they were compressed
-LEAST_BAND = 4 * 1024 * 1024  # as which a shorter one counts, so that few files stay open [bytes]
+MIN_CACHED_BAND = 4 * 1024 * 1024  # a shorter one counts as this long, so that few files stay open [bytes]
 
 
 class Histories:
@@ -43,7 +44,9 @@ class Histories:
         self._results = results
         self._admission = admission
         self._roads = roads
-        self._bands: LRUCache[str, SpoolFile] = LRUCache(BAND_BYTES, getsizeof=lambda band: max(LEAST_BAND, band.size))
+        self._bands: LRUCache[str, SpoolFile] = LRUCache(
+            BAND_BYTES, getsizeof=lambda band: max(MIN_CACHED_BAND, band.size)
+        )
         self._flights: Flights[str, SpoolFile] = Flights()
         self._pins = FairLimit(what="pinned time histories", total=PIN_BYTES)
 
@@ -112,13 +115,13 @@ class Histories:
             if pinned is None:
                 scenario = await self._on_its_road(scenario)
                 cost += cost_of(scenario, keys)
-            with self._admission.computing(client, cost):
+            with self._admission.computing(client, cost), self._spool.reserved(client, size) as write:
                 call = partial(self._workers.call, client=client, cost=cost)
                 if pinned is None:
                     work = partial(call, exports.render, scenario, export)
                 else:
                     work = partial(call, exports.render_pinned, pinned, _stages(stored), export)
-                return await self._spool.render(client, size, work)
+                return await write(work)
 
     async def over_roads(
         self,
@@ -145,9 +148,11 @@ class Histories:
         keys = {name: digest.band_key(roads[0], name, stored.roads) for name in names}
         found = {name: self._bands[key] for name, key in keys.items() if key in self._bands}
         missing = [name for name in names if name not in found]
-        cost = stored.roads * cost_of(roads[0], missing)
+        size = bands.text_size((most_samples(roads[0], name) for name in names), signals, points, encoding)
+        render_cost = exports.BYTE_COST * size
+        cost = stored.roads * cost_of(roads[0], missing) + render_cost
         self._check_memory(roads[0], names)
-        with self._admission.computing(client, cost):
+        with self._admission.computing(client, cost), self._spool.reserved(client, size) as write:
             tasks = [
                 asyncio.create_task(self._flights.join(keys[name], partial(self._drive, roads, name, client)))
                 for name in missing
@@ -160,10 +165,7 @@ class Histories:
             self._bands.update({keys[name]: found[name] for name in missing if found[name].size <= BAND_BYTES})
             paths = {name: found[name].path for name in names}
             shown = (paths, stored.roads, _stages(stored), signals, points, encoding)
-            size = bands.text_size((most_samples(roads[0], name) for name in names), len(signals), points)
-            return await self._spool.render(
-                client, size, partial(self._workers.call, bands.render, *shown, client=client)
-            )
+            return await write(partial(self._workers.call, bands.render, *shown, client=client, cost=render_cost))
 
     @staticmethod
     def _check_memory(scenario: Scenario, names: Sequence[str]) -> None:
@@ -172,14 +174,14 @@ class Histories:
         if size > bands.MAX_BYTES:
             raise CostLimitError(
                 f"The time histories over all roads would take {size >> 20} MiB, and the limit is "
-                f"{bands.MAX_BYTES >> 20} MiB: ask for fewer strategies, or run a shorter road or a higher speed.",
+                f"{bands.MAX_BYTES >> 20} MiB: ask for fewer strategies, or {SHORTER_RUN}.",
                 parameter="strategy",
             )
 
     async def _drive(self, roads: Sequence[Scenario], name: str, client: str) -> SpoolFile:
         """The band of one strategy over all roads, slice by slice, so that other requests come in between."""
         size, done = bands.Band.most_nbytes(roads[0], name), 0
-        before, after = self._spool.file(client, size), self._spool.file(client, size)
+        before, after = (self._spool.file(client, size, advice=SHORTER_RUN) for _ in range(2))
         cost = max(bands.LONGEST_TASK, estimate(roads[0], name))
         with refused_where_full():
             while done < len(roads):

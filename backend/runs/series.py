@@ -23,10 +23,10 @@ from sim_core.workload import duration, samples
 
 SeriesArray = NDArray[np.float32]
 ROWS = {key: row for row, key in enumerate(SIGNALS)}
-LONG = 200_000  # samples, of which no array is made to be thinned out
+MAX_COPIED_SAMPLES = 200_000  # a longer run is decimated signal by signal, without a copy of all its samples
 SAMPLE_BYTES = 4 * len(SIGNALS)  # of a series array
 ALWAYS = ("time", "position")
-BEFORE, BEHIND = 0.6, 0.9  # parts of the bump's length that are shown around it, as the page does
+BEFORE, AFTER = 0.6, 0.9  # parts of the bump's length that are shown around it, as the page does
 
 
 def ordered_signals(signals: Iterable[str] | None) -> list[str]:
@@ -39,7 +39,7 @@ def pack(result: StrategyResult, points: int | None = None) -> SeriesArray:
     """A result's time histories as one array; about `points` samples, or all."""
     rows = _Rows(result)
     stages = Stages.of((span.stage, span.start_time, span.end_time) for span in result.stages)
-    if points is not None and len(rows[0]) > LONG:
+    if points is not None and len(rows[0]) > MAX_COPIED_SAMPLES:
         return decimate(rows, points, stages)
     array = np.empty((len(rows), len(rows[0])), dtype=np.float32)
     for number, row in enumerate(rows):
@@ -78,7 +78,7 @@ class Stages:
         """From each stage's name, start and end [s], in their order."""
         _, *later = listed = list(spans)
         bumps = [
-            (start - BEFORE * (end - start), end + BEHIND * (end - start))
+            (start - BEFORE * (end - start), end + AFTER * (end - start))
             for stage, start, end in listed
             if stage == BUMP
         ]
@@ -102,13 +102,13 @@ def decimate(series: Sequence[SeriesArray] | SeriesArray, points: int | None, st
         return np.asarray(series)
     first, last = np.searchsorted(time, stages.bump or ()).tolist() or (0, count)
     if stages.bump is None or 2 * (last - first) >= count:
-        parts = [_Missed(0, count, points)]
+        parts = [_ChordErrors(0, count, points)]
     else:
         around = count - (last - first)
         parts = [
-            _Missed(0, first, max(2, points * first // (2 * around))),
-            _Missed(first, last, max(2, points // 2)),
-            _Missed(last, count, max(2, points * (count - last) // (2 * around))),
+            _ChordErrors(0, first, max(2, points * first // (2 * around))),
+            _ChordErrors(first, last, max(2, points // 2)),
+            _ChordErrors(last, count, max(2, points * (count - last) // (2 * around))),
         ]
     cuts = np.searchsorted(time, np.asarray(stages.breaks, dtype=np.float32)).tolist()
     windows = list(itertools.pairwise(sorted({0, *cuts, count})))
@@ -124,7 +124,7 @@ def decimate(series: Sequence[SeriesArray] | SeriesArray, points: int | None, st
     return np.stack([row[indices] for row in series])
 
 
-class _Missed:
+class _ChordErrors:
     """How far straight lines between even samples miss the others, of signals one after the other.
 
     Half of about `points` indices lie evenly. The other half are those that the lines miss most (relative to the
@@ -142,7 +142,7 @@ class _Missed:
         self._half = max(1, -(-self._count // points))
         self._gaps = (self._count - 1) // (2 * self._half)
         self._fraction = np.arange(2 * self._half, dtype=np.float32) / np.float32(2 * self._half)
-        self._most = np.zeros((0 if self._every else self._gaps, 2 * self._half), dtype=np.float32)
+        self._largest = np.zeros((0 if self._every else self._gaps, 2 * self._half), dtype=np.float32)
 
     def add(self, row: SeriesArray, span: np.float32) -> None:
         """Add a signal (samples,) of that span."""
@@ -152,13 +152,13 @@ class _Missed:
         nodes = part[: self._gaps * stride + 1 : stride]
         lines = nodes[:-1, None] + np.diff(nodes)[:, None] * self._fraction
         away = np.abs(part[: self._gaps * stride].reshape(self._gaps, stride) - lines)
-        np.maximum(self._most, away / span, out=self._most)
+        np.maximum(self._largest, away / span, out=self._largest)
 
     def indices(self) -> NDArray[np.int64]:
         """Indices into the whole series, once every signal was added."""
         if self._every:
             return self._start + np.arange(self._count)
-        halves = self._most.reshape(2 * self._gaps, self._half)
+        halves = self._largest.reshape(2 * self._gaps, self._half)
         worst = np.arange(2 * self._gaps) * self._half + halves.argmax(axis=1)
         most_missed = worst[np.argsort(halves.max(axis=1))[self._gaps :]]
         return self._start + np.concatenate([np.arange(self._gaps + 1) * 2 * self._half, most_missed])

@@ -11,7 +11,11 @@ import httpx
 import pytest
 
 from backend.http import spool
+from backend.http.limits import ConcurrencyLimit
 from backend.http.server import GuardedProtocol
+from backend.runs import bands
+from backend.runs.series import most_samples, ordered_signals
+from sim_core.scenario import Scenario
 from tests.api.test_hostile_connections import impatient, rest
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
@@ -42,8 +46,8 @@ def files(folder: Path) -> list[Path]:
 def both(client: httpx.Client, monkeypatch: pytest.MonkeyPatch, path: str, **query: Any) -> list[httpx.Response]:
     """The answer from memory, and from a file."""
     answers = []
-    for short in (spool.SHORT, 0):
-        monkeypatch.setattr(spool, "SHORT", short)
+    for short in (spool.MAX_IN_MEMORY, 0):
+        monkeypatch.setattr(spool, "MAX_IN_MEMORY", short)
         answers.append(client.get(f"/api/v1{path}", params=query, headers={"Accept-Encoding": "identity"}))
     monkeypatch.undo()
     return answers
@@ -69,7 +73,7 @@ def test_a_long_one_is_compressed_and_asked_for_by_its_head(
 ) -> None:
     path, query = f"/api/v1/runs/{run['id']}/series", {"strategy": "lv", "format": "csv"}
     plain = client.get(path, params=query)
-    monkeypatch.setattr(spool, "SHORT", 0)
+    monkeypatch.setattr(spool, "MAX_IN_MEMORY", 0)
     with client.stream("GET", path, params=query, headers={"Accept-Encoding": "gzip"}) as compressed:
         assert compressed.headers["content-encoding"] == "gzip"
         assert len(b"".join(compressed.iter_raw())) < len(plain.content) / 2
@@ -103,7 +107,7 @@ def test_bands_are_the_same(client: httpx.Client, monkeypatch: pytest.MonkeyPatc
 def test_no_room_is_said(
     service: Any, client: httpx.Client, run: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(spool, "SHORT", 0)
+    monkeypatch.setattr(spool, "MAX_IN_MEMORY", 0)
     path, query = f"/api/v1/runs/{run['id']}/series", {"strategy": "lv", "format": "csv"}
     monkeypatch.setattr(spool, "LEAST_FREE", 1 << 60)
     full = client.get(path, params=query)
@@ -115,6 +119,49 @@ def test_no_room_is_said(
     assert refused.status_code == 422
     assert refused.json()["type"].endswith(":cost-limit")
     assert "fewer" in refused.json()["detail"]
+
+
+def test_space_is_reserved_before_anything_is_computed(
+    service: Any, client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(spool, "MAX_IN_MEMORY", 0)
+    body = {"scenario": {"road": {"length": 131.9}}, "strategies": ["passive"], "roads": 2}
+    run = client.post("/api/v1/runs", json=body).json()
+    body = {"scenario": body["scenario"], "strategies": ["passive"], "sweep": {"list": [{"road.seed": 1}]}}
+    batch = client.post("/api/v1/batches", json=body).json()["id"]
+    wait_until(lambda: client.get(f"/api/v1/batches/{batch}").json()["state"] == "done", "the batch is done")
+    files = service.app.state.runs._histories._spool
+    calls, original = [], service.app.state.workers.call
+
+    async def counted(function: Any, *arguments: Any, **queued: Any) -> Any:
+        calls.append((function, queued["cost"]))
+        return await original(function, *arguments, **queued)
+
+    monkeypatch.setattr(service.app.state.workers, "call", counted)
+    with monkeypatch.context() as limited:
+        size = bands.Band.most_nbytes(Scenario.model_validate(run["scenario"]), "passive")
+        limited.setattr(files, "_longest", 1.1 * size)  # the band's own file fits
+        assert client.get(f"/api/v1/runs/{run['id']}/bands").status_code == 422
+    with monkeypatch.context() as limited:
+        limited.setattr(files, "_files", ConcurrencyLimit(what="long answers", per_client=1))  # no second one
+        assert client.get(f"/api/v1/batches/{batch}/table?figures=travel_time").status_code == 429
+    assert not calls
+    assert client.get(f"/api/v1/runs/{run['id']}/bands").status_code == 200
+    ((function, cost),) = calls[-1:]
+    assert function is bands.render
+    assert cost > 0, "what takes long does not count as short"
+
+
+def test_the_length_of_bands_is_estimated(client: httpx.Client) -> None:
+    body = {"scenario": {"road": {"length": 131.8}}, "strategies": ["passive"], "roads": 2}
+    run = client.post("/api/v1/runs", json=body).json()
+    samples = most_samples(Scenario.model_validate(run["scenario"]), "passive")
+    for encoding in ("list", "base64"):
+        for signals in ("speed", "body_acceleration"):
+            query = {"signals": signals, "encoding": encoding, "points": 100_000}
+            answer = client.get(f"/api/v1/runs/{run['id']}/bands", params=query)
+            size = bands.text_size([samples], ordered_signals([signals]), None, encoding)
+            assert 0.75 * size < len(answer.content) < 1.05 * size
 
 
 @pytest.mark.parametrize("hangs_up", [True, False])
@@ -140,7 +187,7 @@ def test_who_takes_nothing_or_hangs_up_keeps_no_file(
 
 def test_a_slow_reader_gets_all(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(GuardedProtocol, "WRITE_TIMEOUT", 1.0)
-    monkeypatch.setattr(spool, "SHORT", 0)
+    monkeypatch.setattr(spool, "MAX_IN_MEMORY", 0)
     run = service.run(["passive"], {"road": {"length": 400}}).json()["id"]
     path = f"/api/v1/runs/{run}/series?format=csv"
     whole = service.client.get(path).content

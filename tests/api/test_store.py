@@ -2,7 +2,9 @@
 
 import contextlib
 import json
+import os
 import shutil
+import socket
 import sqlite3
 import threading
 from collections.abc import Callable, Iterator
@@ -213,6 +215,14 @@ def test_a_dead_client_is_noticed_by_the_server(server_store: Store) -> None:
             for name in ("idle", "interval", "count")
         }
     assert 0 < values["idle"] + values["interval"] * values["count"] <= 20
+
+
+def test_a_dead_server_is_noticed_by_the_client(server_store: Store) -> None:
+    """Also where it vanishes after a statement was sent: nothing else limits the wait for its acknowledgement."""
+    with server_store.engine.connect() as connection:
+        descriptor = os.dup(connection.connection.dbapi_connection.fileno())  # type: ignore[union-attr]
+        with socket.socket(fileno=descriptor) as own:
+            assert 0 < own.getsockopt(socket.IPPROTO_TCP, socket.TCP_USER_TIMEOUT) <= 20_000
 
 
 def test_sqlite_is_set_up_for_durability(migrated_sqlite: Path, tmp_path: Path) -> None:

@@ -8,12 +8,13 @@ from pathlib import Path
 
 import httpx
 import pytest
+from cachetools import TTLCache
 from fastapi import FastAPI
 from prometheus_client import CollectorRegistry
 from sqlalchemy.exc import OperationalError
 
 from backend.app import create_app
-from backend.http.logins import BELIEVED, COOKIE, LIFETIME, Logins
+from backend.http.logins import COOKIE, LIFETIME, MAX_CHECKED, RECHECK_AFTER, Logins
 from backend.http.tokens import Caller, Tokens, cookie_key, read_tokens
 from backend.settings import Settings, SettingsError
 from backend.store import Store
@@ -157,11 +158,33 @@ def test_a_login_ends_by_itself_and_at_once_for_all_replicas(
 
     assert [loops.run(partial(names, cookie)) for cookie in (first, second)] == [["ann", "ann"]] * 2
     loops.run(partial(one.end, first))
-    another._open.expire(another._open.timer() + BELIEVED + 1)  # as time does
+    another._open.expire(another._open.timer() + RECHECK_AFTER + 1)  # as time does
     assert loops.run(partial(names, first)) == [None, None]
     now = time.time()
     monkeypatch.setattr(time, "time", lambda: now + LIFETIME + 2)
     assert loops.run(partial(names, second)) == [None, None]
+
+
+def test_a_login_in_use_is_checked_again(file: Path) -> None:
+    """Its end on another replica counts however often the cookie comes."""
+    now, ended = 0.0, False
+
+    async def has_ended(_: str) -> bool:
+        return ended
+
+    async def remember(_: str) -> None:
+        raise AssertionError
+
+    logins = Logins(Tokens(file), remember=remember, has_ended=has_ended)
+    logins._open = TTLCache(MAX_CHECKED, RECHECK_AFTER, lambda: now)
+    cookie = str(logins.begin(ANN))
+    assert loops.run(partial(logins.name, cookie)) == "ann"
+    ended = True
+    names = []
+    for _ in range(3):
+        now += 0.6 * RECHECK_AFTER
+        names.append(loops.run(partial(logins.name, cookie)))
+    assert names == ["ann", None, None]
 
 
 def test_without_a_file_everybody_may_ask_and_nobody_has_a_name(client: httpx.Client) -> None:

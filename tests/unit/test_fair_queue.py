@@ -116,14 +116,31 @@ def test_a_long_task_gets_its_turn_however_many_short_ones_come() -> None:
 
 
 def test_while_processes_are_missing_the_reserved_one_stays_reserved() -> None:
+    processes = Processes(2, reserved=1)
+    processes.ask("long", 20.0, count=2)
+    assert processes.order == ["long"]
+    processes.ask("short")
+    assert processes.order == ["long", "short"]
+
+
+def test_the_only_process_alive_takes_long_tasks_too() -> None:
     processes = Processes(1, reserved=1)
     processes.ask("long", 20.0)
-    assert not processes.running
+    assert processes.order == ["long"]
     processes.ask("short")
-    assert processes.order == ["short"]
-    processes.count = 2
+    assert processes.order == ["long"], "it is busy"
+    processes.work(20.0)
+    assert processes.order == ["long", "short"]
+
+
+def test_no_more_run_than_there_are_processes_left() -> None:
+    processes = Processes(2, reserved=1)
+    processes.ask("long", 20.0)
     processes.ask("short")
-    assert processes.order == ["short", "long"]
+    processes.count = 1  # the other's process has died: its task ends
+    processes.work(client="long")
+    processes.ask("third")
+    assert processes.order == ["long", "short"]
 
 
 def test_one_client_alone_uses_all_but_the_reserved_process() -> None:

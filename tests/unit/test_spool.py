@@ -1,6 +1,7 @@
 """Long answers lie in files whose sum is bounded, and nothing is left of them."""
 
 import errno
+import fcntl
 import io
 import shutil
 import subprocess
@@ -8,20 +9,21 @@ import sys
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
+from typing import IO
 
 import orjson
 import pytest
 
 from backend.errors import BusyError, CostLimitError, TooManyRequestsError
 from backend.http import spool
-from backend.http.spool import MOST_OF_CLIENT, SHORT, Spool, SpoolFile
+from backend.http.spool import MAX_FILES_PER_CLIENT, MAX_IN_MEMORY, Spool, SpoolFile
 from backend.jobs.sweep.table import ColumnPages
-from backend.pieces import rendered, write_json
+from backend.pieces import render_to, write_json
 from tests.servers import loops
 from tests.servers.process import HANG_TIMEOUT, ROOT
 
 MEGABYTE = 1_000_000
-LONG = SHORT + 1
+LONG = MAX_IN_MEMORY + 1
 OTHER = """
 import sys, time
 from pathlib import Path
@@ -34,11 +36,15 @@ time.sleep(1000)
 
 
 async def told(content: bytes, path: Path | None) -> bytes:
-    return rendered(lambda file: file.write(content), path)
+    return render_to(lambda file: file.write(content), path)
 
 
 def rendering(spool: Spool, content: bytes, size: float, client: str = "one") -> bytes | SpoolFile:
-    return loops.run(lambda: spool.render(client, size, partial(told, content)))
+    async def rendered() -> bytes | SpoolFile:
+        with spool.reserved(client, size) as write:
+            return await write(partial(told, content))
+
+    return loops.run(rendered)
 
 
 def read(file: SpoolFile) -> bytes:
@@ -56,7 +62,7 @@ def long_answer(spool: Spool, size: float = LONG, client: str = "one") -> SpoolF
 
 def test_a_short_answer_stays_in_memory(tmp_path: Path) -> None:
     folder = tmp_path / "spool"
-    assert rendering(Spool(folder, 100 * MEGABYTE), b"short", SHORT) == b"short"
+    assert rendering(Spool(folder, 100 * MEGABYTE), b"short", MAX_IN_MEMORY) == b"short"
     assert not folder.exists()
 
 
@@ -78,15 +84,15 @@ def test_a_long_one_lies_in_a_file_until_it_is_closed_or_forgotten(tmp_path: Pat
 def test_a_second_attempt_leaves_nothing_of_the_first(tmp_path: Path) -> None:
     file = tmp_path / "answer"
     file.write_bytes(b"a worker died in the middle of a longer one")
-    assert rendered(lambda opened: opened.write(b"again"), file) == b""
+    assert render_to(lambda opened: opened.write(b"again"), file) == b""
     assert file.read_bytes() == b"again"
     with pytest.raises(FileNotFoundError):  # a file that is gone is not made again: nobody would remove it
-        rendered(lambda _: None, tmp_path / "gone")
+        render_to(lambda _: None, tmp_path / "gone")
 
 
 def test_the_sum_is_bounded_and_shared(tmp_path: Path) -> None:
     spool = Spool(tmp_path, 100 * MEGABYTE)
-    with pytest.raises(CostLimitError, match="30 MB, and the limit is 25 MB: ask for fewer"):
+    with pytest.raises(CostLimitError, match="30 MB would be needed, and the limit is 25 MB: ask for fewer"):
         long_answer(spool, 30 * MEGABYTE)
     held = [long_answer(spool, 25 * MEGABYTE) for _ in range(4)]
     with pytest.raises(TooManyRequestsError):
@@ -99,7 +105,7 @@ def test_the_sum_is_bounded_and_shared(tmp_path: Path) -> None:
 
 def test_too_many_files_are_refused(tmp_path: Path) -> None:
     spool = Spool(tmp_path, 10_000 * MEGABYTE)
-    held = [long_answer(spool) for _ in range(MOST_OF_CLIENT)]
+    held = [long_answer(spool) for _ in range(MAX_FILES_PER_CLIENT)]
     with pytest.raises(TooManyRequestsError):
         long_answer(spool)
     del held
@@ -109,8 +115,14 @@ def test_too_many_files_are_refused(tmp_path: Path) -> None:
 def test_a_failure_leaves_nothing_and_a_full_disk_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     spooled = Spool(tmp_path, 100 * MEGABYTE)
 
-    async def fails(error: Exception, _: Path | None) -> bytes:
-        raise error
+    async def fails(error: Exception) -> None:
+        async def work(path: Path | None) -> bytes:
+            assert path is not None
+            assert list(tmp_path.iterdir()) == [path]
+            raise error
+
+        with spooled.reserved("one", LONG) as write:
+            await write(work)
 
     for error, raised in (
         (OSError(errno.ENOSPC, "No space left on device"), BusyError),
@@ -118,11 +130,58 @@ def test_a_failure_leaves_nothing_and_a_full_disk_is_said(tmp_path: Path, monkey
         (ValueError("a bug"), ValueError),
     ):
         with pytest.raises(raised):
-            loops.run(partial(spooled.render, "one", LONG, partial(fails, error)))
+            loops.run(partial(fails, error))
         assert not list(tmp_path.iterdir())
     monkeypatch.setattr(shutil, "disk_usage", lambda _: SimpleNamespace(free=spool.LEAST_FREE))
     with pytest.raises(BusyError, match="disk"):
         long_answer(spooled)
+
+
+def test_files_that_are_not_written_yet_count_on_the_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    size, spooled = 8 * MEGABYTE, Spool(tmp_path, 100 * MEGABYTE)
+    free = spool.LEAST_FREE + 1.5 * size
+    monkeypatch.setattr(shutil, "disk_usage", lambda _: SimpleNamespace(free=free))
+    first = spooled.file("one", size)
+    with pytest.raises(BusyError, match="disk"):
+        spooled.file("two", size)
+    first.path.write_bytes(bytes(size))  # now it is the disk that knows
+    spooled.file("two", size).close()
+    first.path.write_bytes(b"")
+    first.close()
+    spooled.file("two", size).close()
+
+
+@pytest.mark.parametrize("removed", [False, True])
+def test_a_file_that_a_starting_service_takes_for_a_dead_ones_is_given_up(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, removed: bool
+) -> None:
+    """Between its creation and its lock the other one has locked it, or removed it already."""
+    locks, others = [], []
+
+    def flock(file: IO[bytes], operation: int) -> None:
+        locks.append(operation)
+        if len(locks) == 1:
+            (path,) = tmp_path.iterdir()
+            others.append(path.open("rb"))
+            real(others[0], fcntl.LOCK_EX)
+            if removed:
+                path.unlink()
+                others[0].close()
+        real(file, operation | fcntl.LOCK_NB)
+
+    real = fcntl.flock
+    monkeypatch.setattr(fcntl, "flock", flock)
+    file = Spool(tmp_path, 100 * MEGABYTE).file("one", LONG)
+    others[0].close()
+    assert list(tmp_path.iterdir()) == [file.path]
+    assert all(operation & fcntl.LOCK_NB for operation in locks), "the event loop does not wait"
+    file.close()
+    assert not list(tmp_path.iterdir())
+
+
+def test_advice_fits_the_file(tmp_path: Path) -> None:
+    with pytest.raises(CostLimitError, match="limit is 25 MB: a shorter road"):
+        Spool(tmp_path, 100 * MEGABYTE).file("one", 30 * MEGABYTE, advice="a shorter road")
 
 
 def test_what_a_killed_service_left_is_removed_and_nothing_else(tmp_path: Path) -> None:

@@ -191,9 +191,10 @@ class Sweeps:
         job = await self.jobs.get(job_id)
         fields = job.request["fields"]
         names = [*table.FIXED, *fields, *figures]
-        size, call = table.VALUE_BYTES * job.total * len(names), self._page_call(client)
+        size, call = table.TABLE_VALUE_BYTES * job.total * len(names), self._page_call(client)
         with (
             self._admission.computing(client, rendering.ROW_COST * job.total),
+            self._spool.reserved(client, size) as write,
             self._spool.scratch(client, size) as scratch,
         ):
             pages = table.ColumnPages(names, scratch)
@@ -205,7 +206,7 @@ class Sweeps:
             async def assembled(path: Path | None) -> bytes:
                 return await asyncio.to_thread(pages.assembled, head, path)
 
-            return await self._spool.render(client, size, assembled)
+            return await write(assembled)
 
     async def summary(self, job_id: str, figures: Sequence[str], baseline: str | None, client: str) -> BatchSummary:
         """The summary of its finished rows.

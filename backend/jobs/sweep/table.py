@@ -15,7 +15,7 @@ from pyarrow import csv, parquet
 from backend.jobs.chunk import JobRow
 from backend.jobs.sweep import rendering
 from backend.json_types import JsonObject
-from backend.pieces import rendered
+from backend.pieces import render_to
 from backend.store import StoredJob
 from sim_core.catalogue import METRICS
 from sim_core.scenario import dotted
@@ -24,7 +24,7 @@ Format = Literal["json", "csv", "parquet"]
 Pages = AsyncIterator[list[JobRow]]
 Call = Callable[..., Awaitable[Any]]  # runs a function in a worker
 
-VALUE_BYTES = 16  # of one value as JSON, about
+TABLE_VALUE_BYTES = 16  # of one value as JSON, about
 FIXED = ("run", "strategy", "status", "reason", "core_version")
 
 
@@ -81,11 +81,11 @@ RENDERERS: Mapping[Format, Callable[[StoredJob, Pages, Call], AsyncIterator[byte
 
 
 class ColumnPages:
-    """Columns as JSON texts that come page by page and are read column by column; memory holds none of them.
+    """Joins pages of a table to whole columns, as JSON.
 
     Args:
         names: Of the columns.
-        file: Where the texts are meanwhile.
+        file: Holds the pages' texts until all are there; memory holds where each begins.
     """
 
     def __init__(self, names: Sequence[str], file: IO[bytes]) -> None:
@@ -100,8 +100,8 @@ class ColumnPages:
         self._pages.append(list(itertools.accumulate(map(len, texts), initial=begin)))
 
     def assembled(self, head: JsonObject, path: Path | None) -> bytes:
-        """The members of `head`, then `columns` by name; where to, see `pieces.rendered`."""
-        return rendered(partial(self._write, head), path)
+        """The members of `head`, then `columns` by name; where to, see `pieces.render_to`."""
+        return render_to(partial(self._write, head), path)
 
     def _write(self, head: JsonObject, file: IO[bytes]) -> None:
         file.write(orjson.dumps(head)[:-1] + b',"columns":{')
