@@ -134,7 +134,7 @@ def test_space_is_reserved_before_anything_is_computed(
     calls, original = [], service.app.state.workers.call
 
     async def counted(function: Any, *arguments: Any, **queued: Any) -> Any:
-        calls.append((function, queued["cost"]))
+        calls.append((function, queued.get("cost", 0.0)))
         return await original(function, *arguments, **queued)
 
     monkeypatch.setattr(service.app.state.workers, "call", counted)
