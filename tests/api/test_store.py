@@ -218,7 +218,7 @@ def test_a_dead_client_is_noticed_by_the_server(server_store: Store) -> None:
 
 
 def test_a_dead_server_is_noticed_by_the_client(server_store: Store) -> None:
-    """Also where it vanishes after a statement was sent: nothing else limits the wait for its acknowledgement."""
+    """Where it vanishes as a statement is sent, Linux would send that again for about a quarter of an hour."""
     with server_store.engine.connect() as connection:
         descriptor = os.dup(connection.connection.dbapi_connection.fileno())  # type: ignore[union-attr]
         with socket.socket(fileno=descriptor) as own:
