@@ -10,7 +10,7 @@ from sim_core.caching import cached
 from sim_core.car.half_car import DISTURBANCES, FORCES, OUTPUTS, STATES, half_car, hold
 from sim_core.scenario import Actuator, Vehicle
 
-_LONGEST_RECORD = 16_384  # control steps recorded in one matrix product
+_LONGEST_RECORD = 4_096  # control steps recorded in one matrix product
 _LONGEST_LIFT = 16  # fine steps in one matrix product; more would cost more than they save
 _SPEEDS = ("front_deflection_speed", "rear_deflection_speed")
 RECORDED = (*_SPEEDS, *(name for name in OUTPUTS if name not in _SPEEDS), "front_force", "rear_force")
