@@ -14,17 +14,17 @@ RUN python -m venv /opt/ridelab
 COPY requirements.lock requirements-ecu.lock ./
 RUN /opt/ridelab/bin/python -m pip install --no-cache-dir --disable-pip-version-check --require-hashes \
     -r requirements.lock -r requirements-ecu.lock
-COPY sim_core/compiled/ compiled/
+COPY sim_core/kernel/ kernel/
 # As setup.py compiles it; the library carries the digest of its sources.
-RUN cat compiled/*.c > sources && digest="$(sha256sum sources)" \
+RUN cat kernel/*.c > sources && digest="$(sha256sum sources)" \
     && /opt/ridelab/bin/python -m ziglang cc -O3 -ffp-contract=off -fPIC -shared "-DRIDELAB_SOURCES=\"${digest%% *}\"" \
-    -o libridelab.so.1 compiled/*.c -lm
+    -o libridelab.so.1 kernel/*.c -lm
 
 FROM python:3.11-slim
 COPY --from=packages /opt/ridelab /opt/ridelab
 WORKDIR /app
 COPY sim_core/ sim_core/
-COPY --from=packages /build/libridelab.so.1 sim_core/compiled/
+COPY --from=packages /build/libridelab.so.1 sim_core/kernel/
 COPY backend/ backend/
 COPY client/ridelab/ ridelab/
 COPY --from=frontend /build/dist frontend/dist/

@@ -33,7 +33,7 @@ class BuildAnywhere(build_ext):
     """The core's C for `ctypes`, by the machine's compiler or else by the package ziglang's."""
 
     def get_ext_filename(self, fullname: str) -> str:
-        """A library that `sim_core.compiled.library` loads: no Python module, and not called like one."""
+        """A library that `sim_core.kernel.library` loads: no Python module, and not called like one."""
         return str(Path(*fullname.split(".")).with_name("libridelab.so.1"))
 
     def build_extensions(self) -> None:
@@ -45,12 +45,12 @@ class BuildAnywhere(build_ext):
         super().build_extensions()
 
 
-SOURCES = sorted(Path("sim_core", "compiled").glob("*.c"))
+SOURCES = sorted(Path("sim_core", "kernel").glob("*.c"))
 DIGEST = hashlib.sha256(b"".join(file.read_bytes() for file in SOURCES)).hexdigest()
 LIBRARY = Extension(
-    "sim_core.compiled.libridelab",
+    "sim_core.kernel.libridelab",
     [str(file) for file in SOURCES],
-    define_macros=[("RIDELAB_SOURCES", f'"{DIGEST}"')],  # sim_core.compiled.library compares it with the files
+    define_macros=[("RIDELAB_SOURCES", f'"{DIGEST}"')],  # sim_core.kernel.library compares it with the files
     # Without fused operations a run gives the same numbers on every processor.
     extra_compile_args=["-O3", "-ffp-contract=off"],
     libraries=["m"],

@@ -13,15 +13,15 @@ import osqp
 from numpy.typing import NDArray
 from scipy.sparse import csc_matrix, triu
 
-from sim_core.car.half_car import discrete
 from sim_core.control.cost import CostTerms
 from sim_core.control.mpc_design import SLACK_LINEAR, Horizon, MpcDesign, design
-from sim_core.drive.preview import preview_windows
-from sim_core.drive.sampling import fine_step, sample_road
-from sim_core.drive.speed_profile import drive
-from sim_core.drive.stages import coordinated_weights, segments, spans
+from sim_core.loop.excitation import excite, fine_step
+from sim_core.loop.preview import preview_windows
 from sim_core.scenario import Scenario
+from sim_core.speed.profile import plan_speed
+from sim_core.speed.stages import coordinated_weights, segments, spans
 from sim_core.strategies import strategy_named
+from sim_core.vehicle.half_car import discrete
 
 Array = NDArray[np.float64]
 NEWTON_PER_KILO, CM_PER_M = 1000.0, 100.0
@@ -66,9 +66,9 @@ def run(scenario: Scenario) -> PlainRun:
     """LV over the scenario, set-up included in the time."""
     begin = perf_counter()
     strategy, mpc, car = strategy_named("lv"), scenario.mpc, scenario.vehicle
-    motion = drive(scenario, strategy.speed)
-    road_input = sample_road(scenario.road, car.wheelbase, motion, mpc.sample_time, fine_step(scenario, strategy))
-    windows = preview_windows(mpc.preview, scenario.road, motion, road_input, mpc.prediction_horizon, car.wheelbase)
+    motion = plan_speed(scenario, strategy.speed)
+    excitation = excite(scenario.road, car.wheelbase, motion, mpc.sample_time, fine_step(scenario, strategy))
+    windows = preview_windows(mpc.preview, scenario.road, motion, excitation, mpc.prediction_horizon, car.wheelbase)
     horizon = Horizon(
         prediction=mpc.prediction_horizon,
         control=mpc.control_horizon,
@@ -87,11 +87,11 @@ def run(scenario: Scenario) -> PlainRun:
             force_weight=mpc.force_weight,
         )
         problems[stage] = OsqpStage(design(terms, horizon))
-    plant = discrete(car, road_input.fine_step)
-    disturbance = road_input.disturbance.reshape(-1, road_input.fine, 3)
+    plant = discrete(car, excitation.fine_step)
+    disturbance = excitation.disturbance.reshape(-1, excitation.fine, 3)
 
     x, u, unsolved, outputs = np.zeros(8), np.zeros(2), 0, []
-    for stage, first, last in segments(spans(scenario, strategy, motion), road_input.position):
+    for stage, first, last in segments(spans(scenario, strategy, motion), excitation.position):
         for k in range(first, last):
             u, solved = problems[stage].force(np.concatenate([x, u, windows[k]]))
             u = np.clip(u, -mpc.force_limit, mpc.force_limit)
@@ -100,7 +100,7 @@ def run(scenario: Scenario) -> PlainRun:
                 outputs.append(plant.C @ x + plant.D @ u + plant.F @ w)
                 x = plant.A @ x + plant.B @ u + plant.E @ w
     return PlainRun(
-        output=np.array(outputs)[road_input.on_record],
+        output=np.array(outputs)[excitation.on_record],
         steps=len(disturbance),
         unsolved=unsolved,
         seconds=perf_counter() - begin,

@@ -14,7 +14,7 @@ from math import log, pi, sqrt
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.car.road import REFERENCE_FREQUENCY
+from sim_core.road.profile import REFERENCE_FREQUENCY
 from sim_core.scenario import Scenario
 from sim_core.strategies import Strategy, SuspensionPolicy
 

@@ -3,28 +3,28 @@
 from math import inf
 
 from sim_core.arrays import FloatArray
-from sim_core.car.driven_car import Estimator, SemiActiveDampers
 from sim_core.catalogue import STAGES
 from sim_core.control.controller import Controller, PassiveController
 from sim_core.control.cost import CostTerms
-from sim_core.control.estimator import make_estimator
 from sim_core.control.hooks import HookController, hook_gain
 from sim_core.control.lqr import LqrController, feedforward, regulator
 from sim_core.control.mpc import MpcController
 from sim_core.control.mpc_design import Horizon, MpcDesign, design
-from sim_core.drive.preview import preview, preview_windows
-from sim_core.drive.sampling import RoadInput
-from sim_core.drive.sensed_road import expected_errors
-from sim_core.drive.speed_profile import Drive
-from sim_core.drive.stages import coordinated_weights
+from sim_core.loop.excitation import Excitation
+from sim_core.loop.preview import preview, preview_windows
+from sim_core.road.sensed import expected_errors
 from sim_core.scenario import Preview, Scenario, Weights
+from sim_core.speed.profile import SpeedProfile
+from sim_core.speed.stages import coordinated_weights
 from sim_core.strategies import Strategy, SuspensionPolicy
+from sim_core.vehicle.estimator import make_estimator
+from sim_core.vehicle.model import Estimator, SemiActiveDampers
 
 # Which share of skyhook each of the laws has; None is the scenario's.
 HOOKS = {SuspensionPolicy.SKYHOOK: 1.0, SuspensionPolicy.GROUNDHOOK: 0.0, SuspensionPolicy.HYBRID: None}
 
 
-def make_controller(scenario: Scenario, strategy: Strategy, motion: Drive, road_input: RoadInput) -> Controller:
+def make_controller(scenario: Scenario, strategy: Strategy, motion: SpeedProfile, excitation: Excitation) -> Controller:
     """The strategy's controller for one run; not of a strategy whose controller is an ECU.
 
     Raises:
@@ -42,9 +42,9 @@ def make_controller(scenario: Scenario, strategy: Strategy, motion: Drive, road_
         terms = _terms(scenario, motion, lqr.weights, lqr.deflection_weight)
         if lqr.preview == "none":
             return LqrController(regulator(terms), mpc.force_limit)
-        windows = preview_windows(lqr.preview, scenario.road, motion, road_input, lqr.preview_horizon, *sensing)
+        windows = preview_windows(lqr.preview, scenario.road, motion, excitation, lqr.preview_horizon, *sensing)
         return LqrController(regulator(terms), mpc.force_limit, windows @ feedforward(terms, lqr.preview_horizon).T)
-    forecast = preview(mpc.preview, scenario.road, motion, road_input, mpc.prediction_horizon, *sensing)
+    forecast = preview(mpc.preview, scenario.road, motion, excitation, mpc.prediction_horizon, *sensing)
     return MpcController(mpc_designs(scenario, strategy, motion), forecast, mpc)
 
 
@@ -60,7 +60,7 @@ def semi_active_dampers(scenario: Scenario, strategy: Strategy) -> SemiActiveDam
     )
 
 
-def mpc_designs(scenario: Scenario, strategy: Strategy, motion: Drive) -> dict[str, MpcDesign]:
+def mpc_designs(scenario: Scenario, strategy: Strategy, motion: SpeedProfile) -> dict[str, MpcDesign]:
     """The MPC of each driving stage."""
     mpc = scenario.mpc
     horizon = Horizon(
@@ -79,8 +79,8 @@ def mpc_designs(scenario: Scenario, strategy: Strategy, motion: Drive) -> dict[s
 def make_filter(
     scenario: Scenario,
     suspension: SuspensionPolicy,
-    motion: Drive,
-    road_input: RoadInput,
+    motion: SpeedProfile,
+    excitation: Excitation,
     disturbance: FloatArray,
     per_control: int = 1,
 ) -> Estimator | None:
@@ -90,8 +90,8 @@ def make_filter(
         scenario: What to drive.
         suspension: The strategy's.
         motion: The speed plan.
-        road_input: The road at that speed.
-        disturbance: Of `road_input` in each of the filter's steps (steps, 3 · fine).
+        excitation: The road at that speed.
+        disturbance: Of `excitation` in each of the filter's steps (steps, 3 · fine).
         per_control: Steps of the filter in a control step.
 
     Raises:
@@ -102,8 +102,8 @@ def make_filter(
     mode, seen = told_preview(scenario, suspension), None
     if mode != "none":
         sensing = scenario.vehicle.wheelbase, scenario.mismatch, expected_errors(scenario.mpc)
-        seen = preview(mode, scenario.road, motion, road_input, 1, *sensing).windows[:2, :, 0].T
-    step, speed = road_input.step / per_control, motion.initial_speed
+        seen = preview(mode, scenario.road, motion, excitation, 1, *sensing).windows[:2, :, 0].T
+    step, speed = excitation.step / per_control, motion.initial_speed
     return make_estimator(scenario, step, speed, disturbance, per_control, mode=mode, seen=seen)
 
 
@@ -116,7 +116,7 @@ def told_preview(scenario: Scenario, suspension: SuspensionPolicy) -> Preview:
     return scenario.mpc.preview if suspension.predictive else "none"
 
 
-def _terms(scenario: Scenario, motion: Drive, weights: Weights, deflection_weight: float) -> CostTerms:
+def _terms(scenario: Scenario, motion: SpeedProfile, weights: Weights, deflection_weight: float) -> CostTerms:
     return CostTerms(
         vehicle=scenario.vehicle,
         speed=motion.initial_speed,

@@ -1,18 +1,18 @@
 """simulate(scenario, strategy): speed plan, road, controller and car step by step, and the metrics of the recording."""
 
 from sim_core.blas import one_thread
-from sim_core.closed_loop import drive_controller
-from sim_core.drive.sampling import fine_step, sample_road
-from sim_core.drive.speed_profile import CONTROL_STEP, drive
-from sim_core.drive.stages import segments, spans
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.drive import drive_ecu, ecu_calibration
 from sim_core.ecu.interface import Connect
 from sim_core.ecu.loop import short_steps
 from sim_core.ecu.model import modelled
-from sim_core.metrics import evaluate
+from sim_core.loop.closed_loop import drive_controller
+from sim_core.loop.excitation import excite, fine_step
+from sim_core.metrics.evaluate import evaluate
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
+from sim_core.speed.profile import CONTROL_STEP, plan_speed
+from sim_core.speed.stages import segments, spans
 from sim_core.strategies import Strategy, SuspensionPolicy, driven, strategy_named
 from sim_core.workload import check_affordable
 
@@ -40,17 +40,17 @@ def simulate(
     if isinstance(strategy, str):
         strategy = strategy_named(strategy)
     strategy = driven(strategy, scenario.speed.policy)
-    motion = drive(scenario, strategy.speed)
+    motion = plan_speed(scenario, strategy.speed)
     check_affordable(scenario, strategy, motion.time_at(scenario.road.length))
     stages = spans(scenario, strategy, motion)
     step = CONTROL_STEP if strategy.suspension is SuspensionPolicy.PASSIVE else scenario.mpc.sample_time
     by_ecu = strategy.suspension is SuspensionPolicy.ECU
     longest, multiple = fine_step(scenario, strategy), short_steps(step) if by_ecu else 1
-    road_input = sample_road(scenario.road, scenario.vehicle.wheelbase, motion, step, longest, multiple=multiple)
-    steps = segments(stages, road_input.position)
+    excitation = excite(scenario.road, scenario.vehicle.wheelbase, motion, step, longest, multiple=multiple)
+    steps = segments(stages, excitation.position)
     if by_ecu:
         calibration = calibration or ecu_calibration(scenario)
-        recording = drive_ecu(scenario, calibration, motion, road_input, steps, connect)
+        recording = drive_ecu(scenario, calibration, motion, excitation, steps, connect)
     else:
-        recording = drive_controller(scenario, strategy, motion, road_input, steps)
+        recording = drive_controller(scenario, strategy, motion, excitation, steps)
     return evaluate(scenario, strategy, motion, stages, recording)

@@ -8,16 +8,16 @@ from collections.abc import Mapping
 from math import ceil, sqrt
 
 from sim_core.binding_limits import LimitShares, expected_limits
-from sim_core.car.nonlinear import substeps
-from sim_core.car.on_road import is_linear
 from sim_core.control.qp import OsqpSolver
 from sim_core.controllers import HOOKS, semi_active_dampers
-from sim_core.drive.sampling import fine_step
-from sim_core.drive.speed_profile import CONTROL_STEP, KMH, TARGET_BAND, drive
 from sim_core.ecu.loop import short_steps
 from sim_core.errors import TooExpensiveError
+from sim_core.loop.excitation import fine_step
 from sim_core.scenario import Actuator, Scenario
+from sim_core.speed.profile import CONTROL_STEP, KMH, TARGET_BAND, plan_speed
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy, driven, strategy_named
+from sim_core.vehicle.make import is_linear
+from sim_core.vehicle.nonlinear import substeps
 
 CACHED_STEPS = 3e5  # of a run: so many fine steps' arrays fit into the processor's cache
 MAX_BYTES = 4.2e8  # of one run's arrays; whoever changes this or `memory` changes which scenarios have a result
@@ -71,7 +71,7 @@ def duration(scenario: Scenario, name: str) -> float:
     # The brake pressure that remains when braking ends reduces the speed by as much again.
     slowest = floor - scenario.brake.maximum_deceleration * (scenario.brake.pressure_lag + CONTROL_STEP)
     if slowest < floor / 2:
-        return drive(scenario, SpeedPolicy.PLANNED).time_at(road.length)
+        return plan_speed(scenario, SpeedPolicy.PLANNED).time_at(road.length)
     detection = _detection(scenario)
     return detection / initial + (road.length - detection) / slowest
 

@@ -18,10 +18,10 @@ import numpy as np
 
 from backend.ecu import build, tables
 from backend.ecu.build import EcuError
-from sim_core.car.half_car import STATES
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import PREVIEW
 from sim_core.ecu.interface import Ecu, Frame, Reply
+from sim_core.vehicle.half_car import STATES
 
 GREETING = b"RIDELAB1"
 TOKEN = 32

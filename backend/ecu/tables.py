@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.car.half_car import FORCES, STATES
 from sim_core.ecu.calibration import MOST_ACTIVE, Calibration
 from sim_core.ecu.channels import PREVIEW, SENSORS, STAGES, highest_code
+from sim_core.vehicle.half_car import FORCES, STATES
 
 _ACROSS = 6  # numbers a line
 

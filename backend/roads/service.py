@@ -12,8 +12,8 @@ from backend.http.limits import ConcurrencyLimit
 from backend.roads import export, survey
 from backend.roads.models import CreatedRoad, FoundBumpAnswer, RoadAnswer
 from backend.store import Store
-from sim_core.car.measuring import FoundBump, bumps_in
 from sim_core.errors import RidelabError
+from sim_core.road.survey import FoundBump, bumps_in
 from sim_core.scenario import Scenario
 from sim_core.scenario.measured import SPACING, MeasuredRoad
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from backend.roads import export
 from sim_core.arrays import FloatArray
-from sim_core.car.measuring import CONTACT, FoundBump, bumps_in, surveyed
+from sim_core.road.survey import CONTACT, FoundBump, bumps_in, surveyed
 from sim_core.scenario.measured import SPACING, MeasuredRoad
 
 MAX_LENGTH, MIN_LENGTH = 3000.0, 5.0  # of a road [m]

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from sim_core.arrays import BoolArray, FloatArray
-from sim_core.car.driven_car import LAW_INPUTS, LinearLaw
-from sim_core.car.half_car import FORCES
+from sim_core.vehicle.half_car import FORCES
+from sim_core.vehicle.model import LAW_INPUTS, LinearLaw
 
 WITHIN = 1 - 1e-9  # of a limit: so that rounding does not pass it
 

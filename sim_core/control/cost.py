@@ -13,11 +13,11 @@ import numpy as np
 from scipy.linalg import expm, solve_continuous_lyapunov
 
 from sim_core.arrays import FloatArray
-from sim_core.car.half_car import DISTURBANCES, FORCES, STATES, half_car
-from sim_core.car.road import CUTOFF_FREQUENCY, REFERENCE_FREQUENCY
 from sim_core.errors import UnstableVehicleError
+from sim_core.road.profile import CUTOFF_FREQUENCY, REFERENCE_FREQUENCY
 from sim_core.scenario import Vehicle
 from sim_core.scenario.fields import Weights
+from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, half_car
 
 KILO = 1000.0  # controllers reckon forces in kN: in N the problem is badly scaled
 REFERENCE_ROUGHNESS = 64e-6  # class B, whatever the road: so weights mean the same everywhere [m^3]

@@ -8,10 +8,10 @@ body and presses the wheel down, so u_i = -c_sky ż_bi and u_i = c_ground ż_wi.
 import numpy as np
 
 from sim_core.arrays import BoolArray, FloatArray
-from sim_core.car.driven_car import LinearLaw
-from sim_core.car.half_car import FORCES, STATES, deflection_speeds
 from sim_core.control.controller import Controller
 from sim_core.scenario import Hook, Vehicle
+from sim_core.vehicle.half_car import FORCES, STATES, deflection_speeds
+from sim_core.vehicle.model import LinearLaw
 
 
 def hook_gain(vehicle: Vehicle, hook: Hook, alpha: float) -> FloatArray:

@@ -6,16 +6,16 @@ from functools import partial
 import numpy as np
 
 from sim_core.arrays import BoolArray, FloatArray
-from sim_core.car.driven_car import LAW_INPUTS, LinearLaw
-from sim_core.car.half_car import FORCES, STATES
-from sim_core.compiled.library import ADDRESS, DOUBLE, INT, SIZE, address, function
 from sim_core.control.controller import WITHIN, Controller
 from sim_core.control.cost import KILO
 from sim_core.control.mpc_design import CENTI, SLACK_LINEAR, MpcDesign
 from sim_core.control.qp import MAX_EFFORT, SOLVERS, QpProblem, QpSolver
-from sim_core.drive.preview import Forecast, flattened
 from sim_core.errors import TooExpensiveError
+from sim_core.kernel.library import ADDRESS, DOUBLE, INT, SIZE, address, function
+from sim_core.loop.preview import Forecast, flattened
 from sim_core.scenario import Mpc
+from sim_core.vehicle.half_car import FORCES, STATES
+from sim_core.vehicle.model import LAW_INPUTS, LinearLaw
 
 _qp_at = function("qp_at", INT, INT, INT, INT, SIZE, DOUBLE, *[ADDRESS] * 6, result=DOUBLE)
 _BOUND_MARGIN = 0.99  # of a limit; the bound is in single precision, whose rounding is 1e-6 of the terms added

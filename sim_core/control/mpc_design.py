@@ -11,12 +11,13 @@ from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.car.driven_car import LAW_INPUTS, LinearLaw
-from sim_core.car.half_car import DISTURBANCES, FORCES, STATES, discrete
 from sim_core.control.cost import KILO, CostTerms, stage_cost
-from sim_core.control.lqr import regulator, solve
+from sim_core.control.lqr import regulator
 from sim_core.control.qp import QpShape
+from sim_core.riccati import solve
 from sim_core.scenario import Vehicle
+from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, discrete
+from sim_core.vehicle.model import LAW_INPUTS, LinearLaw
 
 CENTI = 100.0  # the QP reckons deflections and slacks in cm
 SLACK_LINEAR, SLACK_QUADRATIC = 1e5, 1e6  # exact penalty per m and per m² on the normalised cost

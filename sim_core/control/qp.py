@@ -13,7 +13,7 @@ import daqp
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.compiled.library import ADDRESS, DOUBLE, INT, address, function
+from sim_core.kernel.library import ADDRESS, DOUBLE, INT, address, function
 
 if TYPE_CHECKING:
     import osqp
@@ -72,7 +72,7 @@ class QpProblem:
         For a strictly convex QP zero means optimal (Boyd and Vandenberghe 2004, 5.5.3). `multipliers` (n + m,) are
         those of the box, then of A y <= b; positive at an upper limit, negative at a lower one. Each row of the
         gradient is judged by its own linear term: a slack's price, a thousand times a force's, would excuse any force.
-        By the C of compiled/optimality.c.
+        By the C of kernel/optimality.c.
 
         Raises:
             ValueError: The arrays do not fit the problem's.

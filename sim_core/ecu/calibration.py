@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
-from sim_core.car.half_car import FORCES, STATES, LinearModel
 from sim_core.control.cost import KILO
 from sim_core.control.mpc_design import CENTI, SLACK_LINEAR, SLACK_QUADRATIC, MpcDesign
 from sim_core.ecu.channels import PREVIEW, SENSORS, STAGES, highest_code
 from sim_core.scenario import Hil
+from sim_core.vehicle.half_car import FORCES, STATES, LinearModel
 
 AXLES = 2
 FORCE_ROW = -1  # in place of an axle

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from sim_core import catalogue
 from sim_core.arrays import FloatArray
-from sim_core.car.half_car import STATES
+from sim_core.vehicle.half_car import STATES
 
 IntArray = NDArray[np.int32]
 

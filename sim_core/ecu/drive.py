@@ -2,22 +2,22 @@
 
 import numpy as np
 
-from sim_core.car.half_car import DISTURBANCES, discrete
-from sim_core.car.on_road import is_linear, on_road
 from sim_core.control.controller import SolverReport
 from sim_core.control.mpc_design import CENTI
 from sim_core.controllers import make_filter, mpc_designs
-from sim_core.drive.preview import preview_windows
-from sim_core.drive.sampling import RoadInput, under_axles
-from sim_core.drive.sensed_road import expected_errors
-from sim_core.drive.speed_profile import Drive, drive
 from sim_core.ecu.calibration import Calibration, Checked, calibrate
 from sim_core.ecu.channels import STAGES
 from sim_core.ecu.interface import Connect
 from sim_core.ecu.loop import HilLoop, Limits, LoopInputs, short_steps
-from sim_core.recording import Recording
+from sim_core.loop.excitation import Excitation, under_axles
+from sim_core.loop.preview import preview_windows
+from sim_core.loop.recording import Recording
+from sim_core.road.sensed import expected_errors
 from sim_core.scenario import Scenario
+from sim_core.speed.profile import SpeedProfile, plan_speed
 from sim_core.strategies import SuspensionPolicy, driven, strategy_named
+from sim_core.vehicle.half_car import DISTURBANCES, discrete
+from sim_core.vehicle.make import is_linear, make_vehicle
 
 
 def ecu_calibration(scenario: Scenario, checked: Checked = "all") -> Calibration:
@@ -31,7 +31,7 @@ def ecu_calibration(scenario: Scenario, checked: Checked = "all") -> Calibration
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
     strategy = driven(strategy_named("lv_hil"), scenario.speed.policy)
-    designs = mpc_designs(scenario, strategy, drive(scenario, strategy.speed))
+    designs = mpc_designs(scenario, strategy, plan_speed(scenario, strategy.speed))
     model = discrete(scenario.vehicle, scenario.mpc.sample_time)
     return calibrate(designs, model, scenario.hil, scenario.mpc.force_limit, checked)
 
@@ -39,8 +39,8 @@ def ecu_calibration(scenario: Scenario, checked: Checked = "all") -> Calibration
 def drive_ecu(
     scenario: Scenario,
     calibration: Calibration,
-    motion: Drive,
-    road_input: RoadInput,
+    motion: SpeedProfile,
+    excitation: Excitation,
     stages: list[tuple[str, int, int]],
     connect: Connect,
 ) -> Recording:
@@ -50,19 +50,19 @@ def drive_ecu(
         scenario: What to drive.
         calibration: What the ECU knows.
         motion: The speed plan.
-        road_input: With a whole multiple of `short_steps` fine steps in a control step.
+        excitation: With a whole multiple of `short_steps` fine steps in a control step.
         stages: Name, first control step and one past the last, as `segments` gives them.
         connect: To the ECU.
     """
-    n = short_steps(road_input.step)
-    fine = road_input.fine // n
-    disturbance = road_input.disturbance.reshape(-1, DISTURBANCES * fine)
-    before = road_input.drive.before * n
-    step = road_input.step / n
-    estimator = make_filter(scenario, SuspensionPolicy.ECU, motion, road_input, disturbance, per_control=n)
+    n = short_steps(excitation.step)
+    fine = excitation.fine // n
+    disturbance = excitation.disturbance.reshape(-1, DISTURBANCES * fine)
+    before = excitation.drive.before * n
+    step = excitation.step / n
+    estimator = make_filter(scenario, SuspensionPolicy.ECU, motion, excitation, disturbance, per_control=n)
     vehicle = scenario.real_vehicle
-    road = None if is_linear(vehicle, None) else under_axles(road_input)
-    car = on_road(vehicle, scenario.actuator, step, disturbance, before, estimator=estimator, road=road)
+    road = None if is_linear(vehicle, None) else under_axles(excitation)
+    car = make_vehicle(vehicle, scenario.actuator, step, disturbance, before, estimator=estimator, road=road)
     numbers = [STAGES.index(stage) for stage, first, last in stages for _ in range(first, last)]
     if calibration.predicts:  # a command is made for the stage in which it takes effect
         numbers = [*numbers[1:], numbers[-1]]
@@ -70,7 +70,7 @@ def drive_ecu(
         scenario.mpc.preview,
         scenario.road,
         motion,
-        road_input,
+        excitation,
         calibration.preview_length,
         scenario.vehicle.wheelbase,
         scenario.mismatch,
@@ -92,7 +92,7 @@ def drive_ecu(
     counts = trajectory.statistics
     return Recording(
         table=car.record(trajectory.states[before:], trajectory.commands[before:]),
-        road_input=road_input,
+        excitation=excitation,
         report=SolverReport(solves=counts.limited, failures=counts.unfinished, max_slack=counts.slack / CENTI),
         limited=counts.limited,
         loop=counts,

@@ -11,14 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
-from sim_core.car.driven_car import DrivenCar
-from sim_core.car.half_car import FORCES, STATES
 from sim_core.control.cost import KILO
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import convert, full_scales
 from sim_core.ecu.interface import Ecu, Frame, Reply
-from sim_core.recording import LoopStatistics
+from sim_core.loop.recording import LoopStatistics
 from sim_core.scenario import Hil
+from sim_core.vehicle.half_car import FORCES, STATES
+from sim_core.vehicle.model import VehicleModel
 
 LONGEST_STEP = 1e-3  # the plant's; jitter comes in steps of the plant [s]
 _NOISE, _JITTER, _LOSS = 3, 4, 5  # generators of their own beside the road's and the preview's
@@ -67,7 +67,7 @@ class HilLoop:
     """One run."""
 
     def __init__(
-        self, *, car: DrivenCar, inputs: LoopInputs, calibration: Calibration, hil: Hil, limits: Limits
+        self, *, car: VehicleModel, inputs: LoopInputs, calibration: Calibration, hil: Hil, limits: Limits
     ) -> None:
         self._car = car
         self._inputs = inputs

@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
-from sim_core.car.half_car import DISTURBANCES, FORCES, STATES
 from sim_core.ecu.calibration import AXLES, FORCE_ROW, MOST_ACTIVE, Calibration, StageTables
 from sim_core.ecu.channels import highest_code
 from sim_core.ecu.interface import Ecu, Frame, Reply
+from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 
 TOLERANCE = 1e-4  # a row may be so far beyond its limit [kN or cm]: 0.1 N, 1 µm
 SINGULAR = 1e-6  # below this share of its own size a row depends on those that bind

@@ -1,4 +1,4 @@
-"""A measured road: its heights, packed, under an id that is their digest; `sim_core.car.measuring` makes them."""
+"""A measured road: its heights, packed, under an id that is their digest; `sim_core.road.survey` makes them."""
 
 import base64
 import hashlib
@@ -9,7 +9,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 
-SPACING = 0.01  # between heights [m]: the grid of `sim_core.car.road`
+SPACING = 0.01  # between heights [m]: the grid of `sim_core.road.profile`
 RESOLUTION = 1e-6  # of a height [m]
 ID_LENGTH = 22
 ID_PATTERN = f"^[A-Za-z0-9][A-Za-z0-9_-]{{{ID_LENGTH - 1}}}$"

@@ -11,10 +11,10 @@ from statistics import fmean
 from typing import Any
 
 from sim_core.catalogue import PAPER_SIGNALS, SIGNALS
-from sim_core.drive.speed_profile import drive
-from sim_core.metrics import rms_between
+from sim_core.metrics.evaluate import rms_between
 from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate
+from sim_core.speed.profile import plan_speed
 from sim_core.strategies import STRATEGIES, strategy_named
 from sim_core.study.intervals import change_with_interval
 from sim_core.study.paper_tables import PaperCell, cells
@@ -180,7 +180,7 @@ def _figures(
     result = simulate(scenario, strategy)
     rough = {signal: result.metrics["rough_road"][signal]["rms"] for signal in PAPER_SIGNALS}
     if stretches is not None:
-        rough = rms_between(result.series, drive(scenario, strategy_named(strategy).speed), stretches)
+        rough = rms_between(result.series, plan_speed(scenario, strategy_named(strategy).speed), stretches)
     return {
         **{("rough_road", "rms", signal): rough[signal] for signal in PAPER_SIGNALS},
         **{("bump", "peak", signal): result.metrics["bump"][signal]["peak"] for signal in PAPER_SIGNALS},

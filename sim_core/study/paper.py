@@ -9,10 +9,10 @@ from enum import StrEnum
 from typing import Any
 
 from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
-from sim_core.drive.speed_profile import drive
-from sim_core.metrics import rms_between
+from sim_core.metrics.evaluate import rms_between
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario, dotted
+from sim_core.speed.profile import plan_speed
 from sim_core.strategies import strategy_named
 from sim_core.study.intervals import Interval, change_with_interval
 from sim_core.study.paper_tables import PaperCell, cells
@@ -157,7 +157,7 @@ def figures_by_window(scenario: Scenario, result: StrategyResult) -> dict[str, l
         if choice.stretches is None:
             figures[choice.id] = own
             continue
-        rms = rms_between(result.series, drive(scenario, strategy_named(result.strategy).speed), choice.stretches)
+        rms = rms_between(result.series, plan_speed(scenario, strategy_named(result.strategy).speed), choice.stretches)
         figures[choice.id] = [
             rms[signal] if window == "rough_road" else value
             for (window, _, signal), value in zip(FIGURES, own, strict=True)

@@ -9,7 +9,7 @@ import sys
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.car.road import bump_height, profile
+from sim_core.road.profile import bump_height, profile
 from sim_core.scenario import Bump, Road
 
 FLAT = Bump(height=0)

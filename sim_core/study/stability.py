@@ -12,19 +12,19 @@ from math import acos, ceil, exp, hypot
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.car.driven_car import Estimator, LinearLaw
-from sim_core.car.half_car import DISTURBANCES, FORCES, STATES
-from sim_core.car.linear import closed_loop_matrix, control_step
-from sim_core.car.nonlinear import NonlinearCar
-from sim_core.car.plant import plant
 from sim_core.catalogue import STAGES
-from sim_core.control.estimator import make_estimator
 from sim_core.controllers import make_controller, semi_active_dampers, told_preview
-from sim_core.drive.sampling import fine_step, sample_road
-from sim_core.drive.speed_profile import CONTROL_STEP, drive
-from sim_core.drive.stages import coordinated_weights
+from sim_core.loop.excitation import excite, fine_step
 from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario, Vehicle
+from sim_core.speed.profile import CONTROL_STEP, plan_speed
+from sim_core.speed.stages import coordinated_weights
 from sim_core.strategies import Strategy, SuspensionPolicy, driven, strategy_named
+from sim_core.vehicle.estimator import make_estimator
+from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
+from sim_core.vehicle.linear import closed_loop_matrix, control_step
+from sim_core.vehicle.model import Estimator, LinearLaw
+from sim_core.vehicle.nonlinear import NonlinearCar
+from sim_core.vehicle.plant import plant
 
 JUDGED = {
     SuspensionPolicy.PASSIVE,
@@ -75,9 +75,9 @@ def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
         }
     )
     step = scenario.mpc.sample_time if actuated else CONTROL_STEP
-    motion = drive(believed, strategy.speed)
-    road_input = sample_road(believed.road, believed.vehicle.wheelbase, motion, step, fine_step(believed, strategy))
-    controller = make_controller(believed, strategy, motion, road_input)
+    motion = plan_speed(believed, strategy.speed)
+    excitation = excite(believed.road, believed.vehicle.wheelbase, motion, step, fine_step(believed, strategy))
+    controller = make_controller(believed, strategy, motion, excitation)
     vehicle, actuator = scenario.real_vehicle, scenario.actuator if actuated else Actuator()
     stages = STAGES if actuated else ("cruise",)
     distinct = {coordinated_weights(believed, strategy, stage): stage for stage in stages}

@@ -15,7 +15,7 @@ import yaml
 
 from backend.http.routing import CsvRoute
 from backend.settings import Settings
-from sim_core.compiled.library import load
+from sim_core.kernel.library import load
 from tests.servers.programs import find
 
 ROOT = Path(__file__).parents[2]
@@ -198,10 +198,10 @@ def test_everything_copied_into_the_image_exists_and_is_not_ignored(instructions
 def test_the_image_has_the_library_that_the_core_asks_for(tmp_path: Path) -> None:
     """Its command is run here, by the shell that it will have there."""
     (command,) = re.findall(
-        r"^RUN (cat compiled/.*?[^\\])\n", (ROOT / "Dockerfile").read_text(), re.MULTILINE | re.DOTALL
+        r"^RUN (cat kernel/.*?[^\\])\n", (ROOT / "Dockerfile").read_text(), re.MULTILINE | re.DOTALL
     )
-    sources = ROOT / "sim_core" / "compiled"
-    (tmp_path / "compiled").symlink_to(sources)
+    sources = ROOT / "sim_core" / "kernel"
+    (tmp_path / "kernel").symlink_to(sources)
     here = command.replace("/opt/ridelab/bin/python", sys.executable)
     subprocess.run(["sh", "-c", here], cwd=tmp_path, check=True)
     assert load(tmp_path / "libridelab.so.1", sorted(sources.glob("*.c")))

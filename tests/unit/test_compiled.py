@@ -8,16 +8,16 @@ import pytest
 from numpy.random import default_rng
 
 from sim_core.arrays import FloatArray
-from sim_core.compiled import library
-from sim_core.compiled.library import address, load
 from sim_core.control.mpc import StageQp
 from sim_core.control.qp import QpProblem, QpShape
 from sim_core.controllers import mpc_designs
-from sim_core.drive.preview import sliding_forecast
-from sim_core.drive.speed_profile import drive
-from sim_core.recurrence import run_recurrence
+from sim_core.kernel import library
+from sim_core.kernel.library import address, load
+from sim_core.kernel.recurrence import run_recurrence
+from sim_core.loop.preview import sliding_forecast
+from sim_core.metrics.sections import Integrand, over_sections
 from sim_core.scenario import Mpc, Scenario
-from sim_core.sections import Integrand, over_sections
+from sim_core.speed.profile import plan_speed
 from sim_core.strategies import strategy_named
 
 INTEGRAL_OF = {  # over one fine step from a to b
@@ -137,7 +137,7 @@ def test_a_stages_qp_is_its_design_at_the_parameters() -> None:
     """Where the preview slides over the drive, and where each step has a window of its own; 3 Np + 10 is odd here."""
     scenario = Scenario(mpc=Mpc(prediction_horizon=7, control_horizon=3))
     strategy = strategy_named("lv")
-    design = mpc_designs(scenario, strategy, drive(scenario, strategy.speed))["bump"]
+    design = mpc_designs(scenario, strategy, plan_speed(scenario, strategy.speed))["bump"]
     rng = default_rng(3)
     sliding = sliding_forecast(rng.normal(size=(3, 20)), 7).windows
     state, previous = rng.normal(size=8), rng.normal(size=2)

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from threadpoolctl import ThreadpoolController
 
-from sim_core.metrics import evaluate
+from sim_core.metrics.evaluate import evaluate
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
 from tests.servers.process import HANG_TIMEOUT

@@ -7,20 +7,20 @@ import numpy as np
 import pytest
 
 from backend.ecu.link import ProcessEcu, connected
-from sim_core.car.half_car import DISTURBANCES, FORCES, STATES
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.control.mpc import MpcController
 from sim_core.controllers import mpc_designs
-from sim_core.drive.preview import sliding_forecast
-from sim_core.drive.speed_profile import drive
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import STAGES, highest_code
 from sim_core.ecu.drive import ecu_calibration
 from sim_core.ecu.interface import Ecu, Frame, Reply
 from sim_core.ecu.model import ModelEcu
+from sim_core.loop.preview import sliding_forecast
 from sim_core.scenario import Bump, Hil, Mpc, Road, Scenario, Speed
 from sim_core.simulate import simulate
+from sim_core.speed.profile import plan_speed
 from sim_core.strategies import strategy_named
+from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 
 HARD = Mpc(force_limit=1500, deflection_limit=0.03)  # limits bind in one step of ten, many of them together
 SHORT = Road(length=60, bump=Bump(start=40, width=3, height=0.09))
@@ -31,7 +31,7 @@ def test_the_ecus_optimum_is_the_qps() -> None:
     """Random states, roads and previous forces in every stage; DAQP's answers are exact to about 1e-9 N here."""
     scenario = Scenario(mpc=HARD, hil=Hil(compensation="none", iterations=200))
     strategy, rng = strategy_named("lv_hil"), np.random.default_rng(1)
-    designs = mpc_designs(scenario, strategy, drive(scenario, strategy.speed))
+    designs = mpc_designs(scenario, strategy, plan_speed(scenario, strategy.speed))
     horizon = scenario.mpc.prediction_horizon
     iterations = []
     for i in range(150):

@@ -5,13 +5,21 @@ import pytest
 from scipy.linalg import solve_continuous_lyapunov, solve_discrete_are, solve_discrete_lyapunov
 
 from sim_core.arrays import FloatArray
-from sim_core.car.half_car import discrete, half_car, measurement
-from sim_core.car.linear import closed_loop_matrix, control_step
-from sim_core.car.plant import plant
-from sim_core.car.road import profile
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.control.cost import CostTerms
-from sim_core.control.estimator import (
+from sim_core.control.lqr import LqrController, regulator
+from sim_core.controllers import make_filter, told_preview
+from sim_core.errors import RidelabError
+from sim_core.loop.excitation import excite, fine_step
+from sim_core.loop.preview import preview_windows
+from sim_core.road.profile import profile
+from sim_core.road.sensed import ExpectedErrors, expected_errors
+from sim_core.scenario import Actuator, Bump, Estimation, Lqr, Mismatch, Mpc, Preview, Road, Scenario, Speed, Vehicle
+from sim_core.scenario.presets import preset
+from sim_core.simulate import simulate
+from sim_core.speed.profile import SpeedProfile, plan_speed
+from sim_core.strategies import STRATEGIES, strategy_named
+from sim_core.vehicle.estimator import (
     _NOISE_STREAM,
     KalmanFilter,
     _accumulated,
@@ -21,17 +29,9 @@ from sim_core.control.estimator import (
     make_estimator,
     unseen_share,
 )
-from sim_core.control.lqr import LqrController, regulator
-from sim_core.controllers import make_filter, told_preview
-from sim_core.drive.preview import preview_windows
-from sim_core.drive.sampling import fine_step, sample_road
-from sim_core.drive.sensed_road import ExpectedErrors, expected_errors
-from sim_core.drive.speed_profile import Drive, drive
-from sim_core.errors import RidelabError
-from sim_core.scenario import Actuator, Bump, Estimation, Lqr, Mismatch, Mpc, Preview, Road, Scenario, Speed, Vehicle
-from sim_core.scenario.presets import preset
-from sim_core.simulate import simulate
-from sim_core.strategies import STRATEGIES, strategy_named
+from sim_core.vehicle.half_car import discrete, half_car, measurement
+from sim_core.vehicle.linear import closed_loop_matrix, control_step
+from sim_core.vehicle.plant import plant
 from tests.validation.reference import adaptive
 from tests.validation.reference.sampled import to_deflections
 from tests.validation.reference.vehicle import state_space
@@ -113,7 +113,7 @@ def filter_of(scenario: Scenario, mode: Preview) -> tuple[KalmanFilter, FloatArr
     return ours, A @ ours.covariance @ A.T + _added(scenario.vehicle, STEP, left, intensity - left, 1)
 
 
-def seen_by_sensors(scenario: Scenario, time: FloatArray, motion: Drive) -> FloatArray:
+def seen_by_sensors(scenario: Scenario, time: FloatArray, motion: SpeedProfile) -> FloatArray:
     """Mean velocity of the road under both axles over each step, as the sensors report it (steps, 2) [m/s]."""
     mode, mismatch, road, wheelbase = scenario.mpc.preview, scenario.mismatch, scenario.road, scenario.vehicle.wheelbase
     if mode == "none":
@@ -132,10 +132,10 @@ def seen_by_sensors(scenario: Scenario, time: FloatArray, motion: Drive) -> Floa
 def predicted(scenario: Scenario, run: adaptive.AdaptiveRun) -> FloatArray:
     """By the textbook: x̂⁻ = A x̂ + B u + E_b braking + E_r velocity of the road seen; but for the last step."""
     row = strategy_named(run.result.strategy)
-    motion = drive(scenario, row.speed)
-    road_input = sample_road(scenario.road, scenario.vehicle.wheelbase, motion, STEP, fine_step(scenario, row))
-    braking = road_input.disturbance.reshape(len(run.commands), -1, 3)[:, :, 2].mean(axis=1)
-    seen, model = seen_by_sensors(scenario, road_input.time, motion), discrete(scenario.vehicle, STEP)
+    motion = plan_speed(scenario, row.speed)
+    excitation = excite(scenario.road, scenario.vehicle.wheelbase, motion, STEP, fine_step(scenario, row))
+    braking = excitation.disturbance.reshape(len(run.commands), -1, 3)[:, :, 2].mean(axis=1)
+    seen, model = seen_by_sensors(scenario, excitation.time, motion), discrete(scenario.vehicle, STEP)
     by_model = run.trajectory.states[:, :8] @ model.A.T + run.commands @ model.B.T
     return np.asarray(by_model + np.outer(braking, model.E[:, 2]) + seen @ model.E[:, :2].T)[:-1]
 
@@ -261,13 +261,13 @@ def test_it_is_told_what_the_controller_itself_plans_on() -> None:
         mpc=Mpc(expected_noise=0.002, expected_offset=0.1),
     )
     row, wheelbase = strategy_named("lv"), scenario.vehicle.wheelbase
-    motion = drive(scenario, row.speed)
-    road_input = sample_road(scenario.road, wheelbase, motion, STEP, fine_step(scenario, row))
+    motion = plan_speed(scenario, row.speed)
+    excitation = excite(scenario.road, wheelbase, motion, STEP, fine_step(scenario, row))
     sensing = wheelbase, scenario.mismatch, expected_errors(scenario.mpc)
-    windows = preview_windows("lookahead", scenario.road, motion, road_input, 30, *sensing)
-    ours = make_filter(scenario, row.suspension, motion, road_input, road_input.disturbance)
+    windows = preview_windows("lookahead", scenario.road, motion, excitation, 30, *sensing)
+    ours = make_filter(scenario, row.suspension, motion, excitation, excitation.disturbance)
     told = make_estimator(
-        *(scenario, STEP, motion.initial_speed, road_input.disturbance), mode="lookahead", seen=windows[:, [0, 30]]
+        *(scenario, STEP, motion.initial_speed, excitation.disturbance), mode="lookahead", seen=windows[:, [0, 30]]
     )
     assert ours is not None
     assert told is not None
@@ -386,6 +386,6 @@ def test_better_sensors_drive_better() -> None:
 
 def test_a_filter_that_is_not_stable_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     """Doubling may settle where rounding has the last word: here on a covariance below zero."""
-    monkeypatch.setattr("sim_core.control.estimator.riccati", lambda *_: -0.9999 * np.eye(8) * 0.002**2)
+    monkeypatch.setattr("sim_core.vehicle.estimator.riccati", lambda *_: -0.9999 * np.eye(8) * 0.002**2)
     with pytest.raises(RidelabError, match="No stable Kalman filter"):
         kalman_filter(CAR, KALMAN, STEP, 2 * INTENSITY)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from skfuzzy import control
 
-from sim_core.drive.fuzzy_speed import torque_surface
+from sim_core.speed.fuzzy import torque_surface
 
 SETS = ["O", "S", "M", "L", "V"]
 # Table 1 of the paper: one row per distance e_s from O to V, one column per speed error e_v from O to V.

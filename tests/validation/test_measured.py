@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from sim_core.car.measuring import bumps_in, surveyed
-from sim_core.car.road import profile
 from sim_core.errors import RidelabError
+from sim_core.road.profile import profile
+from sim_core.road.survey import bumps_in, surveyed
 from sim_core.scenario import Bump, Road, Scenario, Speed
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.simulate import simulate

@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, SIGNALS, WINDOWS
-from sim_core.comfort import wk_gain
-from sim_core.drive.speed_profile import Drive, drive
-from sim_core.metrics import rms_between
+from sim_core.metrics.comfort import wk_gain
+from sim_core.metrics.evaluate import rms_between
 from sim_core.result import Series
 from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario, Vehicle
 from sim_core.scenario.presets import preset
 from sim_core.simulate import simulate
+from sim_core.speed.profile import SpeedProfile, plan_speed
 from sim_core.strategies import STRATEGIES
 from tests.events import event
 from tests.validation.reference.figures import wk
@@ -89,7 +89,7 @@ def test_rms_over_stretches_of_the_road_is_by_definition(strategy: str, stretche
     instants place a stretch's ends within 20 µs, which is a ten-thousandth of the shortest stretch's RMS.
     """
     scenario = Scenario()
-    result, motion = simulate(scenario, strategy), drive(scenario, STRATEGIES[strategy].speed)
+    result, motion = simulate(scenario, strategy), plan_speed(scenario, STRATEGIES[strategy].speed)
     rms = rms_between(result.series, motion, stretches)
     assert list(rms) == list(METRIC_SIGNALS)
     time = (np.arange(1_000_000) + 0.5) * result.travel_time / 1_000_000
@@ -111,7 +111,7 @@ def test_rms_between_knows_jumps() -> None:
     teeth = np.tile(np.linspace(0, 1, 5), (10, 1)).T
     series = Series({"time": np.arange(41) / 40}, dict.fromkeys(METRIC_SIGNALS, teeth))
     two, none = np.array([0.0, 1.0]), np.zeros(2)
-    motion = Drive(
+    motion = SpeedProfile(
         initial_speed=10,
         time=two,
         position=10 * two,

@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
-from sim_core.car import road
-from sim_core.drive.preview import preview_windows
-from sim_core.drive.sampling import sample_road
-from sim_core.drive.sensed_road import ExpectedErrors, sensed_road, trusted
-from sim_core.drive.speed_profile import drive
+from sim_core.loop.excitation import excite
+from sim_core.loop.preview import preview_windows
+from sim_core.road import profile as road
+from sim_core.road.sensed import ExpectedErrors, sensed_road, trusted
 from sim_core.scenario import Actuator, Bump, Lqr, Mismatch, Mpc, Preview, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.parts import StageWeights
 from sim_core.simulate import simulate
+from sim_core.speed.profile import plan_speed
 from sim_core.strategies import SpeedPolicy
 
 SHORT = Scenario(road=Road(length=60, bump=Bump(start=40, width=3)), speed=Speed(detection_distance=30))
@@ -45,9 +45,9 @@ def test_a_saturated_actuator_gives_no_more(strategy: str) -> None:
 
 def windows(mismatch: Mismatch, driven: Road = SHORT.road, mode: Preview = "lookahead") -> np.ndarray:
     scenario = SHORT.model_copy(update={"road": driven})
-    motion = drive(scenario, SpeedPolicy.CONSTANT)
-    road_input = sample_road(driven, scenario.vehicle.wheelbase, motion, 0.01, 0.001)
-    return preview_windows(mode, driven, motion, road_input, 10, scenario.vehicle.wheelbase, mismatch)
+    motion = plan_speed(scenario, SpeedPolicy.CONSTANT)
+    excitation = excite(driven, scenario.vehicle.wheelbase, motion, 0.01, 0.001)
+    return preview_windows(mode, driven, motion, excitation, 10, scenario.vehicle.wheelbase, mismatch)
 
 
 def test_preview_offset_and_delay_show_the_road_elsewhere() -> None:
@@ -72,9 +72,9 @@ def test_noise_lies_in_the_road() -> None:
     scenario = SHORT.model_copy(update={"road": flat, "vehicle": Vehicle(cg_to_front=1.0, cg_to_rear=1.0)})
     speed = SHORT.speed.initial_speed_kmh / 3.6
     step = 2.0 / speed / 12  # the wheelbase is twelve control steps long
-    motion = drive(scenario, SpeedPolicy.CONSTANT)
-    road_input = sample_road(flat, 2.0, motion, step, 0.001)
-    seen = preview_windows("lookahead", flat, motion, road_input, 5, 2.0, Mismatch(preview_noise=0.002))
+    motion = plan_speed(scenario, SpeedPolicy.CONSTANT)
+    excitation = excite(flat, 2.0, motion, step, 0.001)
+    seen = preview_windows("lookahead", flat, motion, excitation, 5, 2.0, Mismatch(preview_noise=0.002))
     front, rear = seen[:, 0], seen[:, 5]
     assert np.abs(front).max() > 0.05
     np.testing.assert_allclose(rear[12:], front[:-12], atol=1e-9)

@@ -5,9 +5,9 @@ import pytest
 from numpy.random import Generator, default_rng
 
 from sim_core.controllers import mpc_designs
-from sim_core.drive.speed_profile import drive
 from sim_core.scenario import Actuator, Bump, Hil, Mismatch, Road, Scenario, Vehicle
 from sim_core.simulate import simulate
+from sim_core.speed.profile import plan_speed
 from sim_core.strategies import strategy_named
 from tests.events import event
 from tests.validation import nonlinear_loops
@@ -130,7 +130,7 @@ def test_controllers_believe_in_the_linear_car() -> None:
     """Their designs are the same to the bit; only the car that is driven differs."""
     real = Vehicle(rebound_ratio=2.5, bump_stop_clearance=0.05, tyre_lift_off=True)
     lv = strategy_named("lv")
-    designs = [mpc_designs(each, lv, drive(each, lv.speed)) for each in (Scenario(), Scenario(vehicle=real))]
+    designs = [mpc_designs(each, lv, plan_speed(each, lv.speed)) for each in (Scenario(), Scenario(vehicle=real))]
     for stage, design in designs[0].items():
         np.testing.assert_array_equal(design.checks, designs[1][stage].checks)
 

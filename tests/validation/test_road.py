@@ -8,8 +8,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.signal import welch
 
-from sim_core.car.road import profile
-from sim_core.drive.sensed_road import ExpectedErrors, sensed_road
+from sim_core.road.profile import profile
+from sim_core.road.sensed import ExpectedErrors, sensed_road
 from sim_core.scenario import Bump, Mismatch, Road
 from sim_core.scenario.road import BumpShape
 from tests.validation.reference.bump import bump_height

@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sim_core.arrays import FloatArray
-from sim_core.closed_loop import drive_controller
-from sim_core.recording import Recording
+from sim_core.loop.closed_loop import drive_controller
+from sim_core.loop.recording import Recording
 from sim_core.result import StrategyResult
 from sim_core.scenario import Actuator, Bump, Estimation, Hook, Mismatch, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate

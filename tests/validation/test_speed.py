@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 
-from sim_core.drive.brake import brake_chain
-from sim_core.drive.sampling import sample_road
-from sim_core.drive.speed_profile import drive
-from sim_core.drive.stages import segments, spans
+from sim_core.loop.excitation import excite
 from sim_core.result import StrategyResult
 from sim_core.scenario import Brake, Bump, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
+from sim_core.speed.brake import brake_chain
+from sim_core.speed.profile import plan_speed
+from sim_core.speed.stages import segments, spans
 from sim_core.strategies import SpeedPolicy, strategy_named
 from tests.validation.reference.driving import brake_to_bump
 from tests.validation.strategies import between, vehicles
@@ -75,10 +75,10 @@ def test_a_stage_begins_with_the_same_step_on_either_side_of_rounding() -> None:
 
     def bump_begins(start: float) -> int:
         scenario = Scenario(road=Road(bump=Bump(start=start)))
-        motion = drive(scenario, SpeedPolicy.CONSTANT)
-        road_input = sample_road(scenario.road, scenario.vehicle.wheelbase, motion, 0.01, 0.001)
-        stages = segments(spans(scenario, strategy_named("passive"), motion), road_input.position)
-        return {stage: first for stage, first, _ in reversed(stages)}["bump"] - road_input.drive.before
+        motion = plan_speed(scenario, SpeedPolicy.CONSTANT)
+        excitation = excite(scenario.road, scenario.vehicle.wheelbase, motion, 0.01, 0.001)
+        stages = segments(spans(scenario, strategy_named("passive"), motion), excitation.position)
+        return {stage: first for stage, first, _ in reversed(stages)}["bump"] - excitation.drive.before
 
     ulp = np.spacing(100.0)
     starts = [100.0, *(100 + distance * ulp for distance in (-1000, -1, 1, 1000)), 100 - 1e-6]
@@ -88,7 +88,7 @@ def test_a_stage_begins_with_the_same_step_on_either_side_of_rounding() -> None:
 
 def test_a_car_that_does_not_brake_coasts_from_the_sample_that_meets_the_bump() -> None:
     """576 steps of 1/7.2 m from the detection, each rounded, end 1.5e-12 m before the 80 m."""
-    planned = drive(plan(target_speed_kmh=50.0), SpeedPolicy.PLANNED)
+    planned = plan_speed(plan(target_speed_kmh=50.0), SpeedPolicy.PLANNED)
     assert planned.position[576] == pytest.approx(100, abs=1e-11)
     np.testing.assert_allclose(planned.speed[:577], 50 / 3.6, rtol=1e-12)
     assert planned.speed[577] < 50 / 3.6 - 1e-3

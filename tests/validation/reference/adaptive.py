@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from sim_core.car.road import profile
-from sim_core.closed_loop import ClosedLoop, Trajectory
-from sim_core.drive.speed_profile import CONTROL_STEP, drive
+from sim_core.loop.closed_loop import ClosedLoop, Trajectory
 from sim_core.result import StrategyResult
+from sim_core.road.profile import profile
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
+from sim_core.speed.profile import CONTROL_STEP, plan_speed
 from sim_core.strategies import SpeedPolicy, SuspensionPolicy, strategy_named
 from tests.validation.reference.held import Held, run_in
 from tests.validation.reference.vehicle import OUTPUTS
@@ -155,7 +155,7 @@ class Cars:
 
 
 def _solved(runs: list[AdaptiveRun], tolerance: float) -> list[dict[str, float]]:
-    motion = drive(runs[0].scenario, SpeedPolicy.CONSTANT)
+    motion = plan_speed(runs[0].scenario, SpeedPolicy.CONSTANT)
     steps, n, h = len(runs[0].commands), len(runs), CONTROL_STEP / SAMPLES
     time = CONTROL_STEP * (np.arange(steps)[:, None] - run_in(runs[0].scenario, motion, CONTROL_STEP))
     time = time + h * np.arange(SAMPLES + 1, dtype=np.float64)

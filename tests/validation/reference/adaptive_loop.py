@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import ode
 
-from sim_core.car.driven_car import DrivenCar, Estimator, LinearLaw, SemiActiveDampers
-from sim_core.car.road import RoadUnderAxles
-from sim_core.drive.sampling import fine_step
+from sim_core.loop.excitation import fine_step
 from sim_core.result import StrategyResult
+from sim_core.road.profile import RoadUnderAxles
 from sim_core.scenario import Actuator, Scenario, Vehicle
 from sim_core.simulate import simulate
+from sim_core.vehicle.model import Estimator, LinearLaw, SemiActiveDampers, VehicleModel
 
 Array = NDArray[np.float64]
 FINER = 4  # times as many fine steps: samples of the record, in which positions and braking are linear and constant
@@ -25,16 +25,16 @@ _SUBSAMPLES = 8  # of the road in each of these
 def solved(scenario: Scenario, strategy: str) -> StrategyResult:
     """A run of any strategy without semi-active dampers and without an ECU."""
     with (
-        patch("sim_core.closed_loop.on_road", SolvedCar),
-        patch("sim_core.closed_loop._LONGEST_BLOCK", 1),
-        patch("sim_core.closed_loop._BLOCK_AFTER_LIMIT", 1),
+        patch("sim_core.loop.closed_loop.make_vehicle", SolvedCar),
+        patch("sim_core.loop.closed_loop._LONGEST_BLOCK", 1),
+        patch("sim_core.loop.closed_loop._BLOCK_AFTER_LIMIT", 1),
         patch("sim_core.simulate.fine_step", lambda *arguments: fine_step(*arguments) / FINER),
     ):
         return simulate(scenario, strategy)
 
 
-class SolvedCar(DrivenCar):
-    """A car whose arguments are `on_road`'s."""
+class SolvedCar(VehicleModel):
+    """A car whose arguments are `make_vehicle`'s."""
 
     def __init__(
         self,
@@ -76,7 +76,7 @@ class SolvedCar(DrivenCar):
         self._solver = rates.set_integrator("dopri5", nsteps=5000, first_step=self._h, rtol=1e-7, atol=1e-9)
 
     def free_run(self, law: LinearLaw, first: int, start: Array, feed: Array) -> Array:
-        """As DrivenCar says."""
+        """As VehicleModel says."""
         loop = np.empty((len(feed) + 1, self.size + 2))
         loop[0] = start
         for k, fed in enumerate(feed):
@@ -87,7 +87,7 @@ class SolvedCar(DrivenCar):
         return loop
 
     def advance(self, step: int, state: Array, command: Array) -> Array:
-        """As DrivenCar says."""
+        """As VehicleModel says."""
         x, column = [*state[-self._states :].tolist(), *command.tolist()][:10], step - self._before
         self._command = command.tolist()
         for j in range(self._fine):
@@ -107,7 +107,7 @@ class SolvedCar(DrivenCar):
         return np.concatenate([estimate, reached])
 
     def record(self, states: Array, commands: Array) -> Array:
-        """As DrivenCar says."""
+        """As VehicleModel says."""
         return self._table
 
     def _begin(self, fine_step: int) -> None:

@@ -14,16 +14,16 @@ from unittest.mock import patch
 import numpy as np
 from numpy.typing import NDArray
 
-from sim_core.car.road import profile
 from sim_core.controllers import make_controller
-from sim_core.drive.sampling import fine_step, sample_road
-from sim_core.drive.speed_profile import CONTROL_STEP, Drive
-from sim_core.drive.speed_profile import drive as drive_plan
-from sim_core.drive.stages import segments, spans
 from sim_core.ecu.loop import HilLoop
+from sim_core.loop.excitation import excite, fine_step
 from sim_core.result import StrategyResult
+from sim_core.road.profile import profile
 from sim_core.scenario import Actuator, Scenario
 from sim_core.simulate import simulate
+from sim_core.speed.profile import CONTROL_STEP, SpeedProfile
+from sim_core.speed.profile import plan_speed as drive_plan
+from sim_core.speed.stages import segments, spans
 from sim_core.strategies import SuspensionPolicy, strategy_named
 from tests.validation.reference.figures import weighted
 from tests.validation.reference.sampled import interval, to_deflections
@@ -41,7 +41,7 @@ class Held:
     signals: dict[str, Array]
     speed: tuple[Array, Array]  # of both deflections [m/s]
 
-    def metrics(self, scenario: Scenario, motion: Drive) -> dict[str, float]:
+    def metrics(self, scenario: Scenario, motion: SpeedProfile) -> dict[str, float]:
         """`window.signal.statistic` and `comfort.…` as the core names them."""
         bump, car = scenario.road.bump, scenario.vehicle
         arrival = motion.time_at(bump.start)
@@ -97,15 +97,15 @@ def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, fl
         held = _drive(scenario, motion, Ts, len(commands), lambda k, state: commands[k], step)
         return held.metrics(scenario, motion), held
 
-    road_input = sample_road(scenario.road, wheelbase, motion, Ts, fine_step(scenario, strategy))
-    controller = make_controller(scenario, strategy, motion, road_input)
+    excitation = excite(scenario.road, wheelbase, motion, Ts, fine_step(scenario, strategy))
+    controller = make_controller(scenario, strategy, motion, excitation)
     actuator = scenario.actuator if actuated else Actuator()
     most = np.inf if actuator.rate_limit is None else actuator.rate_limit * Ts
     strongest = np.inf if actuator.saturation is None else actuator.saturation
     previous = np.zeros(2)
     stages: list[str] = []
     feeds: list[Array] = []
-    for stage, first, last in segments(spans(scenario, strategy, motion), road_input.position):
+    for stage, first, last in segments(spans(scenario, strategy, motion), excitation.position):
         stages += [stage] * (last - first)
         feeds += list(controller.feed(stage, first, last))
 
@@ -119,7 +119,7 @@ def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, fl
         previous = np.asarray(np.clip(previous + np.clip(wanted - previous, -most, most), -strongest, strongest))
         return previous
 
-    held = _drive(scenario, motion, Ts, len(road_input.position), command, step)
+    held = _drive(scenario, motion, Ts, len(excitation.position), command, step)
     return held.metrics(scenario, motion), held
 
 
@@ -152,7 +152,7 @@ def _ecu_commands(scenario: Scenario) -> tuple[Array, float]:
 
 
 def _drive(
-    scenario: Scenario, motion: Drive, Ts: float, steps: int, command: Callable[[int, Array], Array], step: float
+    scenario: Scenario, motion: SpeedProfile, Ts: float, steps: int, command: Callable[[int, Array], Array], step: float
 ) -> Held:
     """From rest behind x = 0: first from control instant to control instant, then all that lies between at once."""
     car, n = scenario.real_vehicle, max(1, round(Ts / step))
@@ -214,7 +214,7 @@ def _drive(
     )
 
 
-def run_in(scenario: Scenario, motion: Drive, Ts: float) -> int:
+def run_in(scenario: Scenario, motion: SpeedProfile, Ts: float) -> int:
     """Steps before x = 0; an ECU's short steps begin with a whole control step."""
     whole = scenario.mpc.sample_time if Ts < scenario.mpc.sample_time - 1e-12 else Ts
     return round(whole / Ts) * ceil(20.0 / (motion.initial_speed * whole))

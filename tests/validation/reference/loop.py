@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicHermiteSpline
 
-from sim_core.car.road import profile
 from sim_core.result import StrategyResult
+from sim_core.road.profile import profile
 from sim_core.scenario import Scenario
 from tests.validation.reference import qp
 from tests.validation.reference.sampled import gauss, interval, mean_cost, regulator, weights

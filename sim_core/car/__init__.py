@@ -1,1 +1,0 @@
-"""The car and what it drives on: half-car, its stepping, the road."""

@@ -1,1 +1,0 @@
-"""What a run shares whatever its suspension does: speed plan, driving stages, sampled road, preview."""

@@ -1,0 +1,30 @@
+/* What a horizon that slides over a drive holds (sim_core/loop/preview.py). */
+
+#include <math.h>
+#include <stddef.h>
+
+/* disturbances  both road velocities and the braking deceleration in every interval to come, 3 x (steps + horizon - 1)
+   braking       mean deceleration over the horizon that begins in each step (steps)
+   spread        norm over that horizon of both velocities and of the deceleration's difference from its mean
+                 (3 x steps) */
+void ridelab_horizons(const double *disturbances, int steps, int horizon, double *braking, double *spread)
+{
+    for (int row = 0; row < 3; row++, disturbances += steps + horizon - 1, spread += steps) {
+        double sum = 0, squares = 0;
+        for (int i = 0; i < horizon - 1; i++) {
+            sum += disturbances[i];
+            squares += disturbances[i] * disturbances[i];
+        }
+        for (int step = 0; step < steps; step++) {
+            double first = disturbances[step], last = disturbances[step + horizon - 1], about_mean;
+            sum += last;
+            squares += last * last;
+            about_mean = row < 2 ? squares : squares - sum * sum / horizon;
+            spread[step] = about_mean > 0 ? sqrt(about_mean) : 0;
+            if (row == 2)
+                braking[step] = sum / horizon;
+            sum -= first;
+            squares -= first * first;
+        }
+    }
+}

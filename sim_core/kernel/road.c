@@ -1,0 +1,226 @@
+/* The road's height, its velocities under the axles, and tyre loads where its slope changes (sim_core/road/profile.py). */
+
+#include <math.h>
+#include <stddef.h>
+
+enum shape { COSINE, HALF_SINE, CIRCULAR, FLAT_TOP, TRAPEZOID, KERB }; /* as scenario/road.py has them */
+
+struct bump {
+    int shape, count;
+    double start, height, width, spacing;
+    double until; /* from here on the road is as it would be without it [m] */
+};
+
+/* Samples of the roughness from `first` on, `grid` apart [m]. */
+struct road {
+    const double *roughness;
+    int samples;
+    double first, grid;
+    struct bump bump;
+};
+
+enum { PARTS = 4 }; /* of a fine step on a bump */
+
+static const double PI = 3.14159265358979323846;
+
+static double within(double low, double value, double high)
+{
+    return value < low ? low : value > high ? high : value;
+}
+
+/* Height of one bump [m] at a place from its start [m]. Cosine is Eq. 2 of the paper; circular the arc of a Watts hump
+   through both feet and the crest. */
+static double one_bump(const struct bump *bump, double along)
+{
+    double h = bump->height, w = bump->width, s = within(0, along / w, 1);
+    if (h == 0)
+        return 0;
+    if (bump->shape == COSINE)
+        return h / 2 * (1 - cos(2 * PI * s));
+    if (bump->shape == HALF_SINE)
+        return h * sin(PI * s);
+    if (bump->shape == KERB)
+        return h / 2 * (1 - cos(PI * s));
+    if (bump->shape == CIRCULAR) {
+        double radius = w * (w / fabs(h)) / 8 + fabs(h) / 2, from_crest = w * (s - 0.5), part = from_crest / radius;
+        double depth = radius * sqrt(part * part < 1 ? 1 - part * part : 0) + radius - fabs(h);
+        if (depth == 0) /* the feet of half a circle */
+            return 0;
+        return copysign((w * w / 4 - from_crest * from_crest) / depth, h);
+    }
+    double ramp = within(0, 4 * (s < 0.5 ? s : 1 - s), 1); /* 0 to 1 within a quarter of the width at either end */
+    return bump->shape == TRAPEZOID ? h * ramp : h / 2 * (1 - cos(PI * ramp));
+}
+
+/* Height of the bumps alone [m]; behind a kerb its whole height. */
+static double bump_height(const struct bump *bump, double position)
+{
+    double along = position - bump->start;
+    if (bump->count == 1)
+        return one_bump(bump, along);
+    double met = within(0, floor(along / bump->spacing), bump->count - 1);
+    double height = one_bump(bump, along - met * bump->spacing);
+    return bump->shape == KERB ? height + met * bump->height : height;
+}
+
+/* Linear between the roughness' samples, level beyond them, and the bumps. */
+double ridelab_road_height(const struct road *road, double position)
+{
+    double place = within(0, (position - road->first) / road->grid, road->samples - 1.000001);
+    if (!(place >= 0)) /* not a number has no cell */
+        return place;
+    int cell = (int)place;
+    double low = road->roughness[cell], height = (road->roughness[cell + 1] - low) * (place - cell) + low;
+    if (position > road->bump.start && position < road->bump.until)
+        height += bump_height(&road->bump, position);
+    return height;
+}
+
+/* Roughness from independent normal numbers, in place: each height is `keep` of the one before, and what keeps its
+   standard deviation. Returns the difference between its steepest slopes up and down [1], the level one among them. */
+double ridelab_roughness(double *samples, int count, double deviation, double keep, double grid)
+{
+    double noise = deviation * sqrt(1 - keep * keep), height = samples[0] * deviation, up = 0, down = 0;
+    samples[0] = height;
+    for (int i = 1; i < count; i++) {
+        double next = keep * height + noise * samples[i], rise = next - height;
+        up = rise > up ? rise : up;
+        down = rise < down ? rise : down;
+        samples[i] = height = next;
+    }
+    return (up - down) / grid;
+}
+
+/* Heights at n positions [m]. */
+void ridelab_bump_heights(const struct bump *bump, const double *position, int n, double *height)
+{
+    for (int i = 0; i < n; i++)
+        height[i] = bump_height(bump, position[i]);
+}
+
+/* The same of the whole road. */
+void ridelab_road_heights(const struct road *road, const double *position, int n, double *height)
+{
+    for (int i = 0; i < n; i++)
+        height[i] = ridelab_road_height(road, position[i]);
+}
+
+/* height    of the road under the front and the rear axle at every fine instant, 2 x (steps + 1) [m]
+   braking   in each fine step [m/s^2]
+   held      steps x 3: both road velocities [m/s], braking */
+void ridelab_disturbances(const double *restrict height, const double *restrict braking, int steps, double fine_step,
+                          double *restrict held)
+{
+    const double *rear = height + steps + 1;
+    double per_step = 1 / fine_step;
+    for (int i = 0; i < steps; i++) {
+        held[3 * i] = (height[i + 1] - height[i]) * per_step;
+        held[3 * i + 1] = (rear[i + 1] - rear[i]) * per_step;
+        held[3 * i + 2] = braking[i];
+    }
+}
+
+/* How far the road lies above its chord between two positions, on average [m]; `moment` is its first moment about the
+   middle, per length. Where the slope changes by k, at distances a and b from the ends, that adds -k a b / (2 (a + b)) to
+   the mean and -k a b (a - b) / (12 (a + b)^2) to the moment. The bumps are judged at `PARTS` - 1 places in between
+   (Simpson). */
+double ridelab_above_chord(const struct road *road, double begin, double end, double *moment)
+{
+    double length = end - begin, all = *moment = 0;
+    if (!(length > 0))
+        return 0;
+    double per_grid = 1 / road->grid, per_length = 1 / length;
+    int last = (int)within(0, (end - road->first) * per_grid, road->samples - 2);
+    for (int i = (int)within(0, (begin - road->first) * per_grid, road->samples) + 1; i <= last; i++) {
+        const double *z = road->roughness + i;
+        double a = road->first + i * road->grid - begin, b = length - a;
+        double mean = -(z[1] - 2 * z[0] + z[-1]) * per_grid * a * b * per_length / 2;
+        all += mean;
+        *moment += mean * (a - b) * per_length / 6;
+    }
+    if (end > road->bump.start && begin < road->bump.until) {
+        double first = bump_height(&road->bump, begin), rise = bump_height(&road->bump, end) - first;
+        for (int part = 1; part < PARTS; part++) {
+            double share = (double)part / PARTS, weight = (part % 2 ? 4.0 : 2.0) / (3 * PARTS);
+            double mean = weight * (bump_height(&road->bump, begin + length * share) - first - rise * share);
+            all += mean;
+            *moment += mean * (share - 0.5);
+        }
+    }
+    return all;
+}
+
+/* position  of both axles at every fine instant, 2 x (steps + 1) [m]
+   within    steps x 4: how far both roads lie above their chords on average, then their first moments [m] */
+void ridelab_within_steps(const struct road *road, const double *position, int steps, double *within)
+{
+    const double *rear = position + steps + 1;
+    for (int i = 0; i < steps; i++, within += 4) {
+        within[0] = ridelab_above_chord(road, position[i], position[i + 1], within + 2);
+        within[1] = ridelab_above_chord(road, rear[i], rear[i + 1], within + 3);
+    }
+}
+
+/* An axle on record: its position at every fine instant and the road's height there [m], the load on its tyre
+   ((fine + 1) x commands) and that one's largest magnitude under each command [N]. */
+struct axle {
+    const double *position, *height, *load, *highest;
+    double stiffness, lowest; /* of the tyre [N/m], of the load [N] */
+};
+
+static const double NEAR = 1e-3; /* of a fine step: a kink met so near to a section's end is met at it */
+
+/* The load's magnitude where the axle meets a kink of the road in a fine step: it deviates from the line between both
+   samples by the tyre's stiffness times the kink's height above the chord. */
+static double load_at(const struct road *road, const struct axle *axle, double kink, int step, double share, double a,
+                      double b)
+{
+    const double *height = axle->height + step;
+    double chord = height[0] + share * (height[1] - height[0]);
+    double load = a + share * (b - a) + axle->stiffness * (ridelab_road_height(road, kink) - chord);
+    return fabs(load < axle->lowest ? axle->lowest : load);
+}
+
+/* Raise the largest magnitude of an axle's tyre load in each section where it is larger at a kink of the road between
+   two samples: the roughness' own samples, and where the bumps' slope jumps.
+
+   kinks     of the bumps, ascending [m], then infinity
+   ends      first and last place of each section, in fine steps from the record's first sample
+   rise      how far the road leaves a chord in each section at most [m]: where samples do not come so near to the peak,
+             no kink is looked at
+   peaks     of each section */
+void ridelab_kink_peaks(const struct road *road, const struct axle *axle, int fine, int commands, const double *kinks,
+                        const double *ends, const double *rise, int sections, double *peaks)
+{
+    for (int section = 0; section < sections; section++) {
+        double first = ends[2 * section], last = ends[2 * section + 1], peak = peaks[section];
+        double from = first > NEAR ? first - NEAR : 0, to = last + NEAR;
+        const double *kink = kinks;
+        for (int c = (int)(from / fine); c < commands && c * fine < to; c++) {
+            if (c * fine >= first && (c + 1) * fine <= last && axle->highest[c] < peak - axle->stiffness * rise[section])
+                continue;
+            for (int step = c * fine; step < (c + 1) * fine; step++) {
+                const double *load = axle->load + (size_t)(step - c * fine) * (size_t)commands + c;
+                double begin = axle->position[step], end = axle->position[step + 1];
+                double grid = floor((begin - road->first) / road->grid) + 1;
+                while (*kink <= begin)
+                    kink++;
+                for (const double *next = kink;;) {
+                    double sample = road->first + grid * road->grid, met = sample < *next ? sample : *next;
+                    if (!(met <= end))
+                        break;
+                    if (met == *next)
+                        next++;
+                    else
+                        grid++;
+                    double share = (met - begin) / (end - begin), place = step + share;
+                    if (place >= from && place <= to) {
+                        double magnitude = load_at(road, axle, met, step, share, load[0], load[commands]);
+                        peak = magnitude > peak ? magnitude : peak;
+                    }
+                }
+            }
+        }
+        peaks[section] = peak;
+    }
+}

@@ -1,0 +1,1 @@
+"""A run: what excites the car, the closed loop, and what it records."""

@@ -1,0 +1,214 @@
+"""A drive over a road, sampled: everything about a run that no suspension changes.
+
+What follows from the drive alone is kept apart from the road's heights: another road of the same length, or another
+bump in the same place, only looks its heights up.
+"""
+
+from dataclasses import dataclass
+from math import ceil
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.caching import cached
+from sim_core.kernel.library import ADDRESS, DOUBLE, INT, address, function
+from sim_core.road.profile import GRID, RoadProfile, RoadUnderAxles, detail, profile, road_under_axles
+from sim_core.scenario import Road, Scenario
+from sim_core.speed.profile import KMH, SpeedProfile, run_in_steps
+from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
+from sim_core.vehicle.half_car import DISTURBANCES
+
+_disturbances = function("disturbances", ADDRESS, ADDRESS, INT, DOUBLE, ADDRESS)
+FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class TimeGrid:
+    """A drive in control steps from the run-in to the road's end, and in fine ones.
+
+    Attributes:
+        time: Control instants (steps + 1,) [s], 0 when the front axle is at x = 0.
+        fine: Fine steps in each control step.
+        before: Control steps before x = 0.
+        position: Of the front axle at every fine instant (n + 1,) [m].
+        wheelbase: How far behind the rear one is [m].
+        on_record: The fine samples on record, from x = 0 to the road's end.
+        series: The record's signals that no road changes (catalogue.SIGNALS).
+    """
+
+    time: FloatArray
+    fine: int
+    before: int
+    position: FloatArray
+    wheelbase: float
+    on_record: slice
+    series: dict[str, FloatArray]
+
+    @property
+    def step(self) -> float:
+        """Control step [s]."""
+        return float(self.time[1] - self.time[0])
+
+    @property
+    def fine_step(self) -> float:
+        """Fine step [s]."""
+        return self.step / self.fine
+
+    @property
+    def axles(self) -> FloatArray:
+        """Position of both axles at every fine instant (2, n + 1) [m]."""
+        return np.stack([self.position, self.position - self.wheelbase])
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Excitation:
+    """A sampled drive on its road.
+
+    Attributes:
+        drive: What follows from the drive alone.
+        position: Of the front axle at the control instants that begin a step (steps,) [m].
+        disturbance: Road velocities front and rear [m/s], braking deceleration [m/s^2], each held over a fine step;
+            (steps, 3 · fine), fine step after fine step.
+        surface: The road.
+        height: Of the road under both axles at every fine instant (2, n + 1) [m].
+        series: The record's signals that no suspension changes (catalogue.SIGNALS).
+    """
+
+    drive: TimeGrid
+    position: FloatArray
+    disturbance: FloatArray
+    surface: RoadProfile
+    height: FloatArray
+    series: dict[str, FloatArray]
+
+    @property
+    def time(self) -> FloatArray:
+        """Control instants (steps + 1,) [s]."""
+        return self.drive.time
+
+    @property
+    def fine(self) -> int:
+        """Fine steps in each control step."""
+        return self.drive.fine
+
+    @property
+    def on_record(self) -> slice:
+        """The fine samples on record."""
+        return self.drive.on_record
+
+    @property
+    def step(self) -> float:
+        """Control step [s]."""
+        return self.drive.step
+
+    @property
+    def fine_step(self) -> float:
+        """Fine step [s]."""
+        return self.drive.fine_step
+
+
+def fine_step(scenario: Scenario, strategy: Strategy) -> float:
+    """Longest fine step [s]: 60 over the bump (or its two ramps), 0.1 rad of the wheels, a grid step of the road, 1 ms.
+
+    Between the ends of a fine step the road is taken as linear and the car exact, so the road's curvature and the
+    sampling of peaks need it short; tests/validation holds metrics against steps of 0.02 ms. The bump counts at the
+    initial speed, the rough road at the speed that is held for long, with lagging actuators at the initial speed too:
+    without jumps of the force the peaks lie where the road's slope changes.
+    """
+    vehicle, bump, speed = scenario.real_vehicle, scenario.road.bump, scenario.speed
+    stop = 0.0 if vehicle.bump_stop_clearance is None else vehicle.bump_stop_stiffness
+    stiffest = max(
+        (vehicle.front_tyre_stiffness + vehicle.front_spring + stop) / vehicle.front_wheel_mass,
+        (vehicle.rear_tyre_stiffness + vehicle.rear_spring + stop) / vehicle.rear_wheel_mass,
+    )
+    over_bump = detail(bump) / (60 * speed.initial_speed_kmh * KMH) if bump.height else COARSEST
+    held = speed.initial_speed_kmh
+    lagging = strategy.suspension is not SuspensionPolicy.PASSIVE and scenario.actuator.bandwidth is not None
+    if strategy.speed is SpeedPolicy.PLANNED and not lagging:
+        held = min(held, speed.target_speed_kmh)
+    over_grid = COARSEST if scenario.road.is_smooth else GRID / (held * KMH)
+    return min(COARSEST, max(FINEST, min(0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)))
+
+
+@cached
+def excite(
+    road: Road, wheelbase: float, drive: SpeedProfile, step: float, longest_fine_step: float, multiple: int = 1
+) -> Excitation:
+    """Sample a drive and look its road up.
+
+    Args:
+        road: What it drives over.
+        wheelbase: L [m].
+        drive: Its speed plan.
+        step: Control step [s].
+        longest_fine_step: See `fine_step` [s].
+        multiple: A control step has a whole multiple of so many fine steps.
+    """
+    fine = multiple * ceil(step / multiple / longest_fine_step - 1e-9)
+    sampled = _sampled(drive, road.length, wheelbase, step, fine)
+    surface = profile(road)
+    height = surface.height(sampled.axles)
+    braking = _braking(drive, sampled, step / fine)
+    held = np.empty((len(sampled.time) - 1, fine * DISTURBANCES))
+    _disturbances(address(height), address(braking), len(braking), sampled.fine_step, address(held))
+    height.flags.writeable = False
+    front, rear = height[:, sampled.on_record]
+    return Excitation(
+        drive=sampled,
+        position=sampled.position[: -1 : sampled.fine],
+        disturbance=held,
+        surface=surface,
+        height=height,
+        series=sampled.series | {"front_road": front, "rear_road": rear},
+    )
+
+
+@cached
+def under_axles(excitation: Excitation) -> RoadUnderAxles:
+    """The road that `disturbance` has straight within each fine step."""
+    return road_under_axles(excitation.surface, excitation.drive.axles)
+
+
+@cached
+def _sampled(drive: SpeedProfile, length: float, wheelbase: float, step: float, fine: int) -> TimeGrid:
+    """The part of `excite` that needs no height; length of the road in m."""
+    duration = drive.time_at(length)
+    before = run_in_steps(drive.initial_speed, step)
+    steps = before + int(duration / step + 1e-6) + 1  # the last one begins at the road's end or before it
+    h = step / fine
+
+    time = h * np.arange(-before * fine, (steps - before) * fine + 1, dtype=np.float64)
+    position, speed = drive.at(time)
+    first = before * fine
+    record = slice(first, first + int(duration / h + 1e-6) + 1)
+    series = {
+        "time": time[record],
+        "position": position[record],
+        "speed": speed[record],
+        "brake_pressure": _on_record(drive, drive.pressure, time[record]),
+        "brake_deceleration": _on_record(drive, drive.braking, time[record]),
+    }
+    for values in series.values():
+        values.flags.writeable = False
+    return TimeGrid(
+        time=step * np.arange(-before, steps - before + 1, dtype=np.float64),
+        fine=fine,
+        before=before,
+        position=position,
+        wheelbase=wheelbase,
+        on_record=record,
+        series=series,
+    )
+
+
+@cached
+def _braking(drive: SpeedProfile, sampled: TimeGrid, h: float) -> FloatArray:
+    """Deceleration, held over each fine step of h [s] (n,) [m/s^2]; apart from the drive, which lives longer."""
+    first = -sampled.before * sampled.fine
+    begins = h * np.arange(first, first + len(sampled.position) - 1, dtype=np.float64)
+    return drive.sample(drive.braking, begins + h / 2)
+
+
+def _on_record(drive: SpeedProfile, values: FloatArray, time: FloatArray) -> FloatArray:
+    """A sampled column of the drive; one that is zero throughout takes no memory."""
+    return drive.sample(values, time) if values.any() else np.broadcast_to(0.0, time.shape)

@@ -1,0 +1,148 @@
+"""What the MPC knows of the road and the braking over its horizon (docs/physics.md, "Preview").
+
+none: the road ahead is taken as level. wheelbase: the rear axle will meet what the front has already driven.
+lookahead: the sensors that find the bump give the road for the whole horizon, and the speed plan is known.
+obstacle: of that road they give the bump alone.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+
+from sim_core.arrays import FloatArray
+from sim_core.caching import cached
+from sim_core.kernel.library import ADDRESS, INT, address, function
+from sim_core.loop.excitation import Excitation, TimeGrid
+from sim_core.road.profile import RoadProfile
+from sim_core.road.sensed import ExpectedErrors, sensed_road
+from sim_core.scenario import Mismatch, Preview, Road
+from sim_core.speed.profile import SpeedProfile
+from sim_core.vehicle.half_car import DISTURBANCES
+
+_horizons = function("horizons", ADDRESS, INT, INT, ADDRESS, ADDRESS)
+EXACT, NO_ERRORS = Mismatch(), ExpectedErrors()
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Forecast:
+    """What is expected over the horizon at each control step.
+
+    Attributes:
+        windows: Mean velocity of the front axle's road in each interval, the rear's [m/s], and the braking deceleration
+            [m/s^2] (3, steps, horizon); perhaps a view.
+        braking: Mean of each window's deceleration (steps,) [m/s^2].
+        spread: Norm over each window of both velocities, and of the deceleration's difference from its mean (3, steps).
+    """
+
+    windows: FloatArray
+    braking: FloatArray
+    spread: FloatArray
+
+
+def preview_windows(
+    mode: Preview,
+    road: Road,
+    drive: SpeedProfile,
+    excitation: Excitation,
+    horizon: int,
+    wheelbase: float,
+    mismatch: Mismatch = EXACT,
+    expected: ExpectedErrors = NO_ERRORS,
+) -> FloatArray:
+    """The windows of `preview`, flattened: (steps, 3 · horizon)."""
+    return flattened(preview(mode, road, drive, excitation, horizon, wheelbase, mismatch, expected).windows)
+
+
+def flattened(windows: FloatArray) -> FloatArray:
+    """Windows (3, steps, horizon), or some steps of them, as rows (steps, 3 · horizon)."""
+    return windows.transpose(1, 0, 2).reshape(windows.shape[1], -1)
+
+
+def preview(
+    mode: Preview,
+    road: Road,
+    drive: SpeedProfile,
+    excitation: Excitation,
+    horizon: int,
+    wheelbase: float,
+    mismatch: Mismatch = EXACT,
+    expected: ExpectedErrors = NO_ERRORS,
+) -> Forecast:
+    """The disturbances over the horizon as expected at each control step.
+
+    Args:
+        mode: none, wheelbase, lookahead or obstacle.
+        road: The road.
+        drive: How it is driven.
+        excitation: The same, sampled.
+        horizon: Prediction horizon.
+        wheelbase: L [m].
+        mismatch: How the sensors that look ahead err.
+        expected: How they are expected to.
+    """
+    if mode in ("lookahead", "obstacle"):
+        surface = excitation.surface
+        if mode == "obstacle" or mismatch.preview_noise or mismatch.preview_resolution or expected != NO_ERRORS:
+            surface = sensed_road(surface, road, mismatch, expected, obstacle_alone=mode == "obstacle")
+        return _by_sensors(surface, drive, excitation, horizon, wheelbase, mismatch)
+    return _without_sensors(mode, road, drive, excitation, horizon, wheelbase)
+
+
+def sliding_forecast(disturbances: FloatArray, horizon: int) -> Forecast:
+    """Windows that slide over the disturbances of every interval to come (3, steps + horizon - 1)."""
+    steps = disturbances.shape[1] - horizon + 1
+    braking, spread = np.empty(steps), np.empty((DISTURBANCES, steps))
+    _horizons(address(disturbances), steps, horizon, address(braking), address(spread))
+    return Forecast(
+        windows=sliding_window_view(disturbances, horizon, axis=1),
+        braking=braking,
+        spread=spread,
+    )
+
+
+@cached
+def _by_sensors(
+    surface: RoadProfile,
+    drive: SpeedProfile,
+    excitation: Excitation,
+    horizon: int,
+    wheelbase: float,
+    mismatch: Mismatch,
+) -> Forecast:
+    """What sensors and speed plan predict for every interval to come."""
+    sampled = excitation.drive
+    axles, braking = _ahead(drive, sampled, horizon, wheelbase, mismatch.preview_offset, mismatch.preview_delay)
+    height = mismatch.preview_gain * surface.height(axles)
+    return sliding_forecast(np.vstack([np.diff(height) / sampled.step, braking]), horizon)
+
+
+@cached
+def _ahead(
+    drive: SpeedProfile, sampled: TimeGrid, horizon: int, wheelbase: float, offset: float, delay: float
+) -> tuple[FloatArray, FloatArray]:
+    """Where sensors take the axles to be at every control instant to come (2, n + 1) [m]; the braking in between."""
+    time, h = sampled.time, sampled.step
+    further = np.concatenate([time, time[-1] + h * np.arange(1, horizon)])
+    position = drive.at(further - delay)[0] - offset
+    axles = np.stack([position, position - wheelbase])
+    return axles, drive.sample(drive.braking, further[:-1] + h / 2)
+
+
+@cached
+def _without_sensors(
+    mode: Preview, road: Road, drive: SpeedProfile, excitation: Excitation, horizon: int, wheelbase: float
+) -> Forecast:
+    """Without sensors: the rear axle meets what the front has met, or the road is level; braking stays as it is."""
+    surface, time, h = excitation.surface, excitation.time, excitation.step
+    windows = np.zeros((DISTURBANCES, len(time) - 1, horizon))
+    position, speed = drive.at(time[:-1])
+    braking = drive.sample(drive.braking, time[:-1])
+    windows[2] = braking[:, None]
+    if mode == "wheelbase":
+        further = speed[:, None] * h * np.arange(horizon + 1)
+        driven = further[:, 1:] <= wheelbase
+        heights = surface.height(position[:, None] - wheelbase + np.minimum(further, wheelbase))
+        windows[1] = np.where(driven, np.diff(heights, axis=1) / h, 0.0)
+    spread = np.stack([np.zeros(len(braking)), np.linalg.norm(windows[1], axis=1), np.zeros(len(braking))])
+    return Forecast(windows=windows, braking=braking, spread=spread)

@@ -1,0 +1,73 @@
+"""Peaks of the tyre loads where the road's slope changes between two samples, by the C of kernel/road.c."""
+
+import ctypes
+from math import inf
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.kernel.library import ADDRESS, DOUBLE, INT, address, function
+from sim_core.loop.excitation import Excitation
+from sim_core.metrics.windows import Windows
+from sim_core.road.profile import CompiledRoad, kinks
+from sim_core.scenario import Vehicle
+
+
+class _Axle(ctypes.Structure):
+    """`struct axle` of kernel/road.c."""
+
+    _fields_ = [
+        *((name, ADDRESS) for name in ("position", "height", "load", "highest")),
+        *((name, DOUBLE) for name in ("stiffness", "lowest")),
+    ]
+
+
+_kink_peaks = function(
+    "kink_peaks",
+    *(ctypes.POINTER(CompiledRoad), ctypes.POINTER(_Axle), INT, INT),
+    *(ADDRESS, ADDRESS, ADDRESS, INT, ADDRESS),
+)
+
+
+def peaks_with_kinks(
+    loads: FloatArray,
+    highest: FloatArray,
+    peaks: FloatArray,
+    vehicle: Vehicle,
+    windows: Windows,
+    excitation: Excitation,
+) -> FloatArray:
+    """Largest magnitude of the tyre loads in each section (2, sections) [N].
+
+    At a kink of the road a load deviates from the line between the samples by the tyre's stiffness times the height of
+    the kink above the road's chord. Only kinks that may raise a peak count: under commands whose samples come near it.
+
+    Args:
+        loads: Front and rear (2, fine steps of a command + 1, commands) [N].
+        highest: Their largest magnitude under each command (2, commands) [N].
+        peaks: Their largest magnitude in each section at samples (2, sections) [N].
+        vehicle: The real one.
+        windows: Where the sections lie.
+        excitation: The road under the axles.
+
+    Raises:
+        ValueError: It is that of another record.
+    """
+    samples, commands = loads.shape[1:]
+    surface, start = excitation.surface, excitation.on_record.start
+    if excitation.height.shape[1] - start != (samples - 1) * commands + 1:
+        raise ValueError("A record has as many fine steps as its road")
+    road, of_bump = surface.compiled, np.array([*sorted(kinks(surface.bump)), inf])
+    beside, on_bump = surface.slope_range()
+    rise = np.array([beside, on_bump, beside]) * windows.step_distance / 4  # of the road above a chord, at most
+    all_peaks = np.array(peaks, order="C")
+    tyres = (vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness)
+    for axle, (stiffness, static) in enumerate(zip(tyres, vehicle.static_loads, strict=True)):
+        position = excitation.drive.position[start:] - axle * excitation.drive.wheelbase
+        arrays = position, excitation.height[axle, start:], loads[axle], highest[axle]
+        lowest = -static if vehicle.tyre_lift_off else -inf
+        _kink_peaks(
+            *(road, _Axle(*map(address, arrays), stiffness, lowest), samples - 1, commands),
+            *(address(of_bump), address(windows.ends), address(rise), len(rise), address(all_peaks[axle])),
+        )
+    return all_peaks

@@ -1,0 +1,72 @@
+"""Where windows of a drive lie in its record, by the time the front axle spends in each."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from math import ceil
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.caching import cached
+from sim_core.loop.excitation import TimeGrid
+from sim_core.speed.profile import SpeedProfile
+
+_SNAP = 1e-6  # of a fine step: a section that ends so near to a sample ends there
+
+
+def section_ends(spans: Sequence[tuple[float, float]]) -> FloatArray:
+    """Ends (sections, 2) of sections that begin and end so many fine steps from x = 0: at a sample where near one."""
+    return np.array([[_snapped(first), _snapped(last)] for first, last in spans])
+
+
+def _snapped(steps: float) -> float:
+    nearest = round(steps)
+    return float(nearest) if abs(steps - nearest) < _SNAP else steps
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Windows:
+    """Where a record's windows lie.
+
+    Attributes:
+        ends: First and last place of the rough road, the bump, and what follows it (3, 2) [fine steps]; together the
+            whole run.
+        fine_step: In s.
+        step_distance: The longest fine step in each section (3,) [m].
+        arrival_speed: Speed of the car as the front axle meets the bump [m/s].
+    """
+
+    ends: FloatArray
+    fine_step: float
+    step_distance: FloatArray
+    arrival_speed: float
+
+
+@cached
+def windows_of(
+    sampled: TimeGrid,
+    drive: SpeedProfile,
+    bump_start: float,
+    bump_end: float,
+    length: float,
+) -> Windows:
+    """The windows of a record.
+
+    Args:
+        sampled: The drive, sampled.
+        drive: The same.
+        bump_start: Of the bump [m].
+        bump_end: Where the front axle is when the rear one has left it [m].
+        length: Of the road [m].
+    """
+    h = sampled.fine_step
+    bounds = [0.0, *(drive.time_at(position) / h for position in (bump_start, min(bump_end, length), length))]
+    ends = section_ends(list(pairwise(bounds)))
+    distance = np.diff(sampled.position[sampled.on_record.start :])
+    return Windows(
+        ends=ends,
+        fine_step=h,
+        step_distance=np.array([distance[int(first) : ceil(last)].max(initial=0) for first, last in ends.tolist()]),
+        arrival_speed=float(drive.at(np.array(drive.time_at(bump_start)))[1]),
+    )

@@ -1,0 +1,1 @@
+"""The road: its profile, measured ones, and what a sensor sees of it."""

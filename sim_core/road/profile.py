@@ -1,0 +1,219 @@
+"""The road, made once in space: ISO 8608 roughness plus bumps (paper section 2.1, errata in docs/errata.md).
+
+Every strategy drives the same road whatever its speed, and the rear axle the front's road a wheelbase later.
+"""
+
+import ctypes
+from dataclasses import dataclass, field
+from math import exp, inf, pi, sqrt
+from typing import get_args
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.caching import cached
+from sim_core.errors import MissingRoadError, RidelabError
+from sim_core.kernel.library import ADDRESS, DOUBLE, INT, address, function
+from sim_core.scenario import Bump, Road
+from sim_core.scenario.measured import SPACING, MeasuredRoad
+from sim_core.scenario.road import BumpShape
+
+REFERENCE_FREQUENCY = 0.1  # n0 [1/m], ISO 8608
+CUTOFF_FREQUENCY = 0.011  # n00 [1/m]: below it the PSD is flat, so the road stays bounded
+GRID = SPACING  # distance between roughness samples [m]
+_SHAPES = get_args(BumpShape)
+RUN_IN = 20.0  # driven before x = 0, so that the car has met the road when the record starts [m]
+_BEFORE = 45.0  # road made before x = 0 [m]: run-in, longest wheelbase, one control step
+_AFTER = 1.0  # road made beyond its end [m]; further on it stays level
+
+
+class _Bump(ctypes.Structure):
+    """`struct bump` of kernel/road.c."""
+
+    _fields_ = [
+        *((name, INT) for name in ("shape", "count")),
+        *((name, DOUBLE) for name in ("start", "height", "width", "spacing", "until")),
+    ]
+
+
+class CompiledRoad(ctypes.Structure):
+    """`struct road` of kernel/road.c: a `RoadProfile`, whose roughness it does not keep alive."""
+
+    _fields_ = [("roughness", ADDRESS), ("samples", INT), ("first", DOUBLE), ("grid", DOUBLE), ("bump", _Bump)]
+
+
+_make_rough = function("roughness", ADDRESS, INT, DOUBLE, DOUBLE, DOUBLE, result=DOUBLE)
+_bump_heights = function("bump_heights", ctypes.POINTER(_Bump), ADDRESS, INT, ADDRESS)
+_within_steps = function("within_steps", ctypes.POINTER(CompiledRoad), ADDRESS, INT, ADDRESS)
+_road_heights = function("road_heights", ctypes.POINTER(CompiledRoad), ADDRESS, INT, ADDRESS)
+
+
+def grid_samples(length: float) -> int:
+    """Samples of a road's roughness, from `_BEFORE` to `_AFTER` its end [m]."""
+    return int((length + _BEFORE + _AFTER) / GRID) + 2
+
+
+def grid_positions(samples: int) -> FloatArray:
+    """Positions [m] of a road's first so many roughness samples."""
+    return GRID * np.arange(samples, dtype=np.float64) - _BEFORE
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RoadProfile:
+    """Height of the road over distance: roughness samples, linear in between, and the bump's formula.
+
+    Attributes:
+        roughness: Heights of the samples (n,) [m].
+        slopes: Between the roughness' steepest slopes up and down [1].
+        bump: The bumps.
+        compiled: The same for C, while this profile lives.
+    """
+
+    roughness: FloatArray
+    slopes: float
+    bump: Bump
+    compiled: CompiledRoad = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Prepare what C reads."""
+        road = CompiledRoad(address(self.roughness), len(self.roughness), -_BEFORE, GRID, _compiled(self.bump))
+        object.__setattr__(self, "compiled", road)
+
+    def height(self, position: FloatArray) -> FloatArray:
+        """Road height [m] at positions [m] of any shape; level beyond the road made."""
+        position = np.ascontiguousarray(position, dtype=np.float64)
+        height = np.empty_like(position)
+        _road_heights(self.compiled, address(position), position.size, address(height))
+        return height
+
+    def slope_range(self) -> tuple[float, float]:
+        """Between its steepest slopes up and down [1], beside the bump and on it.
+
+        A chord deviates from the road by at most a quarter of that times its length.
+        """
+        return self.slopes, self.slopes + 2 * steepest(self.bump)
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class RoadUnderAxles:
+    """The road that a drive meets.
+
+    Attributes:
+        surface: The road.
+        position: Of both axles at every fine instant (2, n + 1) [m].
+        within: How far the road under both lies above its chord in each fine step, on average, then its first moments
+            about the middle (n, 4) [m].
+    """
+
+    surface: RoadProfile
+    position: FloatArray
+    within: FloatArray
+
+
+def road_under_axles(surface: RoadProfile, position: FloatArray) -> RoadUnderAxles:
+    """The road at positions (2, n + 1) [m]."""
+    within = np.empty((position.shape[1] - 1, 4))
+    _within_steps(surface.compiled, address(position), len(within), address(within))
+    return RoadUnderAxles(surface=surface, position=position, within=within)
+
+
+def rough_profile(roughness: FloatArray, bump: Bump) -> RoadProfile:
+    """A road of those samples (n,) [m]."""
+    return RoadProfile(roughness, _slopes(roughness), bump)
+
+
+def _slopes(roughness: FloatArray) -> float:
+    rise = roughness[1:] - roughness[:-1]
+    return float(max(rise.max(), 0.0) - min(rise.min(), 0.0)) / GRID
+
+
+def changed_until(bump: Bump) -> float:
+    """Where the road is again as it would be without the bump [m]; never behind a kerb."""
+    return inf if bump.shape == "kerb" else bump.end
+
+
+def bump_height(bump: Bump, position: FloatArray) -> FloatArray:
+    """Height of the bumps alone [m] at positions [m]; behind a kerb its whole height."""
+    position = np.ascontiguousarray(position, dtype=np.float64)
+    height = np.empty_like(position)
+    _bump_heights(_compiled(bump), address(position), position.size, address(height))
+    return height
+
+
+def _compiled(bump: Bump) -> _Bump:
+    return _Bump(
+        _SHAPES.index(bump.shape), bump.count, bump.start, bump.height, bump.width, bump.spacing, changed_until(bump)
+    )
+
+
+def kinks(bump: Bump) -> tuple[float, ...]:
+    """Where the bumps' slope jumps [m]; a tyre load may peak just there."""
+    shares: tuple[float, ...] = ()
+    if bump.shape in ("half_sine", "circular"):
+        shares = (0.0, 1.0)
+    elif bump.shape == "trapezoid":
+        shares = (0.0, 0.25, 0.75, 1.0)
+    starts = [bump.start + number * bump.spacing for number in range(bump.count)] if bump.height else []
+    return tuple(start + share * bump.width for start in starts for share in shares)
+
+
+def steepest(bump: Bump) -> float:
+    """The bump's steepest slope, up or down [1]; infinite for half a circle."""
+    height, half = abs(bump.height), bump.width / 2
+    if bump.shape == "circular":
+        return height / half * 2 / (1 - (height / half) ** 2) if height < half else inf
+    factors = {"cosine": pi, "half_sine": pi, "trapezoid": 4.0, "flat_top": 2 * pi, "kerb": pi / 2}
+    return factors[bump.shape] * height / bump.width
+
+
+def detail(bump: Bump) -> float:
+    """Length over which the bump rises and falls once [m]: its width, its two ramps put together, a kerb's twice."""
+    return {"flat_top": 0.5, "trapezoid": 0.5, "kerb": 2.0}.get(bump.shape, 1.0) * bump.width
+
+
+def stationary_deviation(roughness: float) -> float:
+    """Standard deviation of the endless road [m]: root of the PSD's integral, Gd n0² π / (2 n00)."""
+    return sqrt(roughness * REFERENCE_FREQUENCY**2 * pi / (2 * CUTOFF_FREQUENCY))
+
+
+@cached
+def _roughness(roughness: float, seed: int, length: float) -> tuple[FloatArray, float]:
+    """Samples of dz/dx = -2π n00 z + 2π n0 √Gd w from `_BEFORE` on, exact at the grid points, and their `slopes`.
+
+    Var(w) = 1/(2Δx) makes the one-sided PSD Gd(n0) n0² / (n² + n00²) (ISO 8608 with a cut-off). The same
+    seed gives the same road for every length: a longer one only goes on.
+    """
+    keep = exp(-2 * pi * CUTOFF_FREQUENCY * GRID)
+    samples = np.random.default_rng(seed).standard_normal(grid_samples(length))
+    slopes = _make_rough(address(samples), len(samples), stationary_deviation(roughness), keep, GRID)
+    samples.flags.writeable = False
+    return samples, float(slopes)
+
+
+@cached
+def _measured(measured: MeasuredRoad, length: float) -> tuple[FloatArray, float]:
+    """The same of a measured road: level before its first height."""
+    heights, before = measured.heights(), round(_BEFORE / GRID)
+    samples = np.full(grid_samples(length), heights[-1])
+    samples[:before] = heights[0]
+    count = min(len(heights), len(samples) - before)
+    samples[before : before + count] = heights[:count]
+    samples.flags.writeable = False
+    return samples, _slopes(samples)
+
+
+def profile(road: Road) -> RoadProfile:
+    """The road of a scenario.
+
+    Raises:
+        MissingRoadError: It names a measured road whose heights nobody handed over.
+        RidelabError: The measured road is shorter.
+    """
+    if road.profile is None:
+        return RoadProfile(*_roughness(road.roughness, road.seed, road.length), road.bump)
+    if road.measured is None:
+        raise MissingRoadError("The measured road of this id is not here", field="road.profile")
+    if road.length > road.measured.length:
+        message = f"The measured road is {road.measured.length:g} m long: the road's length can be at most that"
+        raise RidelabError(message, field="road.length")
+    return RoadProfile(*_measured(road.measured, road.length), road.bump)

@@ -1,0 +1,195 @@
+"""Driving along the road: constant speed, or the fuzzy speed plan towards the bump (section 3.1, Figure 8).
+
+The plan depends on nothing vertical, so it is made once per road and shared by every strategy that drives it.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from math import ceil
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.caching import cached
+from sim_core.road.profile import RUN_IN
+from sim_core.scenario import Scenario
+from sim_core.speed.brake import BrakeChain, brake_chain
+from sim_core.speed.fuzzy import torque_surface
+from sim_core.strategies import SpeedPolicy
+
+KMH = 1 / 3.6  # one km/h [m/s]
+TARGET_BAND = 2.5 * KMH  # half width of the band the paper aims at, 20 to 25 km/h [m/s]
+CONTROL_STEP = 0.01  # period of the speed controller [s]
+DRIVE_TIME = 0.5  # the drive closes a speed error with this time constant [s] (ours)
+DRIVE_LIMIT = 2.0  # and accelerates at most this much [m/s^2] (ours)
+# A place so little ahead of the car counts as reached [m]: far more than rounding, which differs between processors,
+# and far less than changes a metric. Otherwise a step that meets a place exactly reaches it on some processors only.
+REACHED = 1e-9
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SpeedPlanInputs:
+    """What the plan is made for; nothing else changes it. Speeds [m/s], places [m]."""
+
+    initial_speed: float
+    target_speed: float
+    detection: float
+    bump_start: float
+    bump_end: float  # where the rear axle has left the bump
+    guarded: bool
+    chain: BrakeChain
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class SpeedProfile:
+    """A drive: samples every CONTROL_STEP from the detection to the end of the bump, constant speed around it.
+
+    `time` counts from x = 0 [s]; before the first sample the car holds the initial speed, after the last its own.
+    """
+
+    initial_speed: float
+    time: FloatArray
+    position: FloatArray
+    speed: FloatArray
+    pressure: FloatArray
+    braking: FloatArray
+
+    def at(self, time: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Position [m] and speed [m/s] at times [s] of any shape: cubic Hermite between samples, linear around."""
+        t0, t1 = self.time[0], self.time[-1]
+        inside = np.clip(time, t0, t1)
+        step = self.time[1] - t0
+        place = (inside - t0) / step
+        i = np.minimum(place.astype(np.intp), len(self.time) - 2)
+        s = place - i
+        v0, v1 = self.speed[i], self.speed[i + 1]
+        x0, x1 = self.position[i], self.position[i + 1]
+        position = x0 + s * s * (3 - 2 * s) * (x1 - x0) + step * s * (1 - s) * ((1 - s) * v0 - s * v1)
+        before, after = np.minimum(time - t0, 0.0), np.maximum(time - t1, 0.0)
+        position = position + before * self.speed[0] + after * self.speed[-1]
+        return position, v0 + s * (v1 - v0)
+
+    def sample(self, values: FloatArray, time: FloatArray) -> FloatArray:
+        """One of the sampled columns at times [s], linear in between; its end values outside."""
+        return np.interp(time, self.time, values)
+
+    def time_at(self, position: float) -> float:
+        """When the front axle is at a position [m] [s]."""
+        return _time_at(self, position)
+
+
+@lru_cache(maxsize=32)
+def _time_at(drive: SpeedProfile, position: float) -> float:
+    """The inverse of `SpeedProfile.at`, kept: every run over a drive asks for the same few places."""
+    if position <= drive.position[0]:
+        return float(drive.time[0] + (position - drive.position[0]) / drive.speed[0])
+    if position >= drive.position[-1]:
+        return float(drive.time[-1] + (position - drive.position[-1]) / drive.speed[-1])
+    i = int(np.searchsorted(drive.position, position)) - 1
+    x0, x1 = float(drive.position[i]), float(drive.position[i + 1])
+    v0, v1 = float(drive.speed[i]), float(drive.speed[i + 1])
+    step = float(drive.time[1] - drive.time[0])
+    low, high = 0.0, 1.0
+    for _ in range(50):  # bisection: the cubic of `at` is monotonic here
+        s = (low + high) / 2
+        reached = x0 + s * s * (3 - 2 * s) * (x1 - x0) + step * s * (1 - s) * ((1 - s) * v0 - s * v1)
+        low, high = (s, high) if reached < position else (low, s)
+    return float(drive.time[i]) + step * high
+
+
+def plan_speed(scenario: Scenario, policy: SpeedPolicy) -> SpeedProfile:
+    """How a strategy drives the scenario's road."""
+    speed, bump, vehicle = scenario.speed, scenario.road.bump, scenario.vehicle
+    initial = speed.initial_speed_kmh * KMH
+    if policy is SpeedPolicy.CONSTANT:
+        return _constant(initial)
+    return _planned(
+        SpeedPlanInputs(
+            initial_speed=initial,
+            target_speed=speed.target_speed_kmh * KMH,
+            detection=max(0.0, bump.start - speed.detection_distance),
+            bump_start=bump.start,
+            bump_end=bump.end + vehicle.wheelbase,
+            guarded=speed.controller == "guarded",
+            chain=brake_chain(scenario.brake, vehicle),
+        )
+    )
+
+
+@lru_cache(maxsize=256)
+def _constant(speed: float) -> SpeedProfile:
+    two, none = np.array([0.0, CONTROL_STEP]), np.zeros(2)
+    return SpeedProfile(
+        initial_speed=speed,
+        time=two,
+        position=two * speed,
+        speed=np.full(2, speed),
+        pressure=none,
+        braking=none,
+    )
+
+
+@cached
+def _planned(inputs: SpeedPlanInputs) -> SpeedProfile:
+    """Step the speed controller and the brake chain from the detection until the rear axle has left the bump.
+
+    Per period: the fuzzy torque sets the pressure demand (zero inside the target band, where the drive holds the
+    target instead), the pressure follows with its lag exactly, speed by the midpoint rule. On the bump the car
+    coasts; only if it would fall below the band does the drive keep it moving.
+    """
+    chain, surface, h = inputs.chain, torque_surface(), CONTROL_STEP
+    target = min(inputs.target_speed, inputs.initial_speed)
+    floor = target - TARGET_BAND
+    keep_half, keep = chain.decay(h / 2), chain.decay(h)
+    x, v, pressure = inputs.detection, inputs.initial_speed, 0.0
+    rows = []
+    while True:
+        coasting = x >= inputs.bump_start - REACHED
+        error = v - target
+        braking_wanted = not coasting and error > TARGET_BAND
+        demand = 0.0
+        if braking_wanted:
+            left = inputs.bump_start - x
+            share = surface.share(error / KMH, left)
+            if inputs.guarded:
+                share = max(share, _needed(chain, v, target, left))
+            demand = share * chain.maximum_torque * chain.pressure_per_torque
+        reference = floor if coasting else target
+        push = 0.0 if braking_wanted else _push(chain, v, reference)
+        acceleration = push - chain.resistance(v) - chain.deceleration(pressure, v)
+        rows.append((x, v, pressure, chain.deceleration(pressure, v)))
+        if x >= inputs.bump_end - REACHED:
+            break
+        middle = v + h / 2 * acceleration
+        pressure_middle = demand + (pressure - demand) * keep_half
+        push = 0.0 if braking_wanted else _push(chain, middle, reference)
+        x += h * middle
+        v += h * (push - chain.resistance(middle) - chain.deceleration(pressure_middle, middle))
+        pressure = demand + (pressure - demand) * keep
+    table = np.array(rows).T
+    table[2:, -1] = 0.0  # from here on the drive holds the speed, the brakes are off
+    time = inputs.detection / inputs.initial_speed + h * np.arange(table.shape[1], dtype=np.float64)
+    return SpeedProfile(
+        initial_speed=inputs.initial_speed,
+        time=time,
+        position=table[0],
+        speed=table[1],
+        pressure=table[2],
+        braking=table[3],
+    )
+
+
+def _push(chain: BrakeChain, speed: float, reference: float) -> float:
+    """Acceleration the drive adds to reach and hold a reference speed [m/s^2]; it never brakes."""
+    return min(max(chain.resistance(speed) + (reference - speed) / DRIVE_TIME, 0.0), DRIVE_LIMIT)
+
+
+def _needed(chain: BrakeChain, speed: float, target: float, distance: float) -> float:
+    """Share of the greatest deceleration that reaches the target in the distance left after the lag, 0 to 1."""
+    usable = max(distance - chain.lag * speed, 0.1)
+    return min((speed * speed - target * target) / (2 * usable * chain.maximum_deceleration), 1.0)
+
+
+def run_in_steps(speed: float, step: float) -> int:
+    """Control steps [s each] driven before x = 0 at a speed [m/s]."""
+    return ceil(RUN_IN / (speed * step))

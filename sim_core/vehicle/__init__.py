@@ -1,0 +1,1 @@
+"""The car, linear or not, its actuators and what estimates its state."""

@@ -1,0 +1,196 @@
+"""A steady-state Kalman filter on what cars measure, between the car and its controller (Kalman 1960).
+
+Measured at each control instant, just before the command changes: both suspension deflections, the body's acceleration
+and the pitch rate. The braking is known from the speed plan. Of the road the filter is told what its controller
+previews; the rest of the roughness is white velocity noise to it (docs/physics.md, "State estimation").
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+from math import pi, sqrt
+
+import numpy as np
+from scipy.linalg import expm
+
+from sim_core.arrays import FloatArray
+from sim_core.caching import cached
+from sim_core.errors import RidelabError
+from sim_core.riccati import riccati, solve
+from sim_core.road.profile import REFERENCE_FREQUENCY
+from sim_core.road.sensed import ExpectedErrors, expected_errors, trust
+from sim_core.scenario import Estimation, Preview, Scenario, Vehicle
+from sim_core.vehicle.half_car import DISTURBANCES, STATES, discrete, half_car, measurement
+from sim_core.vehicle.model import Estimator
+
+_NOISE_STREAM = 6  # a generator of its own beside the road's
+_LEAST_ROUGHNESS = 1e-6  # on a smoother road the filter would ignore its sensors [m³]
+_BODY_VELOCITY = 4  # in the state
+_FREQUENCIES = np.geomspace(0.05, 50, 300)  # the body's and the wheels' [Hz]
+NOTHING_SEEN = (1.0, 1.0)
+_UNSTABLE = "No stable Kalman filter was found for this vehicle and these sensors"
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class KalmanFilter:
+    """x̂ = x̂⁻ + gain·(y - C x̂⁻ - D u - F a), a the disturbances at the measurement.
+
+    Attributes:
+        gain: (8, 4).
+        covariance: (8, 8), of what x̂ is off by.
+    """
+
+    gain: FloatArray
+    covariance: FloatArray
+
+
+@cached
+def kalman_filter(
+    vehicle: Vehicle,
+    noise: Estimation,
+    step: float,
+    intensity: float,
+    unseen: tuple[float, float] = NOTHING_SEEN,
+    per_control: int = 1,
+) -> KalmanFilter:
+    """The filter that is optimal on an endless road.
+
+    Args:
+        vehicle: The one the controllers believe in.
+        noise: Of the sensors.
+        step: Between measurements [s].
+        intensity: Of each axle's road velocity, two-sided [m²/s].
+        unseen: Share of that intensity that preview does not measure, front and rear.
+        per_control: Measurements in a control step, whose mean velocity preview gives.
+
+    Raises:
+        RidelabError: There is no such filter.
+    """
+    A, C = discrete(vehicle, step).A, measurement(vehicle).C
+    Q = _added(vehicle, step, intensity * np.array(unseen), intensity * (1 - np.array(unseen)), per_control)
+    R = np.diag(np.square([noise.deflection_noise] * 2 + [noise.acceleration_noise, noise.pitch_rate_noise]))
+    P = riccati(A.T, C.T, Q, R, np.zeros((STATES, len(C))))
+    gain = solve(C @ P @ C.T + R, C @ P).T
+    closed = A - gain @ C @ A
+    if not np.isfinite(closed).all() or np.abs(np.linalg.eigvals(closed)).max() >= 1:
+        raise RidelabError(_UNSTABLE, field="estimation.kind")
+    return KalmanFilter(gain=gain, covariance=P - gain @ C @ P)
+
+
+def make_estimator(
+    scenario: Scenario,
+    step: float,
+    speed: float,
+    disturbance: FloatArray,
+    per_control: int = 1,
+    *,
+    mode: Preview = "none",
+    seen: FloatArray | None = None,
+) -> Estimator | None:
+    """What estimates the state for a scenario's controllers, or None where they have the state itself.
+
+    Args:
+        scenario: Whose vehicle, road and sensors.
+        step: Between measurements [s].
+        speed: For which the filter is made [m/s].
+        disturbance: In each step, fine step after fine step (steps, 3 · fine), as `Excitation.disturbance`.
+        per_control: Measurements in a control step: each has so many times the variance, so that together they tell as
+            much as one.
+        mode: What the filter's controller previews, where the filter is told of it.
+        seen: Mean velocity of both axles' road over each control step, as previewed (steps / per_control, 2) [m/s];
+            None is a level road.
+
+    Raises:
+        RidelabError: There is no such filter.
+    """
+    if scenario.estimation.kind == "exact":
+        return None
+    noise = scenario.estimation
+    if per_control > 1:
+        names = "acceleration_noise", "deflection_noise", "pitch_rate_noise"
+        noise = noise.model_copy(update={name: getattr(noise, name) * sqrt(per_control) for name in names})
+    roughness = max(scenario.road.roughness, _LEAST_ROUGHNESS)
+    intensity = (2 * pi * REFERENCE_FREQUENCY) ** 2 * roughness * speed / 2
+    unseen = _unseen(scenario, mode, speed)
+    filtered = kalman_filter(scenario.vehicle, noise, step, intensity, unseen, per_control)
+    model, sensors, L = discrete(scenario.vehicle, step), measurement(scenario.vehicle), filtered.gain
+    rest = np.eye(STATES) - L @ sensors.C
+    steps = len(disturbance)
+    braking, last = disturbance.reshape(steps, -1, DISTURBANCES)[:, :, 2].mean(axis=1), disturbance[:, -1]
+    known = np.outer(braking, model.E[:, 2])
+    if seen is not None:
+        known += np.repeat(seen, per_control, axis=0) @ model.E[:, :2].T
+    white = np.random.default_rng((scenario.road.seed, _NOISE_STREAM)).standard_normal((steps, len(L.T)))
+    deviations = [noise.deflection_noise] * 2 + [noise.acceleration_noise, noise.pitch_rate_noise]
+    return Estimator(
+        state=rest @ model.A,
+        command=rest @ model.B - L @ sensors.D,
+        measurement=L,
+        input=known @ rest.T + (white * deviations - np.outer(last, sensors.F)) @ L.T,
+    )
+
+
+def _unseen(scenario: Scenario, mode: Preview, speed: float) -> tuple[float, float]:
+    """Which share of the roughness' intensity preview leaves unknown under the front and the rear axle."""
+    if mode == "wheelbase":
+        return 1.0, 0.0  # the rear axle meets what the front one has passed
+    if mode == "lookahead":
+        share = unseen_share(scenario.vehicle, scenario.road.roughness, speed, expected_errors(scenario.mpc))
+        return share, share
+    return NOTHING_SEEN
+
+
+@lru_cache(maxsize=128)
+def unseen_share(vehicle: Vehicle, roughness: float, speed: float, expected: ExpectedErrors) -> float:
+    """Share of the road's intensity with which white noise moves the body as the road does that preview leaves unknown.
+
+    Of the road's density S the Wiener estimate (`trust`, W) leaves S (1 - exp(-(2π n s)²/2) W), s being the expected
+    offset: little of the long waves and all of the short ones. No sensor measures the body's velocity, which is why
+    that is what counts.
+
+    Args:
+        vehicle: The one the controllers believe in.
+        roughness: Gd(n0) [m³], the road's class.
+        speed: At which it is driven [m/s].
+        expected: Errors of the sensors that look ahead; of none nothing is left.
+    """
+    if expected == ExpectedErrors():
+        return 0.0
+    model, n = half_car(vehicle), _FREQUENCIES / speed
+    left = 1 - np.exp(-((2 * pi * n * expected.offset) ** 2) / 2) * trust(n, roughness, expected)
+    plant = 2j * pi * _FREQUENCIES[:, None, None] * np.eye(STATES) - model.A
+    motion = np.linalg.solve(plant, np.broadcast_to(model.E[:, :2], (len(n), STATES, 2)))[:, _BODY_VELOCITY]
+    power = (np.abs(motion) ** 2).sum(axis=1) * _FREQUENCIES  # an interval of the grid grows with its frequency
+    return float(power @ left / power.sum())
+
+
+def _added(vehicle: Vehicle, step: float, unseen: FloatArray, seen: FloatArray, per_control: int) -> FloatArray:
+    """Covariance (8, 8) that the road adds to what the filter predicts of the state over a step [s].
+
+    Of a road whose mean velocity over a control step h is known, only what it does around that mean is added: the mean
+    itself has the covariance intensity / h. Measurements within a control step share that evenly.
+
+    Args:
+        vehicle: The believed one.
+        step: Between measurements [s].
+        unseen: Intensities of the velocity under the front and the rear axle that is not known (2,) [m²/s].
+        seen: Of the velocity whose mean over a control step is known (2,) [m²/s].
+        per_control: Measurements in a control step.
+    """
+    control_step = step * per_control
+    held = discrete(vehicle, control_step).E[:, :2]
+    around = _accumulated(vehicle, control_step, seen) - (held * (seen / control_step)) @ held.T
+    return _accumulated(vehicle, step, unseen) + around / per_control
+
+
+def _accumulated(vehicle: Vehicle, step: float, intensity: FloatArray) -> FloatArray:
+    """Covariance (8, 8) that white road velocities of these intensities (2,) add to the state in a step [s].
+
+    Van Loan (1978).
+    """
+    model = half_car(vehicle)
+    road = model.E[:, :2]
+    block = np.zeros((2 * STATES, 2 * STATES))
+    block[:STATES, :STATES], block[STATES:, STATES:] = -model.A, model.A.T
+    block[:STATES, STATES:] = (road * intensity) @ road.T
+    exponential = expm(block * step)
+    return np.asarray(exponential[STATES:, STATES:].T @ exponential[:STATES, STATES:])

@@ -1,0 +1,100 @@
+"""The linear car on its road: its steps are exact, and those in which no limit binds follow one matrix.
+
+See docs/decisions/0002-speculative-blocks.md.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.caching import cached
+from sim_core.kernel.recurrence import run_recurrence
+from sim_core.scenario import Vehicle
+from sim_core.vehicle.half_car import FORCES, STATES, measurement
+from sim_core.vehicle.model import Estimator, LinearLaw, VehicleModel
+from sim_core.vehicle.plant import Plant
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class ControlStep:
+    """p' = A p + B u + forcing over one control step, p as `VehicleModel` has it: A (n, n), B (n, 2)."""
+
+    A: FloatArray
+    B: FloatArray
+
+
+@cached
+def _exact(plant: Plant) -> ControlStep:
+    """Without an estimator; shared, and with it what is prepared for a law."""
+    return ControlStep(A=plant.A, B=plant.B)
+
+
+def control_step(plant: Plant, vehicle: Vehicle, estimator: Estimator | None) -> ControlStep:
+    """A control step of a linear car and its estimator.
+
+    Args:
+        plant: Of the real car.
+        vehicle: The real one.
+        estimator: None where the controller has the state itself.
+    """
+    if estimator is None:
+        return _exact(plant)
+    C, D = _sensors(plant, vehicle)
+    L, none = estimator.measurement, np.zeros((plant.size, STATES))
+    return ControlStep(
+        A=np.block([[estimator.state, L @ C @ plant.A], [none, plant.A]]),
+        B=np.vstack([estimator.command + L @ (C @ plant.B + D), plant.B]),
+    )
+
+
+def _sensors(plant: Plant, vehicle: Vehicle) -> tuple[FloatArray, FloatArray]:
+    """What sensors give of the plant's state (4, n) and of the command before the instant (4, 2)."""
+    sensors = measurement(vehicle)
+    if plant.size == STATES:
+        return sensors.C, sensors.D
+    return np.hstack([sensors.C, sensors.D]), np.zeros_like(sensors.D)
+
+
+@cached
+def closed_loop_matrix(step: ControlStep, law: LinearLaw) -> FloatArray:
+    """One control step of [p; previous command] while no limit binds (n + 2, n + 2)."""
+    n = len(step.A)
+    gain = np.zeros((FORCES, n + FORCES))
+    gain[:, :STATES], gain[:, n:] = law.gain[:, :STATES], law.gain[:, STATES:]
+    free = np.hstack([step.A, np.zeros((n, FORCES))])
+    return np.vstack([free + step.B @ gain, gain])
+
+
+class LinearCar(VehicleModel):
+    """A linear car on its road; the arguments are `make_vehicle`'s."""
+
+    def __init__(
+        self, plant: Plant, vehicle: Vehicle, disturbance: FloatArray, before: int, estimator: Estimator | None
+    ) -> None:
+        self._plant = plant
+        self._disturbance = disturbance
+        self._before = before
+        self._step = control_step(plant, vehicle, estimator)
+        self.size = len(self._step.A)
+        self._forcing = disturbance @ plant.E
+        if estimator is not None:
+            measured = self._forcing @ _sensors(plant, vehicle)[0].T
+            measured += np.outer(disturbance[:, -1], measurement(vehicle).F)
+            self._forcing = np.hstack([measured @ estimator.measurement.T + estimator.input, self._forcing])
+
+    def free_run(self, law: LinearLaw, first: int, start: FloatArray, feed: FloatArray) -> FloatArray:
+        """As VehicleModel says."""
+        z = np.empty((len(feed) + 1, self.size + FORCES))
+        z[0], z[1:, self.size :] = start, feed
+        np.add(self._forcing[first : first + len(feed)], feed @ self._step.B.T, out=z[1:, : self.size])
+        run_recurrence(closed_loop_matrix(self._step, law), z)
+        return z
+
+    def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
+        """As VehicleModel says."""
+        return np.asarray(self._step.A @ state + self._step.B @ command + self._forcing[step])
+
+    def record(self, states: FloatArray, commands: FloatArray) -> FloatArray:
+        """As VehicleModel says."""
+        return self._plant.record(states[:, -self._plant.size :], commands, self._disturbance[self._before :])
