@@ -1,9 +1,7 @@
 """What pyproject.toml cannot say: the built page goes into the wheel, and C is compiled on any machine."""
 
-import hashlib
-import os
+import runpy
 import shutil
-import sys
 from pathlib import Path
 
 from setuptools import Extension, setup
@@ -29,33 +27,23 @@ class BuildWithPage(build_py):
         shutil.copytree(page, Path(self.build_lib, "backend", "page"), dirs_exist_ok=True)
 
 
-class BuildAnywhere(build_ext):
-    """The core's C for `ctypes`, by the machine's compiler or else by the package ziglang's."""
+class BuildLibrary(build_ext):
+    """The core's C, which `sim_core.kernel.library` loads: no Python module, and not called like one."""
 
     def get_ext_filename(self, fullname: str) -> str:
-        """A library that `sim_core.kernel.library` loads: no Python module, and not called like one."""
+        """Its file."""
         return str(Path(*fullname.split(".")).with_name("libridelab.so.1"))
 
-    def build_extensions(self) -> None:
-        """Compile."""
-        if self.compiler.compiler_type == "unix":
-            ours = (path for name in ("cc", "gcc", "clang") if (path := shutil.which(name)))
-            compiler = os.environ.get("CC", next(ours, f"{sys.executable} -m ziglang cc"))
-            self.compiler.set_executables(compiler_so=f"{compiler} -fPIC", linker_so=f"{compiler} -shared")
-        super().build_extensions()
+    def build_extension(self, ext: Extension) -> None:
+        """Compile it."""
+        library = Path(self.get_ext_fullpath(ext.name))
+        library.parent.mkdir(parents=True, exist_ok=True)
+        self.spawn(BUILD["command"](BUILD["default_compiler"](), library, "-fPIC"))
 
 
-SOURCES = sorted(Path("sim_core", "kernel").glob("*.c"))
-DIGEST = hashlib.sha256(b"".join(file.read_bytes() for file in SOURCES)).hexdigest()
-LIBRARY = Extension(
-    "sim_core.kernel.libridelab",
-    [str(file) for file in SOURCES],
-    define_macros=[("RIDELAB_SOURCES", f'"{DIGEST}"')],  # sim_core.kernel.library compares it with the files
-    # Without fused operations a run gives the same numbers on every processor.
-    extra_compile_args=["-O3", "-ffp-contract=off"],
-    libraries=["m"],
-)
+BUILD = runpy.run_path("sim_core/kernel/build.py")
+LIBRARY = Extension("sim_core.kernel.libridelab", [str(file.relative_to(Path.cwd())) for file in BUILD["SOURCES"]])
 setup(
-    cmdclass={"build_py": BuildWithPage, "build_ext": BuildAnywhere},
+    cmdclass={"build_py": BuildWithPage, "build_ext": BuildLibrary},
     ext_modules=[LIBRARY],
 )
