@@ -14,7 +14,6 @@ from sim_core.scenario import Scenario
 from sim_core.speed.profile import CONTROL_STEP, plan_speed
 from sim_core.speed.stages import segments, spans
 from sim_core.strategies import Strategy, SuspensionPolicy, driven, strategy_named
-from sim_core.workload import check_affordable
 
 
 @one_thread()
@@ -34,14 +33,13 @@ def simulate(
 
     Raises:
         UnknownNameError: No such strategy.
-        TooExpensiveError: It does more than one run may.
+        TooExpensiveError: Its QPs take more than one run's may.
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
     if isinstance(strategy, str):
         strategy = strategy_named(strategy)
     strategy = driven(strategy, scenario.speed.policy)
     motion = plan_speed(scenario, strategy.speed)
-    check_affordable(scenario, strategy, motion.time_at(scenario.road.length))
     stages = spans(scenario, strategy, motion)
     step = CONTROL_STEP if strategy.suspension is SuspensionPolicy.PASSIVE else scenario.mpc.sample_time
     by_ecu = strategy.suspension is SuspensionPolicy.ECU
