@@ -70,7 +70,7 @@ _PREVIEW = (
     "mpc.expected_offset",
     "mpc.expected_noise",
 )
-_SPEED = ("speed.target_speed_kmh", "speed.detection_distance", "speed.controller", "brake")
+_SPEED = ("speed.target_speed_kmh", "speed.detection_distance", "speed.controller", "fuzzy", "brake")
 _MPC = (
     *_PREVIEW,
     "actuator",

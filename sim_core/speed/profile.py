@@ -12,9 +12,9 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.road.profile import RUN_IN
-from sim_core.scenario import Scenario
+from sim_core.scenario import Fuzzy, Scenario
 from sim_core.speed.brake import BrakeChain, brake_chain
-from sim_core.speed.fuzzy import torque_surface
+from sim_core.speed.fuzzy import torque_rules
 from sim_core.strategies import SpeedPolicy
 
 KMH = 1 / 3.6  # one km/h [m/s]
@@ -37,6 +37,7 @@ class SpeedPlanInputs:
     bump_start: float
     bump_end: float  # where the rear axle has left the bump
     guarded: bool
+    fuzzy: Fuzzy
     chain: BrakeChain
 
 
@@ -111,6 +112,7 @@ def plan_speed(scenario: Scenario, policy: SpeedPolicy) -> SpeedProfile:
             bump_start=bump.start,
             bump_end=bump.end + vehicle.wheelbase,
             guarded=speed.controller == "guarded",
+            fuzzy=scenario.fuzzy,
             chain=brake_chain(scenario.brake, vehicle),
         )
     )
@@ -137,7 +139,7 @@ def _planned(inputs: SpeedPlanInputs) -> SpeedProfile:
     target instead), the pressure follows with its lag exactly, speed by the midpoint rule. On the bump the car
     coasts; only if it would fall below the band does the drive keep it moving.
     """
-    chain, surface, h = inputs.chain, torque_surface(), CONTROL_STEP
+    chain, rules, h = inputs.chain, torque_rules(inputs.fuzzy), CONTROL_STEP
     target = min(inputs.target_speed, inputs.initial_speed)
     floor = target - TARGET_BAND
     keep_half, keep = chain.decay(h / 2), chain.decay(h)
@@ -150,7 +152,7 @@ def _planned(inputs: SpeedPlanInputs) -> SpeedProfile:
         demand = 0.0
         if braking_wanted:
             left = inputs.bump_start - x
-            share = surface.share(error / KMH, left)
+            share = rules.share(error / KMH, left)
             if inputs.guarded:
                 share = max(share, _needed(chain, v, target, left))
             demand = share * chain.maximum_torque * chain.pressure_per_torque
