@@ -315,12 +315,31 @@ struct estimator {
     double state[8][8], command[8][2], measurement[8][4];
 };
 
+/* What the car's own sensors give: both deflections, the body's acceleration, the pitch rate. */
+static void measure(const struct car *car, struct state x, pair command, double braking, double *measured)
+{
+    struct piece level = {.braking = braking};
+    measured[0] = x.travel[0];
+    measured[1] = x.travel[1];
+    measured[2] = derivative(car, x, command, &level, 0).body[0];
+    measured[3] = x.body[1];
+}
+
+/* The same of a car's state: 8 numbers, or 10 with a lagging actuator's. */
+void ridelab_measure(const struct car *car, int states, const double *state, const double *command, double braking,
+                     double *measured)
+{
+    struct state x = {.force = {command[0], command[1]}};
+    memcpy(&x, state, (size_t)states * sizeof(double));
+    measure(car, x, (pair){command[0], command[1]}, braking, measured);
+}
+
 /* The estimated state at the end of a control step from the one at its beginning. */
 static void estimate(const struct estimator *estimator, const struct car *car, struct state x, pair command,
                      double braking, const double *input, const double *before, double *next)
 {
-    struct piece level = {.braking = braking};
-    const double y[4] = {x.travel[0], x.travel[1], derivative(car, x, command, &level, 0).body[0], x.body[1]};
+    double y[4];
+    measure(car, x, command, braking, y);
     for (int i = 0; i < 8; i++) {
         next[i] = input[i];
         for (int j = 0; j < 8; j++)

@@ -1,0 +1,30 @@
+"""The passive car, at constant speed or with the speed controller alone."""
+
+import numpy as np
+
+from sim_core import Controller, LinearLaw
+
+NO_FORCE = LinearLaw(gain=np.zeros((2, 10)))
+
+
+class Passive(Controller):
+    """No control: passive suspension at constant speed."""
+
+    id = "passive"
+    label = "Passive"
+    speed_plan = "constant"
+    actuated = False
+    preview = "none"
+    preview_steps = 0
+
+    def linear_law(self, stage: str) -> LinearLaw:
+        """No force, ever."""
+        return NO_FORCE
+
+
+class SpeedOnly(Passive):
+    """Fuzzy speed control, passive suspension."""
+
+    id = "speed_only"
+    label = "Single speed control"
+    speed_plan = "planned"

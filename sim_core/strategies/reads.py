@@ -1,0 +1,55 @@
+"""Which of the scenario's fields a strategy's result depends on: those of the run, and those its controller declares."""
+
+from functools import cache
+
+from sim_core.control.controller import Controller, ScenarioField, fields
+from sim_core.speed.profile import SpeedPlan
+
+EVERY_RUN = (
+    "vehicle",
+    "road",
+    "speed.initial_speed_kmh",
+    "mpc.deflection_limit",
+    "mismatch.body_mass",
+    "mismatch.springs",
+    "mismatch.damping",
+    "mismatch.tyres",
+    "mismatch.rebound_ratio",
+)
+SPEED_PLAN = ("speed.target_speed_kmh", "speed.detection_distance", "speed.controller", "brake")
+ACTUATORS = (
+    "actuator",
+    "estimation.kind",
+    "estimation.acceleration_noise",
+    "estimation.deflection_noise",
+    "estimation.pitch_rate_noise",
+    "mpc.sample_time",
+    "mpc.force_limit",
+)
+PREVIEW = (
+    "estimation.knows_preview",
+    "mismatch.preview_offset",
+    "mismatch.preview_gain",
+    "mismatch.preview_noise",
+    "mismatch.preview_resolution",
+    "mismatch.preview_delay",
+    "mpc.expected_offset",
+    "mpc.expected_noise",
+)
+
+
+@cache
+def fields_read(strategy: type[Controller], plan: SpeedPlan) -> tuple[str, ...]:
+    """Dotted names of the parts and fields that its result depends on at that speed plan; on nothing else.
+
+    The speed policy, which decides the plan, is not among them.
+    """
+    declared = {name: each.name for name, each in fields(strategy).items() if isinstance(each, ScenarioField)}
+    names = [*EVERY_RUN, *declared.values()]
+    if strategy.actuated:
+        names += ACTUATORS
+    if "preview" in declared:
+        names += PREVIEW
+    if plan == "planned":
+        names += SPEED_PLAN
+    return tuple(sorted(dict.fromkeys(names)))
