@@ -8,6 +8,7 @@ import orjson
 from fastapi import Response
 from pydantic import BaseModel, Field
 
+from backend.analysis.roads import one_road_resolution
 from backend.api import router
 from backend.json_types import JsonObject
 from backend.models import Answer, Figures
@@ -16,7 +17,6 @@ from sim_core import catalogue
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.presets import PRESETS
 from sim_core.strategies import STRATEGIES
-from sim_core.study.roads import one_road_resolution
 
 schema = router("schema")
 

@@ -1,8 +1,9 @@
-"""`simulate` as the service does it: a strategy with an ECU drives the C program, in a process of its own."""
+"""`simulate` as the service does it: only what is affordable, and an ECU is its C program, in a process of its own."""
 
 import logging
 
 from backend.compute.processes import make_room
+from backend.cost.estimate import check_affordable, expected_time, memory
 from backend.ecu import build
 from backend.ecu.build import EcuError
 from backend.ecu.link import connected
@@ -11,7 +12,6 @@ from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate as simulate_core
 from sim_core.strategies import SuspensionPolicy, driven, strategy_named
-from sim_core.workload import expected_time, memory
 
 logger = logging.getLogger(__name__)
 LARGE = 100e6  # a run's arrays, before which everything that can be spared makes room [bytes]
@@ -22,6 +22,7 @@ def simulate(scenario: Scenario, name: str) -> StrategyResult:
 
     Raises:
         EcuUnavailableError: The program cannot be built, or failed twice.
+        TooExpensiveError: It does more than one run may.
         RidelabError: As `sim_core.simulate.simulate` raises.
     """
     strategy = driven(strategy_named(name), scenario.speed.policy)
@@ -32,6 +33,7 @@ def simulate(scenario: Scenario, name: str) -> StrategyResult:
             build.program()
         except EcuError as error:
             raise EcuUnavailableError(error.message) from None
+    check_affordable(scenario, name)
     try:
         return simulate_core(scenario, name, connected)
     except EcuError as error:

@@ -81,12 +81,12 @@ def drive_by_clock(scenario: Scenario) -> RealtimeReport:
             yield PacedEcu(link, scenario.mpc.sample_time, timing)
             timing.computing_ns = link.computing_ns
 
+    lock_step = drive.simulate(scenario, "lv_hil")
     calibration = ecu_calibration(scenario)
     try:
         measured = simulate(scenario, "lv_hil", paced, calibration)
     except EcuError as error:
         raise EcuUnavailableError(error.message) from None
-    lock_step = drive.simulate(scenario, "lv_hil")
     return RealtimeReport(
         steps=len(timing.lateness),
         deadline=scenario.mpc.sample_time,

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
+from backend.cost.estimate import check_affordable
 from backend.ecu import drive, effort, firmware
 from backend.ecu.build import EcuError
 from backend.ecu.effort import STM32F103
@@ -91,6 +92,7 @@ def _row(scenario: Scenario, checked: Checked, part: ControllerPart, simulated: 
             yield link
             operations.extend(link.operations)
 
+    check_affordable(scenario, "lv_hil")
     result = simulate(scenario, "lv_hil", counted, calibration)
     least, most = effort.seconds(min(operations)), effort.seconds(max(operations))
     reasons = _reasons(linked, most, scenario.mpc.sample_time, part)

@@ -14,12 +14,12 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from backend.cost.estimate import duration, samples
 from backend.json_types import JsonObject
 from sim_core.catalogue import BUMP, SIGNALS
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.strategies import driven, strategy_named
-from sim_core.workload import duration, samples
 
 SeriesArray = NDArray[np.float32]
 ROWS = {key: row for row, key in enumerate(SIGNALS)}

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from backend.ecu.drive import simulate  # as the service does it: an ECU is its C program
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Estimation, Hil, Lqr, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.measured import MeasuredRoad
+from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES, part_read
 
 ROOT = Path(__file__).parents[2]

@@ -10,15 +10,15 @@ from math import sqrt
 from statistics import fmean
 from typing import Any
 
+from backend.analysis.intervals import change_with_interval
+from backend.paper.readings import Stretches
+from backend.paper.tables import PaperCell, cells
 from sim_core.catalogue import PAPER_SIGNALS, SIGNALS
 from sim_core.metrics.evaluate import rms_between
 from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate
 from sim_core.speed.profile import plan_speed
 from sim_core.strategies import STRATEGIES, strategy_named
-from sim_core.study.intervals import change_with_interval
-from sim_core.study.paper_tables import PaperCell, cells
-from sim_core.study.readings import Stretches
 
 _TYRES = ("front_tyre_load", "rear_tyre_load")
 _FORCE, _TIME, _TRAVEL = {"mpc.force_limit": 10_000}, {"mpc.sample_time": 0.005}, {"mpc.deflection_limit": 0.1}

@@ -8,15 +8,15 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
+from backend.analysis.intervals import Interval, change_with_interval
+from backend.paper.readings import READINGS, changes_of
+from backend.paper.tables import PaperCell, cells
 from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
 from sim_core.metrics.evaluate import rms_between
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario, dotted
 from sim_core.speed.profile import plan_speed
 from sim_core.strategies import strategy_named
-from sim_core.study.intervals import Interval, change_with_interval
-from sim_core.study.paper_tables import PaperCell, cells
-from sim_core.study.readings import READINGS, changes_of
 
 SEEDS = 20  # roads 1 to this
 STRATEGIES = ("passive", "speed_only", "suspension_only", "lv", "lv_hil", "lqr")

@@ -5,15 +5,15 @@ from typing import Any
 
 import numpy as np
 
-from backend.jobs.reproduction.models import PaperFigure
-from backend.jobs.reproduction.work import SPEEDS_KMH
+from backend.analysis.intervals import mean_with_interval
 from backend.json_types import JsonObject
+from backend.paper.models import PaperFigure
+from backend.paper.work import SPEEDS_KMH
 from backend.runs.figures import PANELS, STYLES, filled, templates
 from backend.runs.series import packed
 from backend.runs.work import ComputedResult
 from sim_core.catalogue import PAPER_SIGNALS, SIGNALS
 from sim_core.strategies import STRATEGIES
-from sim_core.study.intervals import mean_with_interval
 
 # First figure of each group of four (one for every paper signal) -> its title and whom it shows.
 GROUPS: dict[int, tuple[str, tuple[str, ...]]] = {
@@ -32,7 +32,7 @@ def all_figures(peaks: Peaks, outcomes: Mapping[str, ComputedResult]) -> list[Pa
     """Every figure, in the paper's order.
 
     Args:
-        peaks: For each road the passive car's peaks over speed (`backend.jobs.reproduction.work.peaks_over_speed`).
+        peaks: For each road the passive car's peaks over speed (`backend.paper.work.peaks_over_speed`).
         outcomes: The paper's scenario on its first road, by strategy, with time histories.
     """
     drawn = [_over_speed(PEAK_FIGURE + index, index, peaks) for index in range(len(PAPER_SIGNALS))]

@@ -5,9 +5,9 @@ from typing import Annotated, Any, Literal
 from pydantic import ConfigDict, Field, create_model
 
 from backend.models import RequestModel
-from sim_core.study.interpretations import DEFAULT, INTERPRETATIONS
-from sim_core.study.paper import SEEDS
-from sim_core.study.readings import READINGS
+from backend.paper.claims import SEEDS
+from backend.paper.interpretations import DEFAULT, INTERPRETATIONS
+from backend.paper.readings import READINGS
 
 Seeds = Annotated[int, Field(ge=20, le=100, description="How many roads every strategy drives")]
 FirstSeed = Annotated[int, Field(ge=1, le=1_000_000, description="The first road's seed; the others follow it")]

@@ -4,18 +4,17 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
-from backend.jobs.reproduction import models
-from backend.jobs.reproduction.rows import Rows
+from backend.analysis.intervals import change_with_interval, mean_with_interval
 from backend.json_types import JsonObject
+from backend.paper import claims, models
+from backend.paper.attribution import COMFORT_FIGURES, EQUAL_SPEED, FACTORS, VARIANTS, compared, sentences, shares
+from backend.paper.claims import FIGURES, Judged
+from backend.paper.errata import ERRATA
+from backend.paper.interpretations import INTERPRETATIONS, Interpretation, interpretation_of
+from backend.paper.readings import READINGS, Reading, changes_of
+from backend.paper.rows import Rows
+from backend.paper.tables import TABLES, PaperCell, PaperTable, cells
 from sim_core import __version__ as CORE_VERSION
-from sim_core.study import paper
-from sim_core.study.attribution import COMFORT_FIGURES, EQUAL_SPEED, FACTORS, VARIANTS, compared, sentences, shares
-from sim_core.study.errata import ERRATA
-from sim_core.study.interpretations import INTERPRETATIONS, Interpretation, interpretation_of
-from sim_core.study.intervals import change_with_interval, mean_with_interval
-from sim_core.study.paper import FIGURES, Judged
-from sim_core.study.paper_tables import TABLES, PaperCell, PaperTable, cells
-from sim_core.study.readings import READINGS, Reading, changes_of
 
 RunsByVariant = Sequence[Mapping[str, JsonObject]]  # of each road
 
@@ -23,9 +22,9 @@ RunsByVariant = Sequence[Mapping[str, JsonObject]]  # of each road
 def reproduction(
     choices: Mapping[str, str],
     roads: range,
-    ours: paper.Values,
-    without_preview: paper.Values,
-    named: Mapping[str, paper.Values],
+    ours: claims.Values,
+    without_preview: claims.Values,
+    named: Mapping[str, claims.Values],
     rows: Rows,
 ) -> models.PaperAnswer:
     """The answer with every cell.
@@ -41,8 +40,8 @@ def reproduction(
     if rows.reason is not None:
         ours, without_preview = _simulated(ours), _simulated(without_preview)
         named = {name: _simulated(values) for name, values in named.items()}
-    judged, blind = paper.judge(ours), paper.judge(without_preview)
-    blind_counts = paper.count(blind)
+    judged, blind = claims.judge(ours), claims.judge(without_preview)
+    blind_counts = claims.count(blind)
     by_cell, blind_by_cell = ({item.cell: item for item in items} for items in (judged, blind))
     return models.PaperAnswer(
         **_head(roads),
@@ -53,18 +52,18 @@ def reproduction(
         complete=rows.complete,
         progress=models.Progress(done=len(rows.by_key), total=rows.total),
         without_preview=models.WithoutPreview(reached=blind_counts["reached"], counts=blind_counts),
-        scenario=paper.scenario_for(choices, 1),
+        scenario=claims.scenario_for(choices, 1),
         cells=[_cell(cell, by_cell.get(cell), blind_by_cell.get(cell), ours, rows) for cell in cells()],
         readings=[_reading(reading, choices[reading.id]) for reading in READINGS.values()],
-        rules=paper.RULES,
+        rules=claims.RULES,
         tables=[_table(table) for table in TABLES],
         errata=ERRATA,
     )
 
 
-def _interpretation(item: Interpretation, values: paper.Values) -> models.Interpretation:
+def _interpretation(item: Interpretation, values: claims.Values) -> models.Interpretation:
     own = {name: getattr(item, name) for name in ("id", "title", "description", "choices")}
-    return models.Interpretation(**own, changes=changes_of(item.otherwise), **_counted(paper.judge(values)))
+    return models.Interpretation(**own, changes=changes_of(item.otherwise), **_counted(claims.judge(values)))
 
 
 def _reading(reading: Reading, choice: str) -> models.ReadingAnswer:
@@ -82,16 +81,16 @@ def unavailable(reason: str | None) -> models.Unavailable | None:
     """The cells of hardware in the loop, with the reason why it is not available."""
     if reason is None:
         return None
-    return models.Unavailable(cells=sum(cell.strategy == paper.IN_ECU for cell in cells()), reason=reason)
+    return models.Unavailable(cells=sum(cell.strategy == claims.IN_ECU for cell in cells()), reason=reason)
 
 
-def _simulated(values: paper.Values) -> paper.Values:
-    return {name: values[name] for name in paper.SIMULATED if name in values}
+def _simulated(values: claims.Values) -> claims.Values:
+    return {name: values[name] for name in claims.SIMULATED if name in values}
 
 
 def reading_row(reading: str, choice: str, base: Sequence[Judged], judged: Sequence[Judged]) -> models.ReadingRow:
     """What one choice of a reading does to the verdicts."""
-    counts, before = paper.count(judged), {item.cell: item.verdict for item in base}
+    counts, before = claims.count(judged), {item.cell: item.verdict for item in base}
     changed = sum(before.get(item.cell, item.verdict) is not item.verdict for item in judged)
     return models.ReadingRow(
         reading=reading, choice=choice, reached=counts["reached"], total=len(judged), counts=counts, changed=changed
@@ -141,14 +140,14 @@ def _head(roads: range) -> dict[str, str | int]:
 
 def _counted(judged: Sequence[Judged]) -> dict[str, Any]:
     """The fields of `Counted`."""
-    counts, (simulated, in_ecu) = paper.count(judged), paper.split(judged)
+    counts, (simulated, in_ecu) = claims.count(judged), claims.split(judged)
     return {
         "reached": counts["reached"],
         "total": len(judged),
         "counts": counts,
-        "simulated": models.Part(reached=paper.count(simulated)["reached"], total=len(simulated)),
-        "ecu": models.Part(reached=paper.count(in_ecu)["reached"], total=len(in_ecu)),
-        "agreement": paper.agreement(judged),
+        "simulated": models.Part(reached=claims.count(simulated)["reached"], total=len(simulated)),
+        "ecu": models.Part(reached=claims.count(in_ecu)["reached"], total=len(in_ecu)),
+        "agreement": claims.agreement(judged),
     }
 
 
@@ -175,9 +174,9 @@ def _of_variant(name: str, runs: RunsByVariant) -> dict[Any, list[float]]:
     return by_figure | {key: [run[name][key] for run in runs] for key in ("travel_time", *COMFORT_FIGURES)}
 
 
-def _cell(cell: PaperCell, item: Judged | None, blind: Judged | None, ours: paper.Values, rows: Rows) -> models.Cell:
+def _cell(cell: PaperCell, item: Judged | None, blind: Judged | None, ours: claims.Values, rows: Rows) -> models.Cell:
     base = ours.get(cell.against, {}).get((cell.window, cell.statistic, cell.signal))
-    looks_ahead = {cell.strategy, cell.against} & set(paper.PREVIEWED)
+    looks_ahead = {cell.strategy, cell.against} & set(claims.PREVIEWED)
     return models.Cell(
         **{name: getattr(cell, name) for name in ("table", "window", "signal", "statistic", "strategy", "against")},
         **dict(_judgement(item, rows)),

@@ -6,8 +6,8 @@ from pydantic import Field
 
 from backend.json_types import JsonObject
 from backend.models import Answer
+from backend.paper.claims import AGREEMENT, HIL_TOLERANCE
 from sim_core.scenario import Scenario
-from sim_core.study.paper import AGREEMENT, HIL_TOLERANCE
 
 Verdict = Literal["reached", "smaller", "contradicts", "unavailable", "pending"]
 ConfidenceInterval = Annotated[list[float], Field(min_length=2, max_length=2, description="95 % interval [%]")]

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from backend.jobs.reproduction.models import AttributionAnswer, PaperAnswer, PaperFigure, Share
+from backend.paper.models import AttributionAnswer, PaperAnswer, PaperFigure, Share
 from backend.runs.reports import inputs
 from backend.runs.reports.drawings import caption, framed
 from backend.runs.reports.page import Report, render

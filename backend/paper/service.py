@@ -7,17 +7,16 @@ from typing import Any
 
 from backend.errors import BusyError
 from backend.http.admission import Admission, cost_of
-from backend.jobs.reproduction import answers, drawings, work
-from backend.jobs.reproduction.models import AttributionAnswer, PaperAnswer, PaperFigures, ReadingsAnswer
-from backend.jobs.reproduction.report import report
-from backend.jobs.reproduction.rows import PaperRows, Rows
+from backend.paper import answers, claims, drawings, work
+from backend.paper.interpretations import DEFAULT, INTERPRETATIONS
+from backend.paper.models import AttributionAnswer, PaperAnswer, PaperFigures, ReadingsAnswer
+from backend.paper.readings import READINGS
+from backend.paper.report import report
+from backend.paper.rows import PaperRows, Rows
 from backend.runs.reports.page import Report, in_thread
 from backend.runs.results import Results
 from backend.store import Store
 from sim_core.scenario import Scenario
-from sim_core.study import paper
-from sim_core.study.interpretations import DEFAULT, INTERPRETATIONS
-from sim_core.study.readings import READINGS
 
 HISTORY_POINTS = 1200
 PATIENCE = 2.0  # an answer in rows comes after so long with those that are there [s]
@@ -52,7 +51,7 @@ class Paper:
         requests = {name: await _requests(each, roads) for name, each in sets.items()}
         rows = await self._get(client, *requests.values(), patience=0.0 if partial else None)
         values = {
-            name: work.figures_by_strategy(rows.by_key, requests[name], each[paper.WINDOW])
+            name: work.figures_by_strategy(rows.by_key, requests[name], each[claims.WINDOW])
             for name, each in sets.items()
         }
         named = {name: values[name] for name in INTERPRETATIONS}
@@ -70,14 +69,14 @@ class Paper:
         requests = [await _requests(each, roads) for each in sets]
         rows = await self._get(client, *requests, patience=PATIENCE)
         values = [
-            work.figures_by_strategy(rows.by_key, row_requests, each[paper.WINDOW])
+            work.figures_by_strategy(rows.by_key, row_requests, each[claims.WINDOW])
             for row_requests, each in zip(requests, sets, strict=True)
         ]
-        needed = set(paper.SIMULATED if rows.reason is not None else paper.STRATEGIES)
-        base = paper.judge(values[0])
+        needed = set(claims.SIMULATED if rows.reason is not None else claims.STRATEGIES)
+        base = claims.judge(values[0])
         return ReadingsAnswer(
             rows=[
-                answers.reading_row(reading, choice, base, paper.judge(ours))
+                answers.reading_row(reading, choice, base, claims.judge(ours))
                 for (reading, choice), ours in zip(choices, values[1:], strict=True)
                 if needed <= ours.keys() and needed <= values[0].keys()
             ],
@@ -100,7 +99,7 @@ class Paper:
             TemporaryError: Too much is being computed.
         """
         peaks = await self._study(work.SPEEDS, roads, client)
-        results = await self._results.get(Scenario(), paper.STRATEGIES, client, points=HISTORY_POINTS)
+        results = await self._results.get(Scenario(), claims.STRATEGIES, client, points=HISTORY_POINTS)
         outcomes = {name: item.outcome for name, item in results.items()}
         return PaperFigures(figures=await asyncio.to_thread(drawings.all_figures, peaks, outcomes))
 
@@ -124,7 +123,7 @@ class Paper:
 
     async def _get(self, client: str, *requests: Requests, patience: float | None) -> Rows:
         """These rows; one road's runs must be within the cost limit of a request."""
-        self._admission.check_cost(cost_of(Scenario(), paper.STRATEGIES))
+        self._admission.check_cost(cost_of(Scenario(), claims.STRATEGIES))
         with self._admission.reading(client):
             every = [row for by_strategy in requests for rows in by_strategy.values() for row in rows]
             return await self._rows.get(every, patience)

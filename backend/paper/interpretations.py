@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from sim_core.study.readings import READINGS
+from backend.paper.readings import READINGS
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -14,13 +14,13 @@ from backend import digest
 from backend.ecu.drive import simulate
 from backend.jobs.chunk import PlannedRun
 from backend.json_types import JsonObject
+from backend.paper.attribution import COMFORT_FIGURES, VARIANTS
+from backend.paper.claims import FIGURES, STRATEGIES, WINDOW, figures_by_window, figures_of, scenario_for
+from backend.paper.readings import changes_of
 from sim_core.catalogue import BUMP, PAPER_SIGNALS, PEAK
 from sim_core.scenario import Road, Scenario, Speed
 from sim_core.simulate import simulate as simulate_core
 from sim_core.strategies import Strategy
-from sim_core.study.attribution import COMFORT_FIGURES, VARIANTS
-from sim_core.study.paper import FIGURES, STRATEGIES, WINDOW, figures_by_window, figures_of, scenario_for
-from sim_core.study.readings import changes_of
 
 PREFIX = "paper."
 ATTRIBUTION, SPEEDS = f"{PREFIX}attribution", f"{PREFIX}speeds"
@@ -90,7 +90,7 @@ def compute(strategy: str, scenario: Scenario) -> JsonObject:
 def figures_by_strategy(
     rows: JsonObject, requests: Mapping[str, Iterable[RowRequest]], window: str
 ) -> dict[str, dict[tuple[str, str, str], list[float]]]:
-    """Values as `sim_core.study.paper.judge` takes them, of the strategies that have every row.
+    """Values as `backend.paper.claims.judge` takes them, of the strategies that have every row.
 
     Args:
         rows: By key.

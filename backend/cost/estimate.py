@@ -7,7 +7,7 @@ count its work and not its time, so that whether it is too expensive depends on 
 from collections.abc import Mapping
 from math import ceil, sqrt
 
-from sim_core.binding_limits import LimitShares, expected_limits
+from backend.cost.binding_limits import LimitShares, expected_limits
 from sim_core.control.qp import OsqpSolver
 from sim_core.controllers import HOOKS, semi_active_dampers
 from sim_core.ecu.loop import short_steps
@@ -88,12 +88,15 @@ def estimate(scenario: Scenario, name: str) -> float:
     return sum(SECONDS[unit] * count for unit, count in counts.items())
 
 
-def check_affordable(scenario: Scenario, strategy: Strategy, time: float) -> None:
-    """Refuse a run whose steps alone are too many, at the time it takes over the road [s].
+def check_affordable(scenario: Scenario, name: str) -> None:
+    """Refuse a run whose steps alone are too many.
 
     Raises:
+        UnknownNameError: No such strategy.
         TooExpensiveError: There are too many.
     """
+    strategy = driven(strategy_named(name), scenario.speed.policy)
+    time = plan_speed(scenario, strategy.speed).time_at(scenario.road.length)
     counts = work(scenario, strategy, time, LimitShares(limited=1.0))
     operations = sum(each * counts.get(unit, 0.0) for unit, each in OPERATIONS.items())
     if operations > MAX_OPERATIONS or memory(scenario, strategy, time) > MAX_BYTES:

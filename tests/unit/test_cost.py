@@ -1,22 +1,30 @@
 """The cost of a run: bounds that hold, an estimate that grows with the work, and an end where it is too much."""
 
+import json
 import pickle
 import subprocess
 import sys
+from collections.abc import Callable
 from contextlib import nullcontext
 from math import inf
+from pathlib import Path
 
 import pytest
 
 from backend.compute.fair_queue import SHORT
-from sim_core import workload
-from sim_core.binding_limits import LimitShares
+from backend.cost import estimate as cost
+from backend.cost.binding_limits import LimitShares
+from backend.cost.estimate import SECONDS, check_affordable, duration, estimate, memory, work
+from backend.ecu import drive, program, realtime, report
+from backend.jobs import work as jobs_work
+from backend.jobs.chunk import WaitingRun
+from backend.runs import bands, exports, pins
+from backend.runs import work as runs_work
 from sim_core.control import mpc as mpc_module
 from sim_core.errors import TooExpensiveError
-from sim_core.scenario import Actuator, Brake, Bump, Estimation, Mpc, Road, Scenario, Speed, Vehicle
+from sim_core.scenario import SCHEMA_VERSION, Actuator, Brake, Bump, Estimation, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
-from sim_core.workload import SECONDS, check_affordable, duration, estimate, memory, work
 
 AT_LIMITS = Scenario(road=Road(bump=Bump(height=0.14)), mpc=Mpc(solver="osqp", deflection_limit=0.03, force_limit=1500))
 ENDLESS = Scenario(
@@ -24,6 +32,10 @@ ENDLESS = Scenario(
     speed=Speed(initial_speed_kmh=20),
     mpc=Mpc(sample_time=0.002, prediction_horizon=200, control_horizon=100),
 )
+EXPORT = exports.Export(
+    strategies=["lv"], signals=["time"], points=None, file_format="csv", encoding="list", provenance={}
+)
+BACKEND = Path(runs_work.__file__).parents[1]
 
 
 @pytest.mark.parametrize("strategy", ["speed_only", "passive"])
@@ -76,27 +88,67 @@ def test_a_long_walk_is_no_short_task() -> None:
 def test_a_run_with_too_many_steps_ends_before_it_begins(strategy: str) -> None:
     if strategy in ("lv", "suspension_only", "lv_hil"):
         with pytest.raises(TooExpensiveError) as refused:
-            simulate(ENDLESS, strategy)
+            drive.simulate(ENDLESS, strategy)
         assert "road.length" in refused.value.fields
         assert all(field in refused.value.message for field in refused.value.fields)
     else:
         assert estimate(ENDLESS, strategy) < 1
 
 
+@pytest.mark.parametrize(
+    "compute",
+    [
+        lambda path: report.report(ENDLESS),
+        lambda path: realtime.drive_by_clock(ENDLESS),
+        lambda path: list(program.driven(ENDLESS, path)),
+        lambda path: exports.render(ENDLESS, EXPORT, None),
+        lambda path: pins.make(ENDLESS, ["lv"]),
+        lambda path: bands.drive([ENDLESS], "lv", (path, 0), path),
+    ],
+    ids=["controller report", "drive by the clock", "own program", "export", "pinned series", "series over roads"],
+)
+def test_all_that_simulates_refuses_it(compute: Callable[[Path], object], tmp_path: Path) -> None:
+    """Runs, solve and links: `work.run`; batches, tunings, robustness and the paper: `run_chunk`; below."""
+    with pytest.raises(TooExpensiveError):
+        compute(tmp_path / "file")
+
+
+def test_runs_and_jobs_store_the_refusal() -> None:
+    outcome = runs_work.run(ENDLESS, ["lv"], None)["lv"]
+    waiting = WaitingRun(position=0, changes="{}", strategy="lv", key="k")
+    [of_job] = jobs_work.run_chunk(ENDLESS.model_dump(mode="json"), SCHEMA_VERSION, [waiting], {}, 60)
+    for status, cacheable, summary in (
+        (outcome.status, outcome.cacheable, outcome.summary),
+        (of_job.status, of_job.cacheable, json.loads(of_job.summary)),
+    ):
+        assert (status, cacheable, summary["kind"]) == ("failed", True, "too-expensive")
+        assert "road.length" in summary["fields"]
+
+
+def test_nothing_simulates_past_the_check() -> None:
+    """Whoever takes the core's `simulate` checks first (above), or drives the paper's own scenarios."""
+    takers = {
+        str(path.relative_to(BACKEND))
+        for path in BACKEND.rglob("*.py")
+        if "from sim_core.simulate import simulate" in path.read_text()
+    }
+    assert takers == {"ecu/drive.py", "ecu/program.py", "ecu/realtime.py", "ecu/report.py", "paper/work.py"}
+
+
 @pytest.mark.parametrize("factor", [0.0, 1e6])
 def test_seconds_fitted_anew_refuse_and_accept_the_same_runs(factor: float, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(workload, "SECONDS", {unit: factor * value for unit, value in SECONDS.items()})
-    monkeypatch.setattr(workload, "MAX_BYTES", inf)  # its own test is below
+    monkeypatch.setattr(cost, "SECONDS", {unit: factor * value for unit, value in SECONDS.items()})
+    monkeypatch.setattr(cost, "MAX_BYTES", inf)  # its own test is below
     at_the_limit = ENDLESS.model_copy(update={"mpc": Mpc(sample_time=0.002, prediction_horizon=130)})
     beyond_it = ENDLESS.model_copy(update={"mpc": Mpc(sample_time=0.002, prediction_horizon=131)})
     for scenario, strategy, refused in (
-        (at_the_limit, "lv", False),
-        (beyond_it, "lv", True),
+        (at_the_limit, "suspension_only", False),
+        (beyond_it, "suspension_only", True),
         (Scenario(), "lv_hil", False),
         (ENDLESS, "lv_hil", True),
     ):
         with pytest.raises(TooExpensiveError) if refused else nullcontext():
-            check_affordable(scenario, STRATEGIES[strategy], 540.0)
+            check_affordable(scenario, strategy)
 
 
 def test_work_is_counted_in_whole_steps_and_an_ecu_has_none_at_a_limit() -> None:
@@ -170,8 +222,11 @@ def test_a_run_takes_no_more_memory_than_is_reckoned(strategy: str, mpc: Mpc, mo
     assert 0.4 * reckoned < measured < 1.05 * reckoned + 2e7
 
 
-def test_a_run_that_takes_too_much_memory_is_refused_and_the_longest_walk_is_not() -> None:
+def test_a_run_that_takes_too_much_memory_is_refused_and_the_longest_walk_is_not(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     walk = Scenario(road=Road(length=3000), speed=Speed(initial_speed_kmh=5, target_speed_kmh=5))
-    check_affordable(walk, STRATEGIES["passive"], duration(walk, "passive"))
+    check_affordable(walk, "passive")
+    monkeypatch.setattr(cost, "MAX_BYTES", 0.95 * cost.MAX_BYTES)
     with pytest.raises(TooExpensiveError):
-        check_affordable(walk, STRATEGIES["passive"], 1.1 * duration(walk, "passive"))
+        check_affordable(walk, "passive")

@@ -1,4 +1,4 @@
-"""Two roads as a surveyor would hand them in: `python -m sim_core.study.sample_roads street > street.csv`.
+"""Two roads as a surveyor would hand them in: `python -m backend.roads.samples street > street.csv`.
 
 `street` has two tracks, a climb of 2 % and a Watts hump in a class B road; `gravel` one track of a class C road with a
 washboard and a pothole. docs/roads has both.

@@ -9,11 +9,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from backend.analysis.intervals import Interval, changes_with_intervals, means_with_intervals
 from sim_core.catalogue import PEAK, RMS
 from sim_core.scenario import Scenario
-from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
-from sim_core.study.intervals import Interval, changes_with_intervals, means_with_intervals
 
 MAX_ROADS = 50
 
@@ -67,24 +66,6 @@ def numbers(metrics: Numbers, comfort: Numbers) -> Numbers:
     return {**metrics, "comfort": comfort}
 
 
-def drive(scenario: Scenario, strategies: Iterable[str], roads: int) -> dict[str, list[Numbers]]:
-    """Drive every strategy over so many roads; by strategy its `numbers` on each, as `compare` takes them.
-
-    Road by road: strategies share a road's heights, roads share speed plan, sampled drive and controllers. Time
-    histories are let go of at once, so that the next road finds their memory.
-
-    Raises:
-        UnknownNameError: No such strategy.
-        RidelabError: The vehicle and weights admit no stabilising controller.
-    """
-    driven: dict[str, list[Numbers]] = {name: [] for name in strategies}
-    for road in seeded(scenario, roads):
-        for name, of_strategy in driven.items():
-            result = simulate(road, name)
-            of_strategy.append(numbers(result.metrics, result.comfort))
-    return driven
-
-
 def compare(driven: Mapping[str, Sequence[Numbers]], baseline: str) -> Comparison:
     """Mean and paired change of every number.
 
@@ -107,7 +88,7 @@ def paired_changes(driven: Mapping[str, Sequence[Numbers]], against: Mapping[str
     """Change of the mean of every number against that of the same name in `against` [%], paired road by road.
 
     Args:
-        driven: name -> its numbers on each road, as `drive` gives them.
+        driven: name -> its numbers on each road, as `numbers` gives them.
         against: The same of what changes refer to, over the same roads in the same order; names that only one has
             are left out.
 

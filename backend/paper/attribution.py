@@ -10,10 +10,10 @@ from itertools import permutations
 from math import log
 from typing import Any, Literal
 
+from backend.analysis.intervals import Interval, change_with_interval
+from backend.paper.claims import FIGURES, scenario_for
 from sim_core.scenario import Preview, Scenario, StageWeights, dotted
 from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
-from sim_core.study.intervals import Interval, change_with_interval
-from sim_core.study.paper import FIGURES, scenario_for
 
 Controller = Literal["passive", "lqr", "mpc"]
 Weighting = Literal["equal", "comfort", "switched"]
@@ -119,7 +119,7 @@ EQUAL_SPEED: tuple[tuple[str, str, str], ...] = (
     ("LV against the passive car braking alike", LV, "passive-planned"),
 )
 
-# variant id -> figure (as in paper.FIGURES, or a comfort key) -> a value for each seed
+# variant id -> figure (as in claims.FIGURES, or a comfort key) -> a value for each seed
 Values = Mapping[str, Mapping[Any, Sequence[float]]]
 
 
@@ -168,7 +168,7 @@ def _corner(added: frozenset[str]) -> str:
 
 
 def compared(first: str, second: str, values: Values) -> list[Interval]:
-    """Change of one variant against another in each of paper.FIGURES."""
+    """Change of one variant against another in each of claims.FIGURES."""
     return [change_with_interval(values[first][figure], values[second][figure]) for figure in FIGURES]
 
 

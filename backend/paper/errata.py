@@ -1,6 +1,6 @@
 """What is printed in the paper and what Ridelab uses instead; docs/errata.md is written from it.
 
-Those that a reader may choose are in `sim_core.study.interpretations`.
+Those that a reader may choose are in `backend.paper.interpretations`.
 """
 
 from dataclasses import dataclass
@@ -44,7 +44,7 @@ ERRATA = (
     Erratum(
         place="Tables 4 and 7, front tyre load",
         printed="+8.45 % and −47.9 %",
-        here="not both with this car: load transfer alone keeps LV above −32 %; sim_core/study/causes.py",
+        here="not both with this car: load transfer alone keeps LV above −32 % (docs/paper.md)",
     ),
     Erratum(
         place="3.1",
@@ -122,7 +122,7 @@ _HEAD = """# Errata and readings of the paper
 
 What is printed, what Ridelab uses, and how to choose otherwise.
 
-Written from sim_core/study/errata.py; a test keeps this page equal to it.
+Written from backend/paper/errata.py; a test keeps this page equal to it.
 
 | place | printed | here |
 |---|---|---|

@@ -12,9 +12,9 @@ import orjson
 
 from backend.compute.flights import Flights
 from backend.errors import BusyError
-from backend.jobs.reproduction.work import RowRequest
 from backend.jobs.service import request_hash
 from backend.json_types import JsonObject
+from backend.paper.work import RowRequest
 from backend.store import Store, StoredJob
 from backend.store.job import FINAL, UNFINISHED
 from sim_core import __version__ as CORE_VERSION
