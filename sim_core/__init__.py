@@ -15,6 +15,7 @@ from sim_core.ecu.controller import EcuController
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
 from sim_core.scenario import Preview, Scenario, Weights
+from sim_core.speed.profile import SpeedPlan
 from sim_core.vehicle.model import LinearLaw, SemiActiveDampers
 
 # isort: split
@@ -37,6 +38,7 @@ __all__ = [
     "Seen",
     "SemiActiveDampers",
     "Setup",
+    "SpeedPlan",
     "StrategyResult",
     "Weights",
     "axle_velocities",

@@ -1,8 +1,8 @@
 """The suspension controller: one contract for Ridelab's own and for a visitor's.
 
 A controller is a class with an id, a label and a docstring, whose first line describes it. Its numbers are annotated
-fields: options of its own, or fields of the scenario. `sim_core.simulate` takes the class, an object of it, or the id of
-one in `sim_core.STRATEGIES`::
+fields: options of its own, or fields of the scenario. `sim_core.simulate` takes the class, or an object of it, as it
+takes the id of one in `sim_core.STRATEGIES`::
 
     class BodyDamper(sim_core.Controller):
         \"\"\"Damps the body's vertical motion.\"\"\"
@@ -20,7 +20,7 @@ That is enough: `force` is asked once a control step. A law that is linear while
 `sim_core.check_controller` tells what is wrong with a controller.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
 from functools import cache
@@ -30,8 +30,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
-from sim_core.errors import RidelabError
 from sim_core.control.seen import Seen, Setup
+from sim_core.errors import RidelabError
 from sim_core.scenario import Preview, Scenario
 from sim_core.speed.profile import SpeedPlan
 from sim_core.vehicle.model import LinearLaw, SemiActiveDampers
@@ -116,7 +116,7 @@ class Controller:
         actuated: Whether there are actuators; False is a passive suspension.
         delayed: Whether its commands take effect when `arrivals` says, not at once.
         preview: What of the road ahead `Seen` reports: none, wheelbase, lookahead or obstacle.
-        preview_steps: For how many control steps ahead.
+        prediction_horizon: For how many control steps ahead.
         report: Of the present run; new at each start.
     """
 
@@ -126,7 +126,7 @@ class Controller:
     actuated: ClassVar[bool] = True
     delayed: ClassVar[bool] = False
     preview: Preview = scenario_field("mpc.preview")
-    preview_steps: int = scenario_field("mpc.prediction_horizon")
+    prediction_horizon: int = scenario_field("mpc.prediction_horizon")
     report: Report
 
     def __init__(self, **values: Any) -> None:
@@ -145,6 +145,11 @@ class Controller:
     def description(cls) -> str:
         """The first line of its docstring."""
         return (cls.__doc__ or "").strip().partition("\n")[0]
+
+    @property
+    def preview_steps(self) -> int:
+        """Control steps for which the road ahead is reported."""
+        return self.prediction_horizon
 
     def for_scenario(self, scenario: Scenario) -> Self:
         """A copy of it for one run, whose scenario fields have that scenario's values where none were given."""
@@ -205,11 +210,16 @@ class Controller:
 
 
 @cache
-def fields(kind: type[Controller]) -> Mapping[str, ScenarioField | Option]:
-    """A controller's fields by their names; one that a subclass replaces by a plain value is none any more."""
+def _fields(kind: Hashable) -> Mapping[str, ScenarioField | Option]:
+    assert isinstance(kind, type)  # noqa: S101 - a class can be hashed
     names = dict.fromkeys(name for each in reversed(kind.__mro__) for name in vars(each))
     found = {name: getattr(kind, name) for name in names}
     return {name: value for name, value in found.items() if isinstance(value, ScenarioField | Option)}
+
+
+def fields(kind: type[Controller]) -> Mapping[str, ScenarioField | Option]:
+    """A controller's fields by their names; one that a subclass replaces by a plain value is none any more."""
+    return _fields(kind)  # type: ignore[arg-type]  # a class can be hashed
 
 
 def _value(scenario: Scenario, name: str) -> Any:
@@ -232,4 +242,3 @@ def _checked(kind: type[Controller], name: str, value: Any) -> Any:
         return TypeAdapter(annotated, config=_STRICT).validate_python(value)
     except ValidationError as error:
         raise RidelabError(error.errors(include_input=False)[0]["msg"], field=f"own.{kind.id}.{name}") from None
-

@@ -1,4 +1,4 @@
-"""What skyhook, groundhook and hybrid damping have in common: a law of velocities, by actuators or semi-active dampers."""
+"""What skyhook, groundhook and hybrid damping share: a law of velocities, by actuators or semi-active dampers."""
 
 from math import inf
 
@@ -15,7 +15,7 @@ class DampingController(Controller):
     """A law u = damping·state, without preview; a subclass gives its `damping`."""
 
     preview = "none"
-    preview_steps = 0
+    prediction_horizon = 0
     semi_active: bool = scenario_field("hook.semi_active")
     min_damping: float = scenario_field("hook.min_damping")
     max_damping: float | None = scenario_field("hook.max_damping")

@@ -46,7 +46,6 @@ class PredictiveController(Controller):
     A subclass gives the weights of each driving stage.
     """
 
-    prediction_horizon: int = scenario_field("mpc.prediction_horizon")
     control_horizon: int = scenario_field("mpc.control_horizon")
     deflection_weight: float = scenario_field("mpc.deflection_weight")
     force_weight: float = scenario_field("mpc.force_weight")
@@ -97,7 +96,7 @@ class PredictiveController(Controller):
         """The stage's unconstrained optimum."""
         return self._designs[stage].law
 
-    def force(self, seen: Seen) -> FloatArray:
+    def force(self, seen: Seen) -> FloatArray | None:
         """The first forces of the constrained optimum.
 
         Raises:

@@ -148,7 +148,8 @@ class Seen:
 
         Mean velocity of the road under the front and the rear axle [m/s], braking deceleration [m/s^2].
         """
-        return self._inputs.windows[:, self.step]
+        windows: FloatArray = self._inputs.windows[:, self.step]
+        return windows
 
     @property
     def preview(self) -> FloatArray:

@@ -1,10 +1,11 @@
-"""The MPC as an ECU drives it: a program apart from the car, behind converters, with a step of delay, jitter and losses.
+"""The MPC as an ECU drives it: a program apart from the car, behind converters, with delay, jitter and losses.
 
 The ECU measures at the control instants; its answer to instant k takes effect at instant k + 1, later by the jitter, or
 never. What its program is, `connect` says.
 """
 
 from contextlib import ExitStack
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,36 +36,33 @@ class EcuController(PredictiveController):
     delayed = True
     solver = "its own"
     bits: int = scenario_field("hil.bits")
-    compensation: str = scenario_field("hil.compensation")
+    compensation: Literal["predict", "none"] = scenario_field("hil.compensation")
     iterations: int = scenario_field("hil.iterations")
     noise: float = scenario_field("hil.noise")
     jitter: float = scenario_field("hil.jitter")
     packet_loss: float = scenario_field("hil.packet_loss")
     seed: int = scenario_field("hil.seed")
 
-    def __init__(self, *, connect: Connect = modelled) -> None:
-        """Drive with the program that `connect` leads to."""
+    def __init__(self, *, connect: Connect = modelled, checked: Checked = "all") -> None:
+        """Drive with the program that `connect` leads to, which checks all limits of the horizon or a few."""
         super().__init__()
         self._connect = connect
+        self._checked = checked
 
     @property
     def preview_steps(self) -> int:
         """The prediction horizon, and one more where the first step is spent on predicting."""
         return self.prediction_horizon + (self.compensation == "predict")
 
-    def calibration(self, setup: Setup, checked: Checked = "all") -> Calibration:
-        """What the ECU's program knows.
-
-        Args:
-            setup: Of a run.
-            checked: Which limits of the horizon its program checks.
+    def calibration(self, setup: Setup) -> Calibration:
+        """What the ECU's program knows in such a run.
 
         Raises:
             RidelabError: The vehicle and weights admit no stabilising controller.
         """
         hil = Hil(bits=self.bits, compensation=self.compensation, iterations=self.iterations)
         model = discrete(setup.vehicle, setup.sample_time)
-        return calibrate(self.designs(setup), model, hil, setup.force_limit, checked)
+        return calibrate(self.designs(setup), model, hil, setup.force_limit, self._checked)
 
     def start(self, setup: Setup) -> None:
         """Connect to the program.

@@ -22,6 +22,7 @@ from sim_core.vehicle.model import LinearLaw, VehicleModel
 
 _LONGEST_BLOCK, _BLOCK_AFTER_LIMIT = 1024, 16  # control steps
 _SAME_FORCE = 1e-6  # [N]: rounding
+_NO_FEED = np.zeros(FORCES)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -113,12 +114,12 @@ class ClosedLoop:
                 limited, k, block = limited + limit_binds, k + 1, _BLOCK_AFTER_LIMIT
         if not clips:
             return limited
-        wanted = loop[first:last, :STATES] @ law.gain[:, :STATES].T + loop[first:last, n:] @ law.gain[:, STATES:].T + feed
+        wanted = (
+            loop[first:last, :STATES] @ law.gain[:, :STATES].T + loop[first:last, n:] @ law.gain[:, STATES:].T + feed
+        )
         return int((np.abs(loop[first + 1 : last + 1, n:] - wanted) > _SAME_FORCE).any(axis=1).sum())
 
-    def _step(
-        self, k: int, loop: FloatArray, holding: LawLimits | None = None, feed: FloatArray | None = None
-    ) -> bool:
+    def _step(self, k: int, loop: FloatArray, holding: LawLimits | None = None, feed: FloatArray = _NO_FEED) -> bool:
         """Drive one control step by the controller, or by its law if that holds; whether a limit bound."""
         n = self._car.size
         state, previous = loop[k, :n], loop[k, n:]
@@ -147,7 +148,7 @@ class ClosedLoop:
         n, limits = self._car.size, self._limits
         now, commands = z[:-1], z[1:, n:]
         if clips:
-            free = np.isfinite(commands).all(axis=1)
+            free = np.asarray(np.isfinite(commands).all(axis=1))
         else:
             free = holding.hold(k, np.hstack([now[:, :STATES], now[:, n:]]), commands)
         if limits.change < np.inf:

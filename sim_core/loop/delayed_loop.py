@@ -1,4 +1,4 @@
-"""A controller whose commands arrive later: the car is driven in short steps, so that one may come within a control step.
+"""A controller whose commands arrive later: the car goes in short steps, so that one may come within a control step.
 
 The controller is asked at the control instants; what it answers takes effect at the short step that `arrivals` says, or
 never. The actuators hold the newest command that has arrived, and their limits hold in every short step.

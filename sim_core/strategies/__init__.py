@@ -39,9 +39,18 @@ def strategy_named(name: str) -> type[Controller]:
 
 def speed_plan(strategy: type[Controller], policy: str) -> SpeedPlan:
     """How a strategy is driven under a scenario's `speed.policy`."""
-    if policy == "planned" or policy == "constant":
-        return policy
-    return strategy.speed_plan
+    plans: dict[str, SpeedPlan] = {"planned": "planned", "constant": "constant"}
+    return plans.get(policy, strategy.speed_plan)
+
+
+def reads(strategy: type[Controller], policy: str = "by_strategy") -> tuple[str, ...]:
+    """Dotted names of the parts and fields of a scenario that a strategy's result depends on; on nothing else.
+
+    Args:
+        strategy: The strategy.
+        policy: The scenario's `speed.policy`, which decides how the strategy is driven.
+    """
+    return ("speed.policy", *fields_read(strategy, speed_plan(strategy, policy)))
 
 
 def part_read(scenario: Scenario, strategy: type[Controller]) -> dict[str, Any]:

@@ -26,7 +26,7 @@ class Lqr(Controller):
     id = "lqr"
     label = "LQR"
     preview: Preview = scenario_field("lqr.preview")
-    preview_horizon: int = scenario_field("lqr.preview_horizon")
+    prediction_horizon: int = scenario_field("lqr.preview_horizon")
     weights: Weights = scenario_field("lqr.weights")
     deflection_weight: float = scenario_field("lqr.deflection_weight")
     force_weight: float = scenario_field("mpc.force_weight")
@@ -34,7 +34,7 @@ class Lqr(Controller):
     @property
     def preview_steps(self) -> int:
         """The horizon of its feedforward, if it has one."""
-        return 0 if self.preview == "none" else self.preview_horizon
+        return 0 if self.preview == "none" else self.prediction_horizon
 
     def start(self, setup: Setup) -> None:
         """Solve the Riccati equation.
@@ -57,5 +57,5 @@ class Lqr(Controller):
         )
 
     def linear_law(self, stage: str) -> LinearLaw:
-        """u = -K x + K_w w, the same in every stage."""
+        """U = -K x + K_w w, the same in every stage."""
         return self._law

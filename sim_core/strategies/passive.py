@@ -1,8 +1,10 @@
 """The passive car, at constant speed or with the speed controller alone."""
 
+from typing import ClassVar
+
 import numpy as np
 
-from sim_core import Controller, LinearLaw
+from sim_core import Controller, LinearLaw, SpeedPlan
 
 NO_FORCE = LinearLaw(gain=np.zeros((2, 10)))
 
@@ -12,10 +14,10 @@ class Passive(Controller):
 
     id = "passive"
     label = "Passive"
-    speed_plan = "constant"
+    speed_plan: ClassVar[SpeedPlan] = "constant"
     actuated = False
     preview = "none"
-    preview_steps = 0
+    prediction_horizon = 0
 
     def linear_law(self, stage: str) -> LinearLaw:
         """No force, ever."""

@@ -1,6 +1,4 @@
-"""Which of the scenario's fields a strategy's result depends on: those of the run, and those its controller declares."""
-
-from functools import cache
+"""Which of the scenario's fields a strategy's result depends on: those of every run, and its controller's own."""
 
 from sim_core.control.controller import Controller, ScenarioField, fields
 from sim_core.speed.profile import SpeedPlan
@@ -38,7 +36,6 @@ PREVIEW = (
 )
 
 
-@cache
 def fields_read(strategy: type[Controller], plan: SpeedPlan) -> tuple[str, ...]:
     """Dotted names of the parts and fields that its result depends on at that speed plan; on nothing else.
 

@@ -22,11 +22,11 @@ from backend.ecu.realtime import PacedEcu, Timing, spread
 from backend.ecu.report import ControllerVariant
 from benchmarks.cortex_m3 import CortexM3
 from sim_core.ecu.calibration import Calibration
-from sim_core.ecu.drive import ecu_calibration
 from sim_core.ecu.interface import Ecu, Frame, Reply
 from sim_core.ecu.sources import FLAGS, SOURCES
 from sim_core.scenario import Bump, Hil, Mpc, Road, Scenario, Speed
 from sim_core.simulate import simulate
+from sim_core.strategies.calibration import ecu_calibration
 from tests.events import event
 
 SMALL = Scenario(

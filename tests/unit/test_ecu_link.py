@@ -18,9 +18,9 @@ from backend.ecu.link import connected
 from backend.ecu.tables import fingerprint
 from backend.errors import EcuUnavailableError
 from sim_core.ecu.calibration import Calibration
-from sim_core.ecu.drive import ecu_calibration
 from sim_core.ecu.interface import Frame
 from sim_core.scenario import Mpc, Scenario
+from sim_core.strategies.calibration import ecu_calibration
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
 ROOT = Path(__file__).parents[2]

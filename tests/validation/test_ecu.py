@@ -12,7 +12,6 @@ from sim_core.control.mpc import MpcController
 from sim_core.controllers import mpc_designs
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import STAGES, highest_code
-from sim_core.ecu.drive import ecu_calibration
 from sim_core.ecu.interface import Ecu, Frame, Reply
 from sim_core.ecu.model import ModelEcu
 from sim_core.loop.preview import sliding_forecast
@@ -20,6 +19,7 @@ from sim_core.scenario import Bump, Hil, Mpc, Road, Scenario, Speed
 from sim_core.simulate import simulate
 from sim_core.speed.profile import plan_speed
 from sim_core.strategies import strategy_named
+from sim_core.strategies.calibration import ecu_calibration
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 
 HARD = Mpc(force_limit=1500, deflection_limit=0.03)  # limits bind in one step of ten, many of them together
