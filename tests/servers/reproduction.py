@@ -39,10 +39,10 @@ SOURCES = (
     "backend/__init__.py",
     "backend/digest.py",
     "backend/errors.py",
+    "backend/analysis/intervals.py",
+    "backend/cost",
     "backend/ecu",
-    "backend/jobs/__init__.py",
-    "backend/jobs/reproduction/__init__.py",
-    "backend/jobs/reproduction/work.py",
+    "backend/paper",
     "tests/servers/reproduction.py",
 )
 IN_ECU = f"{work.PREFIX}{claims.IN_ECU}"
