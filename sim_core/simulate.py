@@ -7,7 +7,6 @@ from sim_core.metrics.evaluate import evaluate
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.speed.profile import plan_speed
-from sim_core.speed.stages import segments, spans
 from sim_core.strategies import speed_plan, strategy_named
 
 
@@ -24,11 +23,19 @@ def simulate(scenario: Scenario, strategy: str | type[Controller] | Controller) 
         TooExpensiveError: Its QPs take more than one run's may.
         RidelabError: The vehicle and weights admit no stabilising controller, or a controller's forces are none.
     """
+    run = prepare(scenario, strategy)
+    return evaluate(run, run.drive())
+
+
+def prepare(scenario: Scenario, strategy: str | type[Controller] | Controller) -> Run:
+    """The run that `simulate` drives: its controller, its speed plan, and the road under its axles.
+
+    Raises:
+        UnknownNameError: No such strategy.
+    """
     chosen = strategy_named(strategy) if isinstance(strategy, str) else strategy
     controller = (chosen() if isinstance(chosen, type) else chosen).for_scenario(scenario)
     plan = speed_plan(type(controller), scenario.speed.policy)
     profile = plan_speed(scenario, plan)
-    stages = spans(scenario, plan, profile)
     excitation = make_excitation(scenario, controller, plan, profile)
-    run = Run(scenario=scenario, controller=controller, profile=profile, excitation=excitation)
-    return evaluate(scenario, controller, plan, profile, stages, run.drive(segments(stages, excitation.position)))
+    return Run(scenario=scenario, controller=controller, plan=plan, profile=profile, excitation=excitation)

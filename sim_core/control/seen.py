@@ -139,8 +139,8 @@ class Seen:
 
         [m, m, m/s^2, rad/s]
         """
-        measured = self._car.measure(self._car_step, self._car_state, self.previous_force)
-        return measured + self._inputs.noise()[self.step]
+        noise: FloatArray = self._inputs.noise()[self.step]
+        return self._car.measure(self._car_step, self._car_state, self.previous_force) + noise
 
     @property
     def disturbances(self) -> FloatArray:

@@ -12,10 +12,11 @@ from sim_core.loop.delayed_loop import DelayedLoop
 from sim_core.loop.excitation import Excitation, excite, fine_step, under_axles
 from sim_core.loop.preview import Forecast, preview
 from sim_core.loop.recording import Recording
+from sim_core.result import Span
 from sim_core.road.sensed import expected_errors
 from sim_core.scenario import Actuator, Preview, Scenario
 from sim_core.speed.profile import CONTROL_STEP, SpeedPlan, SpeedProfile, run_in_steps
-from sim_core.speed.stages import Segment
+from sim_core.speed.stages import Segment, segments, spans
 from sim_core.vehicle.estimator import make_estimator, sensor_noise
 from sim_core.vehicle.half_car import DISTURBANCES
 from sim_core.vehicle.make import is_linear, make_vehicle
@@ -73,38 +74,52 @@ def run_dampers(scenario: Scenario, controller: Controller) -> SemiActiveDampers
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Run:
-    """A controller, started or not, on its way.
+    """One run, before it is driven.
 
     Attributes:
         scenario: What is driven.
         controller: For that scenario.
+        plan: Whether the car slows down for the bump.
         profile: The speed profile.
         excitation: The road under the axles and the braking.
     """
 
     scenario: Scenario
     controller: Controller
+    plan: SpeedPlan
     profile: SpeedProfile
     excitation: Excitation
 
-    def drive(self, segments: list[Segment]) -> Recording:
-        """Drive the stages.
+    def stages(self) -> tuple[Span, ...]:
+        """The driving stages."""
+        return spans(self.scenario, self.plan, self.profile)
+
+    def segments(self) -> list[Segment]:
+        """The control steps of each driving stage."""
+        return segments(self.stages(), self.excitation.position)
+
+    def setup(self) -> Setup:
+        """What the controller is told before it."""
+        return make_setup(self.scenario, self.controller, self.profile)
+
+    def drive(self) -> Recording:
+        """Drive it.
 
         Raises:
             RidelabError: The vehicle and weights admit no stabilising controller, or the controller's forces are none.
         """
-        controller, setup = self.controller, make_setup(self.scenario, self.controller, self.profile)
+        controller, setup = self.controller, self.setup()
         n, before = setup.short_steps, self.excitation.drive.before
-        car = self._car(n)
+        car = self.car(n)
         forecast = self.forecast(controller.preview, controller.preview_steps)
-        inputs = self._inputs(segments, forecast, n)
+        inputs = self.inputs(forecast, n)
         controller.start(setup)
         try:
             if controller.delayed:
                 trajectory = DelayedLoop(controller, car, inputs, setup, self._limits(setup.short_step)).run()
             else:
                 loop = ClosedLoop(controller, car, inputs, forecast, self._limits(setup.sample_time))
-                trajectory = loop.run(segments)
+                trajectory = loop.run(self.segments())
         finally:
             controller.end()
         return Recording(
@@ -141,7 +156,12 @@ class Run:
         """`Excitation.disturbance` by steps of the car (steps · per_control, 3 · fine / per_control)."""
         return self.excitation.disturbance.reshape(-1, DISTURBANCES * self.excitation.fine // per_control)
 
-    def _car(self, per_control: int) -> VehicleModel:
+    def car(self, per_control: int = 1) -> VehicleModel:
+        """The car on its road.
+
+        Args:
+            per_control: Its steps in a control step.
+        """
         scenario, dampers = self.scenario, run_dampers(self.scenario, self.controller)
         vehicle = scenario.real_vehicle
         return make_vehicle(
@@ -165,14 +185,20 @@ class Run:
             actuator=inf if saturation is None else saturation,
         )
 
-    def _inputs(self, segments: list[Segment], forecast: Forecast, per_control: int) -> RunInputs:
+    def inputs(self, forecast: Forecast, per_control: int = 1) -> RunInputs:
+        """What `Seen` reports.
+
+        Args:
+            forecast: Of the controller's preview.
+            per_control: Steps of the car in a control step.
+        """
         excitation = self.excitation
         steps = len(excitation.position)
         return RunInputs(
             time=excitation.time[:-1],
             position=excitation.position,
             speed=self.profile.at(excitation.time[:-1])[1],
-            stage=[stage for stage, first, last in segments for _ in range(first, last)],
+            stage=[stage for stage, first, last in self.segments() for _ in range(first, last)],
             windows=forecast.windows,
             road_height=forecast.height_now,
             noise=lambda: sensor_noise(self.scenario, steps * per_control, per_control)[::per_control],
