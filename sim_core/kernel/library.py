@@ -1,12 +1,13 @@
 """The library that setup.py builds from this folder's C files, loaded once for all who call into it."""
 
 import ctypes
-import hashlib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from numpy.typing import NDArray
+
+from sim_core.kernel import build
 
 ADDRESS, INT, SIZE, DOUBLE = ctypes.c_void_p, ctypes.c_int, ctypes.c_ssize_t, ctypes.c_double
 _BYTE, _KINDS = ctypes.c_char.from_buffer, "di"  # NumPy's letters for float64 and int
@@ -16,12 +17,12 @@ _NOT_BUILT = (
 )
 
 
-def load(file: Path, sources: Sequence[Path]) -> ctypes.CDLL:
+def load(file: Path, expected: str | None) -> ctypes.CDLL:
     """The library.
 
     Args:
         file: The library.
-        sources: What it has to be compiled from, in the order of their names; none where there are none beside it.
+        expected: Digest of what it has to be compiled from; None where the sources are not here.
 
     Raises:
         ImportError: It is not there, another machine's, or compiled from other sources: its functions may then take
@@ -33,12 +34,13 @@ def load(file: Path, sources: Sequence[Path]) -> ctypes.CDLL:
     except (OSError, AttributeError) as error:
         raise ImportError(_NOT_BUILT) from error
     digest.restype = ctypes.c_char_p
-    if sources and digest() != hashlib.sha256(b"".join(map(Path.read_bytes, sources))).hexdigest().encode():
+    if expected is not None and digest() != expected.encode():
         raise ImportError(_NOT_BUILT)
     return library
 
 
-_LIBRARY = load(_FILE, sorted(_FILE.parent.glob("*.c")))
+_LIBRARY = load(_FILE, build.digest() if build.SOURCES else None)
+DIGEST: str = _LIBRARY.ridelab_digest().decode()  # SHA-256 of the C and of the flags it was compiled with
 
 
 def function(name: str, *arguments: type, result: type | None = None) -> Callable[..., Any]:

@@ -3,21 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
-enum shape { COSINE, HALF_SINE, CIRCULAR, FLAT_TOP, TRAPEZOID, KERB }; /* as scenario/road.py has them */
-
-struct bump {
-    int shape, count;
-    double start, height, width, spacing;
-    double until; /* from here on the road is as it would be without it [m] */
-};
-
-/* Samples of the roughness from `first` on, `grid` apart [m]. */
-struct road {
-    const double *roughness;
-    int samples;
-    double first, grid;
-    struct bump bump;
-};
+#include "road.h"
 
 enum { PARTS = 4 }; /* of a fine step on a bump */
 

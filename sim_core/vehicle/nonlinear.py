@@ -37,7 +37,7 @@ class _Car(ctypes.Structure):
 
     _fields_ = [
         *((name, ctypes.c_double) for name in ("brake_moment", "corner", "turns", "semi_active", "most_force")),
-        *((name, ctypes.c_double * 2) for name in ("front_share", "rear_share", "arm", "per_wheel_mass", "spring")),
+        *((name, ctypes.c_double * 2) for name in ("body_share", "pitch_share", "arm", "per_wheel_mass", "spring")),
         *((name, ctypes.c_double * 2) for name in ("rebound", "compression", "clearance", "stop", "tyre")),
         *((name, ctypes.c_double * 2) for name in ("lift_off", "link")),
         *((name, ctypes.c_double * 2) for name in ("least_damping", "most_damping")),
@@ -195,8 +195,8 @@ def _car(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | None
         turns=dampers is not None or vehicle.rebound_ratio != 1,
         semi_active=dampers is not None,
         most_force=semi_active.most_force,
-        front_share=pair(1 / vehicle.body_mass, -vehicle.cg_to_front / vehicle.pitch_inertia),
-        rear_share=pair(1 / vehicle.body_mass, vehicle.cg_to_rear / vehicle.pitch_inertia),
+        body_share=pair(1 / vehicle.body_mass, 1 / vehicle.body_mass),
+        pitch_share=pair(-vehicle.cg_to_front / vehicle.pitch_inertia, vehicle.cg_to_rear / vehicle.pitch_inertia),
         arm=pair(-vehicle.cg_to_front, vehicle.cg_to_rear),
         per_wheel_mass=pair(1 / vehicle.front_wheel_mass, 1 / vehicle.rear_wheel_mass),
         spring=pair(vehicle.front_spring, vehicle.rear_spring),

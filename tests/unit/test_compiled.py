@@ -1,5 +1,9 @@
 """The core's C: each function against its definition in NumPy, and the arrays it refuses."""
 
+import shutil
+import subprocess
+import sys
+from importlib.util import find_spec
 from itertools import pairwise
 from pathlib import Path
 
@@ -9,7 +13,7 @@ from numpy.random import default_rng
 
 from sim_core.arrays import FloatArray
 from sim_core.control.qp import QpProblem, QpShape
-from sim_core.kernel import library
+from sim_core.kernel import build, library
 from sim_core.kernel.library import address, load
 from sim_core.kernel.recurrence import run_recurrence
 from sim_core.loop.preview import sliding_forecast
@@ -24,12 +28,45 @@ INTEGRAL_OF = {  # over one fine step from a to b
 
 def test_where_it_is_not_built_or_of_other_sources_it_says_what_to_do(tmp_path: Path) -> None:
     built = Path(library.__file__).with_name("libridelab.so.1")
-    changed = tmp_path / "road.c"
-    changed.write_text("int ridelab_roughness(double takes_another_argument);")
-    assert load(built, [])
-    for file, sources in [(tmp_path / "libridelab.so.1", []), (built, [changed])]:
+    assert load(built, library.DIGEST)
+    for file, expected in [(tmp_path / "libridelab.so.1", None), (built, "of other sources")]:
         with pytest.raises(ImportError, match="make setup"):
-            load(file, sources)
+            load(file, expected)
+
+
+def test_the_digest_is_of_every_source_and_the_flags(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    assert build.digest() == library.DIGEST
+    digests = {library.DIGEST}
+    for index, source in enumerate((*build.SOURCES, *build.HEADERS)):
+        changed = tmp_path / source.name
+        changed.write_bytes(source.read_bytes() + b"\n")
+        files = [changed if file == source else file for file in (*build.SOURCES, *build.HEADERS)]
+        with monkeypatch.context() as patch:
+            patch.setattr(build, "SOURCES", files[: len(build.SOURCES)])
+            patch.setattr(build, "HEADERS", files[len(build.SOURCES) :])
+            digests.add(build.digest())
+        assert len(digests) == index + 2, source.name
+    monkeypatch.setattr(build, "FLAGS", (*build.FLAGS, "-ffast-math"))
+    assert build.digest() not in digests
+
+
+GCC = ["gcc"]
+ZIG = [sys.executable, "-m", "ziglang", "cc"]
+COMPILERS = {
+    "gcc": GCC,
+    "zig": ZIG,
+    "windows": [*ZIG, "-target", "x86_64-windows-gnu"],
+    "macos": [*ZIG, "-target", "aarch64-macos"],
+}
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_it_is_plain_c11_to_every_compiler(compiler: str, tmp_path: Path) -> None:
+    if shutil.which(COMPILERS[compiler][0]) is None or (compiler != "gcc" and find_spec("ziglang") is None):
+        pytest.skip(f"no {compiler} here")
+    command = build.command(COMPILERS[compiler], tmp_path / "library", "-Wall", "-Wextra", "-Werror")
+    output = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (output.returncode, output.stderr) == (0, "")
 
 
 @pytest.mark.parametrize("array", [np.zeros((4, 4)).T[:2], np.zeros(4, dtype=np.float32)], ids=["strided", "single"])
