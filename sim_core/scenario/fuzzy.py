@@ -58,6 +58,15 @@ class FuzzySet(Part):
         return corners
 
 
+def _not_empty(items: tuple[Part, ...]) -> tuple[Part, ...]:
+    if not items:  # pydantic's own `min_length` leaves out items that are wrong, and would blame the list too
+        raise PydanticCustomError("empty", "There has to be at least one")
+    return items
+
+
+_NOT_EMPTY = AfterValidator(_not_empty)
+
+
 def _different_names(sets: tuple[FuzzySet, ...]) -> tuple[FuzzySet, ...]:
     names = [each.name for each in sets]
     if len(set(names)) < len(names):
@@ -67,7 +76,8 @@ def _different_names(sets: tuple[FuzzySet, ...]) -> tuple[FuzzySet, ...]:
 
 _Sets = Annotated[
     tuple[FuzzySet, ...],
-    Field(strict=False, min_length=1, max_length=MOST_SETS),
+    Field(strict=False, max_length=MOST_SETS, json_schema_extra={"minItems": 1}),
+    _NOT_EMPTY,
     AfterValidator(_different_names),
 ]
 
@@ -118,6 +128,13 @@ def even_triangles(end: float) -> tuple[FuzzySet, ...]:
 TABLE_1 = tuple(_table_1())
 
 
+_Rules = Annotated[
+    tuple[FuzzyRule, ...],
+    Field(strict=False, max_length=MOST_RULES, json_schema_extra={"minItems": 1}),
+    _NOT_EMPTY,
+]
+
+
 class Fuzzy(Part):
     """The fuzzy speed controller (section 3.1): Mamdani's minimum and maximum, centroid; by default the paper's."""
 
@@ -133,7 +150,7 @@ class Fuzzy(Part):
         title="Torque sets",
         description="Sets of the braking torque, as shares 0 to 1 of the greatest; none is five even triangles.",
     )
-    rules: Annotated[tuple[FuzzyRule, ...], Field(strict=False, min_length=1, max_length=MOST_RULES)] | None = Field(
+    rules: _Rules | None = Field(
         None,
         title="Rules",
         description='A list of {"if": {"speed_error": set, "distance": set}, "then": set}, of which the first names '

@@ -17,7 +17,7 @@ from sim_core.arrays import FloatArray
 from sim_core.kernel.library import ADDRESS, DOUBLE, INT, address, function
 from sim_core.road.profile import GRID, CompiledRoad, RoadUnderAxles
 from sim_core.scenario import Actuator, Vehicle
-from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, deflection_speeds, half_car
+from sim_core.vehicle.half_car import DISTURBANCES, FORCES, MEASURED_OUTPUTS, STATES, deflection_speeds, half_car
 from sim_core.vehicle.model import LAW_INPUTS, Estimator, LinearLaw, SemiActiveDampers, VehicleModel
 from sim_core.vehicle.plant import RECORDED
 
@@ -61,6 +61,8 @@ _drive = function(
     *(ADDRESS, DOUBLE, ADDRESS, ADDRESS, ADDRESS, INT, INT),
 )
 
+_measure = function("measure", ctypes.POINTER(_Car), INT, ADDRESS, ADDRESS, DOUBLE, ADDRESS)
+
 
 class NonlinearCar(VehicleModel):
     """A nonlinear car on its road; the arguments are `make_vehicle`'s."""
@@ -102,13 +104,20 @@ class NonlinearCar(VehicleModel):
         self._single, self._command = np.zeros((2, self.size + FORCES)), np.zeros(FORCES)
         self._single_step = address(_NO_FEEDBACK), inf, address(self._command), address(self._single)
 
-    def free_run(self, law: LinearLaw, first: int, start: FloatArray, feed: FloatArray) -> FloatArray:
+    @property
+    def clips(self) -> bool:
+        """Yes."""
+        return True
+
+    def free_run(
+        self, law: LinearLaw, force_limit: float, first: int, start: FloatArray, feed: FloatArray
+    ) -> FloatArray:
         """As VehicleModel says."""
         loop = np.empty((len(feed) + 1, self.size + FORCES))
         loop[0] = start
         gain = np.ascontiguousarray(law.gain, dtype=np.float64)
         feed = np.ascontiguousarray(feed)
-        self._run(first, len(feed), address(gain), law.force_limit, address(feed), address(loop))
+        self._run(first, len(feed), address(gain), force_limit, address(feed), address(loop))
         return loop
 
     def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
@@ -125,6 +134,13 @@ class NonlinearCar(VehicleModel):
             *(self._car, self._estimator, inputs, self._input, self._states, first, steps),
             *(gain, limit, feed, loop, table, self._before, self._table.shape[2]),
         )
+
+    def measure(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
+        """As VehicleModel says."""
+        braking = float(self._disturbance[max(step - 1, 0), -1])
+        own, held, measured = state[-self._states :].copy(), command.copy(), np.empty(len(MEASURED_OUTPUTS))
+        _measure(self._car, self._states, address(own), address(held), braking, address(measured))
+        return measured
 
     def record(self, states: FloatArray, commands: FloatArray) -> FloatArray:
         """As VehicleModel says: what was sampled while it drove."""
