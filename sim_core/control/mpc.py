@@ -1,7 +1,6 @@
 """Model predictive suspension control: the law where it holds, else a QP (mpc_design.py has what both are made of)."""
 
 from collections.abc import Mapping
-from functools import partial
 
 import numpy as np
 
@@ -11,13 +10,12 @@ from sim_core.control.cost import KILO
 from sim_core.control.mpc_design import CENTI, SLACK_LINEAR, MpcDesign
 from sim_core.control.qp import MAX_EFFORT, SOLVERS, QpProblem, QpSolver
 from sim_core.errors import TooExpensiveError
-from sim_core.kernel.library import ADDRESS, DOUBLE, INT, SIZE, address, function
+from sim_core.kernel import prepared
 from sim_core.loop.preview import Forecast, flattened
 from sim_core.scenario import Mpc
-from sim_core.vehicle.half_car import FORCES, STATES
+from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 from sim_core.vehicle.model import LAW_INPUTS, LinearLaw
 
-_qp_at = function("qp_at", INT, INT, INT, INT, SIZE, DOUBLE, *[ADDRESS] * 6, result=DOUBLE)
 _BOUND_MARGIN = 0.99  # of a limit; the bound is in single precision, whose rounding is 1e-6 of the terms added
 _MIN_BOUND_STEPS = 128  # so few cross the bump or follow a limit: most are near one, and the bound rules few out
 _COSTLY_FIELDS = "mpc.control_horizon", "mpc.prediction_horizon", "mpc.sample_time", "road.length"
@@ -28,7 +26,7 @@ class StageQp:
 
     Args:
         design: Of the stage.
-        windows: Preview at each control step (3, steps, Np); each window's numbers lie side by side.
+        windows: Preview at each control step (3, steps, Np).
     """
 
     def __init__(self, design: MpcDesign, windows: FloatArray) -> None:
@@ -36,11 +34,12 @@ class StageQp:
         self.problem.f[-2:] = SLACK_LINEAR / CENTI
         rows, inputs = design.affine.shape
         self._parameters, self._values, self._windows = np.empty(inputs), np.empty(rows), windows
-        self._arrays = design.affine.T, self._parameters, self._values, self.problem.f, self.problem.b  # C reads them
-        kinds, self._to_next, _ = windows.strides
-        sizes = len(design.checks), len(design.linear), len(design.travel), windows.shape[2], kinds // windows.itemsize
-        self._set = partial(_qp_at, *sizes, design.travel_limit, *map(address, self._arrays))
-        self._first_window = windows.ctypes.data
+        self._window = self._parameters[LAW_INPUTS:].reshape(DISTURBANCES, -1)
+        sizes = len(design.checks), len(design.linear), len(design.travel)
+        columns, b = design.affine.T, self.problem.b
+        self._set = prepared.qp_at(
+            columns, self._parameters, sizes, design.travel_limit, self._values, self.problem.f, b
+        )
         self._solvers: dict[str, QpSolver] = {}
 
     def forces(self, step: int, state: FloatArray, previous: FloatArray) -> tuple[FloatArray, float]:
@@ -50,8 +49,8 @@ class StageQp:
         """
         self._parameters[:STATES] = state
         self._parameters[STATES:LAW_INPUTS] = previous
-        largest: float = self._set(self._first_window + step * self._to_next)
-        return self._values[:FORCES], largest
+        self._window[:] = self._windows[:, step]
+        return self._values[:FORCES], self._set()
 
     def solve(self, name: str) -> FloatArray | None:
         """A solver's answer to the problem: its minimiser, if that holds up."""

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
-enum { INPUTS = 10, DISTURBANCES = 3, TOGETHER = 4 };
+enum { TOGETHER = 4 };
 
 /* values += columns x, four columns at a time: each value is read and written once for them. */
 static void add_product(int rows, int count, const double *restrict columns, const double *x, double *restrict values)
@@ -20,23 +20,18 @@ static void add_product(int rows, int count, const double *restrict columns, con
 
 /* Fills values, f and b, and returns the largest magnitude among the checks, or NaN if there is one.
 
-   columns      of `MpcDesign.affine`, a row for each check, each number of f and each deflection (`travel`)
+   columns      of `MpcDesign.affine` (inputs), a row for each check, each number of f and each deflection (`travel`)
+   parameters   state, previous command and preview
    limit        of the deflections
-   parameters   state and previous command, then room for the window
-   window       3 rows of `horizon` numbers, each `apart` after the one before
    f, b         of the QP: as many numbers as `linear`, and twice as many as `travel` */
-double ridelab_qp_at(int checks, int linear, int travel, int horizon, ptrdiff_t apart, double limit,
-                     const double *columns, double *parameters, double *values, double *f, double *b,
-                     const double *window)
+double ridelab_qp_at(const double *columns, const double *parameters, int inputs, int checks, int linear, int travel,
+                     double limit, double *values, double *f, double *b)
 {
     int rows = checks + linear + travel;
     double largest = 0;
-    for (int i = 0; i < DISTURBANCES; i++)
-        for (int j = 0; j < horizon; j++)
-            parameters[INPUTS + i * horizon + j] = window[i * apart + j];
     for (int i = 0; i < rows; i++)
         values[i] = 0;
-    add_product(rows, INPUTS + DISTURBANCES * horizon, columns, parameters, values);
+    add_product(rows, inputs, columns, parameters, values);
     for (int i = 0; i < checks; i++)
         if (!(fabs(values[i]) <= largest))
             largest = isnan(largest) ? largest : fabs(values[i]);
