@@ -1,11 +1,9 @@
-"""What pyproject.toml cannot say: the built page goes into the wheel, and C is compiled on any machine."""
+"""What pyproject.toml cannot say: the built page goes into the wheel."""
 
-import runpy
 import shutil
 from pathlib import Path
 
-from setuptools import Extension, setup
-from setuptools.command.build_ext import build_ext
+from setuptools import setup
 from setuptools.command.build_py import build_py
 
 
@@ -27,23 +25,4 @@ class BuildWithPage(build_py):
         shutil.copytree(page, Path(self.build_lib, "backend", "page"), dirs_exist_ok=True)
 
 
-class BuildLibrary(build_ext):
-    """The core's C, which `sim_core.kernel.library` loads: no Python module, and not called like one."""
-
-    def get_ext_filename(self, fullname: str) -> str:
-        """Its file."""
-        return str(Path(*fullname.split(".")).with_name("libridelab.so.1"))
-
-    def build_extension(self, ext: Extension) -> None:
-        """Compile it."""
-        library = Path(self.get_ext_fullpath(ext.name))
-        library.parent.mkdir(parents=True, exist_ok=True)
-        self.spawn(BUILD["command"](BUILD["default_compiler"](), library, "-fPIC"))
-
-
-BUILD = runpy.run_path("sim_core/kernel/build.py")
-LIBRARY = Extension("sim_core.kernel.libridelab", [str(file.relative_to(Path.cwd())) for file in BUILD["SOURCES"]])
-setup(
-    cmdclass={"build_py": BuildWithPage, "build_ext": BuildLibrary},
-    ext_modules=[LIBRARY],
-)
+setup(cmdclass={"build_py": BuildWithPage})

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from backend.analysis.intervals import Interval, changes_with_intervals, means_with_intervals
+from sim_core import PredictiveController
 from sim_core.catalogue import PEAK, RMS
 from sim_core.scenario import Scenario
 from sim_core.strategies import STRATEGIES
@@ -57,7 +58,7 @@ def one_road_resolution(strategy: str) -> dict[str, float]:
     Raises:
         KeyError: No such strategy.
     """
-    predictive = STRATEGIES[strategy].suspension.predictive
+    predictive = issubclass(STRATEGIES[strategy], PredictiveController)
     return {RMS: _RESOLUTION, PEAK: _RESOLUTION_OF_PREDICTIVE_PEAKS if predictive else _RESOLUTION}
 
 

@@ -13,10 +13,11 @@ from math import log, pi, sqrt
 
 import numpy as np
 
+from sim_core import Controller, PredictiveController
 from sim_core.arrays import FloatArray
 from sim_core.road.profile import REFERENCE_FREQUENCY
 from sim_core.scenario import Scenario
-from sim_core.strategies import Strategy, SuspensionPolicy
+from sim_core.strategies.suspension_only import SuspensionOnly
 
 MAX_ITERATIONS = 2000.0  # of a QP solver, for one QP
 _MIN_ROUGHNESS = 1e-8  # of a road without any, as its logarithm is needed [m^3]
@@ -49,7 +50,7 @@ class LimitShares:
     iterations: float = 0.0
 
 
-def expected_limits(scenario: Scenario, strategy: Strategy, time: float) -> LimitShares:
+def expected_limits(scenario: Scenario, strategy: type[Controller], time: float) -> LimitShares:
     """Expected for a strategy with a controller, given its time over the road [s]."""
     values = {
         cause: np.asarray(np.dot(COEFFICIENTS[cause], row))
@@ -59,7 +60,7 @@ def expected_limits(scenario: Scenario, strategy: Strategy, time: float) -> Limi
     return LimitShares(limited=float(limited), solved=float(solved), iterations=float(iterations))
 
 
-def limit_terms(scenario: Scenario, strategy: Strategy, time: float) -> dict[str, tuple[float, ...]]:
+def limit_terms(scenario: Scenario, strategy: type[Controller], time: float) -> dict[str, tuple[float, ...]]:
     """The terms that COEFFICIENTS multiply, by cause."""
     mpc, actuator, mismatch = scenario.mpc, scenario.actuator, scenario.mismatch
     vehicle, bump = scenario.vehicle, scenario.road.bump
@@ -69,10 +70,10 @@ def limit_terms(scenario: Scenario, strategy: Strategy, time: float) -> dict[str
     rate = log((actuator.rate_limit or _NO_RATE) * mpc.sample_time / force)
     damping = log((vehicle.front_damping + vehicle.rear_damping) / 2)
     softness, underdamping = max(0.0, 1 - mismatch.springs), max(0.0, 1 - mismatch.damping)
-    if not strategy.suspension.predictive:
+    if not issubclass(strategy, PredictiveController):
         weights, preview, deflection_weight = scenario.lqr.weights, scenario.lqr.preview, scenario.lqr.deflection_weight
     else:
-        by_stage = strategy.suspension is not SuspensionPolicy.MPC_BY_ROAD
+        by_stage = not issubclass(strategy, SuspensionOnly)
         weights = mpc.stage_weights.cruise if by_stage else mpc.road_weights.rough
         preview, deflection_weight = mpc.preview, mpc.deflection_weight
     comfort = log((weights[0] + 0.1) / (sum(weights) + 0.3))
@@ -80,7 +81,7 @@ def limit_terms(scenario: Scenario, strategy: Strategy, time: float) -> dict[str
     no_preview, wheelbase_preview = float(preview == "none"), float(preview == "wheelbase")
     errors = (*_estimation_terms(scenario), log(scenario.real_vehicle.rebound_ratio))
     unstable = (1.0, softness, underdamping, restoring, softness * restoring)
-    if not strategy.suspension.predictive:
+    if not issubclass(strategy, PredictiveController):
         law = (1.0, force_margin, no_preview, wheelbase_preview, damping, comfort, *errors)
         return {"lqr": law, "lqr actuator": (1.0, saturation, rate), "lqr unstable": unstable}
     horizon, limit = log(mpc.control_horizon * mpc.sample_time), log(mpc.deflection_limit)

@@ -8,14 +8,14 @@ from collections.abc import Mapping
 from math import ceil, sqrt
 
 from backend.cost.binding_limits import LimitShares, expected_limits
+from sim_core import Controller, DampingController, EcuController, PredictiveController
 from sim_core.control.qp import OsqpSolver
-from sim_core.controllers import HOOKS, semi_active_dampers
-from sim_core.ecu.loop import short_steps
 from sim_core.errors import TooExpensiveError
+from sim_core.loop.drive import SHORT_STEP, run_dampers
 from sim_core.loop.excitation import fine_step
 from sim_core.scenario import Actuator, Scenario
 from sim_core.speed.profile import CONTROL_STEP, KMH, TARGET_BAND, plan_speed
-from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy, driven, strategy_named
+from sim_core.strategies import speed_plan, strategy_named
 from sim_core.vehicle.make import is_linear
 from sim_core.vehicle.nonlinear import substeps
 
@@ -65,13 +65,13 @@ def duration(scenario: Scenario, name: str) -> float:
     """Longest time the strategy can take from x = 0 to the road's end [s]; exact where the brakes' lag is long."""
     speed, road = scenario.speed, scenario.road
     initial = speed.initial_speed_kmh * KMH
-    if driven(strategy_named(name), speed.policy).speed is SpeedPolicy.CONSTANT:
+    if speed_plan(strategy_named(name), speed.policy) == "constant":
         return road.length / initial
     floor = min(initial, speed.target_speed_kmh * KMH) - TARGET_BAND
     # The brake pressure that remains when braking ends reduces the speed by as much again.
     slowest = floor - scenario.brake.maximum_deceleration * (scenario.brake.pressure_lag + CONTROL_STEP)
     if slowest < floor / 2:
-        return plan_speed(scenario, SpeedPolicy.PLANNED).time_at(road.length)
+        return plan_speed(scenario, "planned").time_at(road.length)
     detection = _detection(scenario)
     return detection / initial + (road.length - detection) / slowest
 
@@ -82,7 +82,7 @@ def estimate(scenario: Scenario, name: str) -> float:
     Raises:
         UnknownNameError: No such strategy.
     """
-    strategy = driven(strategy_named(name), scenario.speed.policy)
+    strategy = strategy_named(name)
     time = expected_time(scenario, strategy)
     counts = work(scenario, strategy, time, expected_limits(scenario, strategy, time))
     return sum(SECONDS[unit] * count for unit, count in counts.items())
@@ -95,48 +95,48 @@ def check_affordable(scenario: Scenario, name: str) -> None:
         UnknownNameError: No such strategy.
         TooExpensiveError: There are too many.
     """
-    strategy = driven(strategy_named(name), scenario.speed.policy)
-    time = plan_speed(scenario, strategy.speed).time_at(scenario.road.length)
+    strategy = strategy_named(name)
+    time = plan_speed(scenario, speed_plan(strategy, scenario.speed.policy)).time_at(scenario.road.length)
     counts = work(scenario, strategy, time, LimitShares(limited=1.0))
     operations = sum(each * counts.get(unit, 0.0) for unit, each in OPERATIONS.items())
     if operations > MAX_OPERATIONS or memory(scenario, strategy, time) > MAX_BYTES:
-        raise TooExpensiveError("The run has too many steps", fields=_fields(strategy))
+        raise TooExpensiveError("The run has too many steps", fields=_fields(scenario, strategy))
 
 
-def samples(scenario: Scenario, strategy: Strategy, time: float) -> tuple[float, int]:
+def samples(scenario: Scenario, strategy: type[Controller], time: float) -> tuple[float, int]:
     """Control steps of a run, given its time over the road [s], and fine steps in each: its samples are their product.
 
     Args:
         scenario: What is driven.
-        strategy: As `driven` gives it.
+        strategy: What drives it.
         time: The run's [s].
     """
-    step = CONTROL_STEP if strategy.suspension is SuspensionPolicy.PASSIVE else scenario.mpc.sample_time
-    multiple = short_steps(step) if strategy.suspension is SuspensionPolicy.ECU else 1
-    return time / step, multiple * ceil(step / multiple / fine_step(scenario, strategy) - 1e-9)
+    step = scenario.mpc.sample_time if strategy.actuated else CONTROL_STEP
+    multiple = _short_steps(step) if strategy.delayed else 1
+    return time / step, multiple * ceil(step / multiple / _fine_step(scenario, strategy) - 1e-9)
 
 
-def memory(scenario: Scenario, strategy: Strategy, time: float) -> float:
+def memory(scenario: Scenario, strategy: type[Controller], time: float) -> float:
     """About the most that a run's arrays take at once, given its time over the road [s] [bytes].
 
     Measured: a signal's samples are 8 bytes each, and most signals are there twice while they are recorded.
     """
     steps, fine = samples(scenario, strategy, time)
-    policy, each = strategy.suspension, 250.0 + 165.0 * fine
-    if policy is not SuspensionPolicy.PASSIVE and scenario.estimation.kind != "exact":
+    each = 250.0 + 165.0 * fine
+    if strategy.actuated and scenario.estimation.kind != "exact":
         each += 300.0
-    if policy.predictive:  # three disturbances at each step of the horizon
+    if issubclass(strategy, PredictiveController):  # three disturbances at each step of the horizon
         each += 100.0 + 24.0 * scenario.mpc.prediction_horizon
-    if policy is SuspensionPolicy.ECU:  # what went over its channels
+    if issubclass(strategy, EcuController):  # what went over its channels
         each += 3300.0
     return steps * each
 
 
-def expected_time(scenario: Scenario, strategy: Strategy) -> float:
+def expected_time(scenario: Scenario, strategy: type[Controller]) -> float:
     """Expected time from x = 0 to the road's end [s], braking with the maximum deceleration."""
     speed, road, brake = scenario.speed, scenario.road, scenario.brake
     initial = speed.initial_speed_kmh * KMH
-    if strategy.speed is SpeedPolicy.CONSTANT:
+    if speed_plan(strategy, speed.policy) == "constant":
         return road.length / initial
     detection = _detection(scenario)
     distance, target = road.bump.start - detection, min(initial, speed.target_speed_kmh * KMH)
@@ -145,36 +145,36 @@ def expected_time(scenario: Scenario, strategy: Strategy) -> float:
     return detection / initial + distance / ((initial + arrival) / 2) + (road.length - road.bump.start) / arrival
 
 
-def work(scenario: Scenario, strategy: Strategy, time: float, expected: LimitShares) -> dict[str, float]:
+def work(scenario: Scenario, strategy: type[Controller], time: float, expected: LimitShares) -> dict[str, float]:
     """How many of each unit of `SECONDS` a run has, given its time over the road [s]."""
-    mpc, policy = scenario.mpc, strategy.suspension
-    counts = {"run": 1.0, "fine steps": time / fine_step(scenario, strategy)}
+    mpc, by_ecu = scenario.mpc, issubclass(strategy, EcuController)
+    counts = {"run": 1.0, "fine steps": time / _fine_step(scenario, strategy)}
     counts["uncached steps"] = max(0.0, counts["fine steps"] - CACHED_STEPS)
-    vehicle, dampers = scenario.real_vehicle, semi_active_dampers(scenario, strategy)
+    vehicle, dampers = scenario.real_vehicle, run_dampers(scenario, strategy().for_scenario(scenario))
     if not is_linear(vehicle, dampers):
-        actuator = Actuator() if policy is SuspensionPolicy.PASSIVE else scenario.actuator
-        short = substeps(vehicle, actuator, dampers, fine_step(scenario, strategy))
+        actuator = scenario.actuator if strategy.actuated else Actuator()
+        short = substeps(vehicle, actuator, dampers, _fine_step(scenario, strategy))
         counts["nonlinear steps"] = counts["fine steps"] * short
-    if strategy.speed is SpeedPolicy.PLANNED:
+    if speed_plan(strategy, scenario.speed.policy) == "planned":
         counts["plan"] = 1.0
-    if policy is SuspensionPolicy.PASSIVE:
+    if not strategy.actuated:
         return counts
     steps = time / mpc.sample_time
     # An ECU checks its limits in every step, and its own units say what that takes.
-    limited = 0.0 if policy is SuspensionPolicy.ECU else expected.limited * steps
+    limited = 0.0 if by_ecu else expected.limited * steps
     counts["limited steps"] = limited
-    if policy in HOOKS:
+    if issubclass(strategy, DampingController):
         return counts
     counts["design"] = 1.0
-    if not policy.predictive:
+    if not issubclass(strategy, PredictiveController):
         return counts
     checks, inputs = 2 * (mpc.control_horizon + mpc.prediction_horizon), 3 * mpc.prediction_horizon + 10
     counts["design entries"] = checks * inputs**2
-    if policy is SuspensionPolicy.ECU:
+    if by_ecu:
         return counts | {
             "ECU": 1.0,
             "exchanges": steps,
-            "short steps": steps * short_steps(mpc.sample_time),
+            "short steps": steps * _short_steps(mpc.sample_time),
             "ECU entries": steps * checks * inputs,
             "ECU iterations": 0.5 * steps * checks * scenario.hil.iterations,
         }
@@ -194,13 +194,21 @@ def _detection(scenario: Scenario) -> float:
     return max(0.0, scenario.road.bump.start - scenario.speed.detection_distance)
 
 
-def _fields(strategy: Strategy) -> tuple[str, ...]:
+def _short_steps(step: float) -> int:
+    return ceil(step / SHORT_STEP - 1e-9)
+
+
+def _fine_step(scenario: Scenario, strategy: type[Controller]) -> float:
+    return fine_step(scenario, speed_plan(strategy, scenario.speed.policy), actuated=strategy.actuated)
+
+
+def _fields(scenario: Scenario, strategy: type[Controller]) -> tuple[str, ...]:
     """Fields that make a run's steps fewer or cheaper."""
     fields: tuple[str, ...] = ("road.length", "speed.initial_speed_kmh")
-    if strategy.speed is SpeedPolicy.PLANNED:
+    if speed_plan(strategy, scenario.speed.policy) == "planned":
         fields += ("speed.target_speed_kmh",)
-    if strategy.suspension is not SuspensionPolicy.PASSIVE:
+    if strategy.actuated:
         fields += ("mpc.sample_time",)
-    if strategy.suspension.predictive:
+    if issubclass(strategy, PredictiveController):
         fields += ("mpc.prediction_horizon", "mpc.control_horizon")
     return fields

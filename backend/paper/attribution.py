@@ -12,10 +12,10 @@ from typing import Any, Literal
 
 from backend.analysis.intervals import Interval, change_with_interval
 from backend.paper.claims import FIGURES, scenario_for
+from sim_core import SpeedPlan
 from sim_core.scenario import Preview, Scenario, StageWeights, dotted
-from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
 
-Controller = Literal["passive", "lqr", "mpc"]
+Law = Literal["passive", "lqr", "mpc"]
 Weighting = Literal["equal", "comfort", "switched"]
 FACTORS = ("speed", "preview", "switching")
 COMFORT_FIGURES = ("weighted_rms", "vibration_dose")
@@ -29,19 +29,14 @@ WEIGHTS: dict[Weighting, StageWeights] = {
 _WEIGHTS_WORDS = {"equal": "equal weights", "comfort": "cruise weights throughout", "switched": "switched weights"}
 _PREVIEW_WORDS = {"none": "no preview", "wheelbase": "front axle's road", "lookahead": "road ahead"}
 _CONTROLLER_WORDS = {"passive": "Passive", "lqr": "LQR", "mpc": "MPC"}
-_POLICIES = {
-    "passive": SuspensionPolicy.PASSIVE,
-    "lqr": SuspensionPolicy.LQR,
-    "mpc": SuspensionPolicy.MPC_BY_STAGE,
-}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Variant:
     """One combination; `preview` and `weights` are None where there is nothing to choose."""
 
-    controller: Controller
-    speed: SpeedPolicy
+    controller: Law
+    speed: SpeedPlan
     preview: Preview | None = None
     weights: Weighting | None = None
 
@@ -66,8 +61,8 @@ class Variant:
         return _KNOWN.get(self)
 
     def scenario(self, seed: int) -> Scenario:
-        """The paper's scenario with this variant's preview and weights."""
-        changes: dict[str, Any] = {}
+        """The paper's scenario with this variant's speed, preview and weights."""
+        changes: dict[str, Any] = {"speed.policy": self.speed}
         if self.preview is not None:
             changes[f"{self.controller}.preview"] = self.preview
         if self.weights is not None:
@@ -76,28 +71,22 @@ class Variant:
         return Scenario.model_validate(dotted.with_changes(plain, changes))
 
     @property
-    def strategy(self) -> Strategy:
-        """How it is driven, for `simulate`."""
-        return Strategy(
-            id=self.id,
-            label=self.label,
-            description="",
-            speed=self.speed,
-            suspension=_POLICIES[self.controller],
-            reads=(),
-        )
+    def strategy(self) -> str:
+        """The id of the strategy that has its controller; the scenario says how fast it goes."""
+        return {"passive": "passive", "lqr": "lqr", "mpc": "lv"}[self.controller]
 
 
 _PREVIEWS: tuple[Preview, ...] = ("none", "wheelbase", "lookahead")
 _KNOWN = {
-    Variant(controller="passive", speed=SpeedPolicy.CONSTANT): "passive",
-    Variant(controller="passive", speed=SpeedPolicy.PLANNED): "speed_only",
-    Variant(controller="lqr", speed=SpeedPolicy.PLANNED, preview="none"): "lqr",
-    Variant(controller="mpc", speed=SpeedPolicy.PLANNED, preview="lookahead", weights="switched"): "lv",
+    Variant(controller="passive", speed="constant"): "passive",
+    Variant(controller="passive", speed="planned"): "speed_only",
+    Variant(controller="lqr", speed="planned", preview="none"): "lqr",
+    Variant(controller="mpc", speed="planned", preview="lookahead", weights="switched"): "lv",
 }
+_SPEEDS: tuple[SpeedPlan, ...] = "constant", "planned"
 VARIANTS: tuple[Variant, ...] = tuple(
     variant
-    for speed in SpeedPolicy
+    for speed in _SPEEDS
     for variant in (
         Variant(controller="passive", speed=speed),
         *(Variant(controller="lqr", speed=speed, preview=preview) for preview in _PREVIEWS),
@@ -161,7 +150,7 @@ def _shares(figure: tuple[str, str, str], values: Values) -> Shares:
 def _corner(added: frozenset[str]) -> str:
     return Variant(
         controller="mpc",
-        speed=SpeedPolicy.PLANNED if "speed" in added else SpeedPolicy.CONSTANT,
+        speed="planned" if "speed" in added else "constant",
         preview="lookahead" if "preview" in added else "none",
         weights="switched" if "switching" in added else "equal",
     ).id

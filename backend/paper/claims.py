@@ -157,7 +157,9 @@ def figures_by_window(scenario: Scenario, result: StrategyResult) -> dict[str, l
         if choice.stretches is None:
             figures[choice.id] = own
             continue
-        rms = rms_between(result.series, plan_speed(scenario, strategy_named(result.strategy).speed), choice.stretches)
+        rms = rms_between(
+            result.series, plan_speed(scenario, strategy_named(result.strategy).speed_plan), choice.stretches
+        )
         figures[choice.id] = [
             rms[signal] if window == "rough_road" else value
             for (window, _, signal), value in zip(FIGURES, own, strict=True)

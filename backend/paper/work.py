@@ -20,7 +20,6 @@ from backend.paper.readings import changes_of
 from sim_core.catalogue import BUMP, PAPER_SIGNALS, PEAK
 from sim_core.scenario import Road, Scenario, Speed
 from sim_core.simulate import simulate as simulate_core
-from sim_core.strategies import Strategy
 
 PREFIX = "paper."
 ATTRIBUTION, SPEEDS = f"{PREFIX}attribution", f"{PREFIX}speeds"
@@ -108,7 +107,7 @@ def figures_by_strategy(
     }
 
 
-def _one(scenario: Scenario, strategy: Strategy) -> JsonObject:
+def _one(scenario: Scenario, strategy: str) -> JsonObject:
     """A variant's eight `figures`, its comfort figures and its travel time."""
     result = simulate_core(scenario, strategy)
     comfort = {key: result.comfort[key] for key in COMFORT_FIGURES}

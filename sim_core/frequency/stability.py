@@ -7,18 +7,16 @@ actuators' limits end it in a steady oscillation, so no single figure of a run s
 """
 
 from dataclasses import replace
-from math import acos, ceil, exp, hypot
+from math import acos, ceil, exp, hypot, inf
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.catalogue import STAGES
-from sim_core.controllers import make_controller, semi_active_dampers, told_preview
-from sim_core.loop.excitation import excite, fine_step
+from sim_core.control.controller import Controller
+from sim_core.loop.drive import make_setup, told_preview
 from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario, Vehicle
-from sim_core.speed.profile import CONTROL_STEP, plan_speed
-from sim_core.speed.stages import coordinated_weights
-from sim_core.strategies import Strategy, SuspensionPolicy, driven, strategy_named
+from sim_core.speed.profile import plan_speed
+from sim_core.strategies import speed_plan, strategy_named
 from sim_core.vehicle.estimator import make_estimator
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 from sim_core.vehicle.linear import closed_loop_matrix, control_step
@@ -26,15 +24,6 @@ from sim_core.vehicle.model import Estimator, LinearLaw
 from sim_core.vehicle.nonlinear import NonlinearCar
 from sim_core.vehicle.plant import plant
 
-JUDGED = {
-    SuspensionPolicy.PASSIVE,
-    SuspensionPolicy.LQR,
-    SuspensionPolicy.SKYHOOK,
-    SuspensionPolicy.GROUNDHOOK,
-    SuspensionPolicy.HYBRID,
-    SuspensionPolicy.MPC_BY_ROAD,
-    SuspensionPolicy.MPC_BY_STAGE,
-}
 _SETTLED = 8.0  # by then only the motion of a loop with unequal dampers that dies out last is left [s]
 _BLOCK = 100  # control steps after which its motion is brought back to size 1
 _NEGLIGIBLE = 1e-6  # a mode with a smaller eigenvalue has died out after one control step
@@ -42,7 +31,7 @@ _NEGLIGIBLE = 1e-6  # a mode with a smaller eigenvalue has died out after one co
 _ANY_ROAD = Road(roughness=0, length=30, bump=Bump(height=0, start=20))
 
 
-def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
+def least_damping(scenario: Scenario, strategy: str | type[Controller]) -> float | None:
     """Smallest damping ratio of the closed loop's modes [1], over the stages; None for a controller that is not a law.
 
     Of a mode exp(s·t) it is -Re(s)/|s|: 1 does not oscillate, 0 oscillates for ever, below 0 the loop is unstable.
@@ -56,16 +45,13 @@ def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
 
     Args:
         scenario: With its mismatch: the controller is designed without it and meets the real car.
-        name: Strategy id, or a strategy that is in no table.
+        strategy: Its id, or a controller's class.
 
     Raises:
         UnknownNameError: No such strategy.
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
-    strategy = driven(strategy_named(name) if isinstance(name, str) else name, scenario.speed.policy)
-    if strategy.suspension not in JUDGED or semi_active_dampers(scenario, strategy) is not None:
-        return None
-    actuated = strategy.suspension is not SuspensionPolicy.PASSIVE
+    kind = strategy_named(strategy) if isinstance(strategy, str) else strategy
     believed = scenario.model_copy(
         update={
             "road": _ANY_ROAD,
@@ -74,22 +60,26 @@ def least_damping(scenario: Scenario, name: str | Strategy) -> float | None:
             "lqr": scenario.lqr.model_copy(update={"preview": "none"}),
         }
     )
-    step = scenario.mpc.sample_time if actuated else CONTROL_STEP
-    motion = plan_speed(believed, strategy.speed)
-    excitation = excite(believed.road, believed.vehicle.wheelbase, motion, step, fine_step(believed, strategy))
-    controller = make_controller(believed, strategy, motion, excitation)
-    vehicle, actuator = scenario.real_vehicle, scenario.actuator if actuated else Actuator()
-    stages = STAGES if actuated else ("cruise",)
-    distinct = {coordinated_weights(believed, strategy, stage): stage for stage in stages}
-    laws = list(dict.fromkeys(controller.law(stage) for stage in distinct.values()))
-    estimator = None
-    if actuated:
-        mode, still = told_preview(scenario, strategy.suspension), np.zeros((1, DISTURBANCES))
-        estimator = make_estimator(scenario, step, motion.initial_speed, still, mode=mode)
+    controller = kind().for_scenario(believed)
+    if controller.delayed or controller.dampers() is not None:
+        return None
+    profile = plan_speed(believed, speed_plan(kind, scenario.speed.policy))
+    setup = make_setup(believed, controller, profile)
+    controller.start(setup)
+    found = dict.fromkeys(controller.linear_law(stage) for stage in setup.stages)
+    controller.end()
+    laws = [law for law in found if law is not None]
+    if len(laws) < len(found):
+        return None
+    vehicle, actuator = scenario.real_vehicle, scenario.actuator if kind.actuated else Actuator()
+    step, estimator = setup.sample_time, None
+    if kind.actuated:
+        mode, still = told_preview(scenario, kind().for_scenario(scenario)), np.zeros((1, DISTURBANCES))
+        estimator = make_estimator(scenario, step, profile.initial_speed, still, mode=mode)
     exact = control_step(plant(vehicle, actuator, step, 1), vehicle, estimator)
     loops = [closed_loop_matrix(exact, law) for law in laws]
     of_modes = [damping(loop, step) for loop in loops]
-    if vehicle.rebound_ratio == 1 or not actuated:  # dampers alone only take energy out
+    if vehicle.rebound_ratio == 1 or not kind.actuated:  # dampers alone only take energy out
         return min(of_modes)
     last = [_last_motion(vehicle, actuator, step, estimator, law, loop) for law, loop in zip(laws, loops, strict=True)]
     return min(slowest if mean < 0 else min(mean, slowest) for mean, slowest in zip(of_modes, last, strict=True))
@@ -119,14 +109,14 @@ def _last_motion(
     if estimator is not None:
         estimator = replace(estimator, input=np.zeros((_BLOCK, STATES)))
     car = NonlinearCar(near_rest, actuator, step, np.zeros((_BLOCK, DISTURBANCES)), _BLOCK, estimator)
-    unlimited, no_feed = LinearLaw(gain=law.gain), np.zeros((_BLOCK, FORCES))
+    no_feed = np.zeros((_BLOCK, FORCES))
     eigenvalues, modes = np.linalg.eig(loop)
     to_modes = np.linalg.pinv(modes)[np.abs(eigenvalues) > _NEGLIGIBLE].T
     blocks = ceil(_SETTLED / (step * _BLOCK))
     z, grown = np.ones(len(loop)), 0.0
     logarithms, changes = [], []
     for block in range(2 * blocks):
-        motion = car.free_run(unlimited, 0, z, no_feed)
+        motion = car.free_run(law, inf, 0, z, no_feed)
         x = motion @ to_modes
         size = np.linalg.norm(x, axis=1)
         if block >= blocks:

@@ -330,13 +330,32 @@ struct estimator {
     double state[8][8], command[8][2], measurement[8][4];
 };
 
+/* What the car's own sensors give: both deflections, the body's acceleration, the pitch rate. */
+static void measure(const struct car *car, const struct state *x, const double *command, double braking, double *y)
+{
+    struct piece level = {.braking = braking};
+    struct state rate = derivative(car, x, command, &level, 0);
+    y[0] = x->at[TRAVEL];
+    y[1] = x->at[TRAVEL + 1];
+    y[2] = rate.at[BODY];
+    y[3] = x->at[BODY + 1];
+}
+
+/* The same of a car's state: 8 numbers, or 10 with a lagging actuator's. */
+void ridelab_measure(const struct car *car, int states, const double *state, const double *command, double braking,
+                     double *y)
+{
+    struct state x = {.at[FORCE] = command[0], .at[FORCE + 1] = command[1]};
+    memcpy(x.at, state, (size_t)states * sizeof(double));
+    measure(car, &x, command, braking, y);
+}
+
 /* The estimated state at the end of a control step from the one at its beginning. */
 static void estimate(const struct estimator *estimator, const struct car *car, const struct state *x,
                      const double *command, double braking, const double *input, const double *before, double *next)
 {
-    struct piece level = {.braking = braking};
-    struct state rate = derivative(car, x, command, &level, 0);
-    const double y[4] = {x->at[TRAVEL], x->at[TRAVEL + 1], rate.at[BODY], x->at[BODY + 1]};
+    double y[4];
+    measure(car, x, command, braking, y);
     for (int i = 0; i < 8; i++) {
         next[i] = input[i];
         for (int j = 0; j < 8; j++)

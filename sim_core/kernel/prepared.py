@@ -13,12 +13,12 @@ from sim_core.kernel.binding import LAYOUT
 from sim_core.kernel.library import DOUBLE, INT, Array, Function, require
 
 CAR, ESTIMATOR = 33, 112  # numbers of `struct car` and `struct estimator` of nonlinear_car.c
-_STATES, _LAGGING, _FORCES, _LAW_INPUTS, _DISTURBANCES, _SIGNALS = 8, 10, 2, 10, 3, 10
+_STATES, _LAGGING, _FORCES, _LAW_INPUTS, _DISTURBANCES, _MEASURED, _SIGNALS = 8, 10, 2, 10, 3, 4, 10
 _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
 _LINE_OUT, _TABLE_OUT, _LINES_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2, 3))
 
 _residual = Function("residual", INT, INT, _TABLE, _TABLE, *[_LINE] * 3, _LINE_OUT, _LINE, _LINE, result=DOUBLE)
-_qp_at = Function("qp_at", _TABLE, _LINE, INT, INT, INT, INT, DOUBLE, *[_LINE_OUT] * 3, result=DOUBLE)
+_measure = Function("measure", Array(CAR), INT, _LINE, Array(_FORCES), DOUBLE, Array(_MEASURED, written=True))
 _drive = Function(
     "drive",
     *(Array(CAR), INT, INT, Array(ESTIMATOR), _TABLE),
@@ -45,33 +45,6 @@ def residual(
     fits = H.shape == (n, n) and len(f) == len(y) == n
     require(fits and len(lower) == len(upper) == len(multipliers) == n + rows, "One number for each unknown and limit")
     return _residual.bind(n, rows, H, columns, lower, upper, f, np.empty(n + rows), y, multipliers)
-
-
-def qp_at(
-    columns: FloatArray,
-    parameters: FloatArray,
-    sizes: tuple[int, int, int],
-    limit: float,
-    values: FloatArray,
-    f: FloatArray,
-    b: FloatArray,
-) -> Callable[[], float]:
-    """Fill the values, f and b of a QP from the parameters, whenever it is called; its largest check.
-
-    Args:
-        columns: (inputs, rows).
-        parameters: (inputs,).
-        sizes: Rows of the checks, of f and of the deflections.
-        limit: Of the deflections.
-        values: (rows,).
-        f: As many numbers as its rows, or more.
-        b: Twice as many as the deflections' rows.
-    """
-    inputs, rows = columns.shape
-    _, linear, travel = sizes
-    fits = len(parameters) == inputs and sum(sizes) == rows == len(values) and min(sizes) >= 0
-    require(fits and len(f) >= linear and len(b) == 2 * travel, "One number for each row and column")
-    return _qp_at.bind(columns, parameters, inputs, *sizes, limit, values, f, b)
 
 
 class NonlinearDrive:
@@ -103,6 +76,7 @@ class NonlinearDrive:
         fine_step: float,
         table: FloatArray,
     ) -> None:
+        self._car, self._states = car, states
         self._steps, fine = len(disturbance), disturbance.shape[1] // _DISTURBANCES
         self._width = states + _FORCES + (0 if estimator is None else _STATES)
         columns, all_fine = table.shape[-1], self._steps * fine
@@ -150,6 +124,17 @@ class NonlinearDrive:
             run(first)
 
         return run_from
+
+    def measure(self, state: FloatArray, command: FloatArray, braking: float) -> FloatArray:
+        """What the car's own sensors give (4,), from its state (8,) or (10,), command (2,) [N] and braking [m/s^2].
+
+        Raises:
+            ValueError: The state is another car's.
+        """
+        require(len(state) == self._states, "A state of 8 numbers, or of 10 with a lagging actuator's")
+        measured = np.empty(_MEASURED)
+        _measure(self._car, self._states, state, command, braking, measured)
+        return measured
 
     def _check(self, first: int, feed: FloatArray, loop: FloatArray) -> None:
         count = len(feed)

@@ -46,17 +46,18 @@ class NonlinearCar(VehicleModel):
         dampers: SemiActiveDampers | None = None,
         road: RoadUnderAxles | None = None,
     ) -> None:
-        states = STATES if actuator.bandwidth is None else STATES + FORCES
-        self.size = states + (0 if estimator is None else STATES)
+        self._states = STATES if actuator.bandwidth is None else STATES + FORCES
+        self.size = self._states + (0 if estimator is None else STATES)
         fine = disturbance.shape[1] // DISTURBANCES
+        self._disturbance = np.ascontiguousarray(disturbance, dtype=np.float64)
         self._table = np.empty((_SIGNALS, fine + 1, len(disturbance) - before))  # of the last drive over each step
         self._drive = NonlinearDrive(
             car=_numbers(vehicle, actuator, dampers),
-            states=states,
+            states=self._states,
             estimator=None if estimator is None else _matrices(estimator),
             known=np.empty((0, STATES)) if estimator is None else np.ascontiguousarray(estimator.input),
             road=None if road is None else (road.surface.roughness, road.surface.layout, road.position, road.within),
-            disturbance=np.ascontiguousarray(disturbance, dtype=np.float64),
+            disturbance=self._disturbance,
             substeps=substeps(vehicle, actuator, dampers, step / fine),
             fine_step=step / fine,
             table=self._table,
@@ -64,12 +65,19 @@ class NonlinearCar(VehicleModel):
         self._single, self._command = np.zeros((2, self.size + FORCES)), np.zeros((1, FORCES))
         self._hold = self._drive.prepare(_NO_FEEDBACK, inf, self._command, self._single)
 
-    def free_run(self, law: LinearLaw, first: int, start: FloatArray, feed: FloatArray) -> FloatArray:
+    @property
+    def clips(self) -> bool:
+        """Yes."""
+        return True
+
+    def free_run(
+        self, law: LinearLaw, force_limit: float, first: int, start: FloatArray, feed: FloatArray
+    ) -> FloatArray:
         """As VehicleModel says."""
         loop = np.empty((len(feed) + 1, self.size + FORCES))
         loop[0] = start
         gain = np.ascontiguousarray(law.gain, dtype=np.float64)
-        self._drive.run(first, gain, law.force_limit, np.ascontiguousarray(feed), loop)
+        self._drive.run(first, gain, force_limit, np.ascontiguousarray(feed), loop)
         return loop
 
     def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
@@ -78,6 +86,11 @@ class NonlinearCar(VehicleModel):
         self._command[0] = command
         self._hold(step)
         return self._single[1, : self.size].copy()
+
+    def measure(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
+        """As VehicleModel says."""
+        braking = float(self._disturbance[max(step - 1, 0), -1])
+        return self._drive.measure(state[-self._states :].copy(), command.copy(), braking)
 
     def record(self, states: FloatArray, commands: FloatArray) -> FloatArray:
         """As VehicleModel says: what was sampled while it drove."""

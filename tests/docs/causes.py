@@ -180,7 +180,7 @@ def _figures(
     result = simulate(scenario, strategy)
     rough = {signal: result.metrics["rough_road"][signal]["rms"] for signal in PAPER_SIGNALS}
     if stretches is not None:
-        rough = rms_between(result.series, plan_speed(scenario, strategy_named(strategy).speed), stretches)
+        rough = rms_between(result.series, plan_speed(scenario, strategy_named(strategy).speed_plan), stretches)
     return {
         **{("rough_road", "rms", signal): rough[signal] for signal in PAPER_SIGNALS},
         **{("bump", "peak", signal): result.metrics["bump"][signal]["peak"] for signal in PAPER_SIGNALS},

@@ -5,7 +5,7 @@ from typing import Any
 from sim_core.catalogue import COMFORT, EVENTS, SIGNALS, Quantity
 from sim_core.scenario import Scenario
 from sim_core.scenario.presets import PRESETS
-from sim_core.strategies import STRATEGIES
+from sim_core.strategies import STRATEGIES, reads
 
 _HEAD = """# The scenario, field by field
 
@@ -24,7 +24,7 @@ def page() -> str:
     lines += [f"| `{preset.id}` | {preset.description} |" for preset in PRESETS.values()]
     lines += ["\n## Strategies\n", "| id | what it does | reads |", "|---|---|---|"]
     for row in STRATEGIES.values():
-        lines.append(f"| `{row.id}` | {row.description} | {', '.join(f'`{name}`' for name in row.reads)} |")
+        lines.append(f"| `{row.id}` | {row.description()} | {', '.join(f'`{name}`' for name in reads(row))} |")
     for title, catalogue in (("Signals", SIGNALS), ("Comfort figures", COMFORT), ("Events", EVENTS)):
         lines += [f"\n## {title}\n", "| key | label | unit | note |", "|---|---|---|---|"]
         lines += [_quantity(item) for item in catalogue.values()]

@@ -165,14 +165,14 @@ def test_a_run_whose_qps_take_too_much_ends_at_the_same_qp_each_time(monkeypatch
     solved = []
     for _ in range(2):
         counted = list[int]()
-        step = mpc_module.MpcController.step
+        step = mpc_module.PredictiveController.force
 
         def counting(*arguments: object, step: object = step, counted: list[int] = counted) -> object:
             counted.append(1)
             return step(*arguments)  # type: ignore[operator]  # the method, bound as a default
 
         with monkeypatch.context() as patched:
-            patched.setattr(mpc_module.MpcController, "step", counting)
+            patched.setattr(mpc_module.PredictiveController, "force", counting)
             with pytest.raises(TooExpensiveError) as refused:
                 simulate(AT_LIMITS, "lv")
         solved.append(len(counted))

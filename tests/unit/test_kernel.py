@@ -12,16 +12,11 @@ import pytest
 from numpy.random import default_rng
 
 from sim_core.arrays import FloatArray
-from sim_core.control.mpc import StageQp
 from sim_core.control.qp import QpProblem, QpShape
-from sim_core.controllers import mpc_designs
 from sim_core.kernel import binding, build, library
 from sim_core.kernel.library import load
 from sim_core.loop.preview import sliding_forecast
 from sim_core.metrics.sections import Integrand, over_sections
-from sim_core.scenario import Mpc, Scenario
-from sim_core.speed.profile import plan_speed
-from sim_core.strategies import strategy_named
 
 INTEGRAL_OF = {  # over one fine step from a to b
     Integrand.VALUE: lambda a, b: (a + b) / 2,
@@ -124,7 +119,7 @@ def test_what_is_not_finite_shows_in_its_section_alone() -> None:
 
 def test_a_sliding_horizon_is_each_of_its_windows() -> None:
     horizon = 5
-    forecast = sliding_forecast(default_rng(2).normal(size=(3, 20)), horizon)
+    forecast = sliding_forecast(default_rng(2).normal(size=(3, 20)), horizon, np.zeros((2, 16)))
     velocities, braking = forecast.windows[:2], forecast.windows[2]
     assert braking.shape == (16, horizon)
     np.testing.assert_allclose(forecast.braking, braking.mean(axis=1))
@@ -161,24 +156,3 @@ def test_a_residual_is_the_largest_violation() -> None:
         problem.f[:], problem.b[:] = f, b
         assert problem.residual(y, multipliers) == pytest.approx(max(worst), rel=1e-9)
     assert largest == set(range(5))
-
-
-def test_a_stages_qp_is_its_design_at_the_parameters() -> None:
-    """Where the preview slides over the drive, and where each step has a window of its own; 3 Np + 10 is odd here."""
-    scenario = Scenario(mpc=Mpc(prediction_horizon=7, control_horizon=3))
-    strategy = strategy_named("lv")
-    design = mpc_designs(scenario, strategy, plan_speed(scenario, strategy.speed))["bump"]
-    rng = default_rng(3)
-    sliding = sliding_forecast(rng.normal(size=(3, 20)), 7).windows
-    state, previous = rng.normal(size=8), rng.normal(size=2)
-    for windows in (sliding, np.array(sliding)):
-        qp = StageQp(design, windows)
-        forces, largest = qp.forces(5, state, previous)
-        parameters = np.concatenate([state, previous, windows[:, 5].ravel()])
-        checks, travel = design.checks @ parameters, design.travel @ parameters
-        np.testing.assert_allclose(forces, checks[:2], rtol=1e-9)
-        assert largest == pytest.approx(np.abs(checks).max())
-        np.testing.assert_allclose(qp.problem.f[:-2], design.linear @ parameters, rtol=1e-9, atol=1e-9)
-        limits = np.concatenate([design.travel_limit - travel, design.travel_limit + travel])
-        np.testing.assert_allclose(qp.problem.b, limits, rtol=1e-9)
-        assert np.isnan(qp.forces(5, state * np.nan, previous)[1])

@@ -180,9 +180,6 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     "residual, multipliers": lambda: prepared.residual(
         np.eye(2), np.zeros((2, 1)), np.zeros(3), np.zeros(3), np.zeros(2), np.zeros(2), np.zeros(2)
     ),
-    "QP, parameters": lambda: qp_at(parameters=np.zeros(11)),
-    "QP, rows": lambda: qp_at(sizes=(4, 4, 3)),
-    "QP, b": lambda: qp_at(b=np.zeros(3)),
 }
 
 
@@ -213,19 +210,6 @@ def kink_peaks(**changed: Any) -> None:
     binding.kink_peaks(*ROAD, **(right | changed))
 
 
-def qp_at(**changed: Any) -> None:
-    right: dict[str, Any] = {
-        "columns": np.zeros((12, 10)),
-        "parameters": np.zeros(12),
-        "sizes": (4, 4, 2),
-        "limit": 1.0,
-        "values": np.zeros(10),
-        "f": np.zeros(6),
-        "b": np.zeros(4),
-    }
-    prepared.qp_at(**(right | changed))()
-
-
 @pytest.mark.parametrize("misuse", DISAGREEING)
 def test_arrays_fit_each_other(misuse: str) -> None:
     with pytest.raises(ValueError, match=r"\w"):
@@ -237,4 +221,3 @@ def test_what_fits_is_taken() -> None:
     fuzzy()
     sections(["value", "value"])
     kink_peaks()
-    qp_at()

@@ -1,17 +1,15 @@
-"""Discrete infinite-horizon LQR on the shared cost, cross term included (section 4.2.2)."""
+"""The discrete infinite-horizon regulator of the shared cost, cross term included (section 4.2.2)."""
 
 from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 
-from sim_core.arrays import BoolArray, FloatArray
-from sim_core.control.controller import WITHIN, Controller
+from sim_core.arrays import FloatArray
 from sim_core.control.cost import KILO, CostTerms, stage_cost
 from sim_core.errors import RidelabError
 from sim_core.riccati import NOT_STABILISABLE, riccati, solve
 from sim_core.vehicle.half_car import FORCES, STATES, discrete
-from sim_core.vehicle.model import LinearLaw
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -61,43 +59,3 @@ def feedforward(terms: CostTerms, horizon: int) -> FloatArray:
         parts.append(B.T @ L)
         L = np.asarray(closed @ L)
     return np.asarray(-KILO * np.linalg.solve(curvature, np.stack(parts, axis=-1).reshape(FORCES, -1)))
-
-
-@lru_cache(maxsize=64)
-def _law(design: Regulator) -> LinearLaw:
-    """The regulator's forces [N]."""
-    gain = np.zeros((FORCES, STATES + FORCES))
-    gain[:, :STATES] = -design.K * KILO
-    return LinearLaw(gain=gain)
-
-
-class LqrController(Controller):
-    """The regulator within the force limit; it does not know the travel limit, and of the road only its feedforward.
-
-    `feed` (steps, 2) [N] is what preview adds in each control step; None is nothing.
-    """
-
-    def __init__(self, design: Regulator, force_limit: float, feed: FloatArray | None = None) -> None:
-        super().__init__()
-        self._law = _law(design)
-        self._limit = force_limit
-        self._feed = feed
-
-    def law(self, stage: str) -> LinearLaw:
-        """The same in every stage."""
-        return self._law
-
-    def feed(self, stage: str, first: int, last: int) -> FloatArray:
-        """The feedforward."""
-        return super().feed(stage, first, last) if self._feed is None else self._feed[first:last]
-
-    def holds(self, first: int, stage: str, measured: FloatArray, commands: FloatArray) -> BoolArray:
-        """Where its forces are within the limit."""
-        return np.asarray((np.abs(commands) <= self._limit * WITHIN).all(axis=1))
-
-    def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> tuple[FloatArray, bool]:
-        """The regulator's force, clipped."""
-        force = self._law.gain[:, :STATES] @ state
-        if self._feed is not None:
-            force = force + self._feed[step]
-        return np.clip(force, -self._limit, self._limit), not (np.abs(force) <= self._limit * WITHIN).all()
