@@ -11,11 +11,10 @@ from typing import Protocol
 import numpy as np
 
 from sim_core.arrays import FloatArray, IntArray
-from sim_core.kernel.library import ADDRESS, INT, address, function
+from sim_core.kernel import binding
 from sim_core.scenario.fuzzy import DISTANCE_MAX, SPEED_ERROR_MAX, TABLE_1, Fuzzy, FuzzySet
 
 ANY = -1  # in the place of a set that a rule does not ask for
-_torque_shares = function("torque_shares", ADDRESS, ADDRESS, INT, ADDRESS, INT, ADDRESS, INT, INT, ADDRESS, ADDRESS)
 
 
 class TorqueRules(Protocol):
@@ -55,12 +54,8 @@ class RuleBase:
 
     def shares(self, distance: FloatArray, errors: FloatArray) -> FloatArray:
         """Torque shares (n,) at one distance's memberships (sets,) and n errors' (sets, n)."""
-        sets, samples = self.torque.shape
-        fired, shares = np.empty(sets), np.empty(errors.shape[1])
-        _torque_shares(
-            *(address(distance), address(errors), len(shares), address(self.rules), len(self.rules)),
-            *(address(self.torque), sets, samples - 1, address(fired), address(shares)),
-        )
+        shares = np.empty(errors.shape[1])
+        binding.torque_shares(distance, errors, self.rules, self.torque, shares)
         return shares
 
 
@@ -87,7 +82,11 @@ class TorqueSurface:
     def _row(self, number: int) -> list[float]:
         """Shares at one distance, over the errors."""
         if number not in self._rows:
-            self._rows[number] = self._base.shares(self._base.distance[number], self._errors).tolist()
+from sim_core.arrays import FloatArray, IntArray
+from sim_core.kernel import binding
+from sim_core.scenario.fuzzy import DISTANCE_MAX, SPEED_ERROR_MAX, TABLE_1, Fuzzy, FuzzySet
+
+ANY = -1  # in the place of a set that a rule does not ask for
         return self._rows[number]
 
 
