@@ -82,11 +82,7 @@ class TorqueSurface:
     def _row(self, number: int) -> list[float]:
         """Shares at one distance, over the errors."""
         if number not in self._rows:
-from sim_core.arrays import FloatArray, IntArray
-from sim_core.kernel import binding
-from sim_core.scenario.fuzzy import DISTANCE_MAX, SPEED_ERROR_MAX, TABLE_1, Fuzzy, FuzzySet
-
-ANY = -1  # in the place of a set that a rule does not ask for
+            self._rows[number] = self._base.shares(self._base.distance[number], self._errors).tolist()
         return self._rows[number]
 
 
