@@ -59,11 +59,11 @@ class Hasty(Process):
 @pytest.fixture
 def replicas(url: str, tmp_path: Path) -> Iterator[list[Process]]:
     """Two, on one database."""
-    variables = {"RIDELAB_WORKERS": "1", "RIDELAB_BATCH_WORKERS": "1", "RIDELAB_LOG_FORMAT": "console"}
+    variables = {"RIDELAB_DATABASE_URL": url, "RIDELAB_LOG_FORMAT": "console"}
     with contextlib.ExitStack() as started:
         both: list[Process] = []
         for number in range(2):
-            both.append(Hasty(tmp_path, f"api-{number}", RIDELAB_DATABASE_URL=url, **variables))
+            both.append(Hasty(tmp_path, f"api-{number}", **variables))
             started.callback(both[-1].end)
             started.callback(both[-1].client.close)
         for each in both:
