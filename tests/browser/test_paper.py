@@ -203,7 +203,22 @@ def test_an_address_that_names_no_reading_says_so_and_leads_back(dashboard: Dash
     expect(page.get_by_test_id("count")).to_be_visible()
 
 
-def test_parts_are_sorted_figures_drawn_and_the_scenario_opens_in_the_lab(dashboard: Dashboard, paper: Page) -> None:
+def test_figures_are_drawn_parts_sorted_and_the_scenario_opens_in_the_lab(dashboard: Dashboard, paper: Page) -> None:
+    # Every figure is drawn when it is scrolled to.
+    panels = paper.locator("figure[id^=figure-]")
+    expect(panels).to_have_count(len(FIGURES))
+    ids = [panel.get_attribute("id") for panel in panels.all()]
+    assert ids == [f"figure-{number}" for number in FIGURES]
+    assert paper.locator("figure .scatterlayer .trace").count() == 0
+    for number in FIGURES:
+        panel = paper.locator(f"#figure-{number}")
+        panel.scroll_into_view_if_needed()
+        expect(panel.locator(".scatterlayer .trace").first).to_be_attached()
+    ticks = paper.locator("#figure-14 .xtick text")
+    expect(ticks.first).to_have_text("0")
+    paper.get_by_text("Bump only").click()
+    expect(ticks.first).not_to_have_text("0")
+
     expect(paper.get_by_test_id("sentences").locator("li").first).to_contain_text("lower speed")
     shares = paper.get_by_test_id("shares").locator("tbody tr")
     expect(shares).to_have_count(8)
@@ -223,21 +238,6 @@ def test_parts_are_sorted_figures_drawn_and_the_scenario_opens_in_the_lab(dashbo
     head.get_by_role("button").click()
     expect(rows.first).to_contain_text("Planned")
     expect(table.locator("tr[data-known=lv]")).to_have_count(1)
-
-    # Every figure is drawn when it is scrolled to.
-    panels = paper.locator("figure[id^=figure-]")
-    expect(panels).to_have_count(len(FIGURES))
-    ids = [panel.get_attribute("id") for panel in panels.all()]
-    assert ids == [f"figure-{number}" for number in FIGURES]
-    assert paper.locator("figure .scatterlayer .trace").count() == 0
-    for number in FIGURES:
-        panel = paper.locator(f"#figure-{number}")
-        panel.scroll_into_view_if_needed()
-        expect(panel.locator(".scatterlayer .trace").first).to_be_attached()
-    ticks = paper.locator("#figure-14 .xtick text")
-    expect(ticks.first).to_have_text("0")
-    paper.get_by_text("Bump only").click()
-    expect(ticks.first).not_to_have_text("0")
 
     paper.get_by_role("button", name="Open this scenario in the lab").click()
     expect(paper).to_have_url(re.compile(r"/r/"))
