@@ -114,6 +114,8 @@ def test_back_and_forward_walk_through_the_runs(dashboard: Dashboard) -> None:
     page.get_by_text("Time", exact=True).click()
     expect(page).to_have_url(re.compile("axis=time"))
     dashboard.open(dashboard.address())
+    assert dashboard.shown_values() == low
+    expect(dashboard.status).to_contain_text("Stored result")
     with dashboard.held("**/series?*"):
         with page.expect_request("**/series?*"):
             page.go_back()
