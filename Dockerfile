@@ -14,11 +14,8 @@ RUN python -m venv /opt/ridelab
 COPY requirements.lock requirements-ecu.lock ./
 RUN /opt/ridelab/bin/python -m pip install --no-cache-dir --disable-pip-version-check --require-hashes \
     -r requirements.lock -r requirements-ecu.lock
-COPY sim_core/kernel/ kernel/
-# As setup.py compiles it; the library carries the digest of its sources.
-RUN cat kernel/*.c > sources && digest="$(sha256sum sources)" \
-    && /opt/ridelab/bin/python -m ziglang cc -O3 -ffp-contract=off -fPIC -shared "-DRIDELAB_SOURCES=\"${digest%% *}\"" \
-    -o libridelab.so.1 kernel/*.c -lm
+COPY sim_core/kernel/ sim_core/kernel/
+RUN /opt/ridelab/bin/python sim_core/kernel/build.py libridelab.so.1
 
 FROM python:3.11-slim
 COPY --from=packages /opt/ridelab /opt/ridelab

@@ -11,7 +11,7 @@ PYTEST ?= --numprocesses 2 --dist loadfile --no-loadscope-reorder --durations 25
 INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --require-hashes -r
 MAKEFLAGS += --jobs=2  # packages and page, and both halves of the checks, side by side
 
-.PHONY: run test suite drill check check-python check-frontend audit bench margins ecu paper screenshots robust setup development compiler lock pin clean
+.PHONY: run test suite drill check check-python check-frontend audit bench margins ecu paper screenshots robust setup development compiler lock pin dist clean
 
 run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
@@ -99,9 +99,9 @@ $(VENV)/.ecu: requirements-ecu.lock $(VENV)/.build
 	$(INSTALL) $<
 	touch $@
 
-$(BIN)/ridelab: pyproject.toml setup.py client/pyproject.toml $(wildcard sim_core/kernel/*.c) $(VENV)/.runtime  # both distributions, from this folder
+$(BIN)/ridelab: pyproject.toml setup.py client/pyproject.toml sim_core/pyproject.toml sim_core/setup.py $(wildcard sim_core/kernel/*.[ch]) sim_core/kernel/build.py $(VENV)/.runtime  # the three distributions, from their folders
 	@command -v cc || command -v gcc || command -v clang || $(MAKE) $(VENV)/.ecu
-	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index -e . -e client
+	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index -e sim_core -e client -e .
 	touch $@
 
 frontend/node_modules/.installed: frontend/package-lock.json $(VENV)/.build
@@ -111,15 +111,21 @@ frontend/node_modules/.installed: frontend/package-lock.json $(VENV)/.build
 frontend/dist/index.html: frontend/node_modules/.installed $(shell find frontend/src frontend/index.html frontend/scripts frontend/vite.config.ts -type f 2>/dev/null)
 	cd frontend && $(NODE) npm run build
 
-COMPILE_LOCK := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header
+COMPILE_LOCK := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header \
+	--no-emit-package ridelab-core --no-emit-package ridelab
 lock: ## new lock files, without download addresses
-	$(COMPILE_LOCK) pyproject.toml client/pyproject.toml -o requirements.lock
+	$(COMPILE_LOCK) pyproject.toml -o requirements.lock
 	$(COMPILE_LOCK) --group build -o requirements-build.lock
 	$(COMPILE_LOCK) --group ecu -o requirements-ecu.lock
-	$(COMPILE_LOCK) --extra dev --extra ecu --group build pyproject.toml client/pyproject.toml -o requirements-dev.lock
+	$(COMPILE_LOCK) --extra dev --extra ecu --group build pyproject.toml -o requirements-dev.lock
 
 pin: ## base images by digest, in Dockerfile and docker-compose.yml; needs docker and its registry
 	backend/deploy/pin_images.sh
 
+dist: $(BIN)/ridelab frontend/dist/index.html ## the three wheels, in dist/
+	rm -rf build/lib build/bdist.* sim_core/build client/build
+	PYTHONWARNINGS=ignore $(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index --wheel-dir dist ./sim_core ./client .
+	rm -rf build/lib build/bdist.* sim_core/build client/build
+
 clean:
-	rm -rf $(VENV) .cache frontend/dist frontend/node_modules
+	rm -rf $(VENV) .cache dist frontend/dist frontend/node_modules

@@ -19,12 +19,12 @@ from backend.http.request_log import RequestLogMiddleware
 from backend.http.spool import Spool
 from backend.http.token_middleware import TokenMiddleware
 from backend.http.tokens import Tokens
-from backend.jobs.reproduction.service import Paper
 from backend.jobs.scheduler import Scheduler
 from backend.jobs.sweep.service import Sweeps
 from backend.jobs.tuning.service import TuningService
 from backend.jobs.tuning.steps import TuningSteps
 from backend.metrics import service_registry
+from backend.paper.service import Paper
 from backend.roads.service import Roads
 from backend.runs.links.service import Links
 from backend.runs.memory import Memory

@@ -13,9 +13,10 @@ import orjson
 
 from backend.json_types import JsonObject
 from sim_core import __version__ as CORE_VERSION
+from sim_core.ecu.controller import EcuController
 from sim_core.ecu.sources import program_hash
 from sim_core.scenario import Scenario
-from sim_core.strategies import STRATEGIES, SuspensionPolicy, part_read, strategy_named
+from sim_core.strategies import STRATEGIES, part_read, strategy_named
 
 RUN_ID_LENGTH = 22  # base64url characters: 132 bits of SHA-256
 
@@ -39,7 +40,7 @@ def canonical(value: Any) -> bytes:
 
 def result_key(scenario: Scenario, strategy: str) -> str:
     """Key of one strategy's result: the program that computes it, strategy and the part of the scenario it reads."""
-    return _hash({**_program([strategy]), "strategy": strategy, "part": part_read(scenario, strategy)})
+    return _hash({**_program([strategy]), "strategy": strategy, "part": part_read(scenario, strategy_named(strategy))})
 
 
 def figures_key(scenario: Scenario, strategy: str) -> str:
@@ -75,7 +76,7 @@ def run_id(scenario: Scenario, strategies: Iterable[str], roads: int = 1, baseli
 
 def _program(strategies: Iterable[str]) -> dict[str, str]:
     """The version of what computes these strategies: the core's, and of one with an ECU its program's hash."""
-    by_ecu = any(strategy_named(name).suspension is SuspensionPolicy.ECU for name in strategies)
+    by_ecu = any(issubclass(strategy_named(name), EcuController) for name in strategies)
     return {"core": CORE_VERSION, "ecu": program_hash()} if by_ecu else {"core": CORE_VERSION}
 
 

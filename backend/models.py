@@ -9,13 +9,13 @@ from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInf
 from pydantic.config import JsonDict
 from pydantic_core import PydanticCustomError
 
+from backend.analysis.roads import MAX_ROADS
 from backend.json_types import JsonObject
 from backend.unknown_names import unknown_name
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, NUMBERS, REFERENCES, SIGNALS, STAGES, WINDOWS
 from sim_core.scenario import Scenario
 from sim_core.scenario.road import MAX_SEED
 from sim_core.strategies import STRATEGIES
-from sim_core.study.roads import MAX_ROADS
 
 DEFAULT_POINTS = 800
 MAX_POINTS = 100_000

@@ -13,7 +13,6 @@ from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.scenario import Scenario
 from sim_core.scenario.presets import preset
 from sim_core.simulate import simulate
-from sim_core.study.roads import drive
 
 TOGETHER = ("lv", "lqr", "passive")
 PAPER = preset("paper")
@@ -164,7 +163,12 @@ def over_roads() -> None:
 
     One road and ten take turns, as their times depend on what else the machine does.
     """
-    drive(PAPER, TOGETHER, 2)
+
+    def drive(first: Scenario, roads: int) -> None:
+        for scenario in new_roads(first, roads, first.road.seed):
+            runs(*TOGETHER)(scenario)
+
+    drive(PAPER, 2)
     rows, ratios = [], []
     for label, planned in (("new roads, new speed plan", True), ("new roads, everything else known", False)):
         times: dict[int, list[float]] = {1: [], 10: []}
@@ -173,7 +177,7 @@ def over_roads() -> None:
             if planned:
                 scenario = changed(scenario, "speed", target_speed_kmh=22.5 + (i + 1) / 100)
             begin = process_time()
-            drive(scenario, TOGETHER, count)
+            drive(scenario, count)
             times[count].append(1000 * (process_time() - begin))
         one, ten = median(times[1]), median(times[10])
         rows.append([label, one, ten, ten / one])

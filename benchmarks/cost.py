@@ -1,7 +1,7 @@
 """Estimates of a run's cost against what runs cost, over random scenarios within the sliders; and their coefficients.
 
 `python -m benchmarks.cost [draws]` prints the quantiles of real cost over estimate, `python -m benchmarks.cost fit
-[draws]` the coefficients of sim_core/binding_limits.py and sim_core/workload.py as fitted anew.
+[draws]` the coefficients of backend/cost as fitted anew.
 """
 
 import multiprocessing
@@ -19,13 +19,13 @@ import numpy as np  # noqa: E402 - after the thread limits
 from pydantic import BaseModel, ValidationError  # noqa: E402 - after the thread limits
 
 from backend.compute.processes import keep_freed_memory  # noqa: E402 - after the thread limits
+from backend.cost.estimate import estimate  # noqa: E402 - after the thread limits
 from backend.ecu.drive import simulate  # noqa: E402 - after the thread limits
 from benchmarks.timing import table  # noqa: E402 - after the thread limits
 from sim_core.control import qp  # noqa: E402 - after the thread limits
 from sim_core.errors import TooExpensiveError  # noqa: E402 - after the thread limits
 from sim_core.scenario import Scenario  # noqa: E402 - after the thread limits
 from sim_core.strategies import STRATEGIES  # noqa: E402 - after the thread limits
-from sim_core.workload import estimate  # noqa: E402 - after the thread limits
 
 JUDGED, FITTED = 101, 2  # seeds of the draws: none is fitted that is judged
 QUANTILES = (0.0, 0.025, 0.25, 0.5, 0.75, 0.975, 1.0)

@@ -5,11 +5,11 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from scipy.optimize import least_squares, nnls
 
+from backend.cost.binding_limits import LimitShares, bump_share, combine, limit_terms
+from backend.cost.estimate import SECONDS, expected_time, work
 from benchmarks.cost import Measured
 from sim_core.arrays import FloatArray
-from sim_core.binding_limits import LimitShares, bump_share, combine, limit_terms
 from sim_core.strategies import STRATEGIES
-from sim_core.workload import SECONDS, expected_time, work
 
 SHARE = 0.01  # added to shares before their logarithm: smaller differences do not count
 PRIOR = 1.0  # weight of a coefficient's deviation from START (ridge regression)
@@ -26,7 +26,7 @@ START = {  # of each cause's first coefficient
 
 
 def fit(runs: Sequence[Measured]) -> None:
-    """Print both tables as they stand in sim_core."""
+    """Print both tables as they stand in backend/cost."""
     usable = [run for run in runs if not run.too_expensive]
     seconds = fit_seconds(usable)
     print("SECONDS = {")

@@ -13,10 +13,11 @@ from backend.ecu import effort, firmware
 from backend.ecu.link import ProcessEcu, connected
 from benchmarks.cortex_m3 import CortexM3
 from sim_core.ecu.calibration import Calibration, Checked
-from sim_core.ecu.drive import ecu_calibration
 from sim_core.ecu.interface import Ecu, Frame, Reply
 from sim_core.scenario import Mpc, Scenario
 from sim_core.simulate import simulate
+from sim_core.strategies.calibration import ecu_calibration
+from sim_core.strategies.lv_hil import LvHil
 
 SIZES: tuple[tuple[int, int, Checked], ...] = ((30, 20, "all"), (30, 20, "few"), (15, 10, "all"), (8, 4, "all"))
 RANKS = (-1, -5, -20, -100)  # the busiest steps, from the end
@@ -47,7 +48,7 @@ def main() -> None:
         mpc = Mpc(prediction_horizon=prediction, control_horizon=control, force_limit=1500, deflection_limit=0.03)
         scenario = Scenario(mpc=mpc)
         calibration, noting = ecu_calibration(scenario, checked), _Noting()
-        simulate(scenario, "lv_hil", noting.connect, calibration)
+        simulate(scenario, LvHil(connect=noting.connect, checked=checked))
         machine = CortexM3(firmware.image(calibration))
         machine.call("ridelab_firmware_start")
         order = sorted(range(1, len(noting.steps)), key=lambda k: noting.steps[k][2])

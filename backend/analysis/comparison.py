@@ -4,10 +4,10 @@ import math
 from collections.abc import Mapping, Sequence
 
 from backend.analysis import front
+from backend.analysis.intervals import change_with_interval, mean_with_interval
 from backend.analysis.measure import Aims, Failure, Measured, Roads, mean
 from backend.analysis.models import ComparedFigure, ComparedPoint, TunedChange, TunedFigures, Verdict
 from backend.store.trials import StoredTrial
-from sim_core.study.intervals import change_with_interval, mean_with_interval
 
 PAPER, SCENARIO, KNEE = "paper", "scenario", "knee"
 

@@ -10,7 +10,7 @@ from backend.json_types import JsonObject
 from sim_core.catalogue import LIMITS_EXCEEDED, PAPER_METRICS
 from sim_core.scenario import dotted
 from sim_core.strategies import STRATEGIES as KNOWN
-from sim_core.strategies import driven
+from sim_core.strategies import reads
 
 SAMPLES = 200
 BASELINE = "lv"
@@ -71,7 +71,7 @@ def read(strategy: str, fields: Sequence[str], scenario: JsonObject) -> list[str
     """The fields that can change the strategy's result; preview errors only where it has preview."""
     if strategy not in KNOWN:  # another version's
         return list(fields)
-    parts = driven(KNOWN[strategy], str(dotted.value(scenario, "speed.policy"))).reads
+    parts = reads(KNOWN[strategy], str(dotted.value(scenario, "speed.policy")))
     named = [name for name in fields if any(name == part or name.startswith(f"{part}.") for part in parts)]
     whose = "lqr.preview" if strategy == "lqr" else "mpc.preview"
     preview = "lookahead" if whose in fields else dotted.value(scenario, whose)

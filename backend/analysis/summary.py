@@ -19,9 +19,9 @@ from backend.jobs.sweep.plan import NO_ROADS, scenario_at
 from backend.json_types import JsonObject, Summary
 from sim_core.arrays import FloatArray
 from sim_core.errors import RidelabError
+from sim_core.frequency.stability import least_damping
 from sim_core.scenario import Scenario
 from sim_core.scenario.measured import MeasuredRoad
-from sim_core.study.stability import least_damping
 
 QUANTILES = (0, 5, 25, 50, 75, 95, 100)  # percentiles, numpy's "linear" method: between two values by distance
 MOST_GROUPS = 10  # of a field's values, for the share of a figure's variance it explains

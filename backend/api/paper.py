@@ -8,8 +8,8 @@ from fastapi.responses import HTMLResponse
 from backend.api import router
 from backend.api.deps import Client, html_answer, part_of_application
 from backend.http.answers import cancel_on_disconnect, json_answer, takes_gzip
-from backend.jobs.reproduction import models, queries
-from backend.jobs.reproduction.service import Paper
+from backend.paper import models, queries
+from backend.paper.service import Paper
 
 paper = router("paper", 422, 429, 503)
 

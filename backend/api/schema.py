@@ -8,6 +8,7 @@ import orjson
 from fastapi import Response
 from pydantic import BaseModel, Field
 
+from backend.analysis.roads import one_road_resolution
 from backend.api import router
 from backend.json_types import JsonObject
 from backend.models import Answer, Figures
@@ -15,8 +16,7 @@ from backend.runs import figures
 from sim_core import catalogue
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.presets import PRESETS
-from sim_core.strategies import STRATEGIES
-from sim_core.study.roads import one_road_resolution
+from sim_core.strategies import STRATEGIES, reads
 
 schema = router("schema")
 
@@ -89,8 +89,8 @@ def _strategies() -> bytes:
             StrategyAnswer(
                 id=strategy.id,
                 label=strategy.label,
-                description=strategy.description,
-                reads=strategy.reads,
+                description=strategy.description(),
+                reads=reads(strategy),
                 one_road_resolution=one_road_resolution(strategy.id),
                 **dataclasses.asdict(figures.STYLES[strategy.id]),
             )

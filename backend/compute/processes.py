@@ -93,11 +93,12 @@ def warm_up() -> int:
     Not those with an ECU: its program is built when somebody asks for it.
     """
     from backend.ecu.drive import simulate
+    from sim_core.ecu.controller import EcuController
     from sim_core.scenario import Scenario
-    from sim_core.strategies import STRATEGIES, SuspensionPolicy
+    from sim_core.strategies import STRATEGIES
 
     for strategy in STRATEGIES.values():
-        if strategy.suspension is not SuspensionPolicy.ECU:
+        if not issubclass(strategy, EcuController):
             simulate(Scenario(), strategy.id)
     return os.getpid()
 

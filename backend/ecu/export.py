@@ -7,9 +7,9 @@ from pathlib import Path
 
 from backend.ecu import tables
 from sim_core.ecu.calibration import Calibration
-from sim_core.ecu.drive import ecu_calibration
 from sim_core.ecu.sources import SOURCES
 from sim_core.scenario import Scenario
+from sim_core.strategies.calibration import ecu_calibration
 
 CONTROLLER = (
     "ridelab_tables.h",

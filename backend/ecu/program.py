@@ -7,9 +7,9 @@ from pathlib import Path
 from backend.ecu import drive
 from backend.ecu.link import connected
 from backend.ecu.realtime import changes
-from sim_core.ecu.drive import ecu_calibration
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
+from sim_core.strategies.lv_hil import LvHil
 
 
 def driven(scenario: Scenario, program: Path) -> Iterator[str]:
@@ -19,8 +19,9 @@ def driven(scenario: Scenario, program: Path) -> Iterator[str]:
         EcuError: It has another scenario's tables, or did not answer.
         RidelabError: The scenario has no controller.
     """
-    result = simulate(scenario, "lv_hil", partial(connected, program=program.resolve()), ecu_calibration(scenario))
-    same = result.summary() == drive.simulate(scenario, "lv_hil").summary()
+    ours = drive.simulate(scenario, "lv_hil")
+    result = simulate(scenario, LvHil(connect=partial(connected, program=program.resolve())))
+    same = result.summary() == ours.summary()
     yield f"{program} drove the scenario; every metric {'is' if same else 'is NOT'} that of Ridelab's own program"
     for window, row in changes(result, drive.simulate(scenario, "lv")).items():
         cells = (f"{key} {'none' if value is None else f'{value:+.1f} %'}" for key, value in row.items())

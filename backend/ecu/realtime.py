@@ -18,11 +18,11 @@ from backend.ecu.models import ChangesByWindow, RealtimeReport, Times
 from backend.errors import EcuUnavailableError
 from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
 from sim_core.ecu.calibration import Calibration
-from sim_core.ecu.drive import ecu_calibration
 from sim_core.ecu.interface import Ecu, Frame, Reply
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
+from sim_core.strategies.lv_hil import LvHil
 
 LONGEST = 60.0  # a drive may take [s]
 BINS = 40
@@ -81,12 +81,11 @@ def drive_by_clock(scenario: Scenario) -> RealtimeReport:
             yield PacedEcu(link, scenario.mpc.sample_time, timing)
             timing.computing_ns = link.computing_ns
 
-    calibration = ecu_calibration(scenario)
+    lock_step = drive.simulate(scenario, "lv_hil")
     try:
-        measured = simulate(scenario, "lv_hil", paced, calibration)
+        measured = simulate(scenario, LvHil(connect=paced))
     except EcuError as error:
         raise EcuUnavailableError(error.message) from None
-    lock_step = drive.simulate(scenario, "lv_hil")
     return RealtimeReport(
         steps=len(timing.lateness),
         deadline=scenario.mpc.sample_time,

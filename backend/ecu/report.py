@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
+from backend.cost.estimate import check_affordable
 from backend.ecu import drive, effort, firmware
 from backend.ecu.build import EcuError
 from backend.ecu.effort import STM32F103
@@ -12,11 +13,12 @@ from backend.ecu.models import ControllerPart, ControllerReport, ControllerRow, 
 from backend.ecu.realtime import changes
 from backend.errors import EcuUnavailableError
 from sim_core.ecu.calibration import Calibration, Checked
-from sim_core.ecu.drive import ecu_calibration
 from sim_core.ecu.interface import Ecu
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
+from sim_core.strategies.calibration import ecu_calibration
+from sim_core.strategies.lv_hil import LvHil
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,7 +93,8 @@ def _row(scenario: Scenario, checked: Checked, part: ControllerPart, simulated: 
             yield link
             operations.extend(link.operations)
 
-    result = simulate(scenario, "lv_hil", counted, calibration)
+    check_affordable(scenario, "lv_hil")
+    result = simulate(scenario, LvHil(connect=counted, checked=checked))
     least, most = effort.seconds(min(operations)), effort.seconds(max(operations))
     reasons = _reasons(linked, most, scenario.mpc.sample_time, part)
     return ControllerRow(

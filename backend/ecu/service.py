@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from backend.compute.workers import Workers
+from backend.cost.estimate import duration, estimate
 from backend.ecu import export, realtime, report
 from backend.ecu.models import ControllerReport, RealtimeReport
 from backend.errors import CostLimitError
@@ -11,7 +12,6 @@ from backend.http.admission import Admission
 from backend.http.limits import ConcurrencyLimit
 from backend.roads.service import Roads
 from sim_core.scenario import Scenario
-from sim_core.workload import duration, estimate
 
 T = TypeVar("T")
 STRATEGY = "lv_hil"

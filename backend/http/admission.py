@@ -5,11 +5,11 @@ from contextlib import AbstractContextManager, contextmanager
 from contextvars import ContextVar
 
 from backend.compute.fair_queue import SHORT
+from backend.cost.estimate import estimate
 from backend.errors import CHEAPER_RUN, CostLimitError
 from backend.http.backlog import Backlog
 from backend.http.limits import ConcurrencyLimit, FairLimit, TokenBucket
 from sim_core.scenario import Scenario
-from sim_core.workload import estimate
 
 REPORT_COST = 0.1  # [s of one core]
 MOST_LINK_TOKENS = 120  # of one client at once; a link takes no more, however much it pins

@@ -22,10 +22,10 @@ from backend.jobs.chunk import ClusterLostError
 from backend.jobs.chunks import Chunks
 from backend.jobs.job_tasks import JobTasks, Stepper
 from backend.jobs.leadership import Leadership, LeadershipLostError
-from backend.jobs.reproduction import rows
 from backend.jobs.retention import Retention
 from backend.jobs.running_job import RunningJob
 from backend.jobs.sweep.plan import rekeyed
+from backend.paper import rows
 from backend.settings import Settings
 from backend.store import Store, StoredJob
 from backend.store.job import UNFINISHED, Kind, State

@@ -8,9 +8,9 @@ import orjson
 from backend.ecu.drive import simulate
 from backend.errors import NOT_CACHEABLE
 from backend.jobs.chunk import ComputedRun, WaitingRun
-from backend.jobs.reproduction import work as paper
 from backend.jobs.sweep.plan import scenario_at
 from backend.json_types import JsonObject
+from backend.paper import work as paper
 from backend.runs.work import elapsed_ms, refusal, summary_json
 from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario

@@ -3,6 +3,8 @@
 from collections.abc import Mapping, Sequence
 from math import isfinite
 
+from backend.analysis.intervals import Interval
+from backend.analysis.roads import Changes, Comparison, Numbers, compare, numbers, paired_changes
 from backend.errors import InvalidError
 from backend.json_types import JsonObject
 from backend.models import CreatedRun, LiveRun, Run
@@ -11,8 +13,6 @@ from backend.runs.work import ComputedResult
 from backend.store import StoredResult, StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
-from sim_core.study.intervals import Interval
-from sim_core.study.roads import Changes, Comparison, Numbers, compare, numbers, paired_changes
 
 
 def run_answer(stored: StoredRun, *, baseline: str | None = None) -> Run | RoadsRun:

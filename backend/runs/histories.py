@@ -8,8 +8,10 @@ from functools import partial
 from cachetools import LRUCache
 
 from backend import digest
+from backend.analysis.roads import seeded
 from backend.compute.flights import Flights
 from backend.compute.workers import Workers
+from backend.cost.estimate import estimate
 from backend.errors import CostLimitError, GoneError, InvalidError, RoadGoneError
 from backend.http.admission import Admission, cost_of
 from backend.http.limits import FairLimit
@@ -22,8 +24,6 @@ from backend.runs.work import ComputedResult
 from backend.store import Store, StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
-from sim_core.study.roads import seeded
-from sim_core.workload import estimate
 
 FIGURE_POINTS = 2000
 SHORTER_RUN = "run a shorter road or a higher speed"

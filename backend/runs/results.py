@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from backend import digest
 from backend.compute.flights import Flights
 from backend.compute.workers import Workers
+from backend.cost.estimate import estimate
 from backend.http.admission import Admission
 from backend.metrics import CACHE, count_runs
 from backend.roads.service import Roads
@@ -15,7 +16,6 @@ from backend.runs.memory import Memory
 from backend.runs.work import ComputedResult
 from backend.store import Store, StoredResult
 from sim_core.scenario import Scenario
-from sim_core.workload import estimate
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

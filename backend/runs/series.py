@@ -14,12 +14,12 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
+from backend.cost.estimate import duration, samples
 from backend.json_types import JsonObject
 from sim_core.catalogue import BUMP, SIGNALS
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
-from sim_core.strategies import driven, strategy_named
-from sim_core.workload import duration, samples
+from sim_core.strategies import strategy_named
 
 SeriesArray = NDArray[np.float32]
 ROWS = {key: row for row, key in enumerate(SIGNALS)}
@@ -186,6 +186,5 @@ def as_json(values: Callable[[str], SeriesArray], signals: Iterable[str], encodi
 
 def most_samples(scenario: Scenario, strategy: str) -> int:
     """About the most samples that the strategy's time histories have."""
-    driving = driven(strategy_named(strategy), scenario.speed.policy)
-    steps, fine = samples(scenario, driving, duration(scenario, strategy))
+    steps, fine = samples(scenario, strategy_named(strategy), duration(scenario, strategy))
     return ceil(steps) * fine

@@ -9,6 +9,7 @@ from typing import Literal
 from sqlalchemy.exc import SQLAlchemyError
 
 from backend import digest
+from backend.analysis.roads import seeded
 from backend.compute.workers import Workers
 from backend.errors import (
     EcuUnavailableError,
@@ -45,7 +46,6 @@ from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.versions import NewerScenarioError, restored
 from sim_core.strategies import STRATEGIES
-from sim_core.study.roads import seeded
 
 logger = logging.getLogger(__name__)
 

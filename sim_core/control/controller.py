@@ -1,82 +1,244 @@
-"""What every suspension controller is: a linear law while no limit binds, and an exact step where one does.
+"""The suspension controller: one contract for Ridelab's own and for a visitor's.
 
-That split is what makes a run fast: the simulation drives the linear closed loop over many steps at once, looks
-where the law stops being valid, and asks the controller only there (docs/decisions/0002-speculative-blocks.md).
+A controller is a class with an id, a label and a docstring, whose first line describes it. Its numbers are annotated
+fields: options of its own, or fields of the scenario. `sim_core.simulate` takes the class, or an object of it, as it
+takes the id of one in `sim_core.STRATEGIES`::
+
+    class BodyDamper(sim_core.Controller):
+        \"\"\"Damps the body's vertical motion.\"\"\"
+
+        id = "body_damper"
+        label = "Body damper"
+        damping: float = sim_core.option(2000.0, unit="N s/m", ge=0, le=20_000, help="Force per body velocity.")
+
+        def force(self, seen):
+            each = -self.damping * seen.state[4] / 2
+            return each, each
+
+That is enough: `force` is asked once a control step. A law that is linear while no limit binds may also say so by
+`linear_law`; many control steps are then driven at once, and `force` is asked only where one of its limits binds.
+`sim_core.check_controller` tells what is wrong with a controller.
 """
 
-from abc import ABC, abstractmethod
+from collections.abc import Hashable, Mapping, Sequence
+from copy import copy
 from dataclasses import dataclass
+from functools import cache
+from typing import Annotated, Any, ClassVar, Self, get_type_hints
 
 import numpy as np
+from numpy.typing import NDArray
+from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
-from sim_core.arrays import BoolArray, FloatArray
-from sim_core.vehicle.half_car import FORCES
-from sim_core.vehicle.model import LAW_INPUTS, LinearLaw
+from sim_core.control.seen import Seen, Setup
+from sim_core.errors import RidelabError
+from sim_core.scenario import Preview, Scenario
+from sim_core.speed.profile import SpeedPlan
+from sim_core.vehicle.model import LinearLaw, SemiActiveDampers
 
-WITHIN = 1 - 1e-9  # of a limit: so that rounding does not pass it
+Force = Sequence[float] | NDArray[np.float64]
+_STRICT = ConfigDict(strict=True, allow_inf_nan=False, hide_input_in_errors=True)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScenarioField:
+    """A controller's field whose value is that of a scenario's field, by its dotted name."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Option:
+    """A controller's own field: its default, unit, bounds and help."""
+
+    default: Any
+    unit: str
+    ge: float | None
+    le: float | None
+    help: str
+
+
+def scenario_field(name: str) -> Any:
+    """A field of a controller that takes its value from the scenario.
+
+    Args:
+        name: Dotted name of the scenario's field, such as `mpc.force_weight`.
+    """
+    return ScenarioField(name=name)
+
+
+def option(default: Any, *, unit: str = "1", ge: float | None = None, le: float | None = None, help: str = "") -> Any:  # noqa: A002 - contract.md's name
+    """A field of a controller that is its own.
+
+    Args:
+        default: Its value where nobody gives one.
+        unit: Of a number; `1` for none.
+        ge: Smallest value.
+        le: Largest value.
+        help: One sentence for whoever sets it.
+    """
+    return Option(default=default, unit=unit, ge=ge, le=le, help=help)
 
 
 @dataclass(slots=True)
-class SolverReport:
-    """What a controller's QPs came to in a run; the one thing about it that changes."""
+class Report:
+    """What a controller says of a run beside its forces; None where it has no such thing.
+
+    Attributes:
+        solves: Control steps with a QP.
+        fallbacks: Of them, those that another solver than the first one solved.
+        failures: Of them, those that none solved.
+        max_slack: Largest predicted deflection beyond its limit [m].
+        limited_steps: Control steps in which a limit shaped the force; None lets the loop count them.
+        most_iterations: Most iterations of the solver in one step.
+        clipped_values: Measured values beyond the range of their converters.
+    """
 
     solves: int = 0
     fallbacks: int = 0
     failures: int = 0
-    max_slack: float = 0.0  # [m]
+    max_slack: float = 0.0
+    limited_steps: int | None = None
+    most_iterations: int | None = None
+    clipped_values: int | None = None
 
 
-class Controller(ABC):
-    """One run's suspension controller; its memory is the previous command, which the caller keeps."""
+class Controller:
+    """A suspension controller and the speed plan it is driven with: a strategy.
 
-    def __init__(self) -> None:
-        self.report = SolverReport()
+    A subclass sets `id`, `label` and fields, and defines `force` or `linear_law`. An object drives one run at a time;
+    `start` has to forget the run before.
 
-    @abstractmethod
-    def law(self, stage: str) -> LinearLaw:
-        """The law of a driving stage while no limit binds."""
+    Attributes:
+        id: Name in scenarios, files and addresses: letters, digits and underscores.
+        label: Name in tables and plots.
+        speed_plan: `planned` brakes for the bump, `constant` does not; a scenario's `speed.policy` goes before it.
+        actuated: Whether there are actuators; False is a passive suspension.
+        delayed: Whether its commands take effect when `arrivals` says, not at once.
+        preview: What of the road ahead `Seen` reports: none, wheelbase, lookahead or obstacle.
+        prediction_horizon: For how many control steps ahead.
+        report: Of the present run; new at each start.
+    """
 
-    def feed(self, stage: str, first: int, last: int) -> FloatArray:
-        """What preview adds to the law's force in control steps first to last - 1 of a stage (n, 2) [N]."""
-        return np.zeros((last - first, FORCES))
+    id: ClassVar[str] = ""
+    label: ClassVar[str] = ""
+    speed_plan: ClassVar[SpeedPlan] = "planned"
+    actuated: ClassVar[bool] = True
+    delayed: ClassVar[bool] = False
+    preview: Preview = scenario_field("mpc.preview")
+    prediction_horizon: int = scenario_field("mpc.prediction_horizon")
+    report: Report
 
-    @abstractmethod
-    def holds(self, first: int, stage: str, measured: FloatArray, commands: FloatArray) -> BoolArray:
-        """In which of some control steps the law is exact, because no limit binds (n,).
+    def __init__(self, **values: Any) -> None:
+        """Set fields; what is not given has its default, or the scenario's value in a run.
+
+        Raises:
+            RidelabError: There is no such field, or its option's bounds exclude the value.
+        """
+        self._given: dict[str, Any] = {}
+        self.report = Report()
+        for name, value in values.items():
+            self._given[name] = _checked(type(self), name, value)
+        self._set(Scenario())
+
+    @classmethod
+    def description(cls) -> str:
+        """The first line of its docstring."""
+        return (cls.__doc__ or "").strip().partition("\n")[0]
+
+    @property
+    def preview_steps(self) -> int:
+        """Control steps for which the road ahead is reported."""
+        return self.prediction_horizon
+
+    def for_scenario(self, scenario: Scenario) -> Self:
+        """A copy of it for one run, whose scenario fields have that scenario's values where none were given."""
+        ready = copy(self)
+        ready.report = Report()
+        ready._set(scenario)
+        return ready
+
+    def start(self, setup: Setup) -> None:
+        """Prepare for a run; called once before its first step."""
+
+    def force(self, seen: Seen) -> Force | None:
+        """Both actuators' forces for one control step: front and rear [N], up on the body.
+
+        They are held for one sample time, and kept within the force limit. By default those of `linear_law`.
 
         Args:
-            first: Index of the first of them.
-            stage: Driving stage.
-            measured: What the law multiplied in each (n, 10).
-            commands: What it gave (n, 2) [N].
+            seen: What is known just before the command changes.
+
+        Returns:
+            Two numbers; None, of a delayed controller, where no command came.
         """
+        law = self.linear_law(seen.stage)
+        if law is None:
+            raise NotImplementedError(f"{type(self).__name__} defines neither force nor linear_law")
+        return law.force(seen.state, seen.previous_force, seen.disturbances)
 
-    @abstractmethod
-    def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> tuple[FloatArray, bool]:
-        """The command (2,) [N] of one control step, limits included, and whether one of them binds.
+    def linear_law(self, stage: str) -> LinearLaw | None:
+        """The law of a driving stage while no limit binds; None for a controller that is not linear.
 
-        Args:
-            step: Index of the control step.
-            stage: Driving stage.
-            state: Measured state (8,).
-            previous: Previous command (2,) [N].
+        Where its forces are within the force limit and its own limits hold, they are the command. Elsewhere `force` is
+        asked. A law must be the same object in each call of a run.
         """
+        return None
+
+    def dampers(self) -> SemiActiveDampers | None:
+        """The car's dampers where this controller sets their coefficients; None where actuators act beside them."""
+        return None
+
+    def arrivals(self, setup: Setup) -> NDArray[np.intp]:
+        """Of a delayed controller: the short step at which each control step's command takes effect (steps,).
+
+        Short steps are `setup.short_step` long and count from the first control step's beginning; a command that is to
+        arrive after the run never does.
+        """
+        return np.arange(setup.steps) * setup.short_steps
+
+    def end(self) -> None:
+        """Release what `start` took; called once after a run, also after one that failed."""
+
+    def _set(self, scenario: Scenario) -> None:
+        for name, declared in fields(type(self)).items():
+            if name in self._given:
+                value = self._given[name]
+            else:
+                value = declared.default if isinstance(declared, Option) else _value(scenario, declared.name)
+            object.__setattr__(self, name, value)
 
 
-_NO_FORCE = LinearLaw(gain=np.zeros((FORCES, LAW_INPUTS)))
+@cache
+def _fields(kind: Hashable) -> Mapping[str, ScenarioField | Option]:
+    assert isinstance(kind, type)  # noqa: S101 - a class can be hashed
+    names = dict.fromkeys(name for each in reversed(kind.__mro__) for name in vars(each))
+    found = {name: getattr(kind, name) for name in names}
+    return {name: value for name, value in found.items() if isinstance(value, ScenarioField | Option)}
 
 
-class PassiveController(Controller):
-    """No force, ever."""
+def fields(kind: type[Controller]) -> Mapping[str, ScenarioField | Option]:
+    """A controller's fields by their names; one that a subclass replaces by a plain value is none any more."""
+    return _fields(kind)  # type: ignore[arg-type]  # a class can be hashed
 
-    def law(self, stage: str) -> LinearLaw:
-        """Zero."""
-        return _NO_FORCE
 
-    def holds(self, first: int, stage: str, measured: FloatArray, commands: FloatArray) -> BoolArray:
-        """Always."""
-        return np.ones(len(commands), dtype=np.bool_)
+def _value(scenario: Scenario, name: str) -> Any:
+    part: Any = scenario
+    for key in name.split("."):
+        part = getattr(part, key)
+    return part
 
-    def step(self, step: int, stage: str, state: FloatArray, previous: FloatArray) -> tuple[FloatArray, bool]:
-        """Zero."""
-        return np.zeros(FORCES), False
+
+def _checked(kind: type[Controller], name: str, value: Any) -> Any:
+    """A field's value, of the annotated type and within its bounds."""
+    declared = fields(kind).get(name)
+    if declared is None:
+        raise RidelabError(f"{kind.__name__} has no field of that name; there are {', '.join(fields(kind))}")
+    if isinstance(declared, ScenarioField):
+        return value
+    annotation = get_type_hints(kind).get(name, type(declared.default))
+    annotated: Any = Annotated[annotation, Field(ge=declared.ge, le=declared.le)]
+    try:
+        return TypeAdapter(annotated, config=_STRICT).validate_python(value)
+    except ValidationError as error:
+        raise RidelabError(error.errors(include_input=False)[0]["msg"], field=f"own.{kind.id}.{name}") from None

@@ -7,13 +7,12 @@ wherever no limit binds (the unconstrained optimum that meets every limit *is* t
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.control.cost import KILO, CostTerms, stage_cost
-from sim_core.control.lqr import regulator
 from sim_core.control.qp import QpShape
+from sim_core.control.regulator import regulator
 from sim_core.riccati import solve
 from sim_core.scenario import Vehicle
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, discrete
@@ -27,24 +26,23 @@ SLACK_LINEAR, SLACK_QUADRATIC = 1e5, 1e6  # exact penalty per m and per m² on t
 class MpcDesign:
     """One stage's QP over y = [forces (2 Nc) in kN; slack front, rear in cm].
 
-    `affine` are, on [state; previous command in N; preview (3 Np)], one after another: `checks`, each force and
-    deflection of the horizon over its bound; `linear`, the QP's linear term but for the slacks; and `travel` (2 Np),
-    the deflections without a force [cm], which with either sign are taken from `travel_limit` to give the row limits.
-    `law` and `feed` (2, 3 Np) give the first force in N. In single precision, `bound` (2 rows, 14) are the checks of
-    either sign on [state; previous command; mean deceleration of the preview], then their norms on the rest: with
-    `Forecast.spread` they bound each check (Cauchy-Schwarz).
+    Attributes:
+        shape: What no state changes.
+        law: The unconstrained optimum's first force; its limits are the forces of all moves, then the deflections at
+            the end of all intervals, front ones first, each over its bound.
+        bounds: Those bounds [N and m].
+        linear: The QP's linear term but for the slacks, on [state; previous force in N; preview (3 Np)].
+        travel: The deflections without a force, likewise [cm]; with either sign they are taken from `travel_limit` to
+            give the row limits.
+        travel_limit: [cm].
     """
 
     shape: QpShape
-    affine: FloatArray
-    checks: FloatArray
+    law: LinearLaw
+    bounds: FloatArray
     linear: FloatArray
     travel: FloatArray
     travel_limit: float
-    law: LinearLaw
-    feed: FloatArray
-    bounds: FloatArray
-    bound: NDArray[np.float32]
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -146,28 +144,18 @@ def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
     checks = np.vstack([optimum * KILO, p.travel_parameters + p.travel_moves @ optimum])
     bounds = np.repeat([horizon.force_limit, terms.deflection_limit], [free, 2 * horizon.prediction])
     checks /= bounds[:, None]
-    affine = np.asfortranarray(np.vstack([checks, 2 * linear, p.travel_parameters * CENTI]))
-    checks, linear, travel = np.split(affine, np.cumsum([len(checks), len(linear)]))
     return MpcDesign(
         shape=_shape(H, p.rows, horizon.force_limit),
-        affine=affine,
-        checks=checks,
-        linear=linear,
-        travel=travel,
-        travel_limit=terms.deflection_limit * CENTI,
-        law=LinearLaw(gain=optimum[:FORCES, :LAW_INPUTS] * KILO),
-        feed=optimum[:FORCES, LAW_INPUTS:] * KILO,
+        law=LinearLaw(
+            gain=optimum[:FORCES, :LAW_INPUTS] * KILO,
+            preview_gain=np.ascontiguousarray(optimum[:FORCES, LAW_INPUTS:] * KILO),
+            limits=checks,
+        ),
         bounds=bounds,
-        bound=_bound(checks),
+        linear=2 * linear,
+        travel=p.travel_parameters * CENTI,
+        travel_limit=terms.deflection_limit * CENTI,
     )
-
-
-def _bound(checks: FloatArray) -> NDArray[np.float32]:
-    """`MpcDesign.bound` of a design with these checks."""
-    by_disturbance = checks[:, LAW_INPUTS:].reshape(len(checks), DISTURBANCES, -1)
-    gain = np.hstack([checks[:, :LAW_INPUTS], by_disturbance[:, 2].sum(axis=1)[:, None]])
-    norms = np.linalg.norm(by_disturbance, axis=2)
-    return np.vstack([np.hstack([gain, norms]), np.hstack([-gain, norms])]).astype(np.float32)
 
 
 def _shape(H: FloatArray, rows: FloatArray, force_limit: float) -> QpShape:

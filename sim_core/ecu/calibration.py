@@ -133,7 +133,8 @@ def _kept(free: int, intervals: int, checked: Checked) -> NDArray[np.intp]:
 
 def _tables(design: MpcDesign, checked_rows: NDArray[np.intp], unit: FloatArray) -> StageTables:
     free = len(design.shape.H) - AXLES
-    rows = (design.checks * design.bounds[:, None])[checked_rows] * unit[:, None]
+    assert design.law.limits is not None  # noqa: S101 - an MPC's law has them
+    rows = (design.law.limits * design.bounds[:, None])[checked_rows] * unit[:, None]
     rows[:, STATES : STATES + FORCES] *= KILO
     travel = design.shape.A[: (len(design.shape.A)) // 2, :free]
     effects = np.vstack([np.eye(free), travel])[checked_rows]

@@ -1,6 +1,6 @@
-/* Which sources the library is of: SHA-256 of this folder's C files, one after another by name (setup.py). */
+/* Which sources and flags the library is of (build.py). */
 
 const char *ridelab_digest(void)
 {
-    return RIDELAB_SOURCES;
+    return RIDELAB_DIGEST;
 }

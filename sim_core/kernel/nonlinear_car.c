@@ -6,38 +6,32 @@
 #include <stddef.h>
 #include <string.h>
 
-enum { STATE = 8, INPUTS = 10, DISTURBANCES = 3 };
+#include "road.h"
+
+enum { AXLES = 2, STATE = 8, INPUTS = 10, DISTURBANCES = 3, SIGNALS = 5 };
+enum { TRAVEL = 0, TYRE = 2, BODY = 4, WHEEL = 6, FORCE = 8, NUMBERS = 10 }; /* places in a state, two numbers each */
 enum { MOST_EVENTS = 4 };          /* that a step ends at; both axles' dampers may turn again and again around rest */
 enum { PARTS = 8 };                /* of a fine step in which a tyre lifts off or lands */
 static const double NEAR = 1e-3;   /* of a step: an event nearer to one of its ends does not divide it */
+static const double ROUNDING = 1e-9; /* of a length */
 static const double TINY = 1e-300; /* squared speed that is no speed [m^2/s^2] */
 
-/* Kept out of the functions that call it, so that these stay short and fast; or within them although they are many. */
-#define RARE __attribute__((noinline))
-#define INLINE inline __attribute__((always_inline))
-
-/* Front and rear in one register; in memory as two numbers of an array. */
-typedef double pair __attribute__((vector_size(2 * sizeof(double)), aligned(sizeof(double))));
-typedef long long choice __attribute__((vector_size(2 * sizeof(long long))));
-
+/* All numbers, as they come from outside; arrays of two are of the front and the rear axle. */
 struct car {
     double brake_moment, corner;
     double turns;                   /* 1 where the slope of the dampers' force depends on its direction, else 0 */
     double semi_active, most_force; /* whether they are; what control changes of the passive damper's force at most [N] */
-    pair front_share, rear_share;   /* of a force of the suspension in the body's two accelerations */
-    pair arm, per_wheel_mass, spring, rebound, compression, clearance, stop, tyre, lift_off, link;
-    pair least_damping, most_damping; /* of semi-active dampers */
+    double body_share[AXLES], pitch_share[AXLES]; /* of a force of the suspension in the body's two accelerations */
+    double arm[AXLES], per_wheel_mass[AXLES], spring[AXLES], rebound[AXLES], compression[AXLES], clearance[AXLES];
+    double stop[AXLES], tyre[AXLES], lift_off[AXLES], link[AXLES];
+    double least_damping[AXLES], most_damping[AXLES]; /* of semi-active dampers */
 };
 
-/* Of the half-car, then a lagging actuator's forces, or what it adds to semi-active dampers' coefficients; `body` is the
-   body's vertical and pitch velocity. */
+/* Travel and tyre deflection of both axles, vertical and pitch velocity of the body, both wheels' velocities; then a
+   lagging actuator's forces, or what it adds to semi-active dampers' coefficients. */
 struct state {
-    pair travel, tyre, body, wheel, force;
+    double at[NUMBERS];
 };
-
-struct road; /* of road.c */
-double ridelab_road_height(const struct road *road, double position);
-double ridelab_above_chord(const struct road *road, double begin, double end, double *moment);
 
 /* What a drive meets, fine step after fine step. */
 struct input {
@@ -46,198 +40,213 @@ struct input {
     const double *within;                 /* 4 a fine step: both roads' means above their chords, then moments [m] */
     const double *disturbance;            /* 3 a fine step: both road velocities [m/s], braking [m/s^2] */
     int fine_steps, fine, substeps;       /* of all, in a control step; steps of Runge-Kutta in a fine one */
-    double time, cell;                    /* of a fine step [s]; distance between the road's samples [m] */
+    double time;                          /* of a fine step [s] */
 };
 
 /* A fine step or a part of one: the road's velocity as a polynomial of the time from its beginning. */
 struct piece {
-    pair velocity[3];
-    double braking, time; /* [m/s^2], [s] */
-    pair beside;          /* about how far the true road leaves this polynomial [m] */
+    double velocity[3][AXLES];
+    double braking, time;  /* [m/s^2], [s] */
+    double beside[AXLES];  /* about how far the true road leaves this polynomial [m] */
 };
 
-static pair choose(choice which, pair yes, pair no)
+static inline double between(double low, double value, double high)
 {
-    return (pair)((which & (choice)yes) | (~which & (choice)no));
-}
-
-static pair between(pair low, pair value, pair high)
-{
-    return choose(value < low, low, choose(value > high, high, value));
+    return value < low ? low : value > high ? high : value;
 }
 
 /* The suspension's force but the damper's. */
-static pair spring_force(const struct car *car, pair travel)
+static inline double spring_force(const struct car *car, int axle, double travel)
 {
-    pair stopped = between(-car->clearance, travel, car->clearance);
-    return car->spring * travel + car->stop * (travel - stopped);
+    double stopped = between(-car->clearance[axle], travel, car->clearance[axle]);
+    return car->spring[axle] * travel + car->stop[axle] * (travel - stopped);
 }
 
-static pair tyre_load(const struct car *car, pair tyre)
+static inline double tyre_load(const struct car *car, int axle, double tyre)
 {
-    pair load = -car->tyre * tyre;
-    return choose(load < car->lift_off, car->lift_off, load);
+    double load = -car->tyre[axle] * tyre;
+    return load < car->lift_off[axle] ? car->lift_off[axle] : load;
 }
 
-static pair travel_speed(const struct car *car, struct state x)
+static inline double travel_speed(const struct car *car, int axle, const struct state *x)
 {
-    return (x.body[0] - x.wheel) + car->arm * x.body[1];
+    return (x->at[BODY] - x->at[WHEEL + axle]) + car->arm[axle] * x->at[BODY + 1];
 }
 
-static pair passive_damping(const struct car *car, pair speed)
+static inline double passive_damping(const struct car *car, int axle, double speed)
 {
-    return choose(speed > 0, car->rebound, car->compression);
+    return speed > 0 ? car->rebound[axle] : car->compression[axle];
 }
 
-/* The force of actuators whose state is `control`, at that speed. Semi-active dampers give the nearest that leaves them
-   between their least and their most damping. */
-static pair control_force(const struct car *car, pair speed, pair passive, pair control)
+/* The force of an actuator whose state is `control`, at that speed. A semi-active damper gives the nearest that leaves it
+   between its least and its most damping. */
+static inline double control_force(const struct car *car, int axle, double speed, double passive, double control)
 {
     if (!car->semi_active)
         return control;
-    pair most = {car->most_force, car->most_force};
-    pair soft = (passive - car->least_damping) * speed, hard = (passive - car->most_damping) * speed;
-    return between(choose(speed > 0, hard, soft), car->corner ? between(-most, -control * speed, most) : control,
-                   choose(speed > 0, soft, hard));
+    double soft = (passive - car->least_damping[axle]) * speed, hard = (passive - car->most_damping[axle]) * speed;
+    double wanted = car->corner ? between(-car->most_force, -control * speed, car->most_force) : control;
+    return speed > 0 ? between(hard, wanted, soft) : between(soft, wanted, hard);
 }
 
 /* How fast a lagging actuator's state follows the command: its force, or the coefficient that would give this force. */
-static pair control_rate(const struct car *car, pair speed, pair command, pair control)
+static inline double control_rate(const struct car *car, int axle, double speed, double command, double control)
 {
     if (car->semi_active) {
-        pair passive = passive_damping(car, speed);
-        command = between(car->least_damping - passive, -command * speed / (speed * speed + TINY),
-                          car->most_damping - passive);
+        double passive = passive_damping(car, axle, speed);
+        command = between(car->least_damping[axle] - passive, -command * speed / (speed * speed + TINY),
+                          car->most_damping[axle] - passive);
     }
     return car->corner * (command - control);
 }
 
-/* At a time from the beginning of a piece [s]. What does not wait for the speed of travel goes first: the operations
-   that follow it are what a step takes. */
-static INLINE struct state derivative(const struct car *car, struct state x, pair command, const struct piece *w, double time)
+/* At a time from the beginning of a piece [s]. */
+static inline struct state derivative(const struct car *car, const struct state *x, const double *command,
+                                      const struct piece *w, double time)
 {
-    pair speed = travel_speed(car, x), road = w->velocity[0] + time * (w->velocity[1] + time * w->velocity[2]);
-    pair force = spring_force(car, x.travel) - car->link * w->braking;
-    pair passive = passive_damping(car, speed);
-    force += passive * speed - control_force(car, speed, passive, x.force);
-    pair brake = {0, car->brake_moment * w->braking};
-    pair body = brake - force[0] * car->front_share - force[1] * car->rear_share;
-    return (struct state){speed, x.wheel - road, body, (tyre_load(car, x.tyre) + force) * car->per_wheel_mass,
-                          car->corner ? control_rate(car, speed, command, x.force) : (pair){0, 0}};
+    struct state rate;
+    double force[AXLES];
+    for (int axle = 0; axle < AXLES; axle++) {
+        double speed = travel_speed(car, axle, x), passive = passive_damping(car, axle, speed);
+        double control = x->at[FORCE + axle];
+        double road = w->velocity[0][axle] + time * (w->velocity[1][axle] + time * w->velocity[2][axle]);
+        force[axle] = spring_force(car, axle, x->at[TRAVEL + axle]) - car->link[axle] * w->braking +
+                      (passive * speed - control_force(car, axle, speed, passive, control));
+        rate.at[TRAVEL + axle] = speed;
+        rate.at[TYRE + axle] = x->at[WHEEL + axle] - road;
+        rate.at[WHEEL + axle] = (tyre_load(car, axle, x->at[TYRE + axle]) + force[axle]) * car->per_wheel_mass[axle];
+        rate.at[FORCE + axle] = car->corner ? control_rate(car, axle, speed, command[axle], control) : 0;
+    }
+    rate.at[BODY] = -force[0] * car->body_share[0] - force[1] * car->body_share[1];
+    rate.at[BODY + 1] = car->brake_moment * w->braking - force[0] * car->pitch_share[0] - force[1] * car->pitch_share[1];
+    return rate;
 }
 
-static struct state moved(struct state x, double time, struct state rate)
+static inline struct state moved(const struct state *x, double time, const struct state *rate)
 {
-    return (struct state){x.travel + time * rate.travel, x.tyre + time * rate.tyre, x.body + time * rate.body,
-                          x.wheel + time * rate.wheel, x.force + time * rate.force};
+    struct state next;
+    for (int i = 0; i < NUMBERS; i++)
+        next.at[i] = x->at[i] + time * rate->at[i];
+    return next;
 }
 
 /* One step h of the classical Runge-Kutta method; `first` is the derivative at its beginning. */
-static INLINE struct state advance(const struct car *car, double h, pair command, const struct piece *w, double time,
-                            struct state first, struct state x)
+static inline struct state advance(const struct car *car, double h, const double *command, const struct piece *w,
+                                   double time, const struct state *first, const struct state *x)
 {
-    struct state second = derivative(car, moved(x, h / 2, first), command, w, time + h / 2);
-    struct state third = derivative(car, moved(x, h / 2, second), command, w, time + h / 2);
-    struct state fourth = derivative(car, moved(x, h, third), command, w, time + h);
-    return moved(moved(moved(moved(x, h / 6, first), h / 3, second), h / 3, third), h / 6, fourth);
+    struct state at_second = moved(x, h / 2, first), second = derivative(car, &at_second, command, w, time + h / 2);
+    struct state at_third = moved(x, h / 2, &second), third = derivative(car, &at_third, command, w, time + h / 2);
+    struct state at_fourth = moved(x, h, &third), fourth = derivative(car, &at_fourth, command, w, time + h);
+    struct state next;
+    for (int i = 0; i < NUMBERS; i++)
+        next.at[i] = x->at[i] + h / 6 * first->at[i] + h / 3 * second.at[i] + h / 3 * third.at[i] + h / 6 * fourth.at[i];
+    return next;
 }
 
-/* On which side of its events each axle is: of its damper's turning, of meeting a stop, of its tyre's lifting off. */
-static choice side(const struct car *car, struct state x)
+/* On which side of its events each axle is: of meeting a stop, of its tyre's lifting off, of its damper's turning. */
+static inline int side(const struct car *car, const struct state *x)
 {
-    return ((x.travel > car->clearance) & 1) | ((x.travel < -car->clearance) & 2) |
-           ((-car->tyre * x.tyre < car->lift_off) & 4) | ((car->turns * travel_speed(car, x) > 0) & 8);
+    int sides = 0;
+    for (int axle = 0; axle < AXLES; axle++) {
+        double travel = x->at[TRAVEL + axle];
+        int stops = (travel > car->clearance[axle]) | (travel < -car->clearance[axle]) << 1;
+        int lifted = -car->tyre[axle] * x->at[TYRE + axle] < car->lift_off[axle];
+        int rebounds = car->turns * travel_speed(car, axle, x) > 0;
+        sides = sides << 4 | stops | lifted << 2 | rebounds << 3;
+    }
+    return sides;
 }
 
-/* The share of a step at which the first of two numbers crosses zero, if that is before `share`. */
-static double crossing(pair before, pair after, double share)
+/* The share of a step at which a number crosses zero, if that is before `share`. */
+static double crossing(double before, double after, double share)
 {
-    for (int axle = 0; axle < 2; axle++)
-        if ((before[axle] > 0) != (after[axle] > 0)) {
-            double at = before[axle] / (before[axle] - after[axle]);
-            if (at > NEAR && at < share)
-                share = at;
-        }
-    return share;
+    if ((before > 0) == (after > 0))
+        return share;
+    double at = before / (before - after);
+    return at > NEAR && at < share ? at : share;
 }
 
 /* The share of a step from x to `next` after which the slope of a force changes; 1 where that is near its end only. */
-static double first_event(const struct car *car, struct state x, struct state next)
+static double first_event(const struct car *car, const struct state *x, const struct state *next)
 {
-    double share = crossing(x.travel - car->clearance, next.travel - car->clearance, 1 - NEAR);
-    share = crossing(-x.travel - car->clearance, -next.travel - car->clearance, share);
-    share = crossing(car->tyre * x.tyre + car->lift_off, car->tyre * next.tyre + car->lift_off, share);
-    share = crossing(car->turns * travel_speed(car, x), car->turns * travel_speed(car, next), share);
+    double share = 1 - NEAR;
+    for (int axle = 0; axle < AXLES; axle++) {
+        double clearance = car->clearance[axle], tyre = car->tyre[axle], lift_off = car->lift_off[axle];
+        double travel = x->at[TRAVEL + axle], later = next->at[TRAVEL + axle];
+        share = crossing(travel - clearance, later - clearance, share);
+        share = crossing(-travel - clearance, -later - clearance, share);
+        share = crossing(tyre * x->at[TYRE + axle] + lift_off, tyre * next->at[TYRE + axle] + lift_off, share);
+        share = crossing(car->turns * travel_speed(car, axle, x), car->turns * travel_speed(car, axle, next), share);
+    }
     return share < 1 - NEAR ? share : 1;
 }
 
 /* The same where the step meets events: by steps that end there. */
-RARE static struct state advance_by_events(const struct car *car, double h, pair command, const struct piece *w,
-                                           double time, struct state first, struct state x)
+static struct state advance_by_events(const struct car *car, double h, const double *command, const struct piece *w,
+                                      double time, struct state first, struct state x)
 {
     for (int events = 0;; events++) {
-        struct state next = advance(car, h, command, w, time, first, x);
-        double share = events < MOST_EVENTS ? first_event(car, x, next) : 1;
+        struct state next = advance(car, h, command, w, time, &first, &x);
+        double share = events < MOST_EVENTS ? first_event(car, &x, &next) : 1;
         if (share == 1)
             return next;
-        x = advance(car, share * h, command, w, time, first, x);
+        x = advance(car, share * h, command, w, time, &first, &x);
         time += share * h;
         h -= share * h;
-        first = derivative(car, x, command, w, time);
+        first = derivative(car, &x, command, w, time);
     }
 }
 
-static void sample(const struct car *car, struct state x, struct state rate, double *table, size_t signal)
+static void sample(const struct car *car, const struct state *x, const struct state *rate, double *table, size_t signal)
 {
-    pair control = control_force(car, rate.travel, passive_damping(car, rate.travel), x.force);
-    const pair signals[] = {rate.travel, rate.body, tyre_load(car, x.tyre), x.travel, control};
-    for (int i = 0; i < 5; i++)
-        for (int axle = 0; axle < 2; axle++, table += signal)
-            *table = signals[i][axle];
+    for (int axle = 0; axle < AXLES; axle++) {
+        double speed = rate->at[TRAVEL + axle], passive = passive_damping(car, axle, speed);
+        const double signals[SIGNALS] = {speed, rate->at[BODY + axle], tyre_load(car, axle, x->at[TYRE + axle]),
+                                         x->at[TRAVEL + axle],
+                                         control_force(car, axle, speed, passive, x->at[FORCE + axle])};
+        for (size_t i = 0; i < SIGNALS; i++)
+            table[(AXLES * i + (size_t)axle) * signal] = signals[i];
+    }
 }
 
 /* Its road is the chord and the polynomial of third degree 6 mean s (1 - s) - 60 moment s (1 - s) (1 - 2 s) above it, s
    from 0 to 1. */
-static struct piece piece(pair chord, pair mean, pair moment, double braking, double time)
+static struct piece piece(const double *chord, const double *mean, const double *moment, double braking, double time)
 {
+    struct piece w = {.braking = braking, .time = time};
     double per = 1 / time;
-    pair bow = mean * (6 * per), bend = moment * (60 * per);
-    pair beside = 3 * choose(mean > 0, mean, -mean) + 12 * choose(moment > 0, moment, -moment);
-    return (struct piece){{chord + bow - bend, (6 * bend - 2 * bow) * per, bend * (-6 * per * per)},
-                          braking, time, beside};
+    for (int axle = 0; axle < AXLES; axle++) {
+        double bow = mean[axle] * (6 * per), bend = moment[axle] * (60 * per);
+        w.velocity[0][axle] = chord[axle] + bow - bend;
+        w.velocity[1][axle] = (6 * bend - 2 * bow) * per;
+        w.velocity[2][axle] = bend * (-6 * per * per);
+        w.beside[axle] = 3 * fabs(mean[axle]) + 12 * fabs(moment[axle]);
+    }
+    return w;
 }
 
 static struct piece fine_step(const struct input *input, int step)
 {
+    static const double none[2 * AXLES];
     const double *w = input->disturbance + (size_t)DISTURBANCES * (size_t)step;
-    pair chord = {w[0], w[1]}, mean = {0, 0}, moment = {0, 0};
-    if (input->road) {
-        const double *within = input->within + 4 * (size_t)step;
-        mean = (pair){within[0], within[1]};
-        moment = (pair){within[2], within[3]};
-    }
-    return piece(chord, mean, moment, w[2], input->time);
-}
-
-static pair heights(const struct input *input, const double *place)
-{
-    return (pair){ridelab_road_height(input->road, place[0]), ridelab_road_height(input->road, place[1])};
+    const double *within = input->road ? input->within + 4 * (size_t)step : none;
+    return piece(w, within, within + AXLES, w[2], input->time);
 }
 
 /* Over a piece; `rate` is the derivative at its beginning. */
-static struct state cross(const struct car *car, int steps, pair command, const struct piece *w, struct state rate,
-                          struct state x)
+static struct state cross(const struct car *car, int steps, const double *command, const struct piece *w,
+                          struct state rate, struct state x)
 {
     double h = w->time / steps;
-    choice where = side(car, x);
+    int where = side(car, &x);
     for (int step = 0; step < steps; step++) {
         if (step)
-            rate = derivative(car, x, command, w, step * h);
-        struct state next = advance(car, h, command, w, step * h, rate, x);
-        choice there = side(car, next), crossed = there ^ where;
-        if (crossed[0] | crossed[1]) {
+            rate = derivative(car, &x, command, w, step * h);
+        struct state next = advance(car, h, command, w, step * h, &rate, &x);
+        int there = side(car, &next);
+        if (there != where) {
             next = advance_by_events(car, h, command, w, step * h, rate, x);
-            there = side(car, next);
+            there = side(car, &next);
         }
         x = next;
         where = there;
@@ -246,34 +255,38 @@ static struct state cross(const struct car *car, int steps, pair command, const 
 }
 
 /* Whether a tyre may have lifted off or landed within a piece. */
-static int may_lift(const struct car *car, const struct piece *w, struct state x, struct state next)
+static int may_lift(const struct car *car, const struct piece *w, const struct state *x, const struct state *next)
 {
-    pair margin = car->tyre * w->beside;
-    pair before = -car->tyre * x.tyre - car->lift_off, after = -car->tyre * next.tyre - car->lift_off;
-    choice stays = ((before > margin) & (after > margin)) | ((before < -margin) & (after < -margin));
-    return !(stays[0] && stays[1]);
+    for (int axle = 0; axle < AXLES; axle++) {
+        double tyre = car->tyre[axle], lift_off = car->lift_off[axle], margin = tyre * w->beside[axle];
+        double before = -tyre * x->at[TYRE + axle] - lift_off, after = -tyre * next->at[TYRE + axle] - lift_off;
+        if (!((before > margin && after > margin) || (before < -margin && after < -margin)))
+            return 1;
+    }
+    return 0;
 }
 
 /* A fine step in so many parts, each with a polynomial of its own. */
-RARE static struct state cross_parts(const struct car *car, const struct input *input, int step, int parts, pair command,
-                                     struct state x)
+static struct state cross_parts(const struct car *car, const struct input *input, int step, int parts,
+                                const double *command, struct state x)
 {
     int substeps = (input->substeps + parts - 1) / parts;
     const double *front = input->position + step, *rear = front + input->fine_steps + 1;
     double share = 1.0 / parts, time = input->time * share, length = (front[1] - front[0]) * share;
-    double begin[2] = {front[0], rear[0]}, end[2], bends[2];
     double braking = input->disturbance[(size_t)DISTURBANCES * (size_t)step + 2];
-    pair low = heights(input, begin);
+    double begin[AXLES] = {front[0], rear[0]}, low[AXLES], chord[AXLES], mean[AXLES], moment[AXLES];
+    for (int axle = 0; axle < AXLES; axle++)
+        low[axle] = ridelab_road_height(input->road, begin[axle]);
     for (int part = 0; part < parts; part++) {
-        for (int axle = 0; axle < 2; axle++)
-            end[axle] = begin[axle] + length;
-        pair high = heights(input, end), mean;
-        for (int axle = 0; axle < 2; axle++)
-            mean[axle] = ridelab_above_chord(input->road, begin[axle], end[axle], bends + axle);
-        struct piece w = piece((high - low) / time, mean, (pair){bends[0], bends[1]}, braking, time);
-        x = cross(car, substeps, command, &w, derivative(car, x, command, &w, 0), x);
-        memcpy(begin, end, sizeof end);
-        low = high;
+        for (int axle = 0; axle < AXLES; axle++) {
+            double end = begin[axle] + length, high = ridelab_road_height(input->road, end);
+            chord[axle] = (high - low[axle]) / time;
+            mean[axle] = ridelab_above_chord(input->road, begin[axle], end, &moment[axle]);
+            begin[axle] = end;
+            low[axle] = high;
+        }
+        struct piece w = piece(chord, mean, moment, braking, time);
+        x = cross(car, substeps, command, &w, derivative(car, &x, command, &w, 0), x);
     }
     return x;
 }
@@ -282,32 +295,34 @@ RARE static struct state cross_parts(const struct car *car, const struct input *
    of its kinks. */
 static int cells(const struct input *input, int step)
 {
-    double length = input->position[step + 1] - input->position[step];
-    return length <= input->cell ? 1 : (int)ceil(length / input->cell);
+    double length = input->position[step + 1] - input->position[step], cell = input->road->at.grid * (1 + ROUNDING);
+    return length <= cell ? 1 : (int)ceil(length / cell);
 }
 
 /* One control step from x, whose first fine step is given; its samples in a column of the table unless that is NULL. */
-static struct state hold(const struct car *car, const struct input *input, int first, pair command, struct state x,
-                         double *column, size_t columns)
+static struct state hold(const struct car *car, const struct input *input, int first, const double *command,
+                         struct state x, double *column, size_t columns)
 {
     size_t signal = columns * (size_t)(input->fine + 1);
-    struct piece w;
+    struct piece w = {.time = 0};
     for (int j = 0; j < input->fine; j++) {
         w = fine_step(input, first + j);
-        struct state next, rate = derivative(car, x, command, &w, 0);
+        struct state next, rate = derivative(car, &x, command, &w, 0);
         if (column)
-            sample(car, x, rate, column + (size_t)j * columns, signal);
+            sample(car, &x, &rate, column + (size_t)j * columns, signal);
         int parts = input->road ? cells(input, first + j) : 1;
         if (parts > 1)
             next = cross_parts(car, input, first + j, parts, command, x);
         else
             next = cross(car, input->substeps, command, &w, rate, x);
-        if (input->road && may_lift(car, &w, x, next))
+        if (input->road && may_lift(car, &w, &x, &next))
             next = cross_parts(car, input, first + j, PARTS, command, x);
         x = next;
     }
-    if (column)
-        sample(car, x, derivative(car, x, command, &w, w.time), column + (size_t)input->fine * columns, signal);
+    if (column) {
+        struct state rate = derivative(car, &x, command, &w, w.time);
+        sample(car, &x, &rate, column + (size_t)input->fine * columns, signal);
+    }
     return x;
 }
 
@@ -315,12 +330,32 @@ struct estimator {
     double state[8][8], command[8][2], measurement[8][4];
 };
 
-/* The estimated state at the end of a control step from the one at its beginning. */
-static void estimate(const struct estimator *estimator, const struct car *car, struct state x, pair command,
-                     double braking, const double *input, const double *before, double *next)
+/* What the car's own sensors give: both deflections, the body's acceleration, the pitch rate. */
+static void measure(const struct car *car, const struct state *x, const double *command, double braking, double *y)
 {
     struct piece level = {.braking = braking};
-    const double y[4] = {x.travel[0], x.travel[1], derivative(car, x, command, &level, 0).body[0], x.body[1]};
+    struct state rate = derivative(car, x, command, &level, 0);
+    y[0] = x->at[TRAVEL];
+    y[1] = x->at[TRAVEL + 1];
+    y[2] = rate.at[BODY];
+    y[3] = x->at[BODY + 1];
+}
+
+/* The same of a car's state: 8 numbers, or 10 with a lagging actuator's. */
+void ridelab_measure(const struct car *car, int states, const double *state, const double *command, double braking,
+                     double *y)
+{
+    struct state x = {.at[FORCE] = command[0], .at[FORCE + 1] = command[1]};
+    memcpy(x.at, state, (size_t)states * sizeof(double));
+    measure(car, &x, command, braking, y);
+}
+
+/* The estimated state at the end of a control step from the one at its beginning. */
+static void estimate(const struct estimator *estimator, const struct car *car, const struct state *x,
+                     const double *command, double braking, const double *input, const double *before, double *next)
+{
+    double y[4];
+    measure(car, x, command, braking, y);
     for (int i = 0; i < 8; i++) {
         next[i] = input[i];
         for (int j = 0; j < 8; j++)
@@ -335,36 +370,44 @@ static void estimate(const struct estimator *estimator, const struct car *car, s
 /* `count` control steps from step `first` on, in which u = gain [state; previous command] + feed, within the limit. Arrays
    are C-contiguous:
 
-   estimator        of the state, or NULL; its input, 8 numbers a step of the whole drive
    states           8, or 10 with a lagging actuator's
+   estimator        of the state where it `estimates`; known, its input, 8 numbers a step of the whole drive
+   roughness        of the road, without samples where it is straight within a fine step
+   layout           of the road; position and within as `struct input` has them
+   disturbance      the same, of all fine steps; `substeps` of Runge-Kutta in each, which takes `time` [s]
+   table            10 x (fine + 1) x columns samples, of the drive's last steps
    gain             2 x 10; feed: 2 a step [N]
    loop             a row before each step and after the last, [estimated state; state; previous command]; the first row
-                    is an input
-   table            10 x (fine + 1) x columns samples; its first column is of step `before` */
-void ridelab_drive(const struct car *car, const struct estimator *estimator, const double *known,
-                   const struct input *input, int states, int first, int count, const double *gain, double limit,
-                   const double *feed, double *loop, double *table, int before, int columns)
+                    is an input */
+void ridelab_drive(const struct car *car, int states, int estimates, const struct estimator *estimator,
+                   const double *known, int samples, const double *roughness, const struct layout *layout,
+                   const double *position, const double *within, const double *disturbance, int steps, int fine,
+                   int substeps, double time, double *table, int columns, const double *gain, double limit,
+                   const double *feed, double *loop, int count, int first)
 {
-    int estimated = estimator ? 8 : 0, size = estimated + states, width = size + 2;
+    const struct road road = {roughness, samples, *layout};
+    const struct input all = {samples ? &road : NULL, position, within, disturbance, steps * fine, fine, substeps, time};
+    const struct input *input = &all;
+    int estimated = estimates ? 8 : 0, size = estimated + states, width = size + 2, before = steps - columns;
     for (int i = 0; i < count; i++) {
         double *now = loop + (size_t)i * width, *next = now + width;
         int step = first + i, fine_step = step * input->fine;
-        pair command;
-        for (int axle = 0; axle < 2; axle++) {
+        double command[AXLES];
+        for (int axle = 0; axle < AXLES; axle++) {
             double force = feed[2 * i + axle];
             for (int j = 0; j < INPUTS; j++)
                 force += gain[INPUTS * axle + j] * now[j < STATE ? j : size + j - STATE];
             command[axle] = force > limit ? limit : force < -limit ? -limit : force;
         }
-        struct state x = {.force = command};
-        memcpy(&x, now + estimated, (size_t)states * sizeof(double));
+        struct state x = {.at[FORCE] = command[0], .at[FORCE + 1] = command[1]};
+        memcpy(x.at, now + estimated, (size_t)states * sizeof(double));
         double *column = step < before ? NULL : table + (step - before);
         x = hold(car, input, fine_step, command, x, column, (size_t)columns);
-        memcpy(next + estimated, &x, (size_t)states * sizeof(double));
-        memcpy(next + size, &command, sizeof command);
-        if (estimator) {
+        memcpy(next + estimated, x.at, (size_t)states * sizeof(double));
+        memcpy(next + size, command, sizeof command);
+        if (estimates) {
             double braking = input->disturbance[(size_t)DISTURBANCES * (size_t)(fine_step + input->fine) - 1];
-            estimate(estimator, car, x, command, braking, known + 8 * (size_t)step, now, next);
+            estimate(estimator, car, &x, command, braking, known + 8 * (size_t)step, now, next);
         }
     }
 }

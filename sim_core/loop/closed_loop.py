@@ -1,143 +1,181 @@
-"""Controller and plant over a run's control steps: speculative blocks of the linear closed loop.
+"""Controller and car over a run's control steps: many at once while a linear law holds, else one after another.
 
-Every controller is a linear law until a limit binds. So a block of control steps is
-driven as if none did and accepted up to the first step at which one would; that step and those after it are decided
-exactly by the controller until none binds any more, and so on (docs/decisions/0002-speculative-blocks.md).
+A block of control steps is driven by the law as if no limit did bind and accepted up to the first step at which one
+would; that step and those after it are decided by the controller until none binds any more, and so on
+(docs/decisions/0002-speculative-blocks.md). A controller without such a law decides every step.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from sim_core.arrays import BoolArray, FloatArray
 from sim_core.control.controller import Controller
-from sim_core.controllers import make_controller, make_filter, semi_active_dampers
-from sim_core.loop.excitation import Excitation, under_axles
-from sim_core.loop.recording import Recording
-from sim_core.scenario import Actuator, Scenario
-from sim_core.speed.profile import SpeedProfile
-from sim_core.strategies import Strategy, SuspensionPolicy
+from sim_core.control.seen import RunInputs, Seen
+from sim_core.errors import RidelabError
+from sim_core.loop.limits import LawLimits
+from sim_core.loop.preview import Forecast, flattened
+from sim_core.speed.stages import Segment
 from sim_core.vehicle.half_car import FORCES, STATES
-from sim_core.vehicle.make import is_linear, make_vehicle
-from sim_core.vehicle.model import VehicleModel
+from sim_core.vehicle.model import LinearLaw, VehicleModel
 
 _LONGEST_BLOCK, _BLOCK_AFTER_LIMIT = 1024, 16  # control steps
 _SAME_FORCE = 1e-6  # [N]: rounding
+_NO_FEED = np.zeros(FORCES)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ForceLimits:
+    """Of a run's forces; each may be infinite.
+
+    Attributes:
+        control: Greatest force that the controller may ask for [N].
+        change: Greatest change of the actuators' force in a step [N].
+        actuator: Greatest force of the actuators [N].
+    """
+
+    control: float
+    change: float
+    actuator: float
+
+    def of_actuator(self, wanted: FloatArray, previous: FloatArray) -> FloatArray:
+        """What the actuators are told after the previous command (2,) [N]: or `wanted` itself."""
+        if self.change == self.actuator == np.inf:
+            return wanted
+        change = np.clip(wanted - previous, -self.change, self.change)
+        reached = np.where(change == wanted - previous, wanted, previous + change)
+        command = np.clip(reached, -self.actuator, self.actuator)
+        return wanted if np.array_equal(command, wanted) else command
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Trajectory:
-    """States at the control instants (steps, n), commands (steps, 2) [N], and in how many steps a limit bound."""
+    """What was driven.
+
+    Attributes:
+        states: Of the car at the beginning of each of its steps (steps, n).
+        commands: Held in each (steps, 2) [N].
+        limited: Control steps in which a limit bound.
+        held_commands: Commands that never took effect, of a delayed controller.
+    """
 
     states: FloatArray
     commands: FloatArray
     limited: int
+    held_commands: int | None = None
 
 
 class ClosedLoop:
-    """One run's loop; the actuator changes a force by at most `most_change` a step and gives at most `most_force` [N].
-
-    Both may be infinite. What it gives is the controller's previous command.
-    """
+    """One run's loop."""
 
     def __init__(
-        self,
-        controller: Controller,
-        car: VehicleModel,
-        most_change: float,
-        most_force: float = np.inf,
+        self, controller: Controller, car: VehicleModel, inputs: RunInputs, forecast: Forecast, limits: ForceLimits
     ) -> None:
         self._controller = controller
         self._car = car
-        self._most_change = most_change
-        self._most_force = most_force
-        self._limited_actuator = most_change < np.inf or most_force < np.inf
+        self._inputs = inputs
+        self._forecast = forecast
+        self._limits = limits
 
-    def run(self, stages: list[tuple[str, int, int]]) -> Trajectory:
-        """Drive the stages (name, first step, one past the last) from rest, without a command before the first."""
-        car, steps = self._car, stages[-1][2]
-        n = car.size
-        loop = np.zeros((steps + 1, n + FORCES))  # [plant state; previous command] at every control instant
+    def run(self, segments: Sequence[Segment]) -> Trajectory:
+        """Drive the driving stages from rest, without a command before the first step."""
+        n = self._car.size
+        loop = np.zeros((segments[-1].last + 1, n + FORCES))  # [car; previous command] at every control instant
         limited = 0
-        for stage, first, last in stages:
-            law, before = self._controller.law(stage), limited
-            feed = self._controller.feed(stage, first, last)
-            k, block = first, _LONGEST_BLOCK
-            while k < last:
-                stop = min(k + block, last)
-                z = car.free_run(law, k, loop[k], feed[k - first : stop - first])
-                free = self._free(stage, z, k)
-                count = len(free) if free.all() else int(free.argmin())
-                loop[k : k + count + 1] = z[: count + 1]
-                k += count
-                block, limit_binds = min(2 * block, _LONGEST_BLOCK), k < stop
-                while limit_binds and k < last:
-                    state, previous = loop[k, :n], loop[k, n:]
-                    wanted, limit_binds = self._controller.step(k, stage, state[:STATES], previous)
-                    command = self._actuated(wanted, previous)
-                    limit_binds |= command is not wanted
-                    loop[k + 1, :n] = car.advance(k, state, command)
-                    loop[k + 1, n:] = command
-                    limited, k, block = limited + limit_binds, k + 1, _BLOCK_AFTER_LIMIT
-            if law.force_limit < np.inf:  # which the car may have met by itself
-                wanted = loop[first:last, :STATES] @ law.gain[:, :STATES].T + feed
-                limited = before + int(
-                    (np.abs(loop[first + 1 : last + 1, n:] - wanted) > _SAME_FORCE).any(axis=1).sum()
-                )
+        for segment in segments:
+            law = self._controller.linear_law(segment.stage)
+            if law is None:
+                limited += sum(self._step(k, loop) for k in range(segment.first, segment.last))
+            else:
+                limited += self._by_law(law, segment, loop)
         return Trajectory(states=loop[:-1, :n], commands=loop[1:, n:], limited=limited)
 
-    def _actuated(self, wanted: FloatArray, previous: FloatArray) -> FloatArray:
-        """What the actuator gives after the previous command (2,) [N]: or `wanted` itself."""
-        if not self._limited_actuator:
-            return wanted
-        change = np.clip(wanted - previous, -self._most_change, self._most_change)
-        reached = np.where(change == wanted - previous, wanted, previous + change)
-        command = np.clip(reached, -self._most_force, self._most_force)
-        return wanted if np.array_equal(command, wanted) else command
+    def _by_law(self, law: LinearLaw, segment: Segment, loop: FloatArray) -> int:
+        """Drive one stage by its law where it holds; in how many steps a limit bound."""
+        n, first, last = self._car.size, segment.first, segment.last
+        holding = LawLimits(law=law, force_limit=self._limits.control, forecast=self._forecast)
+        feed = np.zeros((last - first, FORCES))
+        if law.preview_gain is not None:
+            feed = np.asarray(flattened(self._forecast.windows[:, first:last]) @ law.preview_gain.T)
+        clips = law.limits is None and self._car.clips
+        force_limit = self._limits.control if clips else np.inf
+        k, block, limited = first, _LONGEST_BLOCK, 0
+        while k < last:
+            stop = min(k + block, last)
+            z = self._car.free_run(law, force_limit, k, loop[k], feed[k - first : stop - first])
+            free = self._free(holding, z, k, clips=clips)
+            count = len(free) if free.all() else int(free.argmin())
+            loop[k : k + count + 1] = z[: count + 1]
+            k += count
+            block, limit_binds = min(2 * block, _LONGEST_BLOCK), k < stop
+            while limit_binds and k < last:
+                limit_binds = self._step(k, loop, holding, feed[k - first])
+                limited, k, block = limited + limit_binds, k + 1, _BLOCK_AFTER_LIMIT
+        if not clips:
+            return limited
+        wanted = (
+            loop[first:last, :STATES] @ law.gain[:, :STATES].T + loop[first:last, n:] @ law.gain[:, STATES:].T + feed
+        )
+        return int((np.abs(loop[first + 1 : last + 1, n:] - wanted) > _SAME_FORCE).any(axis=1).sum())
 
-    def _free(self, stage: str, z: FloatArray, k: int) -> BoolArray:
-        """In which steps of a block speculated from step k on no limit binds (n,)."""
+    def _step(self, k: int, loop: FloatArray, holding: LawLimits | None = None, feed: FloatArray = _NO_FEED) -> bool:
+        """Drive one control step by the controller, or by its law if that holds; whether a limit bound."""
         n = self._car.size
+        state, previous = loop[k, :n], loop[k, n:]
+        limited = False
+        if holding is not None:
+            gain = holding.law.gain
+            wanted = gain[:, :STATES] @ state[:STATES] + gain[:, STATES:] @ previous + feed
+            measured = np.concatenate([state[:STATES], previous])
+            limited = not holding.hold(k, measured[None], wanted[None])[0]
+        if holding is None or limited:
+            asked = self._asked(k, state, previous)
+            wanted = asked.clip(-self._limits.control, self._limits.control)
+            limited = limited or not np.array_equal(asked, wanted)
+        command = self._limits.of_actuator(wanted, previous)
+        loop[k + 1, :n] = self._car.advance(k, state, command)
+        loop[k + 1, n:] = command
+        return limited or command is not wanted
+
+    def _asked(self, k: int, state: FloatArray, previous: FloatArray) -> FloatArray:
+        """The controller's forces (2,) [N]; it may keep what it is shown, but not change it."""
+        seen = Seen(self._inputs, self._car, k, _read_only(state), _read_only(previous))
+        return checked_force(self._controller, self._controller.force(seen))
+
+    def _free(self, holding: LawLimits, z: FloatArray, k: int, *, clips: bool) -> BoolArray:
+        """In which steps of a block driven from step k on no limit binds (n,); the car meets the force limit itself."""
+        n, limits = self._car.size, self._limits
         now, commands = z[:-1], z[1:, n:]
-        measured = now if n == STATES else np.hstack([now[:, :STATES], now[:, n:]])
-        free = self._controller.holds(k, stage, measured, commands)
-        if self._limited_actuator:
-            free &= (np.abs(commands - now[:, n:]) <= self._most_change).all(axis=1)
-            free &= (np.abs(commands) <= self._most_force).all(axis=1)
+        if clips:
+            free = np.asarray(np.isfinite(commands).all(axis=1))
+        else:
+            free = holding.hold(k, np.hstack([now[:, :STATES], now[:, n:]]), commands)
+        if limits.change < np.inf:
+            free &= (np.abs(commands - now[:, n:]) <= limits.change).all(axis=1)
+        if limits.actuator < np.inf:
+            free &= (np.abs(commands) <= limits.actuator).all(axis=1)
         return free
 
 
-def drive_controller(
-    scenario: Scenario,
-    strategy: Strategy,
-    motion: SpeedProfile,
-    excitation: Excitation,
-    stages: list[tuple[str, int, int]],
-) -> Recording:
-    """Drive a strategy's controller over a road; `stages` as `segments` gives them.
+def checked_force(controller: Controller, force: object) -> FloatArray:
+    """A controller's forces (2,) [N].
 
     Raises:
-        RidelabError: The vehicle and weights admit no stabilising controller.
+        RidelabError: They are not two finite numbers.
     """
-    passive = strategy.suspension is SuspensionPolicy.PASSIVE
-    actuator = Actuator() if passive else scenario.actuator
-    before = excitation.drive.before
-    controller = make_controller(scenario, strategy, motion, excitation)
-    dampers, disturbance = semi_active_dampers(scenario, strategy), excitation.disturbance
-    estimator = make_filter(scenario, strategy.suspension, motion, excitation, disturbance)
-    car = make_vehicle(
-        *(scenario.real_vehicle, actuator, excitation.step, disturbance, before),
-        estimator=estimator,
-        dampers=dampers,
-        road=None if is_linear(scenario.real_vehicle, dampers) else under_axles(excitation),
-    )
-    most_change = np.inf if actuator.rate_limit is None else actuator.rate_limit * excitation.step
-    most_force = np.inf if actuator.saturation is None else actuator.saturation
-    loop = ClosedLoop(controller, car, most_change, most_force)
-    trajectory = loop.run(stages)
-    return Recording(
-        table=car.record(trajectory.states[before:], trajectory.commands[before:]),
-        excitation=excitation,
-        report=controller.report,
-        limited=trajectory.limited,
-    )
+    try:
+        asked = np.asarray(force, dtype=np.float64)
+    except (TypeError, ValueError):
+        asked = np.empty(0)
+    if asked.shape != (FORCES,):
+        raise RidelabError(f"{controller.label}: force gives two numbers, front and rear")
+    if not np.isfinite(asked).all():
+        raise RidelabError(f"{controller.label}: force gave a value that is not finite")
+    return asked
+
+
+def _read_only(array: FloatArray) -> FloatArray:
+    view = array.view()
+    view.flags.writeable = False
+    return view

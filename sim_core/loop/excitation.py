@@ -11,14 +11,12 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.kernel.library import ADDRESS, DOUBLE, INT, address, function
+from sim_core.kernel import binding
 from sim_core.road.profile import GRID, RoadProfile, RoadUnderAxles, detail, profile, road_under_axles
 from sim_core.scenario import Road, Scenario
-from sim_core.speed.profile import KMH, SpeedProfile, run_in_steps
-from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
+from sim_core.speed.profile import KMH, SpeedPlan, SpeedProfile, run_in_steps
 from sim_core.vehicle.half_car import DISTURBANCES
 
-_disturbances = function("disturbances", ADDRESS, ADDRESS, INT, DOUBLE, ADDRESS)
 FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
 
 
@@ -107,7 +105,7 @@ class Excitation:
         return self.drive.fine_step
 
 
-def fine_step(scenario: Scenario, strategy: Strategy) -> float:
+def fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool) -> float:
     """Longest fine step [s]: 60 over the bump (or its two ramps), 0.1 rad of the wheels, a grid step of the road, 1 ms.
 
     Between the ends of a fine step the road is taken as linear and the car exact, so the road's curvature and the
@@ -123,8 +121,8 @@ def fine_step(scenario: Scenario, strategy: Strategy) -> float:
     )
     over_bump = detail(bump) / (60 * speed.initial_speed_kmh * KMH) if bump.height else COARSEST
     held = speed.initial_speed_kmh
-    lagging = strategy.suspension is not SuspensionPolicy.PASSIVE and scenario.actuator.bandwidth is not None
-    if strategy.speed is SpeedPolicy.PLANNED and not lagging:
+    lagging = actuated and scenario.actuator.bandwidth is not None
+    if plan == "planned" and not lagging:
         held = min(held, speed.target_speed_kmh)
     over_grid = COARSEST if scenario.road.is_smooth else GRID / (held * KMH)
     return min(COARSEST, max(FINEST, min(0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)))
@@ -150,7 +148,7 @@ def excite(
     height = surface.height(sampled.axles)
     braking = _braking(drive, sampled, step / fine)
     held = np.empty((len(sampled.time) - 1, fine * DISTURBANCES))
-    _disturbances(address(height), address(braking), len(braking), sampled.fine_step, address(held))
+    binding.disturbances(height, braking, sampled.fine_step, held)
     height.flags.writeable = False
     front, rear = height[:, sampled.on_record]
     return Excitation(

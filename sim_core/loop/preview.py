@@ -12,7 +12,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.kernel.library import ADDRESS, INT, address, function
+from sim_core.kernel import binding
 from sim_core.loop.excitation import Excitation, TimeGrid
 from sim_core.road.profile import RoadProfile
 from sim_core.road.sensed import ExpectedErrors, sensed_road
@@ -20,7 +20,6 @@ from sim_core.scenario import Mismatch, Preview, Road
 from sim_core.speed.profile import SpeedProfile
 from sim_core.vehicle.half_car import DISTURBANCES
 
-_horizons = function("horizons", ADDRESS, INT, INT, ADDRESS, ADDRESS)
 EXACT, NO_ERRORS = Mismatch(), ExpectedErrors()
 
 
@@ -33,11 +32,13 @@ class Forecast:
             [m/s^2] (3, steps, horizon); perhaps a view.
         braking: Mean of each window's deceleration (steps,) [m/s^2].
         spread: Norm over each window of both velocities, and of the deceleration's difference from its mean (3, steps).
+        height_now: Of the road under both axles, as it is previewed (2, steps) [m].
     """
 
     windows: FloatArray
     braking: FloatArray
     spread: FloatArray
+    height_now: FloatArray
 
 
 def preview_windows(
@@ -89,15 +90,22 @@ def preview(
     return _without_sensors(mode, road, drive, excitation, horizon, wheelbase)
 
 
-def sliding_forecast(disturbances: FloatArray, horizon: int) -> Forecast:
-    """Windows that slide over the disturbances of every interval to come (3, steps + horizon - 1)."""
+def sliding_forecast(disturbances: FloatArray, horizon: int, height_now: FloatArray) -> Forecast:
+    """Windows that slide over the disturbances of every interval to come (3, steps + horizon - 1).
+
+    Args:
+        disturbances: Of every interval.
+        horizon: Intervals in a window.
+        height_now: As `Forecast`'s.
+    """
     steps = disturbances.shape[1] - horizon + 1
     braking, spread = np.empty(steps), np.empty((DISTURBANCES, steps))
-    _horizons(address(disturbances), steps, horizon, address(braking), address(spread))
+    binding.horizons(disturbances, horizon, braking, spread)
     return Forecast(
         windows=sliding_window_view(disturbances, horizon, axis=1),
         braking=braking,
         spread=spread,
+        height_now=height_now,
     )
 
 
@@ -114,7 +122,8 @@ def _by_sensors(
     sampled = excitation.drive
     axles, braking = _ahead(drive, sampled, horizon, wheelbase, mismatch.preview_offset, mismatch.preview_delay)
     height = mismatch.preview_gain * surface.height(axles)
-    return sliding_forecast(np.vstack([np.diff(height) / sampled.step, braking]), horizon)
+    disturbances = np.vstack([np.diff(height) / sampled.step, braking])
+    return sliding_forecast(disturbances, horizon, height[:, : len(sampled.time) - 1])
 
 
 @cached
@@ -145,4 +154,5 @@ def _without_sensors(
         heights = surface.height(position[:, None] - wheelbase + np.minimum(further, wheelbase))
         windows[1] = np.where(driven, np.diff(heights, axis=1) / h, 0.0)
     spread = np.stack([np.zeros(len(braking)), np.linalg.norm(windows[1], axis=1), np.zeros(len(braking))])
-    return Forecast(windows=windows, braking=braking, spread=spread)
+    height_now = excitation.height[:, : -1 : excitation.fine]
+    return Forecast(windows=windows, braking=braking, spread=spread, height_now=height_now)

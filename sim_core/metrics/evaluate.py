@@ -12,20 +12,19 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS, WINDOWS
-from sim_core.kernel.library import ADDRESS, INT, address, function
+from sim_core.kernel import binding
+from sim_core.loop.drive import Run
 from sim_core.loop.excitation import Excitation
 from sim_core.loop.recording import Recording
 from sim_core.metrics.comfort import vibration_dose, weighted
 from sim_core.metrics.sections import Integrand, SectionValues, over_sections
 from sim_core.metrics.tyre_peaks import peaks_with_kinks
 from sim_core.metrics.windows import Windows, section_ends, windows_of
-from sim_core.result import Series, Span, StrategyResult
+from sim_core.result import Series, StrategyResult
 from sim_core.scenario import Scenario, Vehicle
 from sim_core.speed.profile import KMH, TARGET_BAND, SpeedProfile
-from sim_core.strategies import SpeedPolicy, Strategy, SuspensionPolicy
 from sim_core.vehicle.plant import RECORDED
 
-_both_powers = function("power", ADDRESS, ADDRESS, INT, ADDRESS)
 _ROW = {signal: row for row, signal in enumerate(METRIC_SIGNALS)}
 _SPEEDS = len(RECORDED) - len(METRIC_SIGNALS)  # those of the deflections come before them
 # The accelerations jump with the force and are steep lines in between.
@@ -35,15 +34,13 @@ _FORCES = slice(_ROW["front_force"], _ROW["rear_force"] + 1)
 
 
 def evaluate(
-    scenario: Scenario,
-    strategy: Strategy,
-    drive: SpeedProfile,
-    stages: tuple[Span, ...],
+    run: Run,
     recording: Recording,
 ) -> StrategyResult:
     """Everything a run reports, from its recording."""
+    scenario, controller, drive = run.scenario, run.controller, run.profile
     bump, excitation = scenario.road.bump, recording.excitation
-    report, loop = recording.report, recording.loop
+    report = recording.report
     speeds, signals = recording.table[:_SPEEDS], recording.table[_SPEEDS:]
     bump_end = bump.end + scenario.vehicle.wheelbase
     windows = windows_of(excitation.drive, drive, bump.start, bump_end, scenario.road.length)
@@ -52,13 +49,12 @@ def evaluate(
 
     arrival = windows.arrival_speed
     static = scenario.real_vehicle.static_loads
-    planned = strategy.speed is SpeedPolicy.PLANNED
-    actuated = strategy.suspension is not SuspensionPolicy.PASSIVE
+    planned, actuated = run.plan == "planned", controller.actuated
     rough, whole = metrics["rough_road"], metrics["whole"]
     travel = max(whole["front_deflection"]["peak"], whole["rear_deflection"]["peak"])
     filtered = weighted(signals[_ROW["body_acceleration"]], excitation.fine_step, len(excitation.series["time"]))
     return StrategyResult(
-        strategy=strategy.id,
+        strategy=controller.id,
         metrics=metrics,
         comfort={
             "weighted_rms": sqrt(float(filtered @ filtered) / len(filtered)),
@@ -77,9 +73,9 @@ def evaluate(
             "qp_fallbacks": report.fallbacks,
             "qp_failures": report.failures,
             "max_slack_mm": report.max_slack * 1000,
-            "ecu_most_iterations": loop.iterations if loop else None,
-            "ecu_clipped_values": loop.clipped if loop else None,
-            "ecu_held_commands": loop.held if loop else None,
+            "ecu_most_iterations": report.most_iterations,
+            "ecu_clipped_values": report.clipped_values,
+            "ecu_held_commands": recording.held_commands,
         },
         reference={
             "front_static_load": static[0],
@@ -89,7 +85,7 @@ def evaluate(
             "target_speed": scenario.speed.target_speed_kmh * KMH if planned else None,
             "target_band": TARGET_BAND if planned else None,
         },
-        stages=stages,
+        stages=run.stages(),
         travel_time=drive.time_at(scenario.road.length),
         arrival_speed_kmh=arrival / KMH,
         series=Series(excitation.series, dict(zip(METRIC_SIGNALS, signals, strict=True))),
@@ -142,7 +138,7 @@ def _power(forces: FloatArray, speeds: FloatArray, windows: Windows) -> dict[str
     mean = peak = 0.0
     if forces.any():
         power = np.empty((1, *forces.shape[1:]))
-        _both_powers(address(forces), address(speeds), power.size, address(power))
+        binding.power(forces, speeds, power)
         values = over_sections(power, [Integrand.VALUE], windows.ends)
         mean = float(values.integrals.sum() / (windows.ends[-1, 1] - windows.ends[0, 0]))
         peak = float(values.peaks.max())

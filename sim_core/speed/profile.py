@@ -6,6 +6,7 @@ The plan depends on nothing vertical, so it is made once per road and shared by 
 from dataclasses import dataclass
 from functools import lru_cache
 from math import ceil
+from typing import Literal
 
 import numpy as np
 
@@ -15,8 +16,8 @@ from sim_core.road.profile import RUN_IN
 from sim_core.scenario import Scenario
 from sim_core.speed.brake import BrakeChain, brake_chain
 from sim_core.speed.fuzzy import torque_surface
-from sim_core.strategies import SpeedPolicy
 
+SpeedPlan = Literal["planned", "constant"]  # whether the car slows down for the bump
 KMH = 1 / 3.6  # one km/h [m/s]
 TARGET_BAND = 2.5 * KMH  # half width of the band the paper aims at, 20 to 25 km/h [m/s]
 CONTROL_STEP = 0.01  # period of the speed controller [s]
@@ -97,11 +98,11 @@ def _time_at(drive: SpeedProfile, position: float) -> float:
     return float(drive.time[i]) + step * high
 
 
-def plan_speed(scenario: Scenario, policy: SpeedPolicy) -> SpeedProfile:
-    """How a strategy drives the scenario's road."""
+def plan_speed(scenario: Scenario, plan: SpeedPlan) -> SpeedProfile:
+    """How the scenario's road is driven."""
     speed, bump, vehicle = scenario.speed, scenario.road.bump, scenario.vehicle
     initial = speed.initial_speed_kmh * KMH
-    if policy is SpeedPolicy.CONSTANT:
+    if plan == "constant":
         return _constant(initial)
     return _planned(
         SpeedPlanInputs(

@@ -19,7 +19,7 @@ from sim_core.riccati import riccati, solve
 from sim_core.road.profile import REFERENCE_FREQUENCY
 from sim_core.road.sensed import ExpectedErrors, expected_errors, trust
 from sim_core.scenario import Estimation, Preview, Scenario, Vehicle
-from sim_core.vehicle.half_car import DISTURBANCES, STATES, discrete, half_car, measurement
+from sim_core.vehicle.half_car import DISTURBANCES, MEASURED_OUTPUTS, STATES, discrete, half_car, measurement
 from sim_core.vehicle.model import Estimator
 
 _NOISE_STREAM = 6  # a generator of its own beside the road's
@@ -93,8 +93,7 @@ def make_estimator(
         step: Between measurements [s].
         speed: For which the filter is made [m/s].
         disturbance: In each step, fine step after fine step (steps, 3 · fine), as `Excitation.disturbance`.
-        per_control: Measurements in a control step: each has so many times the variance, so that together they tell as
-            much as one.
+        per_control: As of `sensor_noise`.
         mode: What the filter's controller previews, where the filter is told of it.
         seen: Mean velocity of both axles' road over each control step, as previewed (steps / per_control, 2) [m/s];
             None is a level road.
@@ -104,29 +103,46 @@ def make_estimator(
     """
     if scenario.estimation.kind == "exact":
         return None
-    noise = scenario.estimation
-    if per_control > 1:
-        names = "acceleration_noise", "deflection_noise", "pitch_rate_noise"
-        noise = noise.model_copy(update={name: getattr(noise, name) * sqrt(per_control) for name in names})
+    noise = _per_measurement(scenario.estimation, per_control)
     roughness = max(scenario.road.roughness, _LEAST_ROUGHNESS)
     intensity = (2 * pi * REFERENCE_FREQUENCY) ** 2 * roughness * speed / 2
     unseen = _unseen(scenario, mode, speed)
     filtered = kalman_filter(scenario.vehicle, noise, step, intensity, unseen, per_control)
     model, sensors, L = discrete(scenario.vehicle, step), measurement(scenario.vehicle), filtered.gain
     rest = np.eye(STATES) - L @ sensors.C
-    steps = len(disturbance)
-    braking, last = disturbance.reshape(steps, -1, DISTURBANCES)[:, :, 2].mean(axis=1), disturbance[:, -1]
+    braking, last = disturbance.reshape(len(disturbance), -1, DISTURBANCES)[:, :, 2].mean(axis=1), disturbance[:, -1]
     known = np.outer(braking, model.E[:, 2])
     if seen is not None:
         known += np.repeat(seen, per_control, axis=0) @ model.E[:, :2].T
-    white = np.random.default_rng((scenario.road.seed, _NOISE_STREAM)).standard_normal((steps, len(L.T)))
-    deviations = [noise.deflection_noise] * 2 + [noise.acceleration_noise, noise.pitch_rate_noise]
+    measured = sensor_noise(scenario, len(disturbance), per_control) - np.outer(last, sensors.F)
     return Estimator(
         state=rest @ model.A,
         command=rest @ model.B - L @ sensors.D,
         measurement=L,
-        input=known @ rest.T + (white * deviations - np.outer(last, sensors.F)) @ L.T,
+        input=known @ rest.T + measured @ L.T,
     )
+
+
+@cached
+def sensor_noise(scenario: Scenario, steps: int, per_control: int = 1) -> FloatArray:
+    """Noise of half_car.MEASURED_OUTPUTS in each step (steps, 4), in their units.
+
+    Args:
+        scenario: Whose sensors and seed.
+        steps: Measurements.
+        per_control: Measurements in a control step: each has so many times the variance, so that together they tell as
+            much as one.
+    """
+    noise = _per_measurement(scenario.estimation, per_control)
+    white = np.random.default_rng((scenario.road.seed, _NOISE_STREAM)).standard_normal((steps, len(MEASURED_OUTPUTS)))
+    return white * ([noise.deflection_noise] * 2 + [noise.acceleration_noise, noise.pitch_rate_noise])
+
+
+def _per_measurement(noise: Estimation, per_control: int) -> Estimation:
+    if per_control == 1:
+        return noise
+    names = "acceleration_noise", "deflection_noise", "pitch_rate_noise"
+    return noise.model_copy(update={name: getattr(noise, name) * sqrt(per_control) for name in names})
 
 
 def _unseen(scenario: Scenario, mode: Preview, speed: float) -> tuple[float, float]:

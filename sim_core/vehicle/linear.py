@@ -9,7 +9,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.kernel.recurrence import run_recurrence
+from sim_core.kernel import binding
 from sim_core.scenario import Vehicle
 from sim_core.vehicle.half_car import FORCES, STATES, measurement
 from sim_core.vehicle.model import Estimator, LinearLaw, VehicleModel
@@ -73,6 +73,7 @@ class LinearCar(VehicleModel):
         self, plant: Plant, vehicle: Vehicle, disturbance: FloatArray, before: int, estimator: Estimator | None
     ) -> None:
         self._plant = plant
+        self._vehicle = vehicle
         self._disturbance = disturbance
         self._before = before
         self._step = control_step(plant, vehicle, estimator)
@@ -83,17 +84,30 @@ class LinearCar(VehicleModel):
             measured += np.outer(disturbance[:, -1], measurement(vehicle).F)
             self._forcing = np.hstack([measured @ estimator.measurement.T + estimator.input, self._forcing])
 
-    def free_run(self, law: LinearLaw, first: int, start: FloatArray, feed: FloatArray) -> FloatArray:
+    @property
+    def clips(self) -> bool:
+        """No: many steps follow one matrix."""
+        return False
+
+    def free_run(
+        self, law: LinearLaw, force_limit: float, first: int, start: FloatArray, feed: FloatArray
+    ) -> FloatArray:
         """As VehicleModel says."""
         z = np.empty((len(feed) + 1, self.size + FORCES))
         z[0], z[1:, self.size :] = start, feed
         np.add(self._forcing[first : first + len(feed)], feed @ self._step.B.T, out=z[1:, : self.size])
-        run_recurrence(closed_loop_matrix(self._step, law), z)
+        binding.recurrence(closed_loop_matrix(self._step, law), z)
         return z
 
     def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
         """As VehicleModel says."""
         return np.asarray(self._step.A @ state + self._step.B @ command + self._forcing[step])
+
+    def measure(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
+        """As VehicleModel says."""
+        C, D = _sensors(self._plant, self._vehicle)
+        braking = self._disturbance[max(step - 1, 0), -1]
+        return np.asarray(C @ state[-self._plant.size :] + D @ command + measurement(self._vehicle).F * braking)
 
     def record(self, states: FloatArray, commands: FloatArray) -> FloatArray:
         """As VehicleModel says."""

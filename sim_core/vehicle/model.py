@@ -12,13 +12,30 @@ LAW_INPUTS = STATES + FORCES  # what a law multiplies: the state, then the previ
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class LinearLaw:
-    """u = gain·z + feed while no limit binds; z (10,) = [state (8); previous command (2) in N], gain (2, 10).
+    """u = gain·[state; previous force] + preview_gain·disturbances [N], while no limit binds.
 
-    A nonlinear car, which is stepped one control step after another, keeps the force within `force_limit` [N] itself.
+    Attributes:
+        gain: On the state (8,), then on the previous force [N] (2, 10).
+        preview_gain: On the expected disturbances, all steps of the front road velocity, then of the rear one, then of
+            the deceleration (2, 3 · preview_steps); None for nothing.
+        limits: Limits beside the greatest force: the law holds where each row times
+            [state; previous force; disturbances] is between -1 and 1 (rows, 10 + 3 · preview_steps); None for none.
     """
 
     gain: FloatArray
-    force_limit: float = inf
+    preview_gain: FloatArray | None = None
+    limits: FloatArray | None = None
+
+    def force(self, state: FloatArray, previous_force: FloatArray, disturbances: FloatArray) -> FloatArray:
+        """The law's forces (2,) [N].
+
+        Args:
+            state: (8,).
+            previous_force: (2,) [N].
+            disturbances: (3, preview_steps).
+        """
+        force = self.gain[:, :STATES] @ state + self.gain[:, STATES:] @ previous_force
+        return force if self.preview_gain is None else force + self.preview_gain @ disturbances.ravel()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -28,12 +45,13 @@ class SemiActiveDampers:
     Attributes:
         least: What a damper can be set to, the passive one included [N s/m].
         most: The same; infinite where there is no limit.
-        most_force: What control changes of the passive damper's force at most [N]; `least` and `most` go before it.
+        most_force: What control changes of the passive damper's force at most [N]; `least` and `most` go before it. A
+            run sets it from the limits of forces.
     """
 
     least: float
     most: float
-    most_force: float
+    most_force: float = inf
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -61,12 +79,22 @@ class VehicleModel(ABC):
 
     size: int
 
+    @property
     @abstractmethod
-    def free_run(self, law: LinearLaw, first: int, start: FloatArray, feed: FloatArray) -> FloatArray:
-        """The closed loop over control steps in which no limit binds: z (steps + 1, size + 2) from `start` on.
+    def clips(self) -> bool:
+        """Whether `free_run` keeps forces within the limit; otherwise they are the law's, however large."""
+
+    @abstractmethod
+    def free_run(
+        self, law: LinearLaw, force_limit: float, first: int, start: FloatArray, feed: FloatArray
+    ) -> FloatArray:
+        """The closed loop over control steps in which none of the law's limits binds, from `start` on.
+
+        z (steps + 1, size + 2), as `start`.
 
         Args:
             law: Of the controller.
+            force_limit: Of each force [N].
             first: Index of the first control step.
             start: [p; previous command in N] before it (size + 2,).
             feed: What preview adds to the law's force in each step (steps, 2) [N].
@@ -75,6 +103,16 @@ class VehicleModel(ABC):
     @abstractmethod
     def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
         """The state p (size,) at the end of a control step that begins with `state` and holds `command` (2,) [N]."""
+
+    @abstractmethod
+    def measure(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
+        """half_car.MEASURED_OUTPUTS (4,) at the beginning of a control step, without noise.
+
+        Args:
+            step: Index of the control step.
+            state: p (size,) then.
+            command: Held until then (2,) [N].
+        """
 
     @abstractmethod
     def record(self, states: FloatArray, commands: FloatArray) -> FloatArray:

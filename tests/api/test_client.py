@@ -9,11 +9,11 @@ import httpx
 import numpy as np
 import pytest
 
+from backend.analysis.roads import seeded
 from ridelab import Batch, Interval, Ridelab, RidelabAPIError, RunResult
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Bump, Road, Scenario
 from sim_core.simulate import simulate
-from sim_core.study.roads import seeded
 
 SHORT = Scenario(road=Road(length=112, bump=Bump(start=72)))  # nobody else's, so that nothing is stored yet
 HEIGHTS = [0.03, 0.05, 0.07]

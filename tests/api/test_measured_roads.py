@@ -12,13 +12,13 @@ import pytest
 from sqlalchemy import delete, update
 
 from backend.db.tables import results, roads, run_roads
+from backend.roads.samples import HUMP as HUMP_OF_STREET
+from backend.roads.samples import POTHOLE, SAMPLES
 from backend.roads.survey import read
 from backend.runs.memory import Memory
 from ridelab import Ridelab
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.simulate import simulate
-from sim_core.study.sample_roads import HUMP as HUMP_OF_STREET
-from sim_core.study.sample_roads import POTHOLE, SAMPLES
 from tests.api.cli import Cli
 from tests.api.conftest import Service
 from tests.servers.process import wait_until

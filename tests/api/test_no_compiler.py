@@ -9,7 +9,7 @@ import pytest
 
 from backend import digest
 from backend.ecu.build import NO_COMPILER, NO_CROSS_COMPILER
-from backend.jobs.reproduction import models
+from backend.paper import models
 from backend.settings import Settings
 from backend.store import StoredResult, StoredRun
 from sim_core import __version__ as CORE_VERSION

@@ -23,7 +23,7 @@ from backend.settings import Settings
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.presets import PRESETS
-from sim_core.strategies import STRATEGIES
+from sim_core.strategies import STRATEGIES, reads
 from tests.servers.process import HANG_TIMEOUT
 
 ROOT = Path(__file__).parents[2]
@@ -243,7 +243,7 @@ def test_strategies_tell_what_they_read_and_how_they_look(client: httpx.Client) 
     strategies = [StrategyAnswer.model_validate(item) for item in client.get("/api/v1/strategies").json()]
     assert [item.id for item in strategies] == list(STRATEGIES)
     for item in strategies:
-        assert tuple(item.reads) == STRATEGIES[item.id].reads
+        assert tuple(item.reads) == reads(STRATEGIES[item.id])
         assert re.fullmatch("#[0-9A-F]{6}", item.colour)
 
 

@@ -7,9 +7,9 @@ from typing import Any
 import httpx
 import pytest
 
-from backend.jobs.reproduction import models
-from sim_core.study.interpretations import DEFAULT
-from sim_core.study.paper import FIGURES
+from backend.paper import models
+from backend.paper.claims import FIGURES
+from backend.paper.interpretations import DEFAULT
 from tests.api.conftest import Service
 from tests.servers.process import wait_until
 
@@ -175,7 +175,7 @@ def test_the_figures_are_the_paper_s(client: httpx.Client) -> None:
 
 def test_what_nobody_waits_for_any_more_is_called_off(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
     """A visitor who leaves takes the work along: 100 roads would keep a worker busy for a minute."""
-    monkeypatch.setattr("backend.jobs.reproduction.rows.LINGER", 0.3)
+    monkeypatch.setattr("backend.paper.rows.LINGER", 0.3)
     with service.begun("GET", f"{PAPER}?seeds=100&force_limit=10"):
         wait_until(lambda: reproductions(service) > 0, "it is under way")
     wait_until(lambda: reproductions(service) == 0, "it is called off")
@@ -189,7 +189,7 @@ def reproductions(service: Service) -> int:
 
 
 def test_more_than_it_bears_at_once_is_refused(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("backend.jobs.reproduction.rows.MAX_JOBS", 0)
+    monkeypatch.setattr("backend.paper.rows.MAX_JOBS", 0)
     response = service.client.get(PAPER, params={"first_seed": "9000"})
     assert (response.status_code, response.json()["type"]) == (503, "urn:problem-type:ridelab:full")
     assert response.headers["retry-after"]

@@ -10,11 +10,11 @@ from typing import Any
 import httpx
 import pytest
 
+from backend.paper.claims import WINDOW
+from backend.paper.interpretations import INTERPRETATIONS
+from backend.paper.readings import READINGS
 from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
-from sim_core.study.interpretations import INTERPRETATIONS
-from sim_core.study.paper import WINDOW
-from sim_core.study.readings import READINGS
 
 PAGE = Path(__file__).parents[2] / "docs" / "paper.md"
 SIGNAL_NAMES = {key: item.label for key, item in SIGNALS.items()}

@@ -6,6 +6,7 @@ import httpx
 import pytest
 from sqlalchemy.exc import OperationalError
 
+from backend.cost.estimate import estimate
 from backend.errors import (
     EcuUnavailableError,
     WorkerLostError,
@@ -17,7 +18,6 @@ from backend.http.kinds import KINDS
 from backend.http.problems import Problem
 from sim_core.errors import RidelabError, TooExpensiveError
 from sim_core.scenario import Scenario
-from sim_core.workload import estimate
 from tests.servers.process import HANG_TIMEOUT
 
 HARD = {

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from backend import digest
+from backend.analysis.intervals import change_with_interval, mean_with_interval
 from backend.models import CreatedRun
 from backend.runs import bands, histories
 from backend.runs.roads_models import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
@@ -16,7 +17,6 @@ from backend.runs.work import ComputedResult
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario
-from sim_core.study.intervals import change_with_interval, mean_with_interval
 from tests.html import check, read
 
 SEED = 41

@@ -10,9 +10,9 @@ from typing import Any
 import httpx
 import pytest
 
+from backend.analysis.intervals import mean_with_interval
 from backend.runs.solve.models import Solution, SolveRequest
 from ridelab import Ridelab, RidelabAPIError
-from sim_core.study.intervals import mean_with_interval
 from tests.api.cli import Cli
 from tests.servers.process import HANG_TIMEOUT, wait_until
 

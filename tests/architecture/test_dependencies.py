@@ -13,10 +13,18 @@ import pytest
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+import ridelab
+import sim_core
+
 ROOT = Path(__file__).parents[2]
 PYPROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
-CLIENT = tomllib.loads((ROOT / "client" / "pyproject.toml").read_text())["project"]["dependencies"]
-RUNTIME, EXTRAS = [*PYPROJECT["project"]["dependencies"], *CLIENT], PYPROJECT["project"]["optional-dependencies"]
+CORE, CLIENT = (
+    tomllib.loads((ROOT / name / "pyproject.toml").read_text())["project"]["dependencies"]
+    for name in ("sim_core", "client")
+)
+OURS = {"ridelab-core", "ridelab"}
+SERVER = [each for each in PYPROJECT["project"]["dependencies"] if Requirement(each).name not in OURS]
+RUNTIME, EXTRAS = [*CORE, *CLIENT, *SERVER], PYPROJECT["project"]["optional-dependencies"]
 GROUPS = PYPROJECT["dependency-groups"]
 LOCKS = {
     "requirements.lock": RUNTIME,
@@ -39,11 +47,20 @@ def locked(name: str) -> dict[str, list[str]]:
 @pytest.mark.parametrize(("name", "wanted"), LOCKS.items())
 def test_locks_hold_what_the_project_asks_for(name: str, wanted: list[str]) -> None:
     versions = locked(name)
-    assert len(versions) >= len(wanted)
+    assert len(versions) >= len({Requirement(each).name for each in wanted})
+    assert not OURS & versions.keys(), "they are installed from here"
     for requirement in map(Requirement, wanted):
         pinned = versions.get(canonicalize_name(requirement.name), [])
         assert pinned, f"{requirement} is not locked: make lock"
         assert all(requirement.specifier.contains(version, prereleases=True) for version in pinned), requirement
+
+
+def test_the_server_asks_for_its_own_core_and_client() -> None:
+    wanted = {Requirement(each).name: str(Requirement(each).specifier) for each in PYPROJECT["project"]["dependencies"]}
+    assert {name: wanted[name] for name in OURS} == {
+        "ridelab-core": f"=={sim_core.__version__}",
+        "ridelab": f"=={ridelab.__version__}",
+    }
 
 
 def test_all_locks_agree() -> None:

@@ -6,13 +6,13 @@ from pathlib import Path
 
 import pytest
 
-from sim_core import reference
-from sim_core.study import errata
+from backend.paper import errata
+from tests.docs import scenario_reference
 
 ROOT = Path(__file__).parents[2]
 
 
-@pytest.mark.parametrize(("page", "name"), [(reference.page, "scenario.md"), (errata.page, "errata.md")])
+@pytest.mark.parametrize(("page", "name"), [(scenario_reference.page, "scenario.md"), (errata.page, "errata.md")])
 def test_a_reference_page_is_what_the_core_says(page: Callable[[], str], name: str) -> None:
     """UPDATE_DOCS=1 writes it."""
     path = ROOT / "docs" / name

@@ -7,12 +7,12 @@ from pathlib import Path
 import httpx
 import pytest
 
+from backend.paper.claims import SEEDS
 from backend.settings import Settings
-from sim_core.study import causes
-from sim_core.study.paper import SEEDS
 from tests.api.conftest import serve
 from tests.api.test_cli_docs import check
 from tests.api.test_paper_docs import PAGE, with_blocks
+from tests.docs import causes
 
 
 @pytest.fixture

@@ -1,10 +1,10 @@
-"""Wheels of both distributions, and environments that have one of them with the packages it declares, and no others."""
+"""Wheels of the three distributions, and environments of some of them with the packages they declare, and no others."""
 
 import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from importlib.metadata import Distribution, distribution
 from pathlib import Path
 
@@ -13,24 +13,26 @@ from packaging.requirements import Requirement
 ROOT = Path(__file__).parents[2]
 
 
-def built(folder: Path) -> list[Path]:
-    """The wheels of the server and of the client, from copies: setuptools leaves its work beside the sources."""
-    server, client, wheels = folder / "server", folder / "client", folder / "wheels"
-    ours = shutil.ignore_patterns("__pycache__", "*.egg-info")
-    for name in ("sim_core", "backend", "frontend/dist"):
-        shutil.copytree(ROOT / name, server / name, ignore=ours)
+def built(folder: Path) -> dict[str, Path]:
+    """The wheels by distribution, from copies: setuptools leaves its work beside the sources."""
+    sources, wheels = folder / "sources", folder / "wheels"
+    ours = shutil.ignore_patterns("__pycache__", "*.egg-info", "build", "libridelab.so.1")
+    for name in ("sim_core", "client", "backend", "frontend/dist"):
+        shutil.copytree(ROOT / name, sources / name, ignore=ours)
     for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE"):
-        shutil.copy(ROOT / name, server)
-    shutil.copytree(ROOT / "client", client, ignore=ours)
-    for source in (server, client):
-        pip("wheel", "--no-deps", "--no-build-isolation", "--wheel-dir", str(wheels), str(source))
-    return [*wheels.glob("ridelab_server-*.whl"), *wheels.glob("ridelab-*.whl")]
+        shutil.copy(ROOT / name, sources)
+    projects = [str(path) for path in (sources / "sim_core", sources / "client", sources)]
+    pip("wheel", "--no-deps", "--no-build-isolation", "--wheel-dir", str(wheels), *projects)
+    return {path.name.split("-")[0].replace("_", "-"): path for path in wheels.glob("*.whl")}
 
 
 class Environment:
-    """A virtual environment with some wheels; their dependencies are links to the packages that run these tests."""
+    """A virtual environment with some wheels; their dependencies are links to the packages that run these tests.
 
-    def __init__(self, folder: Path, wheels: list[Path]) -> None:
+    `packages` are the distributions in it, by name.
+    """
+
+    def __init__(self, folder: Path, wheels: Iterable[Path]) -> None:
         self._folder = folder
         subprocess.run([sys.executable, "-m", "venv", "--without-pip", str(folder)], check=True)
         (site,) = folder.glob("lib/python*/site-packages")
@@ -39,6 +41,7 @@ class Environment:
         linked: set[str] = {each.metadata["Name"] for each in own}
         for each in own:
             _link(each, set(), site, linked)
+        self.packages = linked
 
     def run(self, *words: str, **environment: str) -> subprocess.CompletedProcess[str]:
         """A program of this environment, in its folder and without the variables of ours."""

@@ -3,30 +3,38 @@
 import json
 import re
 import subprocess
+import sys
 from collections.abc import Iterator
 from pathlib import Path
+from zipfile import ZipFile
 
 import httpx
 import pytest
 
 from backend.ecu import build
+from sim_core.strategies import STRATEGIES
 from tests.packaging.environments import Environment, built
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
 
 @pytest.fixture(scope="module")
-def wheels(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+def wheels(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     return built(tmp_path_factory.mktemp("wheels"))
 
 
 @pytest.fixture(scope="module")
-def client(wheels: list[Path], tmp_path_factory: pytest.TempPathFactory) -> Environment:
-    return Environment(tmp_path_factory.mktemp("client"), wheels[1:])
+def core(wheels: dict[str, Path], tmp_path_factory: pytest.TempPathFactory) -> Environment:
+    return Environment(tmp_path_factory.mktemp("core"), [wheels["ridelab-core"]])
 
 
 @pytest.fixture(scope="module")
-def server(wheels: list[Path], tmp_path_factory: pytest.TempPathFactory) -> Environment:
-    return Environment(tmp_path_factory.mktemp("server"), wheels)
+def client(wheels: dict[str, Path], tmp_path_factory: pytest.TempPathFactory) -> Environment:
+    return Environment(tmp_path_factory.mktemp("client"), [wheels["ridelab"]])
+
+
+@pytest.fixture(scope="module")
+def server(wheels: dict[str, Path], tmp_path_factory: pytest.TempPathFactory) -> Environment:
+    return Environment(tmp_path_factory.mktemp("server"), wheels.values())
 
 
 @pytest.fixture(scope="module")
@@ -43,6 +51,39 @@ def address(server: Environment, tmp_path_factory: pytest.TempPathFactory) -> It
     yield announced[1]
     process.terminate()
     assert process.wait(HANG_TIMEOUT) is not None
+
+
+def test_each_distribution_is_typed_and_only_the_cores_belongs_to_a_platform(wheels: dict[str, Path]) -> None:
+    for name, package in (("ridelab-core", "sim_core"), ("ridelab", "ridelab"), ("ridelab-server", "backend")):
+        files = ZipFile(wheels[name]).namelist()
+        assert f"{package}/py.typed" in files
+        assert {file.split("/")[0] for file in files if ".dist-info/" not in file} == {package}
+    tags = {name: path.stem.split("-")[2:] for name, path in wheels.items()}
+    assert tags["ridelab"] == tags["ridelab-server"] == ["py3", "none", "any"]
+    assert tags["ridelab-core"][:2] == ["py3", "none"], "its library needs no Python headers"
+    assert tags["ridelab-core"][2] != "any"
+
+
+def test_the_core_alone_simulates(core: Environment) -> None:
+    declared = {"numpy", "scipy", "osqp", "daqp", "scikit-fuzzy", "pydantic", "cachetools", "threadpoolctl"}
+    assert declared < core.packages
+    web = {"fastapi", "starlette", "uvicorn", "httpx", "SQLAlchemy", "psycopg", "distributed", "orjson", "ridelab"}
+    assert not web & core.packages
+    script = """
+from sim_core.scenario import Mpc, Scenario
+from sim_core.simulate import simulate
+from sim_core.strategies import STRATEGIES
+
+osqp = Scenario(mpc=Mpc(solver="osqp", force_limit=2000))
+for scenario, names in (Scenario(), STRATEGIES), (osqp, ["lv"]):
+    for name in names:
+        print(name, simulate(scenario, name).metrics["bump"]["body_acceleration"]["peak"].hex())
+"""
+    run = core.run("python", "-c", script)
+    here = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert (run.returncode, run.stderr) == (0, "")
+    assert run.stdout == here.stdout, "the same numbers as from the sources"
+    assert len(run.stdout.splitlines()) == len(STRATEGIES) + 1
 
 
 def test_the_client_alone_is_small_and_asks_a_service(client: Environment, address: str) -> None:

@@ -28,14 +28,13 @@ from filelock import FileLock
 
 from backend.db.database import insert_new
 from backend.db.tables import results
-from backend.jobs.reproduction import work
-from backend.jobs.reproduction.work import RowRequest
 from backend.jobs.sweep.plan import scenario_at
+from backend.paper import claims, work
+from backend.paper.interpretations import DEFAULT, FAVOURABLE
+from backend.paper.work import RowRequest
 from backend.store import Store
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
-from sim_core.study import paper
-from sim_core.study.interpretations import DEFAULT, FAVOURABLE
 from tests.servers.process import ROOT
 
 FOLDER = ROOT / ".cache"
@@ -44,14 +43,14 @@ SOURCES = (
     "backend/__init__.py",
     "backend/digest.py",
     "backend/errors.py",
+    "backend/analysis/intervals.py",
+    "backend/cost",
     "backend/ecu",
-    "backend/jobs/__init__.py",
-    "backend/jobs/reproduction/__init__.py",
-    "backend/jobs/reproduction/work.py",
+    "backend/paper",
     "tests/servers/reproduction.py",
 )
-IN_ECU = f"{work.PREFIX}{paper.IN_ECU}"
-ROADS = range(1, paper.SEEDS + 1)
+IN_ECU = f"{work.PREFIX}{claims.IN_ECU}"
+ROADS = range(1, claims.SEEDS + 1)
 
 
 def requests(roads: range = ROADS) -> list[RowRequest]:
@@ -68,7 +67,7 @@ def substitutes() -> dict[str, str]:
     if os.environ.get("UPDATE_DOCS"):
         return {}
     under = work.requests_under(FAVOURABLE.choices | {"preview": "none"}, ROADS)
-    return {row.key: simulated.key for row, simulated in zip(under[paper.IN_ECU], under["lv"], strict=True)}
+    return {row.key: simulated.key for row, simulated in zip(under[claims.IN_ECU], under["lv"], strict=True)}
 
 
 def distinct() -> list[RowRequest]:

@@ -22,11 +22,12 @@ from backend.ecu.realtime import PacedEcu, Timing, spread
 from backend.ecu.report import ControllerVariant
 from benchmarks.cortex_m3 import CortexM3
 from sim_core.ecu.calibration import Calibration
-from sim_core.ecu.drive import ecu_calibration
 from sim_core.ecu.interface import Ecu, Frame, Reply
 from sim_core.ecu.sources import FLAGS, SOURCES
 from sim_core.scenario import Bump, Hil, Mpc, Road, Scenario, Speed
 from sim_core.simulate import simulate
+from sim_core.strategies.calibration import ecu_calibration
+from sim_core.strategies.lv_hil import LvHil
 from tests.events import event
 
 SMALL = Scenario(
@@ -61,8 +62,8 @@ def test_the_zip_builds_with_its_own_makefile_and_drives_bit_for_bit_like_ridela
     )
     assert make.returncode == 0
     assert Scenario.model_validate_json((folder / "scenario.json").read_text()) == SMALL
-    exported = simulate(SMALL, "lv_hil", partial(connected, program=folder / "ridelab_ecu"), calibration)
-    loaded = simulate(SMALL, "lv_hil", connected, calibration)
+    exported = simulate(SMALL, LvHil(connect=partial(connected, program=folder / "ridelab_ecu")))
+    loaded = simulate(SMALL, LvHil(connect=connected))
     assert exported.summary() == loaded.summary()
     assert all(np.array_equal(exported.series[key], loaded.series[key]) for key in loaded.series)
     assert event(loaded, "limited_steps") > 5
@@ -121,7 +122,7 @@ def test_on_the_parts_processor_it_does_the_same_in_the_cycles_the_report_takes(
 ) -> None:
     """The emulated Cortex-M3 gives each command to the bit, and an operation's cycles as `effort` has them."""
     noting = Noting()
-    simulate(SMALL, "lv_hil", noting.connect, calibration)
+    simulate(SMALL, LvHil(connect=noting.connect))
     frames = noting.seen
     machine = CortexM3(image)
     machine.call("ridelab_firmware_start")

@@ -18,9 +18,9 @@ from backend.ecu.link import connected
 from backend.ecu.tables import fingerprint
 from backend.errors import EcuUnavailableError
 from sim_core.ecu.calibration import Calibration
-from sim_core.ecu.drive import ecu_calibration
 from sim_core.ecu.interface import Frame
 from sim_core.scenario import Mpc, Scenario
+from sim_core.strategies.calibration import ecu_calibration
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
 ROOT = Path(__file__).parents[2]
@@ -118,7 +118,7 @@ def test_the_program_ends_with_a_plant_that_was_killed() -> None:
         "import os, subprocess, sys\n"
         "from backend.ecu.link import connected\n"
         "from sim_core.scenario import Mpc, Scenario\n"
-        "from sim_core.simulate import ecu_calibration\n"
+        "from sim_core.strategies.calibration import ecu_calibration\n"
         "import psutil\n"
         "with connected(ecu_calibration(Scenario(mpc=Mpc(prediction_horizon=4, control_horizon=2)))):\n"
         "    print(psutil.Process().children()[0].pid, flush=True)\n"

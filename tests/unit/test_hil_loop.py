@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 from sim_core.arrays import FloatArray
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import convert, highest_code
-from sim_core.ecu.drive import ecu_calibration
 from sim_core.ecu.interface import Connect, Ecu, Frame, Reply
 from sim_core.result import StrategyResult
 from sim_core.scenario import Actuator, Bump, Hil, Mpc, Road, Scenario, Speed
 from sim_core.simulate import simulate
+from sim_core.strategies.lv_hil import LvHil
 from tests.events import event
 
 SHORT = Scenario(
@@ -50,7 +50,7 @@ def scripted(ecu: Ecu) -> Connect:
 
 def commanded(of: Scenario, ecu: Ecu) -> tuple[FloatArray, StrategyResult]:
     """The front actuator's force in codes, millisecond by millisecond from x = 0, and the result."""
-    result = simulate(of, "lv_hil", scripted(ecu), ecu_calibration(of))
+    result = simulate(of, LvHil(connect=scripted(ecu)))
     step = of.mpc.force_limit / highest_code(of.hil.bits)
     every = round(0.001 / result.series["time"][1])
     return result.series["front_force"][::every] / step, result
@@ -123,7 +123,7 @@ def test_noise_has_the_share_of_the_range_that_was_asked_for() -> None:
             return None
 
     ecu = Silent()
-    simulate(level, "lv_hil", scripted(ecu), ecu_calibration(level))
+    simulate(level, LvHil(connect=scripted(ecu)))
     measured = np.stack([frame.codes for frame in ecu.frames]) / highest_code(16)
     assert measured.size > 10_000
     assert measured.std() == pytest.approx(0.01, rel=0.03)

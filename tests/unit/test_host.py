@@ -10,11 +10,13 @@ from typing import Any
 import pytest
 from threadpoolctl import ThreadpoolController
 
+from sim_core.loop.drive import Run
 from sim_core.metrics.evaluate import evaluate
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
 from tests.servers.process import HANG_TIMEOUT
 
+SIMULATE = sys.modules["sim_core.simulate"]  # the module: the package binds the function by that name
 # Prints how many blocks of 4 MiB glibc fetches from the system one by one: it keeps none of them when they are freed.
 _FETCHED = """
 import ctypes, sys
@@ -83,14 +85,14 @@ def test_a_run_has_one_thread_of_blas_and_the_host_has_its_own_back(
         during.append(threads(libraries))
         return evaluate(*arguments)
 
-    monkeypatch.setattr("sim_core.simulate.evaluate", seen)
+    monkeypatch.setattr(SIMULATE, "evaluate", seen)
     simulate(Scenario(), "passive")
     assert (during, threads(libraries)) == ([{1}], {3})
 
     def failing(*_: Any) -> Any:
         raise RuntimeError("a bug")
 
-    monkeypatch.setattr("sim_core.simulate.evaluate", failing)
+    monkeypatch.setattr(SIMULATE, "evaluate", failing)
     with pytest.raises(RuntimeError, match="a bug"):
         simulate(Scenario(), "passive")
     assert threads(libraries) == {3}
@@ -100,15 +102,16 @@ def test_runs_of_several_threads_may_overlap(libraries: list[Any], monkeypatch: 
     """The one that began first ends first: the other still has one thread, and afterwards all is as before."""
     begun, free = [threading.Event() for _ in range(2)], threading.Event()
 
-    def waiting(scenario: Scenario, *arguments: Any) -> Any:
+    def waiting(run: Run, *arguments: Any) -> Any:
+        scenario = run.scenario
         begun[scenario.road.seed - 1].set()
         if scenario.road.seed == 2:
             assert free.wait(HANG_TIMEOUT)
         else:
             assert begun[1].wait(HANG_TIMEOUT)
-        return evaluate(scenario, *arguments)
+        return evaluate(run, *arguments)
 
-    monkeypatch.setattr("sim_core.simulate.evaluate", waiting)
+    monkeypatch.setattr(SIMULATE, "evaluate", waiting)
     scenarios = [Scenario.model_validate({"road": {"seed": seed}}) for seed in (1, 2)]
     first, second = (threading.Thread(target=simulate, args=(each, "passive")) for each in scenarios)
     first.start()

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from sim_core.study.limit_search import MAX_VALUES, Axis, alike, bracket, next_indices, spans_over, turning_points
+from backend.runs.solve.limit_search import MAX_VALUES, Axis, alike, bracket, next_indices, spans_over, turning_points
 
 Function = Callable[[float], float]
 

@@ -8,19 +8,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from backend.analysis.intervals import change_with_interval
+from backend.paper import claims
+from backend.paper.attribution import FACTORS, VARIANTS, shares
+from backend.paper.claims import FIGURES, Verdict, judge, scenario_for, verdict
+from backend.paper.interpretations import DEFAULT, FAVOURABLE, INTERPRETATIONS, interpretation_of
+from backend.paper.readings import OURS, READINGS
+from backend.paper.tables import ABSOLUTES, TABLES, cells
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.errors import UnknownNameError
 from sim_core.scenario import Road, Scenario
 from sim_core.scenario.dotted import field
 from sim_core.simulate import simulate
-from sim_core.study import paper
-from sim_core.study.attribution import FACTORS, VARIANTS, shares
-from sim_core.study.causes import least_change
-from sim_core.study.interpretations import DEFAULT, FAVOURABLE, INTERPRETATIONS, interpretation_of
-from sim_core.study.intervals import change_with_interval
-from sim_core.study.paper import FIGURES, Verdict, judge, scenario_for, verdict
-from sim_core.study.paper_tables import ABSOLUTES, TABLES, cells
-from sim_core.study.readings import OURS, READINGS
+from sim_core.strategies import STRATEGIES, part_read
+from tests.docs.causes import least_change
 
 COPY = json.loads((Path(__file__).parents[1] / "data" / "paper_tables.json").read_text())
 NAMED = {"lv_hil": "hil"}
@@ -92,12 +93,12 @@ def test_the_rule_of_hardware_in_the_loop(ours: float, expected: Verdict) -> Non
     assert verdict(1.6, ours, hil=True) is verdict(-50, ours, hil=True) is expected
 
 
-def values_of(factor: dict[str, float], spread: float = 0.0) -> paper.Values:
+def values_of(factor: dict[str, float], spread: float = 0.0) -> claims.Values:
     """Every strategy's figures: a common one times the strategy's factor, over 20 roads."""
     noise = np.random.default_rng(1).standard_normal(20)
     return {
         name: {figure: [factor.get(name, 1.0) * (10 + spread * float(each)) for each in noise] for figure in FIGURES}
-        for name in paper.STRATEGIES
+        for name in claims.STRATEGIES
     }
 
 
@@ -109,7 +110,7 @@ def test_cells_are_judged_against_what_follows_where_it_is_misprinted() -> None:
     }
     assert verdicts[8, "lv", "speed_only", "rear_tyre_load"] is Verdict.SMALLER
     assert verdicts[8, "lv", "speed_only", "body_acceleration"] is Verdict.REACHED
-    assert sum(paper.count(judged).values()) == len(judged)
+    assert sum(claims.count(judged).values()) == len(judged)
 
 
 def test_a_verdict_is_certain_where_its_whole_interval_gets_it() -> None:
@@ -148,9 +149,9 @@ def test_every_reading_changes_fields_that_exist_and_the_first_choice_is_ours() 
             for name, value in choice.changes.items():
                 field(name).checked(value)
             ours = scenario_for({reading.id: choice.id}, 1).model_dump(mode="json")
-            changes_no_run = choice.id == reading.default or reading.id == paper.WINDOW
+            changes_no_run = choice.id == reading.default or reading.id == claims.WINDOW
             assert (ours == default) == changes_no_run, (reading.id, choice.id)
-            assert (choice.stretches is None) == (choice.id == reading.default or reading.id != paper.WINDOW)
+            assert (choice.stretches is None) == (choice.id == reading.default or reading.id != claims.WINDOW)
     for unknown in ({"colour": "red"}, {"preview": "red"}):
         with pytest.raises(UnknownNameError):
             scenario_for(unknown, 1)
@@ -164,7 +165,7 @@ def test_each_choice_names_its_place_in_the_paper_or_is_ours() -> None:
 
 
 def test_the_named_sets() -> None:
-    assert {name: item.choices[paper.WINDOW] for name, item in INTERPRETATIONS.items()} == {
+    assert {name: item.choices[claims.WINDOW] for name, item in INTERPRETATIONS.items()} == {
         "default": "to_bump",
         "favourable": "full_course",
     }
@@ -179,12 +180,12 @@ def test_the_named_sets() -> None:
 def test_a_count_is_split_and_agreement_counts_what_we_simulate() -> None:
     """LV at half of all others, in the ECU too: ours is 0 % between those two, -50 % or +100 % elsewhere."""
     judged = judge(values_of({"lv": 0.5, "lv_hil": 0.5}))
-    simulated, in_ecu = paper.split(judged)
+    simulated, in_ecu = claims.split(judged)
     assert (len(simulated), len(in_ecu)) == (40, 8)
     assert {item.cell.strategy for item in in_ecu} == {"lv_hil"}
     assert {item.verdict for item in in_ecu} == {Verdict.REACHED}
     # Near 0 %: -7.54, +8.45 and -2.77; near -50 %: -47.9, -43.6 and -44.7, but not -39.9; none is just that.
-    agreement = paper.agreement(judged)
+    agreement = claims.agreement(judged)
     assert (agreement.cells, agreement.within, agreement.in_interval) == (40, 6, 0)
 
 
@@ -216,7 +217,8 @@ def test_load_transfer_bounds_the_front_tyre_under_every_controller() -> None:
 def test_the_paper_s_strategies_are_among_the_combinations() -> None:
     named = {variant.known_as: variant for variant in VARIANTS if variant.known_as}
     assert set(named) == {"passive", "speed_only", "lqr", "lv"}
-    assert named["lv"].scenario(3) == scenario_for({}, 3)
+    for name, variant in named.items():
+        assert part_read(variant.scenario(3), STRATEGIES[name]) == part_read(scenario_for({}, 3), STRATEGIES[name])
     assert len({variant.id for variant in VARIANTS}) == len(VARIANTS) == 26
 
 

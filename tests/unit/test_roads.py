@@ -4,10 +4,10 @@ from math import sqrt
 
 import pytest
 
+from backend.analysis.roads import Numbers, compare, one_road_resolution, paired_changes, seeded
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
-from sim_core.study.roads import Numbers, compare, drive, one_road_resolution, paired_changes, seeded
 
 T_4 = 2.7764451  # Student's t at 97.5 %, 4 degrees of freedom (any table)
 
@@ -61,14 +61,9 @@ def test_one_road_resolves_less_of_predictive_peaks() -> None:
     assert resolved["lqr"] == resolved["passive"] == (7, 7)
 
 
-def test_roads_follow_the_scenarios_seed_and_every_strategy_drives_them() -> None:
+def test_roads_follow_the_scenarios_seed() -> None:
     scenario = Scenario.model_validate({"road": {"seed": 5, "length": 120}})
     roads = seeded(scenario, 3)
     assert [road.road.seed for road in roads] == [5, 6, 7]
     assert roads[0] == scenario
-    results_by_strategy = drive(scenario, ("lqr", "passive"), 3)
-    for name, driven in results_by_strategy.items():
-        results = [simulate(road, name) for road in roads]
-        assert driven == [{**result.metrics, "comfort": result.comfort} for result in results]
-        assert len({result.travel_time for result in results}) == 1, "no road changes how long it takes"
-        assert len({each["bump"]["body_acceleration"]["peak"] for each in driven}) == 3
+    assert len({simulate(road, "passive").travel_time for road in roads}) == 1, "no road changes how long it takes"

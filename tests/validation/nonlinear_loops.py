@@ -7,11 +7,11 @@ from typing import get_args
 from numpy.random import Generator, default_rng
 
 from sim_core.errors import RidelabError
+from sim_core.frequency.stability import least_damping
 from sim_core.result import StrategyResult
 from sim_core.scenario import Actuator, Bump, Estimation, Mismatch, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.parts import Preview
 from sim_core.simulate import simulate
-from sim_core.study.stability import least_damping
 from tests.validation.reference.adaptive_loop import solved
 
 RMS, PEAK = 0.01, 0.02  # what the metrics of such a loop may be off by

@@ -8,8 +8,5 @@ from unittest.mock import patch
 @contextmanager
 def straight_within_fine_steps() -> Iterator[None]:
     """The road of every car is straight within a fine step."""
-    with (
-        patch("sim_core.loop.closed_loop.under_axles", lambda _: None),
-        patch("sim_core.ecu.drive.under_axles", lambda _: None),
-    ):
+    with patch("sim_core.loop.drive.under_axles", lambda _: None):
         yield

@@ -7,7 +7,7 @@ from hypothesis import example, given, settings
 from numpy.typing import NDArray
 
 from sim_core.control.cost import KILO, CostTerms, passive_rms, stage_cost
-from sim_core.control.lqr import Regulator, regulator
+from sim_core.control.regulator import Regulator, regulator
 from sim_core.scenario import Vehicle
 from tests.validation.reference.sampled import (
     cost_to_go,

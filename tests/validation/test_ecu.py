@@ -2,24 +2,23 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from backend.ecu.link import ProcessEcu, connected
+from sim_core import Seen
 from sim_core.catalogue import PAPER_SIGNALS
-from sim_core.control.mpc import MpcController
-from sim_core.controllers import mpc_designs
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import STAGES, highest_code
-from sim_core.ecu.drive import ecu_calibration
 from sim_core.ecu.interface import Ecu, Frame, Reply
 from sim_core.ecu.model import ModelEcu
 from sim_core.loop.preview import sliding_forecast
 from sim_core.scenario import Bump, Hil, Mpc, Road, Scenario, Speed
-from sim_core.simulate import simulate
-from sim_core.speed.profile import plan_speed
-from sim_core.strategies import strategy_named
+from sim_core.simulate import prepare, simulate
+from sim_core.strategies.calibration import ecu_calibration
+from sim_core.strategies.lv_hil import LvHil
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 
 HARD = Mpc(force_limit=1500, deflection_limit=0.03)  # limits bind in one step of ten, many of them together
@@ -30,8 +29,8 @@ SLOWER = Speed(initial_speed_kmh=45, detection_distance=30)
 def test_the_ecus_optimum_is_the_qps() -> None:
     """Random states, roads and previous forces in every stage; DAQP's answers are exact to about 1e-9 N here."""
     scenario = Scenario(mpc=HARD, hil=Hil(compensation="none", iterations=200))
-    strategy, rng = strategy_named("lv_hil"), np.random.default_rng(1)
-    designs = mpc_designs(scenario, strategy, plan_speed(scenario, strategy.speed))
+    rng, run = np.random.default_rng(1), prepare(scenario, "lv")
+    calibration, car = ecu_calibration(scenario), run.car()
     horizon = scenario.mpc.prediction_horizon
     iterations = []
     for i in range(150):
@@ -39,13 +38,17 @@ def test_the_ecus_optimum_is_the_qps() -> None:
         scale = np.array([[0.06], [0.06], [0.1]])
         preview = np.cumsum(rng.standard_normal((DISTURBANCES, horizon)), axis=1) * scale
         previous = rng.uniform(-1.5, 1.5, FORCES)
-        ecu = ModelEcu(ecu_calibration(scenario), previous=previous)
+        ecu = ModelEcu(calibration, previous=previous)
         rows, count, finished, slack = ecu.optimum(i % 3, state, preview)
-        qp = MpcController(designs, sliding_forecast(preview, horizon), scenario.mpc)
-        force, _ = qp.step(0, STAGES[i % 3], state, previous * 1000)
+        lv = run.controller.for_scenario(scenario)
+        lv.start(run.setup())
+        forecast = sliding_forecast(preview, horizon, np.zeros((2, 1)))
+        inputs = replace(run.inputs(forecast), stage=[STAGES[i % 3]])
+        force = lv.force(Seen(inputs, car, 0, state, previous * 1000))
+        assert force is not None
         if finished:
             np.testing.assert_allclose(rows[:FORCES] * 1000, force, atol=1e-6)
-            assert max(slack, 0) / 100 == pytest.approx(qp.report.max_slack, abs=1e-9)
+            assert max(slack, 0) / 100 == pytest.approx(lv.report.max_slack, abs=1e-9)
             iterations.append(count)
     assert len(iterations) > 120, "few need more limits at once than the program has room for"
     assert np.mean(iterations) > 5
@@ -91,7 +94,7 @@ def test_the_c_program_does_what_the_model_does_over_a_whole_run(mpc: Mpc, hil: 
             yield both[0]
 
     scenario = Scenario(road=SHORT, speed=SLOWER, mpc=mpc, hil=hil)
-    simulate(scenario, "lv_hil", connect, ecu_calibration(scenario))
+    simulate(scenario, LvHil(connect=connect))
     step = mpc.force_limit / highest_code(hil.bits)
     pairs = both[0].pairs
     assert len(pairs) > 500
@@ -112,7 +115,7 @@ def test_with_the_paper_every_hil_figure_is_within_8_percent_and_without_compens
     """The bound is issue 4's; docs/hil.md has seeds 1 to 20."""
 
     def changes(scenario: Scenario) -> list[float]:
-        hil, lv = simulate(scenario, "lv_hil", connected), simulate(scenario, "lv")
+        hil, lv = simulate(scenario, LvHil(connect=connected)), simulate(scenario, "lv")
         cells = (("rough_road", "rms"), ("bump", "peak"))
         return [
             100 * (hil.metrics[window][key][statistic] / lv.metrics[window][key][statistic] - 1)

@@ -4,21 +4,21 @@ import numpy as np
 import pytest
 from scipy.linalg import solve_continuous_lyapunov, solve_discrete_are, solve_discrete_lyapunov
 
+from sim_core import LinearLaw, PredictiveController
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.control.cost import CostTerms
-from sim_core.control.lqr import LqrController, regulator
-from sim_core.controllers import make_filter, told_preview
+from sim_core.control.regulator import regulator
 from sim_core.errors import RidelabError
-from sim_core.loop.excitation import excite, fine_step
+from sim_core.loop.drive import told_preview
 from sim_core.loop.preview import preview_windows
 from sim_core.road.profile import profile
 from sim_core.road.sensed import ExpectedErrors, expected_errors
 from sim_core.scenario import Actuator, Bump, Estimation, Lqr, Mismatch, Mpc, Preview, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.presets import preset
-from sim_core.simulate import simulate
-from sim_core.speed.profile import SpeedProfile, plan_speed
-from sim_core.strategies import STRATEGIES, strategy_named
+from sim_core.simulate import prepare, simulate
+from sim_core.speed.profile import SpeedProfile
+from sim_core.strategies import STRATEGIES
 from sim_core.vehicle.estimator import (
     _NOISE_STREAM,
     KalmanFilter,
@@ -131,9 +131,8 @@ def seen_by_sensors(scenario: Scenario, time: FloatArray, motion: SpeedProfile) 
 
 def predicted(scenario: Scenario, run: adaptive.AdaptiveRun) -> FloatArray:
     """By the textbook: x̂⁻ = A x̂ + B u + E_b braking + E_r velocity of the road seen; but for the last step."""
-    row = strategy_named(run.result.strategy)
-    motion = plan_speed(scenario, row.speed)
-    excitation = excite(scenario.road, scenario.vehicle.wheelbase, motion, STEP, fine_step(scenario, row))
+    core = prepare(scenario, run.result.strategy)
+    motion, excitation = core.profile, core.excitation
     braking = excitation.disturbance.reshape(len(run.commands), -1, 3)[:, :, 2].mean(axis=1)
     seen, model = seen_by_sensors(scenario, excitation.time, motion), discrete(scenario.vehicle, STEP)
     by_model = run.trajectory.states[:, :8] @ model.A.T + run.commands @ model.B.T
@@ -245,11 +244,11 @@ def test_the_estimate_follows_the_textbooks_recursion(mode: Preview) -> None:
 )
 def test_each_strategy_tells_its_filter_what_it_previews_itself(lqr: Preview, mpc: Preview) -> None:
     scenario = Scenario(estimation=KALMAN, lqr=Lqr(preview=lqr), mpc=Mpc(preview=mpc))
-    for name, row in STRATEGIES.items():
-        expected = lqr if name == "lqr" else mpc if row.suspension.predictive else "none"
-        assert told_preview(scenario, row.suspension) == expected
-        untold = scenario.model_copy(update={"estimation": UNTOLD})
-        assert told_preview(untold, row.suspension) == "none"
+    untold = scenario.model_copy(update={"estimation": UNTOLD})
+    for name, strategy in STRATEGIES.items():
+        expected = lqr if name == "lqr" else mpc if issubclass(strategy, PredictiveController) else "none"
+        assert told_preview(scenario, strategy().for_scenario(scenario)) == expected
+        assert told_preview(untold, strategy().for_scenario(untold)) == "none"
 
 
 def test_it_is_told_what_the_controller_itself_plans_on() -> None:
@@ -260,12 +259,11 @@ def test_it_is_told_what_the_controller_itself_plans_on() -> None:
         mismatch=Mismatch(preview_noise=0.002, preview_resolution=0.2, preview_offset=0.1),
         mpc=Mpc(expected_noise=0.002, expected_offset=0.1),
     )
-    row, wheelbase = strategy_named("lv"), scenario.vehicle.wheelbase
-    motion = plan_speed(scenario, row.speed)
-    excitation = excite(scenario.road, wheelbase, motion, STEP, fine_step(scenario, row))
-    sensing = wheelbase, scenario.mismatch, expected_errors(scenario.mpc)
+    run = prepare(scenario, "lv")
+    motion, excitation = run.profile, run.excitation
+    sensing = scenario.vehicle.wheelbase, scenario.mismatch, expected_errors(scenario.mpc)
     windows = preview_windows("lookahead", scenario.road, motion, excitation, 30, *sensing)
-    ours = make_filter(scenario, row.suspension, motion, excitation, excitation.disturbance)
+    ours = run.estimator()
     told = make_estimator(
         *(scenario, STEP, motion.initial_speed, excitation.disturbance), mode="lookahead", seen=windows[:, [0, 30]]
     )
@@ -338,7 +336,8 @@ def test_the_loop_has_the_regulators_poles_and_the_filters() -> None:
     estimate = make_estimator(scenario, STEP, 13.9, np.zeros((1, 3)))
     assert estimate is not None
     loop = closed_loop_matrix(
-        control_step(plant(CAR, Actuator(), STEP, 1), CAR, estimate), LqrController(design, 1e4).law("cruise")
+        control_step(plant(CAR, Actuator(), STEP, 1), CAR, estimate),
+        LinearLaw(gain=np.hstack([-1000 * design.K, np.zeros((2, 2))])),
     )
     poles = np.concatenate(
         [np.linalg.eigvals(model.A - model.B @ design.K * 1000), np.linalg.eigvals(estimate.state), np.zeros(2)]

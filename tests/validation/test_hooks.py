@@ -3,9 +3,8 @@
 import numpy as np
 import pytest
 
-from sim_core.control.hooks import hook_gain
 from sim_core.scenario import Bump, Hook, Mpc, Road, Scenario, Vehicle
-from sim_core.simulate import simulate
+from sim_core.simulate import prepare, simulate
 from tests.validation.reference.sampled import to_deflections
 
 
@@ -15,7 +14,12 @@ def test_the_law_is_dampers_against_sky_and_ground(alpha: float, sky: float, gro
     car = Vehicle(cg_to_front=1.2, cg_to_rear=1.5)
     q, speeds = np.array([0.01, 0.02, 0.003, -0.004]), np.array([0.3, -0.2, 0.7, -0.5])
     state = to_deflections(car) @ np.concatenate([q, speeds])
-    force = hook_gain(car, Hook(skyhook_damping=3000, groundhook_damping=2000), alpha)[:, :8] @ state
+    hook = Hook(skyhook_damping=3000, groundhook_damping=2000, alpha=alpha)
+    run = prepare(Scenario(vehicle=car, hook=hook), "hybrid")
+    run.controller.start(run.setup())
+    law = run.controller.linear_law("cruise")
+    assert law is not None
+    force = law.force(state, np.zeros(2), np.zeros((3, 0)))
     body = speeds[0] + np.array([-1.2, 1.5]) * speeds[1]
     np.testing.assert_allclose(force, -sky * body + ground * speeds[2:], rtol=1e-12, atol=1e-9)
 

@@ -89,7 +89,7 @@ def test_rms_over_stretches_of_the_road_is_by_definition(strategy: str, stretche
     instants place a stretch's ends within 20 µs, which is a ten-thousandth of the shortest stretch's RMS.
     """
     scenario = Scenario()
-    result, motion = simulate(scenario, strategy), plan_speed(scenario, STRATEGIES[strategy].speed)
+    result, motion = simulate(scenario, strategy), plan_speed(scenario, STRATEGIES[strategy].speed_plan)
     rms = rms_between(result.series, motion, stretches)
     assert list(rms) == list(METRIC_SIGNALS)
     time = (np.arange(1_000_000) + 0.5) * result.travel_time / 1_000_000

@@ -11,7 +11,6 @@ from sim_core.scenario import Actuator, Bump, Lqr, Mismatch, Mpc, Preview, Road,
 from sim_core.scenario.parts import StageWeights
 from sim_core.simulate import simulate
 from sim_core.speed.profile import plan_speed
-from sim_core.strategies import SpeedPolicy
 
 SHORT = Scenario(road=Road(length=60, bump=Bump(start=40, width=3)), speed=Speed(detection_distance=30))
 
@@ -45,7 +44,7 @@ def test_a_saturated_actuator_gives_no_more(strategy: str) -> None:
 
 def windows(mismatch: Mismatch, driven: Road = SHORT.road, mode: Preview = "lookahead") -> np.ndarray:
     scenario = SHORT.model_copy(update={"road": driven})
-    motion = plan_speed(scenario, SpeedPolicy.CONSTANT)
+    motion = plan_speed(scenario, "constant")
     excitation = excite(driven, scenario.vehicle.wheelbase, motion, 0.01, 0.001)
     return preview_windows(mode, driven, motion, excitation, 10, scenario.vehicle.wheelbase, mismatch)
 
@@ -72,7 +71,7 @@ def test_noise_lies_in_the_road() -> None:
     scenario = SHORT.model_copy(update={"road": flat, "vehicle": Vehicle(cg_to_front=1.0, cg_to_rear=1.0)})
     speed = SHORT.speed.initial_speed_kmh / 3.6
     step = 2.0 / speed / 12  # the wheelbase is twelve control steps long
-    motion = plan_speed(scenario, SpeedPolicy.CONSTANT)
+    motion = plan_speed(scenario, "constant")
     excitation = excite(flat, 2.0, motion, step, 0.001)
     seen = preview_windows("lookahead", flat, motion, excitation, 5, 2.0, Mismatch(preview_noise=0.002))
     front, rear = seen[:, 0], seen[:, 5]

@@ -4,11 +4,9 @@ import numpy as np
 import pytest
 from numpy.random import Generator, default_rng
 
-from sim_core.controllers import mpc_designs
+from sim_core.catalogue import STAGES
 from sim_core.scenario import Actuator, Bump, Hil, Mismatch, Road, Scenario, Vehicle
-from sim_core.simulate import simulate
-from sim_core.speed.profile import plan_speed
-from sim_core.strategies import strategy_named
+from sim_core.simulate import prepare, simulate
 from tests.events import event
 from tests.validation import nonlinear_loops
 from tests.validation.reference import adaptive
@@ -129,10 +127,16 @@ def test_a_tyre_that_lifts_off_never_pulls() -> None:
 def test_controllers_believe_in_the_linear_car() -> None:
     """Their designs are the same to the bit; only the car that is driven differs."""
     real = Vehicle(rebound_ratio=2.5, bump_stop_clearance=0.05, tyre_lift_off=True)
-    lv = strategy_named("lv")
-    designs = [mpc_designs(each, lv, plan_speed(each, lv.speed)) for each in (Scenario(), Scenario(vehicle=real))]
-    for stage, design in designs[0].items():
-        np.testing.assert_array_equal(design.checks, designs[1][stage].checks)
+    laws = []
+    for scenario in (Scenario(), Scenario(vehicle=real)):
+        run = prepare(scenario, "lv")
+        run.controller.start(run.setup())
+        laws.append([run.controller.linear_law(stage) for stage in STAGES])
+    for ours, theirs in zip(*laws, strict=True):
+        assert ours is not None
+        assert theirs is not None
+        np.testing.assert_array_equal(ours.gain, theirs.gain)
+        np.testing.assert_array_equal(ours.limits, theirs.limits)
 
 
 @pytest.mark.parametrize("strategy", ["lv", "lqr", "passive", "lv_hil"])

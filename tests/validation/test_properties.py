@@ -5,9 +5,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from backend.ecu.drive import simulate  # as the service does it: an ECU is its C program
 from sim_core.scenario import Actuator, Bump, Lqr, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.parts import RoadWeights, StageWeights
+from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
 from tests.events import event
 from tests.validation.strategies import between, bumps, examples, scenarios, vehicles

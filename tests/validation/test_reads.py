@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from backend.ecu.drive import simulate  # as the service does it: an ECU is its C program
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Estimation, Hil, Lqr, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.measured import MeasuredRoad
-from sim_core.strategies import STRATEGIES, part_read
+from sim_core.simulate import simulate
+from sim_core.strategies import STRATEGIES, part_read, reads
 
 ROOT = Path(__file__).parents[2]
 
@@ -84,7 +84,7 @@ LEAVES = [path for path in leaves(json.loads(BASE.model_dump_json())) if path !=
 
 def is_read(strategy: str, path: tuple[str, ...]) -> bool:
     dotted = ".".join(path)
-    return any(dotted == name or dotted.startswith(f"{name}.") for name in STRATEGIES[strategy].reads)
+    return any(dotted == name or dotted.startswith(f"{name}.") for name in reads(STRATEGIES[strategy]))
 
 
 def same(one: StrategyResult, two: StrategyResult) -> bool:
@@ -102,7 +102,7 @@ def test_fields_not_read_change_nothing_at_all(strategy: str) -> None:
     for path in unread:
         changed = with_leaf(path)
         assert changed != BASE
-        assert part_read(changed, strategy) == part_read(BASE, strategy), path
+        assert part_read(changed, STRATEGIES[strategy]) == part_read(BASE, STRATEGIES[strategy]), path
         assert same(simulate(changed, strategy), base), path
 
 
@@ -130,12 +130,12 @@ def test_fields_read_change_the_key_and_the_result(strategy: str) -> None:
         if not is_read(strategy, path):
             continue
         changed = with_leaf(path)
-        assert part_read(changed, strategy) != part_read(BASE, strategy), path
+        assert part_read(changed, STRATEGIES[strategy]) != part_read(BASE, STRATEGIES[strategy]), path
         if path not in SILENT and same(simulate(changed, strategy), base):
             silent.append(".".join(path))
     # Parts are read whole; these of their fields do nothing for these strategies here.
     only_braking = {f"vehicle.{name}" for name in ("cg_height", "anti_dive", "anti_lift", "front_brake_share")}
-    allowed = only_braking if STRATEGIES[strategy].speed != "planned" else set()
+    allowed = only_braking if STRATEGIES[strategy].speed_plan != "planned" else set()
     assert set(silent) <= allowed
 
 
@@ -146,21 +146,23 @@ def test_whether_the_filter_knows_the_preview_is_read_by_those_who_look_ahead(st
     )
     looks_ahead = is_read(strategy, ("mismatch", "preview_offset"))
     assert is_read(strategy, ("estimation", "knows_preview")) == looks_ahead
-    assert (part_read(told, strategy) == part_read(untold, strategy)) == (not looks_ahead)
+    assert (part_read(told, STRATEGIES[strategy]) == part_read(untold, STRATEGIES[strategy])) == (not looks_ahead)
     assert same(simulate(told, strategy), simulate(untold, strategy)) == (not looks_ahead)
 
 
 @pytest.mark.parametrize("strategy", STRATEGIES)
 def test_the_speed_policy_changes_the_key_exactly_where_it_changes_the_result(strategy: str) -> None:
-    base, own = simulate(BASE, strategy), STRATEGIES[strategy].speed
+    base, own = simulate(BASE, strategy), STRATEGIES[strategy].speed_plan
     for policy in ("planned", "constant"):
         changed = BASE.model_copy(update={"speed": BASE.speed.model_copy(update={"policy": policy})})
         result = simulate(changed, strategy)
         assert same(result, base) == (policy == own)
-        assert (part_read(changed, strategy) == part_read(BASE, strategy)) == (policy == own)
+        assert (part_read(changed, STRATEGIES[strategy]) == part_read(BASE, STRATEGIES[strategy])) == (policy == own)
         # What is read follows the speed that is driven: a target matters where somebody slows down.
         slower = changed.model_copy(update={"speed": changed.speed.model_copy(update={"target_speed_kmh": 19.0})})
-        assert (part_read(slower, strategy) == part_read(changed, strategy)) == (policy == "constant")
+        assert (part_read(slower, STRATEGIES[strategy]) == part_read(changed, STRATEGIES[strategy])) == (
+            policy == "constant"
+        )
         assert same(simulate(slower, strategy), result) == (policy == "constant")
 
 

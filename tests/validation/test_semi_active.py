@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sim_core.arrays import FloatArray
-from sim_core.loop.closed_loop import drive_controller
+from sim_core.loop.drive import Run
 from sim_core.loop.recording import Recording
 from sim_core.result import StrategyResult
 from sim_core.scenario import Actuator, Bump, Estimation, Hook, Mismatch, Mpc, Road, Scenario, Speed, Vehicle
@@ -25,13 +25,15 @@ def recorded(scenario: Scenario, law: str) -> tuple[Recording, StrategyResult]:
     """A run in which every substep is a sample: fine steps of 0.1 ms."""
     caught: list[Recording] = []
 
-    def caught_drive(*arguments: object) -> Recording:
-        caught.append(drive_controller(*arguments))  # type: ignore[arg-type]
+    drive = Run.drive
+
+    def caught_drive(run: Run) -> Recording:
+        caught.append(drive(run))
         return caught[0]
 
     with (
-        patch("sim_core.simulate.drive_controller", caught_drive),
-        patch("sim_core.simulate.fine_step", lambda *_: 1e-4),
+        patch.object(Run, "drive", caught_drive),
+        patch("sim_core.loop.drive.fine_step", lambda *_, **__: 1e-4),
     ):
         result = simulate(scenario, law)
     return caught[0], result

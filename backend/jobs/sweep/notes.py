@@ -1,13 +1,12 @@
 """What a sweep's runs do not depend on, in words: fields a strategy does not read, speeds it does not reach."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from backend.jobs.chunk import PlannedRun
 from backend.json_types import JsonObject
 from sim_core.scenario import dotted
-from sim_core.strategies import STRATEGIES, SpeedPolicy, Strategy, driven
+from sim_core.strategies import STRATEGIES, reads, speed_plan
 
-DrivenAs = Mapping[str, Sequence[Strategy]]  # strategy -> it under each speed policy of the points
 POLICY = "speed.policy"
 INITIAL, TARGET = "speed.initial_speed_kmh", "speed.target_speed_kmh"
 
@@ -25,15 +24,16 @@ def notes(
     """
     policies = {point.get(POLICY, dotted.value(base, POLICY)) for point in points}
     names = list(dict.fromkeys(run.strategy for run in runs))
-    driven_as = {name: [driven(STRATEGIES[name], policy) for policy in policies] for name in names}
-    return [*_unread(driven_as, axes, runs), *_clamped(base, points, driven_as)]
+    return [*_unread(names, policies, axes, runs), *_clamped(base, points, names, policies)]
 
 
-def _unread(driven_as: DrivenAs, axes: Mapping[str, Sequence[str]], runs: Sequence[PlannedRun]) -> list[str]:
+def _unread(
+    names: Sequence[str], policies: Collection[str], axes: Mapping[str, Sequence[str]], runs: Sequence[PlannedRun]
+) -> list[str]:
     said = []
-    for name, strategies in driven_as.items():
-        reads = [read for strategy in strategies for read in strategy.reads]
-        unread = [axis for axis, linked in axes.items() if not any(_reads(reads, each) for each in (axis, *linked))]
+    for name in names:
+        read = [field for policy in policies for field in reads(STRATEGIES[name], policy)]
+        unread = [axis for axis, linked in axes.items() if not any(_reads(read, each) for each in (axis, *linked))]
         keys = [run.key for run in runs if run.strategy == name and run.key is not None]
         if unread and len(set(keys)) < len(keys):
             fields = _listed([_inside(dotted.field(axis).title) for axis in unread])
@@ -43,17 +43,19 @@ def _unread(driven_as: DrivenAs, axes: Mapping[str, Sequence[str]], runs: Sequen
     return said
 
 
-def _reads(reads: Sequence[str], field: str) -> bool:
+def _reads(read: Sequence[str], field: str) -> bool:
     """Whether the field, a part of it, or the part it lies in is read."""
-    return any(f"{field}.".startswith(f"{each}.") or each.startswith(f"{field}.") for each in reads)
+    return any(f"{field}.".startswith(f"{each}.") or each.startswith(f"{field}.") for each in read)
 
 
-def _clamped(base: JsonObject, points: Sequence[JsonObject], driven_as: DrivenAs) -> list[str]:
+def _clamped(
+    base: JsonObject, points: Sequence[JsonObject], names: Sequence[str], policies: Collection[str]
+) -> list[str]:
     """A speed plan only slows down: a target above the initial speed is the initial speed."""
     planned = [
         STRATEGIES[name].label
-        for name, strategies in driven_as.items()
-        if any(strategy.speed is SpeedPolicy.PLANNED for strategy in strategies)
+        for name in names
+        if any(speed_plan(STRATEGIES[name], policy) == "planned" for policy in policies)
     ]
     if not planned or not any(TARGET in point or INITIAL in point for point in points[:1]):
         return []

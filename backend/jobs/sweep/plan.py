@@ -9,6 +9,7 @@ import orjson
 from pydantic import ValidationError
 
 from backend import digest
+from backend.cost.estimate import estimate
 from backend.ecu.drive import simulate
 from backend.jobs.chunk import PlannedRun, WaitingRun
 from backend.jobs.sweep import notes
@@ -18,7 +19,6 @@ from sim_core.errors import RidelabError
 from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.scenario.versions import restored
-from sim_core.workload import estimate
 
 PILOTS = 5  # runs tried to tell how long a batch takes
 PILOT_LIMIT = 1.0  # estimated cost [s] beyond which a run is not tried

@@ -5,6 +5,7 @@ import math
 
 from backend.analysis.measure import Aims
 from backend.compute.workers import Workers
+from backend.cost.estimate import estimate
 from backend.errors import CHEAPER_RUN, ConflictError, CostLimitError, InvalidError
 from backend.http.admission import Admission
 from backend.jobs.service import Jobs, request_hash
@@ -19,7 +20,6 @@ from backend.settings import Settings
 from backend.store import Store, StoredJob
 from backend.store.job import UNFINISHED, State
 from sim_core.scenario import Scenario, dotted
-from sim_core.workload import estimate
 
 
 class TuningService:

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
+from backend.analysis.roads import one_road_resolution
 from backend.json_types import JsonObject
 from backend.runs import figures
 from backend.runs.reports import inputs
@@ -38,7 +39,6 @@ from sim_core.catalogue import (
     RUN_FIGURES,
     SIGNALS,
 )
-from sim_core.study.roads import one_road_resolution
 
 WHOLE_RUN = (
     *((f"comfort.{key}", quantity) for key, quantity in COMFORT.items()),

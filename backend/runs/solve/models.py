@@ -7,10 +7,10 @@ from pydantic_core import PydanticCustomError
 
 from backend.models import Answer, MetricName, RequestModel, RoadCount, StrategyName, inconsistent
 from backend.runs.roads_models import Interval
+from backend.runs.solve.limit_search import Axis
 from backend.unknown_names import unknown_name
 from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario, dotted
-from sim_core.study.limit_search import Axis
 
 UNORDERED = ("road.seed", "hil.seed")  # a greater seed is another road or other noise, not more of anything
 FIELDS = [

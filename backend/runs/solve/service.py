@@ -2,18 +2,18 @@
 
 from pydantic import ValidationError
 
+from backend.cost.estimate import estimate
 from backend.errors import ShortRoadError
 from backend.http.admission import Admission
 from backend.jobs.sweep.plan import contradiction, scenario_at
 from backend.roads.service import Roads
 from backend.runs.service import Runs
+from backend.runs.solve.limit_search import MAX_VALUES, next_indices
 from backend.runs.solve.models import Solution, SolveRequest
 from backend.runs.solve.solution import Tried, bounds_of, solution
 from sim_core.catalogue import METRICS
 from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario
-from sim_core.study.limit_search import MAX_VALUES, next_indices
-from sim_core.workload import estimate
 
 LENGTH = "road.length"
 

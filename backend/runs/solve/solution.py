@@ -4,15 +4,15 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from math import inf, isfinite
 
+from backend.analysis.intervals import mean_with_interval
+from backend.analysis.roads import one_road_resolution
 from backend.errors import InvalidError, NoSolutionError, ServiceError
 from backend.runs.roads_models import Interval
+from backend.runs.solve import limit_search
 from backend.runs.solve.models import Solution, SolveRequest, TriedValue
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import METRICS, RMS
 from sim_core.scenario import dotted
-from sim_core.study import limit_search
-from sim_core.study.intervals import mean_with_interval
-from sim_core.study.roads import one_road_resolution
 
 RESOLUTION = 0.005  # of a metric: peaks are exact to half a percent (docs/physics.md)
 MAX_EXTREMA = 4  # that one sentence names

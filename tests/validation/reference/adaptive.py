@@ -4,6 +4,7 @@ Newton's second law for bodies and wheels with the forces as they are, integrate
 control instant, all cars at once; taken from the core are the road's heights, the speed plan and the commands.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from unittest.mock import patch
 
@@ -11,20 +12,21 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
+from sim_core import DampingController
 from sim_core.loop.closed_loop import ClosedLoop, Trajectory
 from sim_core.result import StrategyResult
 from sim_core.road.profile import profile
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
 from sim_core.speed.profile import CONTROL_STEP, plan_speed
-from sim_core.strategies import SpeedPolicy, SuspensionPolicy, strategy_named
+from sim_core.speed.stages import Segment
+from sim_core.strategies import strategy_named
 from tests.validation.reference.held import Held, run_in
 from tests.validation.reference.vehicle import OUTPUTS
 
 Array = NDArray[np.float64]
 SAMPLES = 200  # in a control step
 TOLERANCE = 1e-5  # relative, of the solver; a tenth of it moves no metric of the tests by 0.03 %
-_HOOKS = (SuspensionPolicy.SKYHOOK, SuspensionPolicy.GROUNDHOOK, SuspensionPolicy.HYBRID)
 NAMES = (*OUTPUTS, "front_force", "rear_force")
 
 
@@ -47,7 +49,7 @@ def run(scenario: Scenario, name: str) -> AdaptiveRun:
     caught: list[Trajectory] = []
     drive_loop = ClosedLoop.run
 
-    def caught_run(self: ClosedLoop, stages: list[tuple[str, int, int]]) -> Trajectory:
+    def caught_run(self: ClosedLoop, stages: Sequence[Segment]) -> Trajectory:
         caught.append(drive_loop(self, stages))
         return caught[-1]
 
@@ -99,8 +101,9 @@ class Cars:
         self.brake = np.array([car.body_mass * car.cg_height for car in cars])
         self.corner = np.array(corner)
         hooks = [run.scenario.hook for run in runs]
-        policies = [strategy_named(run.result.strategy).suspension for run in runs]
-        self.semi_active = np.array([h.semi_active and p in _HOOKS for h, p in zip(hooks, policies, strict=True)])
+        laws = [strategy_named(run.result.strategy) for run in runs]
+        damped = [issubclass(law, DampingController) for law in laws]
+        self.semi_active = np.array([h.semi_active and each for h, each in zip(hooks, damped, strict=True)])
         self.most_force = np.array([run.scenario.mpc.force_limit for run in runs])
         self.least = np.array([hook.min_damping for hook in hooks])
         # Without a limit a damper that would stop its wheel within a millisecond.
@@ -156,7 +159,7 @@ class Cars:
 
 
 def _solved(runs: list[AdaptiveRun]) -> list[dict[str, float]]:
-    motion = plan_speed(runs[0].scenario, SpeedPolicy.CONSTANT)
+    motion = plan_speed(runs[0].scenario, "constant")
     steps, n, h = len(runs[0].commands), len(runs), CONTROL_STEP / SAMPLES
     time = CONTROL_STEP * (np.arange(steps)[:, None] - run_in(runs[0].scenario, motion, CONTROL_STEP))
     time = time + h * np.arange(SAMPLES + 1, dtype=np.float64)

@@ -25,10 +25,10 @@ _SUBSAMPLES = 8  # of the road in each of these
 def solved(scenario: Scenario, strategy: str) -> StrategyResult:
     """A run of any strategy without semi-active dampers and without an ECU."""
     with (
-        patch("sim_core.loop.closed_loop.make_vehicle", SolvedCar),
+        patch("sim_core.loop.drive.make_vehicle", SolvedCar),
         patch("sim_core.loop.closed_loop._LONGEST_BLOCK", 1),
         patch("sim_core.loop.closed_loop._BLOCK_AFTER_LIMIT", 1),
-        patch("sim_core.simulate.fine_step", lambda *arguments: fine_step(*arguments) / FINER),
+        patch("sim_core.loop.drive.fine_step", lambda *plan, **actuated: fine_step(*plan, **actuated) / FINER),
     ):
         return simulate(scenario, strategy)
 
@@ -75,13 +75,22 @@ class SolvedCar(VehicleModel):
         rates = ode(lambda time, x: self._rates(time, x.tolist()))
         self._solver = rates.set_integrator("dopri5", nsteps=5000, first_step=self._h, rtol=1e-7, atol=1e-9)
 
-    def free_run(self, law: LinearLaw, first: int, start: Array, feed: Array) -> Array:
+    @property
+    def clips(self) -> bool:
+        """Yes."""
+        return True
+
+    def measure(self, step: int, state: Array, command: Array) -> Array:
+        """Nobody asks."""
+        raise NotImplementedError
+
+    def free_run(self, law: LinearLaw, force_limit: float, first: int, start: Array, feed: Array) -> Array:
         """As VehicleModel says."""
         loop = np.empty((len(feed) + 1, self.size + 2))
         loop[0] = start
         for k, fed in enumerate(feed):
             inputs = np.concatenate([loop[k, :8], loop[k, self.size :]])
-            command = np.clip(law.gain @ inputs + fed, -law.force_limit, law.force_limit)
+            command = np.clip(law.gain @ inputs + fed, -force_limit, force_limit)
             loop[k + 1, : self.size] = self.advance(first + k, loop[k, : self.size], command)
             loop[k + 1, self.size :] = command
         return loop

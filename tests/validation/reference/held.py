@@ -14,17 +14,13 @@ from unittest.mock import patch
 import numpy as np
 from numpy.typing import NDArray
 
-from sim_core.controllers import make_controller
-from sim_core.ecu.loop import HilLoop
-from sim_core.loop.excitation import excite, fine_step
+from sim_core import Seen
+from sim_core.loop.delayed_loop import DelayedLoop
 from sim_core.result import StrategyResult
 from sim_core.road.profile import profile
 from sim_core.scenario import Actuator, Scenario
-from sim_core.simulate import simulate
-from sim_core.speed.profile import CONTROL_STEP, SpeedProfile
-from sim_core.speed.profile import plan_speed as drive_plan
-from sim_core.speed.stages import segments, spans
-from sim_core.strategies import SuspensionPolicy, strategy_named
+from sim_core.simulate import prepare, simulate
+from sim_core.speed.profile import SpeedProfile
 from tests.validation.reference.figures import weighted
 from tests.validation.reference.sampled import interval, to_deflections
 from tests.validation.reference.vehicle import OUTPUTS, state_space
@@ -87,35 +83,32 @@ class Held:
 
 def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, float], Held]:
     """One strategy's metrics by the reference, and the samples they come from."""
-    strategy = strategy_named(name)
-    motion = drive_plan(scenario, strategy.speed)
-    actuated = strategy.suspension is not SuspensionPolicy.PASSIVE
-    Ts = scenario.mpc.sample_time if actuated else CONTROL_STEP
-    wheelbase = scenario.vehicle.cg_to_front + scenario.vehicle.cg_to_rear
-    if strategy.suspension is SuspensionPolicy.ECU:
+    core = prepare(scenario, name)
+    motion, controller, excitation = core.profile, core.controller, core.excitation
+    Ts = excitation.step
+    if controller.delayed:
         commands, Ts = _ecu_commands(scenario)
         held = _drive(scenario, motion, Ts, len(commands), lambda k, state: commands[k], step)
         return held.metrics(scenario, motion), held
 
-    excitation = excite(scenario.road, wheelbase, motion, Ts, fine_step(scenario, strategy))
-    controller = make_controller(scenario, strategy, motion, excitation)
-    actuator = scenario.actuator if actuated else Actuator()
+    controller.start(core.setup())
+    forecast = core.forecast(controller.preview, controller.preview_steps)
+    inputs, car, limit = core.inputs(forecast), core.car(), scenario.mpc.force_limit
+    actuator = scenario.actuator if controller.actuated else Actuator()
     most = np.inf if actuator.rate_limit is None else actuator.rate_limit * Ts
     strongest = np.inf if actuator.saturation is None else actuator.saturation
     previous = np.zeros(2)
-    stages: list[str] = []
-    feeds: list[Array] = []
-    for stage, first, last in segments(spans(scenario, strategy, motion), excitation.position):
-        stages += [stage] * (last - first)
-        feeds += list(controller.feed(stage, first, last))
 
     def command(k: int, state: Array) -> Array:
         nonlocal previous
-        law = controller.law(stages[k])
-        z = np.concatenate([state, previous])
-        wanted = law.gain @ z + feeds[k]
-        if not controller.holds(k, stages[k], z[None], wanted[None])[0]:
-            wanted, _ = controller.step(k, stages[k], state, previous)
+        seen = Seen(inputs, car, k, state, previous)
+        law = controller.linear_law(seen.stage)
+        assert law is not None
+        z = np.concatenate([state, previous, seen.disturbances.ravel()])
+        wanted = law.force(state, previous, seen.disturbances)
+        if law.limits is not None and np.abs(law.limits @ z).max() > 1:
+            wanted = np.asarray(controller.force(seen))
+        wanted = np.clip(wanted, -limit, limit)
         previous = np.asarray(np.clip(previous + np.clip(wanted - previous, -most, most), -strongest, strongest))
         return previous
 
@@ -139,14 +132,14 @@ def errors(scenario: Scenario, name: str, result: StrategyResult) -> dict[str, f
 def _ecu_commands(scenario: Scenario) -> tuple[Array, float]:
     """The commands in each short step of a run of `lv_hil`, and the short step [s]."""
     caught: list[tuple[Array, float]] = []
-    drive_loop = HilLoop.run
+    drive_loop = DelayedLoop.run
 
-    def caught_run(self: HilLoop, ecu: Any) -> Any:
-        trajectory = drive_loop(self, ecu)
-        caught.append((trajectory.commands, self._inputs.step))
+    def caught_run(self: DelayedLoop) -> Any:
+        trajectory = drive_loop(self)
+        caught.append((trajectory.commands, self._setup.short_step))
         return trajectory
 
-    with patch.object(HilLoop, "run", caught_run):
+    with patch.object(DelayedLoop, "run", caught_run):
         simulate(scenario, "lv_hil")  # its ECU by the model in NumPy
     return caught[0]
 

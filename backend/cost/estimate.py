@@ -1,0 +1,214 @@
+"""What a run costs, estimated from the scenario alone; and the limit on what one run may cost.
+
+Seconds are those of one core of the machine on which `python -m benchmarks.cost fit` was run last. A run's own limits
+count its work and not its time, so that whether it is too expensive depends on the scenario alone, and on no fit.
+"""
+
+from collections.abc import Mapping
+from math import ceil, sqrt
+
+from backend.cost.binding_limits import LimitShares, expected_limits
+from sim_core import Controller, DampingController, EcuController, PredictiveController
+from sim_core.control.qp import OsqpSolver
+from sim_core.errors import TooExpensiveError
+from sim_core.loop.drive import SHORT_STEP, run_dampers
+from sim_core.loop.excitation import fine_step
+from sim_core.scenario import Actuator, Scenario
+from sim_core.speed.profile import CONTROL_STEP, KMH, TARGET_BAND, plan_speed
+from sim_core.strategies import speed_plan, strategy_named
+from sim_core.vehicle.make import is_linear
+from sim_core.vehicle.nonlinear import substeps
+
+CACHED_STEPS = 3e5  # of a run: so many fine steps' arrays fit into the processor's cache
+MAX_BYTES = 4.2e8  # of one run's arrays; whoever changes this or `memory` changes which scenarios have a result
+MAX_OPERATIONS = 3.3e11  # of one run's steps: some 30 s; its QPs have a limit of their own, `control.qp.MAX_EFFORT`
+
+# Multiply-adds that a unit of `work` counts as in that limit. They decide which scenarios have a result: whoever
+# changes one raises the core's version. `SECONDS` may be fitted anew at any time and change nothing here.
+OPERATIONS: Mapping[str, float] = {
+    "plan": 1.3e7,
+    "design": 3.4e7,
+    "design entries": 4.2,
+    "fine steps": 1_850,
+    "nonlinear steps": 400,
+    "check entries": 1,
+    "limited steps": 86_000,
+    "ECU": 1.2e8,
+    "exchanges": 330_000,
+    "short steps": 50_000,
+    "ECU entries": 10,
+    "ECU iterations": 12,
+}
+# Seconds of each unit of `work`; entries are those of matrices.
+SECONDS: Mapping[str, float] = {
+    "run": 0,
+    "plan": 0.0012,
+    "design": 0.0031,
+    "design entries": 3.9e-10,
+    "fine steps": 1.7e-07,
+    "uncached steps": 3.7e-07,
+    "nonlinear steps": 1.0e-07,
+    "check entries": 9.2e-11,
+    "limited steps": 7.9e-06,
+    "QPs": 7.8e-06,
+    "QP entries": 1.9e-09,
+    "OSQP": 0.8,
+    "ECU": 0.011,
+    "exchanges": 3e-05,
+    "short steps": 4.6e-06,
+    "ECU entries": 9.5e-10,
+    "ECU iterations": 1.1e-09,
+}
+
+
+def duration(scenario: Scenario, name: str) -> float:
+    """Longest time the strategy can take from x = 0 to the road's end [s]; exact where the brakes' lag is long."""
+    speed, road = scenario.speed, scenario.road
+    initial = speed.initial_speed_kmh * KMH
+    if speed_plan(strategy_named(name), speed.policy) == "constant":
+        return road.length / initial
+    floor = min(initial, speed.target_speed_kmh * KMH) - TARGET_BAND
+    # The brake pressure that remains when braking ends reduces the speed by as much again.
+    slowest = floor - scenario.brake.maximum_deceleration * (scenario.brake.pressure_lag + CONTROL_STEP)
+    if slowest < floor / 2:
+        return plan_speed(scenario, "planned").time_at(road.length)
+    detection = _detection(scenario)
+    return detection / initial + (road.length - detection) / slowest
+
+
+def estimate(scenario: Scenario, name: str) -> float:
+    """Expected cost of one strategy [s of one core].
+
+    Raises:
+        UnknownNameError: No such strategy.
+    """
+    strategy = strategy_named(name)
+    time = expected_time(scenario, strategy)
+    counts = work(scenario, strategy, time, expected_limits(scenario, strategy, time))
+    return sum(SECONDS[unit] * count for unit, count in counts.items())
+
+
+def check_affordable(scenario: Scenario, name: str) -> None:
+    """Refuse a run whose steps alone are too many.
+
+    Raises:
+        UnknownNameError: No such strategy.
+        TooExpensiveError: There are too many.
+    """
+    strategy = strategy_named(name)
+    time = plan_speed(scenario, speed_plan(strategy, scenario.speed.policy)).time_at(scenario.road.length)
+    counts = work(scenario, strategy, time, LimitShares(limited=1.0))
+    operations = sum(each * counts.get(unit, 0.0) for unit, each in OPERATIONS.items())
+    if operations > MAX_OPERATIONS or memory(scenario, strategy, time) > MAX_BYTES:
+        raise TooExpensiveError("The run has too many steps", fields=_fields(scenario, strategy))
+
+
+def samples(scenario: Scenario, strategy: type[Controller], time: float) -> tuple[float, int]:
+    """Control steps of a run, given its time over the road [s], and fine steps in each: its samples are their product.
+
+    Args:
+        scenario: What is driven.
+        strategy: What drives it.
+        time: The run's [s].
+    """
+    step = scenario.mpc.sample_time if strategy.actuated else CONTROL_STEP
+    multiple = _short_steps(step) if strategy.delayed else 1
+    return time / step, multiple * ceil(step / multiple / _fine_step(scenario, strategy) - 1e-9)
+
+
+def memory(scenario: Scenario, strategy: type[Controller], time: float) -> float:
+    """About the most that a run's arrays take at once, given its time over the road [s] [bytes].
+
+    Measured: a signal's samples are 8 bytes each, and most signals are there twice while they are recorded.
+    """
+    steps, fine = samples(scenario, strategy, time)
+    each = 250.0 + 165.0 * fine
+    if strategy.actuated and scenario.estimation.kind != "exact":
+        each += 300.0
+    if issubclass(strategy, PredictiveController):  # three disturbances at each step of the horizon
+        each += 100.0 + 24.0 * scenario.mpc.prediction_horizon
+    if issubclass(strategy, EcuController):  # what went over its channels
+        each += 3300.0
+    return steps * each
+
+
+def expected_time(scenario: Scenario, strategy: type[Controller]) -> float:
+    """Expected time from x = 0 to the road's end [s], braking with the maximum deceleration."""
+    speed, road, brake = scenario.speed, scenario.road, scenario.brake
+    initial = speed.initial_speed_kmh * KMH
+    if speed_plan(strategy, speed.policy) == "constant":
+        return road.length / initial
+    detection = _detection(scenario)
+    distance, target = road.bump.start - detection, min(initial, speed.target_speed_kmh * KMH)
+    braked = max(0.0, distance - brake.pressure_lag * initial)
+    arrival = max(target, sqrt(max(0.0, initial**2 - 2 * brake.maximum_deceleration * braked)))
+    return detection / initial + distance / ((initial + arrival) / 2) + (road.length - road.bump.start) / arrival
+
+
+def work(scenario: Scenario, strategy: type[Controller], time: float, expected: LimitShares) -> dict[str, float]:
+    """How many of each unit of `SECONDS` a run has, given its time over the road [s]."""
+    mpc, by_ecu = scenario.mpc, issubclass(strategy, EcuController)
+    counts = {"run": 1.0, "fine steps": time / _fine_step(scenario, strategy)}
+    counts["uncached steps"] = max(0.0, counts["fine steps"] - CACHED_STEPS)
+    vehicle, dampers = scenario.real_vehicle, run_dampers(scenario, strategy().for_scenario(scenario))
+    if not is_linear(vehicle, dampers):
+        actuator = scenario.actuator if strategy.actuated else Actuator()
+        short = substeps(vehicle, actuator, dampers, _fine_step(scenario, strategy))
+        counts["nonlinear steps"] = counts["fine steps"] * short
+    if speed_plan(strategy, scenario.speed.policy) == "planned":
+        counts["plan"] = 1.0
+    if not strategy.actuated:
+        return counts
+    steps = time / mpc.sample_time
+    # An ECU checks its limits in every step, and its own units say what that takes.
+    limited = 0.0 if by_ecu else expected.limited * steps
+    counts["limited steps"] = limited
+    if issubclass(strategy, DampingController):
+        return counts
+    counts["design"] = 1.0
+    if not issubclass(strategy, PredictiveController):
+        return counts
+    checks, inputs = 2 * (mpc.control_horizon + mpc.prediction_horizon), 3 * mpc.prediction_horizon + 10
+    counts["design entries"] = checks * inputs**2
+    if by_ecu:
+        return counts | {
+            "ECU": 1.0,
+            "exchanges": steps,
+            "short steps": steps * _short_steps(mpc.sample_time),
+            "ECU entries": steps * checks * inputs,
+            "ECU iterations": 0.5 * steps * checks * scenario.hil.iterations,
+        }
+    unknowns, solved = 2 * mpc.control_horizon + 2, expected.solved * steps
+    counts |= {
+        "check entries": (1.3 * steps + 8 * limited) * checks * inputs,
+        "QPs": solved,
+        "QP entries": solved * unknowns * inputs,
+    }
+    if mpc.solver == "osqp":
+        counts["OSQP"] = solved * OsqpSolver.effort(expected.iterations, unknowns, 4 * mpc.prediction_horizon)
+    return counts
+
+
+def _detection(scenario: Scenario) -> float:
+    """Where braking begins [m]."""
+    return max(0.0, scenario.road.bump.start - scenario.speed.detection_distance)
+
+
+def _short_steps(step: float) -> int:
+    return ceil(step / SHORT_STEP - 1e-9)
+
+
+def _fine_step(scenario: Scenario, strategy: type[Controller]) -> float:
+    return fine_step(scenario, speed_plan(strategy, scenario.speed.policy), actuated=strategy.actuated)
+
+
+def _fields(scenario: Scenario, strategy: type[Controller]) -> tuple[str, ...]:
+    """Fields that make a run's steps fewer or cheaper."""
+    fields: tuple[str, ...] = ("road.length", "speed.initial_speed_kmh")
+    if speed_plan(strategy, scenario.speed.policy) == "planned":
+        fields += ("speed.target_speed_kmh",)
+    if strategy.actuated:
+        fields += ("mpc.sample_time",)
+    if issubclass(strategy, PredictiveController):
+        fields += ("mpc.prediction_horizon", "mpc.control_horizon")
+    return fields

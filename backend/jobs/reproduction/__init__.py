@@ -1,1 +1,0 @@
-"""The reproduction: the paper's tables against ours, what each part contributes, its figures."""

@@ -1,0 +1,167 @@
+"""The paper's claims against ours: the runs they need, verdicts by rule.
+
+The rules are fixed before any number (docs/paper.md); nothing is tuned to reach a cell.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any
+
+from backend.analysis.intervals import Interval, change_with_interval
+from backend.paper.readings import READINGS, changes_of
+from backend.paper.tables import PaperCell, cells
+from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
+from sim_core.metrics.evaluate import rms_between
+from sim_core.result import StrategyResult
+from sim_core.scenario import Scenario, dotted
+from sim_core.speed.profile import plan_speed
+from sim_core.strategies import strategy_named
+
+SEEDS = 20  # roads 1 to this
+STRATEGIES = ("passive", "speed_only", "suspension_only", "lv", "lv_hil", "lqr")
+IN_ECU = "lv_hil"  # the one that needs the ECU's program
+SIMULATED = tuple(name for name in STRATEGIES if name != IN_ECU)
+PREVIEWED = ("suspension_only", "lv", "lv_hil")  # those whose controller looks ahead
+WINDOW = "window"  # the reading that changes no run, only where its RMS are taken
+HIL_TOLERANCE = 8.0  # a HIL cell is reached within this of the simulation, either way [%]
+AGREEMENT = 10.0  # a simulated change agrees with the printed one within this, either way [percentage points]
+FIGURES = tuple((window, statistic, signal) for window, statistic in PAPER_VIEWS for signal in PAPER_SIGNALS)
+
+# strategy -> (window, statistic, signal) -> a value for each seed
+Values = Mapping[str, Mapping[tuple[str, str, str], Sequence[float]]]
+
+
+class Verdict(StrEnum):
+    """What a printed change comes to."""
+
+    REACHED = "reached"
+    SMALLER = "smaller"
+    CONTRADICTS = "contradicts"
+
+
+RULES = {
+    "reached": "Same direction as the paper's change and at least as large.",
+    "smaller": "Same direction, but smaller than the paper's change.",
+    "contradicts": "The other direction, or no change at all.",
+    "hil": f"Hardware in the loop against LV: reached where the change is within ±{HIL_TOLERANCE:g} % of the "
+    "simulation, else it contradicts; the printed change is not the measure.",
+    "mean": "Ours is the change of the means over the seeds; every strategy drives the same roads.",
+    "ci": "95 % interval of that change over the seeds, by linearisation of the ratio (Cochran 1977).",
+    "certain": "A verdict is certain where the whole interval would get it.",
+    "agreement": f"A simulated change agrees where it lies within ±{AGREEMENT:g} percentage points of the paper's; the "
+    "paper's change is in our interval where it lies between the interval's ends.",
+    "misprint": "Where the printed change does not follow from the absolutes printed beside it, the verdict is taken "
+    "against the one that does.",
+}
+
+
+def verdict(claim: float, ours: float, *, hil: bool) -> Verdict:
+    """The verdict on a claimed change [%] by ours [%]; NaN contradicts.
+
+    Args:
+        claim: The paper's change.
+        ours: Our change.
+        hil: Whether it is hardware in the loop against the simulation.
+    """
+    if hil:
+        return Verdict.REACHED if abs(ours) <= HIL_TOLERANCE else Verdict.CONTRADICTS
+    if not ours * claim > 0:
+        return Verdict.CONTRADICTS
+    return Verdict.REACHED if abs(ours) >= abs(claim) else Verdict.SMALLER
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Judged:
+    """One printed change with ours beside it; values are means over the seeds, SI."""
+
+    cell: PaperCell
+    value: float
+    base: float
+    change: Interval
+    verdict: Verdict
+    certain: bool
+
+
+def judge(values: Values) -> list[Judged]:
+    """Every cell of the paper's comparing tables whose two strategies have values, judged."""
+    return [_judged(cell, values) for cell in cells() if {cell.strategy, cell.against} <= values.keys()]
+
+
+def _judged(cell: PaperCell, values: Values) -> Judged:
+    figure = (cell.window, cell.statistic, cell.signal)
+    ours, base = values[cell.strategy][figure], values[cell.against][figure]
+    change = change_with_interval(ours, base)
+    hil = cell.strategy == IN_ECU
+    judgement = verdict(cell.claim, change.value, hil=hil)
+    ends = {verdict(cell.claim, end, hil=hil) for end in (change.low, change.high)}
+    return Judged(
+        cell=cell,
+        value=sum(ours) / len(ours),
+        base=sum(base) / len(base),
+        change=change,
+        verdict=judgement,
+        certain=ends == {judgement},
+    )
+
+
+def count(judged: Sequence[Judged]) -> dict[str, int]:
+    """How many cells got each verdict."""
+    return {each.value: sum(item.verdict is each for item in judged) for each in Verdict}
+
+
+def split(judged: Sequence[Judged]) -> tuple[list[Judged], list[Judged]]:
+    """The changes we simulate, and those of hardware in the loop, which the ±8 % rule is for."""
+    in_ecu = [item for item in judged if item.cell.strategy == IN_ECU]
+    return [item for item in judged if item.cell.strategy != IN_ECU], in_ecu
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Agreement:
+    """How near simulated changes come to the paper's: how many of `cells` lie within AGREEMENT, and in our interval."""
+
+    cells: int
+    within: int
+    in_interval: int
+
+
+def agreement(judged: Sequence[Judged]) -> Agreement:
+    """Of the changes we simulate; a misprint is taken as its absolutes have it."""
+    simulated, _ = split(judged)
+    return Agreement(
+        cells=len(simulated),
+        within=sum(abs(item.change.value - item.cell.claim) <= AGREEMENT for item in simulated),
+        in_interval=sum(item.change.low <= item.cell.claim <= item.change.high for item in simulated),
+    )
+
+
+def scenario_for(choices: Mapping[str, str], seed: int) -> Scenario:
+    """The paper's scenario under these readings (reading -> choice; others take their default) on one road.
+
+    Raises:
+        UnknownNameError: No such reading or choice.
+    """
+    changes: dict[str, Any] = {**changes_of(choices), "road.seed": seed}
+    return Scenario.model_validate(dotted.with_changes(Scenario().model_dump(mode="json"), changes))
+
+
+def figures_of(result: StrategyResult) -> list[float]:
+    """The eight figures of one run, in the order of FIGURES."""
+    return [result.metrics[window][signal][statistic] for window, statistic, signal in FIGURES]
+
+
+def figures_by_window(scenario: Scenario, result: StrategyResult) -> dict[str, list[float]]:
+    """`figures_of` a run under each choice of the reading `window`."""
+    own, figures = figures_of(result), {}
+    for choice in READINGS[WINDOW].choices:
+        if choice.stretches is None:
+            figures[choice.id] = own
+            continue
+        rms = rms_between(
+            result.series, plan_speed(scenario, strategy_named(result.strategy).speed_plan), choice.stretches
+        )
+        figures[choice.id] = [
+            rms[signal] if window == "rough_road" else value
+            for (window, _, signal), value in zip(FIGURES, own, strict=True)
+        ]
+    return figures

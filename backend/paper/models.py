@@ -1,0 +1,286 @@
+"""The shapes of the paper page's answers."""
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from backend.json_types import JsonObject
+from backend.models import Answer
+from backend.paper.claims import AGREEMENT, HIL_TOLERANCE
+from sim_core.scenario import Scenario
+
+Verdict = Literal["reached", "smaller", "contradicts", "unavailable", "pending"]
+ConfidenceInterval = Annotated[list[float], Field(min_length=2, max_length=2, description="95 % interval [%]")]
+
+
+class Counts(Answer):
+    """How many cells got each verdict."""
+
+    reached: int
+    smaller: int
+    contradicts: int
+
+
+class Part(Answer):
+    """A part of the cells."""
+
+    reached: int
+    total: int = Field(description="Cells with a verdict")
+
+
+class Agreement(Answer):
+    """How close the simulated changes are to the paper's; for a misprint, to what follows from its absolutes."""
+
+    cells: int
+    within: int = Field(description=f"Within ±{AGREEMENT:g} percentage points of the paper's change")
+    in_interval: int = Field(description="The paper's change lies in our 95 % interval")
+
+
+class Counted(Answer):
+    """The counts of verdicts under some readings."""
+
+    reached: int
+    total: int = Field(description="Cells with a verdict")
+    counts: Counts
+    simulated: Part = Field(description="The changes we simulate")
+    ecu: Part = Field(description=f"Hardware in the loop, by our rule of ±{HIL_TOLERANCE:g} %")
+    agreement: Agreement
+
+
+class Misprint(Answer):
+    """A printed change that does not follow from the absolutes printed beside it [%]."""
+
+    printed: float
+    follows: float
+
+
+class Unavailable(Answer):
+    """Hardware in the loop cannot be driven here: its cells have no verdict and no part in any count."""
+
+    cells: int
+    reason: str = Field(description="What is missing, and what brings it")
+
+
+class Judgement(Answer):
+    """Our change [%] and what the paper's comes to; all but the verdict is null where the cell is unavailable."""
+
+    our_change: float | None
+    ci: ConfidenceInterval | None = Field(description="95 % interval [%]")
+    verdict: Verdict
+    certain: bool | None = Field(description="The whole interval would get that verdict")
+
+
+class Cell(Judgement):
+    """One printed change, and ours; absolutes in SI."""
+
+    table: int
+    window: str
+    signal: str
+    statistic: str
+    strategy: str
+    against: str
+    paper_value: float
+    paper_base: float
+    paper_change: float = Field(description="As printed [%]")
+    misprint: Misprint | None = Field(description="The verdict is then taken against `follows`")
+    our_value: float | None = Field(description="Null where the cell is unavailable")
+    our_base: float | None = Field(description="Null while pending")
+    without_preview: Judgement | None = Field(description="Where a controller that looks ahead takes part")
+
+
+class WithoutPreview(Answer):
+    """The counts of verdicts without preview."""
+
+    reached: int
+    counts: Counts
+
+
+class ReadingChoice(Answer):
+    """One choice of a reading."""
+
+    id: str
+    label: str
+    default: bool
+    source: str = Field(description="The sentence or equation of the paper that has it, or `ours`")
+
+
+class ReadingAnswer(Answer):
+    """A question that the paper leaves open, and the choice made."""
+
+    id: str
+    title: str
+    description: str
+    chosen: str
+    choices: list[ReadingChoice]
+
+
+class Column(Answer):
+    """Who is compared with whom."""
+
+    strategy: str
+    against: str
+
+
+class TableAnswer(Answer):
+    """One table of the paper."""
+
+    number: int
+    title: str
+    columns: list[Column]
+
+
+class Erratum(Answer):
+    """What is printed and what is used here; Markdown in both."""
+
+    place: str
+    printed: str
+    here: str
+
+
+class Interpretation(Counted):
+    """A named set of readings, and the counts of verdicts under it, on the same roads."""
+
+    id: str
+    title: str
+    description: str
+    choices: dict[str, str] = Field(description="Reading: choice, all of them")
+    changes: JsonObject = Field(description="The scenario's fields it changes, by dotted name")
+
+
+class Progress(Answer):
+    """How many of the runs behind the cells are stored."""
+
+    done: int
+    total: int
+
+
+class PaperAnswer(Counted):
+    """The paper's changes against ours."""
+
+    core_version: str
+    seeds: int
+    first_seed: int
+    interpretation: str | None = Field(description="The named set whose readings these are; null where none has them")
+    interpretations: list[Interpretation] = Field(description="The named sets")
+    unavailable: Unavailable | None
+    complete: bool = Field(description="False in a partial answer whose other cells are being computed: ask again")
+    progress: Progress
+    without_preview: WithoutPreview
+    scenario: Scenario
+    cells: list[Cell]
+    readings: list[ReadingAnswer]
+    rules: dict[str, str]
+    tables: list[TableAnswer]
+    errata: list[Erratum]
+
+
+class ReadingRow(Answer):
+    """What one switch does, all others as they are by default."""
+
+    reading: str
+    choice: str
+    reached: int
+    total: int = Field(description="Cells with a verdict")
+    counts: Counts
+    changed: int = Field(description="Cells whose verdict is another than by default")
+
+
+class ReadingsAnswer(Answer):
+    """Every switch by itself; `complete` is false while rows are still being computed: ask again."""
+
+    rows: list[ReadingRow]
+    complete: bool
+    unavailable: Unavailable | None
+
+
+class Figure8(Answer):
+    """One of the eight figures of a combination, mean over the seeds and its interval; SI."""
+
+    window: str
+    signal: str
+    statistic: str
+    value: float
+    low: float
+    high: float
+    change_vs_passive: float = Field(description="[%]")
+
+
+class Comfort(Answer):
+    """Mean over the seeds and its interval."""
+
+    value: float
+    low: float
+    high: float
+
+
+class CombinationRow(Answer):
+    """One combination of controller, speed, preview and weights."""
+
+    id: str
+    label: str
+    controller: Literal["passive", "lqr", "mpc"]
+    speed: Literal["constant", "planned"]
+    preview: Literal["none", "wheelbase", "lookahead"] | None
+    weights: Literal["equal", "comfort", "switched"] | None
+    same_as: str | None = Field(alias="is", description="The paper's strategy it is")
+    travel_time: float = Field(description="[s]")
+    metrics: list[Figure8]
+    comfort: dict[str, Comfort]
+
+
+class Share(Answer):
+    """Shares of LV's whole change in one figure [%], which add up to 100, and that change [%]."""
+
+    window: str
+    signal: str
+    statistic: str
+    speed: float
+    preview: float
+    switching: float
+    total_change: float
+
+
+class Change(Answer):
+    """Change of one combination against another [%]."""
+
+    window: str
+    signal: str
+    statistic: str
+    our_change: float
+    ci: ConfidenceInterval
+
+
+class EqualSpeed(Answer):
+    """Two combinations with the same speed plan."""
+
+    label: str
+    strategy: str
+    against: str
+    cells: list[Change]
+
+
+class AttributionAnswer(Answer):
+    """What each part contributes."""
+
+    core_version: str
+    seeds: int
+    first_seed: int
+    rows: list[CombinationRow]
+    shares: list[Share]
+    sentences: list[str]
+    equal_speed: list[EqualSpeed]
+
+
+class PaperFigure(Answer):
+    """One of the paper's figures, drawn from our runs."""
+
+    number: int
+    title: str
+    caption: str
+    figure: JsonObject = Field(description="Plotly: data and layout")
+
+
+class PaperFigures(Answer):
+    """Figures 3-6, 8, 10-17 and 19-22."""
+
+    figures: list[PaperFigure]

@@ -1,0 +1,257 @@
+"""Where the paper is silent or misprinted and a reader may choose: each reading is a few fields of the scenario.
+
+docs/errata.md has those that are no choice. The first choice of each is Ridelab's. Each choice says which sentence or
+equation of the paper has it, or that it is ours. Two sets of choices have a name: `backend.paper.interpretations`.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from sim_core.errors import UnknownNameError
+from sim_core.scenario import Scenario
+from sim_core.scenario.presets import PRESETS
+
+OURS = "ours"
+
+# First and last position of the front axle [m].
+Stretches = tuple[tuple[float, float], ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Choice:
+    """One way to read it.
+
+    Attributes:
+        id: Stable name.
+        label: Short, for a switch.
+        source: The sentence or equation of the paper that has it, or `OURS`.
+        changes: The fields it changes, by dotted name.
+        stretches: Where the RMS on the rough road are taken, of a choice of the reading `window`; None is the run's own
+            window, 0 to the bump.
+    """
+
+    id: str
+    label: str
+    source: str
+    changes: Mapping[str, Any] = field(default_factory=dict)
+    stretches: Stretches | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Reading:
+    """One question the paper leaves open."""
+
+    id: str
+    title: str
+    description: str
+    choices: tuple[Choice, ...]
+
+    @property
+    def default(self) -> str:
+        """Ridelab's choice."""
+        return self.choices[0].id
+
+    def choice(self, name: str) -> Choice:
+        """The choice of that id.
+
+        Raises:
+            UnknownNameError: There is none; the message lists them.
+        """
+        for each in self.choices:
+            if each.id == name:
+                return each
+        raise UnknownNameError(f"Unknown choice; there are {', '.join(each.id for each in self.choices)}")
+
+
+def _half_car() -> dict[str, Any]:
+    """The fields in which the half-car preset differs from the paper's."""
+    half, paper = (
+        scenario.model_dump(mode="json") for scenario in (PRESETS["half_car_consistent"].scenario, Scenario())
+    )
+    return {
+        f"{part}.{name}": value
+        for part in ("vehicle", "brake")
+        for name, value in half[part].items()
+        if value != paper[part][name]
+    }
+
+
+READINGS: dict[str, Reading] = {
+    reading.id: reading
+    for reading in (
+        Reading(
+            id="preview",
+            title="Road preview",
+            description="Eq. 9 predicts without the road; section 3.1 lets sensors see the bump. What the MPC knows of "
+            "the road ahead decides most of the paper's claims.",
+            choices=(
+                Choice(
+                    id="lookahead",
+                    label="Road ahead",
+                    source="Section 3.1: sensors identify the bump and its distance; that they see all of the road "
+                    "ahead is ours",
+                    changes={"mpc.preview": "lookahead"},
+                ),
+                Choice(
+                    id="obstacle",
+                    label="Bump",
+                    source="Section 3.1: sensors identify the bump and its distance",
+                    changes={"mpc.preview": "obstacle"},
+                ),
+                Choice(id="wheelbase", label="Front axle's", source=OURS, changes={"mpc.preview": "wheelbase"}),
+                Choice(
+                    id="none",
+                    label="None",
+                    source="Eq. 9 has no road input",
+                    changes={"mpc.preview": "none"},
+                ),
+            ),
+        ),
+        Reading(
+            id="lqr_preview",
+            title="Preview for LQR too",
+            description="The paper's LQR has none. With the same preview it is the fairer opponent.",
+            choices=(
+                Choice(
+                    id="none",
+                    label="None",
+                    source="Section 4.2.2 names its objective and no preview",
+                    changes={"lqr.preview": "none"},
+                ),
+                Choice(id="obstacle", label="Bump", source=OURS, changes={"lqr.preview": "obstacle"}),
+                Choice(id="wheelbase", label="Front axle's", source=OURS, changes={"lqr.preview": "wheelbase"}),
+                Choice(id="lookahead", label="Road ahead", source=OURS, changes={"lqr.preview": "lookahead"}),
+            ),
+        ),
+        Reading(
+            id="window",
+            title="Where the RMS are taken",
+            description="Section 4.1.1 takes the RMS on the graded road surface, section 4.2.2 over the full course.",
+            choices=(
+                Choice(
+                    id="to_bump",
+                    label="0 to 100 m",
+                    source="Section 4.1.1: driving on a graded road surface; that it ends at the bump is ours",
+                ),
+                Choice(
+                    id="class_b",
+                    label="Class B parts",
+                    source="Eq. 3: class B from 0 to 100 m and from 104 to 110 m",
+                    stretches=((0, 100), (104, 110)),
+                ),
+                Choice(
+                    id="full_course",
+                    label="0 to 110 m",
+                    source="Section 4.2.2: RMS for the full course, which by Eq. 3 ends at 110 m",
+                    stretches=((0, 110),),
+                ),
+            ),
+        ),
+        Reading(
+            id="travel_weight",
+            title="Travel weight q4",
+            description="A weight on suspension travel is ours. Without it an LQR uses far more travel than a car has.",
+            choices=(
+                Choice(
+                    id="3",
+                    label="3",
+                    source=OURS,
+                    changes={"mpc.deflection_weight": 3, "lqr.deflection_weight": 3},
+                ),
+                Choice(
+                    id="0",
+                    label="0",
+                    source="Eq. 16 and section 4.2.2 name three weights",
+                    changes={"mpc.deflection_weight": 0, "lqr.deflection_weight": 0},
+                ),
+            ),
+        ),
+        Reading(
+            id="braking_moment",
+            title="Braking pitches the body",
+            description="Eq. 7 has no such term, though the brake stage exists to hold the pitch it causes.",
+            choices=(
+                Choice(
+                    id="on",
+                    label="Yes",
+                    source="Section 3.3: braking changes the body's attitude; the term is ours",
+                    changes={"vehicle.cg_height": Scenario().vehicle.cg_height},
+                ),
+                Choice(id="off", label="No", source="Eq. 7 as printed", changes={"vehicle.cg_height": 0}),
+            ),
+        ),
+        Reading(
+            id="vehicle",
+            title="Table 2's car",
+            description="Its masses look like a whole car's, its stiffnesses like one wheel's.",
+            choices=(
+                Choice(id="printed", label="As printed", source="Table 2"),
+                Choice(id="half", label="Half the masses", source=OURS, changes=_half_car()),
+            ),
+        ),
+        Reading(
+            id="road_end",
+            title="End of the road",
+            description="Eq. 3 ends the road at 110 m; ours goes on to 150 m so that the car settles.",
+            choices=(
+                Choice(id="150", label="150 m", source=OURS, changes={"road.length": 150}),
+                Choice(id="110", label="110 m", source="Eq. 3", changes={"road.length": 110}),
+            ),
+        ),
+        Reading(
+            id="sample_time",
+            title="Control interval",
+            description="The paper does not give it.",
+            choices=(
+                Choice(id="10", label="10 ms", source=OURS, changes={"mpc.sample_time": 0.01}),
+                Choice(id="5", label="5 ms", source=OURS, changes={"mpc.sample_time": 0.005}),
+                Choice(id="20", label="20 ms", source=OURS, changes={"mpc.sample_time": 0.02}),
+            ),
+        ),
+        Reading(
+            id="force_limit",
+            title="Actuator force limit",
+            description="The paper gives none.",
+            choices=(
+                Choice(id="5", label="5 kN", source=OURS, changes={"mpc.force_limit": 5000}),
+                Choice(id="2.5", label="2.5 kN", source=OURS, changes={"mpc.force_limit": 2500}),
+                Choice(id="10", label="10 kN", source=OURS, changes={"mpc.force_limit": 10_000}),
+                Choice(id="20", label="20 kN", source=OURS, changes={"mpc.force_limit": 20_000}),
+            ),
+        ),
+        Reading(
+            id="travel_limit",
+            title="Travel limit",
+            description="Eq. 14 names a limit of the deflection, f_dmax; the paper gives no value.",
+            choices=(
+                Choice(id="80", label="80 mm", source=OURS, changes={"mpc.deflection_limit": 0.08}),
+                Choice(id="100", label="100 mm", source=OURS, changes={"mpc.deflection_limit": 0.1}),
+            ),
+        ),
+    )
+}
+
+
+def reading(name: str) -> Reading:
+    """The reading of that id.
+
+    Raises:
+        UnknownNameError: There is none; the message lists the ids.
+    """
+    try:
+        return READINGS[name]
+    except KeyError:
+        raise UnknownNameError(f"Unknown reading; there are {', '.join(READINGS)}") from None
+
+
+def changes_of(choices: Mapping[str, str]) -> dict[str, Any]:
+    """The scenario's fields under these choices, by dotted name; readings not named take Ridelab's.
+
+    Raises:
+        UnknownNameError: No such reading or choice.
+    """
+    changes: dict[str, Any] = {}
+    for name, choice in choices.items():
+        changes |= reading(name).choice(choice).changes
+    return changes

@@ -1,0 +1,50 @@
+"""What skyhook, groundhook and hybrid damping share: a law of velocities, by actuators or semi-active dampers."""
+
+from math import inf
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.control.controller import Controller, scenario_field
+from sim_core.control.seen import Setup
+from sim_core.vehicle.half_car import FORCES, STATES
+from sim_core.vehicle.model import LinearLaw, SemiActiveDampers
+
+
+class DampingController(Controller):
+    """A law u = damping·state, without preview; a subclass gives its `damping`."""
+
+    preview = "none"
+    prediction_horizon = 0
+    semi_active: bool = scenario_field("hook.semi_active")
+    min_damping: float = scenario_field("hook.min_damping")
+    max_damping: float | None = scenario_field("hook.max_damping")
+
+    def damping(self, setup: Setup) -> FloatArray:
+        """The forces front and rear for each number of the state (2, 8), in N."""
+        raise NotImplementedError
+
+    def start(self, setup: Setup) -> None:
+        """Make the law."""
+        self._law = LinearLaw(gain=np.hstack([self.damping(setup), np.zeros((FORCES, FORCES))]))
+
+    def linear_law(self, stage: str) -> LinearLaw:
+        """The same in every stage."""
+        return self._law
+
+    def dampers(self) -> SemiActiveDampers | None:
+        """Dampers whose coefficients the law sets, where the scenario has such."""
+        if not self.semi_active:
+            return None
+        return SemiActiveDampers(
+            least=self.min_damping,
+            most=inf if self.max_damping is None else self.max_damping,
+        )
+
+
+def axle_velocities(setup: Setup) -> tuple[FloatArray, FloatArray]:
+    """Velocity of the body above both axles, and of both wheels, as rows on the state (2, 8)."""
+    body = np.zeros((FORCES, STATES))
+    body[:, 4] = 1.0
+    body[:, 5] = -setup.vehicle.cg_to_front, setup.vehicle.cg_to_rear
+    return body, np.eye(FORCES, STATES, k=6)

@@ -1,0 +1,61 @@
+"""The discrete infinite-horizon regulator of the shared cost, cross term included (section 4.2.2)."""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.control.cost import KILO, CostTerms, stage_cost
+from sim_core.errors import RidelabError
+from sim_core.riccati import NOT_STABILISABLE, riccati, solve
+from sim_core.vehicle.half_car import FORCES, STATES, discrete
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Regulator:
+    """u = -K x in kN: K (2, 8); P (8, 8) is the cost to go x'P x."""
+
+    K: FloatArray
+    P: FloatArray
+
+
+@lru_cache(maxsize=512)
+def regulator(terms: CostTerms) -> Regulator:
+    """Solve P = A'PA + Q - (A'PB + N)(R + B'PB)⁻¹(B'PA + N').
+
+    Raises:
+        RidelabError: No stabilising solution was found for these weights.
+    """
+    model = discrete(terms.vehicle, terms.sample_time)
+    A, B = model.A, model.B * KILO
+    S = stage_cost(terms)
+    x, u = slice(0, STATES), slice(STATES, STATES + FORCES)
+    Q, R, N = S[x, x], S[u, u], S[x, u]
+    P = riccati(A, B, Q, R, N)
+    K = solve(R + B.T @ P @ B, B.T @ P @ A + N.T)
+    if not np.isfinite(K).all() or np.abs(np.linalg.eigvals(A - B @ K)).max() >= 1:
+        raise RidelabError(NOT_STABILISABLE)
+    return Regulator(K=K, P=P)
+
+
+@lru_cache(maxsize=64)
+def feedforward(terms: CostTerms, horizon: int) -> FloatArray:
+    """The optimal force's part that a known future adds, in N: (2, 3 · horizon) on a preview window.
+
+    Dynamic programming with cost to go x'Px + 2 x's (Tomizuka 1976, cross terms added): with w_i the disturbances of
+    interval i and nothing known beyond the horizon,
+    u = -K x - (R + B'PB)⁻¹ [(S_uw + B'PE) w_0 + B' s_1],  s_i = Σ_{j>=i} (A - BK)'^(j-i) L w_j,
+    L = (A - BK)'PE + S_xw - K'S_uw.
+    """
+    model, design, S = discrete(terms.vehicle, terms.sample_time), regulator(terms), stage_cost(terms)
+    A, B, E, K, P = model.A, model.B * KILO, model.E, design.K, design.P
+    x, u, w = slice(0, STATES), slice(STATES, STATES + FORCES), slice(STATES + FORCES, None)
+    closed = (A - B @ K).T
+    curvature = S[u, u] + B.T @ P @ B
+    L = closed @ P @ E + S[x, w] - K.T @ S[u, w]
+    parts = [S[u, w] + B.T @ P @ E]
+    for _ in range(1, horizon):
+        parts.append(B.T @ L)
+        L = np.asarray(closed @ L)
+    return np.asarray(-KILO * np.linalg.solve(curvature, np.stack(parts, axis=-1).reshape(FORCES, -1)))

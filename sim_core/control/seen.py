@@ -1,0 +1,162 @@
+"""What a controller is told: of the run at its start, and of each control step."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.scenario import Vehicle
+from sim_core.vehicle.half_car import STATES
+from sim_core.vehicle.model import VehicleModel
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Setup:
+    """What a controller is told before a run.
+
+    Attributes:
+        vehicle: The car as controllers believe it to be; the real one may differ (`mismatch`).
+        sample_time: Length of a control step [s].
+        steps: Control steps of the run.
+        short_steps: Short steps in a control step, of a delayed controller; else 1.
+        initial_speed: Speed before the car brakes [m/s].
+        force_limit: Greatest magnitude of each force [N].
+        deflection_limit: Greatest magnitude of each suspension deflection that should be kept [m].
+        preview_steps: Control steps for which the road ahead is reported.
+        stages: Names of the driving stages.
+    """
+
+    vehicle: Vehicle
+    sample_time: float
+    steps: int
+    short_steps: int
+    initial_speed: float
+    force_limit: float
+    deflection_limit: float
+    preview_steps: int
+    stages: tuple[str, ...]
+
+    @property
+    def short_step(self) -> float:
+        """Length of a short step [s]."""
+        return self.sample_time / self.short_steps
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class RunInputs:
+    """What `Seen` reports of a run, all of it known before the run begins.
+
+    Attributes:
+        time: Control instants (steps,) [s].
+        position: Of the front axle (steps,) [m].
+        speed: Of the car (steps,) [m/s].
+        stage: Driving stage of each control step.
+        windows: `Seen.disturbances` of each control step (3, steps, preview_steps).
+        road_height: Of the road under both axles as the preview has it (2, steps) [m].
+        noise: Gives that of the car's own sensors (steps, 4), in the units of what they measure.
+        sample_time: Length of a control step [s].
+    """
+
+    time: FloatArray
+    position: FloatArray
+    speed: FloatArray
+    stage: list[str]
+    windows: FloatArray
+    road_height: FloatArray
+    noise: Callable[[], FloatArray]
+    sample_time: float
+
+
+class Seen:
+    """What a controller is told in one control step, measured just before the command changes.
+
+    Attributes:
+        step: Number of the control step, from 0; the first ones are before x = 0.
+        state: The half-car's (8,), exact or estimated as the scenario says: suspension deflections front and rear [m],
+            tyre deflections front and rear [m], body velocity [m/s], pitch rate [rad/s], wheel velocities front and
+            rear [m/s]; up and nose-down are positive.
+        previous_force: What the actuators were told before, front and rear (2,) [N].
+    """
+
+    __slots__ = ("_car", "_car_state", "_car_step", "_inputs", "previous_force", "state", "step")
+
+    def __init__(
+        self,
+        inputs: RunInputs,
+        car: VehicleModel,
+        step: int,
+        car_state: FloatArray,
+        force: FloatArray,
+        car_step: int | None = None,
+    ) -> None:
+        """Show a control step.
+
+        Args:
+            inputs: Of the run.
+            car: Which is driven.
+            step: Number of the control step.
+            car_state: The car's, at its beginning.
+            force: The previous command (2,) [N].
+            car_step: Number of the car's step; by default the control step's.
+        """
+        self._inputs = inputs
+        self._car = car
+        self._car_state = car_state
+        self._car_step = step if car_step is None else car_step
+        self.step = step
+        self.state = car_state[:STATES]
+        self.previous_force = force
+
+    @property
+    def time(self) -> float:
+        """[s], 0 when the front axle is at x = 0."""
+        return float(self._inputs.time[self.step])
+
+    @property
+    def position(self) -> float:
+        """Of the front axle [m]."""
+        return float(self._inputs.position[self.step])
+
+    @property
+    def speed(self) -> float:
+        """Of the car [m/s]."""
+        return float(self._inputs.speed[self.step])
+
+    @property
+    def stage(self) -> str:
+        """The driving stage: cruise, brake or bump."""
+        return self._inputs.stage[self.step]
+
+    @property
+    def next_stage(self) -> str:
+        """The next control step's."""
+        return self._inputs.stage[min(self.step + 1, len(self._inputs.stage) - 1)]
+
+    @property
+    def measurement(self) -> FloatArray:
+        """By the car's own sensors, with their noise: deflections front and rear, body acceleration, pitch rate (4,).
+
+        [m, m, m/s^2, rad/s]
+        """
+        noise: FloatArray = self._inputs.noise()[self.step]
+        return self._car.measure(self._car_step, self._car_state, self.previous_force) + noise
+
+    @property
+    def disturbances(self) -> FloatArray:
+        """What is expected in each of the coming control steps (3, preview_steps).
+
+        Mean velocity of the road under the front and the rear axle [m/s], braking deceleration [m/s^2].
+        """
+        windows: FloatArray = self._inputs.windows[:, self.step]
+        return windows
+
+    @property
+    def preview(self) -> FloatArray:
+        """Road heights under the front and the rear axle at the end of each coming control step (preview_steps, 2) [m].
+
+        As the sensors give them; where they give nothing the road goes on level.
+        """
+        inputs = self._inputs
+        rise = np.cumsum(inputs.windows[:2, self.step], axis=1) * inputs.sample_time
+        return (inputs.road_height[:, self.step, np.newaxis] + rise).T

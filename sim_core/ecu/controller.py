@@ -1,0 +1,124 @@
+"""The MPC as an ECU drives it: a program apart from the car, behind converters, with delay, jitter and losses.
+
+The ECU measures at the control instants; its answer to instant k takes effect at instant k + 1, later by the jitter, or
+never. What its program is, `connect` says.
+"""
+
+from contextlib import ExitStack
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim_core.arrays import FloatArray
+from sim_core.control.controller import scenario_field
+from sim_core.control.cost import KILO
+from sim_core.control.mpc import PredictiveController
+from sim_core.control.mpc_design import CENTI
+from sim_core.control.seen import Seen, Setup
+from sim_core.ecu.calibration import Calibration, Checked, calibrate
+from sim_core.ecu.channels import STAGES, convert, full_scales
+from sim_core.ecu.interface import Connect, Frame, Reply
+from sim_core.ecu.model import modelled
+from sim_core.scenario import Hil
+from sim_core.vehicle.half_car import discrete
+from sim_core.vehicle.model import LinearLaw
+
+_NOISE, _JITTER, _LOSS = 3, 4, 5  # generators of their own beside the road's and the preview's
+
+
+class EcuController(PredictiveController):
+    """A predictive controller whose forces a program gives, in whole steps of its converters.
+
+    A subclass gives the weights of each driving stage.
+    """
+
+    delayed = True
+    solver = "its own"
+    bits: int = scenario_field("hil.bits")
+    compensation: Literal["predict", "none"] = scenario_field("hil.compensation")
+    iterations: int = scenario_field("hil.iterations")
+    noise: float = scenario_field("hil.noise")
+    jitter: float = scenario_field("hil.jitter")
+    packet_loss: float = scenario_field("hil.packet_loss")
+    seed: int = scenario_field("hil.seed")
+
+    def __init__(self, *, connect: Connect = modelled, checked: Checked = "all") -> None:
+        """Drive with the program that `connect` leads to, which checks all limits of the horizon or a few."""
+        super().__init__()
+        self._connect = connect
+        self._checked = checked
+
+    @property
+    def preview_steps(self) -> int:
+        """The prediction horizon, and one more where the first step is spent on predicting."""
+        return self.prediction_horizon + (self.compensation == "predict")
+
+    def calibration(self, setup: Setup) -> Calibration:
+        """What the ECU's program knows in such a run.
+
+        Raises:
+            RidelabError: The vehicle and weights admit no stabilising controller.
+        """
+        hil = Hil(bits=self.bits, compensation=self.compensation, iterations=self.iterations)
+        model = discrete(setup.vehicle, setup.sample_time)
+        return calibrate(self.designs(setup), model, hil, setup.force_limit, self._checked)
+
+    def start(self, setup: Setup) -> None:
+        """Connect to the program.
+
+        Raises:
+            RidelabError: The vehicle and weights admit no stabilising controller.
+        """
+        self._known = calibration = self.calibration(setup)
+        self._full_scale = full_scales(calibration.preview_length)
+        self._noise = self._draw_noise(setup)
+        self.report.limited_steps = self.report.most_iterations = self.report.clipped_values = 0
+        self._connection = ExitStack()
+        self._ecu = self._connection.enter_context(self._connect(calibration))
+
+    def end(self) -> None:
+        """Leave the program."""
+        self._connection.close()
+
+    def linear_law(self, stage: str) -> LinearLaw | None:
+        """None: its forces are in whole steps of the converters."""
+        return None
+
+    def force(self, seen: Seen) -> FloatArray | None:
+        """What the program answers; None where nothing came in time."""
+        calibration = self._known
+        values = np.concatenate([seen.state, seen.disturbances.ravel()]) + self._noise[seen.step]
+        codes, clipped = convert(values, self._full_scale, calibration.bits)
+        self.report.clipped_values = (self.report.clipped_values or 0) + clipped
+        stage = seen.next_stage if calibration.predicts else seen.stage  # in which the command takes effect
+        reply = self._ecu.exchange(Frame(step=seen.step, stage=STAGES.index(stage), codes=codes))
+        if reply is None:
+            return None
+        self._count(reply)
+        return np.array(reply.commands) * (calibration.command_step * KILO)
+
+    def arrivals(self, setup: Setup) -> NDArray[np.intp]:
+        """A control step later, and by the jitter; one after the end of the run where it is lost."""
+        steps, n = setup.steps, setup.short_steps
+        latest = round(self.jitter / setup.short_step)
+        delays = np.random.default_rng((self.seed, _JITTER)).integers(0, latest, size=steps, endpoint=True)
+        lost = np.random.default_rng((self.seed, _LOSS)).random(steps) < self.packet_loss
+        return np.where(lost, steps * n, (np.arange(steps) + 1) * n + delays)
+
+    def _draw_noise(self, setup: Setup) -> FloatArray:
+        """What noise adds to the inputs in each control step (steps, 8 + 3 · preview_steps)."""
+        shape = (setup.steps, len(self._full_scale))
+        if not self.noise:
+            return np.broadcast_to(0.0, shape)
+        generator = np.random.default_rng((self.seed, _NOISE))
+        return self.noise * self._full_scale * generator.standard_normal(shape)
+
+    def _count(self, reply: Reply) -> None:
+        """Take an answer in."""
+        report = self.report
+        report.solves += reply.limited
+        report.limited_steps = report.solves
+        report.failures += reply.unfinished
+        report.most_iterations = max(report.most_iterations or 0, reply.iterations)
+        report.max_slack = max(report.max_slack, reply.slack / CENTI)

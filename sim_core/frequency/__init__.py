@@ -1,0 +1,1 @@
+"""What the closed loop does by itself: its modes and whether it is stable."""

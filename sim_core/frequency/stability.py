@@ -1,0 +1,130 @@
+"""Whether the loop is stable with the car and the actuators as they really are (docs/robustness.md, "Stability").
+
+Near rest no limit binds, no stop is met and no tyre lifts off. With dampers alike both ways the loop of car, actuators
+and controller is then linear, and its modes say whether a small disturbance dies out. With unequal dampers it is linear
+piece by piece: it has no modes, and how it grows is measured. An unstable loop here never grows beyond all bounds: the
+actuators' limits end it in a steady oscillation, so no single figure of a run shows it reliably.
+"""
+
+from dataclasses import replace
+from math import acos, ceil, exp, hypot, inf
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.control.controller import Controller
+from sim_core.loop.drive import make_setup, told_preview
+from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario, Vehicle
+from sim_core.speed.profile import plan_speed
+from sim_core.strategies import speed_plan, strategy_named
+from sim_core.vehicle.estimator import make_estimator
+from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
+from sim_core.vehicle.linear import closed_loop_matrix, control_step
+from sim_core.vehicle.model import Estimator, LinearLaw
+from sim_core.vehicle.nonlinear import NonlinearCar
+from sim_core.vehicle.plant import plant
+
+_SETTLED = 8.0  # by then only the motion of a loop with unequal dampers that dies out last is left [s]
+_BLOCK = 100  # control steps after which its motion is brought back to size 1
+_NEGLIGIBLE = 1e-6  # a mode with a smaller eigenvalue has died out after one control step
+# No control law depends on the road; a Kalman filter depends on its roughness alone.
+_ANY_ROAD = Road(roughness=0, length=30, bump=Bump(height=0, start=20))
+
+
+def least_damping(scenario: Scenario, strategy: str | type[Controller]) -> float | None:
+    """Smallest damping ratio of the closed loop's modes [1], over the stages; None for a controller that is not a law.
+
+    Of a mode exp(s·t) it is -Re(s)/|s|: 1 does not oscillate, 0 oscillates for ever, below 0 the loop is unstable.
+    Each stage is taken by itself; preview is left out, because it is not fed back and cannot make a loop unstable.
+
+    With unequal dampers it is the smaller of two ratios, that of the mean dampers' modes and that of the motion that
+    dies out last; where the mean dampers' loop is unstable it is the latter alone. So it is below 0 exactly where that
+    motion grows. Of the passive car, in which nothing can grow, it is always the mean dampers'.
+
+    A semi-active damper is not judged: whatever the law, it puts no energy in, and nothing grows near rest.
+
+    Args:
+        scenario: With its mismatch: the controller is designed without it and meets the real car.
+        strategy: Its id, or a controller's class.
+
+    Raises:
+        UnknownNameError: No such strategy.
+        RidelabError: The vehicle and weights admit no stabilising controller.
+    """
+    kind = strategy_named(strategy) if isinstance(strategy, str) else strategy
+    believed = scenario.model_copy(
+        update={
+            "road": _ANY_ROAD,
+            "mismatch": Mismatch(),
+            "mpc": scenario.mpc.model_copy(update={"preview": "none"}),
+            "lqr": scenario.lqr.model_copy(update={"preview": "none"}),
+        }
+    )
+    controller = kind().for_scenario(believed)
+    if controller.delayed or controller.dampers() is not None:
+        return None
+    profile = plan_speed(believed, speed_plan(kind, scenario.speed.policy))
+    setup = make_setup(believed, controller, profile)
+    controller.start(setup)
+    found = dict.fromkeys(controller.linear_law(stage) for stage in setup.stages)
+    controller.end()
+    laws = [law for law in found if law is not None]
+    if len(laws) < len(found):
+        return None
+    vehicle, actuator = scenario.real_vehicle, scenario.actuator if kind.actuated else Actuator()
+    step, estimator = setup.sample_time, None
+    if kind.actuated:
+        mode, still = told_preview(scenario, kind().for_scenario(scenario)), np.zeros((1, DISTURBANCES))
+        estimator = make_estimator(scenario, step, profile.initial_speed, still, mode=mode)
+    exact = control_step(plant(vehicle, actuator, step, 1), vehicle, estimator)
+    loops = [closed_loop_matrix(exact, law) for law in laws]
+    of_modes = [damping(loop, step) for loop in loops]
+    if vehicle.rebound_ratio == 1 or not kind.actuated:  # dampers alone only take energy out
+        return min(of_modes)
+    last = [_last_motion(vehicle, actuator, step, estimator, law, loop) for law, loop in zip(laws, loops, strict=True)]
+    return min(slowest if mean < 0 else min(mean, slowest) for mean, slowest in zip(of_modes, last, strict=True))
+
+
+def damping(loop: FloatArray, step: float) -> float:
+    """Smallest damping ratio [1] of z' = loop·z over a step [s]; loop (n, n)."""
+    eigenvalues = np.linalg.eigvals(loop)
+    eigenvalues = eigenvalues[np.abs(eigenvalues) > np.finfo(float).tiny]  # zero is gone after a step: damped enough
+    poles = np.log(eigenvalues.astype(np.complex128)) / step
+    size = np.abs(poles)
+    ratios = np.where(size > 0, -poles.real / np.where(size > 0, size, 1), 0.0)
+    return float(ratios.min(initial=1.0))
+
+
+def _last_motion(
+    vehicle: Vehicle, actuator: Actuator, step: float, estimator: Estimator | None, law: LinearLaw, loop: FloatArray
+) -> float:
+    """Damping ratio [1] of the motion that dies out last, or grows most, of a loop with unequal dampers near rest.
+
+    Such a loop is homogeneous: twice the disturbance, twice the motion. From a start in which all states take part it
+    is driven for `_SETTLED` s, and for as long again its motion gives a mean rate of growth r and a mean frequency w:
+    the ratio is -r / |r + jw|. Both are those of the motion x in the modes of the `loop` with the mean dampers; with
+    g = e^(r step) a mode changes by |x' - x|² = (1 + g² - 2 g cos(w step)) |x|² in a step.
+    """
+    near_rest = vehicle.model_copy(update={"bump_stop_clearance": None, "tyre_lift_off": False})
+    if estimator is not None:
+        estimator = replace(estimator, input=np.zeros((_BLOCK, STATES)))
+    car = NonlinearCar(near_rest, actuator, step, np.zeros((_BLOCK, DISTURBANCES)), _BLOCK, estimator)
+    no_feed = np.zeros((_BLOCK, FORCES))
+    eigenvalues, modes = np.linalg.eig(loop)
+    to_modes = np.linalg.pinv(modes)[np.abs(eigenvalues) > _NEGLIGIBLE].T
+    blocks = ceil(_SETTLED / (step * _BLOCK))
+    z, grown = np.ones(len(loop)), 0.0
+    logarithms, changes = [], []
+    for block in range(2 * blocks):
+        motion = car.free_run(law, inf, 0, z, no_feed)
+        x = motion @ to_modes
+        size = np.linalg.norm(x, axis=1)
+        if block >= blocks:
+            logarithms.append(grown + np.log(size[:-1]))
+            changes.append((np.linalg.norm(x[1:] - x[:-1], axis=1) / size[:-1]) ** 2)
+        grown, z = grown + float(np.log(size[-1])), motion[-1] / size[-1]
+    history = np.concatenate(logarithms)
+    rate = float(np.polyfit(step * np.arange(len(history)), history, 1)[0])
+    growth = exp(rate * step)
+    cosine = (1 + growth**2 - float(np.mean(changes))) / (2 * growth)
+    return -rate / hypot(rate, acos(min(max(cosine, -1.0), 1.0)) / step)

@@ -1,0 +1,56 @@
+"""A controller whose commands arrive later: the car goes in short steps, so that one may come within a control step.
+
+The controller is asked at the control instants; what it answers takes effect at the short step that `arrivals` says, or
+never. The actuators hold the newest command that has arrived, and their limits hold in every short step.
+"""
+
+import numpy as np
+
+from sim_core.control.controller import Controller
+from sim_core.control.seen import RunInputs, Seen, Setup
+from sim_core.loop.closed_loop import ForceLimits, Trajectory, checked_force
+from sim_core.vehicle.half_car import FORCES
+from sim_core.vehicle.model import VehicleModel
+
+
+class DelayedLoop:
+    """One run's loop; `limits.change` is that of a short step."""
+
+    def __init__(
+        self, controller: Controller, car: VehicleModel, inputs: RunInputs, setup: Setup, limits: ForceLimits
+    ) -> None:
+        self._controller = controller
+        self._car = car
+        self._inputs = inputs
+        self._setup = setup
+        self._limits = limits
+
+    def run(self) -> Trajectory:
+        """Drive from rest, without a command before the first arrives; a row of the trajectory is a short step."""
+        car, steps, n = self._car, self._setup.steps, self._setup.short_steps
+        states, commands = np.empty((steps * n, car.size)), np.empty((steps * n, FORCES))
+        arrivals = self._controller.arrivals(self._setup).tolist()
+        newest = [-1] * (steps * n)  # the command that arrives at a short step, the newest of several
+        asked = np.zeros((steps + 1, FORCES))  # by command [N]; the last row is none, -1
+        used = np.zeros(steps + 1, dtype=bool)
+        state, held, present, limited = np.zeros(car.size), -1, np.zeros(FORCES), 0
+        settled = True  # whether the actuators have what is asked
+        for k in range(steps):
+            force = self._controller.force(Seen(self._inputs, car, k, state, present, car_step=k * n))
+            if force is not None:
+                wanted = checked_force(self._controller, force)
+                asked[k] = wanted.clip(-self._limits.control, self._limits.control)
+                limited += not np.array_equal(asked[k], wanted)
+                if arrivals[k] < steps * n:
+                    newest[arrivals[k]] = k
+            for i in range(k * n, k * n + n):
+                if newest[i] > held:
+                    held, settled = newest[i], False
+                    used[held] = True
+                if not settled:
+                    before, present = present, self._limits.of_actuator(asked[held], present)
+                    settled = np.array_equal(present, before)
+                states[i], commands[i] = state, present
+                state = car.advance(i, state, present)
+        held_commands = int(np.count_nonzero(~used[: steps - 1]))  # the last one would take effect after the run
+        return Trajectory(states=states, commands=commands, limited=limited, held_commands=held_commands)

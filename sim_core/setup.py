@@ -1,0 +1,39 @@
+"""What pyproject.toml cannot say: this folder is the package, and its C is compiled on any machine."""
+
+import runpy
+from pathlib import Path
+
+from setuptools import Extension, find_namespace_packages, setup
+from setuptools.command.bdist_wheel import bdist_wheel
+from setuptools.command.build_ext import build_ext
+
+
+class BuildLibrary(build_ext):
+    """The core's C, which `sim_core.kernel.library` loads: no Python module, and not called like one."""
+
+    def get_ext_filename(self, fullname: str) -> str:
+        """Its file."""
+        return str(Path(*fullname.split(".")).with_name("libridelab.so.1"))
+
+    def build_extension(self, ext: Extension) -> None:
+        """Compile it."""
+        library = Path(self.get_ext_fullpath(ext.name))
+        library.parent.mkdir(parents=True, exist_ok=True)
+        self.spawn(BUILD["command"](BUILD["default_compiler"](), library, "-fPIC"))
+
+
+class WheelForEveryPython(bdist_wheel):
+    """The library knows nothing of Python: one wheel a platform serves every version."""
+
+    def get_tag(self) -> tuple[str, str, str]:
+        """Tags of the wheel."""
+        return "py3", "none", super().get_tag()[2]
+
+
+BUILD = runpy.run_path("kernel/build.py")
+LIBRARY = Extension("sim_core.kernel.libridelab", [str(file.relative_to(Path.cwd())) for file in BUILD["SOURCES"]])
+setup(
+    packages=["sim_core", *(f"sim_core.{name}" for name in find_namespace_packages(exclude=["build*"]))],
+    cmdclass={"build_ext": BuildLibrary, "bdist_wheel": WheelForEveryPython},
+    ext_modules=[LIBRARY],
+)

@@ -1,0 +1,70 @@
+"""The strategies: each a controller and the speed plan it is driven with, in a file of its own.
+
+Adding one is adding its file and its class here.
+"""
+
+from typing import Any
+
+from sim_core.control.controller import Controller
+from sim_core.errors import UnknownNameError
+from sim_core.scenario import Scenario
+from sim_core.speed.profile import SpeedPlan
+from sim_core.strategies.groundhook import Groundhook
+from sim_core.strategies.hybrid import Hybrid
+from sim_core.strategies.lqr import Lqr
+from sim_core.strategies.lv import Lv
+from sim_core.strategies.lv_hil import LvHil
+from sim_core.strategies.passive import Passive, SpeedOnly
+from sim_core.strategies.reads import fields_read
+from sim_core.strategies.skyhook import Skyhook
+from sim_core.strategies.suspension_only import SuspensionOnly
+
+STRATEGIES: dict[str, type[Controller]] = {
+    strategy.id: strategy
+    for strategy in (Lv, LvHil, Lqr, Skyhook, Groundhook, Hybrid, SuspensionOnly, SpeedOnly, Passive)
+}
+
+
+def strategy_named(name: str) -> type[Controller]:
+    """The strategy with that id.
+
+    Raises:
+        UnknownNameError: There is none; the message lists the ids.
+    """
+    try:
+        return STRATEGIES[name]
+    except KeyError:
+        raise UnknownNameError(f"Unknown strategy; there are {', '.join(STRATEGIES)}") from None
+
+
+def speed_plan(strategy: type[Controller], policy: str) -> SpeedPlan:
+    """How a strategy is driven under a scenario's `speed.policy`."""
+    plans: dict[str, SpeedPlan] = {"planned": "planned", "constant": "constant"}
+    return plans.get(policy, strategy.speed_plan)
+
+
+def reads(strategy: type[Controller], policy: str = "by_strategy") -> tuple[str, ...]:
+    """Dotted names of the parts and fields of a scenario that a strategy's result depends on; on nothing else.
+
+    Args:
+        strategy: The strategy.
+        policy: The scenario's `speed.policy`, which decides how the strategy is driven.
+    """
+    return ("speed.policy", *fields_read(strategy, speed_plan(strategy, policy)))
+
+
+def part_read(scenario: Scenario, strategy: type[Controller]) -> dict[str, Any]:
+    """The part of the scenario that a strategy reads (`Part.identity`): dotted name -> plain JSON value, by name.
+
+    The speed policy counts by what is read under it: a strategy at its own speed has one key whatever the policy is.
+    """
+    identity = scenario.identity()
+    values: dict[str, Any] = {}
+    for path in fields_read(strategy, speed_plan(strategy, scenario.speed.policy)):
+        *parts, last = path.split(".")
+        part = identity
+        for key in parts:
+            part = part.get(key, {})
+        if last in part:
+            values[path] = part[last]
+    return values

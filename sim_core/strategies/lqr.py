@@ -1,0 +1,61 @@
+"""LQR: the regulator that minimises the same cost as LV over an endless horizon (section 4.2.2).
+
+With preview its force has a feedforward of the known future (Tomizuka 1976). It knows no limits: its force is clipped.
+"""
+
+import numpy as np
+
+from sim_core import (
+    Controller,
+    CostTerms,
+    LinearLaw,
+    Preview,
+    Setup,
+    Weights,
+    feedforward,
+    regulator,
+    scenario_field,
+)
+
+NEWTONS = 1000.0  # in a kN, in which the regulator has its forces
+
+
+class Lqr(Controller):
+    """Linear quadratic regulator with fixed weights on the same speed plan as LV."""
+
+    id = "lqr"
+    label = "LQR"
+    preview: Preview = scenario_field("lqr.preview")
+    prediction_horizon: int = scenario_field("lqr.preview_horizon")
+    weights: Weights = scenario_field("lqr.weights")
+    deflection_weight: float = scenario_field("lqr.deflection_weight")
+    force_weight: float = scenario_field("mpc.force_weight")
+
+    @property
+    def preview_steps(self) -> int:
+        """The horizon of its feedforward, if it has one."""
+        return 0 if self.preview == "none" else self.prediction_horizon
+
+    def start(self, setup: Setup) -> None:
+        """Solve the Riccati equation.
+
+        Raises:
+            RidelabError: The vehicle and weights admit no stabilising controller.
+        """
+        terms = CostTerms(
+            vehicle=setup.vehicle,
+            speed=setup.initial_speed,
+            sample_time=setup.sample_time,
+            weights=self.weights,
+            deflection_weight=self.deflection_weight,
+            deflection_limit=setup.deflection_limit,
+            force_weight=self.force_weight,
+        )
+        self._law = LinearLaw(
+            gain=np.hstack([-regulator(terms).K * NEWTONS, np.zeros((2, 2))]),
+            preview_gain=feedforward(terms, setup.preview_steps) if setup.preview_steps else None,
+        )
+
+    def linear_law(self, stage: str) -> LinearLaw:
+        """U = -K x + K_w w, the same in every stage."""
+        return self._law

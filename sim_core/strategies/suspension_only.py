@@ -1,0 +1,17 @@
+"""Single suspension control: the paper's MPC without the speed control, with weights by road (Table 3)."""
+
+from sim_core import PredictiveController, Weights, scenario_field
+
+
+class SuspensionOnly(PredictiveController):
+    """MPC suspension at constant speed, weights switched by road (Table 3)."""
+
+    id = "suspension_only"
+    label = "Single suspension control"
+    speed_plan = "constant"
+    rough: Weights = scenario_field("mpc.road_weights.rough")
+    bump: Weights = scenario_field("mpc.road_weights.bump")
+
+    def weights(self, stage: str) -> Weights:
+        """Those of the bump on it, of the rough road before and behind it."""
+        return self.bump if stage == "bump" else self.rough

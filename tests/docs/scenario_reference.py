@@ -1,0 +1,78 @@
+"""The scenario's reference page, docs/scenario.md, written from its schema."""
+
+from typing import Any
+
+from sim_core.catalogue import COMFORT, EVENTS, SIGNALS, Quantity
+from sim_core.scenario import Scenario
+from sim_core.scenario.presets import PRESETS
+from sim_core.strategies import STRATEGIES, reads
+
+_HEAD = """# The scenario, field by field
+
+Written from sim_core/scenario/parts.py; a test keeps this page equal to it. Every field
+has a default, the paper's unless its text says "ours"; the range is what a slider offers, the limits what is accepted.
+"""
+
+
+def page() -> str:
+    """The whole page as Markdown."""
+    schema = Scenario.model_json_schema()
+    lines = [_HEAD]
+    for name, part in schema["properties"].items():
+        lines += _part(name, _resolve(part, schema), schema)
+    lines += ["## Presets\n", "| id | what it is |", "|---|---|"]
+    lines += [f"| `{preset.id}` | {preset.description} |" for preset in PRESETS.values()]
+    lines += ["\n## Strategies\n", "| id | what it does | reads |", "|---|---|---|"]
+    for row in STRATEGIES.values():
+        lines.append(f"| `{row.id}` | {row.description()} | {', '.join(f'`{name}`' for name in reads(row))} |")
+    for title, catalogue in (("Signals", SIGNALS), ("Comfort figures", COMFORT), ("Events", EVENTS)):
+        lines += [f"\n## {title}\n", "| key | label | unit | note |", "|---|---|---|---|"]
+        lines += [_quantity(item) for item in catalogue.values()]
+    return "\n".join(lines) + "\n"
+
+
+def _resolve(node: dict[str, Any], schema: dict[str, Any]) -> dict[str, Any]:
+    """A node with its $ref followed."""
+    target: dict[str, Any] = schema["$defs"][node["$ref"].rsplit("/", 1)[1]] if "$ref" in node else {}
+    return target | {key: value for key, value in node.items() if key != "$ref"}
+
+
+def _part(path: str, part: dict[str, Any], schema: dict[str, Any]) -> list[str]:
+    """A table for a part, then its nested parts."""
+    lines = [f"## {path}\n", "| field | default | unit | range | limits | what it is |", "|---|---|---|---|---|---|"]
+    nested: list[str] = []
+    for name, node in part["properties"].items():
+        field = _resolve(node, schema)
+        if "properties" in field:
+            nested += _part(f"{path}.{name}", field, schema)
+        else:
+            lines.append(_field(f"{path}.{name}", field))
+    return [*lines, "", *nested]
+
+
+def _field(path: str, field: dict[str, Any]) -> str:
+    number = next((option for option in field.get("anyOf", [field]) if "maximum" in option), field)
+    if "prefixItems" in field:
+        number = field["prefixItems"][0]
+    soft, default = field.get("soft_range"), field.get("default")
+    limits = f"{_show(number['minimum'])} to {_show(number['maximum'])}" if "maximum" in number else ""
+    if "enum" in field:
+        limits = ", ".join(f"`{choice}`" for choice in field["enum"])
+    between = f"{_show(soft[0])} to {_show(soft[1])}" if soft else ""
+    return (
+        f"| `{path}` | {_show(default)} | {field.get('unit', '')} | {between} | {limits} | "
+        f"{field['title']}. {field.get('description', '')} |"
+    )
+
+
+def _show(value: Any) -> str:
+    """A number without needless digits, a list as JSON has it, null as none."""
+    if value is None:
+        return "none"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_show(item) for item in value) + "]"
+    return f"{value:.10g}" if isinstance(value, (int, float)) else str(value)
+
+
+def _quantity(item: Quantity) -> str:
+    return f"| `{item.key}` | {item.label} | {item.unit} | {item.description} |"

@@ -1,0 +1,232 @@
+"""The cost of a run: bounds that hold, an estimate that grows with the work, and an end where it is too much."""
+
+import json
+import pickle
+import subprocess
+import sys
+from collections.abc import Callable
+from contextlib import nullcontext
+from math import inf
+from pathlib import Path
+
+import pytest
+
+from backend.compute.fair_queue import SHORT
+from backend.cost import estimate as cost
+from backend.cost.binding_limits import LimitShares
+from backend.cost.estimate import SECONDS, check_affordable, duration, estimate, memory, work
+from backend.ecu import drive, program, realtime, report
+from backend.jobs import work as jobs_work
+from backend.jobs.chunk import WaitingRun
+from backend.runs import bands, exports, pins
+from backend.runs import work as runs_work
+from sim_core.control import mpc as mpc_module
+from sim_core.errors import TooExpensiveError
+from sim_core.scenario import SCHEMA_VERSION, Actuator, Brake, Bump, Estimation, Mpc, Road, Scenario, Speed, Vehicle
+from sim_core.simulate import simulate
+from sim_core.strategies import STRATEGIES
+
+AT_LIMITS = Scenario(road=Road(bump=Bump(height=0.14)), mpc=Mpc(solver="osqp", deflection_limit=0.03, force_limit=1500))
+ENDLESS = Scenario(
+    road=Road(length=3000),
+    speed=Speed(initial_speed_kmh=20),
+    mpc=Mpc(sample_time=0.002, prediction_horizon=200, control_horizon=100),
+)
+EXPORT = exports.Export(
+    strategies=["lv"], signals=["time"], points=None, file_format="csv", encoding="list", provenance={}
+)
+BACKEND = Path(runs_work.__file__).parents[1]
+
+
+@pytest.mark.parametrize("strategy", ["speed_only", "passive"])
+@pytest.mark.parametrize(
+    "scenario",
+    [
+        Scenario(),
+        Scenario(road=Road(length=400), speed=Speed(initial_speed_kmh=20, target_speed_kmh=10)),
+        Scenario(road=Road(bump=Bump(start=10)), speed=Speed(target_speed_kmh=80)),
+        *(
+            # What the lagging brakes still hold takes the car far below the band.
+            Scenario(
+                road=Road(length=130, bump=Bump(start=30, width=0.3)),
+                speed=Speed(initial_speed_kmh=speed, target_speed_kmh=10, detection_distance=20),
+                brake=Brake(maximum_deceleration=8, pressure_lag=lag),
+            )
+            for speed in (20, 30, 40)
+            for lag in (0.1, 0.4)
+        ),
+    ],
+)
+def test_duration_is_never_underestimated(scenario: Scenario, strategy: str) -> None:
+    assert simulate(scenario, strategy).travel_time <= duration(scenario, strategy) + 1e-6
+
+
+def test_estimate_grows_with_what_costs() -> None:
+    plain = estimate(Scenario(), "lv")
+    assert estimate(Scenario(road=Road(length=1500)), "lv") > 3 * plain
+    assert estimate(Scenario(mpc=Mpc(prediction_horizon=120)), "lv") > 2 * plain
+    assert estimate(Scenario(mpc=Mpc(solver="osqp")), "lv") > 3 * plain
+    assert estimate(AT_LIMITS, "lv") > 3 * estimate(Scenario(mpc=Mpc(solver="osqp")), "lv")
+    assert estimate(Scenario(), "passive") < plain
+
+
+def test_the_actuator_is_no_work_of_a_passive_car() -> None:
+    slow, fast = (
+        Scenario(vehicle=Vehicle(tyre_lift_off=True), actuator=Actuator(bandwidth=bandwidth)) for bandwidth in (1, 1000)
+    )
+    assert estimate(slow, "passive") == estimate(fast, "passive")
+    assert estimate(slow, "lqr") < estimate(fast, "lqr")
+
+
+def test_a_long_walk_is_no_short_task() -> None:
+    """Its arrays outgrow the processor's cache."""
+    walk = Scenario(road=Road(length=3000), speed=Speed(initial_speed_kmh=5, target_speed_kmh=5))
+    assert estimate(walk, "passive") > SHORT
+
+
+@pytest.mark.parametrize("strategy", STRATEGIES)
+def test_a_run_with_too_many_steps_ends_before_it_begins(strategy: str) -> None:
+    if strategy in ("lv", "suspension_only", "lv_hil"):
+        with pytest.raises(TooExpensiveError) as refused:
+            drive.simulate(ENDLESS, strategy)
+        assert "road.length" in refused.value.fields
+        assert all(field in refused.value.message for field in refused.value.fields)
+    else:
+        assert estimate(ENDLESS, strategy) < 1
+
+
+@pytest.mark.parametrize(
+    "compute",
+    [
+        lambda path: report.report(ENDLESS),
+        lambda path: realtime.drive_by_clock(ENDLESS),
+        lambda path: list(program.driven(ENDLESS, path)),
+        lambda path: exports.render(ENDLESS, EXPORT, None),
+        lambda path: pins.make(ENDLESS, ["lv"]),
+        lambda path: bands.drive([ENDLESS], "lv", (path, 0), path),
+    ],
+    ids=["controller report", "drive by the clock", "own program", "export", "pinned series", "series over roads"],
+)
+def test_all_that_simulates_refuses_it(compute: Callable[[Path], object], tmp_path: Path) -> None:
+    """Runs, solve and links: `work.run`; batches, tunings, robustness and the paper: `run_chunk`; below."""
+    with pytest.raises(TooExpensiveError):
+        compute(tmp_path / "file")
+
+
+def test_runs_and_jobs_store_the_refusal() -> None:
+    outcome = runs_work.run(ENDLESS, ["lv"], None)["lv"]
+    waiting = WaitingRun(position=0, changes="{}", strategy="lv", key="k")
+    [of_job] = jobs_work.run_chunk(ENDLESS.model_dump(mode="json"), SCHEMA_VERSION, [waiting], {}, 60)
+    for status, cacheable, summary in (
+        (outcome.status, outcome.cacheable, outcome.summary),
+        (of_job.status, of_job.cacheable, json.loads(of_job.summary)),
+    ):
+        assert (status, cacheable, summary["kind"]) == ("failed", True, "too-expensive")
+        assert "road.length" in summary["fields"]
+
+
+def test_nothing_simulates_past_the_check() -> None:
+    """Whoever takes the core's `simulate` checks first (above), or drives the paper's own scenarios."""
+    takers = {
+        str(path.relative_to(BACKEND))
+        for path in BACKEND.rglob("*.py")
+        if "from sim_core.simulate import simulate" in path.read_text()
+    }
+    assert takers == {"ecu/drive.py", "ecu/program.py", "ecu/realtime.py", "ecu/report.py", "paper/work.py"}
+
+
+@pytest.mark.parametrize("factor", [0.0, 1e6])
+def test_seconds_fitted_anew_refuse_and_accept_the_same_runs(factor: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cost, "SECONDS", {unit: factor * value for unit, value in SECONDS.items()})
+    monkeypatch.setattr(cost, "MAX_BYTES", inf)  # its own test is below
+    at_the_limit = ENDLESS.model_copy(update={"mpc": Mpc(sample_time=0.002, prediction_horizon=130)})
+    beyond_it = ENDLESS.model_copy(update={"mpc": Mpc(sample_time=0.002, prediction_horizon=131)})
+    for scenario, strategy, refused in (
+        (at_the_limit, "suspension_only", False),
+        (beyond_it, "suspension_only", True),
+        (Scenario(), "lv_hil", False),
+        (ENDLESS, "lv_hil", True),
+    ):
+        with pytest.raises(TooExpensiveError) if refused else nullcontext():
+            check_affordable(scenario, strategy)
+
+
+def test_work_is_counted_in_whole_steps_and_an_ecu_has_none_at_a_limit() -> None:
+    always = LimitShares(limited=1.0)
+    assert work(Scenario(), STRATEGIES["lv"], 20.0, always)["limited steps"] == 2000
+    counts = work(Scenario(), STRATEGIES["lv_hil"], 20.0, always)
+    assert (counts["exchanges"], counts["limited steps"]) == (2000, 0)
+
+
+def test_a_run_whose_qps_take_too_much_ends_at_the_same_qp_each_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = simulate(AT_LIMITS, "lv").events["qp_solves"]
+    assert whole is not None
+    monkeypatch.setattr(mpc_module, "MAX_EFFORT", 0.05)
+    solved = []
+    for _ in range(2):
+        counted = list[int]()
+        step = mpc_module.PredictiveController.force
+
+        def counting(*arguments: object, step: object = step, counted: list[int] = counted) -> object:
+            counted.append(1)
+            return step(*arguments)  # type: ignore[operator]  # the method, bound as a default
+
+        with monkeypatch.context() as patched:
+            patched.setattr(mpc_module.PredictiveController, "force", counting)
+            with pytest.raises(TooExpensiveError) as refused:
+                simulate(AT_LIMITS, "lv")
+        solved.append(len(counted))
+    assert 1 < solved[0] == solved[1] < whole
+    assert refused.value.fields[0] == "mpc.solver"
+    sent = pickle.loads(pickle.dumps(refused.value))  # noqa: S301 - our own, as between processes
+    assert (sent.message, sent.fields) == (refused.value.message, refused.value.fields)
+
+
+MEASURE = """
+import pathlib, re, sys
+from sim_core.scenario import Scenario
+from sim_core.simulate import simulate
+
+def most():
+    return 1024 * int(re.search(r"VmHWM:\\s+(\\d+)", pathlib.Path("/proc/self/status").read_text())[1])
+
+scenario = Scenario.model_validate_json(sys.argv[1])
+simulate(scenario.model_copy(update={"road": scenario.road.model_copy(update={"length": 100})}), sys.argv[2])
+before = most()
+simulate(scenario, sys.argv[2])
+print(most() - before)
+"""
+
+
+@pytest.mark.parametrize(
+    ("strategy", "mpc", "more"),
+    [
+        ("passive", Mpc(), {}),
+        ("lqr", Mpc(sample_time=0.002), {"estimation": Estimation(kind="kalman")}),
+        ("lv", Mpc(prediction_horizon=100, preview="none"), {}),
+    ],
+    ids=lambda value: value if isinstance(value, str) else "",
+)
+def test_a_run_takes_no_more_memory_than_is_reckoned(strategy: str, mpc: Mpc, more: dict[str, Estimation]) -> None:
+    """In a process of its own, whose peak the system knows; other runs' caches take 48 MiB at most."""
+    scenario = Scenario(
+        road=Road(length=600, bump=Bump(start=60)),
+        speed=Speed(initial_speed_kmh=5, target_speed_kmh=5),
+        mpc=mpc,
+        **more,  # type: ignore[arg-type]  # as the field has it
+    )
+    reckoned = memory(scenario, STRATEGIES[strategy], duration(scenario, strategy))
+    assert reckoned > 8e7, "enough to be told from what any run takes"
+    command = [sys.executable, "-c", MEASURE, scenario.model_dump_json(), strategy]
+    measured = int(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    assert 0.4 * reckoned < measured < 1.05 * reckoned + 2e7
+
+
+def test_a_run_that_takes_too_much_memory_is_refused_and_the_longest_walk_is_not(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    walk = Scenario(road=Road(length=3000), speed=Speed(initial_speed_kmh=5, target_speed_kmh=5))
+    check_affordable(walk, "passive")
+    monkeypatch.setattr(cost, "MAX_BYTES", 0.95 * cost.MAX_BYTES)
+    with pytest.raises(TooExpensiveError):
+        check_affordable(walk, "passive")

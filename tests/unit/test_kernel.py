@@ -1,0 +1,158 @@
+"""The core's C: how it is compiled, and each function against its definition in NumPy."""
+
+import shutil
+import subprocess
+import sys
+from importlib.util import find_spec
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.random import default_rng
+
+from sim_core.arrays import FloatArray
+from sim_core.control.qp import QpProblem, QpShape
+from sim_core.kernel import binding, build, library
+from sim_core.kernel.library import load
+from sim_core.loop.preview import sliding_forecast
+from sim_core.metrics.sections import Integrand, over_sections
+
+INTEGRAL_OF = {  # over one fine step from a to b
+    Integrand.VALUE: lambda a, b: (a + b) / 2,
+    Integrand.SQUARE: lambda a, b: (a**2 + b**2) / 2,
+    Integrand.SQUARE_OF_LINE: lambda a, b: (a**2 + a * b + b**2) / 3,
+}
+
+
+def test_where_it_is_not_built_or_of_other_sources_it_says_what_to_do(tmp_path: Path) -> None:
+    built = Path(library.__file__).with_name("libridelab.so.1")
+    assert load(built, library.DIGEST)
+    for file, expected in [(tmp_path / "libridelab.so.1", None), (built, "of other sources")]:
+        with pytest.raises(ImportError, match="make setup"):
+            load(file, expected)
+
+
+def test_the_digest_is_of_every_source_and_the_flags(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    assert build.digest() == library.DIGEST
+    digests = {library.DIGEST}
+    for index, source in enumerate((*build.SOURCES, *build.HEADERS)):
+        changed = tmp_path / source.name
+        changed.write_bytes(source.read_bytes() + b"\n")
+        files = [changed if file == source else file for file in (*build.SOURCES, *build.HEADERS)]
+        with monkeypatch.context() as patch:
+            patch.setattr(build, "SOURCES", files[: len(build.SOURCES)])
+            patch.setattr(build, "HEADERS", files[len(build.SOURCES) :])
+            digests.add(build.digest())
+        assert len(digests) == index + 2, source.name
+    monkeypatch.setattr(build, "FLAGS", (*build.FLAGS, "-ffast-math"))
+    assert build.digest() not in digests
+
+
+GCC = ["gcc"]
+ZIG = [sys.executable, "-m", "ziglang", "cc"]
+COMPILERS = {
+    "gcc": GCC,
+    "zig": ZIG,
+    "windows": [*ZIG, "-target", "x86_64-windows-gnu"],
+    "macos": [*ZIG, "-target", "aarch64-macos"],
+}
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_it_is_plain_c11_to_every_compiler(compiler: str, tmp_path: Path) -> None:
+    if shutil.which(COMPILERS[compiler][0]) is None or (compiler != "gcc" and find_spec("ziglang") is None):
+        pytest.skip(f"no {compiler} here")
+    command = build.command(COMPILERS[compiler], tmp_path / "library", "-Wall", "-Wextra", "-Werror")
+    output = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (output.returncode, output.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("n", [1, 10])
+def test_a_recurrence_is_step_after_step(n: int) -> None:
+    rng = default_rng(n)
+    matrix, states = rng.normal(size=(n, n)) / n, rng.normal(size=(50, n))
+    expected = states.copy()
+    for before, after in pairwise(expected):
+        after += matrix @ before
+    binding.recurrence(matrix, states)
+    np.testing.assert_allclose(states, expected, rtol=1e-12)
+
+
+def in_section(integrand: Integrand, signal: FloatArray, first: float, last: float) -> tuple[float, float]:
+    """Integral and peak of a signal (fine + 1, commands) from one place to another, fine step after fine step."""
+    fine, integral, peak = len(signal) - 1, 0.0, 0.0
+    for step in range(int(first), int(np.ceil(last))):
+        command, row = divmod(step, fine)
+        a, b = signal[row : row + 2, command]
+        low, high = max(first - step, 0.0), min(last - step, 1.0)
+        integral += (high - low) * INTEGRAL_OF[integrand](a, b)
+        peak = max(peak, abs(a + low * (b - a)), abs(a + high * (b - a)))
+    return integral, peak
+
+
+@pytest.mark.parametrize("fine", [1, 4])
+def test_sections_are_the_sum_of_their_fine_steps(fine: int) -> None:
+    """Wherever they end: at a sample or between two, under a command or where it changes, both ends under one."""
+    table = default_rng(fine).normal(size=(3, fine + 1, 8))
+    ends = np.array([[0, 8], [0.5, 0.75], [0.2, 1], [1, 3.3], [2, 2], [2.7, 7.1], [7.5, 8]]) * fine
+    values = over_sections(table, list(Integrand), ends)
+    np.testing.assert_array_equal(values.highest, np.abs(table).max(axis=1))
+    for integrand, signal, integrals, peaks in zip(Integrand, table, values.integrals, values.peaks.T, strict=True):
+        expected = [in_section(integrand, signal, *section) for section in ends.tolist()]
+        np.testing.assert_allclose(np.transpose([integrals, peaks]), expected, rtol=1e-12, atol=1e-15)
+
+
+@pytest.mark.parametrize("ends", [(-1.0, 2.0), (3.0, 2.0), (0.0, 9.0), (np.nan, 2.0)])
+def test_no_section_ends_outside_the_record(ends: tuple[float, float]) -> None:
+    with pytest.raises(ValueError, match="section"):
+        over_sections(np.zeros((1, 3, 4)), [Integrand.VALUE], np.array([ends]))
+
+
+def test_what_is_not_finite_shows_in_its_section_alone() -> None:
+    table = np.ones((1, 3, 4))
+    table[0, 1, 3] = np.nan
+    values = over_sections(table, [Integrand.SQUARE], np.array([[0.0, 6.0], [6.0, 8.0]]))
+    np.testing.assert_array_equal(values.integrals, [[6.0, np.nan]])
+    np.testing.assert_array_equal(values.peaks, [[1.0], [np.nan]])
+
+
+def test_a_sliding_horizon_is_each_of_its_windows() -> None:
+    horizon = 5
+    forecast = sliding_forecast(default_rng(2).normal(size=(3, 20)), horizon, np.zeros((2, 16)))
+    velocities, braking = forecast.windows[:2], forecast.windows[2]
+    assert braking.shape == (16, horizon)
+    np.testing.assert_allclose(forecast.braking, braking.mean(axis=1))
+    about_mean = braking - braking.mean(axis=1, keepdims=True)
+    norms = [np.linalg.norm(each, axis=1) for each in (*velocities, about_mean)]
+    np.testing.assert_allclose(forecast.spread, norms)
+
+
+def test_a_residual_is_the_largest_violation() -> None:
+    """The violations are of stationarity, box, rows, their multipliers' signs and gaps: each is largest in some."""
+    rng = default_rng(1)
+    n, rows = 5, 7
+    root = rng.normal(size=(n, n))
+    shape = QpShape(H=root @ root.T, A=rng.normal(size=(rows, n)), low=-np.ones(n), high=np.ones(n))
+    largest = set()
+    for _ in range(300):
+        scale = 10 ** rng.uniform(-3, 3, size=4)
+        y, multipliers = scale[0] * rng.normal(size=n), scale[1] * rng.normal(size=n + rows)
+        box, of_rows = multipliers[:n], multipliers[n:]
+        f = scale[2] * rng.normal(size=n) - (shape.H @ y + box + shape.A.T @ of_rows)
+        b = scale[3] * rng.normal(size=rows) + shape.A @ y
+        slack, force = b - shape.A @ y, 1 + np.abs(multipliers).max()
+        gap = np.where(box < 0, y - shape.low, shape.high - y)
+        violations = [
+            np.abs(shape.H @ y + f + box + shape.A.T @ of_rows) / (1 + np.abs(f)),
+            np.maximum(shape.low - y, y - shape.high),
+            -slack,
+            -of_rows / force,
+            np.abs(np.concatenate([box * gap, of_rows * slack])) / force,
+        ]
+        worst = [float(each.max()) for each in violations]
+        largest.add(int(np.argmax(worst)))
+        problem = QpProblem(shape)
+        problem.f[:], problem.b[:] = f, b
+        assert problem.residual(y, multipliers) == pytest.approx(max(worst), rel=1e-9)
+    assert largest == set(range(5))
