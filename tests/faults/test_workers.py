@@ -18,7 +18,7 @@ from sim_core.scenario import Scenario
 from tests.servers import loops
 from tests.servers.process import HANG_TIMEOUT
 
-CACHED_CARS = "__import__('sim_core.vehicle.half_car').car.half_car.half_car.cache_info().currsize"
+CACHED_CARS = "__import__('sim_core.vehicle.half_car').vehicle.half_car.half_car.cache_info().currsize"
 BEGIN = "import pathlib, signal, time; pathlib.Path({!r}).touch()"
 Do = Callable[[Callable[[Workers], Coroutine[Any, Any, Any]]], Any]
 
