@@ -6,19 +6,17 @@ small. OSQP raises nothing by default and may return a huge y for an infeasible 
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
-from functools import partial
 from typing import TYPE_CHECKING, Literal
 
 import daqp
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.library import ADDRESS, DOUBLE, INT, address, function
+from sim_core.kernel import prepared
 
 if TYPE_CHECKING:
     import osqp
 
-_residual = function("residual", INT, INT, *[ADDRESS] * 8, result=DOUBLE)
 SolverName = Literal["daqp", "osqp"]
 TOLERANCE = 1e-6  # of the residuals
 MAX_EFFORT = 20.0  # of all QPs of one run, by `QpSolver.effort` [s]
@@ -60,9 +58,9 @@ class QpProblem:
         self.b = self.upper[n:]
         columns = np.ascontiguousarray(shape.A.T)
         self._y, self._multipliers = np.empty(n), np.empty(n + rows)
-        work = np.empty(n + rows)
-        self._arrays = shape.H, columns, self.lower, self.upper, self.f, work, self._y, self._multipliers
-        self._call = partial(_residual, n, rows, *map(address, self._arrays))  # which C reads
+        self._violation = prepared.residual(
+            np.ascontiguousarray(shape.H), columns, self.lower, self.upper, self.f, self._y, self._multipliers
+        )
 
     def residual(self, y: FloatArray, multipliers: FloatArray) -> float:
         """Largest violation of the KKT conditions at y: of limits in kN and cm, of the others relative.
@@ -78,8 +76,7 @@ class QpProblem:
             ValueError: The arrays do not fit the problem's.
         """
         self._y[:], self._multipliers[:] = y, multipliers
-        violation: float = self._call()
-        return violation
+        return self._violation()
 
 
 class QpSolver(ABC):

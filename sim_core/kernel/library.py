@@ -1,20 +1,57 @@
-"""The library that setup.py builds from this folder's C files, loaded once for all who call into it."""
+"""The library that kernel/build.py makes of the C, loaded once, and its functions with the arguments they take."""
 
 import ctypes
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from numpy.typing import NDArray
+import numpy as np
 
 from sim_core.kernel import build
 
-ADDRESS, INT, SIZE, DOUBLE = ctypes.c_void_p, ctypes.c_int, ctypes.c_ssize_t, ctypes.c_double
-_BYTE, _KINDS = ctypes.c_char.from_buffer, "di"  # NumPy's letters for float64 and int
+INT, DOUBLE, NAME = ctypes.c_int, ctypes.c_double, ctypes.c_char_p
+_BYTE = ctypes.c_char.from_buffer
 _FILE = Path(__file__).with_name("libridelab.so.1")  # no Python module, so not called like one
 _NOT_BUILT = (
     "The core's C is not compiled, or not from these sources: install Ridelab with `make setup` or from its wheel"
 )
+
+
+class Array:
+    """The type of an argument: a C-contiguous, aligned array of the machine's own numbers.
+
+    `numpy.ctypeslib.ndpointer` checks the same and takes thrice the time, which a run of 3 ms would notice.
+
+    Args:
+        shape: Its shape, or
+        ndim: How many dimensions it has; any without either.
+        dtype: Of its numbers.
+        written: Whether C writes into it.
+    """
+
+    def __init__(
+        self, *shape: int, ndim: int | None = None, dtype: type[np.generic] = np.float64, written: bool = False
+    ) -> None:
+        self._shape, self._ndim, self._dtype, self._written = shape, ndim, np.dtype(dtype), written
+
+    def from_param(self, value: Any) -> ctypes.c_void_p:
+        """Where C finds the numbers of an array, which this keeps alive; `ctypes` calls it for each argument.
+
+        Raises:
+            TypeError: It is no such array.
+        """
+        if not isinstance(value, np.ndarray) or value.dtype != self._dtype:
+            raise TypeError(f"C takes an array of {self._dtype} here")
+        if (self._shape and value.shape != self._shape) or value.ndim != (self._ndim or value.ndim):
+            raise TypeError(f"C takes an array of {self._shape or self._ndim} here, not of {value.shape}")
+        flags = value.flags
+        if not (flags.c_contiguous and flags.aligned and flags.writeable >= self._written):
+            raise TypeError("C takes contiguous, aligned arrays, and writes into writeable ones")
+        fast = flags.writeable and value.size  # a quarter of the time that `ctypes.data` takes
+        pointer = ctypes.c_void_p(ctypes.addressof(_BYTE(value.data)) if fast else value.ctypes.data)
+        pointer.array = value  # type: ignore[attr-defined]  # a c_void_p takes any attribute
+        return pointer
 
 
 def load(file: Path, expected: str | None) -> ctypes.CDLL:
@@ -43,21 +80,55 @@ _LIBRARY = load(_FILE, build.digest() if build.SOURCES else None)
 DIGEST: str = _LIBRARY.ridelab_digest().decode()  # SHA-256 of the C and of the flags it was compiled with
 
 
-def function(name: str, *arguments: type, result: type | None = None) -> Callable[..., Any]:
-    """A function of the library, by its name there without `ridelab_`, with these types of arguments and result."""
-    loaded = _LIBRARY[f"ridelab_{name}"]
-    loaded.argtypes, loaded.restype = arguments, result
-    return loaded
+class Function:
+    """A function of the library: whatever it is called with is checked against its arguments' types.
+
+    Args:
+        name: Its name without `ridelab_`.
+        arguments: Their types.
+        result: Its type.
+    """
+
+    def __init__(self, name: str, *arguments: Any, result: type | None = None) -> None:
+        self._arguments = arguments
+        self._checked, self._unchecked = _LIBRARY[f"ridelab_{name}"], _LIBRARY[f"ridelab_{name}"]
+        self._checked.argtypes = arguments
+        self._checked.restype = self._unchecked.restype = result
+
+    def __call__(self, *values: Any) -> Any:
+        """Its result.
+
+        Raises:
+            ctypes.ArgumentError: An argument is of another type, shape or order, or cannot be written.
+        """
+        return self._checked(*values)
+
+    def bind(self, *values: Any) -> Callable[..., Any]:
+        """The function of its last arguments alone, for many calls; the first ones are checked here.
+
+        Args:
+            values: The first arguments, whose arrays are kept alive.
+
+        Raises:
+            TypeError: An argument is of another type, shape or order, or cannot be written.
+        """
+        fixed = [kind.from_param(value) for kind, value in zip(self._arguments, values, strict=False)]
+        addresses = [getattr(argument, "_as_parameter_", argument) for argument in fixed]
+        last, unchecked = self._arguments[len(values) :], self._unchecked
+        if not last:
+            return partial(unchecked, *addresses)
+
+        def bound(*rest: Any) -> Any:
+            return unchecked(*addresses, *[kind.from_param(value) for kind, value in zip(last, rest, strict=True)])
+
+        return bound
 
 
-def address(array: NDArray[Any]) -> int:
-    """Where C finds an array's numbers; whoever passes it on keeps the array alive.
+def require(agreed: bool, what: str) -> None:
+    """Let C have arrays that fit each other alone.
 
     Raises:
-        ValueError: They do not follow one another, or are neither float64 nor C's int.
+        ValueError: They do not; the message says which.
     """
-    if not array.flags.c_contiguous or array.dtype.char not in _KINDS:
-        raise ValueError("C reads contiguous arrays of float64 or int")
-    if array.flags.writeable and array.size:
-        return ctypes.addressof(_BYTE(array.data))  # a third of the time that `ctypes.data` takes
-    return int(array.ctypes.data)
+    if not agreed:
+        raise ValueError(what)

@@ -13,9 +13,10 @@ enum { TRAVEL = 0, TYRE = 2, BODY = 4, WHEEL = 6, FORCE = 8, NUMBERS = 10 }; /* 
 enum { MOST_EVENTS = 4 };          /* that a step ends at; both axles' dampers may turn again and again around rest */
 enum { PARTS = 8 };                /* of a fine step in which a tyre lifts off or lands */
 static const double NEAR = 1e-3;   /* of a step: an event nearer to one of its ends does not divide it */
+static const double ROUNDING = 1e-9; /* of a length */
 static const double TINY = 1e-300; /* squared speed that is no speed [m^2/s^2] */
 
-/* Arrays of two are of the front and the rear axle. */
+/* All numbers, as they come from outside; arrays of two are of the front and the rear axle. */
 struct car {
     double brake_moment, corner;
     double turns;                   /* 1 where the slope of the dampers' force depends on its direction, else 0 */
@@ -39,7 +40,7 @@ struct input {
     const double *within;                 /* 4 a fine step: both roads' means above their chords, then moments [m] */
     const double *disturbance;            /* 3 a fine step: both road velocities [m/s], braking [m/s^2] */
     int fine_steps, fine, substeps;       /* of all, in a control step; steps of Runge-Kutta in a fine one */
-    double time, cell;                    /* of a fine step [s]; distance between the road's samples [m] */
+    double time;                          /* of a fine step [s] */
 };
 
 /* A fine step or a part of one: the road's velocity as a polynomial of the time from its beginning. */
@@ -294,8 +295,8 @@ static struct state cross_parts(const struct car *car, const struct input *input
    of its kinks. */
 static int cells(const struct input *input, int step)
 {
-    double length = input->position[step + 1] - input->position[step];
-    return length <= input->cell ? 1 : (int)ceil(length / input->cell);
+    double length = input->position[step + 1] - input->position[step], cell = input->road->at.grid * (1 + ROUNDING);
+    return length <= cell ? 1 : (int)ceil(length / cell);
 }
 
 /* One control step from x, whose first fine step is given; its samples in a column of the table unless that is NULL. */
@@ -369,17 +370,25 @@ static void estimate(const struct estimator *estimator, const struct car *car, c
 /* `count` control steps from step `first` on, in which u = gain [state; previous command] + feed, within the limit. Arrays
    are C-contiguous:
 
-   estimator        of the state, or NULL; its input, 8 numbers a step of the whole drive
    states           8, or 10 with a lagging actuator's
+   estimator        of the state where it `estimates`; known, its input, 8 numbers a step of the whole drive
+   roughness        of the road, without samples where it is straight within a fine step
+   layout           of the road; position and within as `struct input` has them
+   disturbance      the same, of all fine steps; `substeps` of Runge-Kutta in each, which takes `time` [s]
+   table            10 x (fine + 1) x columns samples, of the drive's last steps
    gain             2 x 10; feed: 2 a step [N]
    loop             a row before each step and after the last, [estimated state; state; previous command]; the first row
-                    is an input
-   table            10 x (fine + 1) x columns samples; its first column is of step `before` */
-void ridelab_drive(const struct car *car, const struct estimator *estimator, const double *known,
-                   const struct input *input, int states, int first, int count, const double *gain, double limit,
-                   const double *feed, double *loop, double *table, int before, int columns)
+                    is an input */
+void ridelab_drive(const struct car *car, int states, int estimates, const struct estimator *estimator,
+                   const double *known, int samples, const double *roughness, const struct layout *layout,
+                   const double *position, const double *within, const double *disturbance, int steps, int fine,
+                   int substeps, double time, double *table, int columns, const double *gain, double limit,
+                   const double *feed, double *loop, int count, int first)
 {
-    int estimated = estimator ? 8 : 0, size = estimated + states, width = size + 2;
+    const struct road road = {roughness, samples, *layout};
+    const struct input all = {samples ? &road : NULL, position, within, disturbance, steps * fine, fine, substeps, time};
+    const struct input *input = &all;
+    int estimated = estimates ? 8 : 0, size = estimated + states, width = size + 2, before = steps - columns;
     for (int i = 0; i < count; i++) {
         double *now = loop + (size_t)i * width, *next = now + width;
         int step = first + i, fine_step = step * input->fine;
@@ -396,7 +405,7 @@ void ridelab_drive(const struct car *car, const struct estimator *estimator, con
         x = hold(car, input, fine_step, command, x, column, (size_t)columns);
         memcpy(next + estimated, x.at, (size_t)states * sizeof(double));
         memcpy(next + size, command, sizeof command);
-        if (estimator) {
+        if (estimates) {
             double braking = input->disturbance[(size_t)DISTURBANCES * (size_t)(fine_step + input->fine) - 1];
             estimate(estimator, car, &x, command, braking, known + 8 * (size_t)step, now, next);
         }

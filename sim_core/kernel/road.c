@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 #include "road.h"
 
@@ -12,6 +13,19 @@ static const double PI = 3.14159265358979323846;
 static double within(double low, double value, double high)
 {
     return value < low ? low : value > high ? high : value;
+}
+
+/* The number of a shape by its name in a scenario; -1 for none. */
+int ridelab_shape_number(const char *name)
+{
+    static const char *const names[SHAPES] = {
+        [COSINE] = "cosine",     [HALF_SINE] = "half_sine", [CIRCULAR] = "circular",
+        [FLAT_TOP] = "flat_top", [TRAPEZOID] = "trapezoid", [KERB] = "kerb",
+    };
+    for (int shape = 0; shape < SHAPES; shape++)
+        if (strcmp(names[shape], name) == 0)
+            return shape;
+    return -1;
 }
 
 /* Height of one bump [m] at a place from its start [m]. Cosine is Eq. 2 of the paper; circular the arc of a Watts hump
@@ -49,16 +63,15 @@ static double bump_height(const struct bump *bump, double position)
     return bump->shape == KERB ? height + met * bump->height : height;
 }
 
-/* Linear between the roughness' samples, level beyond them, and the bumps. */
 double ridelab_road_height(const struct road *road, double position)
 {
-    double place = within(0, (position - road->first) / road->grid, road->samples - 1.000001);
+    double place = within(0, (position - road->at.first) / road->at.grid, road->samples - 1.000001);
     if (!(place >= 0)) /* not a number has no cell */
         return place;
     int cell = (int)place;
     double low = road->roughness[cell], height = (road->roughness[cell + 1] - low) * (place - cell) + low;
-    if (position > road->bump.start && position < road->bump.until)
-        height += bump_height(&road->bump, position);
+    if (position > road->at.bump.start && position < road->at.bump.until)
+        height += bump_height(&road->at.bump, position);
     return height;
 }
 
@@ -85,10 +98,12 @@ void ridelab_bump_heights(const struct bump *bump, const double *position, int n
 }
 
 /* The same of the whole road. */
-void ridelab_road_heights(const struct road *road, const double *position, int n, double *height)
+void ridelab_road_heights(const double *roughness, int samples, const struct layout *layout, const double *position,
+                          int n, double *height)
 {
+    const struct road road = {roughness, samples, *layout};
     for (int i = 0; i < n; i++)
-        height[i] = ridelab_road_height(road, position[i]);
+        height[i] = ridelab_road_height(&road, position[i]);
 }
 
 /* height    of the road under the front and the rear axle at every fine instant, 2 x (steps + 1) [m]
@@ -106,8 +121,7 @@ void ridelab_disturbances(const double *restrict height, const double *restrict 
     }
 }
 
-/* How far the road lies above its chord between two positions, on average [m]; `moment` is its first moment about the
-   middle, per length. Where the slope changes by k, at distances a and b from the ends, that adds -k a b / (2 (a + b)) to
+/* Where the slope changes by k, at distances a and b from the ends, that adds -k a b / (2 (a + b)) to
    the mean and -k a b (a - b) / (12 (a + b)^2) to the moment. The bumps are judged at `PARTS` - 1 places in between
    (Simpson). */
 double ridelab_above_chord(const struct road *road, double begin, double end, double *moment)
@@ -115,20 +129,20 @@ double ridelab_above_chord(const struct road *road, double begin, double end, do
     double length = end - begin, all = *moment = 0;
     if (!(length > 0))
         return 0;
-    double per_grid = 1 / road->grid, per_length = 1 / length;
-    int last = (int)within(0, (end - road->first) * per_grid, road->samples - 2);
-    for (int i = (int)within(0, (begin - road->first) * per_grid, road->samples) + 1; i <= last; i++) {
+    double per_grid = 1 / road->at.grid, per_length = 1 / length;
+    int last = (int)within(0, (end - road->at.first) * per_grid, road->samples - 2);
+    for (int i = (int)within(0, (begin - road->at.first) * per_grid, road->samples) + 1; i <= last; i++) {
         const double *z = road->roughness + i;
-        double a = road->first + i * road->grid - begin, b = length - a;
+        double a = road->at.first + i * road->at.grid - begin, b = length - a;
         double mean = -(z[1] - 2 * z[0] + z[-1]) * per_grid * a * b * per_length / 2;
         all += mean;
         *moment += mean * (a - b) * per_length / 6;
     }
-    if (end > road->bump.start && begin < road->bump.until) {
-        double first = bump_height(&road->bump, begin), rise = bump_height(&road->bump, end) - first;
+    if (end > road->at.bump.start && begin < road->at.bump.until) {
+        double first = bump_height(&road->at.bump, begin), rise = bump_height(&road->at.bump, end) - first;
         for (int part = 1; part < PARTS; part++) {
             double share = (double)part / PARTS, weight = (part % 2 ? 4.0 : 2.0) / (3 * PARTS);
-            double mean = weight * (bump_height(&road->bump, begin + length * share) - first - rise * share);
+            double mean = weight * (bump_height(&road->at.bump, begin + length * share) - first - rise * share);
             all += mean;
             *moment += mean * (share - 0.5);
         }
@@ -138,61 +152,61 @@ double ridelab_above_chord(const struct road *road, double begin, double end, do
 
 /* position  of both axles at every fine instant, 2 x (steps + 1) [m]
    within    steps x 4: how far both roads lie above their chords on average, then their first moments [m] */
-void ridelab_within_steps(const struct road *road, const double *position, int steps, double *within)
+void ridelab_within_steps(const double *roughness, int samples, const struct layout *layout, const double *position,
+                          int steps, double *within)
 {
+    const struct road road = {roughness, samples, *layout};
     const double *rear = position + steps + 1;
     for (int i = 0; i < steps; i++, within += 4) {
-        within[0] = ridelab_above_chord(road, position[i], position[i + 1], within + 2);
-        within[1] = ridelab_above_chord(road, rear[i], rear[i + 1], within + 3);
+        within[0] = ridelab_above_chord(&road, position[i], position[i + 1], within + 2);
+        within[1] = ridelab_above_chord(&road, rear[i], rear[i + 1], within + 3);
     }
 }
 
-/* An axle on record: its position at every fine instant and the road's height there [m], the load on its tyre
-   ((fine + 1) x commands) and that one's largest magnitude under each command [N]. */
-struct axle {
-    const double *position, *height, *load, *highest;
-    double stiffness, lowest; /* of the tyre [N/m], of the load [N] */
-};
-
 static const double NEAR = 1e-3; /* of a fine step: a kink met so near to a section's end is met at it */
 
-/* The load's magnitude where the axle meets a kink of the road in a fine step: it deviates from the line between both
-   samples by the tyre's stiffness times the kink's height above the chord. */
-static double load_at(const struct road *road, const struct axle *axle, double kink, int step, double share, double a,
-                      double b)
+/* The load's magnitude where an axle meets a kink of the road in a fine step, at a share of the step from height[0] to
+   height[1]: it deviates from the line between both samples a and b by the tyre's stiffness times the kink's height above
+   the chord. */
+static double load_at(double kink, const double *height, double share, double a, double b, double stiffness, double lowest)
 {
-    const double *height = axle->height + step;
     double chord = height[0] + share * (height[1] - height[0]);
-    double load = a + share * (b - a) + axle->stiffness * (ridelab_road_height(road, kink) - chord);
-    return fabs(load < axle->lowest ? axle->lowest : load);
+    double load = a + share * (b - a) + stiffness * (kink - chord);
+    return fabs(load < lowest ? lowest : load);
 }
 
 /* Raise the largest magnitude of an axle's tyre load in each section where it is larger at a kink of the road between
    two samples: the roughness' own samples, and where the bumps' slope jumps.
 
+   position  at every fine instant [m]; height, of the road there [m]
+   load      on its tyre ((fine + 1) x commands), highest, its largest magnitude under each command [N]
+   stiffness of the tyre [N/m]; lowest, of the load [N]
    kinks     of the bumps, ascending [m], then infinity
    ends      first and last place of each section, in fine steps from the record's first sample
    rise      how far the road leaves a chord in each section at most [m]: where samples do not come so near to the peak,
              no kink is looked at
    peaks     of each section */
-void ridelab_kink_peaks(const struct road *road, const struct axle *axle, int fine, int commands, const double *kinks,
-                        const double *ends, const double *rise, int sections, double *peaks)
+void ridelab_kink_peaks(const double *roughness, int samples, const struct layout *layout, const double *position,
+                        const double *height, const double *load, const double *highest, int fine, int commands,
+                        double stiffness, double lowest, const double *kinks, const double *ends, const double *rise,
+                        int sections, double *peaks)
 {
+    const struct road road = {roughness, samples, *layout};
     for (int section = 0; section < sections; section++) {
         double first = ends[2 * section], last = ends[2 * section + 1], peak = peaks[section];
         double from = first > NEAR ? first - NEAR : 0, to = last + NEAR;
         const double *kink = kinks;
         for (int c = (int)(from / fine); c < commands && c * fine < to; c++) {
-            if (c * fine >= first && (c + 1) * fine <= last && axle->highest[c] < peak - axle->stiffness * rise[section])
+            if (c * fine >= first && (c + 1) * fine <= last && highest[c] < peak - stiffness * rise[section])
                 continue;
             for (int step = c * fine; step < (c + 1) * fine; step++) {
-                const double *load = axle->load + (size_t)(step - c * fine) * (size_t)commands + c;
-                double begin = axle->position[step], end = axle->position[step + 1];
-                double grid = floor((begin - road->first) / road->grid) + 1;
-                while (*kink <= begin)
+                const double *sample = load + (size_t)(step - c * fine) * (size_t)commands + c;
+                double begin = position[step], end = position[step + 1];
+                double grid = floor((begin - road.at.first) / road.at.grid) + 1;
+                while (*kink <= begin && isfinite(*kink))
                     kink++;
                 for (const double *next = kink;;) {
-                    double sample = road->first + grid * road->grid, met = sample < *next ? sample : *next;
+                    double cell = road.at.first + grid * road.at.grid, met = cell < *next ? cell : *next;
                     if (!(met <= end))
                         break;
                     if (met == *next)
@@ -201,7 +215,9 @@ void ridelab_kink_peaks(const struct road *road, const struct axle *axle, int fi
                         grid++;
                     double share = (met - begin) / (end - begin), place = step + share;
                     if (place >= from && place <= to) {
-                        double magnitude = load_at(road, axle, met, step, share, load[0], load[commands]);
+                        double kink_height = ridelab_road_height(&road, met);
+                        double magnitude = load_at(kink_height, height + step, share, sample[0], sample[commands],
+                                                   stiffness, lowest);
                         peak = magnitude > peak ? magnitude : peak;
                     }
                 }

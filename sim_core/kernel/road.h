@@ -1,21 +1,25 @@
-/* The road as C knows it. */
+/* The road: samples of its roughness, and bumps. */
 #ifndef RIDELAB_ROAD_H
 #define RIDELAB_ROAD_H
 
-enum shape { COSINE, HALF_SINE, CIRCULAR, FLAT_TOP, TRAPEZOID, KERB }; /* as scenario/road.py has them */
+enum shape { COSINE, HALF_SINE, CIRCULAR, FLAT_TOP, TRAPEZOID, KERB, SHAPES };
 
+/* All numbers, as they come from outside. */
 struct bump {
-    int shape, count;
-    double start, height, width, spacing;
+    double shape, count, start, height, width, spacing;
     double until; /* from here on the road is as it would be without it [m] */
 };
 
-/* Samples of the roughness from `first` on, `grid` apart [m]. */
-struct road {
-    const double *roughness;
-    int samples;
+/* The same: samples of the roughness from `first` on, `grid` apart [m], and the bumps. */
+struct layout {
     double first, grid;
     struct bump bump;
+};
+
+struct road {
+    const double *roughness;
+    int samples; /* two at least */
+    struct layout at;
 };
 
 /* Linear between the roughness' samples, level beyond them, and the bumps [m]. */

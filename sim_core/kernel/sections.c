@@ -2,10 +2,22 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 /* What is integrated over a fine step from a to b: the value, its square by trapezoids, or the square of a straight
    line, whose mean is (a^2 + ab + b^2) / 3. */
-enum integrand { VALUE, SQUARE, SQUARE_OF_LINE };
+enum integrand { VALUE, SQUARE, SQUARE_OF_LINE, INTEGRANDS };
+
+/* The number of an integrand by its name; -1 for none. */
+int ridelab_integrand_number(const char *name)
+{
+    static const char *const names[INTEGRANDS] = {
+        [VALUE] = "value", [SQUARE] = "square", [SQUARE_OF_LINE] = "square_of_line"};
+    for (int integrand = 0; integrand < INTEGRANDS; integrand++)
+        if (strcmp(names[integrand], name) == 0)
+            return integrand;
+    return -1;
+}
 
 static inline double larger(double a, double b)
 {

@@ -11,13 +11,12 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.kernel.library import ADDRESS, DOUBLE, INT, address, function
+from sim_core.kernel import binding
 from sim_core.road.profile import GRID, RoadProfile, RoadUnderAxles, detail, profile, road_under_axles
 from sim_core.scenario import Road, Scenario
 from sim_core.speed.profile import KMH, SpeedPlan, SpeedProfile, run_in_steps
 from sim_core.vehicle.half_car import DISTURBANCES
 
-_disturbances = function("disturbances", ADDRESS, ADDRESS, INT, DOUBLE, ADDRESS)
 FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
 
 
@@ -149,7 +148,7 @@ def excite(
     height = surface.height(sampled.axles)
     braking = _braking(drive, sampled, step / fine)
     held = np.empty((len(sampled.time) - 1, fine * DISTURBANCES))
-    _disturbances(address(height), address(braking), len(braking), sampled.fine_step, address(held))
+    binding.disturbances(height, braking, sampled.fine_step, held)
     height.flags.writeable = False
     front, rear = height[:, sampled.on_record]
     return Excitation(

@@ -12,7 +12,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.kernel.library import ADDRESS, INT, address, function
+from sim_core.kernel import binding
 from sim_core.loop.excitation import Excitation, TimeGrid
 from sim_core.road.profile import RoadProfile
 from sim_core.road.sensed import ExpectedErrors, sensed_road
@@ -20,7 +20,6 @@ from sim_core.scenario import Mismatch, Preview, Road
 from sim_core.speed.profile import SpeedProfile
 from sim_core.vehicle.half_car import DISTURBANCES
 
-_horizons = function("horizons", ADDRESS, INT, INT, ADDRESS, ADDRESS)
 EXACT, NO_ERRORS = Mismatch(), ExpectedErrors()
 
 
@@ -101,7 +100,7 @@ def sliding_forecast(disturbances: FloatArray, horizon: int, height_now: FloatAr
     """
     steps = disturbances.shape[1] - horizon + 1
     braking, spread = np.empty(steps), np.empty((DISTURBANCES, steps))
-    _horizons(address(disturbances), steps, horizon, address(braking), address(spread))
+    binding.horizons(disturbances, horizon, braking, spread)
     return Forecast(
         windows=sliding_window_view(disturbances, horizon, axis=1),
         braking=braking,

@@ -8,7 +8,7 @@ from scipy.linalg import expm
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.kernel.recurrence import run_recurrence
+from sim_core.kernel import binding
 
 Quadratic = tuple[float, float, float]  # coefficients, highest power first
 Quotient = tuple[Quadratic, Quadratic]  # numerator and denominator
@@ -101,7 +101,7 @@ def weighted(columns: FloatArray, step: float, samples: int) -> FloatArray:
     n = len(weighting.onward)
     states = np.zeros((columns.shape[1], n))
     np.matmul(columns[:, :-1].T, weighting.inputs, out=states[1:])
-    run_recurrence(weighting.onward, states)
+    binding.recurrence(weighting.onward, states)
     through = states @ weighting.outputs[:n]
     through += columns.T @ weighting.outputs[n:]
     return through.reshape(-1)[:samples]

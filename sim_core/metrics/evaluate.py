@@ -12,7 +12,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS, WINDOWS
-from sim_core.kernel.library import ADDRESS, INT, address, function
+from sim_core.kernel import binding
 from sim_core.loop.drive import Run
 from sim_core.loop.excitation import Excitation
 from sim_core.loop.recording import Recording
@@ -25,7 +25,6 @@ from sim_core.scenario import Scenario, Vehicle
 from sim_core.speed.profile import KMH, TARGET_BAND, SpeedProfile
 from sim_core.vehicle.plant import RECORDED
 
-_both_powers = function("power", ADDRESS, ADDRESS, INT, ADDRESS)
 _ROW = {signal: row for row, signal in enumerate(METRIC_SIGNALS)}
 _SPEEDS = len(RECORDED) - len(METRIC_SIGNALS)  # those of the deflections come before them
 # The accelerations jump with the force and are steep lines in between.
@@ -139,7 +138,7 @@ def _power(forces: FloatArray, speeds: FloatArray, windows: Windows) -> dict[str
     mean = peak = 0.0
     if forces.any():
         power = np.empty((1, *forces.shape[1:]))
-        _both_powers(address(forces), address(speeds), power.size, address(power))
+        binding.power(forces, speeds, power)
         values = over_sections(power, [Integrand.VALUE], windows.ends)
         mean = float(values.integrals.sum() / (windows.ends[-1, 1] - windows.ends[0, 0]))
         peak = float(values.peaks.max())

@@ -2,22 +2,20 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import IntEnum
+from enum import StrEnum
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.library import ADDRESS, INT, address, function
-
-_sections = function("sections", ADDRESS, INT, ADDRESS, INT, INT, ADDRESS, INT, ADDRESS, ADDRESS, ADDRESS, ADDRESS)
+from sim_core.kernel import binding
 
 
-class Integrand(IntEnum):
+class Integrand(StrEnum):
     """What is integrated of a signal: itself or its square by trapezoids, or the square of a line through samples."""
 
-    VALUE = 0
-    SQUARE = 1
-    SQUARE_OF_LINE = 2
+    VALUE = "value"
+    SQUARE = "square"
+    SQUARE_OF_LINE = "square_of_line"
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -47,17 +45,6 @@ def over_sections(table: FloatArray, integrands: Sequence[Integrand], ends: Floa
     Raises:
         ValueError: A section lies outside the table, or its end before its beginning.
     """
-    signals, samples, commands = table.shape
-    fine, sections = samples - 1, len(ends)
-    if len(integrands) != signals or not ((ends[:, 0] >= 0) & (ends[:, 0] <= ends[:, 1])).all():
-        raise ValueError("Every signal needs an integrand, and a section ends behind its beginning")
-    if ends.max() > fine * commands:
-        raise ValueError("A section ends within the record")
-    integrals, peaks = np.empty((signals, sections)), np.empty((sections, signals))
-    work, highest = np.empty(commands), np.empty((signals, commands))
-    kinds = np.array(integrands, dtype=np.intc)
-    _sections(
-        *(address(table), signals, address(kinds), fine, commands, address(ends), sections),
-        *(address(integrals), address(peaks), address(work), address(highest)),
-    )
+    integrals, peaks = np.empty((len(table), len(ends))), np.empty((len(ends), len(table)))
+    highest = binding.sections(table, integrands, ends, integrals, peaks)
     return SectionValues(integrals=integrals, peaks=peaks, highest=highest)

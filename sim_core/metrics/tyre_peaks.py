@@ -1,32 +1,15 @@
 """Peaks of the tyre loads where the road's slope changes between two samples, by the C of kernel/road.c."""
 
-import ctypes
 from math import inf
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.library import ADDRESS, DOUBLE, INT, address, function
+from sim_core.kernel import binding
 from sim_core.loop.excitation import Excitation
 from sim_core.metrics.windows import Windows
-from sim_core.road.profile import CompiledRoad, kinks
+from sim_core.road.profile import kinks
 from sim_core.scenario import Vehicle
-
-
-class _Axle(ctypes.Structure):
-    """`struct axle` of kernel/road.c."""
-
-    _fields_ = [
-        *((name, ADDRESS) for name in ("position", "height", "load", "highest")),
-        *((name, DOUBLE) for name in ("stiffness", "lowest")),
-    ]
-
-
-_kink_peaks = function(
-    "kink_peaks",
-    *(ctypes.POINTER(CompiledRoad), ctypes.POINTER(_Axle), INT, INT),
-    *(ADDRESS, ADDRESS, ADDRESS, INT, ADDRESS),
-)
 
 
 def peaks_with_kinks(
@@ -53,21 +36,20 @@ def peaks_with_kinks(
     Raises:
         ValueError: It is that of another record.
     """
-    samples, commands = loads.shape[1:]
     surface, start = excitation.surface, excitation.on_record.start
-    if excitation.height.shape[1] - start != (samples - 1) * commands + 1:
-        raise ValueError("A record has as many fine steps as its road")
-    road, of_bump = surface.compiled, np.array([*sorted(kinks(surface.bump)), inf])
+    of_bump = np.array([*sorted(kinks(surface.bump)), inf])
     beside, on_bump = surface.slope_range()
     rise = np.array([beside, on_bump, beside]) * windows.step_distance / 4  # of the road above a chord, at most
     all_peaks = np.array(peaks, order="C")
     tyres = (vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness)
     for axle, (stiffness, static) in enumerate(zip(tyres, vehicle.static_loads, strict=True)):
-        position = excitation.drive.position[start:] - axle * excitation.drive.wheelbase
-        arrays = position, excitation.height[axle, start:], loads[axle], highest[axle]
-        lowest = -static if vehicle.tyre_lift_off else -inf
-        _kink_peaks(
-            *(road, _Axle(*map(address, arrays), stiffness, lowest), samples - 1, commands),
-            *(address(of_bump), address(windows.ends), address(rise), len(rise), address(all_peaks[axle])),
+        record = binding.AxleRecord(
+            position=excitation.drive.position[start:] - axle * excitation.drive.wheelbase,
+            height=excitation.height[axle, start:],
+            load=loads[axle],
+            highest=highest[axle],
+            stiffness=stiffness,
+            lowest=-static if vehicle.tyre_lift_off else -inf,
         )
+        binding.kink_peaks(surface.roughness, surface.layout, record, of_bump, windows.ends, rise, all_peaks[axle])
     return all_peaks

@@ -3,49 +3,24 @@
 Every strategy drives the same road whatever its speed, and the rear axle the front's road a wheelbase later.
 """
 
-import ctypes
 from dataclasses import dataclass, field
 from math import exp, inf, pi, sqrt
-from typing import get_args
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.errors import MissingRoadError, RidelabError
-from sim_core.kernel.library import ADDRESS, DOUBLE, INT, address, function
+from sim_core.kernel import binding
 from sim_core.scenario import Bump, Road
 from sim_core.scenario.measured import SPACING, MeasuredRoad
-from sim_core.scenario.road import BumpShape
 
 REFERENCE_FREQUENCY = 0.1  # n0 [1/m], ISO 8608
 CUTOFF_FREQUENCY = 0.011  # n00 [1/m]: below it the PSD is flat, so the road stays bounded
 GRID = SPACING  # distance between roughness samples [m]
-_SHAPES = get_args(BumpShape)
 RUN_IN = 20.0  # driven before x = 0, so that the car has met the road when the record starts [m]
 _BEFORE = 45.0  # road made before x = 0 [m]: run-in, longest wheelbase, one control step
 _AFTER = 1.0  # road made beyond its end [m]; further on it stays level
-
-
-class _Bump(ctypes.Structure):
-    """`struct bump` of kernel/road.c."""
-
-    _fields_ = [
-        *((name, INT) for name in ("shape", "count")),
-        *((name, DOUBLE) for name in ("start", "height", "width", "spacing", "until")),
-    ]
-
-
-class CompiledRoad(ctypes.Structure):
-    """`struct road` of kernel/road.c: a `RoadProfile`, whose roughness it does not keep alive."""
-
-    _fields_ = [("roughness", ADDRESS), ("samples", INT), ("first", DOUBLE), ("grid", DOUBLE), ("bump", _Bump)]
-
-
-_make_rough = function("roughness", ADDRESS, INT, DOUBLE, DOUBLE, DOUBLE, result=DOUBLE)
-_bump_heights = function("bump_heights", ctypes.POINTER(_Bump), ADDRESS, INT, ADDRESS)
-_within_steps = function("within_steps", ctypes.POINTER(CompiledRoad), ADDRESS, INT, ADDRESS)
-_road_heights = function("road_heights", ctypes.POINTER(CompiledRoad), ADDRESS, INT, ADDRESS)
 
 
 def grid_samples(length: float) -> int:
@@ -66,24 +41,23 @@ class RoadProfile:
         roughness: Heights of the samples (n,) [m].
         slopes: Between the roughness' steepest slopes up and down [1].
         bump: The bumps.
-        compiled: The same for C, while this profile lives.
+        layout: Samples and bumps as numbers (9,), for C.
     """
 
     roughness: FloatArray
     slopes: float
     bump: Bump
-    compiled: CompiledRoad = field(init=False, repr=False)
+    layout: FloatArray = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         """Prepare what C reads."""
-        road = CompiledRoad(address(self.roughness), len(self.roughness), -_BEFORE, GRID, _compiled(self.bump))
-        object.__setattr__(self, "compiled", road)
+        object.__setattr__(self, "layout", binding.road_layout(-_BEFORE, GRID, _numbers(self.bump)))
 
     def height(self, position: FloatArray) -> FloatArray:
         """Road height [m] at positions [m] of any shape; level beyond the road made."""
         position = np.ascontiguousarray(position, dtype=np.float64)
         height = np.empty_like(position)
-        _road_heights(self.compiled, address(position), position.size, address(height))
+        binding.road_heights(self.roughness, self.layout, position, height)
         return height
 
     def slope_range(self) -> tuple[float, float]:
@@ -113,7 +87,7 @@ class RoadUnderAxles:
 def road_under_axles(surface: RoadProfile, position: FloatArray) -> RoadUnderAxles:
     """The road at positions (2, n + 1) [m]."""
     within = np.empty((position.shape[1] - 1, 4))
-    _within_steps(surface.compiled, address(position), len(within), address(within))
+    binding.within_steps(surface.roughness, surface.layout, position, within)
     return RoadUnderAxles(surface=surface, position=position, within=within)
 
 
@@ -136,14 +110,14 @@ def bump_height(bump: Bump, position: FloatArray) -> FloatArray:
     """Height of the bumps alone [m] at positions [m]; behind a kerb its whole height."""
     position = np.ascontiguousarray(position, dtype=np.float64)
     height = np.empty_like(position)
-    _bump_heights(_compiled(bump), address(position), position.size, address(height))
+    binding.bump_heights(_numbers(bump), position, height)
     return height
 
 
-def _compiled(bump: Bump) -> _Bump:
-    return _Bump(
-        _SHAPES.index(bump.shape), bump.count, bump.start, bump.height, bump.width, bump.spacing, changed_until(bump)
-    )
+def _numbers(bump: Bump) -> FloatArray:
+    """For C (7,)."""
+    until = changed_until(bump)
+    return binding.bump_numbers(bump.shape, bump.count, bump.start, bump.height, bump.width, bump.spacing, until)
 
 
 def kinks(bump: Bump) -> tuple[float, ...]:
@@ -185,9 +159,9 @@ def _roughness(roughness: float, seed: int, length: float) -> tuple[FloatArray, 
     """
     keep = exp(-2 * pi * CUTOFF_FREQUENCY * GRID)
     samples = np.random.default_rng(seed).standard_normal(grid_samples(length))
-    slopes = _make_rough(address(samples), len(samples), stationary_deviation(roughness), keep, GRID)
+    slopes = binding.roughness(samples, stationary_deviation(roughness), keep, GRID)
     samples.flags.writeable = False
-    return samples, float(slopes)
+    return samples, slopes
 
 
 @cached

@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.library import ADDRESS, INT, address, function
+from sim_core.kernel import binding
 
 SETS = "OSMLV"  # very low, medium-low, medium, medium-high, very high
 # Rows: distance to the bump O to V; columns: speed error O to V; entries: braking torque (Table 1).
@@ -17,7 +17,6 @@ RULES = ("OMLVV", "OMLVV", "OSMLL", "OSMML", "OSSMM")
 SPEED_ERROR_MAX = 30.0  # universe [0, 30] km/h
 DISTANCE_MAX = 80.0  # universe [0, 80] m
 _ERROR_STEPS, _DISTANCE_STEPS, _TORQUE_STEPS = 120, 160, 100
-_torque_shares = function("torque_shares", ADDRESS, ADDRESS, INT, ADDRESS, ADDRESS, INT, ADDRESS)
 
 
 def even_triangles(universe: FloatArray) -> FloatArray:
@@ -57,10 +56,7 @@ class TorqueSurface:
         """Shares at one distance, over the errors."""
         if number not in self._rows:
             distance, shares = np.ascontiguousarray(self._distance[number]), np.empty(_ERROR_STEPS + 1)
-            _torque_shares(
-                *(address(distance), address(self._error), len(shares), address(self._rules)),
-                *(address(self._torque), _TORQUE_STEPS, address(shares)),
-            )
+            binding.torque_shares(distance, self._error, self._rules, self._torque, shares)
             self._rows[number] = shares.tolist()
         return self._rows[number]
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.kernel.recurrence import run_recurrence
+from sim_core.kernel import binding
 from sim_core.scenario import Vehicle
 from sim_core.vehicle.half_car import FORCES, STATES, measurement
 from sim_core.vehicle.model import Estimator, LinearLaw, VehicleModel
@@ -96,7 +96,7 @@ class LinearCar(VehicleModel):
         z = np.empty((len(feed) + 1, self.size + FORCES))
         z[0], z[1:, self.size :] = start, feed
         np.add(self._forcing[first : first + len(feed)], feed @ self._step.B.T, out=z[1:, : self.size])
-        run_recurrence(closed_loop_matrix(self._step, law), z)
+        binding.recurrence(closed_loop_matrix(self._step, law), z)
         return z
 
     def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:

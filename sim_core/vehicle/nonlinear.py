@@ -7,17 +7,17 @@ moment. A semi-active damper's force is the nearest to c_i(ḋ) ḋ - u_i that l
 tests/validation/test_nonlinear.py holds metrics to an adaptive solver's and to those of much finer steps.
 """
 
-import ctypes
 from functools import lru_cache
+from itertools import chain
 from math import ceil, inf, pi
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.library import ADDRESS, DOUBLE, INT, address, function
-from sim_core.road.profile import GRID, CompiledRoad, RoadUnderAxles
+from sim_core.kernel.prepared import NonlinearDrive
+from sim_core.road.profile import RoadUnderAxles
 from sim_core.scenario import Actuator, Vehicle
-from sim_core.vehicle.half_car import DISTURBANCES, FORCES, MEASURED_OUTPUTS, STATES, deflection_speeds, half_car
+from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, deflection_speeds, half_car
 from sim_core.vehicle.model import LAW_INPUTS, Estimator, LinearLaw, SemiActiveDampers, VehicleModel
 from sim_core.vehicle.plant import RECORDED
 
@@ -30,38 +30,6 @@ _SHORTEST_STOP = 1e-3
 _LONGEST_STEP, _LARGEST_DECAY = 2.5e-4, 1.0
 _SIGNALS = len(RECORDED)
 _NO_FEEDBACK = np.zeros((FORCES, LAW_INPUTS))
-
-
-class _Car(ctypes.Structure):
-    """`struct car` of nonlinear_car.c; pairs are front and rear, `per_…` are inverses."""
-
-    _fields_ = [
-        *((name, ctypes.c_double) for name in ("brake_moment", "corner", "turns", "semi_active", "most_force")),
-        *((name, ctypes.c_double * 2) for name in ("body_share", "pitch_share", "arm", "per_wheel_mass", "spring")),
-        *((name, ctypes.c_double * 2) for name in ("rebound", "compression", "clearance", "stop", "tyre")),
-        *((name, ctypes.c_double * 2) for name in ("lift_off", "link")),
-        *((name, ctypes.c_double * 2) for name in ("least_damping", "most_damping")),
-    ]
-
-
-class _Input(ctypes.Structure):
-    """`struct input` of nonlinear_car.c, which keeps no array alive."""
-
-    _fields_ = [
-        ("road", ctypes.POINTER(CompiledRoad)),
-        *((name, ADDRESS) for name in ("position", "within", "disturbance")),
-        *((name, INT) for name in ("fine_steps", "fine", "substeps")),
-        *((name, DOUBLE) for name in ("time", "cell")),
-    ]
-
-
-_drive = function(
-    "drive",
-    *(ctypes.POINTER(_Car), ADDRESS, ADDRESS, ctypes.POINTER(_Input), INT, INT, INT),
-    *(ADDRESS, DOUBLE, ADDRESS, ADDRESS, ADDRESS, INT, INT),
-)
-
-_measure = function("measure", ctypes.POINTER(_Car), INT, ADDRESS, ADDRESS, DOUBLE, ADDRESS)
 
 
 class NonlinearCar(VehicleModel):
@@ -80,29 +48,22 @@ class NonlinearCar(VehicleModel):
     ) -> None:
         self._states = STATES if actuator.bandwidth is None else STATES + FORCES
         self.size = self._states + (0 if estimator is None else STATES)
-        self._estimator = None if estimator is None else _matrices(estimator)
-        self._inputs = np.empty(0) if estimator is None else np.ascontiguousarray(estimator.input)
         fine = disturbance.shape[1] // DISTURBANCES
-        short = substeps(vehicle, actuator, dampers, step / fine)
-        self._car = _car(vehicle, actuator, dampers)
         self._disturbance = np.ascontiguousarray(disturbance, dtype=np.float64)
-        self._road = road
-        self._input = _Input(
-            *((None, None, None) if road is None else _pointers(road)),
-            *(
-                address(self._disturbance),
-                self._disturbance.size // DISTURBANCES,
-                fine,
-                short,
-                step / fine,
-                GRID * (1 + 1e-9),
-            ),
-        )
-        self._before = before
         self._table = np.empty((_SIGNALS, fine + 1, len(disturbance) - before))  # of the last drive over each step
-        self._addresses = address(self._inputs), address(self._table)
-        self._single, self._command = np.zeros((2, self.size + FORCES)), np.zeros(FORCES)
-        self._single_step = address(_NO_FEEDBACK), inf, address(self._command), address(self._single)
+        self._drive = NonlinearDrive(
+            car=_numbers(vehicle, actuator, dampers),
+            states=self._states,
+            estimator=None if estimator is None else _matrices(estimator),
+            known=np.empty((0, STATES)) if estimator is None else np.ascontiguousarray(estimator.input),
+            road=None if road is None else (road.surface.roughness, road.surface.layout, road.position, road.within),
+            disturbance=self._disturbance,
+            substeps=substeps(vehicle, actuator, dampers, step / fine),
+            fine_step=step / fine,
+            table=self._table,
+        )
+        self._single, self._command = np.zeros((2, self.size + FORCES)), np.zeros((1, FORCES))
+        self._hold = self._drive.prepare(_NO_FEEDBACK, inf, self._command, self._single)
 
     @property
     def clips(self) -> bool:
@@ -116,46 +77,29 @@ class NonlinearCar(VehicleModel):
         loop = np.empty((len(feed) + 1, self.size + FORCES))
         loop[0] = start
         gain = np.ascontiguousarray(law.gain, dtype=np.float64)
-        feed = np.ascontiguousarray(feed)
-        self._run(first, len(feed), address(gain), force_limit, address(feed), address(loop))
+        self._drive.run(first, gain, force_limit, np.ascontiguousarray(feed), loop)
         return loop
 
     def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
         """As VehicleModel says."""
         self._single[0, : self.size] = state
-        self._command[:] = command
-        self._run(step, 1, *self._single_step)
+        self._command[0] = command
+        self._hold(step)
         return self._single[1, : self.size].copy()
-
-    def _run(self, first: int, steps: int, gain: int, limit: float, feed: int, loop: int) -> None:
-        """Fill the loop (steps + 1, size + 2) from its first row on, with the arrays at these addresses."""
-        inputs, table = self._addresses
-        _drive(
-            *(self._car, self._estimator, inputs, self._input, self._states, first, steps),
-            *(gain, limit, feed, loop, table, self._before, self._table.shape[2]),
-        )
 
     def measure(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
         """As VehicleModel says."""
         braking = float(self._disturbance[max(step - 1, 0), -1])
-        own, held, measured = state[-self._states :].copy(), command.copy(), np.empty(len(MEASURED_OUTPUTS))
-        _measure(self._car, self._states, address(own), address(held), braking, address(measured))
-        return measured
+        return self._drive.measure(state[-self._states :].copy(), command.copy(), braking)
 
     def record(self, states: FloatArray, commands: FloatArray) -> FloatArray:
         """As VehicleModel says: what was sampled while it drove."""
         return self._table
 
 
-def _pointers(road: RoadUnderAxles) -> tuple["ctypes._Pointer[CompiledRoad]", int, int]:
-    return ctypes.pointer(road.surface.compiled), address(road.position), address(road.within)
-
-
-def _matrices(estimator: Estimator) -> ctypes.Array[ctypes.c_double]:
-    """`struct estimator` of nonlinear_car.c."""
-    parts = estimator.state, estimator.command, estimator.measurement
-    numbers = np.concatenate([part.ravel() for part in parts])
-    return (ctypes.c_double * len(numbers))(*numbers)
+def _matrices(estimator: Estimator) -> FloatArray:
+    """`struct estimator` of nonlinear_car.c (112,)."""
+    return np.concatenate([part.ravel() for part in (estimator.state, estimator.command, estimator.measurement)])
 
 
 def substeps(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | None, fine_step: float) -> int:
@@ -182,34 +126,32 @@ def _corner(actuator: Actuator) -> float:
     return 2 * pi * (actuator.bandwidth or 0.0)
 
 
-def _car(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | None) -> _Car:
-    pair = ctypes.c_double * 2
+def _numbers(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | None) -> FloatArray:
+    """`struct car` of nonlinear_car.c (33,)."""
     semi_active = dampers or SemiActiveDampers(least=0.0, most=0.0, most_force=0.0)
     compression, rebound = vehicle.damping_factors
     damping = np.array([vehicle.front_damping, vehicle.rear_damping])
     clearance = inf if vehicle.bump_stop_clearance is None else vehicle.bump_stop_clearance
-    lift_off = [-load for load in vehicle.static_loads] if vehicle.tyre_lift_off else [-inf, -inf]
-    return _Car(
-        brake_moment=vehicle.body_mass * vehicle.cg_height / vehicle.pitch_inertia,
-        corner=_corner(actuator),
-        turns=dampers is not None or vehicle.rebound_ratio != 1,
-        semi_active=dampers is not None,
-        most_force=semi_active.most_force,
-        body_share=pair(1 / vehicle.body_mass, 1 / vehicle.body_mass),
-        pitch_share=pair(-vehicle.cg_to_front / vehicle.pitch_inertia, vehicle.cg_to_rear / vehicle.pitch_inertia),
-        arm=pair(-vehicle.cg_to_front, vehicle.cg_to_rear),
-        per_wheel_mass=pair(1 / vehicle.front_wheel_mass, 1 / vehicle.rear_wheel_mass),
-        spring=pair(vehicle.front_spring, vehicle.rear_spring),
-        rebound=pair(*(rebound * damping)),
-        compression=pair(*(compression * damping)),
-        clearance=pair(clearance, clearance),
-        stop=pair(vehicle.bump_stop_stiffness, vehicle.bump_stop_stiffness),
-        tyre=pair(vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness),
-        lift_off=pair(*lift_off),
-        link=pair(*vehicle.link_forces),
-        least_damping=pair(semi_active.least, semi_active.least),
-        most_damping=pair(*_hardest(vehicle, semi_active)),
-    )
+    front_and_rear = {
+        "body_share": (1 / vehicle.body_mass, 1 / vehicle.body_mass),
+        "pitch_share": (-vehicle.cg_to_front / vehicle.pitch_inertia, vehicle.cg_to_rear / vehicle.pitch_inertia),
+        "arm": (-vehicle.cg_to_front, vehicle.cg_to_rear),
+        "per_wheel_mass": (1 / vehicle.front_wheel_mass, 1 / vehicle.rear_wheel_mass),
+        "spring": (vehicle.front_spring, vehicle.rear_spring),
+        "rebound": tuple(rebound * damping),
+        "compression": tuple(compression * damping),
+        "clearance": (clearance, clearance),
+        "stop": (vehicle.bump_stop_stiffness, vehicle.bump_stop_stiffness),
+        "tyre": (vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness),
+        "lift_off": tuple(-load if vehicle.tyre_lift_off else -inf for load in vehicle.static_loads),
+        "link": vehicle.link_forces,
+        "least_damping": (semi_active.least, semi_active.least),
+        "most_damping": tuple(_hardest(vehicle, semi_active)),
+    }
+    brake_moment = vehicle.body_mass * vehicle.cg_height / vehicle.pitch_inertia
+    turns = dampers is not None or vehicle.rebound_ratio != 1
+    single = brake_moment, _corner(actuator), float(turns), float(dampers is not None), semi_active.most_force
+    return np.array([*single, *chain.from_iterable(front_and_rear.values())])
 
 
 @lru_cache(maxsize=128)

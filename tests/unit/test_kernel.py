@@ -1,4 +1,4 @@
-"""The core's C: each function against its definition in NumPy, and the arrays it refuses."""
+"""The core's C: how it is compiled, and each function against its definition in NumPy."""
 
 import shutil
 import subprocess
@@ -13,9 +13,8 @@ from numpy.random import default_rng
 
 from sim_core.arrays import FloatArray
 from sim_core.control.qp import QpProblem, QpShape
-from sim_core.kernel import build, library
-from sim_core.kernel.library import address, load
-from sim_core.kernel.recurrence import run_recurrence
+from sim_core.kernel import binding, build, library
+from sim_core.kernel.library import load
 from sim_core.loop.preview import sliding_forecast
 from sim_core.metrics.sections import Integrand, over_sections
 
@@ -69,12 +68,6 @@ def test_it_is_plain_c11_to_every_compiler(compiler: str, tmp_path: Path) -> Non
     assert (output.returncode, output.stderr) == (0, "")
 
 
-@pytest.mark.parametrize("array", [np.zeros((4, 4)).T[:2], np.zeros(4, dtype=np.float32)], ids=["strided", "single"])
-def test_it_is_handed_nothing_it_would_misread(array: FloatArray) -> None:
-    with pytest.raises(ValueError, match="contiguous"):
-        address(array)
-
-
 @pytest.mark.parametrize("n", [1, 10])
 def test_a_recurrence_is_step_after_step(n: int) -> None:
     rng = default_rng(n)
@@ -82,7 +75,7 @@ def test_a_recurrence_is_step_after_step(n: int) -> None:
     expected = states.copy()
     for before, after in pairwise(expected):
         after += matrix @ before
-    run_recurrence(matrix, states)
+    binding.recurrence(matrix, states)
     np.testing.assert_allclose(states, expected, rtol=1e-12)
 
 

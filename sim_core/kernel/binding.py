@@ -1,0 +1,213 @@
+"""The C's functions, one in Python for each: what they do is said beside them in C.
+
+Every array is checked, its type, order and shape as well as that it fits the others: C reads and writes nothing else.
+Each function raises ValueError where sizes disagree, and ctypes.ArgumentError where an array is not C-contiguous
+float64, or cannot be written into. Calls that are made at every step are in prepared.py.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from math import isfinite
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim_core.arrays import FloatArray
+from sim_core.kernel.library import DOUBLE, INT, NAME, Array, Function, require
+
+BUMP, LAYOUT = 7, 9  # numbers of `struct bump` and `struct layout`
+_FUZZY_SETS, _DISTURBANCES = 5, 3
+_LINE, _TABLE, _LINES = Array(ndim=1), Array(ndim=2), Array(ndim=3)
+_LINE_OUT, _TABLE_OUT, _LINES_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2, 3))
+_ROAD = _LINE, INT, Array(LAYOUT)
+_INTEGERS = Array(ndim=1, dtype=np.intc)
+
+_recurrence = Function("recurrence", _TABLE, INT, INT, _TABLE_OUT)
+_torque_shares = Function(
+    "torque_shares", Array(_FUZZY_SETS), _TABLE, INT, Array(_FUZZY_SETS**2, dtype=np.intc), _TABLE, INT, _LINE_OUT
+)
+_roughness = Function("roughness", _LINE_OUT, INT, DOUBLE, DOUBLE, DOUBLE, result=DOUBLE)
+_bump_heights = Function("bump_heights", Array(BUMP), Array(), INT, Array(written=True))
+_road_heights = Function("road_heights", *_ROAD, Array(), INT, Array(written=True))
+_within_steps = Function("within_steps", *_ROAD, _TABLE, INT, _TABLE_OUT)
+_disturbances = Function("disturbances", _TABLE, _LINE, INT, DOUBLE, _TABLE_OUT)
+_horizons = Function("horizons", _TABLE, INT, INT, _LINE_OUT, _TABLE_OUT)
+_sections = Function(
+    "sections", _LINES, INT, _INTEGERS, INT, INT, _TABLE, INT, _TABLE_OUT, _TABLE_OUT, _LINE_OUT, _TABLE_OUT
+)
+_power = Function("power", _LINES, _LINES, INT, _LINES_OUT)
+_kink_peaks = Function(
+    "kink_peaks", *_ROAD, _LINE, _LINE, _TABLE, _LINE, INT, INT, DOUBLE, DOUBLE, _LINE, _TABLE, _LINE, INT, _LINE_OUT
+)
+_shape_number = Function("shape_number", NAME, result=INT)
+_integrand_number = Function("integrand_number", NAME, result=INT)
+
+
+def bump_numbers(
+    shape: str, count: int, start: float, height: float, width: float, spacing: float, until: float
+) -> FloatArray:
+    """`struct bump` of kernel/road.h; lengths in m."""
+    number = _shape_number(shape.encode())
+    require(number >= 0, f"C knows no bump of the shape {shape}")
+    return np.array([number, count, start, height, width, spacing, until], dtype=np.float64)
+
+
+def road_layout(first: float, grid: float, bump: FloatArray) -> FloatArray:
+    """`struct layout` of kernel/road.h; lengths in m."""
+    return np.array([first, grid, *bump])
+
+
+@lru_cache(maxsize=64)
+def integrand_numbers(names: tuple[str, ...]) -> NDArray[np.intc]:
+    """The numbers of `enum integrand` in kernel/sections.c."""
+    numbers = np.array([_integrand_number(name.encode()) for name in names], dtype=np.intc)
+    require(bool((numbers >= 0).all()), f"C knows not every integrand of {names}")
+    return numbers
+
+
+def recurrence(matrix: FloatArray, states: FloatArray) -> None:
+    """x[i + 1] = M x[i] + f[i] over many steps, in place.
+
+    Args:
+        matrix: M (n, n).
+        states: x[0], then the inputs f[0], f[1], …, which become x[1], x[2], … (steps + 1, n).
+    """
+    steps, n = len(states) - 1, states.shape[-1]
+    require(matrix.shape == (n, n) and steps >= 0, "A recurrence needs a square matrix as wide as its states")
+    _recurrence(matrix, n, steps, states)
+
+
+def torque_shares(
+    distance: FloatArray, errors: FloatArray, rules: NDArray[np.intc], memberships: FloatArray, shares: FloatArray
+) -> None:
+    """Fill `shares` (n,) from memberships of one distance (5,), of errors (5, n) and of torques (5, 4 k + 1)."""
+    steps, fits = memberships.shape[-1] - 1, errors.shape == (_FUZZY_SETS, len(shares))
+    require(fits and len(memberships) == _FUZZY_SETS and steps % (_FUZZY_SETS - 1) == 0, "Five sets, of even triangles")
+    require(rules.min() >= 0 and rules.max() < _FUZZY_SETS, "A rule concludes one of five sets")
+    _torque_shares(distance, errors, len(shares), rules, memberships, steps, shares)
+
+
+def roughness(samples: FloatArray, deviation: float, keep: float, grid: float) -> float:
+    """Turn normal numbers (n,) into a road's roughness in place [m]; between its steepest slopes up and down [1]."""
+    require(len(samples) > 0, "A road has samples")
+    slopes: float = _roughness(samples, len(samples), deviation, keep, grid)
+    return slopes
+
+
+def bump_heights(bump: FloatArray, position: FloatArray, height: FloatArray) -> None:
+    """Fill the heights of bumps at positions of the same shape [m]."""
+    require(position.shape == height.shape, "Every position has a height")
+    _bump_heights(bump, position, position.size, height)
+
+
+def _check_road(samples: FloatArray) -> None:
+    require(len(samples) > 1, "A road has two samples at least")
+
+
+def road_heights(samples: FloatArray, layout: FloatArray, position: FloatArray, height: FloatArray) -> None:
+    """The same of a whole road."""
+    _check_road(samples)
+    require(position.shape == height.shape, "Every position has a height")
+    _road_heights(samples, len(samples), layout, position, position.size, height)
+
+
+def within_steps(samples: FloatArray, layout: FloatArray, position: FloatArray, within: FloatArray) -> None:
+    """Fill means and moments above chords (n, 4) [m] of the road between positions of both axles (2, n + 1) [m]."""
+    _check_road(samples)
+    steps = len(within)
+    require(position.shape == (2, steps + 1) and within.shape == (steps, 4), "Two axles, one position more than steps")
+    _within_steps(samples, len(samples), layout, position, steps, within)
+
+
+def disturbances(height: FloatArray, braking: FloatArray, step: float, held: FloatArray) -> None:
+    """Fill `held`, 3 n numbers in rows, from heights (2, n + 1) [m] and braking (n,) [m/s^2] in steps [s]."""
+    steps = len(braking)
+    require(height.shape == (2, steps + 1) and held.size == _DISTURBANCES * steps, "As many heights as steps, and one")
+    _disturbances(height, braking, steps, step, held)
+
+
+def horizons(ahead: FloatArray, horizon: int, braking: FloatArray, spread: FloatArray) -> None:
+    """Fill braking (n,) and spread (3, n) from disturbances (3, n + horizon - 1)."""
+    steps = len(braking)
+    fits = ahead.shape == (_DISTURBANCES, steps + horizon - 1) and spread.shape == (_DISTURBANCES, steps)
+    require(fits and horizon > 0, "Every step has its horizon")
+    _horizons(ahead, steps, horizon, braking, spread)
+
+
+def _check_ends(ends: FloatArray, last: int) -> None:
+    require(ends.shape[1:] == (2,), "A section has two ends")
+    inside = all(0 <= begin <= end <= last for begin, end in ends.tolist())
+    require(inside, "A section ends behind its beginning and within the record")
+
+
+def sections(
+    table: FloatArray, integrands: Sequence[str], ends: FloatArray, sums: FloatArray, peaks: FloatArray
+) -> FloatArray:
+    """Fill sums (signals, n) and peaks (n, signals) of a table (signals, fine + 1, commands) over sections (n, 2).
+
+    Returns:
+        Largest magnitude under each command (signals, commands).
+    """
+    signals, samples, commands = table.shape
+    fine, count = samples - 1, len(ends)
+    fits = sums.shape == (signals, count) and peaks.shape == (count, signals) and fine > 0
+    require(fits and len(integrands) == signals, "Every signal has an integrand, and a sum and a peak in each section")
+    _check_ends(ends, fine * commands)
+    work, highest = np.empty(commands), np.empty((signals, commands))
+    kinds = integrand_numbers(tuple(integrands))
+    _sections(table, signals, kinds, fine, commands, ends, count, sums, peaks, work, highest)
+    return highest
+
+
+def power(force: FloatArray, speed: FloatArray, both: FloatArray) -> None:
+    """Fill the power of both axles (1, …) [W] from their forces (2, …) [N] and speeds (2, …) [m/s]."""
+    require(force.shape == speed.shape == (2, *both.shape[1:]) and len(both) == 1, "Two axles of one shape")
+    _power(force, speed, both.size, both)
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class AxleRecord:
+    """An axle on record: where it was (n + 1,), the road's height there [m], its tyre's load and that one's limits.
+
+    Attributes:
+        position: At every fine instant, n = fine · commands [m].
+        height: Of the road there [m].
+        load: (fine + 1, commands) [N].
+        highest: Largest magnitude of the load under each command (commands,) [N].
+        stiffness: Of the tyre [N/m].
+        lowest: Of the load [N].
+    """
+
+    position: FloatArray
+    height: FloatArray
+    load: FloatArray
+    highest: FloatArray
+    stiffness: float
+    lowest: float
+
+
+def kink_peaks(
+    samples: FloatArray,
+    layout: FloatArray,
+    axle: AxleRecord,
+    kinks: FloatArray,
+    ends: FloatArray,
+    rise: FloatArray,
+    peaks: FloatArray,
+) -> None:
+    """Raise the peaks (n,) [N] of an axle's load in sections (n, 2), whose road leaves a chord by `rise` (n,) [m].
+
+    `kinks` (m,) ascend to infinity [m].
+    """
+    _check_road(samples)
+    fine, commands = len(axle.load) - 1, axle.load.shape[-1]
+    fits = len(axle.position) == len(axle.height) == fine * commands + 1 and len(axle.highest) == commands
+    require(fits and fine > 0, "A record has as many fine steps as its road")
+    require(len(ends) == len(rise) == len(peaks) and kinks[-1] == np.inf, "Every section has a rise and a peak")
+    require(isfinite(axle.position[0]) and isfinite(axle.position[-1]), "An axle is somewhere")
+    _check_ends(ends, fine * commands)
+    _kink_peaks(
+        *(samples, len(samples), layout, axle.position, axle.height, axle.load, axle.highest, fine, commands),
+        *(axle.stiffness, axle.lowest, kinks, ends, rise, len(rise), peaks),
+    )

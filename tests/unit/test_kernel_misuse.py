@@ -1,0 +1,223 @@
+"""Arrays that the core's C would read or write past, or take for something else: each is refused."""
+
+import subprocess
+import sys
+import weakref
+from collections.abc import Callable
+from ctypes import ArgumentError
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from sim_core.arrays import FloatArray
+from sim_core.kernel import binding, prepared
+
+
+def unaligned(array: FloatArray) -> FloatArray:
+    """The same numbers at an address that no double has."""
+    moved = np.zeros(array.nbytes + 1, dtype=np.uint8)[1:].view(np.float64).reshape(array.shape)
+    moved[...] = array
+    assert not moved.flags.aligned
+    return moved
+
+
+def read_only(array: FloatArray) -> FloatArray:
+    array = array.copy()
+    array.flags.writeable = False
+    return array
+
+
+REFUSED = (ArgumentError, TypeError, ValueError, AttributeError)
+MISREAD: dict[str, Callable[[FloatArray], Any]] = {
+    "big-endian": lambda array: array.astype(">f8"),
+    "single": lambda array: array.astype(np.float32),
+    "whole": lambda array: array.astype(np.int64),
+    "complex": lambda array: array.astype(np.complex128),
+    "unaligned": unaligned,
+    "strided": lambda array: np.repeat(array, 2, axis=-1)[..., ::2],
+    "turned": lambda array: np.asfortranarray(np.vstack([array, array]))[: len(array)],
+    "a line": lambda array: array.reshape(-1),
+    "a list": lambda array: array.tolist(),
+    "nothing": lambda array: None,
+}
+
+
+@pytest.mark.parametrize("kind", MISREAD)
+def test_no_array_is_misread(kind: str) -> None:
+    matrix = np.eye(3)
+    misread = MISREAD[kind](matrix)
+    with pytest.raises(REFUSED):
+        binding.recurrence(misread, np.zeros((5, 3)))
+    with pytest.raises(REFUSED):
+        prepared.residual(misread, np.ones((3, 1)), np.ones(4), np.ones(4), np.ones(3), np.ones(3), np.ones(4))
+
+
+def test_nothing_is_written_where_nobody_may() -> None:
+    states = read_only(np.ones((5, 3)))
+    with pytest.raises(ArgumentError, match="writeable"):
+        binding.recurrence(np.eye(3), states)
+    assert states.sum() == 15
+
+
+def test_what_a_call_is_prepared_with_lives_as_long() -> None:
+    cost = np.full((50, 50), 2.0)
+    alive = weakref.ref(cost)
+    limits = np.zeros(51)
+    violation = prepared.residual(cost, np.zeros((50, 1)), limits, limits, np.ones(50), np.ones(50), limits)
+    del cost
+    assert alive() is not None
+    assert violation() == pytest.approx((1 + 2 * 50) / 2)
+    del violation
+    assert alive() is None
+
+
+A_DRIVE = """
+import numpy as np
+from math import inf
+from sim_core.kernel.prepared import NonlinearDrive
+
+STEPS, FINE = 6, 2
+RIGHT = dict(
+    car=np.ones(33), states=8, estimator=None, known=np.empty((0, 8)), substeps=3, fine_step=1e-3,
+    disturbance=np.zeros((STEPS, 3 * FINE)), table=np.zeros((10, FINE + 1, STEPS - 1)),
+    road=(np.zeros(50), np.ones(9), np.zeros((2, STEPS * FINE + 1)), np.zeros((STEPS * FINE, 4))),
+)
+RUN = dict(first=0, gain=np.zeros((2, 10)), limit=inf, feed=np.zeros((STEPS, 2)), loop=np.zeros((STEPS + 1, 10)))
+
+def drive(**changed):
+    built = NonlinearDrive(**{name: changed.get(name, value) for name, value in RIGHT.items()})
+    built.run(**{name: changed.get(name, value) for name, value in RUN.items()})
+
+def road(**changed):
+    names = "samples", "layout", "position", "within"
+    return tuple(changed.get(name, value) for name, value in zip(names, RIGHT["road"]))
+"""
+MISUSES = {
+    "nothing wrong": "",
+    "gain for half a state": "gain=np.zeros((2, 4))",
+    "gain of integers": "gain=np.zeros((2, 10), dtype=int)",
+    "feed of one axle": "feed=np.zeros((STEPS, 1))",
+    "feed by axle": "feed=np.zeros((STEPS, 2), order='F')",
+    "big-endian feed": "feed=np.zeros((STEPS, 2), dtype='>f8')",
+    "no row after the last step": "loop=np.zeros((STEPS, 10))",
+    "a loop without commands": "loop=np.zeros((STEPS + 1, 8))",
+    "a first step before the drive": "first=-1",
+    "beyond the drive": "first=1",
+    "far beyond the drive": "first=2**31 - 1",
+    "more steps than the drive": "feed=np.zeros((STEPS + 1, 2)), loop=np.zeros((STEPS + 2, 10))",
+    "a car of too few numbers": "car=np.ones(32)",
+    "a state of nine": "states=9",
+    "an estimator that knows nothing": "estimator=np.zeros(112)",
+    "half an estimator": "estimator=np.zeros(100), known=np.zeros((STEPS, 8))",
+    "a road without heights": "road=road(samples=np.zeros(0))",
+    "a road shorter than the drive": "road=road(position=np.zeros((2, STEPS * FINE)))",
+    "chords of half the road": "road=road(within=np.zeros((STEPS, 4)))",
+    "a road of singles": "road=road(samples=np.zeros(50, dtype=np.float32))",
+    "a record beyond the drive": "table=np.zeros((10, FINE + 1, STEPS + 1))",
+    "a record of few signals": "table=np.zeros((5, FINE + 1, STEPS))",
+    "a record nobody may write": "table=np.broadcast_to(0.0, (10, FINE + 1, STEPS))",
+    "a disturbance of two roads": "disturbance=np.zeros((STEPS, 2 * FINE))",
+    "no substep": "substeps=0",
+}
+
+
+def test_no_drive_is_let_beyond_its_arrays() -> None:
+    """In a process of its own: what C is not kept from ends a process, or corrupts it."""
+    lines = [
+        f"try:\n    drive({misuse})\n    print('drove')\nexcept (ValueError, TypeError): print('refused')"
+        for misuse in MISUSES.values()
+    ]
+    script = "\n".join([A_DRIVE, *lines])
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
+    outcomes = dict(zip(MISUSES, run.stdout.split(), strict=True))
+    assert outcomes.pop("nothing wrong") == "drove"
+    assert set(outcomes.values()) == {"refused"}, outcomes
+
+
+ROAD = np.zeros(50), binding.road_layout(-1.0, 0.1, binding.bump_numbers("cosine", 1, 2.0, 0.1, 0.5, 3.0, 2.5))
+AXLE = binding.AxleRecord(
+    position=np.linspace(0, 1, 9),
+    height=np.zeros(9),
+    load=np.zeros((3, 4)),
+    highest=np.zeros(4),
+    stiffness=1,
+    lowest=-1,
+)
+DISAGREEING: dict[str, Callable[[], object]] = {
+    "recurrence, matrix": lambda: binding.recurrence(np.eye(4), np.zeros((5, 3))),
+    "recurrence, no state": lambda: binding.recurrence(np.eye(3), np.zeros((0, 3))),
+    "fuzzy, sets": lambda: fuzzy(errors=np.zeros((4, 7))),
+    "fuzzy, shares": lambda: fuzzy(shares=np.zeros(8)),
+    "fuzzy, rules": lambda: fuzzy(rules=np.full(25, 5, dtype=np.intc)),
+    "fuzzy, torques": lambda: fuzzy(memberships=np.zeros((5, 8))),
+    "roughness, none": lambda: binding.roughness(np.zeros(0), 1.0, 0.5, 0.1),
+    "bumps, heights": lambda: binding.bump_heights(ROAD[1][2:], np.zeros(4), np.zeros(3)),
+    "bumps, shape": lambda: binding.bump_numbers("hexagon", 1, 0.0, 0.1, 0.5, 3.0, 2.5),
+    "road, heights": lambda: binding.road_heights(*ROAD, np.zeros(4), np.zeros(3)),
+    "road, one sample": lambda: binding.road_heights(np.zeros(1), ROAD[1], np.zeros(4), np.zeros(4)),
+    "chords, positions": lambda: binding.within_steps(*ROAD, np.zeros((2, 4)), np.zeros((4, 4))),
+    "disturbances, heights": lambda: binding.disturbances(np.zeros((2, 4)), np.zeros(4), 0.1, np.zeros((4, 3))),
+    "disturbances, held": lambda: binding.disturbances(np.zeros((2, 5)), np.zeros(4), 0.1, np.zeros((3, 3))),
+    "horizons, ahead": lambda: binding.horizons(np.zeros((3, 7)), 4, np.zeros(5), np.zeros((3, 5))),
+    "horizons, none": lambda: binding.horizons(np.zeros((3, 4)), 0, np.zeros(5), np.zeros((3, 5))),
+    "sections, integrands": lambda: sections(["value"]),
+    "sections, unknown integrand": lambda: sections(["value", "cube"]),
+    "sections, sums": lambda: sections(["value", "value"], sums=np.zeros((2, 2))),
+    "sections, beyond": lambda: sections(["value", "value"], ends=np.array([[0.0, 8.5]])),
+    "power, axles": lambda: binding.power(np.zeros((1, 3, 4)), np.zeros((2, 3, 4)), np.zeros((1, 3, 4))),
+    "power, both": lambda: binding.power(np.zeros((2, 3, 4)), np.zeros((2, 3, 4)), np.zeros((1, 3, 5))),
+    "kinks, record": lambda: kink_peaks(axle=replace(AXLE, position=np.linspace(0, 1, 8))),
+    "kinks, endless": lambda: kink_peaks(kinks=np.array([1.0, 2.0])),
+    "kinks, nowhere": lambda: kink_peaks(axle=replace(AXLE, position=np.full(9, np.inf))),
+    "kinks, peaks": lambda: kink_peaks(peaks=np.zeros(2)),
+    "kinks, beyond": lambda: kink_peaks(ends=np.array([[0.0, 9.0]])),
+    "residual, columns": lambda: prepared.residual(
+        np.eye(2), np.zeros((3, 1)), np.zeros(4), np.zeros(4), np.zeros(3), np.zeros(3), np.zeros(4)
+    ),
+    "residual, multipliers": lambda: prepared.residual(
+        np.eye(2), np.zeros((2, 1)), np.zeros(3), np.zeros(3), np.zeros(2), np.zeros(2), np.zeros(2)
+    ),
+}
+
+
+def fuzzy(**changed: Any) -> None:
+    right: dict[str, Any] = {
+        "distance": np.zeros(5),
+        "errors": np.zeros((5, 7)),
+        "rules": np.zeros(25, dtype=np.intc),
+        "memberships": np.zeros((5, 9)),
+        "shares": np.zeros(7),
+    }
+    binding.torque_shares(**(right | changed))
+
+
+def sections(integrands: list[str], **changed: Any) -> None:
+    right = {"ends": np.array([[0.0, 8.0]]), "sums": np.zeros((2, 1)), "peaks": np.zeros((1, 2))}
+    binding.sections(np.zeros((2, 3, 4)), integrands, **(right | changed))
+
+
+def kink_peaks(**changed: Any) -> None:
+    right: dict[str, Any] = {
+        "axle": AXLE,
+        "kinks": np.array([2.0, np.inf]),
+        "ends": np.array([[0.0, 8.0]]),
+        "rise": np.zeros(1),
+        "peaks": np.zeros(1),
+    }
+    binding.kink_peaks(*ROAD, **(right | changed))
+
+
+@pytest.mark.parametrize("misuse", DISAGREEING)
+def test_arrays_fit_each_other(misuse: str) -> None:
+    with pytest.raises(ValueError, match=r"\w"):
+        DISAGREEING[misuse]()
+
+
+def test_what_fits_is_taken() -> None:
+    """The right arguments of the misuses above."""
+    fuzzy()
+    sections(["value", "value"])
+    kink_peaks()
