@@ -2,8 +2,11 @@
 
 import os
 import signal
+from typing import Any
 
+import pytest
 from hypothesis import HealthCheck, Phase, settings
+from xdist.scheduler import LoadFileScheduling
 
 pytest_plugins = ["tests.servers.fixtures", "tests.browser.fixtures"]
 
@@ -31,3 +34,23 @@ settings.register_profile(
 # To search new examples and shrink what fails: HYPOTHESIS_PROFILE=search python -m pytest tests/validation
 settings.register_profile("search", parent=settings.get_profile("fixed"), derandomize=False, phases=list(Phase))
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "fixed"))
+
+
+# The browser keeps a core busy, so one process has all its tests while another one has those that mostly wait; the
+# short files come last, so that both end together.
+FIRST = ("browser", "faults", "cluster", "packaging", "api", "architecture", "validation")
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
+    scheduling = LoadFileScheduling(config, log)
+    scheduling._split_scope = lambda nodeid: nodeid.split("/test_" if "/browser/" in nodeid else "::")[0]
+    return scheduling
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    def place(item: pytest.Item) -> int:
+        folder = item.path.parent.name
+        return FIRST.index(folder) if folder in FIRST else len(FIRST)
+
+    items.sort(key=place)

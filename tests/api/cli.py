@@ -31,7 +31,10 @@ def command(*arguments: str) -> list[str]:
     return [sys.executable, "-P", "-m", "ridelab", *arguments]
 
 
+SMALL = {"RIDELAB_WORKERS": "1", "RIDELAB_BATCH_WORKERS": "1"}
+
+
 def environment(**more: str) -> dict[str, str]:
     """No service is named; one that the command starts has a single worker, which is ready soonest."""
     base = {name: value for name, value in os.environ.items() if not name.startswith("RIDELAB_")}
-    return {**base, "PYTHONPATH": os.pathsep.join((str(ROOT), str(ROOT / "client"))), "RIDELAB_WORKERS": "1", **more}
+    return {**base, "PYTHONPATH": os.pathsep.join((str(ROOT), str(ROOT / "client"))), **SMALL, **more}

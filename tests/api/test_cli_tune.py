@@ -15,7 +15,7 @@ ROADS = ("--seeds", "1-2", "--fresh", "11,12-13")
 SHORT = ("--strategy", "lqr", "--trials", "8", "--population", "4", *ROADS)
 
 
-def test_the_best_weights_are_printed_and_can_be_written_and_run(cli: Cli, scenario: Path, tmp_path: Path) -> None:
+def test_the_best_weights_are_printed_and_written(cli: Cli, scenario: Path, tmp_path: Path) -> None:
     out = tmp_path / "tuned.json"
     objectives = ("--objective", "peaks@whole:1,2,1", "--objective", "bump.front_tyre_load.peak")
     limited = ("--limit", "comfort.actuator_peak_power=50000")
@@ -27,12 +27,7 @@ def test_the_best_weights_are_printed_and_can_be_written_and_run(cli: Cli, scena
     assert (answer["seeds"], answer["fresh_seeds"]) == ([1, 2], [11, 12, 13])
     assert "training roads 1-2, validation roads 11-13" in printed
     assert cli("tune", "--resume", tuning_id[1]) == printed, "shown again, nothing is computed"
-    knee = answer["knee"]
-    assert json.loads(out.read_text())["lqr"]["weights"] == knee["weights"]["lqr.weights"]
-    run = json.loads(cli("run", out, "--strategy", "lqr", "--set", "road.seed=1", "--json"))
-    other = json.loads(cli("run", out, "--strategy", "lqr", "--set", "road.seed=2", "--json"))
-    peaks = [each["strategies"]["lqr"]["metrics"]["bump"]["front_tyre_load"]["peak"] for each in (run, other)]
-    assert sum(peaks) / 2 == pytest.approx(knee["values"][1], rel=1e-13)
+    assert json.loads(out.read_text())["lqr"]["weights"] == answer["knee"]["weights"]["lqr.weights"]
 
 
 def test_more_trials_and_none_that_keeps_the_limits(cli: Cli, scenario: Path) -> None:

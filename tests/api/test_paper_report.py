@@ -94,13 +94,6 @@ def test_it_has_every_figure_erratum_rule_sentence_and_share(page: Element, answ
     ]
 
 
-def test_a_reading_that_does_not_exist_is_a_problem(client: httpx.Client) -> None:
-    response = client.get("/api/v1/paper/report.html", params={"preview": "crystal_ball"})
-    assert response.status_code == 422
-    assert response.headers["content-type"] == "application/problem+json"
-    assert "crystal" not in response.text
-
-
 @pytest.fixture
 def command(client: httpx.Client, capfdbinary: pytest.CaptureFixture[bytes]) -> Any:
     """The command in this process: its exit code, output and errors."""
@@ -133,13 +126,10 @@ def test_the_command_answers_machines_and_writes_the_report(
             ["--reading", "preview=crystal_ball"],
             "preview: Input should be 'lookahead', 'obstacle', 'wheelbase' or 'none'",
         ),
-        (["--reading", "crystal=ball"], "crystal: Unknown parameter crystal; there are seeds"),
         (["--reading", "preview"], "--reading takes READING=CHOICE"),
         (["--reading", "preview=none", "--reading", "preview=none"], "--reading: one is given twice"),
         (["--report", "/nowhere/paper.html"], "--report: there is no folder /nowhere"),
-        (["--seeds", "3"], "seeds: Input should be greater than or equal to 20"),
         (["--seeds", "few"], "--seeds takes N or A-B"),
-        (["--interpretation", "kind"], "interpretation: Input should be 'default' or 'favourable'"),
     ],
 )
 def test_the_command_refuses_what_there_is_not(command: Any, arguments: list[str], said: str) -> None:

@@ -16,7 +16,9 @@ def modest(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
     """A service that refuses what takes long: here answers count, not computing."""
     limits = {"max_request_cost": 0.1, "max_batch_runs": 20, "max_batch_cost": 0.2}
     for service in serve(
-        Settings.model_validate({"data_dir": tmp_path_factory.mktemp("fuzzed"), "workers": 1, **limits})
+        Settings.model_validate(
+            {"data_dir": tmp_path_factory.mktemp("fuzzed"), "workers": 1, "batch_workers": 1, **limits}
+        )
     ):
         yield service.client
 

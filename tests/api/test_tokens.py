@@ -11,15 +11,17 @@ import pytest
 from cachetools import TTLCache
 from fastapi import FastAPI
 from prometheus_client import CollectorRegistry
+from sqlalchemy import update
 from sqlalchemy.exc import OperationalError
 
 from backend.app import create_app
+from backend.db.tables import jobs
 from backend.http.logins import COOKIE, LIFETIME, MAX_CHECKED, RECHECK_AFTER, Logins
 from backend.http.tokens import Caller, Tokens, cookie_key, read_tokens
 from backend.settings import Settings, SettingsError
 from backend.store import Store
 from tests.api import tuning
-from tests.api.conftest import serve
+from tests.api.conftest import Service, serve
 from tests.api.test_problems import check
 from tests.servers import loops
 from tests.servers.process import HANG_TIMEOUT
@@ -228,20 +230,25 @@ SUBMITTED = {
 
 
 @pytest.fixture(scope="module")
-def guarded(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[httpx.Client, httpx.Client]]:
-    """A service with two tokens: the clients of both."""
+def with_tokens(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
+    """A service with two tokens."""
     folder = tmp_path_factory.mktemp("guarded")
     file = folder / "tokens"
     file.write_text(LINES)
     limits = {"workers": 1, "batch_workers": 1, "tokens_file": file}
-    for service in serve(Settings.model_validate({"data_dir": folder, **limits})):
-        check(service.client.get("/api/v1/batches"), 401, "token-required")
-        ann, ben = (
-            httpx.Client(base_url=service.client.base_url, headers=bearer(token), timeout=HANG_TIMEOUT)
-            for token in (ANN, BEN)
-        )
-        with ann, ben:
-            yield ann, ben
+    yield from serve(Settings.model_validate({"data_dir": folder, **limits}))
+
+
+@pytest.fixture(scope="module")
+def guarded(with_tokens: Service) -> Iterator[tuple[httpx.Client, httpx.Client]]:
+    """The clients of both tokens."""
+    check(with_tokens.client.get("/api/v1/batches"), 401, "token-required")
+    ann, ben = (
+        httpx.Client(base_url=with_tokens.client.base_url, headers=bearer(token), timeout=HANG_TIMEOUT)
+        for token in (ANN, BEN)
+    )
+    with ann, ben:
+        yield ann, ben
 
 
 @pytest.mark.parametrize("kind", SUBMITTED)
@@ -264,14 +271,15 @@ def test_a_job_is_read_by_all_and_changed_by_the_token_that_submitted_it(
     assert ben.get(address).status_code == 404
 
 
-def test_what_came_without_a_token_is_everybodys(tmp_path: Path, file: Path) -> None:
+def test_what_came_without_a_token_is_everybodys(
+    with_tokens: Service, guarded: tuple[httpx.Client, httpx.Client]
+) -> None:
     """The service got its file of tokens later."""
-    limits = {"data_dir": tmp_path, "workers": 1, "batch_workers": 1}
-    for service in serve(Settings.model_validate(limits)):
-        address = service.client.post("/api/v1/batches", json=SUBMITTED["batches"]).headers["location"]
-    for service in serve(Settings.model_validate({**limits, "tokens_file": file})):
-        renamed = service.client.patch(address, json={"label": "ours"}, headers=bearer(BEN))
-        assert renamed.json()["label"] == "ours"
+    ann, ben = guarded
+    job = ann.post("/api/v1/batches", json=SUBMITTED["batches"]).json()["id"]
+    with with_tokens.app.state.store.writing() as connection:
+        connection.execute(update(jobs).where(jobs.c.id == job).values(owner=None))
+    assert ben.patch(f"/api/v1/batches/{job}", json={"label": "ours"}).json()["label"] == "ours"
 
 
 def test_no_shared_cache_keeps_what_needs_a_token(guarded: tuple[httpx.Client, httpx.Client]) -> None:

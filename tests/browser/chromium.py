@@ -38,6 +38,7 @@ ARGUMENTS = (
     "--disable-component-update",
     "--disable-sync",
     f"--disable-features={','.join(SWITCHED_OFF)}",
+    "--js-flags=--no-maglev --no-turbofan",  # no page here lives long enough for what its scripts' compilers cost
 )
 DOWNLOAD = [sys.executable, "-m", "playwright", "install", "--only-shell", "chromium"]
 

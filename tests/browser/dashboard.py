@@ -219,8 +219,11 @@ def violations(part: Locator, rules: list[str]) -> list[tuple[str, str]]:
     if not page.evaluate("Boolean(window.axe)"):
         page.evaluate(AXE.read_text())  # by the debugger, which a page's policy does not bind
     texts: list[tuple[str, str]] = part.evaluate(
-        """async (part, runOnly) => (await axe.run(part, {runOnly})).violations.map(({id, impact, nodes}) =>
-           [impact, [id, ...nodes.slice(0, 3).map(({html}) => html.slice(0, 160))].join(' | ')])""",
+        """async (part, runOnly) => {
+          const {violations} = await axe.run(part, {runOnly, resultTypes: ['violations'], preload: false});
+          return violations.map(({id, impact, nodes}) =>
+            [impact, [id, ...nodes.slice(0, 3).map(({html}) => html.slice(0, 160))].join(' | ')]);
+        }""",
         rules,
     )
     return texts

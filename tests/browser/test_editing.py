@@ -114,6 +114,8 @@ def test_back_and_forward_walk_through_the_runs(dashboard: Dashboard) -> None:
     page.get_by_text("Time", exact=True).click()
     expect(page).to_have_url(re.compile("axis=time"))
     dashboard.open(dashboard.address())
+    assert dashboard.shown_values() == low
+    expect(dashboard.status).to_contain_text("Stored result")
     with dashboard.held("**/series?*"):
         with page.expect_request("**/series?*"):
             page.go_back()
@@ -149,11 +151,8 @@ def test_a_wrong_value_is_told_at_its_field_and_kept(dashboard: Dashboard) -> No
         "start": 100,
     }
 
-
-def test_what_the_server_refuses_lands_at_the_field(dashboard: Dashboard) -> None:
-    """A limit between two fields, which only the server knows; its section opens even after being closed."""
-    dashboard.open()
-    page, address = dashboard.page, dashboard.page.url
+    # A limit between two fields, which only the server knows; its section opens even after being closed.
+    address = page.url
     section = page.get_by_role("button", name="MPC")
     section.click()
     dashboard.type_into("Control horizon", "80")
@@ -276,7 +275,9 @@ def test_a_vehicle_is_chosen_saved_and_opened_again(dashboard: Dashboard, tmp_pa
     expect(page.get_by_role("alert").filter(has_text=f"{file.name}: This file is not JSON")).to_be_visible()
 
 
-def test_a_measured_road_is_opened_driven_and_taken_off(dashboard: Dashboard, tmp_path: Path) -> None:
+def test_a_measured_road_is_driven_taken_off_chosen_saved_and_taken_to_another_server(
+    dashboard: Dashboard, tmp_path: Path
+) -> None:
     dashboard.open()
     page, address = dashboard.page, dashboard.page.url
     page.get_by_role("button", name="Road", exact=True).click()
@@ -295,11 +296,6 @@ def test_a_measured_road_is_opened_driven_and_taken_off(dashboard: Dashboard, tm
     expect(page).to_have_url(address)
     expect(page.get_by_text("Bumps in it")).to_have_count(0)
 
-
-def test_a_measured_road_is_chosen_saved_and_taken_to_another_server(dashboard: Dashboard, tmp_path: Path) -> None:
-    dashboard.open()
-    page = dashboard.page
-    page.get_by_role("button", name="Road", exact=True).click()
     page.get_by_label("Road file").set_input_files(ROADS / "street.csv")
     choice = page.locator("[data-pointer='/road/profile'] select")
     expect(choice.locator("option:checked")).to_have_text("street")

@@ -103,6 +103,12 @@ def test_opens_on_the_bump_and_every_plot_has_the_same_part(dashboard: Dashboard
 def test_everything_goes_by_keyboard(dashboard: Dashboard) -> None:
     dashboard.open()
     page, address = dashboard.page, dashboard.page.url
+    page.keyboard.press("Tab")
+    skip = page.get_by_role("button", name="Skip to the page’s content")
+    expect(skip).to_be_in_viewport()
+    page.keyboard.press("Enter")
+    expect(page.get_by_role("main")).to_be_focused()
+
     dashboard.slider("Height").focus()
     page.keyboard.press("ArrowRight")
     expect(page).not_to_have_url(address)
@@ -165,10 +171,20 @@ def test_undo_is_the_scenarios_wherever_the_focus_is(dashboard: Dashboard) -> No
 
 
 def test_commands_and_fields_are_found_by_name(dashboard: Dashboard) -> None:
+    """The search closes and gives the focus back; what is found is gone to."""
     dashboard.open()
     page = dashboard.page
-    page.keyboard.press("Control+k")
     search = page.get_by_role("textbox", name="Search commands and fields")
+    close: tuple[Callable[[], None], ...] = (lambda: page.keyboard.press("Escape"), lambda: page.mouse.click(5, 400))
+    for each in close:
+        dashboard.entry("Height").focus()
+        page.keyboard.press("Control+k")
+        expect(search).to_be_focused()
+        each()
+        expect(search).to_have_count(0)
+        expect(dashboard.entry("Height")).to_be_focused()
+
+    page.keyboard.press("Control+k")
     search.fill("bandwid actuator")
     dashboard.expect_accessible(page.get_by_role("dialog"))
     page.keyboard.press("Enter")
@@ -189,20 +205,6 @@ def test_commands_and_fields_are_found_by_name(dashboard: Dashboard) -> None:
     search.fill("paper")
     page.get_by_role("button", name="Paper", exact=True).click()
     expect(page.get_by_role("heading", name="The paper, checked", level=1)).to_be_visible()
-
-
-def test_the_search_for_commands_closes_and_gives_the_focus_back(dashboard: Dashboard) -> None:
-    dashboard.open()
-    page = dashboard.page
-    search = page.get_by_role("textbox", name="Search commands and fields")
-    close: tuple[Callable[[], None], ...] = (lambda: page.keyboard.press("Escape"), lambda: page.mouse.click(5, 400))
-    for each in close:
-        dashboard.entry("Height").focus()
-        page.keyboard.press("Control+k")
-        expect(search).to_be_focused()
-        each()
-        expect(search).to_have_count(0)
-        expect(dashboard.entry("Height")).to_be_focused()
 
 
 def test_no_serious_accessibility_violation(dashboard: Dashboard) -> None:
@@ -229,13 +231,3 @@ def test_opening_while_the_server_starts(dashboard: Dashboard) -> None:
     page.unroute(refused)
     dashboard.expect_curves()
     expect(page.get_by_test_id("connection")).to_have_count(0)
-
-
-def test_the_keyboard_reaches_the_content_with_one_step(dashboard: Dashboard) -> None:
-    dashboard.open()
-    page = dashboard.page
-    page.keyboard.press("Tab")
-    skip = page.get_by_role("button", name="Skip to the page’s content")
-    expect(skip).to_be_in_viewport()
-    page.keyboard.press("Enter")
-    expect(page.get_by_role("main")).to_be_focused()

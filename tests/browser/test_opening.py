@@ -6,8 +6,6 @@ from playwright.sync_api import Browser, expect
 from tests.browser.dashboard import Dashboard
 from tests.browser.server import Server
 
-STORED = "Stored result"
-
 
 def test_opens_on_the_papers_scenario_with_every_figure(browser: Browser, server: Server) -> None:
     """From the address to drawn curves, with an empty cache; `make bench` says how long it takes."""
@@ -25,24 +23,6 @@ def test_opens_on_the_papers_scenario_with_every_figure(browser: Browser, server
     ]
     assert dashboard.failures == []
     context.close()
-
-
-def test_reload_restores_the_run_and_the_view(dashboard: Dashboard) -> None:
-    dashboard.open()
-    dashboard.page.get_by_text("Time", exact=True).click()
-    dashboard.page.get_by_role("button", name="LQR").last.click()
-    expect(dashboard.row("lqr")).to_have_attribute("data-baseline", "true")
-    address, values = dashboard.page.url, dashboard.shown_values()
-    assert "axis=time" in address
-    assert "baseline=lqr" in address
-
-    dashboard.page.reload()
-    dashboard.expect_curves()
-    assert dashboard.page.url == address
-    assert dashboard.shown_values() == values
-    expect(dashboard.row("lqr")).to_have_attribute("data-baseline", "true")
-    expect(dashboard.page.get_by_role("radio", name="Time")).to_be_checked()
-    expect(dashboard.status).to_contain_text(STORED)
 
 
 def test_a_run_that_is_not_there_says_so_and_offers_the_paper(dashboard: Dashboard) -> None:

@@ -78,12 +78,44 @@ def settled(page: Page) -> Locator:
     return main
 
 
-def test_count_and_misprints_are_what_the_tables_show_and_the_api_says(paper: Page) -> None:
+def test_sets_count_and_misprints_are_what_the_tables_show_and_the_api_says(paper: Page) -> None:
     api = answer(paper)
+    table = paper.get_by_test_id("interpretations")
+    for item in api["interpretations"]:
+        row = table.locator(f"tr[data-interpretation={item['id']}]")
+        parts = (item, item["simulated"], item["ecu"])
+        near = (item["agreement"]["within"], item["agreement"]["in_interval"])
+        expected = [
+            *(f"{part['reached']} of {part['total']}" for part in parts),
+            *(f"{number} of 40" for number in near),
+        ]
+        assert row.locator("td").all_inner_texts()[:5] == expected
+    expect(table.locator("tr[data-interpretation=default]")).to_have_attribute("aria-current", "true")
+    favourable = answer(paper, "?interpretation=favourable")
+    table.get_by_role("button", name="Show Favourable").click()
+    expect(paper).to_have_url(re.compile(r"/paper\?interpretation=favourable$"))
+    settled(paper)
+    expect(paper.get_by_test_id("count")).to_contain_text(
+        f"{favourable['reached']} of {favourable['total']} cells reached"
+    )
+    expect(paper.get_by_role("navigation", name="On this page")).to_contain_text(f"Default: {api['reached']} of")
+    # Its switches stand as the set has them; one turned by itself stands beside the set in the address.
+    assert paper.get_by_role("radiogroup", name="Actuator force limit").get_by_role("radio", name="20 kN").is_checked()
+    choose(paper, "Where the RMS are taken", "0 to 100 m")
+    expect(paper).to_have_url(re.compile(r"/paper\?interpretation=favourable&window=to_bump$"))
+    settled(paper)
+    expect(paper.locator("[data-reading=window]")).to_contain_text("Favourable: 0 to 110 m")
+    expect(paper.locator("[data-reading=window]")).to_contain_text("Section 4.1.1")
+    paper.get_by_role("button", name="Reset 1 switch").click()
+    expect(paper).to_have_url(re.compile(r"/paper\?interpretation=favourable$"))
+    table.get_by_role("button", name="Show Default").click()
+    expect(paper).to_have_url(re.compile(r"/paper$"))
+
+    settled(paper)
     assert api["total"] == len(api["cells"])
+    expect(paper.get_by_test_id("count")).to_contain_text(f"{api['reached']} of {api['total']} cells reached")
     for verdict in VERDICTS:
         assert marks(paper, verdict) == api["counts"][verdict]
-    expect(paper.get_by_test_id("count")).to_contain_text(f"{api['reached']} of {api['total']} cells reached")
     without = api["without_preview"]["reached"]
     expect(paper.get_by_test_id("count-without")).to_contain_text(f"{without} of {api['total']}")
     misprints = [cell for cell in api["cells"] if cell["misprint"]]
@@ -163,40 +195,6 @@ def test_a_switch_changes_address_and_count_and_survives_a_reload(paper: Page) -
     expect(paper).to_have_url(re.compile(r"/paper$"))
 
 
-def test_both_named_sets_stand_side_by_side_and_each_can_be_shown(paper: Page) -> None:
-    api = answer(paper)
-    table = paper.get_by_test_id("interpretations")
-    for item in api["interpretations"]:
-        row = table.locator(f"tr[data-interpretation={item['id']}]")
-        parts = (item, item["simulated"], item["ecu"])
-        near = (item["agreement"]["within"], item["agreement"]["in_interval"])
-        expected = [
-            *(f"{part['reached']} of {part['total']}" for part in parts),
-            *(f"{number} of 40" for number in near),
-        ]
-        assert row.locator("td").all_inner_texts()[:5] == expected
-    expect(table.locator("tr[data-interpretation=default]")).to_have_attribute("aria-current", "true")
-    favourable = answer(paper, "?interpretation=favourable")
-    table.get_by_role("button", name="Show Favourable").click()
-    expect(paper).to_have_url(re.compile(r"/paper\?interpretation=favourable$"))
-    settled(paper)
-    expect(paper.get_by_test_id("count")).to_contain_text(
-        f"{favourable['reached']} of {favourable['total']} cells reached"
-    )
-    expect(paper.get_by_role("navigation", name="On this page")).to_contain_text(f"Default: {api['reached']} of")
-    # Its switches stand as the set has them; one turned by itself stands beside the set in the address.
-    assert paper.get_by_role("radiogroup", name="Actuator force limit").get_by_role("radio", name="20 kN").is_checked()
-    choose(paper, "Where the RMS are taken", "0 to 100 m")
-    expect(paper).to_have_url(re.compile(r"/paper\?interpretation=favourable&window=to_bump$"))
-    settled(paper)
-    expect(paper.locator("[data-reading=window]")).to_contain_text("Favourable: 0 to 110 m")
-    expect(paper.locator("[data-reading=window]")).to_contain_text("Section 4.1.1")
-    paper.get_by_role("button", name="Reset 1 switch").click()
-    expect(paper).to_have_url(re.compile(r"/paper\?interpretation=favourable$"))
-    table.get_by_role("button", name="Show Default").click()
-    expect(paper).to_have_url(re.compile(r"/paper$"))
-
-
 def test_an_address_that_names_no_reading_says_so_and_leads_back(dashboard: Dashboard) -> None:
     page = dashboard.page
     page.goto("/paper?preview=sideways")
@@ -205,7 +203,22 @@ def test_an_address_that_names_no_reading_says_so_and_leads_back(dashboard: Dash
     expect(page.get_by_test_id("count")).to_be_visible()
 
 
-def test_what_each_part_contributes_can_be_sorted_and_filtered(paper: Page) -> None:
+def test_figures_are_drawn_parts_sorted_and_the_scenario_opens_in_the_lab(dashboard: Dashboard, paper: Page) -> None:
+    # Every figure is drawn when it is scrolled to.
+    panels = paper.locator("figure[id^=figure-]")
+    expect(panels).to_have_count(len(FIGURES))
+    ids = [panel.get_attribute("id") for panel in panels.all()]
+    assert ids == [f"figure-{number}" for number in FIGURES]
+    assert paper.locator("figure .scatterlayer .trace").count() == 0
+    for number in FIGURES:
+        panel = paper.locator(f"#figure-{number}")
+        panel.scroll_into_view_if_needed()
+        expect(panel.locator(".scatterlayer .trace").first).to_be_attached()
+    ticks = paper.locator("#figure-14 .xtick text")
+    expect(ticks.first).to_have_text("0")
+    paper.get_by_text("Bump only").click()
+    expect(ticks.first).not_to_have_text("0")
+
     expect(paper.get_by_test_id("sentences").locator("li").first).to_contain_text("lower speed")
     shares = paper.get_by_test_id("shares").locator("tbody tr")
     expect(shares).to_have_count(8)
@@ -226,21 +239,10 @@ def test_what_each_part_contributes_can_be_sorted_and_filtered(paper: Page) -> N
     expect(rows.first).to_contain_text("Planned")
     expect(table.locator("tr[data-known=lv]")).to_have_count(1)
 
-
-def test_every_figure_is_drawn_when_it_is_scrolled_to(paper: Page) -> None:
-    panels = paper.locator("figure[id^=figure-]")
-    expect(panels).to_have_count(len(FIGURES))
-    ids = [panel.get_attribute("id") for panel in panels.all()]
-    assert ids == [f"figure-{number}" for number in FIGURES]
-    assert paper.locator("figure .scatterlayer .trace").count() == 0
-    for number in FIGURES:
-        panel = paper.locator(f"#figure-{number}")
-        panel.scroll_into_view_if_needed()
-        expect(panel.locator(".scatterlayer .trace").first).to_be_attached()
-    ticks = paper.locator("#figure-14 .xtick text")
-    expect(ticks.first).to_have_text("0")
-    paper.get_by_text("Bump only").click()
-    expect(ticks.first).not_to_have_text("0")
+    paper.get_by_role("button", name="Open this scenario in the lab").click()
+    expect(paper).to_have_url(re.compile(r"/r/"))
+    dashboard.expect_curves()
+    assert dashboard.stored_run()["scenario"] == answer(paper)["scenario"]
 
 
 def test_it_works_by_keyboard_and_for_a_screen_reader(dashboard: Dashboard, paper: Page) -> None:
@@ -271,10 +273,3 @@ def test_on_a_phone_only_tables_scroll_sideways(dashboard: Dashboard, paper: Pag
     expect(row.locator("th").get_by_text(re.compile("|".join(VERDICTS)))).to_be_visible()
     paper.get_by_role("button", name="Pages").click()
     expect(paper.get_by_role("menuitem", name="Lab")).to_be_visible()
-
-
-def test_the_scenario_opens_in_the_lab(dashboard: Dashboard, paper: Page) -> None:
-    paper.get_by_role("button", name="Open this scenario in the lab").click()
-    expect(paper).to_have_url(re.compile(r"/r/"))
-    dashboard.expect_curves()
-    assert dashboard.stored_run()["scenario"] == answer(paper)["scenario"]

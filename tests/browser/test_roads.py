@@ -49,38 +49,12 @@ def test_a_stored_run_opens_with_its_statistics(dashboard: Dashboard, server: Se
     expect(dashboard.row("lqr").locator(PEAK)).to_contain_text(text)
     assert dashboard.run_id == run_id
     dashboard.expect_no_wider(1440, 820, 400)
-    dashboard.expect_accessible()
+    dashboard.expect_accessible(dashboard.page.get_by_role("region", name="Comparison"))
 
 
-def test_the_number_of_roads_is_chosen_in_the_lab(dashboard: Dashboard) -> None:
-    dashboard.open()
-    note = dashboard.page.get_by_test_id("roads")
-    expect(note).to_have_count(0)
-    comparison = dashboard.page.get_by_role("region", name="Comparison")
-    comparison.get_by_role("button", name="Pin").click()
-    expect(dashboard.page.get_by_role("list", name="Pinned results")).to_contain_text("Paper’s scenario")
-    address = dashboard.address()
-    dashboard.type_into("Height", "12")
-    expect(dashboard.page).not_to_have_url(address)
-    dashboard.page.get_by_label("Roads").select_option("5")
-    expect(note).to_contain_text("Mean of 5 roads")
-    comparison.get_by_label("Change against").select_option("Paper’s scenario")
-    # The pin was of one road: it is driven over as many.
-    expect(dashboard.row("passive").locator(PEAK)).to_contain_text(re.compile(r"\+\d+.±.\d+.%"))
-    comparison.get_by_label("Change against").select_option("Passive")
-    dashboard.page.get_by_role("button", name="Undo").click()
-    comparison.get_by_role("button", name="Paper’s scenario").click()
-    dashboard.page.get_by_role("menuitem", name="Unpin").click()
-    bands = dashboard.page.locator('[data-figure="body_acceleration"] path.js-fill')
-    expect(bands).to_have_count(3)
-    expect(dashboard.page.get_by_text("minimum to maximum of 5 roads")).to_be_visible()
-    dashboard.expect_curves()
-    dashboard.page.get_by_label("Roads").select_option("1")
-    expect(note).to_have_count(0)
-    expect(bands).to_have_count(0)
-
-
-def test_changes_against_a_pin_and_the_state_before_are_paired_by_road(dashboard: Dashboard, server: Server) -> None:
+def test_several_roads_are_chosen_and_changes_against_a_pin_and_the_state_before_are_paired_by_road(
+    dashboard: Dashboard, server: Server
+) -> None:
     page, strategies = dashboard.page, ["lv", "lqr", "passive"]
     dashboard.open()
     comparison = page.get_by_role("region", name="Comparison")
@@ -94,9 +68,11 @@ def test_changes_against_a_pin_and_the_state_before_are_paired_by_road(dashboard
     expect(dashboard.row("lqr").locator(PEAK)).to_contain_text(re.compile(r"\+4.\d.%, within one road’s luck"))
     expect(dashboard.row("lqr").locator('[data-verdict="worse"]')).to_have_count(0)
     expect(page.get_by_test_id("changes-note")).to_contain_text("choose several roads")
-    address = dashboard.address()
+    address, note = dashboard.address(), page.get_by_test_id("roads")
+    expect(note).to_have_count(0)
     page.get_by_label("Roads").select_option("5")
     expect(page).not_to_have_url(address)
+    expect(note).to_contain_text("Mean of 5 roads")
     dashboard.expect_curves()
     # What it was before and the pin were of one road: both are driven over as many.
     paper = server.post("/runs", {"scenario": {}, "strategies": strategies, "roads": 5})["id"]
@@ -119,6 +95,15 @@ def test_changes_against_a_pin_and_the_state_before_are_paired_by_road(dashboard
     page.reload()
     dashboard.expect_curves()
     expect_paired()
+    comparison.get_by_role("button", name="Paper’s scenario").click()
+    page.get_by_role("menuitem", name="Unpin").click()
+    comparison.get_by_role("checkbox", name="Before the last edit").uncheck()
+    bands = page.locator('[data-figure="body_acceleration"] path.js-fill')
+    expect(bands).to_have_count(3)
+    expect(page.get_by_text("minimum to maximum of 5 roads")).to_be_visible()
+    page.get_by_label("Roads").select_option("1")
+    expect(note).to_have_count(0)
+    expect(bands).to_have_count(0)
 
 
 def test_the_state_before_is_named_after_an_undo_and_can_be_hidden(dashboard: Dashboard) -> None:
@@ -145,7 +130,7 @@ def test_the_state_before_is_named_after_an_undo_and_can_be_hidden(dashboard: Da
     expect(curves).to_have_count(3)
     expect(legend).to_have_count(0)
     expect(comparison.get_by_label("Change against")).not_to_contain_text("Before")
-    dashboard.expect_accessible()
+    dashboard.expect_accessible(comparison)
     page.reload()
     dashboard.expect_curves()
     expect(before).not_to_be_checked()

@@ -35,7 +35,7 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     ranges(page, "mismatch.damping").get_by_label("Damping, from").fill("0.6")
     ranges(page, "road.seed").get_by_role("switch").uncheck(force=True)
     expect(ranges(page, "road.seed")).to_contain_text("always 1")
-    dashboard.expect_accessible()
+    dashboard.expect_accessible(page.get_by_role("form", name="Study"))
     expect(page.get_by_test_id("estimate")).to_contain_text("40 runs (20 points × 2 strategies)")
     streams: list[str] = []
     page.on("request", lambda request: streams.append(request.url) if "/events" in request.url else None)

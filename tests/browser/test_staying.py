@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Iterator
 
 import pytest
-from playwright.sync_api import Page, Playwright, Route, expect
+from playwright.sync_api import Browser, Page, Playwright, Route, expect
 
 from tests.browser.chromium import launch
 from tests.browser.dashboard import LAPTOP, Dashboard
@@ -13,15 +13,22 @@ from tests.browser.server import Server
 BEFORE = "Before the last edit"
 
 
-@pytest.fixture
-def cached(playwright: Playwright, server: Server) -> Iterator[Dashboard]:
-    """A browser with the back/forward cache, which brings a page back as it was left."""
+@pytest.fixture(scope="module")
+def caching(playwright: Playwright) -> Iterator[Browser]:
+    """A browser with the back/forward cache."""
     browser = launch(playwright, back_forward_cache=True)
-    context = browser.new_context(base_url=server.url, viewport=LAPTOP, reduced_motion="reduce")
+    yield browser
+    browser.close()
+
+
+@pytest.fixture
+def cached(caching: Browser, server: Server) -> Iterator[Dashboard]:
+    """A page that the browser brings back as it was left."""
+    context = caching.new_context(base_url=server.url, viewport=LAPTOP, reduced_motion="reduce")
     context.add_init_script("addEventListener('pageshow', event => window.cached = event.persisted)")
     dashboard = Dashboard(context.new_page(), server.url)
     yield dashboard
-    browser.close()
+    context.close()
     assert dashboard.failures == []
 
 
@@ -55,10 +62,17 @@ def expect_edited(dashboard: Dashboard) -> None:
 
 
 def test_a_reload_keeps_undo_redo_and_what_changes_are_against(dashboard: Dashboard) -> None:
-    """On the lab's page and on another one; a lab that opens as it was left still offers the paper's scenario."""
+    """On the lab's page and on another one; a lab that opens as it was left still offers the paper's scenario.
+
+    A new tab has nothing to undo.
+    """
     dashboard.open()
     edited(dashboard)
     page = dashboard.page
+    with page.context.new_page() as other:
+        other.goto(dashboard.address())
+        expect(other.locator(".scatterlayer .trace").first).to_be_visible()
+        expect(other.get_by_role("button", name="Undo")).to_be_disabled()
     page.reload()
     dashboard.expect_curves()
     expect_edited(dashboard)
@@ -71,30 +85,18 @@ def test_a_reload_keeps_undo_redo_and_what_changes_are_against(dashboard: Dashbo
     expect(page.get_by_text("Your last scenario.")).to_have_count(0)
 
 
-def test_a_new_tab_has_nothing_to_undo(dashboard: Dashboard) -> None:
-    dashboard.open()
-    edited(dashboard)
-    with dashboard.page.context.new_page() as page:
-        page.goto(dashboard.address())
-        expect(page.locator(".scatterlayer .trace").first).to_be_visible()
-        expect(page.get_by_role("button", name="Undo")).to_be_disabled()
-
-
-def test_back_from_another_document_keeps_them_with_and_without_the_browsers_cache(
-    cached: Dashboard, dashboard: Dashboard
-) -> None:
-    for each in (dashboard, cached):
-        each.open()
-        edited(each)
-        page, address = each.page, each.address()
-        page.evaluate("window.cached = false; location.href = '/docs'")
-        page.wait_for_function("document.querySelector('#swagger-ui')")
-        page.evaluate("history.back()")
-        if each is cached:
-            page.wait_for_function("window.cached")
-        each.expect_curves()
-        assert each.address() == address
-        expect_edited(each)
+def test_back_from_another_document_keeps_them(cached: Dashboard) -> None:
+    """By the browser's cache; without it going back is a reload."""
+    cached.open()
+    edited(cached)
+    page, address = cached.page, cached.address()
+    page.evaluate("window.cached = false; location.href = '/docs'")
+    page.wait_for_function("document.querySelector('#swagger-ui')")
+    page.evaluate("history.back()")
+    page.wait_for_function("window.cached")
+    cached.expect_curves()
+    assert cached.address() == address
+    expect_edited(cached)
 
 
 def test_forward_leads_to_an_edit_that_back_has_left(cached: Dashboard) -> None:

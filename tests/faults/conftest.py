@@ -21,7 +21,8 @@ class Process(Api):
     """A started service."""
 
     def __init__(self, folder: Path, name: str, **environment: str) -> None:
-        super().__init__(folder, name=name, **{"PYTHONWARNINGS": "error", **environment})
+        few = {"RIDELAB_WORKERS": "1", "RIDELAB_BATCH_WORKERS": "1"}  # each takes half a second of a core to start
+        super().__init__(folder, name=name, **{"PYTHONWARNINGS": "error", **few, **environment})
         self.client = httpx.Client(base_url=self.url, timeout=HANG_TIMEOUT)
 
     def workers(self, nice: int = 0) -> list[psutil.Process]:
@@ -125,7 +126,6 @@ def start_beside(database: Path) -> Iterator[Start]:
 @pytest.fixture(scope="session")
 def service(start_beside: Start, built: str) -> Process:
     """One service for every test it can outlive: workers killed, batches cancelled, no room on the disk."""
-    workers = {"RIDELAB_WORKERS": "2", "RIDELAB_BATCH_WORKERS": "1"}
-    started = start_beside(**workers, RIDELAB_MAX_REQUEST_COST="1000", RIDELAB_FRONTEND_DIR=built)
+    started = start_beside(RIDELAB_WORKERS="2", RIDELAB_MAX_REQUEST_COST="1000", RIDELAB_FRONTEND_DIR=built)
     started.finish()
     return started

@@ -61,7 +61,7 @@ def opened(request: pytest.FixtureRequest) -> Opened:
         url = postgres.new_database()
     with closing(Store(url)) as store:
         release.restore(store, version)
-    started: Process = request.getfixturevalue("start")(RIDELAB_WORKERS="1", RIDELAB_DATABASE_URL=url)
+    started: Process = request.getfixturevalue("start")(RIDELAB_DATABASE_URL=url)
     started.finish()
     return Opened(version=version, client=started.client, url=url)
 

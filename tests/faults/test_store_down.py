@@ -25,7 +25,7 @@ def service(postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> Ite
     """On a server that runs again afterwards."""
     database = postgres.new_database()
     for start_one in starter(tmp_path_factory.mktemp("store-down")):
-        yield start_one(RIDELAB_WORKERS="1", RIDELAB_BATCH_WORKERS="1", RIDELAB_DATABASE_URL=database)
+        yield start_one(RIDELAB_DATABASE_URL=database)
     postgres.start()
 
 
@@ -69,8 +69,7 @@ def test_a_running_batch_goes_on_when_it_is_back(service: Process, postgres: Pos
 
 def test_a_start_without_it_says_so_and_ends(tmp_path: Path) -> None:
     command = [sys.executable, "-m", "backend", "--port", "0", "--data-dir", str(tmp_path)]
-    environment = {**os.environ, "RIDELAB_WORKERS": "1"}
-    environment["RIDELAB_DATABASE_URL"] = url(reserved_port(), "ridelab")  # where nobody listens
+    environment = {**os.environ, "RIDELAB_DATABASE_URL": url(reserved_port(), "ridelab")}  # where nobody listens
     ended = subprocess.run(
         command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=HANG_TIMEOUT, check=False
     )

@@ -57,7 +57,13 @@ class Environment:
     def variables(self, **more: str) -> dict[str, str]:
         """The environment variables of its processes."""
         environment = {name: value for name, value in os.environ.items() if not name.startswith(("RIDELAB_", "PYTHON"))}
-        return {**environment, "XDG_CACHE_HOME": str(self._folder / "cache"), "RIDELAB_WORKERS": "1", **more}
+        return {
+            **environment,
+            "XDG_CACHE_HOME": str(self._folder / "cache"),
+            "RIDELAB_WORKERS": "1",
+            "RIDELAB_BATCH_WORKERS": "1",
+            **more,
+        }
 
 
 def pip(*words: str) -> None:

@@ -3,6 +3,7 @@
 import contextlib
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,11 +13,13 @@ from tests.servers.process import HANG_TIMEOUT, Program, request, reserved_port,
 
 
 class Api(Program):
-    """One replica."""
+    """One replica; `PROGRAM` is what Python runs."""
+
+    PROGRAM: Sequence[str] = ("-m", "backend")
 
     def __init__(self, folder: Path, *, name: str = "api", **environment: str) -> None:
         self.port = reserved_port()
-        command = [sys.executable, "-m", "backend", "--port", str(self.port), "--data-dir", str(folder / "data")]
+        command = [sys.executable, *self.PROGRAM, "--port", str(self.port), "--data-dir", str(folder / "data")]
         super().__init__(name, command, folder=folder, environment=environment, restart=True)
 
     @property

@@ -37,7 +37,7 @@ LAWS: dict[str, tuple[str, Callable[[Scenario], Weighting]]] = {
     "suspension_only": ("mpc", by_road),
     "lqr": ("lqr", by_stage),
 }
-ROAD = Road(length=120, seed=7)
+ROAD = Road(length=80, seed=7, bump=Bump(start=60))
 FREE = Mpc(force_limit=1e6, deflection_limit=1.0)  # no limit binds
 
 

@@ -17,7 +17,7 @@ from tests.validation.reference.figures import wk
 from tests.validation.reference.held import errors
 
 CASES = {
-    "paper": (Scenario(), ("lv", "lv_hil", "lqr", "passive")),
+    "paper": (Scenario(), ("lv", "lv_hil")),
     "class D, lagging actuators": (
         Scenario(road=Road(roughness=1024e-6, seed=3, length=120), actuator=Actuator(bandwidth=10)),
         ("lv", "suspension_only"),

@@ -88,14 +88,16 @@ def test_every_strategy_drives_the_same_road_and_the_rear_follows_the_front(scen
         assert np.abs(series["rear_road"][on] - front).max() <= slope * spacing + 1e-12
 
 
+SHORT = Road(length=70, bump=Bump(start=50))
 EXTREME = {
     "slow": Scenario(
         road=Road(length=6, bump=Bump(start=2, width=1)), speed=Speed(initial_speed_kmh=5, target_speed_kmh=5)
     ),
     "fast": Scenario(speed=Speed(initial_speed_kmh=200, target_speed_kmh=100)),
-    "stiff": Scenario(vehicle=Vehicle(front_tyre_stiffness=2e7, front_wheel_mass=5, front_damping=5e5)),
+    "stiff": Scenario(road=SHORT, vehicle=Vehicle(front_tyre_stiffness=2e7, front_wheel_mass=5, front_damping=5e5)),
     "soft": Scenario(
-        vehicle=Vehicle(body_mass=50_000, front_spring=1000, rear_spring=1000, front_damping=10, rear_damping=10)
+        road=SHORT,
+        vehicle=Vehicle(body_mass=50_000, front_spring=1000, rear_spring=1000, front_damping=10, rear_damping=10),
     ),
     "wall": Scenario(road=Road(bump=Bump(height=1, width=0.05, shape="trapezoid"))),
     "half pipe": Scenario(road=Road(bump=Bump(height=0.5, width=1, shape="circular"))),
@@ -106,12 +108,13 @@ EXTREME = {
     "class H": Scenario(road=Road(roughness=0.262144)),
     "at once": Scenario(road=Road(length=5, bump=Bump(start=1, width=4))),
     "bump at the end": Scenario(road=Road(length=104)),
-    "horizon 1": Scenario(mpc=Mpc(prediction_horizon=1, control_horizon=1)),
-    "one move": Scenario(mpc=Mpc(prediction_horizon=60, control_horizon=1)),
-    "long control": Scenario(mpc=Mpc(prediction_horizon=100, control_horizon=100)),
-    "no force": Scenario(mpc=Mpc(force_limit=1)),
-    "no travel": Scenario(mpc=Mpc(deflection_limit=0.005)),
+    "horizon 1": Scenario(road=SHORT, mpc=Mpc(prediction_horizon=1, control_horizon=1)),
+    "one move": Scenario(road=SHORT, mpc=Mpc(prediction_horizon=60, control_horizon=1)),
+    "long control": Scenario(road=SHORT, mpc=Mpc(prediction_horizon=100, control_horizon=100)),
+    "no force": Scenario(road=SHORT, mpc=Mpc(force_limit=1)),
+    "no travel": Scenario(road=SHORT, mpc=Mpc(deflection_limit=0.005)),
     "one weight": Scenario(
+        road=SHORT,
         mpc=Mpc(
             deflection_weight=0,
             stage_weights=StageWeights(cruise=(0, 0, 1), brake=(0, 1, 0), bump=(1, 0, 0)),
@@ -119,13 +122,13 @@ EXTREME = {
         ),
         lqr=Lqr(weights=(1, 0, 0), deflection_weight=0),
     ),
-    "huge weight": Scenario(mpc=Mpc(deflection_weight=1000, force_weight=1e-3, force_change_weight=1e-3)),
-    "tiny force weight": Scenario(mpc=Mpc(force_weight=1e-12, force_change_weight=0)),
-    "coarse": Scenario(mpc=Mpc(sample_time=0.05)),
-    "fine": Scenario(mpc=Mpc(sample_time=0.002)),
-    "sluggish": Scenario(actuator=Actuator(bandwidth=0.5, rate_limit=1000)),
-    "quick": Scenario(actuator=Actuator(bandwidth=1000, rate_limit=1e8)),
-    "long wheelbase": Scenario(vehicle=Vehicle(cg_to_front=10, cg_to_rear=10)),
+    "huge weight": Scenario(road=SHORT, mpc=Mpc(deflection_weight=1000, force_weight=1e-3, force_change_weight=1e-3)),
+    "tiny force weight": Scenario(road=SHORT, mpc=Mpc(force_weight=1e-12, force_change_weight=0)),
+    "coarse": Scenario(road=SHORT, mpc=Mpc(sample_time=0.05)),
+    "fine": Scenario(road=SHORT, mpc=Mpc(sample_time=0.002)),
+    "sluggish": Scenario(road=SHORT, actuator=Actuator(bandwidth=0.5, rate_limit=1000)),
+    "quick": Scenario(road=SHORT, actuator=Actuator(bandwidth=1000, rate_limit=1e8)),
+    "long wheelbase": Scenario(road=SHORT, vehicle=Vehicle(cg_to_front=10, cg_to_rear=10)),
 }
 
 

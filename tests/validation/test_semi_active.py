@@ -151,7 +151,7 @@ def test_metrics_are_an_adaptive_solvers() -> None:
         adaptive.run(constant_speed(limited, vehicle=car, actuator=Actuator(bandwidth=10)), "skyhook"),
         adaptive.run(constant_speed(unlimited, vehicle=car, mpc=Mpc(force_limit=1500)), "skyhook"),
     ]
-    for run, errors in zip(runs, adaptive.errors(runs, tolerance=1e-5), strict=True):
+    for run, errors in zip(runs, adaptive.errors(runs), strict=True):
         for key, error in errors.items():
             assert abs(error) < (0.007 if key.endswith("peak") else 0.003), (run.result.strategy, key, error)
 
