@@ -15,6 +15,7 @@ COPY requirements.lock requirements-ecu.lock ./
 RUN /opt/ridelab/bin/python -m pip install --no-cache-dir --disable-pip-version-check --require-hashes \
     -r requirements.lock -r requirements-ecu.lock
 COPY sim_core/kernel/ sim_core/kernel/
+COPY sim_core/ecu/source/ sim_core/ecu/source/
 RUN /opt/ridelab/bin/python sim_core/kernel/build.py libridelab.so.1
 
 FROM python:3.11-slim
@@ -29,7 +30,7 @@ COPY --from=frontend /build/dist frontend/dist/
 RUN /opt/ridelab/bin/python -m compileall -q sim_core backend ridelab \
     && mkdir /data \
     && chown 10001:10001 /data
-# The ECU's program: /app is read-only later, and /tmp runs no programs.
+# The ECU's program as a process, for drives by the clock: /app is read-only later, and /tmp runs no programs.
 RUN mkdir ecu && RIDELAB_ECU_DIR=/app/ecu /opt/ridelab/bin/python -c "from backend.ecu import build; build.program()" \
     && rm -rf ecu/zig
 ENV PATH=/opt/ridelab/bin:$PATH PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 RIDELAB_DATA_DIR=/data RIDELAB_ECU_DIR=/app/ecu

@@ -77,7 +77,7 @@ setup: $(VENV)/.runtime $(BIN)/ridelab frontend/dist/index.html ## all that runn
 
 development: setup $(VENV)/.development ## and what tests need
 
-compiler: $(VENV)/.ecu ## a C compiler (400 MB), for lv_hil where the machine has none and for the ECU's own processor
+compiler: $(VENV)/.ecu ## a C compiler (400 MB), for drives by the clock where the machine has none and for the ECU's own processor
 
 $(VENV)/.build: requirements-build.lock
 	$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11) and "Ridelab needs Python 3.11 or newer; name one with PYTHON=python3.x")'
@@ -99,7 +99,7 @@ $(VENV)/.ecu: requirements-ecu.lock $(VENV)/.build
 	$(INSTALL) $<
 	touch $@
 
-$(BIN)/ridelab: pyproject.toml setup.py client/pyproject.toml sim_core/pyproject.toml sim_core/setup.py $(wildcard sim_core/kernel/*.[ch]) sim_core/kernel/build.py $(VENV)/.runtime  # the three distributions, from their folders
+$(BIN)/ridelab: pyproject.toml setup.py client/pyproject.toml sim_core/pyproject.toml sim_core/setup.py $(wildcard sim_core/kernel/*.[ch] sim_core/ecu/source/*.[ch]) sim_core/kernel/build.py $(VENV)/.runtime  # the three distributions, from their folders
 	@command -v cc || command -v gcc || command -v clang || $(MAKE) $(VENV)/.ecu
 	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index -e sim_core -e client -e .
 	touch $@

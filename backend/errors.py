@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping, Sequence
 
-from sim_core.errors import MissingRoadError, RidelabError
+from sim_core.errors import RidelabError
 
 # What a refused run's sender can do; the solver first, since it changes most.
 CHEAPER_RUN = "the solver DAQP, a shorter road, a higher speed, a longer sample time or shorter horizons cost less"
@@ -156,8 +156,4 @@ class WorkersBusyError(TemporaryError):
 
 
 class EcuUnavailableError(RidelabError):
-    """The ECU's program cannot take part here and now; the scenario is not the cause, so the result is not stored."""
-
-
-# Refusals whose cause is not the scenario: the next try may succeed, so no result is stored.
-NOT_CACHEABLE = (EcuUnavailableError, MissingRoadError)
+    """The ECU's program cannot be built or driven apart from this process, here and now."""

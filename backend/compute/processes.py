@@ -88,18 +88,13 @@ def _interrupt(*_: object) -> None:
 
 
 def warm_up() -> int:
-    """Run the paper's scenario with every strategy once, so that the first request has filled caches; the process's id.
-
-    Not those with an ECU: its program is built when somebody asks for it.
-    """
+    """Run the paper's scenario with every strategy once: the first request finds filled caches; the process's id."""
     from backend.ecu.drive import simulate
-    from sim_core.ecu.controller import EcuController
     from sim_core.scenario import Scenario
     from sim_core.strategies import STRATEGIES
 
     for strategy in STRATEGIES.values():
-        if not issubclass(strategy, EcuController):
-            simulate(Scenario(), strategy.id)
+        simulate(Scenario(), strategy.id)
     return os.getpid()
 
 

@@ -74,7 +74,9 @@ def _members_at(annotation: Any, step: str | int) -> Iterator[Any]:
         yield from _union_members(fields[step])
     elif isinstance(step, str) and origin is dict:
         yield from _union_members(arguments[1])
-    elif isinstance(step, int) and origin is list:
+    elif (isinstance(step, int) and origin is list) or (
+        isinstance(step, int) and origin is tuple and arguments[-1] is ...
+    ):
         yield from _union_members(arguments[0])
     elif isinstance(step, int) and origin is tuple and step < len(arguments):
         yield from _union_members(arguments[step])

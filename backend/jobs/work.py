@@ -6,13 +6,12 @@ from collections.abc import Mapping, Sequence
 import orjson
 
 from backend.ecu.drive import simulate
-from backend.errors import NOT_CACHEABLE
 from backend.jobs.chunk import ComputedRun, WaitingRun
 from backend.jobs.sweep.plan import scenario_at
 from backend.json_types import JsonObject
 from backend.paper import work as paper
 from backend.runs.work import elapsed_ms, refusal, summary_json
-from sim_core.errors import RidelabError
+from sim_core.errors import MissingRoadError, RidelabError
 from sim_core.scenario import Scenario
 from sim_core.scenario.measured import MeasuredRoad
 
@@ -43,7 +42,7 @@ def run_chunk(
             status, (summary, fallbacks) = "ok", _summary(scenario, run.strategy)
         except RidelabError as error:
             status, summary, fallbacks = "failed", orjson.dumps(refusal(error)).decode(), 0.0
-            cacheable = not isinstance(error, NOT_CACHEABLE)
+            cacheable = not isinstance(error, MissingRoadError)
         elapsed = elapsed_ms(begin)
         computed[run.key] = ComputedRun(
             key=run.key,

@@ -73,11 +73,7 @@ def requests_of_study(study: str, roads: range) -> tuple[RowRequest, ...]:
 
 
 def compute(strategy: str, scenario: Scenario) -> JsonObject:
-    """The row of that run, as `{"row": …}`.
-
-    Raises:
-        EcuUnavailableError: The ECU's program cannot take part.
-    """
+    """The row of that run, as `{"row": …}`."""
     if strategy == ATTRIBUTION:
         seed = scenario.road.seed
         return {"row": {variant.id: _one(variant.scenario(seed), variant.strategy) for variant in VARIANTS}}

@@ -12,7 +12,6 @@ from backend import digest
 from backend.analysis.roads import seeded
 from backend.compute.workers import Workers
 from backend.errors import (
-    EcuUnavailableError,
     GoneError,
     InvalidError,
     NewerSchemaError,
@@ -308,7 +307,6 @@ class Runs:
         Raises:
             NotFoundError: There is none.
             RoadGoneError: It would be computed on a measured road that is not stored any more.
-            EcuUnavailableError: It would be computed by an ECU's program that cannot take part here and now.
             TemporaryError: Too much is being computed.
         """
         stored = await self._store.read(self._store.runs.load, run_id)
@@ -337,9 +335,8 @@ class Runs:
             results, outcomes = await self._computed(scenario, names, stored.roads, client)
         except InvalidError:
             raise RoadGoneError from None
-        for item in (item for each in results for item in each.values()):
-            if not item.outcome.cacheable:  # stored, this failure would be the run's result for ever
-                raise EcuUnavailableError(item.outcome.summary["reason"])
+        if not all(item.outcome.cacheable for each in results for item in each.values()):
+            raise RoadGoneError  # stored, this failure would be the run's result for ever
         await self._store.write(self._store.runs.recompute, stored.id, CORE_VERSION, outcomes)
         return replace(stored, results=tuple(outcomes), core_version=CORE_VERSION)
 

@@ -10,10 +10,9 @@ from dataclasses import dataclass
 import orjson
 
 from backend.ecu.drive import simulate
-from backend.errors import NOT_CACHEABLE
 from backend.json_types import JsonObject
 from backend.runs.series import SeriesArray, pack
-from sim_core.errors import RidelabError, TooExpensiveError
+from sim_core.errors import MissingRoadError, RidelabError, TooExpensiveError
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 
@@ -61,7 +60,7 @@ def _run_one(scenario: Scenario, strategy: str, points: int | None) -> ComputedR
     try:
         result = simulate(scenario, strategy)
     except RidelabError as error:
-        elapsed, cacheable = elapsed_ms(begin), not isinstance(error, NOT_CACHEABLE)
+        elapsed, cacheable = elapsed_ms(begin), not isinstance(error, MissingRoadError)
         summary = refusal(error)
         return ComputedResult(status="failed", summary=summary, compute_ms=elapsed, cacheable=cacheable, points=points)
     summary = orjson.loads(summary_json(result))

@@ -19,7 +19,7 @@ from sim_core.control.seen import Seen, Setup
 from sim_core.ecu.calibration import Calibration, Checked, calibrate
 from sim_core.ecu.channels import STAGES, convert, full_scales
 from sim_core.ecu.interface import Connect, Frame, Reply
-from sim_core.ecu.model import modelled
+from sim_core.ecu.program import in_process
 from sim_core.scenario import Hil
 from sim_core.vehicle.half_car import discrete
 from sim_core.vehicle.model import LinearLaw
@@ -43,7 +43,7 @@ class EcuController(PredictiveController):
     packet_loss: float = scenario_field("hil.packet_loss")
     seed: int = scenario_field("hil.seed")
 
-    def __init__(self, *, connect: Connect = modelled, checked: Checked = "all") -> None:
+    def __init__(self, *, connect: Connect = in_process, checked: Checked = "all") -> None:
         """Drive with the program that `connect` leads to, which checks all limits of the horizon or a few."""
         super().__init__()
         self._connect = connect

@@ -17,7 +17,7 @@ from sim_core.arrays import FloatArray
 from sim_core.kernel.library import DOUBLE, INT, NAME, Array, Function, require
 
 BUMP, LAYOUT = 7, 9  # numbers of `struct bump` and `struct layout`
-_FUZZY_SETS, _DISTURBANCES = 5, 3
+_DISTURBANCES = 3
 _LINE, _TABLE, _LINES = Array(ndim=1), Array(ndim=2), Array(ndim=3)
 _LINE_OUT, _TABLE_OUT, _LINES_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2, 3))
 _ROAD = _LINE, INT, Array(LAYOUT)
@@ -25,7 +25,7 @@ _INTEGERS = Array(ndim=1, dtype=np.intc)
 
 _recurrence = Function("recurrence", _TABLE, INT, INT, _TABLE_OUT)
 _torque_shares = Function(
-    "torque_shares", Array(_FUZZY_SETS), _TABLE, INT, Array(_FUZZY_SETS**2, dtype=np.intc), _TABLE, INT, _LINE_OUT
+    "torque_shares", _LINE, _TABLE, INT, Array(ndim=2, dtype=np.intc), INT, _TABLE, INT, INT, _LINE_OUT, _LINE_OUT
 )
 _roughness = Function("roughness", _LINE_OUT, INT, DOUBLE, DOUBLE, DOUBLE, result=DOUBLE)
 _bump_heights = Function("bump_heights", Array(BUMP), Array(), INT, Array(written=True))
@@ -81,11 +81,22 @@ def recurrence(matrix: FloatArray, states: FloatArray) -> None:
 def torque_shares(
     distance: FloatArray, errors: FloatArray, rules: NDArray[np.intc], memberships: FloatArray, shares: FloatArray
 ) -> None:
-    """Fill `shares` (n,) from memberships of one distance (5,), of errors (5, n) and of torques (5, 4 k + 1)."""
-    steps, fits = memberships.shape[-1] - 1, errors.shape == (_FUZZY_SETS, len(shares))
-    require(fits and len(memberships) == _FUZZY_SETS and steps % (_FUZZY_SETS - 1) == 0, "Five sets, of even triangles")
-    require(rules.min() >= 0 and rules.max() < _FUZZY_SETS, "A rule concludes one of five sets")
-    _torque_shares(distance, errors, len(shares), rules, memberships, steps, shares)
+    """Fill `shares` (n,) by rules (m, 3): the set of the distance and of the error, -1 for any, and of the torque.
+
+    Args:
+        distance: Memberships of one distance in its sets (sets,).
+        errors: Of each error in its sets (sets, n).
+        rules: As above.
+        memberships: Of torque shares from 0 to 1 in their sets (sets, samples).
+        shares: The torque's.
+    """
+    sets, samples = memberships.shape
+    require(errors.shape[1] == len(shares) and samples > 1, "Every error has a share")
+    require(rules.shape[1:] == (3,), "A rule has three sets")
+    known = (rules >= (-1, -1, 0)).all() and (rules < (len(distance), len(errors), sets)).all()
+    require(bool(known), "A rule asks for sets there are, and concludes one")
+    fired = np.empty(sets)
+    _torque_shares(distance, errors, len(shares), rules, len(rules), memberships, sets, samples - 1, fired, shares)
 
 
 def roughness(samples: FloatArray, deviation: float, keep: float, grid: float) -> float:

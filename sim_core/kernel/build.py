@@ -13,8 +13,10 @@ import sys
 from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
-SOURCES = sorted(FOLDER.glob("*.c"))  # none in a wheel, which has the library alone
-HEADERS = sorted(FOLDER.glob("*.h"))
+_ECU = FOLDER.parent / "ecu" / "source"
+_OWN = sorted(FOLDER.glob("*.c"))  # none in a wheel, which has the library alone
+SOURCES = [*_OWN, _ECU / "ridelab_controller.c", _ECU / "ridelab_dual.c"] if _OWN else []
+HEADERS = [*sorted(FOLDER.glob("*.h")), *sorted(_ECU.glob("*.h"))]
 # No compiler's extensions. Without fused operations all compilers give the same numbers.
 FLAGS = ("-std=c11", "-pedantic-errors", "-O3", "-ffp-contract=off")
 

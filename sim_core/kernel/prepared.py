@@ -1,23 +1,38 @@
 """The C's functions that are called at every step: their arrays are checked once, when a run begins.
 
-Each raises ValueError then where sizes disagree, and TypeError where an array is not C-contiguous float64, or cannot be
-written into. The arrays live as long as what is called.
+Each raises ValueError then where sizes disagree, and TypeError where an array is of another type, is not
+C-contiguous, or cannot be written into. The arrays live as long as what is called.
 """
 
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.kernel.binding import LAYOUT
 from sim_core.kernel.library import DOUBLE, INT, Array, Function, require
 
 CAR, ESTIMATOR = 33, 112  # numbers of `struct car` and `struct estimator` of nonlinear_car.c
+ECU_ANSWER, _STAGES = 5, 3  # numbers of an answer in ecu.c, stages of the ECU's tables
 _STATES, _LAGGING, _FORCES, _LAW_INPUTS, _DISTURBANCES, _MEASURED, _SIGNALS = 8, 10, 2, 10, 3, 4, 10
 _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
 _LINE_OUT, _TABLE_OUT, _LINES_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2, 3))
 
 _residual = Function("residual", INT, INT, _TABLE, _TABLE, *[_LINE] * 3, _LINE_OUT, _LINE, _LINE, result=DOUBLE)
+_ecu_step = Function(
+    "ecu_step",
+    *(
+        Array(6, dtype=np.int32),
+        Array(4, dtype=np.float32),
+        Array(115, dtype=np.float32),
+        Array(ndim=1, dtype=np.float32),
+    ),
+    *(Array(ndim=1, dtype=np.int8), Array(ndim=3, dtype=np.float32), Array(ndim=3, dtype=np.float32)),
+    *(Array(_FORCES, dtype=np.float32, written=True), Array(ndim=1, dtype=np.int32)),
+    *(Array(ECU_ANSWER, dtype=np.int32, written=True), Array(1, dtype=np.float32, written=True), INT),
+    result=INT,
+)
 _measure = Function("measure", Array(CAR), INT, _LINE, Array(_FORCES), DOUBLE, Array(_MEASURED, written=True))
 _drive = Function(
     "drive",
@@ -45,6 +60,38 @@ def residual(
     fits = H.shape == (n, n) and len(f) == len(y) == n
     require(fits and len(lower) == len(upper) == len(multipliers) == n + rows, "One number for each unknown and limit")
     return _residual.bind(n, rows, H, columns, lower, upper, f, np.empty(n + rows), y, multipliers)
+
+
+def ecu_step(
+    *,
+    sizes: NDArray[np.int32],
+    real: NDArray[np.float32],
+    vehicle: NDArray[np.float32],
+    bounds: NDArray[np.float32],
+    axles: NDArray[np.int8],
+    effects: NDArray[np.float32],
+    gram: NDArray[np.float32],
+    previous: NDArray[np.float32],
+    codes: NDArray[np.int32],
+    answer: NDArray[np.int32],
+    slack: NDArray[np.float32],
+) -> Callable[[int], None]:
+    """A step of the ECU's program in a stage, whenever it is called; kernel/ecu.c says what the arrays hold.
+
+    Raises:
+        ValueError: Sizes disagree; when it is called: the program has not the memory for them, or the stage is none.
+    """
+    intervals, previewed, rows = sizes[:3].tolist()
+    columns = _STATES + _FORCES + _DISTURBANCES * intervals
+    fits = effects.shape == (_STAGES, rows, columns) and gram.shape == (_STAGES, rows, rows)
+    require(fits and len(bounds) == len(axles) == rows, "Tables of every stage, with a bound for each row")
+    require(len(codes) == _STATES + _DISTURBANCES * previewed, "A code for everything measured and previewed")
+    step = _ecu_step.bind(sizes, real, vehicle, bounds, axles, effects, gram, previous, codes, answer, slack)
+
+    def step_in(stage: int) -> None:
+        require(step(stage) == 0, "The ECU's program knows no such tables or stage")
+
+    return step_in
 
 
 class NonlinearDrive:

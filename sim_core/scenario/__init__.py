@@ -1,6 +1,7 @@
 """The scenario: parts and fields, presets, dotted names, and how an older version's scenario is read."""
 
 from sim_core.scenario.fields import Weights
+from sim_core.scenario.fuzzy import Fuzzy
 from sim_core.scenario.imperfections import Actuator, Estimation, Hil, Mismatch
 from sim_core.scenario.parts import (
     SCHEMA_VERSION,
@@ -23,6 +24,7 @@ __all__ = [
     "Brake",
     "Bump",
     "Estimation",
+    "Fuzzy",
     "Hil",
     "Hook",
     "Lqr",

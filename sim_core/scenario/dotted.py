@@ -1,12 +1,13 @@
 """Single fields of a scenario by their dotted names, as sweeps and the command line use them.
 
-`road.bump.height` is a field, `mpc.stage_weights.cruise` three weights, `mpc.stage_weights.cruise.0` the first of them.
+`road.bump.height` is a field, `mpc.stage_weights.cruise` three weights, `mpc.stage_weights.cruise.0` the first of them;
+`fuzzy.rules` is data, which is given whole.
 """
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Any, Literal, get_args, get_origin
 
 from pydantic import BaseModel, ConfigDict, TypeAdapter, ValidationError
 
@@ -14,7 +15,7 @@ from sim_core.errors import RidelabError, UnknownNameError
 from sim_core.scenario import Scenario
 from sim_core.scenario.fields import Weight
 
-Kind = Literal["number", "integer", "switch", "choice", "text", "weights"]
+Kind = Literal["number", "integer", "switch", "choice", "text", "weights", "data"]
 _CONFIG = ConfigDict(strict=True, allow_inf_nan=False, hide_input_in_errors=True)
 
 
@@ -132,4 +133,6 @@ def _kind(annotation: Any) -> Kind:
         return "text"
     if float in types:
         return "number"
-    return "integer" if int in types else "weights"
+    if int in types:
+        return "integer"
+    return "weights" if get_origin(annotation) is tuple else "data"

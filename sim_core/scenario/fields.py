@@ -32,7 +32,13 @@ class Part(BaseModel):
     """Base of every part: frozen, hashable, strict about names and types, no NaN or infinity."""
 
     model_config = ConfigDict(
-        frozen=True, extra="forbid", strict=True, allow_inf_nan=False, validate_default=True, hide_input_in_errors=True
+        frozen=True,
+        extra="forbid",
+        strict=True,
+        allow_inf_nan=False,
+        validate_default=True,
+        hide_input_in_errors=True,
+        serialize_by_alias=True,
     )
     # Members that are younger than stored results. At its default such a one is no part of what a result is known by.
     ADDED: ClassVar[frozenset[str]] = frozenset()

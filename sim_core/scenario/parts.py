@@ -11,6 +11,7 @@ from pydantic import Field, model_validator
 
 from sim_core.errors import RidelabError
 from sim_core.scenario.fields import Part, Weights, at, count, quantity, weights
+from sim_core.scenario.fuzzy import Fuzzy
 from sim_core.scenario.imperfections import Actuator, Estimation, Hil, Mismatch
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.scenario.road import Road
@@ -246,11 +247,12 @@ _BUMP_BEYOND = "The bump must end before the road does: position and width toget
 class Scenario(Part):
     """Everything a run depends on; an omitted part or field takes the paper's default."""
 
-    ADDED: ClassVar = frozenset({"hook", "estimation"})
+    ADDED: ClassVar = frozenset({"hook", "estimation", "fuzzy"})
 
     vehicle: Vehicle = Field(Vehicle(), title="Vehicle")
     road: Road = Field(Road(), title="Road")
     speed: Speed = Field(Speed(), title="Speed")
+    fuzzy: Fuzzy = Field(Fuzzy(), title="Fuzzy speed control")
     brake: Brake = Field(Brake(), title="Brake")
     actuator: Actuator = Field(Actuator(), title="Actuator")
     mismatch: Mismatch = Field(Mismatch(), title="Model mismatch")

@@ -13,9 +13,9 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.road.profile import RUN_IN
-from sim_core.scenario import Scenario
+from sim_core.scenario import Fuzzy, Scenario
 from sim_core.speed.brake import BrakeChain, brake_chain
-from sim_core.speed.fuzzy import torque_surface
+from sim_core.speed.fuzzy import torque_rules
 
 SpeedPlan = Literal["planned", "constant"]  # whether the car slows down for the bump
 KMH = 1 / 3.6  # one km/h [m/s]
@@ -38,6 +38,7 @@ class SpeedPlanInputs:
     bump_start: float
     bump_end: float  # where the rear axle has left the bump
     guarded: bool
+    fuzzy: Fuzzy
     chain: BrakeChain
 
 
@@ -112,6 +113,7 @@ def plan_speed(scenario: Scenario, plan: SpeedPlan) -> SpeedProfile:
             bump_start=bump.start,
             bump_end=bump.end + vehicle.wheelbase,
             guarded=speed.controller == "guarded",
+            fuzzy=scenario.fuzzy,
             chain=brake_chain(scenario.brake, vehicle),
         )
     )
@@ -138,7 +140,7 @@ def _planned(inputs: SpeedPlanInputs) -> SpeedProfile:
     target instead), the pressure follows with its lag exactly, speed by the midpoint rule. On the bump the car
     coasts; only if it would fall below the band does the drive keep it moving.
     """
-    chain, surface, h = inputs.chain, torque_surface(), CONTROL_STEP
+    chain, rules, h = inputs.chain, torque_rules(inputs.fuzzy), CONTROL_STEP
     target = min(inputs.target_speed, inputs.initial_speed)
     floor = target - TARGET_BAND
     keep_half, keep = chain.decay(h / 2), chain.decay(h)
@@ -151,7 +153,7 @@ def _planned(inputs: SpeedPlanInputs) -> SpeedProfile:
         demand = 0.0
         if braking_wanted:
             left = inputs.bump_start - x
-            share = surface.share(error / KMH, left)
+            share = rules.share(error / KMH, left)
             if inputs.guarded:
                 share = max(share, _needed(chain, v, target, left))
             demand = share * chain.maximum_torque * chain.pressure_per_torque

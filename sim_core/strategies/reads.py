@@ -20,7 +20,7 @@ EVERY_RUN = (
     "mismatch.tyres",
     "mismatch.rebound_ratio",
 )
-SPEED_PLAN = ("speed.target_speed_kmh", "speed.detection_distance", "speed.controller", "brake")
+SPEED_PLAN = ("speed.target_speed_kmh", "speed.detection_distance", "speed.controller", "fuzzy", "brake")
 ACTUATORS = (
     "actuator",
     "estimation.kind",

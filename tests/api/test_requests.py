@@ -74,6 +74,12 @@ def test_any_bytes_are_a_value_or_an_error(body: bytes) -> None:
         (scenario('{"road": {"bump": {"my colour": 1}}}'), "/scenario/road/bump"),
         (scenario('{"road": {"bump": {"start": 149}}}'), "/scenario/road/bump/start"),
         (scenario('{"lqr": {"weights": [1, 1]}}'), "/scenario/lqr/weights/2"),
+        (
+            scenario('{"fuzzy": {"output": [{"name": "a", "function": "trimf", "corners": [1]}]}}'),
+            "/scenario/fuzzy/output/0/corners",
+        ),
+        (scenario('{"fuzzy": {"rules": [{"if": {"distance": "O"}, "then": "x"}]}}'), "/scenario/fuzzy/rules/0/then"),
+        (scenario('{"fuzzy": {"rules": [{"if": {}, "then": "V"}]}}'), "/scenario/fuzzy/rules/0/if"),
         (scenario("[]"), "/scenario"),
         ('{"strategies": []}', "/strategies"),
         ('{"strategies": ["teleport"]}', "/strategies/0"),
@@ -109,6 +115,17 @@ def test_errors_are_reported_together_but_not_thousands(client: httpx.Client) ->
             {"strategies": ["lv"], "scenario": {"road": {"bump": {"hight": 1}}}},
             "/scenario/road/bump/hight",
             "hight, perhaps height; there are shape, height, width, start",
+        ),
+        (
+            "live",
+            {
+                "strategies": ["lv"],
+                "scenario": {
+                    "fuzzy": {"rules": [{"if": {"distance": "O"}, "then": "V"}, {"if": {"speed": "O"}, "then": "V"}]}
+                },
+            },
+            "/scenario/fuzzy/rules/1/if/speed",
+            "speed, perhaps speed_error; there are speed_error, distance",
         ),
         (
             "batches",

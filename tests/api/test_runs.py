@@ -179,3 +179,20 @@ def test_a_run_that_would_take_too_much_says_what_to_change_and_is_stored(servic
     assert "road.length" in outcome["fields"]
     assert "road.length" in outcome["reason"]
     assert service.run(["suspension_only"], scenario).json()["strategies"]["suspension_only"]["cached"] is True
+
+
+def test_a_rule_base_of_its_own_changes_those_that_slow_down_and_comes_back_as_it_was_sent(service: Any) -> None:
+    rules = [{"if": {"speed_error": each}, "then": "V"} for each in "OSMLV"]
+    paper = service.run(["speed_only", "passive"], {}).json()
+    own = service.run(["speed_only", "passive"], {"fuzzy": {"rules": rules}}).json()
+    assert own["id"] != paper["id"]
+    times = [[run["strategies"][name]["travel_time"] for run in (paper, own)] for name in ("speed_only", "passive")]
+    assert times[0][1] > times[0][0] + 0.5
+    assert times[1][1] == times[1][0]
+    assert own["strategies"]["passive"]["cached"] is True, "it reads no rule"
+    stored = service.client.get(f"/api/v1/runs/{own['id']}").json()["scenario"]["fuzzy"]
+    assert [(rule["if"]["speed_error"], rule["then"]) for rule in stored["rules"]] == [(each, "V") for each in "OSMLV"]
+    report = service.client.get(f"/api/v1/runs/{own['id']}/report.html").text
+    assert "fuzzy.rules=" in report
+    again = service.run(["speed_only"], {"fuzzy": stored}).json()
+    assert again["strategies"]["speed_only"]["cached"] is True

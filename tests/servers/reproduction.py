@@ -104,20 +104,22 @@ def computed(row: RowRequest) -> Any:
     return orjson.loads(orjson.dumps(summary, option=orjson.OPT_SERIALIZE_NUMPY))
 
 
-def store_in(store: Store, *, ecu: bool = True) -> None:
-    """Put it where this store's service looks for it; what is there stays.
-
-    Args:
-        store: Of the service.
-        ecu: With hardware in the loop, which a service without a C compiler has never computed.
-    """
-    selected = [row for row in requests() if ecu or row.strategy != IN_ECU]
-    store_as(store, selected, [rows()[row.key] for row in selected])
+def store_in(store: Store) -> None:
+    """Put it where this store's service looks for it; what is there stays."""
+    store_as(store, requests(), [rows()[row.key] for row in requests()])
 
 
-def store_as(store: Store, wanted: Sequence[RowRequest], summaries: Sequence[Any]) -> None:
+def store_without_ecu(store: Store, reason: str) -> None:
+    """The same where hardware in the loop failed for that reason."""
+    driven = [row for row in requests() if row.strategy != IN_ECU]
+    store_as(store, driven, [rows()[row.key] for row in driven])
+    failed = [row for row in requests() if row.strategy == IN_ECU]
+    store_as(store, failed, [{"reason": reason}] * len(failed), status="failed")
+
+
+def store_as(store: Store, wanted: Sequence[RowRequest], summaries: Sequence[Any], status: str = "ok") -> None:
     """Store these summaries as those rows."""
-    same = {"core_version": CORE_VERSION, "status": "ok", "compute_ms": 1.0, "created_at": datetime.now(UTC)}
+    same = {"core_version": CORE_VERSION, "status": status, "compute_ms": 1.0, "created_at": datetime.now(UTC)}
     items = [
         {"key": row.key, "strategy": row.strategy, "summary": orjson.dumps(summary).decode(), **same}
         for row, summary in zip(wanted, summaries, strict=True)
@@ -126,12 +128,12 @@ def store_as(store: Store, wanted: Sequence[RowRequest], summaries: Sequence[Any
         insert_new(connection, results, items)
 
 
-def store_in_database(url: str, *, ecu: bool = True) -> None:
+def store_in_database(url: str) -> None:
     """Store the reproduction in a database of that SQLAlchemy URL, migrated to the newest schema."""
     store = Store(url)
     try:
         store.migrate()
-        store_in(store, ecu=ecu)
+        store_in(store)
     finally:
         store.close()
 

@@ -44,12 +44,14 @@ def test_changes_are_set_in_what_is_given(services: Services) -> None:
         "mpc.stage_weights.cruise": "1,2,3",
         "mpc.stage_weights.brake.1 ": " 5",
         "actuator.bandwidth": "null",
+        "fuzzy.rules": '[{"if": {"distance": "O"}, "then": "V"}]',
     }
     changed = fields.changed(scenario_json, [f"{name}={text}" for name, text in changes.items()], services)
     scenario = Scenario.model_validate(changed)
     assert (scenario.road.length, scenario.road.bump.height, scenario.road.seed) == (130, 0.12, 4)
     assert scenario.speed.initial_speed_kmh == 36
     assert (scenario.mpc.preview, scenario.mpc.stage_weights.cruise) == ("none", (1, 2, 3))
+    assert [rule.then for rule in scenario.fuzzy.rules or ()] == ["V"]
     assert (scenario.mpc.stage_weights.brake, scenario.actuator.bandwidth) == ((2, 5, 1), None)
     assert scenario_json == {"road": {"length": 130}}
     assert fields.changed(scenario_json, [], services) == scenario_json

@@ -23,7 +23,7 @@ from backend.ecu.report import ControllerVariant
 from benchmarks.cortex_m3 import CortexM3
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.interface import Ecu, Frame, Reply
-from sim_core.ecu.sources import FLAGS, SOURCES
+from sim_core.ecu.sources import SOURCES
 from sim_core.scenario import Bump, Hil, Mpc, Road, Scenario, Speed
 from sim_core.simulate import simulate
 from sim_core.strategies.calibration import ecu_calibration
@@ -71,7 +71,7 @@ def test_the_zip_builds_with_its_own_makefile_and_drives_bit_for_bit_like_ridela
 
 def test_the_rest_of_ridelabs_program_compiles_without_a_warning_too(tmp_path: Path) -> None:
     """Warnings are for us: a compiler we do not know may have others, and shall build it all the same."""
-    options = [*FLAGS, "-Wall", "-Wextra", "-Werror", f"-I{SOURCES}", f"-I{SOURCES / 'host'}"]
+    options = [*build.FLAGS, "-Wall", "-Wextra", "-Werror", f"-I{SOURCES}", f"-I{SOURCES / 'host'}"]
     source = SOURCES / "host" / "ridelab_loaded.c"
     assert (
         build.compiled([*build.compilers()[0], *options, "-c", str(source), "-o", str(tmp_path / "o")], tmp_path)

@@ -12,11 +12,10 @@ import numpy as np
 import psutil
 import pytest
 
-from backend.ecu import build, drive, link
+from backend.ecu import build, link
 from backend.ecu.build import EcuError
 from backend.ecu.link import connected
 from backend.ecu.tables import fingerprint
-from backend.errors import EcuUnavailableError
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.interface import Frame
 from sim_core.scenario import Mpc, Scenario
@@ -139,7 +138,9 @@ def test_the_program_ends_with_a_plant_that_was_killed() -> None:
     wait_until(has_ended, "it ends with its plant")
 
 
-def test_without_a_compiler_the_strategy_cannot_take_part(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_without_a_compiler_there_is_no_process_to_connect_to(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, calibration: Calibration
+) -> None:
     monkeypatch.setenv(build.FOLDER, str(tmp_path))
     monkeypatch.setattr(build, "has_zig", bool)
     build.program.cache_clear()
@@ -147,18 +148,16 @@ def test_without_a_compiler_the_strategy_cannot_take_part(monkeypatch: pytest.Mo
     programs.mkdir()
     monkeypatch.setenv("PATH", str(programs))
     try:
-        with pytest.raises(EcuUnavailableError, match=f"^{re.escape(build.NO_COMPILER)}$"):
-            drive.simulate(SMALL, "lv_hil")
-        assert drive.simulate(SMALL, "lv").travel_time > 0
+        with pytest.raises(EcuError, match=f"^{re.escape(build.NO_COMPILER)}$"), connected(calibration):
+            pass
         (programs / "gcc").write_text("#!/bin/sh\necho 'stdint.h: No such file' >&2\nexit 1\n")
         (programs / "gcc").chmod(0o755)
-        with pytest.raises(
-            EcuUnavailableError, match=r"failed \(stdint\.h: .*\); “make compiler” installs another compiler$"
-        ):
-            drive.simulate(SMALL, "lv_hil")
+        failed = r"failed \(stdint\.h: .*\); “make compiler” installs another compiler$"
+        with pytest.raises(EcuError, match=failed), connected(calibration):
+            pass
         (programs / "gcc").write_bytes(b"")
-        with pytest.raises(EcuUnavailableError, match="the compiler does not start"):
-            drive.simulate(SMALL, "lv_hil")
+        with pytest.raises(EcuError, match="the compiler does not start"), connected(calibration):
+            pass
     finally:
         build.program.cache_clear()
 

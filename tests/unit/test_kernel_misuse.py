@@ -149,10 +149,13 @@ AXLE = binding.AxleRecord(
 DISAGREEING: dict[str, Callable[[], object]] = {
     "recurrence, matrix": lambda: binding.recurrence(np.eye(4), np.zeros((5, 3))),
     "recurrence, no state": lambda: binding.recurrence(np.eye(3), np.zeros((0, 3))),
-    "fuzzy, sets": lambda: fuzzy(errors=np.zeros((4, 7))),
     "fuzzy, shares": lambda: fuzzy(shares=np.zeros(8)),
-    "fuzzy, rules": lambda: fuzzy(rules=np.full(25, 5, dtype=np.intc)),
-    "fuzzy, torques": lambda: fuzzy(memberships=np.zeros((5, 8))),
+    "fuzzy, a rule's width": lambda: fuzzy(rules=np.zeros((25, 2), dtype=np.intc)),
+    "fuzzy, no such distance": lambda: fuzzy(distance=np.zeros(4), rules=np.array([[4, 0, 0]], dtype=np.intc)),
+    "fuzzy, no such error": lambda: fuzzy(errors=np.zeros((4, 7)), rules=np.array([[0, 4, 0]], dtype=np.intc)),
+    "fuzzy, no such torque": lambda: fuzzy(rules=np.array([[0, 0, 5]], dtype=np.intc)),
+    "fuzzy, no torque": lambda: fuzzy(rules=np.array([[0, 0, -1]], dtype=np.intc)),
+    "fuzzy, torques": lambda: fuzzy(memberships=np.zeros((5, 1))),
     "roughness, none": lambda: binding.roughness(np.zeros(0), 1.0, 0.5, 0.1),
     "bumps, heights": lambda: binding.bump_heights(ROAD[1][2:], np.zeros(4), np.zeros(3)),
     "bumps, shape": lambda: binding.bump_numbers("hexagon", 1, 0.0, 0.1, 0.5, 3.0, 2.5),
@@ -187,7 +190,7 @@ def fuzzy(**changed: Any) -> None:
     right: dict[str, Any] = {
         "distance": np.zeros(5),
         "errors": np.zeros((5, 7)),
-        "rules": np.zeros(25, dtype=np.intc),
+        "rules": np.zeros((25, 3), dtype=np.intc),
         "memberships": np.zeros((5, 9)),
         "shares": np.zeros(7),
     }

@@ -1,10 +1,20 @@
-"""The fast torque surface against scikit-fuzzy's own control system and Table 1."""
+"""The speed controller's rule base against scikit-fuzzy's own control system, and Table 1."""
+
+from typing import Any
 
 import numpy as np
 import pytest
+from pydantic import ValidationError
 from skfuzzy import control
 
-from sim_core.speed.fuzzy import torque_surface
+from sim_core.scenario import Fuzzy, Scenario
+from sim_core.scenario.fuzzy import TABLE_1 as RULES_OF_TABLE_1
+from sim_core.scenario.fuzzy import even_triangles
+from sim_core.simulate import simulate
+from sim_core.speed.fuzzy import memberships, torque_rules
+
+# scikit-fuzzy's control module calls numpy with an argument form that numpy has deprecated.
+pytestmark = pytest.mark.filterwarnings("ignore:Passing more than 2 positional:DeprecationWarning:skfuzzy")
 
 SETS = ["O", "S", "M", "L", "V"]
 # Table 1 of the paper: one row per distance e_s from O to V, one column per speed error e_v from O to V.
@@ -15,26 +25,41 @@ O S M L L
 O S M M L
 O S S M M
 """
+UNIVERSES = {"speed_error": np.linspace(0, 30, 601), "distance": np.linspace(0, 80, 801)}
+TORQUES = np.linspace(0, 1, 1001)
 
 
-@pytest.fixture(scope="module")
-def direct() -> control.ControlSystemSimulation:
-    """Table 1 as a plain scikit-fuzzy control system, torque as a share of its universe."""
-    error = control.Antecedent(np.linspace(0, 30, 121), "error")
-    distance = control.Antecedent(np.linspace(0, 80, 161), "distance")
-    torque = control.Consequent(np.linspace(0, 1, 401), "torque", defuzzify_method="centroid")
-    for variable in (error, distance, torque):
-        variable.automf(names=SETS)
-    rules = [
-        control.Rule(distance[row] & error[column], torque[conclusion])
-        for row, line in zip(SETS, TABLE_1.split("\n")[1:6], strict=True)
-        for column, conclusion in zip(SETS, line.split(), strict=True)
-    ]
+def control_system(fuzzy: Fuzzy) -> control.ControlSystemSimulation:
+    """The same rule base as a plain scikit-fuzzy control system, torque as a share of its universe."""
+    sets = {"speed_error": fuzzy.speed_errors, "distance": fuzzy.distances}
+    inputs = {name: control.Antecedent(universe, name) for name, universe in UNIVERSES.items()}
+    torque = control.Consequent(TORQUES, "torque", defuzzify_method="centroid")
+    for variable, universe, of_variable in (
+        *((inputs[name], UNIVERSES[name], sets[name]) for name in inputs),
+        (torque, TORQUES, fuzzy.torques),
+    ):
+        for each, values in zip(of_variable, memberships(of_variable, universe), strict=True):
+            variable[each.name] = values
+    rules = []
+    for rule in fuzzy.rules or RULES_OF_TABLE_1:
+        asked = [inputs[name][of] for name, of in rule.condition.model_dump().items() if of is not None]
+        rules.append(control.Rule(asked[0] & asked[1] if len(asked) == 2 else asked[0], torque[rule.then]))
     return control.ControlSystemSimulation(control.ControlSystem(rules))
 
 
-# scikit-fuzzy's control module calls numpy with an argument form that numpy has deprecated.
-@pytest.mark.filterwarnings("ignore:Passing more than 2 positional:DeprecationWarning:skfuzzy")
+def directly(system: control.ControlSystemSimulation, error: float, distance: float) -> float:
+    for name, value in (("speed_error", error), ("distance", distance)):
+        if any(each.label == name for each in system.ctrl.antecedents):
+            system.input[name] = value
+    system.compute()
+    return float(system.output["torque"])
+
+
+@pytest.fixture(scope="module")
+def table_1() -> control.ControlSystemSimulation:
+    return control_system(Fuzzy())
+
+
 @pytest.mark.parametrize(
     ("error", "distance"),
     [
@@ -51,14 +76,11 @@ def direct() -> control.ControlSystemSimulation:
         (7.5, 20),
     ],
 )
-def test_surface_equals_the_direct_evaluation(
-    direct: control.ControlSystemSimulation, error: float, distance: float
+def test_table_1s_surface_equals_the_direct_evaluation(
+    table_1: control.ControlSystemSimulation, error: float, distance: float
 ) -> None:
-    """Within 0.3 % of the universe: the surface's grid is 0.25 km/h x 0.5 m, its torque step 1/200."""
-    direct.input["error"] = error
-    direct.input["distance"] = distance
-    direct.compute()
-    assert torque_surface().share(error, distance) == pytest.approx(float(direct.output["torque"]), abs=0.003)
+    """Within 0.3 % of the universe: the surface's grid is 0.25 km/h x 0.5 m, its torque step 1/100."""
+    assert torque_rules(Fuzzy()).share(error, distance) == pytest.approx(directly(table_1, error, distance), abs=0.003)
 
 
 def test_at_the_peaks_of_the_sets_the_surface_is_table_1() -> None:
@@ -66,11 +88,145 @@ def test_at_the_peaks_of_the_sets_the_surface_is_table_1() -> None:
     centroid = {"O": 1 / 12, "S": 1 / 4, "M": 1 / 2, "L": 3 / 4, "V": 11 / 12}
     for row, line in enumerate(TABLE_1.split("\n")[1:6]):
         for column, conclusion in enumerate(line.split()):
-            share = torque_surface().share(7.5 * column, 20.0 * row)
+            share = torque_rules(Fuzzy()).share(7.5 * column, 20.0 * row)
             assert share == pytest.approx(centroid[conclusion], abs=1e-3), (row, column)
 
 
 def test_inputs_are_clipped_to_their_universes() -> None:
-    surface = torque_surface()
+    surface = torque_rules(Fuzzy())
     assert surface.share(300, -5) == surface.share(30, 0)
     assert surface.share(-3, 500) == surface.share(0, 80)
+
+
+def drawn_set(rng: np.random.Generator, name: str, low: float, high: float) -> dict[str, Any]:
+    """Any membership function, somewhere on the universe; as steep as a fifteenth of it."""
+    least = (high - low) / 15
+    function = str(rng.choice(["trimf", "trapmf", "gaussmf", "gauss2mf", "gbellmf", "sigmf", "smf", "zmf", "pimf"]))
+    number = {"trimf": 3, "smf": 2, "zmf": 2}.get(function, 4)
+    first, gaps = rng.uniform(low - least, high - 2 * least), rng.uniform(least, 5 * least, 3)
+    corners = [first, *(first + np.cumsum(gaps))][:number]
+    width, mean = rng.uniform(least, 5 * least), rng.uniform(low, high)
+    match function:
+        case "gaussmf":
+            corners = [mean, width]
+        case "gauss2mf":
+            corners = [corners[0], width, corners[1], width / 2]
+        case "gbellmf":
+            corners = [width, rng.uniform(1, 4), mean]
+        case "sigmf":
+            corners = [mean, rng.choice([-1, 1]) * 2 / width]
+    return {"name": name, "function": function, "corners": [float(each) for each in corners]}
+
+
+def drawn(seed: int) -> Fuzzy:
+    """A rule base: two to six sets of each, any of them perhaps Table 1's, and rules for one input or both."""
+    rng = np.random.default_rng(seed)
+
+    def sets(high: float) -> list[dict[str, Any]]:
+        return [drawn_set(rng, f"set{i}", 0, high) for i in range(rng.integers(2, 7))]
+
+    inputs = {"speed_error": sets(30), "distance": sets(80)} if rng.random() < 0.8 else None
+    output = sets(1) if rng.random() < 0.8 else None
+    errors, distances, torques = (
+        [each["name"] for each in of] if of else SETS
+        for of in (inputs and inputs["speed_error"], inputs and inputs["distance"], output)
+    )
+    rules = []
+    for _ in range(rng.integers(3, 26)):
+        asked = {"speed_error": str(rng.choice(errors)), "distance": str(rng.choice(distances))}
+        if rng.random() < 0.2:
+            del asked[str(rng.choice(list(asked)))]
+        rules.append({"if": asked, "then": str(rng.choice(torques))})
+    return Fuzzy.model_validate({"inputs": inputs, "output": output, "rules": rules})
+
+
+@pytest.mark.parametrize("seed", range(0, 200, 20))
+def test_200_random_rule_bases_are_scikit_fuzzys(seed: int) -> None:
+    """Within 0.1 % of full scale, at three points each, where any rule holds at all."""
+    compared = 0
+    for number in range(seed, seed + 20):
+        fuzzy = drawn(number)
+        own, direct = torque_rules(fuzzy), control_system(fuzzy)
+        for error, distance in np.random.default_rng(number).uniform([0, 0], [30, 80], (3, 2)).tolist():
+            share = own.share(error, distance)
+            if share == 0:  # no rule holds, which scikit-fuzzy refuses
+                continue
+            assert share == pytest.approx(directly(direct, error, distance), abs=0.001), number
+            compared += 1
+    assert compared > 40
+
+
+def test_where_no_rule_holds_nothing_brakes() -> None:
+    near = {"name": "near", "function": "trimf", "corners": [0, 0, 20]}
+    fuzzy = Fuzzy.model_validate(
+        {
+            "inputs": {"speed_error": [set_.model_dump() for set_ in even_triangles(30)], "distance": [near]},
+            "rules": [{"if": {"distance": "near"}, "then": "V"}],
+        }
+    )
+    own = torque_rules(fuzzy)
+    assert own.share(20, 20.1) == 0
+    assert own.share(20, 0) == pytest.approx(11 / 12, abs=1e-3)
+
+
+def test_a_scenario_drives_by_its_rules() -> None:
+    """Table 1 written out is Table 1; the strongest torque at any distance brakes earlier, none does not brake."""
+    written = {
+        "inputs": {
+            "speed_error": [each.model_dump(mode="json") for each in even_triangles(30)],
+            "distance": [each.model_dump(mode="json") for each in even_triangles(80)],
+        },
+        "rules": [rule.model_dump(mode="json") for rule in RULES_OF_TABLE_1],
+    }
+    always, never = ({"rules": [{"if": {"speed_error": each}, "then": torque} for each in SETS]} for torque in "VO")
+    paper, again, early, late = (
+        simulate(Scenario.model_validate({"fuzzy": fuzzy, "speed": {"controller": "fuzzy"}}), "speed_only")
+        for fuzzy in ({}, written, always, never)
+    )
+    assert again.travel_time == pytest.approx(paper.travel_time, rel=1e-3)
+    assert early.travel_time > paper.travel_time + 0.5
+    assert late.travel_time < paper.travel_time - 0.5
+
+
+TRIANGLE = {"name": "low", "function": "trimf", "corners": [0, 0, 10]}
+
+
+@pytest.mark.parametrize(
+    ("fuzzy", "place"),
+    [
+        ({"output": [{**TRIANGLE, "corners": [0, 1]}]}, ("output", 0, "corners")),
+        ({"output": [{**TRIANGLE, "corners": [3, 2, 1]}]}, ("output", 0, "corners")),
+        ({"output": [{**TRIANGLE, "corners": [1, 1, 1]}]}, ("output", 0, "corners")),
+        ({"output": [{**TRIANGLE, "corners": [0, 0, float("inf")]}]}, ("output", 0, "corners", 2)),
+        ({"output": [{**TRIANGLE, "function": "gaussmf", "corners": [0, 0]}]}, ("output", 0, "corners")),
+        ({"output": [{**TRIANGLE, "function": "sawtooth"}]}, ("output", 0, "function")),
+        ({"output": [{**TRIANGLE, "name": "a b"}]}, ("output", 0, "name")),
+        ({"output": [TRIANGLE, TRIANGLE]}, ("output",)),
+        ({"output": []}, ("output",)),
+        ({"inputs": {"speed_error": [TRIANGLE]}}, ("inputs", "distance")),
+        ({"rules": [{"if": {}, "then": "V"}]}, ("rules", 0, "if")),
+        ({"rules": [{"if": {"speed": "V"}, "then": "V"}]}, ("rules", 0, "if", "speed")),
+        ({"rules": [{"if": {"distance": "V"}}]}, ("rules", 0, "then")),
+        ({"rules": [{"condition": {"distance": "V"}, "then": "V"}]}, ("rules", 0, "if")),
+    ],
+)
+def test_what_is_wrong_is_said_where_it_is(fuzzy: dict[str, Any], place: tuple[str | int, ...]) -> None:
+    with pytest.raises(ValidationError) as refused:
+        Scenario.model_validate({"fuzzy": fuzzy})
+    assert ("fuzzy", *place) in [each["loc"] for each in refused.value.errors()]
+
+
+@pytest.mark.parametrize(
+    ("fuzzy", "field"),
+    [
+        ({"rules": [{"if": {"distance": "O"}, "then": "high"}]}, "rules.0.then"),
+        ({"rules": [{"if": {"distance": "far"}, "then": "O"}]}, "rules.0.if.distance"),
+        ({"rules": [{"if": {"distance": "O", "speed_error": "fast"}, "then": "O"}]}, "rules.0.if.speed_error"),
+        ({"output": [TRIANGLE]}, "rules"),
+    ],
+)
+def test_a_rule_names_sets_that_there_are(fuzzy: dict[str, Any], field: str) -> None:
+    with pytest.raises(ValidationError) as refused:
+        Scenario.model_validate({"fuzzy": fuzzy})
+    (error,) = refused.value.errors()
+    assert (error["loc"], error["ctx"]["field"]) == (("fuzzy",), field)

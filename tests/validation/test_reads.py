@@ -73,11 +73,25 @@ def with_leaf(path: tuple[str, ...]) -> Scenario:
         place[path[-1]] = {"bandwidth": 8.0, "rate_limit": 5000.0, "saturation": 300.0}[path[-1]]
     if path in (("vehicle", "bump_stop_clearance"), ("mismatch", "preview_resolution")):
         place[path[-1]] = {"bump_stop_clearance": 0.02, "preview_resolution": 0.2}[path[-1]]
+    if path[0] == "fuzzy":
+        place[path[-1]] = OWN_RULES[path[-1]]
     if path == ("hil", "jitter"):  # whole milliseconds count
         place[path[-1]] = 0.006
     return Scenario.model_validate(document)
 
 
+def triangles(*peaks: float) -> list[dict[str, object]]:
+    """Fuzzy sets of Table 1's names."""
+    ends = [2 * peaks[0] - peaks[1], *peaks, 2 * peaks[-1] - peaks[-2]]
+    corners = zip(ends, ends[1:], ends[2:], strict=False)
+    return [{"name": name, "function": "trimf", "corners": each} for name, each in zip("OSMLV", corners, strict=True)]
+
+
+OWN_RULES = {
+    "inputs": {"speed_error": triangles(0, 5, 11, 20, 30), "distance": triangles(0, 10, 30, 55, 80)},
+    "output": triangles(0, 0.2, 0.45, 0.7, 1),
+    "rules": [{"if": {"distance": "V"}, "then": "V"}, {"if": {"distance": "S"}, "then": "S"}],
+}
 POLICY = ("speed", "policy")  # says what else is read: its own test
 LEAVES = [path for path in leaves(json.loads(BASE.model_dump_json())) if path != POLICY]
 

@@ -98,7 +98,7 @@ class Links:
 
         Raises:
             NotFoundError: There is none.
-            RoadGoneError, EcuUnavailableError, TemporaryError: Its run has to be computed again, see `Runs.stored`.
+            RoadGoneError, TemporaryError: Its run has to be computed again, see `Runs.stored`.
         """
         link = await self._load(slug)
         if link is None:

@@ -1,9 +1,12 @@
 """A scenario as tables: every part, each field with its unit, differences from the paper marked."""
 
+import shlex
 from dataclasses import dataclass
 from functools import cache
 from inspect import cleandoc
 from typing import Any
+
+import orjson
 
 from backend.json_types import JsonObject
 from backend.runs.reports import numbers
@@ -67,23 +70,27 @@ def _field(described: dotted.DottedField, value: Any, paper: Any) -> Field:
     return Field(
         name=described.name,
         title=described.title,
-        shown=_shown(value, described.unit),
-        paper=None if value == paper else _shown(paper, described.unit),
+        shown=_shown(value, described),
+        paper=None if value == paper else _shown(paper, described),
     )
 
 
-def _shown(value: Any, unit: str) -> str:
+def _shown(value: Any, described: dotted.DottedField) -> str:
     if value is None:
         return "none"
+    if described.kind == "data":
+        return orjson.dumps(value).decode()
     if isinstance(value, list):
         return ", ".join(numbers.exact(item) for item in value)
     if isinstance(value, int | float) and not isinstance(value, bool):
-        return numbers.with_unit(numbers.exact(value), unit)
+        return numbers.with_unit(numbers.exact(value), described.unit)
     return str(value).replace("_", " ")
 
 
 def _typed(value: Any) -> str:
     """A value in the form that `--set` takes."""
+    if isinstance(value, dict) or (isinstance(value, list) and isinstance(value[0], dict)):
+        return shlex.quote(orjson.dumps(value).decode())
     if isinstance(value, list):
         return ",".join(_typed(item) for item in value)
     return f"{value:.10g}" if isinstance(value, float) else "null" if value is None else str(value)

@@ -3,6 +3,7 @@
 import { Stack, Text } from "@mantine/core";
 import { memo } from "react";
 import { ChoiceFieldRow } from "./ChoiceFieldRow";
+import { DataRow } from "./DataRow";
 import { NumberFieldRow } from "./NumberFieldRow";
 import { RoadClassRow } from "./RoadClassRow";
 import { RoadProfileRow } from "./RoadProfileRow";
@@ -37,6 +38,8 @@ function MemberControl({ member }: { readonly member: Member }) {
       return null; // together in one table above
     case "text":
       return <RoadProfileRow field={member} />;
+    case "data":
+      return <DataRow field={member} />;
     default:
       return <Leaf field={member} />;
   }

@@ -5,10 +5,10 @@ import { formatExact, prettyUnit } from "../units/format";
 import { roadName } from "../library/roadName";
 import { inShownUnit } from "./limits";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
-import { fieldsOf, optionOf, optionTitle, type Field, type Member, type NumberField, type ChoiceField, type TextField } from "./schema";
+import { fieldsOf, optionOf, optionTitle, type Field, type Member, type NumberField, type ChoiceField, type DataField, type TextField } from "./schema";
 
 /** A field somebody changes by itself: the entries of a vector count one by one. */
-export type Leaf = NumberField | ChoiceField | TextField;
+export type Leaf = NumberField | ChoiceField | TextField | DataField;
 
 export function leavesOf(member: Member): readonly Leaf[] {
   return fieldsOf(member).flatMap((field: Field): readonly Leaf[] => (field.kind === "vector" ? field.items : [field]));
@@ -55,6 +55,7 @@ function named(group: string, title: string): string {
 
 function shown(value: JsonValue | undefined, leaf: Leaf): string {
   if (value === null || value === undefined || value === "") return "none";
+  if (leaf.kind === "data") return "own";
   if (leaf.kind === "choice") return optionTitle(optionOf(value)).toLowerCase();
   return typeof value === "number" && leaf.kind === "number" ? formatExact(inShownUnit(leaf, value), "1") : typeof value === "string" ? roadName(value) : JSON.stringify(value);
 }

@@ -1,11 +1,11 @@
 import { describe, expect, it } from "vitest";
-import { changedFields, changedPointers, changesText, leavesOf, resetMember, standardScenario } from "./diff";
+import { changedFields, changedPointers, changesText, completed, leavesOf, resetMember, standardScenario } from "./diff";
 import { fieldFor, errorsByField } from "./errors";
 import { FORM } from "./form.fixture";
 import { matching, sections } from "./layout";
 import { parseTyped, sliderScale, stepped, typedText, typicalValue, valueText } from "./limits";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
-import type { NumberField } from "./schema";
+import { readSchema, type NumberField } from "./schema";
 
 function numberField(pointer: Pointer): NumberField {
   const leaf = leavesOf(FORM).find((candidate) => candidate.pointer === pointer);
@@ -40,6 +40,20 @@ describe("the form from the schema", () => {
       road: { seed: 1, bump: { shape: "cosine", height: 0.1 } },
       mpc: { lag: null, force_weight: 1e-9, weights: [8, 1] },
     });
+  });
+});
+
+describe("data without a control", () => {
+  const rules = { anyOf: [{ type: "array", items: { type: "object" } }, { type: "null" }], default: null, title: "Rules" };
+  const inputs = { anyOf: [{ $ref: "#/$defs/Inputs" }, { type: "null" }], default: null, title: "Input sets" };
+  const form = readSchema({ $defs: { Inputs: { type: "object", properties: {} } }, type: "object", properties: { rules, inputs } });
+  const own = { rules: [{ if: { distance: "O" }, then: "V" }], inputs: null };
+
+  it("is a field that is kept, counted as a change and reset", () => {
+    expect(leavesOf(form).map(({ kind }) => kind)).toEqual(["data", "data"]);
+    expect(completed(form, own)).toEqual(own);
+    expect(changesText(changedFields(form, standardScenario(form), own))).toBe("Rules none → own");
+    expect(resetMember(own, form)).toEqual({ rules: null, inputs: null });
   });
 });
 

@@ -37,6 +37,11 @@ export interface TextField extends Base {
   readonly kind: "text";
 }
 
+/** Data that files and scripts set, or none: a rule base of the fuzzy controller. It is kept, and has no control here. */
+export interface DataField extends Base {
+  readonly kind: "data";
+}
+
 export const optionOf = (value: JsonValue | undefined) => (typeof value === "boolean" ? String(value) : text(value));
 
 export const optionValue = (field: ChoiceField, option: string): string | boolean => (field.onOff ? option === "true" : option);
@@ -59,7 +64,7 @@ export interface Group {
   readonly members: readonly Member[];
 }
 
-export type Field = NumberField | ChoiceField | TextField | VectorField;
+export type Field = NumberField | ChoiceField | TextField | DataField | VectorField;
 export type Member = Field | Group;
 
 function isObject(value: unknown): value is JsonObject {
@@ -119,7 +124,9 @@ class Reader {
     if (Array.isArray(node.enum)) return { ...base, kind: "choice", options: list(node.enum).map(String), onOff: false };
     if (node.type === "boolean") return { ...base, kind: "choice", options: ["false", "true"], onOff: true };
     if (Array.isArray(node.prefixItems)) return this.#vector(node, base);
-    if (list(node.anyOf).some((variant) => isObject(variant) && variant.type === "string" && !variant.enum)) return { ...base, kind: "text" };
+    const variants = list(node.anyOf).filter(isObject);
+    if (variants.some((variant) => variant.type === "string" && !variant.enum)) return { ...base, kind: "text" };
+    if (variants.some((variant) => variant.type === "array" || text(variant.$ref) !== "")) return { ...base, kind: "data" };
     return this.#number(node, base);
   }
 

@@ -23,7 +23,7 @@ export function HilForm({ form, ...props }: Props) {
   if (!group) return null;
   return (
     <div className={classes.settings} role="group" aria-label="Between the ECU and the car">
-      {fieldsOf(group).map((field) => field.kind !== "vector" && field.kind !== "text" && <Setting key={field.pointer} field={field} {...props} />)}
+      {fieldsOf(group).map((field) => (field.kind === "number" || field.kind === "choice") && <Setting key={field.pointer} field={field} {...props} />)}
     </div>
   );
 }

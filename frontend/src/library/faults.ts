@@ -28,6 +28,7 @@ const isGroup = (value: JsonValue | undefined) => typeof value === "object" && v
 function wrong(leaf: Leaf, value: JsonValue | undefined): string | null {
   if (leaf.kind === "number") return wrongNumber(leaf, value);
   if (leaf.kind === "text") return typeof value === "string" && /^\w[\w-]{21}$/.test(value) ? null : "Needs the id of a measured road";
+  if (leaf.kind === "data") return null;
   if (leaf.onOff) return typeof value === "boolean" ? null : "Must be true or false";
   return leaf.options.includes(value as string) ? null : `Must be one of ${leaf.options.map((option) => `${optionTitle(option)} (${option})`).join(", ")}`;
 }

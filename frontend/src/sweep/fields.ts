@@ -42,6 +42,7 @@ function below(member: Member, sections: readonly string[]): readonly SweepField
     case "vector":
       return member.items.map((leaf) => ({ name: dotted(leaf.pointer), title: `${member.title}: ${leaf.title}`, section, leaf }));
     case "text":
+    case "data":
       return [];
     default:
       return [{ name: dotted(member.pointer), title: member.title, section, leaf: member }];

@@ -1,10 +1,8 @@
-"""The ECU in NumPy and double precision: the same algorithm as the C program, and its reference in the tests.
+"""The ECU in NumPy and double precision: the same algorithm as the C program, written apart from it.
 
 It is written for clarity where the C is written for a small part: every iteration solves its equations anew.
 """
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,12 +16,6 @@ from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 
 TOLERANCE = 1e-4  # a row may be so far beyond its limit [kN or cm]: 0.1 N, 1 µm
 SINGULAR = 1e-6  # below this share of its own size a row depends on those that bind
-
-
-@contextmanager
-def modelled(calibration: Calibration) -> Iterator[Ecu]:
-    """A `Connect` that needs no process."""
-    yield ModelEcu(calibration)
 
 
 class ModelEcu(Ecu):
