@@ -12,9 +12,7 @@ from typing import Any
 import orjson
 
 from backend.json_types import JsonObject
-from sim_core import __version__ as CORE_VERSION
-from sim_core.ecu.controller import EcuController
-from sim_core.ecu.sources import program_hash
+from sim_core.program import program
 from sim_core.scenario import Scenario
 from sim_core.strategies import STRATEGIES, part_read, strategy_named
 
@@ -75,9 +73,8 @@ def run_id(scenario: Scenario, strategies: Iterable[str], roads: int = 1, baseli
 
 
 def _program(strategies: Iterable[str]) -> dict[str, str]:
-    """The version of what computes these strategies: the core's, and of one with an ECU its program's hash."""
-    by_ecu = any(issubclass(strategy_named(name), EcuController) for name in strategies)
-    return {"core": CORE_VERSION, "ecu": program_hash()} if by_ecu else {"core": CORE_VERSION}
+    """What computes these strategies, all together."""
+    return {key: value for name in sorted(strategies) for key, value in program(strategy_named(name)).items()}
 
 
 def _hash(content: JsonObject) -> str:

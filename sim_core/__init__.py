@@ -19,7 +19,8 @@ from sim_core.speed.profile import SpeedPlan
 from sim_core.vehicle.model import LinearLaw, SemiActiveDampers
 
 # isort: split
-from sim_core.simulate import simulate  # the strategies use what stands above
+from sim_core.check_controller import check_controller  # the strategies use what stands above
+from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
 
 __all__ = [
@@ -42,6 +43,7 @@ __all__ = [
     "StrategyResult",
     "Weights",
     "axle_velocities",
+    "check_controller",
     "feedforward",
     "option",
     "regulator",

@@ -37,6 +37,7 @@ from sim_core.speed.profile import SpeedPlan
 from sim_core.vehicle.model import LinearLaw, SemiActiveDampers
 
 Force = Sequence[float] | NDArray[np.float64]
+_DEFAULTS = Scenario()
 _STRICT = ConfigDict(strict=True, allow_inf_nan=False, hide_input_in_errors=True)
 
 
@@ -138,8 +139,8 @@ class Controller:
         self._given: dict[str, Any] = {}
         self.report = Report()
         for name, value in values.items():
-            self._given[name] = _checked(type(self), name, value)
-        self._set(Scenario())
+            self._given[name] = checked_option(type(self), name, value)
+        self._set(_DEFAULTS)
 
     @classmethod
     def description(cls) -> str:
@@ -201,12 +202,13 @@ class Controller:
         """Release what `start` took; called once after a run, also after one that failed."""
 
     def _set(self, scenario: Scenario) -> None:
+        given = vars(self).get("_given", {})  # none where a subclass's __init__ does not call this one's
         for name, declared in fields(type(self)).items():
-            if name in self._given:
-                value = self._given[name]
+            if name in given:
+                value = given[name]
             else:
                 value = declared.default if isinstance(declared, Option) else _value(scenario, declared.name)
-            object.__setattr__(self, name, value)
+            setattr(self, name, value)
 
 
 @cache
@@ -229,8 +231,12 @@ def _value(scenario: Scenario, name: str) -> Any:
     return part
 
 
-def _checked(kind: type[Controller], name: str, value: Any) -> Any:
-    """A field's value, of the annotated type and within its bounds."""
+def checked_option(kind: type[Controller], name: str, value: Any) -> Any:
+    """A field's value, of the annotated type and within its bounds.
+
+    Raises:
+        RidelabError: There is no such field, or it is not allowed.
+    """
     declared = fields(kind).get(name)
     if declared is None:
         raise RidelabError(f"{kind.__name__} has no field of that name; there are {', '.join(fields(kind))}")

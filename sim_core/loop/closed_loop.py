@@ -97,7 +97,10 @@ class ClosedLoop:
         holding = LawLimits(law=law, force_limit=self._limits.control, forecast=self._forecast)
         feed = np.zeros((last - first, FORCES))
         if law.preview_gain is not None:
-            feed = np.asarray(flattened(self._forecast.windows[:, first:last]) @ law.preview_gain.T)
+            previewed = flattened(self._forecast.windows[:, first:last])
+            if previewed.shape[1] != law.preview_gain.shape[1]:
+                raise RidelabError(f"{self._controller.label}: preview_gain has three columns for each step previewed")
+            feed = np.asarray(previewed @ law.preview_gain.T)
         clips = law.limits is None and self._car.clips
         force_limit = self._limits.control if clips else np.inf
         k, block, limited = first, _LONGEST_BLOCK, 0
@@ -140,7 +143,7 @@ class ClosedLoop:
 
     def _asked(self, k: int, state: FloatArray, previous: FloatArray) -> FloatArray:
         """The controller's forces (2,) [N]; it may keep what it is shown, but not change it."""
-        seen = Seen(self._inputs, self._car, k, _read_only(state), _read_only(previous))
+        seen = Seen(self._inputs, self._car, k, read_only(state), read_only(previous))
         return checked_force(self._controller, self._controller.force(seen))
 
     def _free(self, holding: LawLimits, z: FloatArray, k: int, *, clips: bool) -> BoolArray:
@@ -175,7 +178,8 @@ def checked_force(controller: Controller, force: object) -> FloatArray:
     return asked
 
 
-def _read_only(array: FloatArray) -> FloatArray:
+def read_only(array: FloatArray) -> FloatArray:
+    """A view of it that nobody can write through."""
     view = array.view()
     view.flags.writeable = False
     return view

@@ -8,7 +8,7 @@ import numpy as np
 
 from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Seen, Setup
-from sim_core.loop.closed_loop import ForceLimits, Trajectory, checked_force
+from sim_core.loop.closed_loop import ForceLimits, Trajectory, checked_force, read_only
 from sim_core.vehicle.half_car import FORCES
 from sim_core.vehicle.model import VehicleModel
 
@@ -36,7 +36,9 @@ class DelayedLoop:
         state, held, present, limited = np.zeros(car.size), -1, np.zeros(FORCES), 0
         settled = True  # whether the actuators have what is asked
         for k in range(steps):
-            force = self._controller.force(Seen(self._inputs, car, k, state, present, car_step=k * n))
+            force = self._controller.force(
+                Seen(self._inputs, car, k, read_only(state), read_only(present), car_step=k * n)
+            )
             if force is not None:
                 wanted = checked_force(self._controller, force)
                 asked[k] = wanted.clip(-self._limits.control, self._limits.control)

@@ -45,7 +45,7 @@ def make_setup(scenario: Scenario, controller: Controller, profile: SpeedProfile
         steps=run_in_steps(profile.initial_speed, step) + int(duration / step + 1e-6) + 1,
         short_steps=short_steps(scenario, controller),
         initial_speed=profile.initial_speed,
-        force_limit=scenario.mpc.force_limit,
+        force_limit=scenario.mpc.force_limit if controller.actuated else 0.0,
         deflection_limit=scenario.mpc.deflection_limit,
         preview_steps=controller.preview_steps,
         stages=tuple(STAGES),
@@ -133,8 +133,10 @@ class Run:
     def forecast(self, mode: Preview, horizon: int) -> Forecast:
         """What is expected over so many control steps ahead."""
         scenario = self.scenario
-        sensing = scenario.vehicle.wheelbase, scenario.mismatch, expected_errors(scenario.mpc)
-        return preview(mode, scenario.road, self.profile, self.excitation, horizon, *sensing)
+        drive = scenario.road, self.profile, self.excitation, horizon, scenario.vehicle.wheelbase
+        if mode in ("lookahead", "obstacle"):
+            return preview(mode, *drive, scenario.mismatch, expected_errors(scenario.mpc))
+        return preview(mode, *drive)
 
     def estimator(self, per_control: int = 1) -> Estimator | None:
         """What estimates the state for the controller; None where it has the state itself, or none needs it.

@@ -4,8 +4,11 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from math import inf
 
+import numpy as np
+
 from sim_core.arrays import FloatArray
-from sim_core.vehicle.half_car import FORCES, STATES
+from sim_core.errors import RidelabError
+from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 
 LAW_INPUTS = STATES + FORCES  # what a law multiplies: the state, then the previous command
 
@@ -25,6 +28,23 @@ class LinearLaw:
     gain: FloatArray
     preview_gain: FloatArray | None = None
     limits: FloatArray | None = None
+
+    def __post_init__(self) -> None:
+        """Check the shapes.
+
+        Raises:
+            RidelabError: They do not fit.
+        """
+        for name, array, rows, fixed in (
+            ("gain", self.gain, FORCES, LAW_INPUTS),
+            ("preview_gain", self.preview_gain, FORCES, 0),
+            ("limits", self.limits, None, LAW_INPUTS),
+        ):
+            if array is None:
+                continue
+            previewed = np.shape(array)[-1] - fixed if np.ndim(array) == 2 else -1
+            if previewed < 0 or previewed % DISTURBANCES or rows not in (None, len(array)):
+                raise RidelabError(f"A linear law's {name} has the shape {np.shape(array)}")
 
     def force(self, state: FloatArray, previous_force: FloatArray, disturbances: FloatArray) -> FloatArray:
         """The law's forces (2,) [N].

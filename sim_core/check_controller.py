@@ -1,0 +1,126 @@
+"""What is wrong with a controller, in words, before anybody relies on its numbers."""
+
+import re
+import traceback
+
+import numpy as np
+
+from sim_core.control.controller import Controller, Force, Option, ScenarioField, checked_option, fields
+from sim_core.control.seen import Seen, Setup
+from sim_core.errors import RidelabError
+from sim_core.result import StrategyResult
+from sim_core.scenario import Bump, Road, Scenario, dotted
+from sim_core.simulate import simulate
+from sim_core.strategies import speed_plan
+
+_SHORT = Scenario(road=Road(length=60, bump=Bump(start=30)))
+_SAME_LAW = 1e-4  # relative: a solver's answer is no closer to the law's
+_ID = re.compile("[a-z][a-z0-9_]*")
+
+
+def check_controller(controller: type[Controller] | Controller, scenario: Scenario = _SHORT) -> list[str]:
+    """Look at a controller's fields, then drive it over a short road several times.
+
+    Args:
+        controller: Its class, or an object of it.
+        scenario: What to drive; by default the paper's bump on a road of 60 m.
+
+    Returns:
+        A sentence for each thing that is wrong; none where nothing was found.
+    """
+    wrong = _declared(controller if isinstance(controller, type) else type(controller))
+    if wrong:
+        return wrong
+    made = controller() if isinstance(controller, type) else controller
+    speed = scenario.speed.model_copy(update={"policy": speed_plan(type(made), scenario.speed.policy)})
+    scenario = scenario.model_copy(update={"speed": speed})
+    try:
+        first, again = simulate(scenario, made), simulate(scenario, made)
+        other = simulate(scenario, controller) if isinstance(controller, type) else first
+        by_force = simulate(scenario, _ByForce(made)) if _has_both(made) else first
+    except Exception as error:  # noqa: BLE001 - of anybody's code
+        return [_raised(error)]
+    if not _same(first, other):
+        return ["Two runs of new objects differ: its forces depend on more than what it is told"]
+    if not _same(first, again):
+        return ["A second run of the same object differs: start has to forget the run before"]
+    if not _close(first, by_force):
+        return ["force and linear_law give different forces where no limit binds"]
+    return []
+
+
+def _declared(kind: type[Controller]) -> list[str]:
+    """What is wrong with its id, label, description and fields."""
+    wrong = []
+    if not _ID.fullmatch(kind.id):
+        wrong.append("id begins with a small letter and has small letters, digits and underscores only")
+    if not kind.label:
+        wrong.append("label is empty")
+    if kind.__doc__ is None or not kind.description():
+        wrong.append("It has no docstring, whose first line describes it")
+    if kind.speed_plan not in ("planned", "constant"):
+        wrong.append("speed_plan is planned or constant")
+    if kind.force is Controller.force and kind.linear_law is Controller.linear_law:
+        wrong.append("It defines neither force nor linear_law")
+    for name, field in fields(kind).items():
+        if isinstance(field, ScenarioField) and field.name not in dotted.fields():
+            wrong.append(f"{name}: a scenario has no field {field.name}")
+        if isinstance(field, Option):
+            try:
+                checked_option(kind, name, field.default)
+            except RidelabError as error:
+                wrong.append(f"The default of {name} is not allowed: {error.message}")
+    return wrong
+
+
+def _has_both(controller: Controller) -> bool:
+    """Whether it has forces of its own beside a law."""
+    kind = type(controller)
+    return (
+        not controller.delayed and kind.linear_law is not Controller.linear_law and kind.force is not Controller.force
+    )
+
+
+class _ByForce(Controller):
+    """Another controller, asked in each step although it has a law."""
+
+    def __init__(self, other: Controller) -> None:
+        super().__init__()
+        self._other = other
+
+    def for_scenario(self, scenario: Scenario) -> "_ByForce":
+        ready = _ByForce(self._other.for_scenario(scenario))
+        ready.preview, ready.prediction_horizon = ready._other.preview, ready._other.preview_steps
+        return ready
+
+    def start(self, setup: Setup) -> None:
+        self._other.start(setup)
+
+    def force(self, seen: Seen) -> Force | None:
+        return self._other.force(seen)
+
+    def end(self) -> None:
+        self._other.end()
+
+
+def _same(first: StrategyResult, second: StrategyResult) -> bool:
+    return first.summary() == second.summary()
+
+
+def _close(first: StrategyResult, second: StrategyResult) -> bool:
+    for window, signals in first.metrics.items():
+        for signal, statistics in signals.items():
+            ours, theirs = list(statistics.values()), list(second.metrics[window][signal].values())
+            if not np.allclose(ours, theirs, rtol=_SAME_LAW, atol=0):
+                return False
+    return True
+
+
+def _raised(error: Exception) -> str:
+    """An error of a run in a sentence, with the line of the controller's own file."""
+    if isinstance(error, RidelabError):
+        return error.message
+    frame = traceback.extract_tb(error.__traceback__)[-1]
+    if "read-only" in str(error):
+        return f"It changes what it was given: {frame.filename}, line {frame.lineno}"
+    return f"{type(error).__name__} at {frame.filename}, line {frame.lineno}: {error}"

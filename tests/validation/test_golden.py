@@ -1,0 +1,90 @@
+"""The numbers of this version: whoever changes one raises `sim_core.__version__`, or stored results would be wrong.
+
+GOLDEN=write writes them for a new version.
+"""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import sim_core
+from sim_core.scenario import Actuator, Bump, Estimation, Hil, Mismatch, Mpc, Road, Scenario, Vehicle
+from sim_core.strategies import STRATEGIES
+
+FILE = Path(__file__).with_name("golden.json")
+ROOT = Path(__file__).parents[2]
+SAME = 1e-9  # relative: another processor's BLAS differs by 1.2e-13 at most (docs/decisions/0018-c-beneath-numpy.md)
+SHORT = Road(length=60, bump=Bump(start=40))
+SCENARIOS = {
+    "paper": Scenario(),
+    "nonlinear": Scenario(
+        road=SHORT,
+        vehicle=Vehicle(rebound_ratio=2.0, bump_stop_clearance=0.05, tyre_lift_off=True),
+        estimation=Estimation(kind="kalman"),
+    ),
+    "limits": Scenario(
+        road=SHORT,
+        mpc=Mpc(force_limit=1200, deflection_limit=0.04, prediction_horizon=12, control_horizon=5),
+        actuator=Actuator(bandwidth=8.0, rate_limit=40_000.0, saturation=900.0),
+        mismatch=Mismatch(springs=0.9, preview_noise=0.002),
+        hil=Hil(noise=0.002, jitter=0.004, packet_loss=0.05),
+    ),
+}
+
+
+def numbers(scenario: Scenario, strategy: str) -> dict[str, float]:
+    """Every metric, comfort figure and event that is a number, by dotted name."""
+    result = sim_core.simulate(scenario, strategy)
+    found: dict[str, Any] = {
+        f"{window}.{signal}.{statistic}": value
+        for window, signals in result.metrics.items()
+        for signal, statistics in signals.items()
+        for statistic, value in statistics.items()
+    }
+    found |= {f"comfort.{key}": value for key, value in result.comfort.items()}
+    found |= {f"events.{key}": value for key, value in result.events.items()}
+    return {key: float(value) for key, value in found.items() if value is not None}
+
+
+def test_no_number_changes_without_the_version() -> None:
+    now = {
+        f"{name}/{strategy}": numbers(scenario, strategy)
+        for name, scenario in SCENARIOS.items()
+        for strategy in STRATEGIES
+    }
+    stored: dict[str, Any] = json.loads(FILE.read_text()) if FILE.exists() else {"version": "", "numbers": {}}
+    differing = [
+        f"{run}: {key}"
+        for run, values in now.items()
+        for key, value in values.items()
+        if not np.isclose(stored["numbers"].get(run, {}).get(key, np.nan), value, rtol=SAME, atol=1e-12)
+    ]
+    if os.environ.get("GOLDEN") == "write" and stored["version"] != sim_core.__version__:
+        FILE.write_text(json.dumps({"version": sim_core.__version__, "numbers": now}, indent=0, sort_keys=True) + "\n")
+        return
+    assert stored["version"] == sim_core.__version__, "a new version: GOLDEN=write writes its numbers"
+    assert not differing, "numbers changed: raise sim_core.__version__, then write them with GOLDEN=write"
+
+
+@pytest.mark.parametrize("kernel", ["Prescott", "Sandybridge"])
+def test_another_processors_blas_gives_the_same_within_the_stated_bound(kernel: str) -> None:
+    """OpenBLAS has code for each kind of processor; the oldest ones run on any."""
+    code = (
+        "import json, sys; sys.path.insert(0, '.')\n"
+        "from tests.validation.test_golden import SCENARIOS, numbers\n"
+        "print(json.dumps({s: numbers(SCENARIOS['limits'], s) for s in ('lv', 'lqr', 'passive')}))"
+    )
+    environment = {**os.environ, "OPENBLAS_CORETYPE": kernel}
+    run = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, env=environment, capture_output=True, text=True, check=True
+    )
+    for strategy, theirs in json.loads(run.stdout).items():
+        ours = numbers(SCENARIOS["limits"], strategy)
+        assert theirs.keys() == ours.keys()
+        np.testing.assert_allclose(list(theirs.values()), list(ours.values()), rtol=SAME, atol=1e-12)

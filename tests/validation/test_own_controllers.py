@@ -1,0 +1,323 @@
+"""A controller of one's own is driven as ours are, and ours are written with nothing that a visitor has not."""
+
+import ast
+import importlib.util
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import pytest
+
+import sim_core
+from sim_core import Controller, LinearLaw, Seen, Setup, check_controller, option, scenario_field, simulate
+from sim_core.control.cost import stage_cost
+from sim_core.errors import RidelabError
+from sim_core.road.profile import profile
+from sim_core.scenario import Actuator, Bump, Estimation, Lqr, Mismatch, Mpc, Road, Scenario, Vehicle
+from sim_core.simulate import prepare
+from sim_core.strategies import STRATEGIES, reads
+from sim_core.vehicle.half_car import discrete, half_car
+
+FILES = sorted(
+    file
+    for file in (Path(sim_core.__file__).parent / "strategies").glob("*.py")
+    if file.stem not in ("__init__", "reads", "calibration")
+)
+SHORT = Scenario(road=Road(length=60, bump=Bump(start=30)))
+
+
+def copied(file: Path, folder: Path) -> ModuleType:
+    """The file as a visitor's module."""
+    copy = folder / f"my_{file.name}"
+    copy.write_bytes(file.read_bytes())
+    spec = importlib.util.spec_from_file_location(copy.stem, copy)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
+def test_each_of_our_laws_needs_nothing_but_what_is_public_and_drives_the_same_outside(
+    file: Path, tmp_path: Path
+) -> None:
+    own = [node for node in ast.walk(ast.parse(file.read_text())) if isinstance(node, ast.ImportFrom | ast.Import)]
+    for node in own:
+        names = [alias.name for alias in node.names]
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("sim_core"):
+            assert node.module == "sim_core", names
+            assert set(names) <= set(sim_core.__all__)
+        else:
+            assert not any(name.startswith("sim_core.") for name in names)
+    module = copied(file, tmp_path)
+    theirs = [
+        each
+        for each in vars(module).values()
+        if isinstance(each, type) and issubclass(each, Controller) and each.__module__ == module.__name__
+    ]
+    assert theirs
+    for law in theirs:
+        ours, outside = simulate(SHORT, law.id), simulate(SHORT, law)
+        assert outside.summary() == ours.summary()
+        assert all(np.array_equal(outside.series[name], ours.series[name]) for name in ours.series)
+        assert reads(law) == reads(STRATEGIES[law.id])
+        assert check_controller(law) == []
+
+
+def test_all_strategies_are_one_file_each() -> None:
+    assert {law.__module__.rpartition(".")[2] for law in STRATEGIES.values()} == {file.stem for file in FILES}
+
+
+class Skyhook(Controller):
+    """Damps the body's vertical and pitch motion."""
+
+    id = "my_skyhook"
+    label = "My skyhook"
+    preview = "none"
+    prediction_horizon = 0
+    damping: float = option(2000.0, unit="N s/m", ge=0, le=20_000, help="Force per velocity.")
+
+    def start(self, setup: Setup) -> None:
+        self._arms = np.array([-setup.vehicle.cg_to_front, setup.vehicle.cg_to_rear])
+
+    def force(self, seen: Seen) -> Any:
+        return -self.damping * (seen.state[4] + self._arms * seen.state[5])
+
+
+@pytest.mark.parametrize(
+    "scenario",
+    [
+        SHORT,
+        SHORT.model_copy(update={"vehicle": Vehicle(rebound_ratio=2.0, bump_stop_clearance=0.05)}),
+        SHORT.model_copy(update={"actuator": Actuator(bandwidth=8.0, rate_limit=20_000.0, saturation=300.0)}),
+        SHORT.model_copy(update={"estimation": Estimation(kind="kalman"), "mpc": Mpc(force_limit=400)}),
+    ],
+    ids=["linear", "nonlinear", "limited actuators", "estimated and limited"],
+)
+def test_a_force_a_step_is_the_law_that_says_the_same(scenario: Scenario) -> None:
+    """Ours is driven in blocks, theirs asked in each step."""
+    ours, theirs = simulate(scenario, "skyhook"), simulate(scenario, Skyhook(damping=scenario.hook.skyhook_damping))
+    assert theirs.events["limited_steps"] == ours.events["limited_steps"]
+    for name in ("body_acceleration", "front_force", "rear_deflection"):
+        np.testing.assert_allclose(theirs.series[name], ours.series[name], rtol=1e-9, atol=1e-9)
+
+
+def test_options_have_defaults_bounds_and_belong_to_the_object() -> None:
+    soft, hard = simulate(SHORT, Skyhook(damping=500)), simulate(SHORT, Skyhook)
+    assert hard.metrics["bump"]["body_acceleration"] != soft.metrics["bump"]["body_acceleration"]
+    assert simulate(SHORT, Skyhook(damping=2000.0)).summary() == hard.summary()
+    for wrong in (-1.0, 20_001.0, "2000"):
+        with pytest.raises(RidelabError) as refused:
+            Skyhook(damping=wrong)
+        assert refused.value.field == "own.my_skyhook.damping"
+    with pytest.raises(RidelabError, match="damping"):
+        Skyhook(dampnig=1.0)
+
+
+class Watcher(Controller):
+    """Gives no force and keeps what it sees."""
+
+    id = "watcher"
+    label = "Watcher"
+    kept: list[dict[str, Any]]
+
+    def start(self, setup: Setup) -> None:
+        self.setup = setup
+        self.kept.clear()
+
+    def force(self, seen: Seen) -> Any:
+        names = [
+            "time",
+            "position",
+            "speed",
+            "stage",
+            "state",
+            "measurement",
+            "preview",
+            "disturbances",
+            "previous_force",
+        ]
+        self.kept.append({name: np.copy(getattr(seen, name)) for name in names})
+        return 0.0, 0.0
+
+
+def watched(scenario: Scenario) -> dict[str, Any]:
+    """By name what a controller sees in each control step."""
+    watcher = Watcher()
+    watcher.kept = []
+    simulate(scenario, watcher)
+    return {name: np.stack([each[name] for each in watcher.kept]) for name in watcher.kept[0]}
+
+
+@pytest.mark.parametrize("vehicle", [Vehicle(), Vehicle(rebound_ratio=1.5, bump_stop_clearance=0.03)])
+def test_what_it_sees_is_what_happens(vehicle: Vehicle) -> None:
+    """Sensors, preview and state against the time histories of the passive car that brakes alike."""
+    quiet = Estimation(acceleration_noise=1e-4, deflection_noise=1e-6, pitch_rate_noise=1e-6)
+    scenario = SHORT.model_copy(update={"vehicle": vehicle, "estimation": quiet})
+    seen = watched(scenario)
+    on_record = seen["time"] > -1e-9
+    time, position = seen["time"][on_record], seen["position"][on_record]
+    assert (np.diff(seen["time"]).round(12) == 0.01).all()
+    passive = simulate(scenario, "speed_only").series
+    np.testing.assert_allclose(np.interp(time, passive["time"], passive["position"]), position, atol=1e-6)
+    np.testing.assert_allclose(np.interp(time, passive["time"], passive["speed"]), seen["speed"][on_record], atol=1e-4)
+    for number, name in ((0, "front_deflection"), (1, "rear_deflection"), (2, "body_acceleration")):
+        expected = np.interp(time, passive["time"], passive[name])
+        scale = np.abs(passive[name]).max()
+        np.testing.assert_allclose(seen["measurement"][on_record][:, number], expected, atol=5e-3 * scale)
+    np.testing.assert_allclose(seen["measurement"][:, 3], seen["state"][:, 5], atol=1e-5)
+    np.testing.assert_allclose(seen["measurement"][:, :2], seen["state"][:, :2], atol=1e-5)
+    surface, ahead = profile(scenario.road), seen["preview"]
+    assert ahead.shape == (len(seen["time"]), scenario.mpc.prediction_horizon, 2)
+    later = seen["position"][1:-30]
+    np.testing.assert_allclose(ahead[: len(later), 0, 0], surface.height(later), atol=1e-9)
+    np.testing.assert_allclose(ahead[: len(later), 0, 1], surface.height(later - vehicle.wheelbase), atol=1e-9)
+    np.testing.assert_allclose(
+        ahead[: len(later), 9, 0], surface.height(seen["position"][10:][: len(later)]), atol=1e-9
+    )
+    assert set(seen["stage"]) == {"cruise", "brake", "bump"}
+
+
+def test_measurements_have_the_noise_of_the_sensors() -> None:
+    noise = Estimation(acceleration_noise=0.2, deflection_noise=0.002, pitch_rate_noise=0.01)
+    exact = watched(SHORT.model_copy(update={"estimation": Estimation(acceleration_noise=1e-4, deflection_noise=1e-6)}))
+    noisy = watched(SHORT.model_copy(update={"estimation": noise}))
+    deviation = (noisy["measurement"] - exact["measurement"]).std(axis=0)
+    np.testing.assert_allclose(deviation, [0.002, 0.002, 0.2, 0.01], rtol=0.25)
+    np.testing.assert_array_equal(noisy["state"], exact["state"])
+
+
+def test_without_sensors_the_road_ahead_is_level() -> None:
+    seen = watched(SHORT.model_copy(update={"mpc": Mpc(preview="none")}))
+    np.testing.assert_allclose(np.diff(seen["preview"], axis=1), 0, atol=1e-15)
+
+
+class Faulty(Controller):
+    """Does something wrong."""
+
+    id = "faulty"
+    label = "Faulty"
+    fault: str = option("none")
+    gain: float = scenario_field("hook.skyhook_damping")
+    calls = 0
+
+    def start(self, setup: Setup) -> None:
+        if self.fault != "keeps state":
+            self.memory = [0.0]
+
+    def force(self, seen: Seen) -> Any:
+        Faulty.calls += 1
+        self.memory[0] += 1.0
+        if self.fault == "writes":
+            seen.state[0] = 0.0
+        if self.fault == "raises":
+            raise KeyError("front")
+        forces: dict[str, Any] = {
+            "three numbers": (0.0, 0.0, 0.0),
+            "words": "none",
+            "not finite": (float("nan"), 0.0),
+            "nothing": None,
+            "keeps state": (self.memory[0] % 100, 0.0),
+            "not repeatable": (Faulty.calls % 100, 0.0),
+        }
+        return forces.get(self.fault, (0.0, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("fault", "said"),
+    [
+        ("three numbers", "two numbers"),
+        ("words", "two numbers"),
+        ("nothing", "two numbers"),
+        ("not finite", "not finite"),
+        ("writes", "changes what it was given"),
+        ("raises", "KeyError at "),
+        ("keeps state", "start has to forget"),
+        ("not repeatable", "A second run of the same object differs"),
+    ],
+)
+def test_the_check_says_what_is_wrong(fault: str, said: str) -> None:
+    controller = Faulty(fault=fault)
+    controller.memory = [0.0]
+    (sentence,) = check_controller(controller, SHORT)
+    assert said in sentence
+    if fault == "raises":
+        assert f"{Path(__file__).name}, line " in sentence
+
+
+def test_the_check_reads_the_declaration() -> None:
+    class Bare(Controller):
+        id = "Bare one"
+        number: float = option(-1.0, ge=0)
+        other: float = scenario_field("hook.skyhok_damping")
+
+    sentences = "\n".join(check_controller(Bare))
+    for said in ("id begins", "label is empty", "no docstring", "neither force nor linear_law", "number", "skyhok"):
+        assert said in sentences
+
+
+def test_a_law_that_does_not_fit_its_preview_is_refused() -> None:
+    class Wide(Controller):
+        """Has a law for another horizon."""
+
+        id, label = "wide", "Wide"
+
+        def start(self, setup: Setup) -> None:
+            self._law = LinearLaw(gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 3)))
+
+        def linear_law(self, stage: str) -> LinearLaw:
+            return self._law
+
+    with pytest.raises(RidelabError, match="preview_gain"):
+        simulate(SHORT, Wide)
+    for shapes in ({"gain": np.zeros((2, 4))}, {"gain": np.zeros((2, 10)), "limits": np.zeros((3, 11))}):
+        with pytest.raises(RidelabError, match="shape"):
+            LinearLaw(**shapes)
+
+
+def test_an_lqr_by_the_textbook_is_ours() -> None:
+    """Its gain by iterating the Riccati equation, its force step by step."""
+
+    class Textbook(Controller):
+        """LQR without preview."""
+
+        id, label = "textbook", "Textbook"
+
+        def start(self, setup: Setup) -> None:
+            step, kilo = discrete(setup.vehicle, setup.sample_time), 1000
+            terms = sim_core.CostTerms(
+                vehicle=setup.vehicle,
+                speed=setup.initial_speed,
+                sample_time=setup.sample_time,
+                weights=(1.0, 1.0, 1.0),
+                deflection_weight=SHORT.lqr.deflection_weight,
+                deflection_limit=setup.deflection_limit,
+                force_weight=SHORT.mpc.force_weight,
+            )
+            S = stage_cost(terms)
+            A, B = step.A, step.B * kilo
+            Q, R, N = S[:8, :8], S[8:10, 8:10], S[:8, 8:10]
+            P = Q.copy()
+            for _ in range(20_000):
+                K = np.linalg.solve(R + B.T @ P @ B, B.T @ P @ A + N.T)
+                P = Q + A.T @ P @ A - (A.T @ P @ B + N) @ K
+            self._gain = -K * kilo
+
+        def force(self, seen: Seen) -> Any:
+            return self._gain @ seen.state
+
+    scenario = SHORT.model_copy(update={"lqr": Lqr(preview="none", weights=(1.0, 1.0, 1.0))})
+    ours, theirs = simulate(scenario, "lqr"), simulate(scenario, Textbook)
+    np.testing.assert_allclose(theirs.series["front_force"], ours.series["front_force"], rtol=1e-6, atol=1e-6)
+
+
+def test_the_believed_car_is_told_not_the_real_one() -> None:
+    scenario = SHORT.model_copy(update={"mismatch": Mismatch(body_mass=1.2)})
+    watcher = Watcher()
+    watcher.kept = []
+    ready = watcher.for_scenario(scenario)
+    ready.start(prepare(scenario, ready).setup())
+    assert ready.setup.vehicle == scenario.vehicle
+    assert half_car(ready.setup.vehicle) is half_car(Vehicle())
