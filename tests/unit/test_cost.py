@@ -6,7 +6,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from contextlib import nullcontext
-from math import inf
+from math import exp, inf, log
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +15,7 @@ import pytest
 
 from backend.compute.fair_queue import SHORT
 from backend.cost import estimate as cost
-from backend.cost.binding_limits import LimitShares, expected_limits
+from backend.cost.binding_limits import LimitShares, combine, expected_limits
 from backend.cost.binding_limits import _passive as passive_suspension
 from backend.cost.estimate import SECONDS, check_affordable, duration, estimate, expected_time, memory, work
 from backend.ecu import drive, program, realtime, report
@@ -122,6 +122,18 @@ def test_limits_bind_about_as_often_as_expected(strategy: str, part: dict[str, A
     assert 0.05 < counted < 0.7
     expected = expected_limits(scenario, STRATEGIES[strategy], result.travel_time).limited
     assert counted / 1.8 < expected < counted * 1.8
+
+
+def test_a_step_is_free_where_no_cause_binds() -> None:
+    """Rates add up, as of independent events; shares of the bump and of instability are taken from what is left."""
+    sums = {"force": log(0.2), "travel": log(0.3), "actuator": log(0.4), "bump": 0.0, "unstable": log(3)}
+    limited, solved, _ = combine(
+        {cause: np.array(x) for cause, x in {**sums, "iterations": 3.0}.items()}, np.array(0.4)
+    )
+    free = exp(-0.5) / 4 * (1 - 0.4 / 2)
+    assert (limited, solved) == pytest.approx((1 - free * exp(-0.4), 1 - free))
+    lqr = {"lqr": np.array(log(0.2)), "lqr actuator": np.array(log(0.3)), "lqr unstable": np.array(log(3))}
+    assert combine(lqr, np.array(0.4)) == pytest.approx((1 - exp(-0.5) / 4, 0, 0))
 
 
 def test_estimate_grows_with_what_costs() -> None:
