@@ -36,15 +36,16 @@ settings.register_profile("search", parent=settings.get_profile("fixed"), derand
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "fixed"))
 
 
-# The browser keeps a core busy, so one process has all its tests while another one has those that mostly wait; the
-# short files come last, so that both end together.
+# The browser keeps a core busy, so one process has all its tests while another one has those that mostly wait, and then
+# those of the API, which share a service; the short files come last, so that both end together.
 FIRST = ("browser", "faults", "cluster", "packaging", "api", "architecture", "validation")
 
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
     scheduling = LoadFileScheduling(config, log)
-    scheduling._split_scope = lambda nodeid: nodeid.split("/test_" if "/browser/" in nodeid else "::")[0]
+    whole = ("tests/browser/", "tests/api/")
+    scheduling._split_scope = lambda nodeid: nodeid.split("/test_" if nodeid.startswith(whole) else "::")[0]
     return scheduling
 
 

@@ -10,10 +10,10 @@ from functools import lru_cache
 from math import pi
 
 import numpy as np
-from scipy.linalg import expm, solve_continuous_lyapunov
 
 from sim_core.arrays import FloatArray
 from sim_core.errors import UnstableVehicleError
+from sim_core.matrices import exponential, lyapunov
 from sim_core.road.profile import CUTOFF_FREQUENCY, REFERENCE_FREQUENCY
 from sim_core.scenario import Vehicle
 from sim_core.scenario.fields import Weights
@@ -44,8 +44,8 @@ def passive_rms(vehicle: Vehicle, speed: float) -> tuple[float, float, float, fl
     road = model.E[:, :2]
     A = np.block([[model.A, -corner * road], [np.zeros((2, STATES)), -corner * np.eye(2)]])
     b = gain * np.vstack([road, np.eye(2)])
-    own = solve_continuous_lyapunov(A, -b @ b.T)
-    shared = expm(A * (vehicle.wheelbase / speed)) @ solve_continuous_lyapunov(A, -np.outer(b[:, 0], b[:, 1]))
+    own = lyapunov(A, -b @ b.T)
+    shared = exponential(A * (vehicle.wheelbase / speed)) @ lyapunov(A, -np.outer(b[:, 0], b[:, 1]))
     C = np.hstack([model.C[:4], np.zeros((4, 2))])
     variance = np.einsum("ij,jk,ik->i", C, own + shared + shared.T, C)
     a, pitch, front, rear = np.sqrt(variance)
@@ -67,7 +67,7 @@ def _interval_means(vehicle: Vehicle, sample_time: float) -> FloatArray:
     generator[:STATES] = np.hstack([model.A, inputs])
     output = np.hstack([model.C, model.D * KILO, model.F])[:COST_OUTPUTS]
     times = (_NODES + 1) / 2 * sample_time
-    lifted = output @ expm(generator * times[:, None, None])  # (point, output, 13)
+    lifted = output @ exponential(generator * times[:, None, None])  # (point, output, 13)
     means: FloatArray = np.einsum("p,poi,poj->oij", _NODE_WEIGHTS / 2, lifted, lifted)
     return means
 

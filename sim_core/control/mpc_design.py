@@ -13,7 +13,7 @@ from sim_core.caching import cached
 from sim_core.control.cost import KILO, CostTerms, stage_cost
 from sim_core.control.qp import QpShape
 from sim_core.control.regulator import regulator
-from sim_core.riccati import solve
+from sim_core.matrices import solve
 from sim_core.scenario import Vehicle
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, discrete
 from sim_core.vehicle.model import LAW_INPUTS, LinearLaw

@@ -8,7 +8,7 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.control.cost import KILO, CostTerms, stage_cost
 from sim_core.errors import RidelabError
-from sim_core.riccati import NOT_STABILISABLE, riccati, solve
+from sim_core.matrices import NOT_STABILISABLE, riccati, solve
 from sim_core.vehicle.half_car import FORCES, STATES, discrete
 
 

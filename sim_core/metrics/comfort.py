@@ -4,11 +4,11 @@ from dataclasses import dataclass
 from math import pi, sqrt
 
 import numpy as np
-from scipy.linalg import expm
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.kernel import binding
+from sim_core.matrices import exponential
 
 Quadratic = tuple[float, float, float]  # coefficients, highest power first
 Quotient = tuple[Quadratic, Quadratic]  # numerator and denominator
@@ -60,7 +60,7 @@ def _weighting(step: float, samples: int) -> _Weighting:
     n = len(A)
     ramp = np.zeros((n + 2, n + 2))  # the state, the input, and its change over the step
     ramp[:n, :n], ramp[:n, n], ramp[n, n + 1] = A, B, 1 / step
-    over_step = expm(ramp * step)[:n]
+    over_step = exponential(ramp * step)[:n]
     state, seen = np.eye(n, n + samples), []
     for j in range(samples - 1):
         seen.append(C @ state)

@@ -5,7 +5,10 @@ evaluation by scikit-fuzzy takes about 10 ms.
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
+from importlib.util import find_spec, module_from_spec, spec_from_file_location
+from pathlib import Path
+from types import ModuleType
 from typing import Protocol
 
 import numpy as np
@@ -108,14 +111,25 @@ def torque_rules(fuzzy: Fuzzy) -> TorqueRules:
 
 def memberships(sets: tuple[FuzzySet, ...], universe: FloatArray) -> FloatArray:
     """Memberships (sets, n) over a universe (n,), by scikit-fuzzy."""
-    import skfuzzy  # takes a third of a second: a process that only plans never needs it
-
-    rows = []
+    functions, rows = _membership_functions(), []
     for each in sets:
         arguments = [each.corners] if each.function in ("trimf", "trapmf") else each.corners
         with np.errstate(over="ignore"):  # a steep bell or sigmoid is 0 or 1 where a power overflows
-            rows.append(getattr(skfuzzy, each.function)(universe, *arguments))
+            rows.append(getattr(functions, each.function)(universe, *arguments))
     return np.array(rows)
+
+
+@cache
+def _membership_functions() -> ModuleType:
+    """scikit-fuzzy's module of them by itself: the package would import its clustering, and with it most of SciPy."""
+    package = find_spec("skfuzzy")
+    folder = Path(package.origin).parent if package and package.origin else Path()
+    spec = spec_from_file_location("sim_core.speed._membership_functions", folder / "membership" / "generatemf.py")
+    if spec is None or spec.loader is None:
+        raise ImportError("scikit-fuzzy is not installed")
+    module = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 def _numbered(fuzzy: Fuzzy) -> IntArray:

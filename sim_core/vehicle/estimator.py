@@ -10,12 +10,11 @@ from functools import lru_cache
 from math import pi, sqrt
 
 import numpy as np
-from scipy.linalg import expm
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.errors import RidelabError
-from sim_core.riccati import riccati, solve
+from sim_core.matrices import exponential, riccati, solve
 from sim_core.road.profile import REFERENCE_FREQUENCY
 from sim_core.road.sensed import ExpectedErrors, expected_errors, trust
 from sim_core.scenario import Estimation, Preview, Scenario, Vehicle
@@ -208,5 +207,5 @@ def _accumulated(vehicle: Vehicle, step: float, intensity: FloatArray) -> FloatA
     block = np.zeros((2 * STATES, 2 * STATES))
     block[:STATES, :STATES], block[STATES:, STATES:] = -model.A, model.A.T
     block[:STATES, STATES:] = (road * intensity) @ road.T
-    exponential = expm(block * step)
-    return np.asarray(exponential[STATES:, STATES:].T @ exponential[:STATES, STATES:])
+    over_step = exponential(block * step)
+    return np.asarray(over_step[STATES:, STATES:].T @ over_step[:STATES, STATES:])

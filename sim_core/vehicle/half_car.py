@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from scipy.linalg import expm
 
 from sim_core.arrays import FloatArray
+from sim_core.matrices import exponential
 from sim_core.scenario import Vehicle
 
 STATES = 8
@@ -125,8 +125,8 @@ def hold(A: FloatArray, inputs: FloatArray, step: float) -> tuple[FloatArray, Fl
     n, m = inputs.shape
     block = np.zeros((n + m, n + m))
     block[:n, :n], block[:n, n:] = A, inputs
-    exponential = expm(block * step)
-    return exponential[:n, :n], exponential[:n, n:]
+    over_step = exponential(block * step)
+    return over_step[:n, :n], over_step[:n, n:]
 
 
 @lru_cache(maxsize=128)

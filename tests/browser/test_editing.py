@@ -170,7 +170,9 @@ def test_a_wrong_value_is_told_at_its_field_and_kept(dashboard: Dashboard) -> No
     assert (mpc["control_horizon"], mpc["prediction_horizon"]) == (80, 90)
 
 
-def test_a_field_may_be_off_and_a_class_shows_its_number(dashboard: Dashboard) -> None:
+def test_a_field_may_be_off_a_class_shows_its_number_and_a_vehicle_is_chosen(
+    dashboard: Dashboard, tmp_path: Path
+) -> None:
     dashboard.open()
     page, address = dashboard.page, dashboard.page.url
     page.get_by_role("button", name="Actuator", exact=True).click()
@@ -189,6 +191,27 @@ def test_a_field_may_be_off_and_a_class_shows_its_number(dashboard: Dashboard) -
     expect(page.get_by_text("Class C · Gd = 256×10⁻⁶ m³")).to_be_visible()
     expect(page).not_to_have_url(address)
     assert dashboard.stored_run()["scenario"]["road"]["roughness"] == 256e-6
+
+    # A vehicle is chosen, saved and opened again.
+    dashboard.expect_curves()
+    address = page.url
+    page.get_by_role("button", name="Vehicle", exact=True).click()
+    choice = page.get_by_role("combobox", name="Vehicle")
+    choice.select_option("van_loaded")
+    expect(dashboard.entry("Body mass")).to_have_value("1101.5")
+    expect(page.get_by_text("The same van with 887 kg")).to_be_visible()
+    expect(page).not_to_have_url(address)
+    with page.expect_download() as saved:
+        page.get_by_role("button", name="Save file").click()
+    file = tmp_path / saved.value.suggested_filename
+    saved.value.save_as(file)
+    page.get_by_role("button", name="Undo").click()
+    expect(choice).to_have_value("paper")
+    page.get_by_label("Vehicle file").set_input_files(file)
+    expect(choice).to_have_value("van_loaded")
+    file.write_text("no vehicle", encoding="utf-8")
+    page.get_by_label("Vehicle file").set_input_files(file)
+    expect(page.get_by_role("alert").filter(has_text=f"{file.name}: This file is not JSON")).to_be_visible()
 
 
 def test_presets_and_own_scenarios_are_opened_saved_and_imported(dashboard: Dashboard) -> None:
@@ -251,28 +274,6 @@ def test_baseline_and_strategies_are_chosen_by_clicks(dashboard: Dashboard) -> N
     expect(dashboard.page.get_by_role("heading", name="No strategy chosen")).to_be_visible()
     dashboard.page.get_by_role("button", name="Show all strategies").click()
     expect(dashboard.page.locator("section[data-figure=body_acceleration] .scatterlayer .trace")).to_have_count(9)
-
-
-def test_a_vehicle_is_chosen_saved_and_opened_again(dashboard: Dashboard, tmp_path: Path) -> None:
-    dashboard.open()
-    page, address = dashboard.page, dashboard.page.url
-    page.get_by_role("button", name="Vehicle", exact=True).click()
-    choice = page.get_by_role("combobox", name="Vehicle")
-    choice.select_option("van_loaded")
-    expect(dashboard.entry("Body mass")).to_have_value("1101.5")
-    expect(page.get_by_text("The same van with 887 kg")).to_be_visible()
-    expect(page).not_to_have_url(address)
-    with page.expect_download() as saved:
-        page.get_by_role("button", name="Save file").click()
-    file = tmp_path / saved.value.suggested_filename
-    saved.value.save_as(file)
-    page.get_by_role("button", name="Undo").click()
-    expect(choice).to_have_value("paper")
-    page.get_by_label("Vehicle file").set_input_files(file)
-    expect(choice).to_have_value("van_loaded")
-    file.write_text("no vehicle", encoding="utf-8")
-    page.get_by_label("Vehicle file").set_input_files(file)
-    expect(page.get_by_role("alert").filter(has_text=f"{file.name}: This file is not JSON")).to_be_visible()
 
 
 def test_a_measured_road_is_driven_taken_off_chosen_saved_and_taken_to_another_server(

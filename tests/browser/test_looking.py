@@ -46,35 +46,7 @@ def test_nothing_readable_is_cut_or_covered(dashboard: Dashboard) -> None:
         assert dashboard.results.evaluate(CUT) == [], width
 
 
-def test_one_cursor_reads_every_plot_and_moves_the_car(dashboard: Dashboard) -> None:
-    dashboard.open()
-    page = dashboard.page
-    acceleration, speed = (page.locator(f"section[data-figure={name}]") for name in ("body_acceleration", "speed"))
-    x, y, _ = middle_of(speed)
-    page.mouse.move(x, y)
-    expect(speed.locator("header")).to_contain_text("50.0")  # the passive car's speed, wherever the cursor is
-    expect(acceleration.locator("header")).to_contain_text(re.compile(r"\d"))
-    page.get_by_role("button", name="Whole run").click()
-    cursor, lane = page.get_by_role("slider", name="Cursor"), page.get_by_role("region", name="The moving car")
-    expect(cursor).to_have_attribute("aria-valuetext", re.compile(r"^\d+\.\d\d m$"))
-
-    cursor.fill("60")
-    expect(lane).to_contain_text("60.0 m")
-    page.get_by_text("Time", exact=True).click()  # another axis, the same place
-    expect(cursor).to_have_attribute("aria-valuetext", re.compile(" s$"))
-    expect(lane).to_contain_text(re.compile(r"(59\.9|60\.0|60\.1) m"))
-
-    cursor.fill("0")
-    page.get_by_role("button", name="Play").click()
-    expect(lane).to_contain_text(re.compile(r"· [1-9]\d*\.\d m"))
-    page.get_by_role("button", name="Pause").click()
-    page.evaluate("document.activeElement.blur()")
-    for button in ("Pause", "Play"):  # the space bar does the same
-        page.keyboard.press("Space")
-        expect(page.get_by_role("button", name=button, exact=True)).to_be_visible()
-
-
-def test_opens_on_the_bump_and_every_plot_has_the_same_part(dashboard: Dashboard) -> None:
+def test_opens_on_the_bump_every_plot_has_the_same_part_and_one_cursor_reads_them_all(dashboard: Dashboard) -> None:
     """Dragging zooms; a double click shows the whole run, and so does its address."""
     dashboard.open()
     page = dashboard.page
@@ -98,6 +70,30 @@ def test_opens_on_the_bump_and_every_plot_has_the_same_part(dashboard: Dashboard
     assert first() == second()
     page.get_by_role("button", name="Bump", exact=True).last.click()
     expect(page).not_to_have_url(re.compile("zoom"))
+
+    acceleration, speed = (page.locator(f"section[data-figure={name}]") for name in ("body_acceleration", "speed"))
+    x, y, _ = middle_of(speed)
+    page.mouse.move(x, y)
+    expect(speed.locator("header")).to_contain_text("50.0")  # the passive car's speed, wherever the cursor is
+    expect(acceleration.locator("header")).to_contain_text(re.compile(r"\d"))
+    page.get_by_role("button", name="Whole run").click()
+    cursor, lane = page.get_by_role("slider", name="Cursor"), page.get_by_role("region", name="The moving car")
+    expect(cursor).to_have_attribute("aria-valuetext", re.compile(r"^\d+\.\d\d m$"))
+
+    cursor.fill("60")
+    expect(lane).to_contain_text("60.0 m")
+    page.get_by_text("Time", exact=True).click()  # another axis, the same place
+    expect(cursor).to_have_attribute("aria-valuetext", re.compile(" s$"))
+    expect(lane).to_contain_text(re.compile(r"(59\.9|60\.0|60\.1) m"))
+
+    cursor.fill("0")
+    page.get_by_role("button", name="Play").click()
+    expect(lane).to_contain_text(re.compile(r"· [1-9]\d*\.\d m"))
+    page.get_by_role("button", name="Pause").click()
+    page.evaluate("document.activeElement.blur()")
+    for button in ("Pause", "Play"):  # the space bar does the same
+        page.keyboard.press("Space")
+        expect(page.get_by_role("button", name=button, exact=True)).to_be_visible()
 
 
 def test_everything_goes_by_keyboard(dashboard: Dashboard) -> None:

@@ -147,31 +147,8 @@ def test_pins_of_two_tabs_stay(cached: Dashboard) -> None:
     expect(pins).to_have_count(3)
 
 
-def test_a_part_whose_file_is_missing_leaves_the_lab(dashboard: Dashboard) -> None:
+def test_plots_that_cannot_be_saved_say_so_and_a_missing_part_leaves_the_lab(dashboard: Dashboard) -> None:
     """As after an update of the server: it says so, and everything else goes on."""
-    dashboard.open()
-    page = dashboard.page
-    page.route(re.compile(r"/assets/(\w+Dialog|Palette|KeyList|FigureMenu)-"), lambda route: route.abort())
-    opening: dict[str, Callable[[], None]] = {
-        "the library": lambda: page.get_by_role("button", name="Library").click(),
-        "a sweep": lambda: page.get_by_role("button", name="Sweep…").click(),
-        "a limit": lambda: page.get_by_role("button", name="How fast may it go: Body acceleration, bump").click(),
-        "commands": lambda: page.keyboard.press("Control+k"),
-        "keys": lambda: page.keyboard.press("?"),
-        "a figure": lambda: page.get_by_role("button", name="Save figure: Body acceleration").click(),
-    }
-    failed = page.get_by_role("dialog", name="This part of the page could not be shown")
-    for what, open_part in opening.items():
-        open_part()
-        expect(failed, what).to_be_visible()
-        expect(failed.get_by_role("button", name="Load again")).to_be_visible()
-        failed.get_by_role("button", name="Close").last.click()
-        expect(failed).to_have_count(0)
-    dashboard.expect_table_to_be_the_stored_run()
-    dashboard.failures.clear()  # the browser and React write a missing file to the console
-
-
-def test_plots_that_cannot_be_saved_say_so(dashboard: Dashboard) -> None:
     dashboard.open()
     page = dashboard.page
 
@@ -190,6 +167,26 @@ def test_plots_that_cannot_be_saved_say_so(dashboard: Dashboard) -> None:
     page.get_by_role("button", name="Export").click()
     with page.expect_download():
         page.get_by_role("menuitem", name="PNG picture").click()
+    page.get_by_label("Plot differences").uncheck()
+
+    page.route(re.compile(r"/assets/(\w+Dialog|Palette|KeyList|FigureMenu)-"), lambda route: route.abort())
+    opening: dict[str, Callable[[], None]] = {
+        "the library": lambda: page.get_by_role("button", name="Library").click(),
+        "a sweep": lambda: page.get_by_role("button", name="Sweep…").click(),
+        "a limit": lambda: page.get_by_role("button", name="How fast may it go: Body acceleration, bump").click(),
+        "commands": lambda: page.keyboard.press("Control+k"),
+        "keys": lambda: page.keyboard.press("?"),
+        "a figure": lambda: page.get_by_role("button", name="Save figure: Body acceleration").click(),
+    }
+    failed = page.get_by_role("dialog", name="This part of the page could not be shown")
+    for what, open_part in opening.items():
+        open_part()
+        expect(failed, what).to_be_visible()
+        expect(failed.get_by_role("button", name="Load again")).to_be_visible()
+        failed.get_by_role("button", name="Close").last.click()
+        expect(failed).to_have_count(0)
+    dashboard.expect_table_to_be_the_stored_run()
+    dashboard.failures.clear()  # the browser and React write a missing file to the console
 
 
 def test_renaming_in_the_library_keeps_the_focus(dashboard: Dashboard) -> None:

@@ -7,33 +7,20 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from backend.ecu.link import connected
 from sim_core import Seen
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.ecu.calibration import Calibration
 from sim_core.ecu.channels import STAGES, highest_code
 from sim_core.ecu.interface import Ecu, Frame, Reply
-from sim_core.ecu.program import CompiledEcu, in_process
+from sim_core.ecu.program import in_process
 from sim_core.loop.preview import sliding_forecast
-from sim_core.scenario import Bump, Hil, Mpc, Road, Scenario, Speed
+from sim_core.scenario import Hil, Mpc, Scenario
 from sim_core.simulate import prepare, simulate
 from sim_core.strategies.calibration import ecu_calibration
 from sim_core.strategies.lv_hil import LvHil
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
+from tests.validation.ecu_drives import DRIVES, HARD, SHORT, SLOWER
 from tests.validation.reference.ecu import ModelEcu
-
-HARD = Mpc(force_limit=1500, deflection_limit=0.03)  # limits bind in one step of ten, many of them together
-DRIVES = {
-    "paper": (Mpc(), Hil()),
-    "at limits": (HARD, Hil(bits=24, iterations=200)),
-    "out of iterations": (HARD, Hil(bits=24, iterations=3, noise=0.003, jitter=0.003, packet_loss=0.1)),
-    "short and uncompensated": (
-        Mpc(prediction_horizon=7, control_horizon=7, preview="wheelbase", force_limit=800),
-        Hil(compensation="none"),
-    ),
-}
-SHORT = Road(length=60, bump=Bump(start=40, width=3, height=0.09))
-SLOWER = Speed(initial_speed_kmh=45, detection_distance=30)
 
 
 def test_the_ecus_optimum_is_the_qps() -> None:
@@ -111,34 +98,6 @@ def test_the_c_program_does_what_the_model_does_over_a_whole_run(mpc: Mpc, hil: 
     if mpc is HARD:
         assert sum(reply.limited for reply, _ in pairs) > 20
     assert any(reply.unfinished for reply, _ in pairs) == (hil.iterations == 3)
-
-
-class Twins(Ecu):
-    """The program in this process and in one of its own."""
-
-    def __init__(self, calibration: Calibration, process: Ecu) -> None:
-        self._here, self._process = CompiledEcu(calibration), process
-        self.asked = 0
-
-    def exchange(self, frame: Frame) -> Reply:
-        here, there = self._here.exchange(frame), self._process.exchange(frame)
-        assert here == there, frame.step
-        self.asked += 1
-        return here
-
-
-@pytest.mark.parametrize(("mpc", "hil"), DRIVES.values(), ids=DRIVES)
-def test_in_the_process_it_answers_as_in_one_of_its_own_to_the_bit(mpc: Mpc, hil: Hil) -> None:
-    twins: list[Twins] = []
-
-    @contextmanager
-    def connect(calibration: Calibration) -> Iterator[Ecu]:
-        with connected(calibration) as process:
-            twins.append(Twins(calibration, process))
-            yield twins[0]
-
-    simulate(Scenario(road=SHORT, speed=SLOWER, mpc=mpc, hil=hil), LvHil(connect=connect))
-    assert twins[0].asked > 500
 
 
 def test_with_the_paper_every_hil_figure_is_within_8_percent_and_without_compensation_it_is_not() -> None:

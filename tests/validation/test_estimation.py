@@ -269,7 +269,8 @@ def test_it_is_told_what_the_controller_itself_plans_on() -> None:
     )
     assert ours is not None
     assert told is not None
-    np.testing.assert_allclose(ours.input, told.input, rtol=0, atol=1e-14)
+    # Of inputs up to 0.5: the road is averaged in another order.
+    np.testing.assert_allclose(ours.input, told.input, rtol=0, atol=1e-13)
 
 
 @pytest.mark.parametrize("noise", [0.0005, 0.002, 0.01])

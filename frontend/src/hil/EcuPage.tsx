@@ -43,7 +43,7 @@ export function EcuPage() {
   const colour = shown.find(({ id }) => id === "lv_hil")?.colour ?? "currentColor";
   const lead = (
     <>
-      LV control’s MPC, written out as C for this scenario (float32, a fixed number of iterations), runs as a process of its own and meets the simulated car over TCP: sensors and
+      LV control’s MPC, written out as C for this scenario (float32, a fixed number of iterations), drives the simulated car: sensors and
       commands through converters, every command a step late. <strong>This is software in the loop with the ECU’s code, not a bench</strong>: no ECU, wire or actuator takes part.
     </>
   );
@@ -97,7 +97,7 @@ function EcuLoading() {
   return (
     <>
       <Text size="sm" c="dimmed">
-        The program is built and driven over the road; the first time that takes some seconds.
+        The program is driven over the road.
       </Text>
       <Loading label="Driving" heights={[420]} />
     </>
