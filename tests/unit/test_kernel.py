@@ -47,7 +47,7 @@ def test_the_digest_is_of_every_source_and_the_flags(monkeypatch: pytest.MonkeyP
 
 
 def test_it_is_plain_c11_to_the_machines_compiler(tmp_path: Path) -> None:
-    """To zig's, also for Windows and macOS, in tests/drill/test_cross_build.py: it builds those systems' C libraries."""
+    """To zig's and for other systems in tests/drill/test_cross_build.py, which builds their C libraries."""
     compiler = build.default_compiler()
     command = build.command(compiler, tmp_path / "library", "-fPIC", "-Wall", "-Wextra", "-Werror")
     output = subprocess.run(command, capture_output=True, text=True, check=False)
