@@ -17,7 +17,7 @@ from sim_core.arrays import FloatArray
 from sim_core.kernel.library import DOUBLE, INT, NAME, Array, Function, require
 
 BUMP, LAYOUT = 7, 9  # numbers of `struct bump` and `struct layout`
-_DISTURBANCES = 3
+_MOST_FUZZY_SETS, _DISTURBANCES = 20, 3
 _LINE, _TABLE, _LINES = Array(ndim=1), Array(ndim=2), Array(ndim=3)
 _LINE_OUT, _TABLE_OUT, _LINES_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2, 3))
 _ROAD = _LINE, INT, Array(LAYOUT)
@@ -25,7 +25,7 @@ _INTEGERS = Array(ndim=1, dtype=np.intc)
 
 _recurrence = Function("recurrence", _TABLE, INT, INT, _TABLE_OUT)
 _torque_shares = Function(
-    "torque_shares", _LINE, _TABLE, INT, Array(ndim=2, dtype=np.intc), INT, _TABLE, INT, INT, _LINE_OUT, _LINE_OUT
+    "torque_shares", _LINE, _TABLE, INT, Array(ndim=2, dtype=np.intc), INT, _TABLE, INT, INT, _LINE_OUT
 )
 _roughness = Function("roughness", _LINE_OUT, INT, DOUBLE, DOUBLE, DOUBLE, result=DOUBLE)
 _bump_heights = Function("bump_heights", Array(BUMP), Array(), INT, Array(written=True))
@@ -95,8 +95,8 @@ def torque_shares(
     require(rules.shape[1:] == (3,), "A rule has three sets")
     known = (rules >= (-1, -1, 0)).all() and (rules < (len(distance), len(errors), sets)).all()
     require(bool(known), "A rule asks for sets there are, and concludes one")
-    fired = np.empty(sets)
-    _torque_shares(distance, errors, len(shares), rules, len(rules), memberships, sets, samples - 1, fired, shares)
+    require(sets <= _MOST_FUZZY_SETS, "The torque has at most twenty sets")
+    _torque_shares(distance, errors, len(shares), rules, len(rules), memberships, sets, samples - 1, shares)
 
 
 def roughness(samples: FloatArray, deviation: float, keep: float, grid: float) -> float:

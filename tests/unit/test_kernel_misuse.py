@@ -155,6 +155,7 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     "fuzzy, no such error": lambda: fuzzy(errors=np.zeros((4, 7)), rules=np.array([[0, 4, 0]], dtype=np.intc)),
     "fuzzy, no such torque": lambda: fuzzy(rules=np.array([[0, 0, 5]], dtype=np.intc)),
     "fuzzy, no torque": lambda: fuzzy(rules=np.array([[0, 0, -1]], dtype=np.intc)),
+    "fuzzy, too many torques": lambda: fuzzy(memberships=np.zeros((21, 9))),
     "fuzzy, torques": lambda: fuzzy(memberships=np.zeros((5, 1))),
     "roughness, none": lambda: binding.roughness(np.zeros(0), 1.0, 0.5, 0.1),
     "bumps, heights": lambda: binding.bump_heights(ROAD[1][2:], np.zeros(4), np.zeros(3)),
