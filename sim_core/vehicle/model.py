@@ -23,6 +23,14 @@ class LinearLaw:
             the deceleration (2, 3 · preview_steps); None for nothing.
         limits: Limits beside the greatest force: the law holds where each row times
             [state; previous force; disturbances] is between -1 and 1 (rows, 10 + 3 · preview_steps); None for none.
+
+    Example:
+        >>> import numpy as np
+        >>> from sim_core import LinearLaw
+        >>> gain = np.zeros((2, 10))
+        >>> gain[:, 4] = -1000.0  # against the body's velocity
+        >>> LinearLaw(gain=gain).force(np.array([0, 0, 0, 0, 0.2, 0, 0, 0]), np.zeros(2), np.zeros((3, 0))).tolist()
+        [-200.0, -200.0]
     """
 
     gain: FloatArray
@@ -67,6 +75,17 @@ class SemiActiveDampers:
         most: The same; infinite where there is no limit.
         most_force: What control changes of the passive damper's force at most [N]; `least` and `most` go before it. A
             run sets it from the limits of forces.
+
+    Example:
+        >>> from sim_core import DampingController, Scenario, SemiActiveDampers, axle_velocities, simulate
+        >>> class SoftSkyhook(DampingController):
+        ...     def damping(self, setup):
+        ...         return -4000.0 * axle_velocities(setup)[0]
+        ...     def dampers(self):
+        ...         return SemiActiveDampers(least=500.0, most=8000.0)
+        >>> skyhook, speed_only = simulate(Scenario(), SoftSkyhook), simulate(Scenario(), "speed_only")
+        >>> skyhook.comfort["weighted_rms"] < speed_only.comfort["weighted_rms"]
+        True
     """
 
     least: float
