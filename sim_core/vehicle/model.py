@@ -8,6 +8,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.errors import RidelabError
+from sim_core.kernel.prepared import Follow, LawArrays
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 
 LAW_INPUTS = STATES + FORCES  # what a law multiplies: the state, then the previous command
@@ -38,7 +39,7 @@ class LinearLaw:
     limits: FloatArray | None = None
 
     def __post_init__(self) -> None:
-        """Check the shapes.
+        """Check the shapes; the arrays are C's from now on.
 
         Raises:
             RidelabError: They do not fit.
@@ -51,6 +52,7 @@ class LinearLaw:
             if array is None:
                 continue
             previewed = np.shape(array)[-1] - fixed if np.ndim(array) == 2 else -1
+            object.__setattr__(self, name, np.ascontiguousarray(array, dtype=np.float64))
             if previewed < 0 or previewed % DISTURBANCES or rows not in (None, len(array)):
                 raise RidelabError(f"A linear law's {name} has the shape {np.shape(array)}")
 
@@ -118,25 +120,13 @@ class VehicleModel(ABC):
 
     size: int
 
-    @property
     @abstractmethod
-    def clips(self) -> bool:
-        """Whether `free_run` keeps forces within the limit; otherwise they are the law's, however large."""
-
-    @abstractmethod
-    def free_run(
-        self, law: LinearLaw, force_limit: float, first: int, start: FloatArray, feed: FloatArray
-    ) -> FloatArray:
-        """The closed loop over control steps in which none of the law's limits binds, from `start` on.
-
-        z (steps + 1, size + 2), as `start`.
+    def follow(self, law: LawArrays, loop: FloatArray) -> Follow:
+        """Drive it by a law of control, as `prepared.follow_linear` says.
 
         Args:
-            law: Of the controller.
-            force_limit: Of each force [N].
-            first: Index of the first control step.
-            start: [p; previous command in N] before it (size + 2,).
-            feed: What preview adds to the law's force in each step (steps, 2) [N].
+            law: In all control steps.
+            loop: [p; previous command] before each step and after the last (steps + 1, size + 2).
         """
 
     @abstractmethod
