@@ -2,6 +2,14 @@
 
 `simulate(scenario, strategy)` is the whole of it; a scenario comes from `sim_core.scenario` or its presets. Everything
 here named in `__all__` is public, and all that Ridelab's own strategies are written with.
+
+Example:
+    >>> from sim_core import STRATEGIES, Scenario, simulate
+    >>> list(STRATEGIES)
+    ['lv', 'lv_hil', 'lqr', 'skyhook', 'groundhook', 'hybrid', 'suspension_only', 'speed_only', 'passive']
+    >>> lv, lqr = simulate(Scenario(), "lv"), simulate(Scenario(), "lqr")
+    >>> lv.comfort["weighted_rms"] < lqr.comfort["weighted_rms"]
+    True
 """
 
 from sim_core.arrays import FloatArray

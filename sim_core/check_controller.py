@@ -27,6 +27,16 @@ def check_controller(controller: type[Controller] | Controller, scenario: Scenar
 
     Returns:
         A sentence for each thing that is wrong; none where nothing was found.
+
+    Example:
+        >>> from sim_core import Controller, check_controller
+        >>> class Nothing(Controller):
+        ...     "Gives no force."
+        ...     id = "nothing"
+        ...     def force(self, seen):
+        ...         return 0.0, 0.0
+        >>> check_controller(Nothing)
+        ['label is empty']
     """
     wrong = _declared(controller if isinstance(controller, type) else type(controller))
     if wrong:

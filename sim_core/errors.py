@@ -11,6 +11,14 @@ class RidelabError(Exception):
     Args:
         message: What is wrong, for a person to read.
         field: Dotted name of the scenario field concerned, if there is one.
+
+    Example:
+        >>> from sim_core import RidelabError, Scenario, simulate
+        >>> try:
+        ...     simulate(Scenario(), "lvv")
+        ... except RidelabError as error:
+        ...     print(error.message.partition(";")[0])
+        Unknown strategy
     """
 
     def __init__(self, message: str, *, field: str | None = None) -> None:

@@ -77,6 +77,15 @@ class StrategyResult:
         travel_time: Front axle from x = 0 to the road's end [s].
         arrival_speed_kmh: Speed when the front axle meets the bump [km/h].
         series: catalogue.SIGNALS key -> float64 array, all of one length, time ascending.
+
+    Example:
+        >>> from sim_core import Scenario, simulate
+        >>> result = simulate(Scenario(), "lv")
+        >>> [span.stage for span in result.stages]
+        ['cruise', 'brake', 'bump', 'cruise']
+        >>> peak = result.metrics["whole"]["front_tyre_load"]["peak"]  # [N]
+        >>> bool(abs(result.series["front_tyre_load"]).max() <= peak)  # the metric also looks between samples
+        True
     """
 
     strategy: str

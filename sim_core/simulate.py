@@ -22,6 +22,14 @@ def simulate(scenario: Scenario, strategy: str | type[Controller] | Controller) 
         UnknownNameError: No such strategy.
         TooExpensiveError: Its QPs take more than one run's may.
         RidelabError: The vehicle and weights admit no stabilising controller, or a controller's forces are none.
+
+    Example:
+        >>> from sim_core import Scenario, simulate
+        >>> result = simulate(Scenario(), "passive")
+        >>> round(result.metrics["bump"]["body_acceleration"]["peak"], 1)  # [m/s^2]
+        6.2
+        >>> result.series["body_acceleration"].shape == result.series["time"].shape
+        True
     """
     run = prepare(scenario, strategy)
     return evaluate(run, run.drive())

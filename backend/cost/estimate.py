@@ -162,6 +162,8 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, expected: 
     steps = time / mpc.sample_time
     # An ECU checks its limits in every step, and its own units say what that takes.
     limited = 0.0 if by_ecu else expected.limited * steps
+    if strategy.linear_law is Controller.linear_law:  # asked in every step
+        limited = steps
     counts["limited steps"] = limited
     if issubclass(strategy, DampingController):
         return counts

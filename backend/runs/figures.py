@@ -31,7 +31,7 @@ class Style:
 # 0.13 or more apart in OKLab with normal, protan and deutan vision, and each 3:1 or more on white and on #1a1b1e (a
 # search under these bounds; Okabe and Ito's colours come as near as 0.03 there); the three hook laws 0.1 with normal
 # vision. A dash of its own besides. The dark ones: 4.5:1 or more on #1a1b1e and on both stages' shading, 0.13 apart.
-STYLES: dict[str, Style] = {
+_OURS: dict[str, Style] = {
     "lv": Style(colour="#1C5FDF", dark_colour="#7CBEF9", dash="solid"),
     "lv_hil": Style(colour="#C0300C", dark_colour="#D2744F", dash="longdashdot"),
     "lqr": Style(colour="#FF5F00", dark_colour="#FE9D3B", dash="dash"),
@@ -42,6 +42,13 @@ STYLES: dict[str, Style] = {
     "speed_only": Style(colour="#A882D9", dark_colour="#9774FE", dash="longdash"),
     "passive": Style(colour="#666873", dark_colour="#9984B0", dash="dot"),
 }
+_OTHERS = (  # for strategies without a style of their own, in turn
+    Style(colour="#6B6A00", dark_colour="#E3E04A", dash="6px,2px,6px,6px"),
+    Style(colour="#A3002F", dark_colour="#FF8FA6", dash="1px,3px,8px,3px"),
+    Style(colour="#3D3D8F", dark_colour="#B9C0FF", dash="12px,6px"),
+)
+_without = [name for name in STRATEGIES if name not in _OURS]
+STYLES = {name: _OURS.get(name) or _OTHERS[_without.index(name) % len(_OTHERS)] for name in STRATEGIES}
 
 # SI unit -> the unit a plot shows and the factor to it.
 SHOWN_UNITS = {"m": ("mm", 1000.0), "m/s": ("km/h", 3.6), "Pa": ("MPa", 1e-6), "N": ("kN", 1e-3)}

@@ -2,20 +2,9 @@
 
 A controller is a class with an id, a label and a docstring, whose first line describes it. Its numbers are annotated
 fields: options of its own, or fields of the scenario. `sim_core.simulate` takes the class, or an object of it, as it
-takes the id of one in `sim_core.STRATEGIES`::
+takes the id of one in `sim_core.STRATEGIES`.
 
-    class BodyDamper(sim_core.Controller):
-        \"\"\"Damps the body's vertical motion.\"\"\"
-
-        id = "body_damper"
-        label = "Body damper"
-        damping: float = sim_core.option(2000.0, unit="N s/m", ge=0, le=20_000, help="Force per body velocity.")
-
-        def force(self, seen):
-            each = -self.damping * seen.state[4] / 2
-            return each, each
-
-That is enough: `force` is asked once a control step. A law that is linear while no limit binds may also say so by
+`force` is asked once a control step. A law that is linear while no limit binds may also say so by
 `linear_law`; many control steps are then driven at once, and `force` is asked only where one of its limits binds.
 `sim_core.check_controller` tells what is wrong with a controller.
 """
@@ -64,6 +53,14 @@ def scenario_field(name: str) -> Any:
 
     Args:
         name: Dotted name of the scenario's field, such as `mpc.force_weight`.
+
+    Example:
+        >>> from sim_core import Controller, Scenario, scenario_field
+        >>> class Weighed(Controller):
+        ...     force_weight: float = scenario_field("mpc.force_weight")
+        >>> heavier = Scenario.model_validate({"mpc": {"force_weight": 2e-9}})
+        >>> Weighed().for_scenario(heavier).force_weight
+        2e-09
     """
     return ScenarioField(name=name)
 
@@ -77,6 +74,13 @@ def option(default: Any, *, unit: str = "1", ge: float | None = None, le: float 
         ge: Smallest value.
         le: Largest value.
         help: One sentence for whoever sets it.
+
+    Example:
+        >>> from sim_core import Controller, option
+        >>> class BodyDamper(Controller):
+        ...     damping: float = option(2000.0, unit="N s/m", ge=0, le=20_000, help="Force per body velocity.")
+        >>> BodyDamper().damping, BodyDamper(damping=500.0).damping
+        (2000.0, 500.0)
     """
     return Option(default=default, unit=unit, ge=ge, le=le, help=help)
 
@@ -93,6 +97,16 @@ class Report:
         limited_steps: Control steps in which a limit shaped the force; None lets the loop count them.
         most_iterations: Most iterations of the solver in one step.
         clipped_values: Measured values beyond the range of their converters.
+
+    Example:
+        >>> from sim_core import Controller, Scenario, simulate
+        >>> class OftenLimited(Controller):
+        ...     def force(self, seen):
+        ...         self.report.limited_steps = (self.report.limited_steps or 0) + 1
+        ...         return 0.0, 0.0
+        >>> result = simulate(Scenario(), OftenLimited)
+        >>> result.events["limited_steps"] > 1000
+        True
     """
 
     solves: int = 0
@@ -119,6 +133,19 @@ class Controller:
         preview: What of the road ahead `Seen` reports: none, wheelbase, lookahead or obstacle.
         prediction_horizon: For how many control steps ahead.
         report: Of the present run; new at each start.
+
+    Example:
+        >>> from sim_core import Controller, Scenario, option, simulate
+        >>> class BodyDamper(Controller):
+        ...     "Damps the body's vertical motion."
+        ...     id, label = "body_damper", "Body damper"
+        ...     damping: float = option(2000.0, unit="N s/m", ge=0, le=20_000, help="Force per body velocity.")
+        ...     def force(self, seen):
+        ...         each = -self.damping * seen.state[4] / 2
+        ...         return each, each
+        >>> soft, hard = (simulate(Scenario(), BodyDamper(damping=value)) for value in (500.0, 5000.0))
+        >>> hard.comfort["weighted_rms"] < soft.comfort["weighted_rms"]
+        True
     """
 
     id: ClassVar[str] = ""

@@ -84,6 +84,15 @@ class CostTerms:
         deflection_weight: q4.
         deflection_limit: d_max [m].
         force_weight: R [1/N²].
+
+    Example:
+        >>> from sim_core import CostTerms, Scenario, regulator
+        >>> terms = CostTerms(
+        ...     vehicle=Scenario().vehicle, speed=14.0, sample_time=0.01, weights=(8, 1, 1),
+        ...     deflection_weight=3.0, deflection_limit=0.08, force_weight=1e-9,
+        ... )
+        >>> regulator(terms).K.shape
+        (2, 8)
     """
 
     vehicle: Vehicle

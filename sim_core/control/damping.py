@@ -12,7 +12,18 @@ from sim_core.vehicle.model import LinearLaw, SemiActiveDampers
 
 
 class DampingController(Controller):
-    """A law u = damping·state, without preview; a subclass gives its `damping`."""
+    """A law u = damping·state, without preview; a subclass gives its `damping`.
+
+    Example:
+        >>> from sim_core import DampingController, Scenario, axle_velocities, simulate
+        >>> class Skyhook(DampingController):
+        ...     def damping(self, setup):
+        ...         body, wheel = axle_velocities(setup)
+        ...         return -4000.0 * body
+        >>> skyhook, speed_only = simulate(Scenario(), Skyhook), simulate(Scenario(), "speed_only")
+        >>> skyhook.comfort["weighted_rms"] < speed_only.comfort["weighted_rms"]
+        True
+    """
 
     preview = "none"
     prediction_horizon = 0
@@ -43,7 +54,16 @@ class DampingController(Controller):
 
 
 def axle_velocities(setup: Setup) -> tuple[FloatArray, FloatArray]:
-    """Velocity of the body above both axles, and of both wheels, as rows on the state (2, 8)."""
+    """Velocity of the body above both axles, and of both wheels, as rows on the state (2, 8).
+
+    Example:
+        >>> from types import SimpleNamespace
+        >>> from sim_core import Scenario, axle_velocities
+        >>> body, wheel = axle_velocities(SimpleNamespace(vehicle=Scenario().vehicle))
+        >>> pitching = [0, 0, 0, 0, 0, 1, 0, 0]  # at 1 rad/s, nose down
+        >>> (body @ pitching).tolist(), (wheel @ pitching).tolist()
+        ([-1.015, 1.895], [0.0, 0.0])
+    """
     body = np.zeros((FORCES, STATES))
     body[:, 4] = 1.0
     body[:, 5] = -setup.vehicle.cg_to_front, setup.vehicle.cg_to_rear

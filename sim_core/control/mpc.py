@@ -44,6 +44,15 @@ class PredictiveController(Controller):
     """MPC over what is previewed: the law where it holds, else a QP, verified; else the other solver; else hold.
 
     A subclass gives the weights of each driving stage.
+
+    Example:
+        >>> from sim_core import PredictiveController, Scenario, simulate
+        >>> class Even(PredictiveController):
+        ...     def weights(self, stage):
+        ...         return (1, 1, 6) if stage == "bump" else (1, 1, 1)
+        >>> result = simulate(Scenario(), Even)
+        >>> result.events["qp_failures"]
+        0
     """
 
     control_horizon: int = scenario_field("mpc.control_horizon")

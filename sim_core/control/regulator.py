@@ -26,6 +26,17 @@ def regulator(terms: CostTerms) -> Regulator:
 
     Raises:
         RidelabError: No stabilising solution was found for these weights.
+
+    Example:
+        >>> import numpy as np
+        >>> from sim_core import CostTerms, LinearLaw, Scenario, regulator
+        >>> terms = CostTerms(
+        ...     vehicle=Scenario().vehicle, speed=14.0, sample_time=0.01, weights=(1, 1, 1),
+        ...     deflection_weight=3.0, deflection_limit=0.08, force_weight=1e-9,
+        ... )
+        >>> law = LinearLaw(gain=np.hstack([-1000 * regulator(terms).K, np.zeros((2, 2))]))  # [N]
+        >>> law.gain.shape
+        (2, 10)
     """
     model = discrete(terms.vehicle, terms.sample_time)
     A, B = model.A, model.B * KILO
@@ -47,6 +58,15 @@ def feedforward(terms: CostTerms, horizon: int) -> FloatArray:
     interval i and nothing known beyond the horizon,
     u = -K x - (R + B'PB)⁻¹ [(S_uw + B'PE) w_0 + B' s_1],  s_i = Σ_{j>=i} (A - BK)'^(j-i) L w_j,
     L = (A - BK)'PE + S_xw - K'S_uw.
+
+    Example:
+        >>> from sim_core import CostTerms, Scenario, feedforward
+        >>> terms = CostTerms(
+        ...     vehicle=Scenario().vehicle, speed=14.0, sample_time=0.01, weights=(1, 1, 1),
+        ...     deflection_weight=3.0, deflection_limit=0.08, force_weight=1e-9,
+        ... )
+        >>> feedforward(terms, 30).shape  # 30 road velocities in front, 30 at the rear, 30 decelerations
+        (2, 90)
     """
     model, design, S = discrete(terms.vehicle, terms.sample_time), regulator(terms), stage_cost(terms)
     A, B, E, K, P = model.A, model.B * KILO, model.E, design.K, design.P

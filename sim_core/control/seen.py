@@ -25,6 +25,16 @@ class Setup:
         deflection_limit: Greatest magnitude of each suspension deflection that should be kept [m].
         preview_steps: Control steps for which the road ahead is reported.
         stages: Names of the driving stages.
+
+    Example:
+        >>> from sim_core import Controller, Scenario, simulate
+        >>> class Shy(Controller):
+        ...     def start(self, setup):
+        ...         self.most = setup.force_limit / 2
+        ...     def force(self, seen):
+        ...         return (-3000 * seen.state[:2]).clip(-self.most, self.most)
+        >>> simulate(Scenario(), Shy).metrics["whole"]["front_force"]["peak"] <= Scenario().mpc.force_limit / 2
+        True
     """
 
     vehicle: Vehicle
@@ -77,6 +87,16 @@ class Seen:
             tyre deflections front and rear [m], body velocity [m/s], pitch rate [rad/s], wheel velocities front and
             rear [m/s]; up and nose-down are positive.
         previous_force: What the actuators were told before, front and rear (2,) [N].
+
+    Example:
+        >>> from sim_core import Controller, Scenario, simulate
+        >>> class Watcher(Controller):
+        ...     def force(self, seen):
+        ...         if seen.step == 0:
+        ...             print(seen.stage, seen.state.shape, seen.preview.shape)
+        ...         return 0.0, 0.0
+        >>> result = simulate(Scenario(), Watcher)
+        cruise (8,) (30, 2)
     """
 
     __slots__ = ("_car", "_car_state", "_car_step", "_inputs", "previous_force", "state", "step")

@@ -31,6 +31,15 @@ class EcuController(PredictiveController):
     """A predictive controller whose forces a program gives, in whole steps of its converters.
 
     A subclass gives the weights of each driving stage.
+
+    Example:
+        >>> from sim_core import EcuController, Scenario, simulate
+        >>> class EvenEcu(EcuController):
+        ...     def weights(self, stage):
+        ...         return (1, 1, 6) if stage == "bump" else (1, 1, 1)
+        >>> result = simulate(Scenario(), EvenEcu)
+        >>> result.events["ecu_clipped_values"]
+        0
     """
 
     delayed = True

@@ -13,6 +13,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller
+from sim_core.kernel.prepared import LawArrays
 from sim_core.loop.drive import make_setup, told_preview
 from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario, Vehicle
 from sim_core.speed.profile import plan_speed
@@ -20,7 +21,7 @@ from sim_core.strategies import speed_plan, strategy_named
 from sim_core.vehicle.estimator import make_estimator
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 from sim_core.vehicle.linear import closed_loop_matrix, control_step
-from sim_core.vehicle.model import Estimator, LinearLaw
+from sim_core.vehicle.model import LAW_INPUTS, Estimator, LinearLaw
 from sim_core.vehicle.nonlinear import NonlinearCar
 from sim_core.vehicle.plant import plant
 
@@ -109,22 +110,41 @@ def _last_motion(
     if estimator is not None:
         estimator = replace(estimator, input=np.zeros((_BLOCK, STATES)))
     car = NonlinearCar(near_rest, actuator, step, np.zeros((_BLOCK, DISTURBANCES)), _BLOCK, estimator)
-    no_feed = np.zeros((_BLOCK, FORCES))
+    motion = np.ones((_BLOCK + 1, len(loop)))
+    follow = car.follow(_unlimited(law), motion)
     eigenvalues, modes = np.linalg.eig(loop)
     to_modes = np.linalg.pinv(modes)[np.abs(eigenvalues) > _NEGLIGIBLE].T
     blocks = ceil(_SETTLED / (step * _BLOCK))
-    z, grown = np.ones(len(loop)), 0.0
+    grown = 0.0
     logarithms, changes = [], []
     for block in range(2 * blocks):
-        motion = car.free_run(law, inf, 0, z, no_feed)
+        follow(0, _BLOCK)
         x = motion @ to_modes
         size = np.linalg.norm(x, axis=1)
         if block >= blocks:
             logarithms.append(grown + np.log(size[:-1]))
             changes.append((np.linalg.norm(x[1:] - x[:-1], axis=1) / size[:-1]) ** 2)
-        grown, z = grown + float(np.log(size[-1])), motion[-1] / size[-1]
+        grown += float(np.log(size[-1]))
+        motion[0] = motion[-1] / size[-1]
     history = np.concatenate(logarithms)
     rate = float(np.polyfit(step * np.arange(len(history)), history, 1)[0])
     growth = exp(rate * step)
     cosine = (1 + growth**2 - float(np.mean(changes))) / (2 * growth)
     return -rate / hypot(rate, acos(min(max(cosine, -1.0), 1.0)) / step)
+
+
+def _unlimited(law: LinearLaw) -> LawArrays:
+    """The law without preview and limits, over a block."""
+    return LawArrays(
+        gain=law.gain,
+        preview_gain=np.zeros((FORCES, 0)),
+        limits=np.zeros((0, LAW_INPUTS)),
+        screen=np.zeros((14, 0)),
+        preview=np.zeros(0),
+        apart=(0, 0),
+        sums=np.zeros((4, _BLOCK)),
+        force_limit=inf,
+        most_change=inf,
+        most_force=inf,
+        clips=True,
+    )

@@ -32,7 +32,7 @@ _bump_heights = Function("bump_heights", Array(BUMP), Array(), INT, Array(writte
 _road_heights = Function("road_heights", *_ROAD, Array(), INT, Array(written=True))
 _within_steps = Function("within_steps", *_ROAD, _TABLE, INT, _TABLE_OUT)
 _disturbances = Function("disturbances", _TABLE, _LINE, INT, DOUBLE, _TABLE_OUT)
-_horizons = Function("horizons", _TABLE, INT, INT, _LINE_OUT, _TABLE_OUT)
+_horizons = Function("horizons", _TABLE, INT, INT, _TABLE_OUT)
 _sections = Function(
     "sections", _LINES, INT, _INTEGERS, INT, INT, _TABLE, INT, _TABLE_OUT, _TABLE_OUT, _LINE_OUT, _TABLE_OUT
 )
@@ -138,12 +138,12 @@ def disturbances(height: FloatArray, braking: FloatArray, step: float, held: Flo
     _disturbances(height, braking, steps, step, held)
 
 
-def horizons(ahead: FloatArray, horizon: int, braking: FloatArray, spread: FloatArray) -> None:
-    """Fill braking (n,) and spread (3, n) from disturbances (3, n + horizon - 1)."""
-    steps = len(braking)
-    fits = ahead.shape == (_DISTURBANCES, steps + horizon - 1) and spread.shape == (_DISTURBANCES, steps)
+def horizons(ahead: FloatArray, horizon: int, sums: FloatArray) -> None:
+    """Fill sums (4, n) from disturbances (3, n + horizon - 1)."""
+    steps = sums.shape[-1]
+    fits = ahead.shape == (_DISTURBANCES, steps + horizon - 1) and sums.shape == (1 + _DISTURBANCES, steps)
     require(fits and horizon > 0, "Every step has its horizon")
-    _horizons(ahead, steps, horizon, braking, spread)
+    _horizons(ahead, steps, horizon, sums)
 
 
 def _check_ends(ends: FloatArray, last: int) -> None:

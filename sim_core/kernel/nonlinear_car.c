@@ -6,9 +6,10 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "loop.h"
 #include "road.h"
 
-enum { AXLES = 2, STATE = 8, INPUTS = 10, DISTURBANCES = 3, SIGNALS = 5 };
+enum { AXLES = 2, STATE = 8, DISTURBANCES = 3, SIGNALS = 5 };
 enum { TRAVEL = 0, TYRE = 2, BODY = 4, WHEEL = 6, FORCE = 8, NUMBERS = 10 }; /* places in a state, two numbers each */
 enum { MOST_EVENTS = 4 };          /* that a step ends at; both axles' dampers may turn again and again around rest */
 enum { PARTS = 8 };                /* of a fine step in which a tyre lifts off or lands */
@@ -367,8 +368,31 @@ static void estimate(const struct estimator *estimator, const struct car *car, c
     }
 }
 
-/* `count` control steps from step `first` on, in which u = gain [state; previous command] + feed, within the limit. Arrays
-   are C-contiguous:
+struct nonlinear {
+    const struct car *car;
+    const struct estimator *estimator; /* NULL: none */
+    const double *known;
+    const struct input *input;
+    double *table;
+    int states, before, columns;
+};
+
+static void advance_nonlinear(const void *given, int step, const double *now, const double *command, double *next)
+{
+    const struct nonlinear *me = given;
+    int estimated = me->estimator ? STATE : 0, fine_step = step * me->input->fine;
+    struct state x = {.at[FORCE] = command[0], .at[FORCE + 1] = command[1]};
+    double *column = step < me->before ? NULL : me->table + (step - me->before);
+    memcpy(x.at, now + estimated, (size_t)me->states * sizeof(double));
+    x = hold(me->car, me->input, fine_step, command, x, column, (size_t)me->columns);
+    memcpy(next + estimated, x.at, (size_t)me->states * sizeof(double));
+    if (me->estimator) {
+        double braking = me->input->disturbance[(size_t)DISTURBANCES * (size_t)(fine_step + me->input->fine) - 1];
+        estimate(me->estimator, me->car, &x, command, braking, me->known + STATE * (size_t)step, now, next);
+    }
+}
+
+/* A nonlinear car; arrays are C-contiguous:
 
    states           8, or 10 with a lagging actuator's
    estimator        of the state where it `estimates`; known, its input, 8 numbers a step of the whole drive
@@ -376,38 +400,32 @@ static void estimate(const struct estimator *estimator, const struct car *car, c
    layout           of the road; position and within as `struct input` has them
    disturbance      the same, of all fine steps; `substeps` of Runge-Kutta in each, which takes `time` [s]
    table            10 x (fine + 1) x columns samples, of the drive's last steps
-   gain             2 x 10; feed: 2 a step [N]
-   loop             a row before each step and after the last, [estimated state; state; previous command]; the first row
-                    is an input */
-void ridelab_drive(const struct car *car, int states, int estimates, const struct estimator *estimator,
-                   const double *known, int samples, const double *roughness, const struct layout *layout,
-                   const double *position, const double *within, const double *disturbance, int steps, int fine,
-                   int substeps, double time, double *table, int columns, const double *gain, double limit,
-                   const double *feed, double *loop, int count, int first)
+   the others       as `ridelab_follow` and `struct law` have them; in `loop` the estimated state comes first */
+int ridelab_drive(const struct car *car, int states, int estimates, const struct estimator *estimator,
+                  const double *known, int samples, const double *roughness, const struct layout *layout,
+                  const double *position, const double *within, const double *disturbance, int steps, int fine,
+                  int substeps, double time, double *table, int columns, const struct law_numbers *at, const double *gain,
+                  const double *preview_gain, const double *limits, const double *screen, const double *preview,
+                  const double *sums, double *work, double *loop, int *limited, int first, int last)
+{
+    const struct law law = {at, gain, preview_gain, limits, screen, preview, sums, work};
+    const struct road road = {roughness, samples, *layout};
+    const struct input input = {samples ? &road : NULL, position, within, disturbance, steps * fine, fine, substeps, time};
+    const struct nonlinear me = {
+        car, estimates ? estimator : NULL, known, &input, table, states, steps - columns, columns};
+    return ridelab_follow(&law, advance_nonlinear, &me, states + (estimates ? STATE : 0), first, last, loop, limited);
+}
+
+/* One control step of it from `now` with a command [N]. */
+void ridelab_advance(const struct car *car, int states, int estimates, const struct estimator *estimator,
+                     const double *known, int samples, const double *roughness, const struct layout *layout,
+                     const double *position, const double *within, const double *disturbance, int steps, int fine,
+                     int substeps, double time, double *table, int columns, const double *now, const double *command,
+                     double *next, int step)
 {
     const struct road road = {roughness, samples, *layout};
-    const struct input all = {samples ? &road : NULL, position, within, disturbance, steps * fine, fine, substeps, time};
-    const struct input *input = &all;
-    int estimated = estimates ? 8 : 0, size = estimated + states, width = size + 2, before = steps - columns;
-    for (int i = 0; i < count; i++) {
-        double *now = loop + (size_t)i * width, *next = now + width;
-        int step = first + i, fine_step = step * input->fine;
-        double command[AXLES];
-        for (int axle = 0; axle < AXLES; axle++) {
-            double force = feed[2 * i + axle];
-            for (int j = 0; j < INPUTS; j++)
-                force += gain[INPUTS * axle + j] * now[j < STATE ? j : size + j - STATE];
-            command[axle] = force > limit ? limit : force < -limit ? -limit : force;
-        }
-        struct state x = {.at[FORCE] = command[0], .at[FORCE + 1] = command[1]};
-        memcpy(x.at, now + estimated, (size_t)states * sizeof(double));
-        double *column = step < before ? NULL : table + (step - before);
-        x = hold(car, input, fine_step, command, x, column, (size_t)columns);
-        memcpy(next + estimated, x.at, (size_t)states * sizeof(double));
-        memcpy(next + size, command, sizeof command);
-        if (estimates) {
-            double braking = input->disturbance[(size_t)DISTURBANCES * (size_t)(fine_step + input->fine) - 1];
-            estimate(estimator, car, &x, command, braking, known + 8 * (size_t)step, now, next);
-        }
-    }
+    const struct input input = {samples ? &road : NULL, position, within, disturbance, steps * fine, fine, substeps, time};
+    const struct nonlinear me = {
+        car, estimates ? estimator : NULL, known, &input, table, states, steps - columns, columns};
+    advance_nonlinear(&me, step, now, command, next);
 }

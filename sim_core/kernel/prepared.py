@@ -5,6 +5,8 @@ C-contiguous, or cannot be written into. The arrays live as long as what is call
 """
 
 from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +17,7 @@ from sim_core.kernel.library import DOUBLE, INT, Array, Function, require
 
 CAR, ESTIMATOR = 33, 112  # numbers of `struct car` and `struct estimator` of nonlinear_car.c
 ECU_ANSWER, _STAGES = 5, 3  # numbers of an answer in ecu.c, stages of the ECU's tables
+_LAW_NUMBERS, _SCREENED = 9, 14  # of `struct law_numbers` in loop.h; columns of a law's screen
 _STATES, _LAGGING, _FORCES, _LAW_INPUTS, _DISTURBANCES, _MEASURED, _SIGNALS = 8, 10, 2, 10, 3, 4, 10
 _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
 _LINE_OUT, _TABLE_OUT, _LINES_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2, 3))
@@ -34,13 +37,16 @@ _ecu_step = Function(
     result=INT,
 )
 _measure = Function("measure", Array(CAR), INT, _LINE, Array(_FORCES), DOUBLE, Array(_MEASURED, written=True))
-_drive = Function(
-    "drive",
+_LAW = Array(_LAW_NUMBERS), Array(_FORCES, _LAW_INPUTS), _TABLE, _TABLE, _TABLE, Array(), _TABLE, _LINE_OUT
+_LOOP = _TABLE_OUT, Array(1, dtype=np.intc, written=True), INT, INT
+_NONLINEAR = (
     *(Array(CAR), INT, INT, Array(ESTIMATOR), _TABLE),
     *(INT, _LINE, Array(LAYOUT), _TABLE, _TABLE),
     *(_TABLE, INT, INT, INT, DOUBLE, _LINES_OUT, INT),
-    *(Array(_FORCES, _LAW_INPUTS), DOUBLE, _TABLE, _TABLE_OUT, INT, INT),
 )
+_drive = Function("drive", *_NONLINEAR, *_LAW, *_LOOP, result=INT)
+_advance = Function("advance", *_NONLINEAR, _LINE, Array(_FORCES), _LINE_OUT, INT)
+_drive_linear = Function("drive_linear", INT, _TABLE, _TABLE, _TABLE, *_LAW, *_LOOP, result=INT)
 
 
 def residual(
@@ -94,6 +100,104 @@ def ecu_step(
     return step_in
 
 
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class LawArrays:
+    """A law of control and its limits in one run, as loop.h has them.
+
+    Attributes:
+        gain: (2, 10).
+        preview_gain: (2, 3 · horizon).
+        limits: (rows, 10 + 3 · horizon).
+        screen: Gains of each row on state, previous force and mean deceleration, then its norms (14, rows).
+        preview: An array with all that is previewed, and how many numbers further the next kind and step are in it.
+        apart: Those two.
+        sums: Mean deceleration and three norms of what is previewed in each step (4, steps).
+        force_limit: Of the law's forces [N].
+        most_change: Of the actuators' in a step [N].
+        most_force: Of the actuators' [N].
+        clips: Whether a force beyond the limit is clipped, or not decided by the law.
+    """
+
+    gain: FloatArray
+    preview_gain: FloatArray
+    limits: FloatArray
+    screen: FloatArray
+    preview: FloatArray
+    apart: tuple[int, int]
+    sums: FloatArray
+    force_limit: float
+    most_change: float
+    most_force: float
+    clips: bool
+
+    def arguments(self) -> tuple[FloatArray, ...]:
+        """What C gets.
+
+        Raises:
+            ValueError: Sizes disagree.
+        """
+        horizon, rows, steps = self.preview_gain.shape[1] // _DISTURBANCES, len(self.limits), self.sums.shape[1]
+        kind, step = self.apart
+        beyond = (_DISTURBANCES - 1) * kind + (steps - 1) * step + horizon
+        require(self.preview_gain.shape == (_FORCES, _DISTURBANCES * horizon), "A gain for everything previewed")
+        require(
+            self.limits.shape == (rows, _LAW_INPUTS + _DISTURBANCES * horizon), "Limits on everything the law knows"
+        )
+        require(self.screen.shape == (_SCREENED, rows) and len(self.sums) == 4, "A bound for each limit and step")
+        require(
+            min(kind, step) >= 0 and (beyond <= self.preview.size or not horizon), "What is previewed in every step"
+        )
+        limits = self.force_limit, self.most_change, self.most_force
+        numbers = np.array([rows, horizon, kind, step, steps, self.clips, *limits], dtype=np.float64)
+        arrays = self.gain, self.preview_gain, self.limits, self.screen, self.preview, self.sums
+        return numbers, *arrays, np.empty(rows)
+
+    @property
+    def steps(self) -> int:
+        """Control steps of the run."""
+        return len(self.sums[0])
+
+
+Follow = Callable[[int, int], tuple[int, int]]
+
+
+def follow_linear(A: FloatArray, B: FloatArray, forcing: FloatArray, law: LawArrays, loop: FloatArray) -> Follow:
+    """Drive a linear car by a law.
+
+    Args:
+        A: (n, n).
+        B: (n, 2).
+        forcing: (steps, n).
+        law: Of control.
+        loop: [p; previous command] before each step and after the last (steps + 1, n + 2).
+
+    Returns:
+        From which step on, and before which one, it is to be driven -> the first step that the law does not decide, and
+        in how many before it a limit shaped the command.
+
+    Raises:
+        ValueError: Sizes disagree.
+    """
+    n = len(A)
+    require(A.shape == (n, n) and B.shape == (n, _FORCES) and n >= _STATES, "A state, and two forces")
+    require(forcing.shape == (law.steps, n), "What moves the car in every step")
+    return _following(partial(_drive_linear.bind, n, A, B, forcing), law, loop, n)
+
+
+def _following(bind: Callable[..., Callable[[int, int], int]], law: LawArrays, loop: FloatArray, size: int) -> Follow:
+    require(loop.shape == (law.steps + 1, size + _FORCES), "A row before each step and after the last")
+    limited = np.zeros(1, dtype=np.intc)
+    follow = bind(*law.arguments(), loop, limited)
+
+    def follow_from(first: int, last: int) -> tuple[int, int]:
+        require(0 <= first <= last <= law.steps, "No steps beyond the drive")
+        limited[0] = 0
+        driven: int = follow(first, last)
+        return driven, int(limited[0])
+
+    return follow_from
+
+
 class NonlinearDrive:
     """A nonlinear car over its whole drive, of which a call takes some control steps.
 
@@ -142,35 +246,28 @@ class NonlinearDrive:
             *(len(samples), samples, layout, position, within),
             *(disturbance, self._steps, fine, substeps, fine_step, table, columns),
         )
-        self._run = _drive.bind(*self._fixed)
+        self._advance = _advance.bind(*self._fixed)
 
-    def run(self, first: int, gain: FloatArray, limit: float, feed: FloatArray, loop: FloatArray) -> None:
-        """Drive from control step `first` on by a law, as long as its feed is.
-
-        Args:
-            first: Number of the step.
-            gain: (2, 10).
-            limit: Of the forces [N].
-            feed: (count, 2) [N].
-            loop: [p; previous command] before each step and after the last (count + 1, size + 2), of which the first
-                row is given.
+    def follow(self, law: LawArrays, loop: FloatArray) -> Follow:
+        """Drive it by a law, as `follow_linear`.
 
         Raises:
-            ValueError: The steps are beyond the drive, or sizes disagree.
+            ValueError: Sizes disagree.
         """
-        self._check(first, feed, loop)
-        self._run(gain, limit, feed, loop, len(feed), first)
+        require(law.steps == self._steps, "What is previewed in every step")
+        return _following(partial(_drive.bind, *self._fixed), law, loop, self._width - _FORCES)
 
-    def prepare(self, gain: FloatArray, limit: float, feed: FloatArray, loop: FloatArray) -> Callable[[int], None]:
-        """The same of the first step alone."""
-        self._check(0, feed, loop)
-        run = _drive.bind(*self._fixed, gain, limit, feed, loop, len(feed))
+    def advance(self, step: int, now: FloatArray, command: FloatArray) -> FloatArray:
+        """The state at the end of a control step that begins with `now` and holds `command` (2,) [N].
 
-        def run_from(first: int) -> None:
-            self._check(first, feed, loop)
-            run(first)
-
-        return run_from
+        Raises:
+            ValueError: The step is beyond the drive, or the state is another car's.
+        """
+        require(0 <= step < self._steps, "No steps beyond the drive")
+        require(len(now) == self._width - _FORCES, "The state of this car")
+        following = np.empty_like(now)
+        self._advance(now, command, following, step)
+        return following
 
     def measure(self, state: FloatArray, command: FloatArray, braking: float) -> FloatArray:
         """What the car's own sensors give (4,), from its state (8,) or (10,), command (2,) [N] and braking [m/s^2].
@@ -182,10 +279,3 @@ class NonlinearDrive:
         measured = np.empty(_MEASURED)
         _measure(self._car, self._states, state, command, braking, measured)
         return measured
-
-    def _check(self, first: int, feed: FloatArray, loop: FloatArray) -> None:
-        count = len(feed)
-        require(0 <= first <= self._steps - count, "No steps beyond the drive")
-        require(
-            feed.shape == (count, _FORCES) and loop.shape == (count + 1, self._width), "A row before and after each"
-        )

@@ -4,11 +4,11 @@
 #include <stddef.h>
 
 /* disturbances  both road velocities and the braking deceleration in every interval to come, 3 x (steps + horizon - 1)
-   braking       mean deceleration over the horizon that begins in each step (steps)
-   spread        norm over that horizon of both velocities and of the deceleration's difference from its mean
-                 (3 x steps) */
-void ridelab_horizons(const double *disturbances, int steps, int horizon, double *braking, double *spread)
+   sums          mean deceleration over the horizon that begins in each step; then the norms over that horizon of both
+                 velocities and of the deceleration's difference from its mean (4 x steps) */
+void ridelab_horizons(const double *disturbances, int steps, int horizon, double *sums)
 {
+    double *braking = sums, *spread = sums + steps;
     for (int row = 0; row < 3; row++, disturbances += steps + horizon - 1, spread += steps) {
         double sum = 0, squares = 0;
         for (int i = 0; i < horizon - 1; i++) {

@@ -1,8 +1,7 @@
-"""Controller and car over a run's control steps: many at once while a linear law holds, else one after another.
+"""Controller and car over a run's control steps: by C as long as a linear law holds, else one after another.
 
-A block of control steps is driven by the law as if no limit did bind and accepted up to the first step at which one
-would; that step and those after it are decided by the controller until none binds any more, and so on
-(docs/decisions/0002-speculative-blocks.md). A controller without such a law decides every step.
+C drives the car by the law up to the first step in which one of the law's limits binds; the controller decides that
+step, and C goes on (docs/decisions/0002-laws-are-followed-in-c.md). A controller without a law decides every step.
 """
 
 from collections.abc import Sequence
@@ -10,19 +9,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from sim_core.arrays import BoolArray, FloatArray
+from sim_core.arrays import FloatArray
+from sim_core.caching import cached
 from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Seen
 from sim_core.errors import RidelabError
-from sim_core.loop.limits import LawLimits
-from sim_core.loop.preview import Forecast, flattened
+from sim_core.kernel.prepared import LawArrays
+from sim_core.loop.preview import Forecast
 from sim_core.speed.stages import Segment
-from sim_core.vehicle.half_car import FORCES, STATES
-from sim_core.vehicle.model import LinearLaw, VehicleModel
-
-_LONGEST_BLOCK, _BLOCK_AFTER_LIMIT = 1024, 16  # control steps
-_SAME_FORCE = 1e-6  # [N]: rounding
-_NO_FEED = np.zeros(FORCES)
+from sim_core.vehicle.half_car import DISTURBANCES, FORCES
+from sim_core.vehicle.model import LAW_INPUTS, LinearLaw, VehicleModel
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -87,78 +83,66 @@ class ClosedLoop:
             law = self._controller.linear_law(segment.stage)
             if law is None:
                 limited += sum(self._step(k, loop) for k in range(segment.first, segment.last))
-            else:
-                limited += self._by_law(law, segment, loop)
+                continue
+            follow = self._car.follow(self._arrays(law), loop)
+            k = segment.first
+            while k < segment.last:
+                k, shaped = follow(k, segment.last)
+                limited += shaped
+                if k < segment.last:
+                    self._step(k, loop)
+                    limited, k = limited + 1, k + 1
         return Trajectory(states=loop[:-1, :n], commands=loop[1:, n:], limited=limited)
 
-    def _by_law(self, law: LinearLaw, segment: Segment, loop: FloatArray) -> int:
-        """Drive one stage by its law where it holds; in how many steps a limit bound."""
-        n, first, last = self._car.size, segment.first, segment.last
-        holding = LawLimits(law=law, force_limit=self._limits.control, forecast=self._forecast)
-        feed = np.zeros((last - first, FORCES))
-        if law.preview_gain is not None:
-            previewed = flattened(self._forecast.windows[:, first:last])
-            if previewed.shape[1] != law.preview_gain.shape[1]:
-                raise RidelabError(f"{self._controller.label}: preview_gain has three columns for each step previewed")
-            feed = np.asarray(previewed @ law.preview_gain.T)
-        clips = law.limits is None and self._car.clips
-        force_limit = self._limits.control if clips else np.inf
-        k, block, limited = first, _LONGEST_BLOCK, 0
-        while k < last:
-            stop = min(k + block, last)
-            z = self._car.free_run(law, force_limit, k, loop[k], feed[k - first : stop - first])
-            free = self._free(holding, z, k, clips=clips)
-            count = len(free) if free.all() else int(free.argmin())
-            loop[k : k + count + 1] = z[: count + 1]
-            k += count
-            block, limit_binds = min(2 * block, _LONGEST_BLOCK), k < stop
-            while limit_binds and k < last:
-                limit_binds = self._step(k, loop, holding, feed[k - first])
-                limited, k, block = limited + limit_binds, k + 1, _BLOCK_AFTER_LIMIT
-        if not clips:
-            return limited
-        wanted = (
-            loop[first:last, :STATES] @ law.gain[:, :STATES].T + loop[first:last, n:] @ law.gain[:, STATES:].T + feed
+    def _arrays(self, law: LinearLaw) -> LawArrays:
+        """The law with all that decides where it holds."""
+        forecast, limits = self._forecast, self._limits
+        previewed = DISTURBANCES * forecast.windows.shape[2]
+        preview_gain = np.zeros((FORCES, previewed)) if law.preview_gain is None else law.preview_gain
+        rows = np.zeros((0, LAW_INPUTS + previewed)) if law.limits is None else law.limits
+        if preview_gain.shape[1] != previewed or rows.shape[1] != LAW_INPUTS + previewed:
+            raise RidelabError(f"{self._controller.label}: a law has three columns for each step previewed")
+        kind, step, _ = (stride // forecast.windows.itemsize for stride in forecast.windows.strides)
+        return LawArrays(
+            gain=law.gain,
+            preview_gain=preview_gain,
+            limits=rows,
+            screen=_screen(law) if law.limits is not None else np.zeros((14, 0)),
+            preview=forecast.source,
+            apart=(kind, step),
+            sums=forecast.sums,
+            force_limit=limits.control,
+            most_change=limits.change,
+            most_force=limits.actuator,
+            clips=type(self._controller).force is Controller.force,
         )
-        return int((np.abs(loop[first + 1 : last + 1, n:] - wanted) > _SAME_FORCE).any(axis=1).sum())
 
-    def _step(self, k: int, loop: FloatArray, holding: LawLimits | None = None, feed: FloatArray = _NO_FEED) -> bool:
-        """Drive one control step by the controller, or by its law if that holds; whether a limit bound."""
+    def _step(self, k: int, loop: FloatArray) -> bool:
+        """Drive one control step by the controller; whether a limit of forces or actuators shaped its command."""
         n = self._car.size
         state, previous = loop[k, :n], loop[k, n:]
-        limited = False
-        if holding is not None:
-            gain = holding.law.gain
-            wanted = gain[:, :STATES] @ state[:STATES] + gain[:, STATES:] @ previous + feed
-            measured = np.concatenate([state[:STATES], previous])
-            limited = not holding.hold(k, measured[None], wanted[None])[0]
-        if holding is None or limited:
-            asked = self._asked(k, state, previous)
-            wanted = asked.clip(-self._limits.control, self._limits.control)
-            limited = limited or not np.array_equal(asked, wanted)
+        seen = Seen(self._inputs, self._car, k, read_only(state), read_only(previous))
+        asked = checked_force(self._controller, self._controller.force(seen))
+        wanted = asked.clip(-self._limits.control, self._limits.control)
         command = self._limits.of_actuator(wanted, previous)
         loop[k + 1, :n] = self._car.advance(k, state, command)
         loop[k + 1, n:] = command
-        return limited or command is not wanted
+        return command is not wanted or not np.array_equal(asked, wanted)
 
-    def _asked(self, k: int, state: FloatArray, previous: FloatArray) -> FloatArray:
-        """The controller's forces (2,) [N]; it may keep what it is shown, but not change it."""
-        seen = Seen(self._inputs, self._car, k, read_only(state), read_only(previous))
-        return checked_force(self._controller, self._controller.force(seen))
 
-    def _free(self, holding: LawLimits, z: FloatArray, k: int, *, clips: bool) -> BoolArray:
-        """In which steps of a block driven from step k on no limit binds (n,); the car meets the force limit itself."""
-        n, limits = self._car.size, self._limits
-        now, commands = z[:-1], z[1:, n:]
-        if clips:
-            free = np.asarray(np.isfinite(commands).all(axis=1))
-        else:
-            free = holding.hold(k, np.hstack([now[:, :STATES], now[:, n:]]), commands)
-        if limits.change < np.inf:
-            free &= (np.abs(commands - now[:, n:]) <= limits.change).all(axis=1)
-        if limits.actuator < np.inf:
-            free &= (np.abs(commands) <= limits.actuator).all(axis=1)
-        return free
+@cached
+def _screen(law: LinearLaw) -> FloatArray:
+    """Of each row of the law's limits what bounds it (14, rows).
+
+    Its gains on state, previous force and mean deceleration; then its norms on what is previewed of both roads and of
+    the deceleration's difference from its mean.
+    """
+    assert law.limits is not None  # noqa: S101 - who asks has looked
+    rows, columns = law.limits.shape
+    by_disturbance = law.limits[:, LAW_INPUTS:].reshape(rows, DISTURBANCES, (columns - LAW_INPUTS) // DISTURBANCES)
+    mean = by_disturbance[:, 2].sum(axis=1)
+    bounds = [law.limits[:, :LAW_INPUTS].T, mean[None], np.linalg.norm(by_disturbance, axis=2).T]
+    return np.ascontiguousarray(np.vstack(bounds))
 
 
 def checked_force(controller: Controller, force: object) -> FloatArray:

@@ -30,14 +30,15 @@ class Forecast:
     Attributes:
         windows: Mean velocity of the front axle's road in each interval, the rear's [m/s], and the braking deceleration
             [m/s^2] (3, steps, horizon); perhaps a view.
-        braking: Mean of each window's deceleration (steps,) [m/s^2].
-        spread: Norm over each window of both velocities, and of the deceleration's difference from its mean (3, steps).
+        source: A C-contiguous array that begins with the first window, and of which `windows` may be a view.
+        sums: Of each window the mean deceleration [m/s^2], then the norms of both velocities and of the deceleration's
+            difference from its mean (4, steps).
         height_now: Of the road under both axles, as it is previewed (2, steps) [m].
     """
 
     windows: FloatArray
-    braking: FloatArray
-    spread: FloatArray
+    source: FloatArray
+    sums: FloatArray
     height_now: FloatArray
 
 
@@ -99,12 +100,12 @@ def sliding_forecast(disturbances: FloatArray, horizon: int, height_now: FloatAr
         height_now: As `Forecast`'s.
     """
     steps = disturbances.shape[1] - horizon + 1
-    braking, spread = np.empty(steps), np.empty((DISTURBANCES, steps))
-    binding.horizons(disturbances, horizon, braking, spread)
+    sums = np.empty((1 + DISTURBANCES, steps))
+    binding.horizons(disturbances, horizon, sums)
     return Forecast(
         windows=sliding_window_view(disturbances, horizon, axis=1),
-        braking=braking,
-        spread=spread,
+        source=disturbances,
+        sums=sums,
         height_now=height_now,
     )
 
@@ -153,6 +154,7 @@ def _without_sensors(
         driven = further[:, 1:] <= wheelbase
         heights = surface.height(position[:, None] - wheelbase + np.minimum(further, wheelbase))
         windows[1] = np.where(driven, np.diff(heights, axis=1) / h, 0.0)
-    spread = np.stack([np.zeros(len(braking)), np.linalg.norm(windows[1], axis=1), np.zeros(len(braking))])
+    none = np.zeros(len(braking))
+    sums = np.stack([braking, none, np.linalg.norm(windows[1], axis=1), none])
     height_now = excitation.height[:, : -1 : excitation.fine]
-    return Forecast(windows=windows, braking=braking, spread=spread, height_now=height_now)
+    return Forecast(windows=windows, source=windows, sums=sums, height_now=height_now)

@@ -7,7 +7,8 @@ and section 3) unless the description says "ours"; docs/physics.md gives each on
 
 from typing import ClassVar, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import ConfigDict, Field, model_validator
+from pydantic.config import JsonDict
 
 from sim_core.errors import RidelabError
 from sim_core.scenario.fields import Part, Weights, at, count, quantity, weights
@@ -244,9 +245,21 @@ class Hook(Part):
 _BUMP_BEYOND = "The bump must end before the road does: position and width together at most the road's length"
 
 
-class Scenario(Part):
-    """Everything a run depends on; an omitted part or field takes the paper's default."""
+def _without_example(schema: JsonDict) -> None:
+    schema["description"] = str(schema["description"]).partition("\n")[0]
 
+
+class Scenario(Part):
+    """Everything a run depends on; an omitted part or field takes the paper's default.
+
+    Example:
+        >>> from sim_core import Scenario
+        >>> scenario = Scenario.model_validate({"road": {"roughness": "C", "bump": {"height": 0.12}}})
+        >>> scenario.road.roughness, scenario.road.bump.height, scenario.road.bump.width
+        (0.000256, 0.12, 4.0)
+    """
+
+    model_config = ConfigDict(json_schema_extra=_without_example)
     ADDED: ClassVar = frozenset({"hook", "estimation", "fuzzy"})
 
     vehicle: Vehicle = Field(Vehicle(), title="Vehicle")

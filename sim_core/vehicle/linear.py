@@ -1,6 +1,6 @@
-"""The linear car on its road: its steps are exact, and those in which no limit binds follow one matrix.
+"""The linear car on its road: its steps are exact.
 
-See docs/decisions/0002-speculative-blocks.md.
+See docs/decisions/0002-laws-are-followed-in-c.md.
 """
 
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.kernel import binding
+from sim_core.kernel.prepared import Follow, LawArrays, follow_linear
 from sim_core.scenario import Vehicle
 from sim_core.vehicle.half_car import FORCES, STATES, measurement
 from sim_core.vehicle.model import Estimator, LinearLaw, VehicleModel
@@ -27,7 +27,7 @@ class ControlStep:
 @cached
 def _exact(plant: Plant) -> ControlStep:
     """Without an estimator; shared, and with it what is prepared for a law."""
-    return ControlStep(A=plant.A, B=plant.B)
+    return ControlStep(A=np.ascontiguousarray(plant.A), B=np.ascontiguousarray(plant.B))
 
 
 def control_step(plant: Plant, vehicle: Vehicle, estimator: Estimator | None) -> ControlStep:
@@ -84,20 +84,9 @@ class LinearCar(VehicleModel):
             measured += np.outer(disturbance[:, -1], measurement(vehicle).F)
             self._forcing = np.hstack([measured @ estimator.measurement.T + estimator.input, self._forcing])
 
-    @property
-    def clips(self) -> bool:
-        """No: many steps follow one matrix."""
-        return False
-
-    def free_run(
-        self, law: LinearLaw, force_limit: float, first: int, start: FloatArray, feed: FloatArray
-    ) -> FloatArray:
+    def follow(self, law: LawArrays, loop: FloatArray) -> Follow:
         """As VehicleModel says."""
-        z = np.empty((len(feed) + 1, self.size + FORCES))
-        z[0], z[1:, self.size :] = start, feed
-        np.add(self._forcing[first : first + len(feed)], feed @ self._step.B.T, out=z[1:, : self.size])
-        binding.recurrence(closed_loop_matrix(self._step, law), z)
-        return z
+        return follow_linear(self._step.A, self._step.B, self._forcing, law, loop)
 
     def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
         """As VehicleModel says."""

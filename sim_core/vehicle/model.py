@@ -8,6 +8,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.errors import RidelabError
+from sim_core.kernel.prepared import Follow, LawArrays
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 
 LAW_INPUTS = STATES + FORCES  # what a law multiplies: the state, then the previous command
@@ -23,6 +24,14 @@ class LinearLaw:
             the deceleration (2, 3 · preview_steps); None for nothing.
         limits: Limits beside the greatest force: the law holds where each row times
             [state; previous force; disturbances] is between -1 and 1 (rows, 10 + 3 · preview_steps); None for none.
+
+    Example:
+        >>> import numpy as np
+        >>> from sim_core import LinearLaw
+        >>> gain = np.zeros((2, 10))
+        >>> gain[:, 4] = -1000.0  # against the body's velocity
+        >>> LinearLaw(gain=gain).force(np.array([0, 0, 0, 0, 0.2, 0, 0, 0]), np.zeros(2), np.zeros((3, 0))).tolist()
+        [-200.0, -200.0]
     """
 
     gain: FloatArray
@@ -30,7 +39,7 @@ class LinearLaw:
     limits: FloatArray | None = None
 
     def __post_init__(self) -> None:
-        """Check the shapes.
+        """Check the shapes; the arrays are C's from now on.
 
         Raises:
             RidelabError: They do not fit.
@@ -43,6 +52,7 @@ class LinearLaw:
             if array is None:
                 continue
             previewed = np.shape(array)[-1] - fixed if np.ndim(array) == 2 else -1
+            object.__setattr__(self, name, np.ascontiguousarray(array, dtype=np.float64))
             if previewed < 0 or previewed % DISTURBANCES or rows not in (None, len(array)):
                 raise RidelabError(f"A linear law's {name} has the shape {np.shape(array)}")
 
@@ -67,6 +77,17 @@ class SemiActiveDampers:
         most: The same; infinite where there is no limit.
         most_force: What control changes of the passive damper's force at most [N]; `least` and `most` go before it. A
             run sets it from the limits of forces.
+
+    Example:
+        >>> from sim_core import DampingController, Scenario, SemiActiveDampers, axle_velocities, simulate
+        >>> class SoftSkyhook(DampingController):
+        ...     def damping(self, setup):
+        ...         return -4000.0 * axle_velocities(setup)[0]
+        ...     def dampers(self):
+        ...         return SemiActiveDampers(least=500.0, most=8000.0)
+        >>> skyhook, speed_only = simulate(Scenario(), SoftSkyhook), simulate(Scenario(), "speed_only")
+        >>> skyhook.comfort["weighted_rms"] < speed_only.comfort["weighted_rms"]
+        True
     """
 
     least: float
@@ -99,25 +120,13 @@ class VehicleModel(ABC):
 
     size: int
 
-    @property
     @abstractmethod
-    def clips(self) -> bool:
-        """Whether `free_run` keeps forces within the limit; otherwise they are the law's, however large."""
-
-    @abstractmethod
-    def free_run(
-        self, law: LinearLaw, force_limit: float, first: int, start: FloatArray, feed: FloatArray
-    ) -> FloatArray:
-        """The closed loop over control steps in which none of the law's limits binds, from `start` on.
-
-        z (steps + 1, size + 2), as `start`.
+    def follow(self, law: LawArrays, loop: FloatArray) -> Follow:
+        """Drive it by a law of control, as `prepared.follow_linear` says.
 
         Args:
-            law: Of the controller.
-            force_limit: Of each force [N].
-            first: Index of the first control step.
-            start: [p; previous command in N] before it (size + 2,).
-            feed: What preview adds to the law's force in each step (steps, 2) [N].
+            law: In all control steps.
+            loop: [p; previous command] before each step and after the last (steps + 1, size + 2).
         """
 
     @abstractmethod

@@ -14,11 +14,11 @@ from math import ceil, inf, pi
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.prepared import NonlinearDrive
+from sim_core.kernel.prepared import Follow, LawArrays, NonlinearDrive
 from sim_core.road.profile import RoadUnderAxles
 from sim_core.scenario import Actuator, Vehicle
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, deflection_speeds, half_car
-from sim_core.vehicle.model import LAW_INPUTS, Estimator, LinearLaw, SemiActiveDampers, VehicleModel
+from sim_core.vehicle.model import Estimator, SemiActiveDampers, VehicleModel
 from sim_core.vehicle.plant import RECORDED
 
 _LONGEST_ANGLE = 0.09  # of the fastest pole in one step of Runge-Kutta [rad]; larger ones miss test_nonlinear_loops
@@ -29,7 +29,6 @@ _SHORTEST_STOP = 1e-3
 # and at most so large an exponent of the decay that the hardest damper causes.
 _LONGEST_STEP, _LARGEST_DECAY = 2.5e-4, 1.0
 _SIGNALS = len(RECORDED)
-_NO_FEEDBACK = np.zeros((FORCES, LAW_INPUTS))
 
 
 class NonlinearCar(VehicleModel):
@@ -62,30 +61,14 @@ class NonlinearCar(VehicleModel):
             fine_step=step / fine,
             table=self._table,
         )
-        self._single, self._command = np.zeros((2, self.size + FORCES)), np.zeros((1, FORCES))
-        self._hold = self._drive.prepare(_NO_FEEDBACK, inf, self._command, self._single)
 
-    @property
-    def clips(self) -> bool:
-        """Yes."""
-        return True
-
-    def free_run(
-        self, law: LinearLaw, force_limit: float, first: int, start: FloatArray, feed: FloatArray
-    ) -> FloatArray:
+    def follow(self, law: LawArrays, loop: FloatArray) -> Follow:
         """As VehicleModel says."""
-        loop = np.empty((len(feed) + 1, self.size + FORCES))
-        loop[0] = start
-        gain = np.ascontiguousarray(law.gain, dtype=np.float64)
-        self._drive.run(first, gain, force_limit, np.ascontiguousarray(feed), loop)
-        return loop
+        return self._drive.follow(law, loop)
 
     def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
         """As VehicleModel says."""
-        self._single[0, : self.size] = state
-        self._command[0] = command
-        self._hold(step)
-        return self._single[1, : self.size].copy()
+        return self._drive.advance(step, np.ascontiguousarray(state), np.ascontiguousarray(command))
 
     def measure(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
         """As VehicleModel says."""

@@ -76,7 +76,7 @@ def test_what_a_call_is_prepared_with_lives_as_long() -> None:
 A_DRIVE = """
 import numpy as np
 from math import inf
-from sim_core.kernel.prepared import NonlinearDrive
+from sim_core.kernel.prepared import LawArrays, NonlinearDrive
 
 STEPS, FINE = 6, 2
 RIGHT = dict(
@@ -84,11 +84,20 @@ RIGHT = dict(
     disturbance=np.zeros((STEPS, 3 * FINE)), table=np.zeros((10, FINE + 1, STEPS - 1)),
     road=(np.zeros(50), np.ones(9), np.zeros((2, STEPS * FINE + 1)), np.zeros((STEPS * FINE, 4))),
 )
-RUN = dict(first=0, gain=np.zeros((2, 10)), limit=inf, feed=np.zeros((STEPS, 2)), loop=np.zeros((STEPS + 1, 10)))
+LAW = dict(
+    gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 9)), limits=np.zeros((4, 19)), screen=np.zeros((14, 4)),
+    preview=np.zeros((3, STEPS + 2)), apart=(STEPS + 2, 1), sums=np.zeros((4, STEPS)),
+    force_limit=inf, most_change=inf, most_force=inf, clips=True,
+)
+RUN = dict(first=0, last=STEPS, loop=np.zeros((STEPS + 1, 10)))
+ONE = dict(step=0, now=np.zeros(8), command=np.zeros(2))
 
 def drive(**changed):
     built = NonlinearDrive(**{name: changed.get(name, value) for name, value in RIGHT.items()})
-    built.run(**{name: changed.get(name, value) for name, value in RUN.items()})
+    run = {name: changed.get(name, value) for name, value in RUN.items()}
+    law = LawArrays(**{name: changed.get(name, value) for name, value in LAW.items()})
+    built.follow(law, run["loop"])(run["first"], run["last"])
+    built.advance(**{name: changed.get(name, value) for name, value in ONE.items()})
 
 def road(**changed):
     names = "samples", "layout", "position", "within"
@@ -98,15 +107,23 @@ MISUSES = {
     "nothing wrong": "",
     "gain for half a state": "gain=np.zeros((2, 4))",
     "gain of integers": "gain=np.zeros((2, 10), dtype=int)",
-    "feed of one axle": "feed=np.zeros((STEPS, 1))",
-    "feed by axle": "feed=np.zeros((STEPS, 2), order='F')",
-    "big-endian feed": "feed=np.zeros((STEPS, 2), dtype='>f8')",
+    "preview of one axle": "preview_gain=np.zeros((1, 9))",
+    "preview by axle": "preview_gain=np.zeros((2, 9), order='F')",
+    "big-endian preview": "preview_gain=np.zeros((2, 9), dtype='>f8')",
+    "limits on the state alone": "limits=np.zeros((4, 10))",
+    "a bound for other limits": "screen=np.zeros((14, 3))",
+    "a preview that ends before the drive": "preview=np.zeros((3, STEPS + 1))",
+    "a preview from behind": "apart=(STEPS + 2, -1)",
+    "sums of fewer steps": "sums=np.zeros((4, STEPS - 1))",
+    "a single step beyond the drive": "step=STEPS",
+    "a single step of another car": "now=np.zeros(10)",
+    "a single step of one force": "command=np.zeros(1)",
     "no row after the last step": "loop=np.zeros((STEPS, 10))",
     "a loop without commands": "loop=np.zeros((STEPS + 1, 8))",
     "a first step before the drive": "first=-1",
-    "beyond the drive": "first=1",
+    "backwards": "first=1, last=0",
     "far beyond the drive": "first=2**31 - 1",
-    "more steps than the drive": "feed=np.zeros((STEPS + 1, 2)), loop=np.zeros((STEPS + 2, 10))",
+    "more steps than the drive": "last=STEPS + 1, loop=np.zeros((STEPS + 2, 10))",
     "a car of too few numbers": "car=np.ones(32)",
     "a state of nine": "states=9",
     "an estimator that knows nothing": "estimator=np.zeros(112)",
@@ -165,8 +182,8 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     "chords, positions": lambda: binding.within_steps(*ROAD, np.zeros((2, 4)), np.zeros((4, 4))),
     "disturbances, heights": lambda: binding.disturbances(np.zeros((2, 4)), np.zeros(4), 0.1, np.zeros((4, 3))),
     "disturbances, held": lambda: binding.disturbances(np.zeros((2, 5)), np.zeros(4), 0.1, np.zeros((3, 3))),
-    "horizons, ahead": lambda: binding.horizons(np.zeros((3, 7)), 4, np.zeros(5), np.zeros((3, 5))),
-    "horizons, none": lambda: binding.horizons(np.zeros((3, 4)), 0, np.zeros(5), np.zeros((3, 5))),
+    "horizons, ahead": lambda: binding.horizons(np.zeros((3, 7)), 4, np.zeros((4, 5))),
+    "horizons, none": lambda: binding.horizons(np.zeros((3, 4)), 0, np.zeros((4, 5))),
     "sections, integrands": lambda: sections(["value"]),
     "sections, unknown integrand": lambda: sections(["value", "cube"]),
     "sections, sums": lambda: sections(["value", "value"], sums=np.zeros((2, 2))),

@@ -270,7 +270,7 @@ def test_a_law_that_does_not_fit_its_preview_is_refused() -> None:
         def linear_law(self, stage: str) -> LinearLaw:
             return self._law
 
-    with pytest.raises(RidelabError, match="preview_gain"):
+    with pytest.raises(RidelabError, match="three columns"):
         simulate(SHORT, Wide)
     for shapes in ({"gain": np.zeros((2, 4))}, {"gain": np.zeros((2, 10)), "limits": np.zeros((3, 11))}):
         with pytest.raises(RidelabError, match="shape"):

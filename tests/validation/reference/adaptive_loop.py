@@ -10,12 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import ode
 
+from sim_core.kernel.prepared import Follow, LawArrays
 from sim_core.loop.excitation import fine_step
 from sim_core.result import StrategyResult
 from sim_core.road.profile import RoadUnderAxles
 from sim_core.scenario import Actuator, Scenario, Vehicle
 from sim_core.simulate import simulate
-from sim_core.vehicle.model import Estimator, LinearLaw, SemiActiveDampers, VehicleModel
+from sim_core.vehicle.model import Estimator, SemiActiveDampers, VehicleModel
 
 Array = NDArray[np.float64]
 FINER = 4  # times as many fine steps: samples of the record, in which positions and braking are linear and constant
@@ -26,8 +27,6 @@ def solved(scenario: Scenario, strategy: str) -> StrategyResult:
     """A run of any strategy without semi-active dampers and without an ECU."""
     with (
         patch("sim_core.loop.drive.make_vehicle", SolvedCar),
-        patch("sim_core.loop.closed_loop._LONGEST_BLOCK", 1),
-        patch("sim_core.loop.closed_loop._BLOCK_AFTER_LIMIT", 1),
         patch("sim_core.loop.drive.fine_step", lambda *plan, **actuated: fine_step(*plan, **actuated) / FINER),
     ):
         return simulate(scenario, strategy)
@@ -75,25 +74,30 @@ class SolvedCar(VehicleModel):
         rates = ode(lambda time, x: self._rates(time, x.tolist()))
         self._solver = rates.set_integrator("dopri5", nsteps=5000, first_step=self._h, rtol=1e-7, atol=1e-9)
 
-    @property
-    def clips(self) -> bool:
-        """Yes."""
-        return True
-
     def measure(self, step: int, state: Array, command: Array) -> Array:
         """Nobody asks."""
         raise NotImplementedError
 
-    def free_run(self, law: LinearLaw, force_limit: float, first: int, start: Array, feed: Array) -> Array:
-        """As VehicleModel says."""
-        loop = np.empty((len(feed) + 1, self.size + 2))
-        loop[0] = start
-        for k, fed in enumerate(feed):
-            inputs = np.concatenate([loop[k, :8], loop[k, self.size :]])
-            command = np.clip(law.gain @ inputs + fed, -force_limit, force_limit)
-            loop[k + 1, : self.size] = self.advance(first + k, loop[k, : self.size], command)
-            loop[k + 1, self.size :] = command
-        return loop
+    def follow(self, law: LawArrays, loop: Array) -> Follow:
+        """As VehicleModel says; where a law has limits beside its forces' the controller decides each step."""
+
+        def follow_from(first: int, last: int) -> tuple[int, int]:
+            if len(law.limits):
+                return first, 0
+            horizon, limited = law.preview_gain.shape[1] // 3, 0
+            for k in range(first, last):
+                kind, step = law.apart
+                seen = [law.preview.ravel()[i * kind + k * step :][:horizon] for i in range(3)]
+                state, previous = loop[k, :8], loop[k, self.size :]
+                wanted = law.gain @ np.concatenate([state, previous]) + law.preview_gain @ np.concatenate(seen)
+                change = np.clip(wanted, -law.force_limit, law.force_limit) - previous
+                command = previous + np.clip(change, -law.most_change, law.most_change)
+                command = np.clip(command, -law.most_force, law.most_force)
+                limited += bool(np.abs(command - wanted).max() > 1e-6)
+                loop[k + 1] = np.concatenate([self.advance(k, loop[k, : self.size], command), command])
+            return last, limited
+
+        return follow_from
 
     def advance(self, step: int, state: Array, command: Array) -> Array:
         """As VehicleModel says."""
