@@ -195,6 +195,13 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     "kinks, nowhere": lambda: kink_peaks(axle=replace(AXLE, position=np.full(9, np.inf))),
     "kinks, peaks": lambda: kink_peaks(peaks=np.zeros(2)),
     "kinks, beyond": lambda: kink_peaks(ends=np.array([[0.0, 9.0]])),
+    "linear drive, no square": lambda: linear_drive(A=np.zeros((8, 9))),
+    "linear drive, three forces": lambda: linear_drive(B=np.zeros((8, 3))),
+    "linear drive, half a state": lambda: linear_drive(
+        A=np.zeros((4, 4)), B=np.zeros((4, 2)), forcing=np.zeros((6, 4)), loop=np.zeros((7, 6))
+    ),
+    "linear drive, another's steps": lambda: linear_drive(forcing=np.zeros((5, 8))),
+    "linear drive, no row after the last": lambda: linear_drive(loop=np.zeros((6, 10))),
     "residual, columns": lambda: prepared.residual(
         np.eye(2), np.zeros((3, 1)), np.zeros(4), np.zeros(4), np.zeros(3), np.zeros(3), np.zeros(4)
     ),
@@ -231,6 +238,24 @@ def kink_peaks(**changed: Any) -> None:
     binding.kink_peaks(*ROAD, **(right | changed))
 
 
+def linear_drive(**changed: Any) -> None:
+    law = prepared.LawArrays(
+        gain=np.zeros((2, 10)),
+        preview_gain=np.zeros((2, 9)),
+        limits=np.zeros((4, 19)),
+        screen=np.zeros((14, 4)),
+        preview=np.zeros((3, 8)),
+        apart=(8, 1),
+        sums=np.zeros((4, 6)),
+        force_limit=np.inf,
+        most_change=np.inf,
+        most_force=np.inf,
+        clips=True,
+    )
+    right = {"A": np.eye(8), "B": np.zeros((8, 2)), "forcing": np.zeros((6, 8)), "loop": np.zeros((7, 10))}
+    prepared.follow_linear(law=law, **(right | changed))
+
+
 @pytest.mark.parametrize("misuse", DISAGREEING)
 def test_arrays_fit_each_other(misuse: str) -> None:
     with pytest.raises(ValueError, match=r"\w"):
@@ -242,3 +267,4 @@ def test_what_fits_is_taken() -> None:
     fuzzy()
     sections(["value", "value"])
     kink_peaks()
+    linear_drive()

@@ -127,6 +127,8 @@ def test_caveats_are_sentences_only_where_there_are_any(outcomes: dict[str, Comp
     vehicle = {"tyre_lift_off": False, "bump_stop_clearance": None}
     minute = {"airborne_ms": 0.9, "travel_exceeded_mm": 0.007, "target_reached": None}
     assert caveats({**entry, "events": minute}, vehicle) == []
+    for event, noteworthy in (("airborne_ms", 1.0), ("travel_exceeded_mm", 0.1)):
+        assert len(caveats({**entry, "events": {**minute, event: noteworthy}}, vehicle)) == 1, event
     events = {
         "airborne_ms": 94.0,
         "travel_exceeded_mm": 1.57,

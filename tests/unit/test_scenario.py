@@ -6,6 +6,7 @@ import pytest
 from pydantic import ValidationError
 
 from sim_core.scenario import Scenario
+from sim_core.scenario.presets import PRESETS
 
 
 def _nested(path: str, value: Any) -> dict[str, Any]:
@@ -81,4 +82,22 @@ def test_every_number_in_the_schema_has_a_title_a_unit_limits_and_a_soft_range_w
             assert field["description"].endswith("."), name
             default = field["default"]
             assert default is None or low <= default <= number["maximum"], name
+            assert not default or soft_low <= default <= soft_high, f"{name}: a slider shows its default"
     assert seen > 40
+
+
+def test_a_preset_is_what_its_description_says() -> None:
+    bumps = {name: each.scenario.road.bump for name, each in PRESETS.items()}
+    hump = {"shape": "circular", "height": 0.075, "width": 3.7}
+    said: dict[str, dict[str, object]] = {
+        "watts_hump": hump,
+        "pothole": {"shape": "trapezoid", "height": -0.06, "width": 1},
+        "three_humps": {**hump, "count": 3, "spacing": 20},
+        "washboard": {"height": 0.03, "width": 0.6, "spacing": 0.6, "count": 30 / 0.6},
+        "kerb": {"shape": "kerb", "height": 0.1, "width": 0.22},
+    }
+    for name, fields in said.items():
+        assert {field: getattr(bumps[name], field) for field in fields} == fields
+    assert PRESETS["watts_hump"].scenario.speed.detection_distance == 60
+    for name in ("watts_hump", "washboard"):
+        assert PRESETS[name].scenario.road.roughness == 256e-6, "class C of ISO 8608"

@@ -6,7 +6,7 @@ import pytest
 from sim_core.loop.excitation import Excitation, TimeGrid
 from sim_core.metrics.tyre_peaks import peaks_with_kinks
 from sim_core.metrics.windows import Windows
-from sim_core.road.profile import GRID, grid_positions, rough_profile
+from sim_core.road.profile import GRID, grid_positions, kinks, rough_profile
 from sim_core.scenario import Bump, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.road import BumpShape
 from sim_core.simulate import simulate
@@ -22,6 +22,14 @@ def test_a_short_bump_rises_and_falls_in_60_fine_steps(
     series = simulate(Scenario(road=road, speed=Speed(initial_speed_kmh=50)), "passive").series
     distance = (50 / 3.6) * series["time"][1]
     assert 60 <= rising_and_falling * width / distance < 60 * (1 + 1 / 10)
+
+
+def test_kinks_are_where_the_slope_of_each_bump_jumps() -> None:
+    """A trapezoid's at its feet and at the ends of its ramps, which are a quarter of its width."""
+    row = Bump(shape="trapezoid", start=10, width=4, count=2, spacing=6)
+    assert kinks(row) == (10, 11, 13, 14, 16, 17, 19, 20)
+    assert kinks(row.model_copy(update={"shape": "circular"})) == (10, 14, 16, 20)
+    assert kinks(row.model_copy(update={"shape": "cosine"})) == kinks(row.model_copy(update={"height": 0.0})) == ()
 
 
 @pytest.mark.parametrize("spare", [0.02, -0.02])
