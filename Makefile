@@ -11,7 +11,7 @@ PYTEST ?= --numprocesses 2 --dist loadfile --no-loadscope-reorder --durations 25
 INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --require-hashes -r
 MAKEFLAGS += --jobs=2  # packages and page, and both halves of the checks, side by side
 
-.PHONY: run test suite drill check check-python check-frontend audit bench margins ecu paper screenshots robust setup development compiler lock pin dist clean
+.PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust setup development compiler lock pin dist clean
 
 run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
@@ -25,6 +25,9 @@ suite: development ## the tests alone
 drill: development ## at length: new random scenarios, fifty kills, load, locks, backups, fuzzing, costs; DRILL_KILLS= and DRILL_SEED= change it
 	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/validation --numprocesses 2
 	$(BIN)/python -m pytest tests/drill -s
+
+mutate: development ## 300 small changes of the core, each by the tests that reach it; MUTATE_SEED= chooses, MUTATE_PIECE=1/3 takes a third
+	$(BIN)/python -m tests.mutation
 
 check: check-python check-frontend ## style, types and import rules
 

@@ -11,7 +11,7 @@ from sim_core.errors import RidelabError
 from sim_core.road.profile import profile
 from sim_core.road.survey import bumps_in, surveyed
 from sim_core.scenario import Bump, Road, Scenario, Speed
-from sim_core.scenario.measured import MeasuredRoad
+from sim_core.scenario.measured import SPACING, MeasuredRoad
 from sim_core.simulate import simulate
 
 
@@ -95,6 +95,16 @@ def test_a_bump_in_a_profile_is_detected(bump: Bump, share: float) -> None:
     assert found.start + found.width == pytest.approx(bump.end, abs=0.5)
     assert found.height == pytest.approx(bump.height, rel=share)
     assert not bumps_in(measured_on(Road(bump=Bump(height=0))).heights())
+
+
+@pytest.mark.parametrize(("deviations", "found"), [(5.8, 0), (6.2, 1)])
+def test_a_bump_stands_out_six_times_further_than_the_rest(deviations: float, found: int) -> None:
+    """A sine of amplitude A has the median magnitude A/√2, times 1.4826 its deviation were it normal."""
+    x = SPACING * np.arange(20_001)
+    amplitude = 0.02  # six deviations of it are well above the least bump
+    heights = amplitude * np.sin(2 * np.pi * x / 6.7)  # three waves in the running median, which is zero
+    heights[9_985:10_015] = deviations * 1.4826 * amplitude / np.sqrt(2)
+    assert len(bumps_in(heights)) == found
 
 
 def test_without_its_heights_or_beyond_its_end_a_road_is_refused_at_its_field() -> None:

@@ -6,7 +6,7 @@ import pytest
 from sim_core.loop.excitation import excite
 from sim_core.loop.preview import preview_windows
 from sim_core.road import profile as road
-from sim_core.road.sensed import ExpectedErrors, sensed_road, trusted
+from sim_core.road.sensed import ExpectedErrors, sensed_road, trust, trusted
 from sim_core.scenario import Actuator, Bump, Lqr, Mismatch, Mpc, Preview, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.parts import StageWeights
 from sim_core.simulate import simulate
@@ -124,6 +124,13 @@ def test_trust_is_the_best_linear_estimate() -> None:
     assert error < 0.3 * np.mean((seen - true) ** 2)
     assert trusted(seen, roughness, ExpectedErrors()) is seen
     assert np.isfinite(trusted(seen, 0.0, ExpectedErrors(noise=1e-170))).all()
+
+
+def test_where_road_and_noise_are_equally_dense_half_is_trusted() -> None:
+    """White noise of deviation σ at samples Δx apart has, up to 1/(2 Δx), the one-sided density 2 σ² Δx [m³]."""
+    roughness, noise = 64e-6, 0.002
+    equal = np.sqrt(roughness * 0.1**2 / (2 * noise**2 * 0.01) - 0.011**2)  # [1/m], within the grid's 50
+    assert trust(np.array([equal]), roughness, ExpectedErrors(noise=noise)) == pytest.approx(0.5)
 
 
 def test_the_more_offset_is_expected_the_less_of_the_short_waves_is_trusted() -> None:

@@ -134,6 +134,31 @@ def test_target_is_reached_wherever_the_brakes_allow_it(initial: int, detection:
         assert result.arrival_speed_kmh > target + 2.5
 
 
+@pytest.mark.parametrize(("lag", "left"), [(0.5, 35.2), (0.8, 39.2)])
+def test_the_guard_brakes_for_what_is_left_after_the_lag(lag: float, left: float) -> None:
+    """60 to 22.5 km/h at 4 m/s² takes 29.9 m, and lag · v before it: no metre is over, and yet the band is met."""
+    scenario = plan(initial_speed_kmh=60.0, detection_distance=left).model_copy(
+        update={"brake": Brake(pressure_lag=lag)}
+    )
+    assert simulate(scenario, "speed_only").arrival_speed_kmh <= 25
+    late = simulate(
+        plan(initial_speed_kmh=60.0, detection_distance=left - 2).model_copy(update={"brake": scenario.brake}),
+        "speed_only",
+    )
+    assert late.arrival_speed_kmh > 25
+
+
+def test_target_reached_is_arrival_within_the_papers_band() -> None:
+    """20 to 25 km/h about 22.5, for arrivals a little faster as well as for those in the band."""
+    arrivals = []
+    for distance in np.arange(17, 22, 0.25):
+        result = simulate(plan(detection_distance=float(distance)), "speed_only")
+        assert result.events["target_reached"] is (20 <= result.arrival_speed_kmh <= 25), result.arrival_speed_kmh
+        arrivals.append(result.arrival_speed_kmh)
+    assert any(25.2 < arrival < 27 for arrival in arrivals)
+    assert min(arrivals) < 25
+
+
 @pytest.mark.parametrize("target", [50.0, 60.0])
 def test_target_at_or_above_the_initial_speed_brakes_nothing(target: float) -> None:
     result = simulate(plan(target_speed_kmh=target), "lv")
