@@ -72,9 +72,11 @@ def run_id(scenario: Scenario, strategies: Iterable[str], roads: int = 1, baseli
     return _hash(content).lstrip("-_")[:RUN_ID_LENGTH]
 
 
-def _program(strategies: Iterable[str]) -> dict[str, str]:
+def _program(strategies: Iterable[str]) -> JsonObject:
     """What computes these strategies, all together."""
-    return {key: value for name in sorted(strategies) for key, value in program(strategy_named(name)).items()}
+    programs = {name: program(strategy_named(name)) for name in sorted(strategies)}
+    common = {key: value for each in programs.values() for key, value in each.items() if key != "controller"}
+    return {**common, "controllers": {name: each["controller"] for name, each in programs.items()}}
 
 
 def _hash(content: JsonObject) -> str:

@@ -5,8 +5,8 @@ here named in `__all__` is public, and all that Ridelab's own strategies are wri
 
 Example:
     >>> from sim_core import STRATEGIES, Scenario, simulate
-    >>> list(STRATEGIES)
-    ['lv', 'lv_hil', 'lqr', 'skyhook', 'groundhook', 'hybrid', 'suspension_only', 'speed_only', 'passive']
+    >>> "lv" in STRATEGIES
+    True
     >>> lv, lqr = simulate(Scenario(), "lv"), simulate(Scenario(), "lqr")
     >>> lv.comfort["weighted_rms"] < lqr.comfort["weighted_rms"]
     True

@@ -1,7 +1,9 @@
 """What is wrong with a controller, in words, before anybody relies on its numbers."""
 
+import inspect
 import re
 import traceback
+from typing import get_args
 
 import numpy as np
 
@@ -9,16 +11,18 @@ from sim_core.control.controller import Controller, Force, Option, ScenarioField
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
-from sim_core.scenario import Bump, Road, Scenario, dotted
+from sim_core.scenario import Bump, Preview, Road, Scenario, dotted
 from sim_core.simulate import simulate
 from sim_core.strategies import speed_plan
+from sim_core.vehicle.model import SemiActiveDampers
 
 _SHORT = Scenario(road=Road(length=60, bump=Bump(start=30)))
 _SAME_LAW = 1e-4  # relative: a solver's answer is no closer to the law's
+_NOTHING = 1e-6  # in SI units: less than that is nobody's difference
 _ID = re.compile("[a-z][a-z0-9_]*")
 
 
-def check_controller(controller: type[Controller] | Controller, scenario: Scenario = _SHORT) -> list[str]:
+def check_controller(controller: type[Controller] | Controller, scenario: Scenario | None = None) -> list[str]:
     """Look at a controller's fields, then drive it over a short road several times.
 
     Args:
@@ -39,9 +43,15 @@ def check_controller(controller: type[Controller] | Controller, scenario: Scenar
         ['label is empty']
     """
     wrong = _declared(controller if isinstance(controller, type) else type(controller))
-    if wrong:
-        return wrong
-    made = controller() if isinstance(controller, type) else controller
+    return wrong or _driven(controller, _SHORT if scenario is None else scenario)
+
+
+def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> list[str]:
+    """What is wrong with its runs."""
+    try:
+        made = controller() if isinstance(controller, type) else controller
+    except Exception as error:  # noqa: BLE001 - of anybody's code
+        return [_raised(error, controller)]
     speed = scenario.speed.model_copy(update={"policy": speed_plan(type(made), scenario.speed.policy)})
     scenario = scenario.model_copy(update={"speed": speed})
     try:
@@ -49,11 +59,16 @@ def check_controller(controller: type[Controller] | Controller, scenario: Scenar
         other = simulate(scenario, controller) if isinstance(controller, type) else first
         by_force = simulate(scenario, _ByForce(made)) if _has_both(made) else first
     except Exception as error:  # noqa: BLE001 - of anybody's code
-        return [_raised(error)]
+        return [_raised(error, controller)]
     if not _same(first, other):
-        return ["Two runs of new objects differ: its forces depend on more than what it is told"]
+        return [
+            "Two runs of new objects differ: it keeps something outside the object, such as a list of the class, a file "
+            "or random numbers; make it in start"
+        ]
     if not _same(first, again):
         return ["A second run of the same object differs: start has to forget the run before"]
+    if not made.actuated and any(first.metrics["whole"][f"{axle}_force"]["peak"] for axle in ("front", "rear")):
+        return ["It says that it has no actuators, and gives a force"]
     if not _close(first, by_force):
         return ["force and linear_law give different forces where no limit binds"]
     return []
@@ -68,6 +83,8 @@ def _declared(kind: type[Controller]) -> list[str]:
         wrong.append("label is empty")
     if kind.__doc__ is None or not kind.description():
         wrong.append("It has no docstring, whose first line describes it")
+    if isinstance(kind.preview, str) and kind.preview not in get_args(Preview):
+        wrong.append(f"preview is one of {', '.join(get_args(Preview))}")
     if kind.speed_plan not in ("planned", "constant"):
         wrong.append("speed_plan is planned or constant")
     if kind.force is Controller.force and kind.linear_law is Controller.linear_law:
@@ -103,6 +120,9 @@ class _ByForce(Controller):
         ready.preview, ready.prediction_horizon = ready._other.preview, ready._other.preview_steps
         return ready
 
+    def dampers(self) -> SemiActiveDampers | None:
+        return self._other.dampers()
+
     def start(self, setup: Setup) -> None:
         self._other.start(setup)
 
@@ -121,16 +141,18 @@ def _close(first: StrategyResult, second: StrategyResult) -> bool:
     for window, signals in first.metrics.items():
         for signal, statistics in signals.items():
             ours, theirs = list(statistics.values()), list(second.metrics[window][signal].values())
-            if not np.allclose(ours, theirs, rtol=_SAME_LAW, atol=0):
+            if not np.allclose(ours, theirs, rtol=_SAME_LAW, atol=_NOTHING):
                 return False
     return True
 
 
-def _raised(error: Exception) -> str:
-    """An error of a run in a sentence, with the line of the controller's own file."""
+def _raised(error: Exception, controller: type[Controller] | Controller) -> str:
+    """An error of a run in a sentence, with the last line of the controller's own file, if that is among its causes."""
     if isinstance(error, RidelabError):
         return error.message
-    frame = traceback.extract_tb(error.__traceback__)[-1]
+    frames = traceback.extract_tb(error.__traceback__)
+    file = inspect.getfile(controller if isinstance(controller, type) else type(controller))
+    frame = next((each for each in reversed(frames) if each.filename == file), frames[-1])
     if "read-only" in str(error):
-        return f"It changes what it was given: {frame.filename}, line {frame.lineno}"
+        return f"It changes what it was given, at {frame.filename}, line {frame.lineno}: copy it first"
     return f"{type(error).__name__} at {frame.filename}, line {frame.lineno}: {error}"

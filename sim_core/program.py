@@ -2,6 +2,7 @@
 
 import hashlib
 import inspect
+from collections.abc import Hashable
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -17,20 +18,23 @@ def program(strategy: type[Controller]) -> dict[str, str]:
     """What computes its results.
 
     The core's version, the digest of the kernel's sources and flags, the versions of the QP solvers, and the digest of
-    the file of a controller that is not Ridelab's. Another processor or another BLAS computes the same within rounding
+    the controller's own file. Another processor or another BLAS computes the same within rounding
     (docs/decisions/0018-c-beneath-numpy.md).
 
     Raises:
-        OSError: The file of a controller that is not Ridelab's cannot be read.
+        OSError: The controller's file cannot be read.
         TypeError: It is in no file: `sys.modules` has no such module.
     """
-    found = {"core": sim_core.__version__, "kernel": DIGEST, **_solvers()}
-    if not strategy.__module__.startswith("sim_core."):
-        file = Path(inspect.getfile(strategy))
-        found["controller"] = hashlib.sha256(file.read_bytes()).hexdigest()
-    return found
+    return {"core": sim_core.__version__, "kernel": DIGEST, **_solvers(), "controller": _source(strategy)}  # type: ignore[arg-type]  # a class can be hashed
 
 
 @cache
 def _solvers() -> dict[str, str]:
     return {name: version(name) for name in SOLVERS}
+
+
+@cache
+def _source(strategy: Hashable) -> str:
+    """SHA-256 of the file that has the class, as it was when somebody first asked."""
+    assert isinstance(strategy, type)  # noqa: S101 - a class can be hashed
+    return hashlib.sha256(Path(inspect.getfile(strategy)).read_bytes()).hexdigest()

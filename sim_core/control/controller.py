@@ -65,7 +65,7 @@ def scenario_field(name: str) -> Any:
     return ScenarioField(name=name)
 
 
-def option(default: Any, *, unit: str = "1", ge: float | None = None, le: float | None = None, help: str = "") -> Any:  # noqa: A002 - contract.md's name
+def option(default: Any, *, unit: str = "1", ge: float | None = None, le: float | None = None, help: str = "") -> Any:  # noqa: A002 - what it is to whoever sets it
     """A field of a controller that is its own.
 
     Args:
@@ -121,11 +121,11 @@ class Report:
 class Controller:
     """A suspension controller and the speed plan it is driven with: a strategy.
 
-    A subclass sets `id`, `label` and fields, and defines `force` or `linear_law`. An object drives one run at a time;
-    `start` has to forget the run before.
+    A subclass sets `id`, `label` and fields, and defines `force` or `linear_law`. Each run drives a shallow copy of the
+    object; `start` has to forget the run before, and what is made in it belongs to one run.
 
     Attributes:
-        id: Name in scenarios, files and addresses: letters, digits and underscores.
+        id: Name in scenarios, files and addresses: a small letter, then small letters, digits and underscores.
         label: Name in tables and plots.
         speed_plan: `planned` brakes for the bump, `constant` does not; a scenario's `speed.policy` goes before it.
         actuated: Whether there are actuators; False is a passive suspension.
@@ -209,7 +209,8 @@ class Controller:
         """The law of a driving stage while no limit binds; None for a controller that is not linear.
 
         Where its forces are within the force limit and its own limits hold, they are the command. Elsewhere `force` is
-        asked. A law must be the same object in each call of a run.
+        asked. It should be the same object in each call, so that what is prepared for it is kept. A delayed controller
+        is not asked for a law.
         """
         return None
 

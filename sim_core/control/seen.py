@@ -85,7 +85,7 @@ class Seen:
         step: Number of the control step, from 0; the first ones are before x = 0.
         state: The half-car's (8,), exact or estimated as the scenario says: suspension deflections front and rear [m],
             tyre deflections front and rear [m], body velocity [m/s], pitch rate [rad/s], wheel velocities front and
-            rear [m/s]; up and nose-down are positive.
+            rear [m/s]. Up and nose-down are positive; a suspension deflection is body minus wheel: longer is positive.
         previous_force: What the actuators were told before, front and rear (2,) [N].
 
     Example:

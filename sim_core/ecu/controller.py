@@ -5,7 +5,7 @@ never. What its program is, `connect` says.
 """
 
 from contextlib import ExitStack
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,9 +52,9 @@ class EcuController(PredictiveController):
     packet_loss: float = scenario_field("hil.packet_loss")
     seed: int = scenario_field("hil.seed")
 
-    def __init__(self, *, connect: Connect = in_process, checked: Checked = "all") -> None:
+    def __init__(self, *, connect: Connect = in_process, checked: Checked = "all", **values: Any) -> None:
         """Drive with the program that `connect` leads to, which checks all limits of the horizon or a few."""
-        super().__init__()
+        super().__init__(**values)
         self._connect = connect
         self._checked = checked
 
@@ -79,11 +79,11 @@ class EcuController(PredictiveController):
         Raises:
             RidelabError: The vehicle and weights admit no stabilising controller.
         """
+        self._connection = ExitStack()
         self._known = calibration = self.calibration(setup)
         self._full_scale = full_scales(calibration.preview_length)
         self._noise = self._draw_noise(setup)
         self.report.limited_steps = self.report.most_iterations = self.report.clipped_values = 0
-        self._connection = ExitStack()
         self._ecu = self._connection.enter_context(self._connect(calibration))
 
     def end(self) -> None:

@@ -80,7 +80,7 @@ int ridelab_follow(const struct law *law, advance_function *advance, const void 
     for (int step = first; step < last; step++) {
         double *now = loop + (size_t)step * (size_t)width, *next = now + width, z[INPUTS], command[FORCES];
         const double *previous = now + size, *preview = law->preview + (ptrdiff_t)at->apart * step;
-        int shaped = 0, beyond = 0;
+        int shaped = 0, beyond = 0, lost = 0;
         memcpy(z, now, STATE * sizeof(double));
         memcpy(z + STATE, previous, FORCES * sizeof(double));
         for (int axle = 0; axle < FORCES; axle++) {
@@ -91,9 +91,10 @@ int ridelab_follow(const struct law *law, advance_function *advance, const void 
                 force = previous[axle] + clipped(change, at->most_change);
             command[axle] = clipped(force, at->most_force);
             beyond |= !(fabs(wanted) <= at->force_limit * WITHIN);
+            lost |= isnan(wanted);
             shaped |= !(fabs(command[axle] - wanted) <= SAME_FORCE);
         }
-        if ((beyond && !at->clips) || !holds(law, step, z, preview))
+        if (lost || (beyond && !at->clips) || !holds(law, step, z, preview))
             return step;
         advance(car, step, now, command, next);
         memcpy(next + size, command, sizeof command);

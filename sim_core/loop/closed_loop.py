@@ -122,7 +122,7 @@ class ClosedLoop:
         n = self._car.size
         state, previous = loop[k, :n], loop[k, n:]
         seen = Seen(self._inputs, self._car, k, read_only(state), read_only(previous))
-        asked = checked_force(self._controller, self._controller.force(seen))
+        asked = checked_force(self._controller, self._controller.force(seen), k)
         wanted = asked.clip(-self._limits.control, self._limits.control)
         command = self._limits.of_actuator(wanted, previous)
         loop[k + 1, :n] = self._car.advance(k, state, command)
@@ -145,7 +145,7 @@ def _screen(law: LinearLaw) -> FloatArray:
     return np.ascontiguousarray(np.vstack(bounds))
 
 
-def checked_force(controller: Controller, force: object) -> FloatArray:
+def checked_force(controller: Controller, force: object, step: int) -> FloatArray:
     """A controller's forces (2,) [N].
 
     Raises:
@@ -156,9 +156,14 @@ def checked_force(controller: Controller, force: object) -> FloatArray:
     except (TypeError, ValueError):
         asked = np.empty(0)
     if asked.shape != (FORCES,):
-        raise RidelabError(f"{controller.label}: force gives two numbers, front and rear")
+        came = (
+            "None" if force is None else f"an array of the shape {np.shape(asked)}" if asked.size else "something else"
+        )
+        raise RidelabError(
+            f"{controller.label}: force gives two numbers, front and rear; in step {step} it gave {came}"
+        )
     if not np.isfinite(asked).all():
-        raise RidelabError(f"{controller.label}: force gave a value that is not finite")
+        raise RidelabError(f"{controller.label}: force gave a value that is not finite in control step {step}")
     return asked
 
 

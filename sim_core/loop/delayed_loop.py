@@ -8,6 +8,7 @@ import numpy as np
 
 from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Seen, Setup
+from sim_core.errors import RidelabError
 from sim_core.loop.closed_loop import ForceLimits, Trajectory, checked_force, read_only
 from sim_core.vehicle.half_car import FORCES
 from sim_core.vehicle.model import VehicleModel
@@ -29,7 +30,7 @@ class DelayedLoop:
         """Drive from rest, without a command before the first arrives; a row of the trajectory is a short step."""
         car, steps, n = self._car, self._setup.steps, self._setup.short_steps
         states, commands = np.empty((steps * n, car.size)), np.empty((steps * n, FORCES))
-        arrivals = self._controller.arrivals(self._setup).tolist()
+        arrivals = self._arrivals()
         newest = [-1] * (steps * n)  # the command that arrives at a short step, the newest of several
         asked = np.zeros((steps + 1, FORCES))  # by command [N]; the last row is none, -1
         used = np.zeros(steps + 1, dtype=bool)
@@ -40,7 +41,7 @@ class DelayedLoop:
                 Seen(self._inputs, car, k, read_only(state), read_only(present), car_step=k * n)
             )
             if force is not None:
-                wanted = checked_force(self._controller, force)
+                wanted = checked_force(self._controller, force, k)
                 asked[k] = wanted.clip(-self._limits.control, self._limits.control)
                 limited += not np.array_equal(asked[k], wanted)
                 if arrivals[k] < steps * n:
@@ -56,3 +57,17 @@ class DelayedLoop:
                 state = car.advance(i, state, present)
         held_commands = int(np.count_nonzero(~used[: steps - 1]))  # the last one would take effect after the run
         return Trajectory(states=states, commands=commands, limited=limited, held_commands=held_commands)
+
+    def _arrivals(self) -> list[int]:
+        """The controller's, if each command arrives after it was asked for.
+
+        Raises:
+            RidelabError: They are no such numbers.
+        """
+        steps, n = self._setup.steps, self._setup.short_steps
+        arrivals = np.asarray(self._controller.arrivals(self._setup))
+        if arrivals.shape != (steps,) or arrivals.dtype.kind not in "iu" or (arrivals < np.arange(steps) * n).any():
+            message = "arrivals gives one whole number for each control step, none before its own step"
+            raise RidelabError(f"{self._controller.label}: {message}")
+        found: list[int] = arrivals.tolist()
+        return found

@@ -113,8 +113,8 @@ class Run:
         car = self.car(n)
         forecast = self.forecast(controller.preview, controller.preview_steps)
         inputs = self.inputs(forecast, n)
-        controller.start(setup)
         try:
+            controller.start(setup)
             if controller.delayed:
                 trajectory = DelayedLoop(controller, car, inputs, setup, self._limits(setup.short_step)).run()
             else:
@@ -182,7 +182,7 @@ class Run:
         actuator, actuated = self.scenario.actuator, self.controller.actuated
         rate, saturation = (actuator.rate_limit, actuator.saturation) if actuated else (None, None)
         return ForceLimits(
-            control=self.scenario.mpc.force_limit if actuated else inf,
+            control=self.scenario.mpc.force_limit if actuated else 0.0,
             change=inf if rate is None else rate * step,
             actuator=inf if saturation is None else saturation,
         )

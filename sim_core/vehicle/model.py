@@ -39,10 +39,10 @@ class LinearLaw:
     limits: FloatArray | None = None
 
     def __post_init__(self) -> None:
-        """Check the shapes; the arrays are C's from now on.
+        """Check the arrays, which become contiguous copies that nobody can write.
 
         Raises:
-            RidelabError: They do not fit.
+            RidelabError: A shape does not fit, or a number is not finite.
         """
         for name, array, rows, fixed in (
             ("gain", self.gain, FORCES, LAW_INPUTS),
@@ -52,9 +52,13 @@ class LinearLaw:
             if array is None:
                 continue
             previewed = np.shape(array)[-1] - fixed if np.ndim(array) == 2 else -1
-            object.__setattr__(self, name, np.ascontiguousarray(array, dtype=np.float64))
+            own = np.array(array, dtype=np.float64, order="C")
+            own.flags.writeable = False
+            object.__setattr__(self, name, own)
             if previewed < 0 or previewed % DISTURBANCES or rows not in (None, len(array)):
                 raise RidelabError(f"A linear law's {name} has the shape {np.shape(array)}")
+            if not np.isfinite(own).all():
+                raise RidelabError(f"A linear law's {name} has a number that is not finite")
 
     def force(self, state: FloatArray, previous_force: FloatArray, disturbances: FloatArray) -> FloatArray:
         """The law's forces (2,) [N].

@@ -13,7 +13,7 @@ from sim_core.strategies import STRATEGIES
 
 def test_it_is_named_by_version_c_and_solvers() -> None:
     for strategy in STRATEGIES.values():
-        assert set(named(strategy)) == {"core", "kernel", "daqp", "osqp"}
+        assert set(named(strategy)) == {"core", "kernel", "daqp", "osqp", "controller"}
 
 
 @pytest.mark.parametrize("part", ["DIGEST", "_solvers"])
@@ -23,7 +23,7 @@ def test_another_c_or_solver_is_another_program(part: str, monkeypatch: pytest.M
     assert named(STRATEGIES["lv"]) != before
 
 
-def test_a_law_that_is_not_ours_is_named_by_its_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_law_is_named_by_its_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     file = tmp_path / "my_law.py"
 
     def law(text: str) -> type[Controller]:
