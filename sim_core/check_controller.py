@@ -62,8 +62,8 @@ def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> li
         return [_raised(error, controller)]
     if not _same(first, other):
         return [
-            "Two runs of new objects differ: it keeps something outside the object, such as a list of the class, a file "
-            "or random numbers; make it in start"
+            "Two runs of new objects differ: it keeps something outside the object, such as a list of the class or "
+            "random numbers; make it in start"
         ]
     if not _same(first, again):
         return ["A second run of the same object differs: start has to forget the run before"]
