@@ -162,7 +162,7 @@ def noticed(copies: Copies, reach: Reach, place: Place) -> str | None:
                 code, said = pytest_in(copy, f"--timeout={TEST_LIMIT}", *tests)
                 if code:
                     failed = re.search(r"^(?:FAILED|ERROR) (\S+)", said, re.MULTILINE)
-                    return failed[1] if failed else "the time limit or the import"
+                    return failed[1] if failed else "a crash, the time limit or a failed import"
             return None
         finally:
             file.write_bytes(source)
