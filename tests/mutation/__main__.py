@@ -116,14 +116,12 @@ class Reach:
                         self._of_line[file, line].add(test)
 
     def tests(self, place: Place, line: int) -> list[str]:
-        """Tests of a place, the quickest first: of its statement, else of its file, else all that reach the core."""
-        if place.file.endswith(".c"):
-            found = self._of_file[CALLS_C]
-        else:
-            lines = range(place.first, line + 1) if place.inside else ()
-            found = set().union(*(self._of_line[place.file, number] for number in lines)) or self._of_file[place.file]
-        found = found or set().union(*self._of_file.values())
-        return sorted(found - {STORED_NUMBERS}, key=self.seconds.__getitem__)
+        """Tests of a place's statement, the quickest first; where the import runs it, all, those of its file first."""
+        of_file = self._of_file[CALLS_C if place.file.endswith(".c") else place.file]
+        lines = range(place.first, line + 1) if place.inside else ()
+        found = of_file if place.file.endswith(".c") else set().union(*(self._of_line[place.file, n] for n in lines))
+        found = (found or set().union(*self._of_file.values())) - {STORED_NUMBERS}
+        return sorted(found, key=lambda test: (test not in of_file, self.seconds[test]))
 
 
 def _digest() -> str:
@@ -162,7 +160,7 @@ def noticed(copies: Copies, reach: Reach, place: Place) -> str | None:
                 code, said = pytest_in(copy, f"--timeout={TEST_LIMIT}", *tests)
                 if code:
                     failed = re.search(r"^(?:FAILED|ERROR) (\S+)", said, re.MULTILINE)
-                    return failed[1] if failed else "the time limit or the import"
+                    return failed[1] if failed else "a crash, the time limit or a failed import"
             return None
         finally:
             file.write_bytes(source)

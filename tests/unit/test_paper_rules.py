@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from backend.analysis.intervals import change_with_interval
+from backend.analysis.intervals import change_with_interval, mean_with_interval
 from backend.paper import claims
 from backend.paper.attribution import FACTORS, VARIANTS, shares
 from backend.paper.claims import FIGURES, Verdict, judge, scenario_for, verdict
@@ -123,6 +123,12 @@ def test_a_verdict_is_certain_where_its_whole_interval_gets_it() -> None:
     item = next(each for each in judge(values) if each.cell.claim == -31.3)
     assert item.change.low < -31.3 < item.change.high
     assert not item.certain
+
+
+def test_the_interval_of_a_mean_is_students() -> None:
+    """1, 2, 3 and 4: s² = 5/3 with three degrees of freedom, whose two-sided 5 % point is 3.182 446 in the tables."""
+    interval, half = mean_with_interval([1, 2, 3, 4]), 3.182446 * (5 / 3 / 4) ** 0.5
+    assert (interval.value, interval.low, interval.high) == pytest.approx((2.5, 2.5 - half, 2.5 + half), rel=1e-6)
 
 
 def test_the_interval_of_a_change_covers_the_truth_as_often_as_it_says() -> None:

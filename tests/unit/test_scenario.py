@@ -86,6 +86,14 @@ def test_every_number_in_the_schema_has_a_title_a_unit_limits_and_a_soft_range_w
     assert seen > 40
 
 
+def test_the_schema_describes_each_part_and_the_scenario_in_a_line() -> None:
+    """The scenario's docstring has an example too, which no reader of the API has a use for."""
+    schema = Scenario.model_json_schema()
+    assert all(part["description"] for part in schema["$defs"].values())
+    assert schema["description"].startswith("Everything a run depends on")
+    assert "\n" not in schema["description"]
+
+
 def test_a_preset_is_what_its_description_says() -> None:
     bumps = {name: each.scenario.road.bump for name, each in PRESETS.items()}
     hump = {"shape": "circular", "height": 0.075, "width": 3.7}

@@ -7,6 +7,7 @@ from pydantic import BaseModel, Field
 
 from backend.http.validation import locate_in_body
 from backend.unknown_names import pointer
+from sim_core.scenario import dotted
 
 
 class Circle(BaseModel):
@@ -44,3 +45,11 @@ def test_the_place_is_the_bodys_own_and_names_are_those_in_json(
 
 def test_a_json_pointer_is_escaped() -> None:
     assert pointer(["a/b", "c~d", 0]) == "/a~1b/c~0d/0"
+
+
+def test_a_name_that_is_unknown_may_have_meant_those_below_the_part_it_begins_with() -> None:
+    assert {name.rpartition(".")[0] for name in dotted.offered("mpc.stage_weights.cruise.9")} == {
+        "mpc.stage_weights.cruise"
+    }
+    assert {name.partition(".")[0] for name in dotted.offered("brake.strength")} == {"brake"}
+    assert dotted.offered("brakes.lag") == list(dotted.fields())

@@ -9,7 +9,7 @@ from skfuzzy import control
 
 from sim_core.scenario import Fuzzy, Scenario
 from sim_core.scenario.fuzzy import TABLE_1 as RULES_OF_TABLE_1
-from sim_core.scenario.fuzzy import even_triangles
+from sim_core.scenario.fuzzy import FuzzySet, even_triangles
 from sim_core.simulate import simulate
 from sim_core.speed.fuzzy import memberships, torque_rules
 
@@ -230,3 +230,12 @@ def test_a_rule_names_sets_that_there_are(fuzzy: dict[str, Any], field: str) -> 
         Scenario.model_validate({"fuzzy": fuzzy})
     (error,) = refused.value.errors()
     assert (error["loc"], error["ctx"]["field"]) == (("fuzzy",), field)
+
+
+@pytest.mark.parametrize("corners", [(0, 0, 1, 1), (0, 1, 1, 2), (0, 0, 0, 1), (0, 1, 1, 1)])
+def test_a_trapezoids_corners_may_coincide(corners: tuple[float, ...]) -> None:
+    """Upright sides and a triangle are trapezoids; a single point is none, nor are corners that go back."""
+    assert FuzzySet(name="set", function="trapmf", corners=corners).corners == corners
+    for wrong in ((1, 1, 1, 1), (0, 2, 1, 3)):
+        with pytest.raises(ValidationError):
+            FuzzySet(name="set", function="trapmf", corners=wrong)
