@@ -18,5 +18,5 @@ def unpacked(typed: Mapping[str, Mapping[str, str]]) -> "dict[str, NDArray[np.fl
     try:
         import numpy as np
     except ImportError:
-        raise ImportError("Arrays need NumPy: pip install 'ridelab[pandas]'") from None
+        raise ImportError("Arrays need NumPy: pip install numpy") from None
     return {key: np.frombuffer(base64.b64decode(item["bdata"]), dtype="<f4") for key, item in typed.items()}

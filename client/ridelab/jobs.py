@@ -199,7 +199,7 @@ class Batch(Job):
         try:
             import pandas as pd
         except ImportError:
-            raise ImportError("A frame needs pandas: pip install 'ridelab[pandas]'") from None
+            raise ImportError("A frame needs pandas: pip install pandas") from None
         frame = pd.read_csv(io.BytesIO(b"".join(self.content("csv"))))
         heads = [head.removesuffix("]").partition(" [") for head in map(str, frame.columns)]
         frame.columns = pd.Index([name for name, _, _ in heads])

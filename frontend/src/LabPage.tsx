@@ -1,5 +1,5 @@
 import { useQuery } from "@tanstack/react-query";
-import { lazy, Suspense, useEffect, useMemo } from "react";
+import { lazy, useEffect, useMemo } from "react";
 import { isTransient } from "./api/problem";
 import { standardScenario } from "./editor/diff";
 import { DropFiles } from "./library/DropFiles";
@@ -15,6 +15,7 @@ import { LabContextProvider, useLabContext } from "./state/context";
 import { catalogueQuery, figuresQuery, presetsQuery, schemaQuery, strategiesQuery } from "./state/queries";
 import { useSelect } from "./state/store";
 import { useSchemeColours } from "./state/useSchemeColours";
+import { LazyPart } from "./ui/LazyPart";
 
 const SharedSweep = lazy(() => import("./batch/BatchPage").then((module) => ({ default: module.SharedSweep })));
 
@@ -28,9 +29,9 @@ export function LabPage() {
   return (
     <LabContextProvider value={value}>
       {shared?.batch ? (
-        <Suspense>
+        <LazyPart>
           <SharedSweep key={shared.slug} link={shared} id={shared.batch.id} />
-        </Suspense>
+        </LazyPart>
       ) : (
         <LabContent />
       )}

@@ -3,9 +3,17 @@
 import { lazy, type ReactNode } from "react";
 import { tokenWanted } from "../api/connection";
 import { useStore } from "../state/store";
+import { LazyPart } from "../ui/LazyPart";
 
 const Login = lazy(async () => ({ default: (await import("./Login")).Login }));
 
 export function LoginGate({ children }: { readonly children: ReactNode }) {
-  return useStore(tokenWanted) ? <Login /> : children;
+  if (!useStore(tokenWanted)) {
+    return children;
+  }
+  return (
+    <LazyPart>
+      <Login />
+    </LazyPart>
+  );
 }

@@ -7,7 +7,8 @@ import { Suspense, type ReactNode } from "react";
 interface Props {
   /** What stands in its place until it is there, and where it fails. */
   readonly fallback?: ReactNode;
-  readonly onClose: () => void;
+  /** Takes it away again; without it the page cannot be used until it is there. */
+  readonly onClose?: (() => void) | undefined;
   readonly children: ReactNode;
 }
 
@@ -20,10 +21,13 @@ export function LazyPart({ fallback = null, onClose, children }: Props) {
         <>
           {fallback}
           <PartFailed
-            onClose={() => {
-              reset();
-              onClose();
-            }}
+            onClose={
+              onClose &&
+              (() => {
+                reset();
+                onClose();
+              })
+            }
           />
         </>
       )}
@@ -35,12 +39,20 @@ export function LazyPart({ fallback = null, onClose, children }: Props) {
 
 function PartFailed({ onClose }: Pick<Props, "onClose">) {
   return (
-    <Modal opened onClose={onClose} title="This part of the page could not be shown" closeButtonProps={{ "aria-label": "Close" }}>
+    <Modal
+      opened
+      onClose={onClose ?? (() => undefined)}
+      withCloseButton={onClose !== undefined}
+      title="This part of the page could not be shown"
+      closeButtonProps={{ "aria-label": "Close" }}
+    >
       <Text size="sm">Ridelab may have been updated since this page was loaded. Loading it again shows what was computed: it is stored at this address.</Text>
       <Group justify="flex-end" gap="xs" mt="md">
-        <Button variant="default" onClick={onClose}>
-          Close
-        </Button>
+        {onClose && (
+          <Button variant="default" onClick={onClose}>
+            Close
+          </Button>
+        )}
         <Button onClick={() => window.location.reload()}>Load again</Button>
       </Group>
     </Modal>
