@@ -91,9 +91,9 @@ def test_back_from_another_document_keeps_them(cached: Dashboard) -> None:
     edited(cached)
     page, address = cached.page, cached.address()
     page.evaluate("window.cached = false; location.href = '/docs'")
-    page.wait_for_function("document.querySelector('#swagger-ui')")
+    expect(page.locator("#swagger-ui")).to_be_attached()
     page.evaluate("history.back()")
-    page.wait_for_function("window.cached")
+    page.wait_for_function("() => window.cached")
     cached.expect_curves()
     assert cached.address() == address
     expect_edited(cached)
@@ -107,7 +107,7 @@ def test_forward_leads_to_an_edit_that_back_has_left(cached: Dashboard) -> None:
     expect(page).not_to_have_url(paper)
     low = cached.address()
     page.evaluate("location.href = '/docs'")
-    page.wait_for_function("document.querySelector('#swagger-ui')")
+    expect(page.locator("#swagger-ui")).to_be_attached()
     for address, height in ((low, "6"), (paper, "10"), (low, "6")):
         page.evaluate(f"history.{'forward' if page.url == paper else 'back'}()")
         expect(page).to_have_url(address)
@@ -136,14 +136,14 @@ def test_pins_of_two_tabs_stay(cached: Dashboard) -> None:
         pin(other)
         expect(pins).to_have_count(2)
         page.evaluate("window.cached = false; location.href = '/docs'")
-        page.wait_for_function("document.querySelector('#swagger-ui')")
+        expect(page.locator("#swagger-ui")).to_be_attached()
         second.type_into("Height", "7")
         expect(second.entry("Height")).to_have_value("7")
         second.expect_curves()
         pin(other)
         expect(other.get_by_role("list", name="Pinned results").get_by_role("button")).to_have_count(3)
     page.evaluate("history.back()")
-    page.wait_for_function("window.cached")
+    page.wait_for_function("() => window.cached")
     expect(pins).to_have_count(3)
 
 
