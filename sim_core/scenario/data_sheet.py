@@ -1,96 +1,45 @@
 """A half-car from what a whole car's data sheet says (docs/physics.md, "From a data sheet")."""
 
 from math import pi, sqrt
-from typing import Self
+from typing import Annotated, Self
 
 from pydantic import ValidationError, model_validator
 
-from sim_core.scenario.fields import Part, at, quantity
-from sim_core.scenario.vehicle import Vehicle
+from sim_core.scenario.fields import Part, at, field, quantity
+from sim_core.scenario.vehicle import CgHeight, TyreStiffness, Vehicle
 from sim_core.scenario.vehicles import one_track
+
+AxleLoad = Annotated[float, quantity("kg", soft=(300, 1500), ge=50, le=50_000)]
+AxleMass = Annotated[float, quantity("kg", soft=(40, 200), ge=10, le=10_000)]
+Frequency = Annotated[float, quantity("Hz", soft=(0.8, 2.5), ge=0.2, le=20)]
+DampingRatio = Annotated[float, quantity("1", soft=(0.1, 0.6), ge=0.001, le=5)]
 
 
 class DataSheet(Part):
     """A whole car: what its axles weigh, how fast they swing and how well that is damped."""
 
-    front_axle_load: float = quantity(
-        ...,
-        "kg",
-        "Front axle load",
-        "What both front wheels carry, wheels included.",
-        soft=(300, 1500),
-        ge=50,
-        le=50_000,
+    front_axle_load: AxleLoad = field(..., "Front axle load", "What both front wheels carry, wheels included.")
+    rear_axle_load: AxleLoad = field(..., "Rear axle load", "What both rear wheels carry, wheels included.")
+    front_axle_mass: AxleMass = field(..., "Front unsprung mass", "Both front wheels with what moves with them.")
+    rear_axle_mass: AxleMass = field(..., "Rear unsprung mass", "Both rear wheels with what moves with them.")
+    wheelbase: Annotated[float, quantity("m", soft=(2, 4), ge=0.4, le=20)] = field(
+        ..., "Wheelbase", "Between the axles."
     )
-    rear_axle_load: float = quantity(
-        ..., "kg", "Rear axle load", "What both rear wheels carry, wheels included.", soft=(300, 1500), ge=50, le=50_000
+    cg_height: CgHeight = field(0.55, "Height of the centre of gravity", "Of the body above the road.")
+    front_frequency: Frequency = field(
+        ..., "Front natural frequency", "Of the body above the front axle, undamped, on suspension and tyres."
     )
-    front_axle_mass: float = quantity(
-        ...,
-        "kg",
-        "Front unsprung mass",
-        "Both front wheels with what moves with them.",
-        soft=(40, 200),
-        ge=10,
-        le=10_000,
+    rear_frequency: Frequency = field(
+        ..., "Rear natural frequency", "Of the body above the rear axle, undamped, on suspension and tyres."
     )
-    rear_axle_mass: float = quantity(
-        ..., "kg", "Rear unsprung mass", "Both rear wheels with what moves with them.", soft=(40, 200), ge=10, le=10_000
-    )
-    wheelbase: float = quantity(..., "m", "Wheelbase", "Between the axles.", soft=(2, 4), ge=0.4, le=20)
-    cg_height: float = quantity(
-        0.55, "m", "Height of the centre of gravity", "Of the body above the road.", soft=(0.3, 1), ge=0, le=3
-    )
-    front_frequency: float = quantity(
-        ...,
-        "Hz",
-        "Front natural frequency",
-        "Of the body above the front axle, undamped, on suspension and tyres.",
-        soft=(0.8, 2.5),
-        ge=0.2,
-        le=20,
-    )
-    rear_frequency: float = quantity(
-        ...,
-        "Hz",
-        "Rear natural frequency",
-        "Of the body above the rear axle, undamped, on suspension and tyres.",
-        soft=(0.8, 2.5),
-        ge=0.2,
-        le=20,
-    )
-    front_damping_ratio: float = quantity(
-        ..., "1", "Front damping ratio", "Of that motion, over critical.", soft=(0.1, 0.6), ge=0.001, le=5
-    )
-    rear_damping_ratio: float = quantity(
-        ..., "1", "Rear damping ratio", "Of that motion, over critical.", soft=(0.1, 0.6), ge=0.001, le=5
-    )
-    front_tyre_stiffness: float = quantity(
-        ...,
-        "N/m",
-        "Front tyre stiffness",
-        "Vertical stiffness of one tyre.",
-        soft=(100_000, 500_000),
-        ge=10_000,
-        le=20_000_000,
-    )
-    rear_tyre_stiffness: float = quantity(
-        ...,
-        "N/m",
-        "Rear tyre stiffness",
-        "Vertical stiffness of one tyre.",
-        soft=(100_000, 500_000),
-        ge=10_000,
-        le=20_000_000,
-    )
-    pitch_inertia: float | None = quantity(
+    front_damping_ratio: DampingRatio = field(..., "Front damping ratio", "Of that motion, over critical.")
+    rear_damping_ratio: DampingRatio = field(..., "Rear damping ratio", "Of that motion, over critical.")
+    front_tyre_stiffness: TyreStiffness = field(..., "Front tyre stiffness", "Vertical stiffness of one tyre.")
+    rear_tyre_stiffness: TyreStiffness = field(..., "Rear tyre stiffness", "Vertical stiffness of one tyre.")
+    pitch_inertia: Annotated[float | None, quantity("kg·m^2", soft=(500, 5000), ge=20, le=1_000_000)] = field(
         None,
-        "kg·m^2",
         "Pitch inertia",
         "Of the whole body; none makes the dynamic index 1, mass times both distances of the centre of gravity.",
-        soft=(500, 5000),
-        ge=20,
-        le=1_000_000,
     )
 
     @model_validator(mode="after")

@@ -1,31 +1,25 @@
 """Kinds of scenario fields: a number with its unit, a whole number, three weights; each knows its limits and range."""
 
-from types import EllipsisType
 from typing import Annotated, Any, ClassVar
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, JsonValue
 from pydantic_core import PydanticCustomError
 
 
-def quantity(
-    default: float | EllipsisType | None,
-    unit: str,
-    title: str,
-    description: str,
-    *,
-    soft: tuple[float, float],
-    ge: float,
-    le: float,
-    shown: str | None = None,
-) -> Any:
-    """A number with a unit: hard limits `ge` to `le`, slider range `soft`; `...` has no default.
+def quantity(unit: str, *, soft: tuple[float, float], ge: float, le: float, shown: str | None = None) -> Any:
+    """What a number may be, for its type's `Annotated`: hard limits `ge` to `le`, slider range `soft`.
 
     `shown` is the unit people think of it in, where that is another one: forms show and read it so.
     """
     extra: dict[str, JsonValue] = {"unit": unit, "soft_range": list(soft)}
     if shown is not None:
         extra["shown_unit"] = shown
-    return Field(default, ge=ge, le=le, title=title, description=description, json_schema_extra=extra)
+    return Field(ge=ge, le=le, json_schema_extra=extra)
+
+
+def field(default: Any, title: str, description: str) -> Any:
+    """A field of a part; `...` has no default."""
+    return Field(default, title=title, description=description)
 
 
 class Part(BaseModel):
@@ -71,35 +65,16 @@ Weight = Annotated[float, Field(ge=0, le=1000)]
 # strict=False on the tuple alone: JSON has arrays only. The numbers inside stay strict.
 Weights = Annotated[
     tuple[Weight, Weight, Weight],
-    Field(strict=False),
-    AfterValidator(_not_all_zero),
-]
-
-
-def weights(default: tuple[float, float, float], title: str, description: str) -> Any:
-    """Cost weights q1 (body acceleration), q2 (pitch acceleration), q3 (tyre load), each 0 to 1000."""
-    return Field(
-        default,
-        title=title,
-        description=description,
+    Field(
+        strict=False,
         json_schema_extra={
             "unit": "1",
             "soft_range": [0, 10],
             "item_titles": ["Body acceleration", "Pitch acceleration", "Tyre load"],
         },
-    )
-
-
-def count(default: int, title: str, description: str, *, soft: tuple[int, int], ge: int, le: int) -> Any:
-    """A whole number without a unit."""
-    return Field(
-        default,
-        ge=ge,
-        le=le,
-        title=title,
-        description=description,
-        json_schema_extra={"unit": "1", "soft_range": list(soft)},
-    )
+    ),
+    AfterValidator(_not_all_zero),
+]
 
 
 def at(field: str, message: str) -> PydanticCustomError:
