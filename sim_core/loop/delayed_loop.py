@@ -35,15 +35,17 @@ class DelayedLoop:
         asked = np.zeros((steps + 1, FORCES))  # by command [N]; the last row is none, -1
         used = np.zeros(steps + 1, dtype=bool)
         state, held, present, limited = np.zeros(car.size), -1, np.zeros(FORCES), 0
-        settled = True  # whether the actuators have what is asked
+        settled, bound = True, False  # whether the actuators change no more, and whether their limits hold them back
         for k in range(steps):
+            counted = self._controller.report.limited_steps
             force = self._controller.force(
                 Seen(self._inputs, car, k, read_only(state), read_only(present), car_step=k * n)
             )
+            shaped = self._controller.report.limited_steps > counted
             if force is not None:
                 wanted = checked_force(self._controller, force, k)
                 asked[k] = wanted.clip(-self._limits.control, self._limits.control)
-                limited += not np.array_equal(asked[k], wanted)
+                shaped |= not np.array_equal(asked[k], wanted)
                 if arrivals[k] < steps * n:
                     newest[arrivals[k]] = k
             for i in range(k * n, k * n + n):
@@ -52,9 +54,11 @@ class DelayedLoop:
                     used[held] = True
                 if not settled:
                     before, present = present, self._limits.of_actuator(asked[held], present)
-                    settled = np.array_equal(present, before)
+                    settled, bound = np.array_equal(present, before), not np.array_equal(present, asked[held])
+                shaped |= bound
                 states[i], commands[i] = state, present
                 state = car.advance(i, state, present)
+            limited += shaped
         held_commands = int(np.count_nonzero(~used[: steps - 1]))  # the last one would take effect after the run
         return Trajectory(states=states, commands=commands, limited=limited, held_commands=held_commands)
 

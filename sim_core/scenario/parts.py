@@ -96,6 +96,11 @@ class StageWeights(Part):
     brake: Weights = field((2, 6, 1), "Brake", "Braking: pitch first.")
     bump: Weights = field((1, 1, 6), "Bump", "On the bump: tyre load first.")
 
+    def of(self, stage: str) -> Weights:
+        """Those of a driving stage."""
+        weights: Weights = getattr(self, stage)
+        return weights
+
 
 class RoadWeights(Part):
     """Single suspension control's weights per road (Table 3)."""
