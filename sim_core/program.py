@@ -2,6 +2,7 @@
 
 import hashlib
 import inspect
+from collections.abc import Hashable
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -24,12 +25,7 @@ def program(strategy: type[Controller]) -> dict[str, str]:
         OSError: The controller's file cannot be read.
         TypeError: It is in no file: `sys.modules` has no such module.
     """
-    return {
-        "core": sim_core.__version__,
-        "kernel": DIGEST,
-        **_solvers(),
-        "controller": _digest(inspect.getfile(strategy)),
-    }
+    return {"core": sim_core.__version__, "kernel": DIGEST, **_solvers(), "controller": _source(strategy)}  # type: ignore[arg-type]  # a class can be hashed
 
 
 @cache
@@ -38,6 +34,7 @@ def _solvers() -> dict[str, str]:
 
 
 @cache
-def _digest(file: str) -> str:
-    """SHA-256 of a file as it was when somebody first asked."""
-    return hashlib.sha256(Path(file).read_bytes()).hexdigest()
+def _source(strategy: Hashable) -> str:
+    """SHA-256 of the file that has the class, as it was when somebody first asked."""
+    assert isinstance(strategy, type)  # noqa: S101 - a class can be hashed
+    return hashlib.sha256(Path(inspect.getfile(strategy)).read_bytes()).hexdigest()

@@ -5,7 +5,7 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller, scenario_field, undefined
 from sim_core.control.cost import KILO
-from sim_core.control.mpc_design import CENTI, SLACK_LINEAR, Horizon, MpcDesign, design
+from sim_core.control.mpc_design import CENTI, SLACK_LINEAR, MpcDesign, design
 from sim_core.control.qp import MAX_EFFORT, SOLVERS, QpProblem, QpSolver
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import TooExpensiveError
@@ -75,14 +75,9 @@ class PredictiveController(Controller):
         Raises:
             RidelabError: The vehicle and weights admit no stabilising controller.
         """
-        horizon = Horizon(
-            prediction=self.prediction_horizon,
-            control=self.control_horizon,
-            force_limit=setup.force_limit,
-            force_change_weight=self.force_change_weight,
-        )
+        horizon = self.prediction_horizon, self.control_horizon, setup.force_limit, self.force_change_weight
         other = self.deflection_weight, self.force_weight
-        return {stage: design(setup.cost(self.weights(stage), *other), horizon) for stage in setup.stages}
+        return {stage: design(setup.cost(self.weights(stage), *other), *horizon) for stage in setup.stages}
 
     def start(self, setup: Setup) -> None:
         """Design each stage.

@@ -3,8 +3,8 @@
 from sim_core.scenario.fields import Weights
 from sim_core.scenario.fuzzy import Fuzzy
 from sim_core.scenario.imperfections import Actuator, Estimation, Hil, Mismatch
+from sim_core.scenario.parts import SCHEMA_VERSION as SCHEMA_VERSION  # for who stores scenarios
 from sim_core.scenario.parts import (
-    SCHEMA_VERSION,
     Brake,
     Hook,
     Lqr,
@@ -16,11 +16,9 @@ from sim_core.scenario.parts import (
     StageWeights,
 )
 from sim_core.scenario.road import Bump, Road
-from sim_core.scenario.vehicle import GRAVITY, Vehicle
+from sim_core.scenario.vehicle import Vehicle
 
 __all__ = [
-    "GRAVITY",
-    "SCHEMA_VERSION",
     "Actuator",
     "Brake",
     "Bump",
