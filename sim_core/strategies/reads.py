@@ -70,14 +70,14 @@ def _whole_parts(names: Sequence[str]) -> set[str]:
 @cache
 def parts() -> dict[str, set[str]]:
     """By dotted name the fields of each part of a scenario, those of inner parts before those of outer ones."""
-    found: dict[str, set[str]] = {}
-    _collect(Scenario, "", found)
-    return found
+    by_name: dict[str, set[str]] = {}
+    _collect(Scenario, "", by_name)
+    return by_name
 
 
-def _collect(model: type[BaseModel], prefix: str, found: dict[str, set[str]]) -> None:
+def _collect(model: type[BaseModel], prefix: str, by_name: dict[str, set[str]]) -> None:
     for name, info in model.model_fields.items():
         kind = info.annotation
         if isinstance(kind, type) and issubclass(kind, BaseModel):
-            _collect(kind, f"{prefix}{name}.", found)
-            found[f"{prefix}{name}"] = {f"{prefix}{name}.{inner}" for inner in kind.model_fields}
+            _collect(kind, f"{prefix}{name}.", by_name)
+            by_name[f"{prefix}{name}"] = {f"{prefix}{name}.{inner}" for inner in kind.model_fields}
