@@ -14,7 +14,7 @@ from sim_core.caching import cached
 from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Seen
 from sim_core.errors import RidelabError
-from sim_core.kernel.prepared import LawArrays
+from sim_core.kernel.prepared import Follow, LawArrays
 from sim_core.loop.preview import Forecast
 from sim_core.speed.stages import Segment
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES
@@ -79,13 +79,15 @@ class ClosedLoop:
         n = self._car.size
         loop = np.zeros((segments[-1].last + 1, n + FORCES))  # [car; previous command] at every control instant
         limited = 0
+        prepared: dict[LinearLaw, Follow] = {}
         for segment in segments:
             law = self._controller.linear_law(segment.stage)
             if law is None:
                 limited += sum(self._step(k, loop) for k in range(segment.first, segment.last))
                 continue
-            follow = self._car.follow(self._arrays(law), loop)
-            k = segment.first
+            if law not in prepared:
+                prepared[law] = self._car.follow(self._arrays(law), loop)
+            follow, k = prepared[law], segment.first
             while k < segment.last:
                 k, shaped = follow(k, segment.last)
                 limited += shaped

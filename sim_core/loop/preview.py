@@ -88,7 +88,12 @@ def preview(
         if mode == "obstacle" or mismatch.preview_noise or mismatch.preview_resolution or expected != NO_ERRORS:
             surface = sensed_road(surface, road, mismatch, expected, obstacle_alone=mode == "obstacle")
         return _by_sensors(surface, drive, excitation, horizon, wheelbase, mismatch)
-    return _without_sensors(mode, road, drive, excitation, horizon, wheelbase)
+    if mode == "wheelbase":
+        windows, sums = _behind_the_front(excitation, drive, horizon, wheelbase)
+    else:
+        windows, sums = _level(excitation.drive, drive, horizon)
+    height_now = excitation.height[:, : -1 : excitation.fine]
+    return Forecast(windows=windows, source=windows, sums=sums, height_now=height_now)
 
 
 def sliding_forecast(disturbances: FloatArray, horizon: int, height_now: FloatArray) -> Forecast:
@@ -140,21 +145,26 @@ def _ahead(
 
 
 @cached
-def _without_sensors(
-    mode: Preview, road: Road, drive: SpeedProfile, excitation: Excitation, horizon: int, wheelbase: float
-) -> Forecast:
-    """Without sensors: the rear axle meets what the front has met, or the road is level; braking stays as it is."""
-    surface, time, h = excitation.surface, excitation.time, excitation.step
-    windows = np.zeros((DISTURBANCES, len(time) - 1, horizon))
-    position, speed = drive.at(time[:-1])
-    braking = drive.sample(drive.braking, time[:-1])
+def _level(sampled: TimeGrid, drive: SpeedProfile, horizon: int) -> tuple[FloatArray, FloatArray]:
+    """`Forecast.windows` and `sums` of a level road; braking stays as it is."""
+    braking = drive.sample(drive.braking, sampled.time[:-1])
+    windows = np.zeros((DISTURBANCES, len(braking), horizon))
     windows[2] = braking[:, None]
-    if mode == "wheelbase":
-        further = speed[:, None] * h * np.arange(horizon + 1)
-        driven = further[:, 1:] <= wheelbase
-        heights = surface.height(position[:, None] - wheelbase + np.minimum(further, wheelbase))
-        windows[1] = np.where(driven, np.diff(heights, axis=1) / h, 0.0)
     none = np.zeros(len(braking))
-    sums = np.stack([braking, none, np.linalg.norm(windows[1], axis=1), none])
-    height_now = excitation.height[:, : -1 : excitation.fine]
-    return Forecast(windows=windows, source=windows, sums=sums, height_now=height_now)
+    return windows, np.stack([braking, none, none, none])
+
+
+@cached
+def _behind_the_front(
+    excitation: Excitation, drive: SpeedProfile, horizon: int, wheelbase: float
+) -> tuple[FloatArray, FloatArray]:
+    """The same where the rear axle meets what the front has met."""
+    sampled, surface = excitation.drive, excitation.surface
+    level, level_sums = _level(sampled, drive, horizon)
+    windows, sums = level.copy(), level_sums.copy()
+    further = sampled.speed[:, None] * sampled.step * np.arange(horizon + 1)
+    driven = further[:, 1:] <= wheelbase
+    heights = surface.height(sampled.position[:, None] - wheelbase + np.minimum(further, wheelbase))
+    windows[1] = np.where(driven, np.diff(heights, axis=1) / sampled.step, 0.0)
+    sums[2] = np.linalg.norm(windows[1], axis=1)
+    return windows, sums
