@@ -31,14 +31,14 @@ class Forecast:
         windows: Mean velocity of the front axle's road in each interval, the rear's [m/s], and the braking deceleration
             [m/s^2] (3, steps, horizon); perhaps a view.
         source: A C-contiguous array that begins with the first window, and of which `windows` may be a view.
-        sums: Of each window the mean deceleration [m/s^2], then the norms of both velocities and of the deceleration's
-            difference from its mean (4, steps).
+        sizes: Of each window the mean deceleration's magnitude [m/s^2], then the norms of both velocities and of the
+            deceleration's difference from its mean (4, steps).
         height_now: Of the road under both axles, as it is previewed (2, steps) [m].
     """
 
     windows: FloatArray
     source: FloatArray
-    sums: FloatArray
+    sizes: FloatArray
     height_now: FloatArray
 
 
@@ -89,11 +89,11 @@ def preview(
             surface = sensed_road(surface, road, mismatch, expected, obstacle_alone=mode == "obstacle")
         return _by_sensors(surface, drive, excitation, horizon, wheelbase, mismatch)
     if mode == "wheelbase":
-        windows, sums = _behind_the_front(excitation, drive, horizon, wheelbase)
+        windows, sizes = _behind_the_front(excitation, drive, horizon, wheelbase)
     else:
-        windows, sums = _level(excitation.drive, drive, horizon)
+        windows, sizes = _level(excitation.drive, drive, horizon)
     height_now = excitation.height[:, : -1 : excitation.fine]
-    return Forecast(windows=windows, source=windows, sums=sums, height_now=height_now)
+    return Forecast(windows=windows, source=windows, sizes=sizes, height_now=height_now)
 
 
 def sliding_forecast(disturbances: FloatArray, horizon: int, height_now: FloatArray) -> Forecast:
@@ -105,12 +105,12 @@ def sliding_forecast(disturbances: FloatArray, horizon: int, height_now: FloatAr
         height_now: As `Forecast`'s.
     """
     steps = disturbances.shape[1] - horizon + 1
-    sums = np.empty((1 + DISTURBANCES, steps))
-    binding.horizons(disturbances, horizon, sums)
+    sizes = np.empty((1 + DISTURBANCES, steps))
+    binding.horizons(disturbances, horizon, sizes)
     return Forecast(
         windows=sliding_window_view(disturbances, horizon, axis=1),
         source=disturbances,
-        sums=sums,
+        sizes=sizes,
         height_now=height_now,
     )
 
@@ -146,12 +146,12 @@ def _ahead(
 
 @cached
 def _level(sampled: TimeGrid, drive: SpeedProfile, horizon: int) -> tuple[FloatArray, FloatArray]:
-    """`Forecast.windows` and `sums` of a level road; braking stays as it is."""
+    """`Forecast.windows` and `sizes` of a level road; braking stays as it is."""
     braking = drive.sample(drive.braking, sampled.time[:-1])
     windows = np.zeros((DISTURBANCES, len(braking), horizon))
     windows[2] = braking[:, None]
     none = np.zeros(len(braking))
-    return windows, np.stack([braking, none, none, none])
+    return windows, np.stack([np.abs(braking), none, none, none])
 
 
 @cached
@@ -160,11 +160,11 @@ def _behind_the_front(
 ) -> tuple[FloatArray, FloatArray]:
     """The same where the rear axle meets what the front has met."""
     sampled, surface = excitation.drive, excitation.surface
-    level, level_sums = _level(sampled, drive, horizon)
-    windows, sums = level.copy(), level_sums.copy()
+    level, level_sizes = _level(sampled, drive, horizon)
+    windows, sizes = level.copy(), level_sizes.copy()
     further = sampled.speed[:, None] * sampled.step * np.arange(horizon + 1)
     driven = further[:, 1:] <= wheelbase
     heights = surface.height(sampled.position[:, None] - wheelbase + np.minimum(further, wheelbase))
     windows[1] = np.where(driven, np.diff(heights, axis=1) / sampled.step, 0.0)
-    sums[2] = np.linalg.norm(windows[1], axis=1)
-    return windows, sums
+    sizes[2] = np.linalg.norm(windows[1], axis=1)
+    return windows, sizes
