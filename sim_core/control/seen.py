@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.scenario import Vehicle
+from sim_core.control.cost import CostTerms
+from sim_core.scenario import Vehicle, Weights
 from sim_core.vehicle.half_car import STATES
 from sim_core.vehicle.model import VehicleModel
 
@@ -51,6 +52,24 @@ class Setup:
     def short_step(self) -> float:
         """Length of a short step [s]."""
         return self.sample_time / self.short_steps
+
+    def cost(self, weights: Weights, deflection_weight: float, force_weight: float) -> CostTerms:
+        """The normalised cost that LQR and MPC minimise, of this run's car and limits.
+
+        Args:
+            weights: Of body acceleration, pitch acceleration and tyre load: q1, q2, q3.
+            deflection_weight: q4.
+            force_weight: R [1/N²].
+        """
+        return CostTerms(
+            vehicle=self.vehicle,
+            speed=self.initial_speed,
+            sample_time=self.sample_time,
+            weights=weights,
+            deflection_weight=deflection_weight,
+            deflection_limit=self.deflection_limit,
+            force_weight=force_weight,
+        )
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)

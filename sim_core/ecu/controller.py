@@ -83,7 +83,7 @@ class EcuController(PredictiveController):
         self._known = calibration = self.calibration(setup)
         self._full_scale = full_scales(calibration.preview_length)
         self._noise = self._draw_noise(setup)
-        self.report.limited_steps = self.report.most_iterations = self.report.clipped_values = 0
+        self.report.most_iterations = self.report.clipped_values = 0
         self._ecu = self._connection.enter_context(self._connect(calibration))
 
     def end(self) -> None:
@@ -127,7 +127,7 @@ class EcuController(PredictiveController):
         """Take an answer in."""
         report = self.report
         report.solves += reply.limited
-        report.limited_steps = report.solves
+        report.limited_steps += reply.limited
         report.failures += reply.unfinished
         report.most_iterations = max(report.most_iterations or 0, reply.iterations)
         report.max_slack = max(report.max_slack, reply.slack / CENTI)

@@ -35,14 +35,16 @@ class DelayedLoop:
         asked = np.zeros((steps + 1, FORCES))  # by command [N]; the last row is none, -1
         used = np.zeros(steps + 1, dtype=bool)
         held, present, limited = -1, np.zeros(FORCES), 0
-        settled = True  # whether the actuators have what is asked
+        settled, bound = True, False  # whether the actuators change no more, and whether their limits hold them back
         for k in range(steps):
+            counted = self._controller.report.limited_steps
             state = read_only(loop[k * n, : car.size])
             force = self._controller.force(Seen(self._inputs, car, k, state, read_only(present), car_step=k * n))
+            shaped = self._controller.report.limited_steps > counted
             if force is not None:
                 wanted = checked_force(self._controller, force, k)
                 asked[k] = wanted.clip(-self._limits.control, self._limits.control)
-                limited += not np.array_equal(asked[k], wanted)
+                shaped |= not np.array_equal(asked[k], wanted)
                 if arrivals[k] < steps * n:
                     newest[arrivals[k]] = k
             for i in range(k * n, k * n + n):
@@ -51,9 +53,11 @@ class DelayedLoop:
                     used[held] = True
                 if not settled:
                     before, present = present, self._limits.of_actuator(asked[held], present)
-                    settled = np.array_equal(present, before)
+                    settled, bound = np.array_equal(present, before), not np.array_equal(present, asked[held])
+                shaped |= bound
                 loop[i + 1, car.size :] = present
                 car.advance(i, loop)
+            limited += shaped
         held_commands = int(np.count_nonzero(~used[: steps - 1]))  # the last one would take effect after the run
         return Trajectory(
             states=loop[:-1, : car.size], commands=loop[1:, car.size :], limited=limited, held_commands=held_commands

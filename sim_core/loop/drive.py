@@ -8,7 +8,7 @@ from sim_core.arrays import FloatArray
 from sim_core.catalogue import STAGES
 from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Setup
-from sim_core.loop.closed_loop import ClosedLoop, ForceLimits, Trajectory
+from sim_core.loop.closed_loop import ClosedLoop, ForceLimits
 from sim_core.loop.delayed_loop import DelayedLoop
 from sim_core.loop.excitation import Excitation, excite, fine_step, under_axles
 from sim_core.loop.preview import Forecast, preview
@@ -125,7 +125,7 @@ class Run:
             table=car.record(trajectory.states[before * n :], trajectory.commands[before * n :]),
             excitation=self.excitation,
             report=controller.report,
-            limited=_limited(controller, trajectory),
+            limited=trajectory.limited,
             held_commands=trajectory.held_commands,
         )
 
@@ -205,8 +205,3 @@ class Run:
             noise=lambda: sensor_noise(self.scenario, steps * per_control, per_control)[::per_control],
             sample_time=excitation.step,
         )
-
-
-def _limited(controller: Controller, trajectory: Trajectory) -> int:
-    counted = controller.report.limited_steps
-    return trajectory.limited if counted is None else counted

@@ -45,7 +45,7 @@ class DataSheet(Part):
     @model_validator(mode="after")
     def _possible(self) -> Self:
         for axle in ("front", "rear"):
-            mass, together, tyre, _ = self._axle(axle)
+            mass, together, tyre = self._wheel(axle)
             if mass <= 0:
                 raise at(f"{axle}_axle_load", "An axle carries more than its own wheels")
             if together >= tyre:
@@ -65,35 +65,35 @@ class DataSheet(Part):
         An axle's share m of the body swings on spring and tyre in series, k = (2π f)² m = k_s k_t/(k_s + k_t). The
         damper moves by k_t/(k_s + k_t) of what the body does, so it needs 2 ζ √(k m) (1 + k_s/k_t)².
         """
-        fields: dict[str, float] = {}
-        for axle in ("front", "rear"):
-            mass, together, tyre, ratio = self._axle(axle)
-            spring = together * tyre / (tyre - together)
-            fields |= {
-                f"{axle}_spring": spring,
-                f"{axle}_damping": 2 * ratio * sqrt(together * mass) * (1 + spring / tyre) ** 2,
-                f"{axle}_tyre_stiffness": tyre,
-                f"{axle}_axle_mass": getattr(self, f"{axle}_axle_mass"),
-            }
-        front, rear = (2 * self._axle(axle)[0] for axle in ("front", "rear"))
+        front, front_spring, front_damping = self._suspension("front")
+        rear, rear_spring, rear_damping = self._suspension("rear")
         to_front = self.wheelbase * rear / (front + rear)
         to_rear = self.wheelbase - to_front
         inertia = (front + rear) * to_front * to_rear if self.pitch_inertia is None else self.pitch_inertia
         return one_track(
             body_mass=front + rear,
             pitch_inertia=inertia,
-            cg_to_front=to_front,
-            cg_to_rear=to_rear,
             cg_height=self.cg_height,
-            **fields,
+            cg_to_axles=(to_front, to_rear),
+            axle_masses=(self.front_axle_mass, self.rear_axle_mass),
+            springs=(front_spring, rear_spring),
+            damping=(front_damping, rear_damping),
+            tyres=(self.front_tyre_stiffness, self.rear_tyre_stiffness),
         )
 
-    def _axle(self, axle: str) -> tuple[float, float, float, float]:
-        """Of one wheel: its share of the body [kg], spring and tyre in series, tyre [N/m], and the damping ratio."""
-        names = ("axle_load", "axle_mass", "frequency", "tyre_stiffness", "damping_ratio")
-        load, wheels, frequency, tyre, ratio = (getattr(self, f"{axle}_{name}") for name in names)
+    def _wheel(self, axle: str) -> tuple[float, float, float]:
+        """Of one wheel: its share of the body [kg], spring and tyre in series, and the tyre [N/m]."""
+        names = ("axle_load", "axle_mass", "frequency", "tyre_stiffness")
+        load, wheels, frequency, tyre = (getattr(self, f"{axle}_{name}") for name in names)
         mass = (load - wheels) / 2
-        return mass, (2 * pi * frequency) ** 2 * mass, tyre, ratio
+        return mass, (2 * pi * frequency) ** 2 * mass, tyre
+
+    def _suspension(self, axle: str) -> tuple[float, float, float]:
+        """An axle's share of the body [kg]; spring [N/m] and damper [N s/m] of one wheel."""
+        mass, together, tyre = self._wheel(axle)
+        spring = together * tyre / (tyre - together)
+        ratio = getattr(self, f"{axle}_damping_ratio")
+        return 2 * mass, spring, 2 * ratio * sqrt(together * mass) * (1 + spring / tyre) ** 2
 
 
 # Which field of the sheet decides a field of the half-car, where their names differ.

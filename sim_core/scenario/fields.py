@@ -1,6 +1,6 @@
 """Kinds of scenario fields: a number with its unit, a whole number, three weights; each knows its limits and range."""
 
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, JsonValue
 from pydantic_core import PydanticCustomError
@@ -22,6 +22,10 @@ def field(default: Any, title: str, description: str) -> Any:
     return Field(default, title=title, description=description)
 
 
+# In a field's type: it is younger than stored results, and at its default no part of what a result is known by.
+ADDED = "added"
+
+
 class Part(BaseModel):
     """Base of every part: frozen, hashable, strict about names and types, no NaN or infinity."""
 
@@ -34,11 +38,9 @@ class Part(BaseModel):
         hide_input_in_errors=True,
         serialize_by_alias=True,
     )
-    # Members that are younger than stored results. At its default such a one is no part of what a result is known by.
-    ADDED: ClassVar[frozenset[str]] = frozenset()
 
     def identity(self) -> dict[str, Any]:
-        """What a stored result or run is known by, plain JSON: every member, of `ADDED` those that are set.
+        """What a stored result or run is known by, plain JSON: every member, of those marked `ADDED` what is set.
 
         So a member that is added leaves every identity as it was where nobody sets it.
         """
@@ -47,11 +49,11 @@ class Part(BaseModel):
         return plain
 
     def _leave_out_unset(self, plain: dict[str, Any]) -> None:
-        for name in self.ADDED:
-            if getattr(self, name) == type(self).model_fields[name].default:
+        for name, info in type(self).model_fields.items():
+            value = getattr(self, name)
+            if ADDED in info.metadata and value == info.default:
                 del plain[name]
-        for name, value in self.__dict__.items():
-            if isinstance(value, Part) and name in plain:
+            elif isinstance(value, Part) and name in plain:
                 value._leave_out_unset(plain[name])
 
 

@@ -1,8 +1,8 @@
 """Parts of the scenario for what is not ideal; by default everything is, as in the paper."""
 
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, Literal
 
-from sim_core.scenario.fields import Part, field, quantity
+from sim_core.scenario.fields import ADDED, Part, field, quantity
 from sim_core.scenario.road import Seed
 from sim_core.scenario.vehicle import Vehicle
 
@@ -33,8 +33,6 @@ class Mismatch(Part):
     The controllers, and the speed plan, go by `vehicle`; the car that is driven has these factors on top.
     """
 
-    ADDED: ClassVar = frozenset({"rebound_ratio", "preview_resolution"})
-
     body_mass: Annotated[float, quantity("1", soft=(0.7, 1.4), ge=0.3, le=3)] = field(
         1, "Body mass and pitch inertia", "Real over believed, both alike: the load."
     )
@@ -43,7 +41,7 @@ class Mismatch(Part):
         1, "Damping", "Real over believed, both axles."
     )
     tyres: StiffnessFactor = field(1, "Tyre stiffness", "Real over believed, both axles.")
-    rebound_ratio: Annotated[float, quantity("1", soft=(1, 3), ge=0.1, le=10)] = field(
+    rebound_ratio: Annotated[float, quantity("1", soft=(1, 3), ge=0.1, le=10), ADDED] = field(
         1, "Rebound over compression", "Real over believed ratio, both dampers, at the same mean."
     )
     preview_offset: Annotated[float, quantity("m", soft=(-0.5, 0.5), ge=-10, le=10)] = field(
@@ -57,7 +55,7 @@ class Mismatch(Part):
         "Preview noise",
         "Standard deviation of each height the sensors give, one each 10 mm of the road (lookahead).",
     )
-    preview_resolution: Annotated[float, quantity("m", soft=(0, 0.3), ge=0, le=2)] = field(
+    preview_resolution: Annotated[float, quantity("m", soft=(0, 0.3), ge=0, le=2), ADDED] = field(
         0, "Preview resolution", "Length of road over which the sensors average each height (lookahead, obstacle)."
     )
     preview_delay: Annotated[float, quantity("s", soft=(0, 0.05), ge=0, le=1)] = field(
@@ -85,9 +83,7 @@ class Mismatch(Part):
 class Estimation(Part):
     """What controllers are told of the car's state: the state itself, or what a Kalman filter makes of sensors."""
 
-    ADDED: ClassVar = frozenset({"kind", "acceleration_noise", "deflection_noise", "pitch_rate_noise"})
-
-    kind: Literal["exact", "kalman"] = field(
+    kind: Annotated[Literal["exact", "kalman"], ADDED] = field(
         "exact",
         "State",
         "exact as in the paper; kalman: a steady-state filter on both deflections, the body's acceleration "
@@ -99,17 +95,17 @@ class Estimation(Part):
         "The filter is told what its strategy previews of the road, with the errors that the sensors have; "
         "the rest of the roughness is noise to it, as all of it is where nothing is previewed (kalman).",
     )
-    acceleration_noise: Annotated[float, quantity("m/s^2", soft=(0.01, 0.5), ge=1e-4, le=10)] = field(
+    acceleration_noise: Annotated[float, quantity("m/s^2", soft=(0.01, 0.5), ge=1e-4, le=10), ADDED] = field(
         0.05,
         "Acceleration noise",
         "Standard deviation of each measured acceleration of the body, and what the filter expects (kalman; ours).",
     )
-    deflection_noise: Annotated[float, quantity("m", soft=(0.0001, 0.005), ge=1e-6, le=0.1, shown="mm")] = field(
+    deflection_noise: Annotated[float, quantity("m", soft=(0.0001, 0.005), ge=1e-6, le=0.1, shown="mm"), ADDED] = field(
         0.0005,
         "Deflection noise",
         "Standard deviation of each measured deflection, and what the filter expects (kalman; ours).",
     )
-    pitch_rate_noise: Annotated[float, quantity("rad/s", soft=(0.0005, 0.02), ge=1e-6, le=1)] = field(
+    pitch_rate_noise: Annotated[float, quantity("rad/s", soft=(0.0005, 0.02), ge=1e-6, le=1), ADDED] = field(
         0.002,
         "Pitch rate noise",
         "Standard deviation of each measured pitch rate, and what the filter expects (kalman; ours).",

@@ -5,13 +5,13 @@ SI units, except speeds a person types, which end in `_kmh`. Defaults are the pa
 and section 3) unless the description says "ours"; docs/physics.md gives each one's source.
 """
 
-from typing import Annotated, ClassVar, Literal, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import ConfigDict, Field, model_validator
 from pydantic.config import JsonDict
 
 from sim_core.errors import RidelabError
-from sim_core.scenario.fields import Part, Weights, at, field, quantity
+from sim_core.scenario.fields import ADDED, Part, Weights, at, field, quantity
 from sim_core.scenario.fuzzy import Fuzzy
 from sim_core.scenario.imperfections import Actuator, Estimation, HeightNoise, Hil, Mismatch
 from sim_core.scenario.measured import MeasuredRoad
@@ -29,8 +29,6 @@ HookDamping = Annotated[float, quantity("N·s/m", soft=(0, 10_000), ge=0, le=500
 class Speed(Part):
     """Speeds and when braking begins (section 3.1)."""
 
-    ADDED: ClassVar = frozenset({"policy"})
-
     initial_speed_kmh: Annotated[float, quantity("km/h", soft=(20, 90), ge=5, le=200)] = field(
         50, "Initial speed", "Held until the bump is detected."
     )
@@ -46,7 +44,7 @@ class Speed(Part):
         "fuzzy is Table 1 alone; guarded (ours) brakes at least as hard as the distance left needs, which "
         "changes nothing on the paper's scenario.",
     )
-    policy: Literal["by_strategy", "planned", "constant"] = field(
+    policy: Annotated[Literal["by_strategy", "planned", "constant"], ADDED] = field(
         "by_strategy",
         "Who slows down",
         "by_strategy: those that have a speed control, as in the paper. At equal speed what is left of a "
@@ -96,6 +94,11 @@ class StageWeights(Part):
     brake: Weights = field((2, 6, 1), "Brake", "Braking: pitch first.")
     bump: Weights = field((1, 1, 6), "Bump", "On the bump: tyre load first.")
 
+    def of(self, stage: str) -> Weights:
+        """Those of a driving stage."""
+        weights: Weights = getattr(self, stage)
+        return weights
+
 
 class RoadWeights(Part):
     """Single suspension control's weights per road (Table 3)."""
@@ -110,8 +113,6 @@ Preview = Literal["none", "wheelbase", "lookahead", "obstacle"]
 class Mpc(Part):
     """Model predictive suspension control (Eq. 8-15, section 3.2.2)."""
 
-    ADDED: ClassVar = frozenset({"expected_offset", "expected_noise"})
-
     sample_time: Annotated[float, quantity("s", soft=(0.005, 0.02), ge=0.002, le=0.05)] = field(
         0.01, "Sample time", "Control interval Ts (ours)."
     )
@@ -125,13 +126,13 @@ class Mpc(Part):
         "What is known of the road ahead: nothing, what the front axle has passed (wheelbase), what the "
         "sensors see (lookahead), or the bump alone (obstacle).",
     )
-    expected_offset: Annotated[float, quantity("m", soft=(0, 0.5), ge=0, le=10)] = field(
+    expected_offset: Annotated[float, quantity("m", soft=(0, 0.5), ge=0, le=10), ADDED] = field(
         0,
         "Expected preview offset",
         "Standard deviation of the offset that the controllers, LQR too, expect of the sensors: the more, the less "
         "of the roughness seen they trust (lookahead).",
     )
-    expected_noise: HeightNoise = field(
+    expected_noise: Annotated[HeightNoise, ADDED] = field(
         0,
         "Expected preview noise",
         "Standard deviation of the noise that the controllers, LQR too, expect of each height (lookahead).",
@@ -168,25 +169,23 @@ class Lqr(Part):
 class Hook(Part):
     """Skyhook, groundhook and hybrid: dampers against sky and ground, beside the car's own (docs/physics.md)."""
 
-    ADDED: ClassVar = frozenset(
-        {"skyhook_damping", "groundhook_damping", "alpha", "semi_active", "min_damping", "max_damping"}
+    skyhook_damping: Annotated[HookDamping, ADDED] = field(
+        4000, "Skyhook damping", "Of the body over each axle (ours)."
     )
-
-    skyhook_damping: HookDamping = field(4000, "Skyhook damping", "Of the body over each axle (ours).")
-    groundhook_damping: HookDamping = field(2000, "Groundhook damping", "Of each wheel (ours).")
-    alpha: Annotated[float, quantity("1", soft=(0, 1), ge=0, le=1)] = field(
+    groundhook_damping: Annotated[HookDamping, ADDED] = field(2000, "Groundhook damping", "Of each wheel (ours).")
+    alpha: Annotated[float, quantity("1", soft=(0, 1), ge=0, le=1), ADDED] = field(
         0.5, "Share of skyhook", "Of hybrid; the rest is groundhook (ours)."
     )
-    semi_active: bool = field(
+    semi_active: Annotated[bool, ADDED] = field(
         False,
         "Semi-active",
         "Damper and control are one controlled damper, which only takes energy out: where the law asks for "
         "a force that it cannot give, it gives the nearest that it can.",
     )
-    min_damping: Annotated[float, quantity("N·s/m", soft=(0, 2000), ge=0, le=500_000)] = field(
+    min_damping: Annotated[float, quantity("N·s/m", soft=(0, 2000), ge=0, le=500_000), ADDED] = field(
         0, "Least damping", "Softest setting of a semi-active damper as a whole, the passive one included."
     )
-    max_damping: Annotated[float | None, quantity("N·s/m", soft=(5000, 20_000), ge=10, le=500_000)] = field(
+    max_damping: Annotated[float | None, quantity("N·s/m", soft=(5000, 20_000), ge=10, le=500_000), ADDED] = field(
         None,
         "Greatest damping",
         "Hardest setting of a semi-active damper as a whole, the passive one included; none is no limit.",
@@ -211,19 +210,18 @@ class Scenario(Part):
     """
 
     model_config = ConfigDict(json_schema_extra=_without_example)
-    ADDED: ClassVar = frozenset({"hook", "estimation", "fuzzy"})
 
     vehicle: Vehicle = Field(Vehicle(), title="Vehicle")
     road: Road = Field(Road(), title="Road")
     speed: Speed = Field(Speed(), title="Speed")
-    fuzzy: Fuzzy = Field(Fuzzy(), title="Fuzzy speed control")
+    fuzzy: Annotated[Fuzzy, ADDED] = Field(Fuzzy(), title="Fuzzy speed control")
     brake: Brake = Field(Brake(), title="Brake")
     actuator: Actuator = Field(Actuator(), title="Actuator")
     mismatch: Mismatch = Field(Mismatch(), title="Model mismatch")
-    estimation: Estimation = Field(Estimation(), title="State estimation")
+    estimation: Annotated[Estimation, ADDED] = Field(Estimation(), title="State estimation")
     mpc: Mpc = Field(Mpc(), title="MPC")
     lqr: Lqr = Field(Lqr(), title="LQR")
-    hook: Hook = Field(Hook(), title="Skyhook and groundhook")
+    hook: Annotated[Hook, ADDED] = Field(Hook(), title="Skyhook and groundhook")
     hil: Hil = Field(Hil(), title="Hardware in the loop")
 
     def on(self, measured: MeasuredRoad) -> "Scenario":

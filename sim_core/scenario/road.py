@@ -1,11 +1,11 @@
 """The road of a scenario: its roughness or a measured profile, and the bumps on it."""
 
-from typing import Annotated, Any, ClassVar, Literal, get_args
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BeforeValidator, Field, PrivateAttr
 from pydantic_core import PydanticCustomError
 
-from sim_core.scenario.fields import Part, field, quantity
+from sim_core.scenario.fields import ADDED, Part, field, quantity
 from sim_core.scenario.measured import ID_PATTERN, MeasuredRoad
 
 MAX_SEED = 2**32 - 1
@@ -15,8 +15,6 @@ BumpShape = Literal["cosine", "half_sine", "circular", "flat_top", "trapezoid", 
 
 class Bump(Part):
     """The obstacle, or several alike in a row, added to the roughness (Eq. 2-3)."""
-
-    ADDED: ClassVar = frozenset({"count", "spacing"})
 
     shape: BumpShape = field(
         "cosine",
@@ -33,10 +31,10 @@ class Bump(Part):
     start: Annotated[float, quantity("m", soft=(30, 130), ge=1, le=3000)] = field(
         100, "Position", "Where the front axle meets it."
     )
-    count: Annotated[int, quantity("1", soft=(1, 10), ge=1, le=200)] = field(
+    count: Annotated[int, quantity("1", soft=(1, 10), ge=1, le=200), ADDED] = field(
         1, "Bumps", "How many alike in a row; they count as one bump, from the first to the last."
     )
-    spacing: Annotated[float, quantity("m", soft=(0.3, 20), ge=0.05, le=1000)] = field(
+    spacing: Annotated[float, quantity("m", soft=(0.3, 20), ge=0.05, le=1000), ADDED] = field(
         10,
         "Spacing",
         "From the start of each to the next one's; cosines as far apart as they are wide are a washboard.",
@@ -75,8 +73,6 @@ _BY_CLASS = BeforeValidator(
 class Road(Part):
     """Rough road made in space by ISO 8608, or a measured one, with bumps (section 2.1)."""
 
-    ADDED: ClassVar = frozenset({"profile"})
-
     roughness: Annotated[float, quantity("m^3", soft=(0, 1024e-6), ge=0, le=MAX_ROUGHNESS), _BY_CLASS] = field(
         64e-6,
         "Roughness",
@@ -90,7 +86,7 @@ class Road(Part):
         "The run ends when the front axle gets here. The paper's road ends at 110 m; ours lets the car settle. Where "
         "none is given beside a measured profile, it is the profile's.",
     )
-    profile: str | None = Field(
+    profile: Annotated[str | None, ADDED] = Field(
         None,
         pattern=ID_PATTERN,
         title="Measured profile",

@@ -1,31 +1,21 @@
 """The half-car's parameters (Table 2)."""
 
-from typing import Annotated, ClassVar
+from typing import Annotated
 
-from sim_core.scenario.fields import Part, field, quantity
+from sim_core.scenario.fields import ADDED, Part, field, quantity
 
 WheelMass = Annotated[float, quantity("kg", soft=(20, 150), ge=5, le=5000)]
 CgHeight = Annotated[float, quantity("m", soft=(0.3, 1), ge=0, le=3)]
 Spring = Annotated[float, quantity("N/m", soft=(10_000, 60_000), ge=1000, le=5_000_000)]
 Damping = Annotated[float, quantity("N·s/m", soft=(500, 10_000), ge=10, le=500_000)]
 TyreStiffness = Annotated[float, quantity("N/m", soft=(100_000, 500_000), ge=10_000, le=20_000_000)]
+Clearance = Annotated[float | None, quantity("m", soft=(0.04, 0.12), ge=0.005, le=1, shown="mm")]
+StopStiffness = Annotated[float, quantity("N/m", soft=(50_000, 500_000), ge=1000, le=5_000_000)]
 LinkShare = Annotated[float, quantity("1", soft=(0, 1), ge=-1, le=3)]
 
 
 class Vehicle(Part):
     """Half-car model: body with heave and pitch, front and rear wheel (Table 2)."""
-
-    ADDED: ClassVar = frozenset(
-        {
-            "rebound_ratio",
-            "bump_stop_clearance",
-            "bump_stop_stiffness",
-            "tyre_lift_off",
-            "anti_dive",
-            "anti_lift",
-            "front_brake_share",
-        }
-    )
 
     body_mass: Annotated[float, quantity("kg", soft=(300, 2500), ge=50, le=50_000)] = field(
         1270, "Body mass", "Sprung mass m_b."
@@ -50,33 +40,33 @@ class Vehicle(Part):
     rear_damping: Damping = field(6000, "Rear damper", "Damping C_s2.")
     front_tyre_stiffness: TyreStiffness = field(268_000, "Front tyre stiffness", "Vertical stiffness k_u1.")
     rear_tyre_stiffness: TyreStiffness = field(268_000, "Rear tyre stiffness", "Vertical stiffness k_u2.")
-    rebound_ratio: Annotated[float, quantity("1", soft=(1, 3), ge=0.1, le=10)] = field(
+    rebound_ratio: Annotated[float, quantity("1", soft=(1, 3), ge=0.1, le=10), ADDED] = field(
         1,
         "Rebound over compression",
         "Of both dampers, at the same mean damping; real ones have 2 to 3. The controllers know the mean alone.",
     )
-    bump_stop_clearance: Annotated[float | None, quantity("m", soft=(0.04, 0.12), ge=0.005, le=1, shown="mm")] = field(
+    bump_stop_clearance: Annotated[Clearance, ADDED] = field(
         None, "Clearance of the stops", "Travel either way from rest until a stop is met; none is a car without stops."
     )
-    bump_stop_stiffness: Annotated[float, quantity("N/m", soft=(50_000, 500_000), ge=1000, le=5_000_000)] = field(
+    bump_stop_stiffness: Annotated[StopStiffness, ADDED] = field(
         200_000, "Stiffness of the stops", "Added to the spring's beyond the clearance (ours)."
     )
-    tyre_lift_off: bool = field(
+    tyre_lift_off: Annotated[bool, ADDED] = field(
         False,
         "Tyres lift off",
         "On, a tyre cannot pull on the road: its load is never below 0. Off, as in the paper, it can.",
     )
-    anti_dive: LinkShare = field(
+    anti_dive: Annotated[LinkShare, ADDED] = field(
         0,
         "Anti-dive",
         "Share of the load transfer that the front links would carry if only the front wheels braked: tan β L / h.",
     )
-    anti_lift: LinkShare = field(
+    anti_lift: Annotated[LinkShare, ADDED] = field(
         0,
         "Anti-lift",
         "Share of the load transfer that the rear links would carry if only the rear wheels braked: tan β L / h.",
     )
-    front_brake_share: Annotated[float, quantity("1", soft=(0.5, 0.9), ge=0, le=1)] = field(
+    front_brake_share: Annotated[float, quantity("1", soft=(0.5, 0.9), ge=0, le=1), ADDED] = field(
         0.7, "Front brakes' share", "Of the braking force (ours); for anti-dive."
     )
 

@@ -5,7 +5,7 @@ from functools import cache
 
 from pydantic import BaseModel
 
-from sim_core.control.controller import Controller, ScenarioField, fields
+from sim_core.control.controller import Controller, ScenarioField
 from sim_core.scenario import Scenario
 from sim_core.speed.profile import SpeedPlan
 
@@ -47,7 +47,7 @@ def fields_read(strategy: type[Controller], plan: SpeedPlan) -> tuple[str, ...]:
 
     The speed policy, which decides the plan, is not among them.
     """
-    declared = {name: each.name for name, each in fields(strategy).items() if isinstance(each, ScenarioField)}
+    declared = {name: each.name for name, each in strategy.declared.items() if isinstance(each, ScenarioField)}
     names = [*EVERY_RUN, *declared.values()]
     if strategy.actuated:
         names += ACTUATORS
