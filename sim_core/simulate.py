@@ -7,6 +7,7 @@ from sim_core.metrics.evaluate import evaluate
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.speed.profile import plan_speed
+from sim_core.speed.stages import spans
 from sim_core.strategies import make_controller, speed_plan
 
 
@@ -46,4 +47,11 @@ def prepare(scenario: Scenario, strategy: str | type[Controller] | Controller) -
     plan = speed_plan(type(controller), scenario.speed.policy)
     profile = plan_speed(scenario, plan)
     excitation = make_excitation(scenario, controller, plan, profile)
-    return Run(scenario=scenario, controller=controller, plan=plan, profile=profile, excitation=excitation)
+    return Run(
+        scenario=scenario,
+        controller=controller,
+        plan=plan,
+        profile=profile,
+        excitation=excitation,
+        stages=spans(scenario, plan, profile),
+    )

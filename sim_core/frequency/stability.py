@@ -111,7 +111,7 @@ def _last_motion(
         estimator = replace(estimator, input=np.zeros((_BLOCK, STATES)))
     car = NonlinearCar(near_rest, actuator, step, np.zeros((_BLOCK, DISTURBANCES)), _BLOCK, estimator)
     motion = np.ones((_BLOCK + 1, len(loop)))
-    follow = car.follow(_unlimited(law), motion)
+    follow = car.follow_law(_unlimited(law), motion)
     eigenvalues, modes = np.linalg.eig(loop)
     to_modes = np.linalg.pinv(modes)[np.abs(eigenvalues) > _NEGLIGIBLE].T
     blocks = ceil(_SETTLED / (step * _BLOCK))
@@ -139,10 +139,11 @@ def _unlimited(law: LinearLaw) -> LawArrays:
         gain=law.gain,
         preview_gain=np.zeros((FORCES, 0)),
         limits=np.zeros((0, LAW_INPUTS)),
-        screen=np.zeros((14, 0)),
+        scale=np.ones(LAW_INPUTS),
+        norms=np.zeros((0, 5)),
         preview=np.zeros(0),
-        apart=(0, 0),
-        sums=np.zeros((4, _BLOCK)),
+        strides=(0, 0),
+        sizes=np.zeros((4, _BLOCK)),
         force_limit=inf,
         most_change=inf,
         most_force=inf,

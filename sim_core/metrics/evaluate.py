@@ -85,7 +85,7 @@ def evaluate(
             "target_speed": scenario.speed.target_speed_kmh * KMH if planned else None,
             "target_band": TARGET_BAND if planned else None,
         },
-        stages=run.stages(),
+        stages=run.stages,
         travel_time=drive.time_at(scenario.road.length),
         arrival_speed_kmh=arrival / KMH,
         series=Series(excitation.series, dict(zip(METRIC_SIGNALS, signals, strict=True))),
