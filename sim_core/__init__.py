@@ -1,17 +1,20 @@
 """Ridelab's simulation core: pure numerics, no web.
 
-`simulate(scenario, strategy)` is the whole of it; a scenario comes from `sim_core.scenario` or its presets. Everything
-here named in `__all__` is public, and all that Ridelab's own strategies are written with.
+`simulate(scenario, strategy)` is the whole of it. Everything named in `__all__` is public: a `Scenario` and its parts
+(all of `sim_core.scenario.__all__`), what a run returns, and what a controller is written and checked with. Ridelab's
+own strategies are written with nothing else. Named scenarios are in `sim_core.scenario.presets`.
 
 Example:
-    >>> from sim_core import STRATEGIES, Scenario, simulate
+    >>> from sim_core import STRATEGIES, Bump, Road, Scenario, simulate
     >>> "lv" in STRATEGIES
     True
-    >>> lv, lqr = simulate(Scenario(), "lv"), simulate(Scenario(), "lqr")
+    >>> scenario = Scenario(road=Road(bump=Bump(height=0.08)))
+    >>> lv, lqr = simulate(scenario, "lv"), simulate(scenario, "lqr")
     >>> lv.comfort["weighted_rms"] < lqr.comfort["weighted_rms"]
     True
 """
 
+from sim_core import scenario
 from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller, Report, option, scenario_field
 from sim_core.control.cost import CostTerms
@@ -22,7 +25,7 @@ from sim_core.control.seen import Seen, Setup
 from sim_core.ecu.controller import EcuController
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
-from sim_core.scenario import Preview, Scenario, Weights
+from sim_core.scenario import *  # noqa: F403 - all that it offers
 from sim_core.speed.profile import SpeedPlan
 from sim_core.vehicle.model import LinearLaw, SemiActiveDampers
 
@@ -40,16 +43,13 @@ __all__ = [
     "FloatArray",
     "LinearLaw",
     "PredictiveController",
-    "Preview",
     "Report",
     "RidelabError",
-    "Scenario",
     "Seen",
     "SemiActiveDampers",
     "Setup",
     "SpeedPlan",
     "StrategyResult",
-    "Weights",
     "axle_velocities",
     "check_controller",
     "feedforward",
@@ -58,4 +58,5 @@ __all__ = [
     "scenario_field",
     "simulate",
 ]
+__all__ += scenario.__all__
 __version__ = "0.4.0"  # part of every stored result's key: raise it whenever a number can change

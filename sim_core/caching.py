@@ -25,30 +25,26 @@ _ENTRY_OVERHEAD = 1024  # so that the number of small entries is bounded too [by
 def arrays(value: Any) -> list[NDArray[Any]]:
     """Itself, those in dataclasses, tuples and dictionaries; and the arrays that these are views of."""
     found: list[NDArray[Any]] = []
-    _collect(value, found)
+    waiting = [value]
+    while waiting:
+        part = waiting.pop()
+        if isinstance(part, np.ndarray):
+            while part is not None:  # between a strided view and its array stands an object of NumPy's with a base too
+                if isinstance(part, np.ndarray):
+                    found.append(part)
+                part = getattr(part, "base", None)
+        elif isinstance(part, dict):
+            waiting.extend(part.values())
+        elif isinstance(part, tuple):
+            waiting.extend(part)
+        else:
+            waiting.extend([getattr(part, name) for name in _field_names(type(part))])  # type: ignore[arg-type]  # a class can be hashed
     return found
 
 
 def buffers(arrays: Iterable[NDArray[Any]]) -> dict[int, int]:
     """Bytes of each buffer by its identity; a view counts as its whole base array, which it keeps alive."""
     return {id(array): array.nbytes for array in arrays if not hasattr(array.base, "base")}
-
-
-def _collect(value: Any, found: list[NDArray[Any]]) -> None:
-    if isinstance(value, np.ndarray):
-        while value is not None:  # between a strided view and its array stands an object of NumPy's with a base too
-            if isinstance(value, np.ndarray):
-                found.append(value)
-            value = getattr(value, "base", None)
-    elif isinstance(value, dict):
-        for item in value.values():
-            _collect(item, found)
-    elif isinstance(value, tuple):
-        for item in value:
-            _collect(item, found)
-    else:
-        for name in _field_names(type(value)):  # type: ignore[arg-type]  # a class can be hashed
-            _collect(getattr(value, name), found)
 
 
 @cache

@@ -5,11 +5,11 @@ Units are SI; a view may show others, and then converts itself.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import KW_ONLY, dataclass
 from typing import Any
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Quantity:
     """One named quantity: `unit` is the SI unit, '1' for none; `symbol` as in docs/nomenclature.md.
 
@@ -19,8 +19,9 @@ class Quantity:
     key: str
     label: str
     unit: str
-    symbol: str = ""
     description: str = ""
+    _: KW_ONLY
+    symbol: str = ""
     notable: float = 0.0
 
 
@@ -30,89 +31,38 @@ def _catalogue(*items: Quantity) -> dict[str, Quantity]:
 
 # Time histories a run returns, in this order.
 SIGNALS = _catalogue(
-    Quantity(key="time", label="Time", unit="s", symbol="t", description="0 when the front axle passes x = 0"),
-    Quantity(key="position", label="Distance", unit="m", symbol="x", description="travelled by the front axle"),
-    Quantity(key="speed", label="Speed", unit="m/s", symbol="v"),
-    Quantity(key="front_road", label="Road, front axle", unit="m", symbol="z_r1"),
-    Quantity(key="rear_road", label="Road, rear axle", unit="m", symbol="z_r2"),
-    Quantity(key="brake_pressure", label="Brake pressure", unit="Pa", symbol="P_c"),
-    Quantity(key="brake_deceleration", label="Braking deceleration", unit="m/s^2", symbol="a_brake"),
-    Quantity(key="body_acceleration", label="Body acceleration", unit="m/s^2", symbol="z̈_b", description="up positive"),
-    Quantity(
-        key="pitch_acceleration",
-        label="Pitch acceleration",
-        unit="rad/s^2",
-        symbol="θ̈",
-        description="nose-down positive",
-    ),
-    Quantity(
-        key="front_tyre_load",
-        label="Front tyre dynamic load",
-        unit="N",
-        symbol="F_t1",
-        description="pressed harder positive",
-    ),
-    Quantity(
-        key="rear_tyre_load",
-        label="Rear tyre dynamic load",
-        unit="N",
-        symbol="F_t2",
-        description="pressed harder positive",
-    ),
-    Quantity(
-        key="front_deflection",
-        label="Front suspension deflection",
-        unit="m",
-        symbol="d_1",
-        description="z_b1 - z_w1, extension positive",
-    ),
-    Quantity(
-        key="rear_deflection",
-        label="Rear suspension deflection",
-        unit="m",
-        symbol="d_2",
-        description="z_b2 - z_w2, extension positive",
-    ),
-    Quantity(
-        key="front_force",
-        label="Front actuator force",
-        unit="N",
-        symbol="u_1",
-        description="lifts the body, presses the wheel down",
-    ),
-    Quantity(
-        key="rear_force",
-        label="Rear actuator force",
-        unit="N",
-        symbol="u_2",
-        description="lifts the body, presses the wheel down",
-    ),
+    Quantity("time", "Time", "s", "0 when the front axle passes x = 0", symbol="t"),
+    Quantity("position", "Distance", "m", "travelled by the front axle", symbol="x"),
+    Quantity("speed", "Speed", "m/s", symbol="v"),
+    Quantity("front_road", "Road, front axle", "m", symbol="z_r1"),
+    Quantity("rear_road", "Road, rear axle", "m", symbol="z_r2"),
+    Quantity("brake_pressure", "Brake pressure", "Pa", symbol="P_c"),
+    Quantity("brake_deceleration", "Braking deceleration", "m/s^2", symbol="a_brake"),
+    Quantity("body_acceleration", "Body acceleration", "m/s^2", "up positive", symbol="z̈_b"),
+    Quantity("pitch_acceleration", "Pitch acceleration", "rad/s^2", "nose-down positive", symbol="θ̈"),
+    Quantity("front_tyre_load", "Front tyre dynamic load", "N", "pressed harder positive", symbol="F_t1"),
+    Quantity("rear_tyre_load", "Rear tyre dynamic load", "N", "pressed harder positive", symbol="F_t2"),
+    Quantity("front_deflection", "Front suspension deflection", "m", "z_b1 - z_w1, extension positive", symbol="d_1"),
+    Quantity("rear_deflection", "Rear suspension deflection", "m", "z_b2 - z_w2, extension positive", symbol="d_2"),
+    Quantity("front_force", "Front actuator force", "N", "lifts the body, presses the wheel down", symbol="u_1"),
+    Quantity("rear_force", "Rear actuator force", "N", "lifts the body, presses the wheel down", symbol="u_2"),
 )
 
-# Signals that get an RMS and a peak in each window.
-METRIC_SIGNALS = (
-    "body_acceleration",
-    "pitch_acceleration",
-    "front_tyre_load",
-    "rear_tyre_load",
-    "front_deflection",
-    "rear_deflection",
-    "front_force",
-    "rear_force",
-)
+# Those that a suspension changes: they get an RMS and a peak in each window.
+METRIC_SIGNALS = tuple(SIGNALS)[7:]
 
 # The four the paper's tables compare.
 PAPER_SIGNALS = METRIC_SIGNALS[:4]
 
 WINDOWS = _catalogue(
-    Quantity(key="rough_road", label="Rough road", unit="1", description="front axle from x = 0 to the bump"),
-    Quantity(key="bump", label="Bump", unit="1", description="front axle on the bump until the rear axle has left it"),
-    Quantity(key="whole", label="Whole run", unit="1", description="x = 0 to the end of the road"),
+    Quantity("rough_road", "Rough road", "1", "front axle from x = 0 to the bump"),
+    Quantity("bump", "Bump", "1", "front axle on the bump until the rear axle has left it"),
+    Quantity("whole", "Whole run", "1", "x = 0 to the end of the road"),
 )
 
 STATISTICS = _catalogue(
-    Quantity(key="rms", label="RMS", unit="1", description="root mean square over the window's time"),
-    Quantity(key="peak", label="Peak", unit="1", description="largest magnitude in the window"),
+    Quantity("rms", "RMS", "1", "root mean square over the window's time"),
+    Quantity("peak", "Peak", "1", "largest magnitude in the window"),
 )
 
 ROUGH_ROAD, BUMP, WHOLE = WINDOWS
@@ -121,137 +71,102 @@ RMS, PEAK = STATISTICS
 PAPER_VIEWS = ((ROUGH_ROAD, RMS), (BUMP, PEAK))
 
 STAGES = _catalogue(
-    Quantity(key="cruise", label="Cruise", unit="1"),
-    Quantity(key="brake", label="Brake", unit="1", description="from detection to the bump"),
-    Quantity(
-        key="bump",
-        label="Bump",
-        unit="1",
-        description="front axle from the bump's start until the rear axle has left it",
-    ),
+    Quantity("cruise", "Cruise", "1"),
+    Quantity("brake", "Brake", "1", "from detection to the bump"),
+    Quantity("bump", "Bump", "1", "front axle from the bump's start until the rear axle has left it"),
 )
 
 COMFORT = _catalogue(
-    Quantity(key="weighted_rms", label="Weighted RMS (ISO 2631-1 Wk)", unit="m/s^2", symbol="a_w"),
-    Quantity(key="vibration_dose", label="Vibration dose value (Wk)", unit="m/s^1.75", symbol="VDV"),
+    Quantity("weighted_rms", "Weighted RMS (ISO 2631-1 Wk)", "m/s^2", symbol="a_w"),
+    Quantity("vibration_dose", "Vibration dose value (Wk)", "m/s^1.75", symbol="VDV"),
     Quantity(
-        key="front_dynamic_load_coefficient",
-        label="Front dynamic load coefficient",
-        unit="1",
-        description="RMS on the rough road over static load",
+        "front_dynamic_load_coefficient",
+        "Front dynamic load coefficient",
+        "1",
+        "RMS on the rough road over static load",
     ),
     Quantity(
-        key="rear_dynamic_load_coefficient",
-        label="Rear dynamic load coefficient",
-        unit="1",
-        description="RMS on the rough road over static load",
+        "rear_dynamic_load_coefficient", "Rear dynamic load coefficient", "1", "RMS on the rough road over static load"
     ),
-    Quantity(
-        key="actuator_mean_power",
-        label="Actuator power, mean magnitude",
-        unit="W",
-        description="mean of |u·ḋ| summed over both axles",
-    ),
-    Quantity(
-        key="actuator_peak_power",
-        label="Actuator power, peak",
-        unit="W",
-        description="largest |u·ḋ| summed over both axles",
-    ),
+    Quantity("actuator_mean_power", "Actuator power, mean magnitude", "W", "mean of |u·ḋ| summed over both axles"),
+    Quantity("actuator_peak_power", "Actuator power, peak", "W", "largest |u·ḋ| summed over both axles"),
 )
 
 EVENTS = _catalogue(
     Quantity(
-        key="airborne_ms",
-        label="Airborne",
-        unit="ms",
-        description="time either tyre is off the road, or would have to pull on it where it cannot lift off",
+        "airborne_ms",
+        "Airborne",
+        "ms",
+        "time either tyre is off the road, or would have to pull on it where it cannot lift off",
         notable=1.0,
     ),
-    Quantity(key="front_airborne_ms", label="Front tyre airborne", unit="ms"),
-    Quantity(key="rear_airborne_ms", label="Rear tyre airborne", unit="ms"),
+    Quantity("front_airborne_ms", "Front tyre airborne", "ms"),
+    Quantity("rear_airborne_ms", "Rear tyre airborne", "ms"),
     Quantity(
-        key="target_reached",
-        label="Target speed reached",
-        unit="1",
-        description="within the target band at the bump, or nothing to brake for; null without a target",
+        "target_reached",
+        "Target speed reached",
+        "1",
+        "within the target band at the bump, or nothing to brake for; null without a target",
     ),
     Quantity(
-        key="bump_complete",
-        label="Bump crossed completely",
-        unit="1",
-        description="false where the road ends before the rear axle has left the bump: its peaks are then up to there",
+        "bump_complete",
+        "Bump crossed completely",
+        "1",
+        "false where the road ends before the rear axle has left the bump: its peaks are then up to there",
     ),
     Quantity(
-        key="travel_exceeded_mm",
-        label="Travel over the limit, whole run",
-        unit="mm",
-        description="largest deflection beyond mpc.deflection_limit anywhere, also while braking; 0 if held",
+        "travel_exceeded_mm",
+        "Travel over the limit, whole run",
+        "mm",
+        "largest deflection beyond mpc.deflection_limit anywhere, also while braking; 0 if held",
         notable=0.1,
     ),
     Quantity(
-        key="limited_steps",
-        label="Steps with a limit active",
-        unit="1",
-        description="control steps, run-in included, in which a limit of force, travel or actuator shaped the command",
+        "limited_steps",
+        "Steps with a limit active",
+        "1",
+        "control steps, run-in included, in which a limit of force, travel or actuator shaped the command",
     ),
-    Quantity(key="qp_solves", label="QPs solved", unit="1", description="run-in included"),
+    Quantity("qp_solves", "QPs solved", "1", "run-in included"),
     Quantity(
-        key="qp_fallbacks",
-        label="QP solver fallbacks",
-        unit="1",
-        description="solved by the other solver after the first gave no verified solution",
+        "qp_fallbacks",
+        "QP solver fallbacks",
+        "1",
+        "solved by the other solver after the first gave no verified solution",
     ),
     Quantity(
-        key="qp_failures",
-        label="QPs not solved",
-        unit="1",
-        description="neither solver gave a verified solution and the last safe force was held; of an ECU, its "
+        "qp_failures",
+        "QPs not solved",
+        "1",
+        "neither solver gave a verified solution and the last safe force was held; of an ECU, its "
         "iterations ran out and the forces were clipped",
     ),
     Quantity(
-        key="max_slack_mm",
-        label="Largest travel slack",
-        unit="mm",
-        description="largest predicted deflection beyond the limit the MPC accepted",
+        "max_slack_mm", "Largest travel slack", "mm", "largest predicted deflection beyond the limit the MPC accepted"
+    ),
+    Quantity("ecu_most_iterations", "ECU: most iterations", "1", "of its solver in one step; null without an ECU"),
+    Quantity(
+        "ecu_clipped_values",
+        "ECU: values beyond their range",
+        "1",
+        "measured or previewed values a converter clipped; null without an ECU",
     ),
     Quantity(
-        key="ecu_most_iterations",
-        label="ECU: most iterations",
-        unit="1",
-        description="of its solver in one step; null without an ECU",
-    ),
-    Quantity(
-        key="ecu_clipped_values",
-        label="ECU: values beyond their range",
-        unit="1",
-        description="measured or previewed values a converter clipped; null without an ECU",
-    ),
-    Quantity(
-        key="ecu_held_commands",
-        label="ECU: commands without effect",
-        unit="1",
-        description="lost, late or overtaken: the actuators held an earlier one; null without an ECU",
+        "ecu_held_commands",
+        "ECU: commands without effect",
+        "1",
+        "lost, late or overtaken: the actuators held an earlier one; null without an ECU",
     ),
 )
 
 # Figures of a whole run that stand beside the windows.
 RUN_FIGURES = _catalogue(
-    Quantity(
-        key="travel_time", label="Travel time", unit="s", description="front axle from x = 0 to the end of the road"
-    ),
-    Quantity(
-        key="arrival_speed_kmh",
-        label="Speed at the bump",
-        unit="km/h",
-        description="when the front axle reaches the bump",
-    ),
+    Quantity("travel_time", "Travel time", "s", "front axle from x = 0 to the end of the road"),
+    Quantity("arrival_speed_kmh", "Speed at the bump", "km/h", "when the front axle reaches the bump"),
 )
 
-LIMITS_EXCEEDED = (
-    "events.travel_exceeded_mm",
-    "events.airborne_ms",
-)  # metrics that are 0 where a limit of the car holds
+# Metrics that are 0 where a limit of the car holds.
+LIMITS_EXCEEDED = ("events.travel_exceeded_mm", "events.airborne_ms")
 
 _FLAGS = ("target_reached", "bump_complete")  # the events that are true or false
 
@@ -261,18 +176,21 @@ class Metric:
     """One number of a strategy's result, or something true or false.
 
     Attributes:
-        key: Its flat name, as the columns of tables have it: `bump.body_acceleration.peak`.
+        path: Where it stands in a result's summary.
         label: In words.
         unit: SI unit, `1` for none.
-        path: Where it stands in a result's summary.
         flag: Whether it is true or false.
     """
 
-    key: str
+    path: tuple[str, ...]
     label: str
     unit: str
-    path: tuple[str, ...]
     flag: bool = False
+
+    @property
+    def key(self) -> str:
+        """Its flat name, as the columns of tables have it: `bump.body_acceleration.peak`."""
+        return ".".join(self.path).removeprefix("metrics.")
 
     def of(self, summary: Mapping[str, Any]) -> Any:
         """Its value in a result's summary; None where that has none."""
@@ -288,30 +206,23 @@ def metric_key(window: str, signal: str, statistic: str) -> str:
 
 
 def _metrics() -> dict[str, Metric]:
-    signals = [
+    statistics = {RMS: "RMS", PEAK: "peak"}
+    metrics = [
         Metric(
-            key=metric_key(window.key, signal, statistic.key),
-            label=f"{SIGNALS[signal].label}, {'RMS' if statistic.key == 'rms' else statistic.label.lower()}, "
-            f"{window.label.lower()}",
+            path=("metrics", window.key, signal, statistic),
+            label=f"{SIGNALS[signal].label}, {words}, {window.label.lower()}",
             unit=SIGNALS[signal].unit,
-            path=("metrics", window.key, signal, statistic.key),
         )
         for window in WINDOWS.values()
         for signal in METRIC_SIGNALS
-        for statistic in STATISTICS.values()
+        for statistic, words in statistics.items()
     ]
-    others = [
-        Metric(
-            key=".".join((*part, item.key)),
-            label=item.label,
-            unit=item.unit,
-            path=(*part, item.key),
-            flag=item.key in _FLAGS,
-        )
-        for part, items in ((("comfort",), COMFORT), (("events",), EVENTS), ((), RUN_FIGURES))
-        for item in items.values()
-    ]
-    return {metric.key: metric for metric in (*signals, *others)}
+    for part, items in ((("comfort",), COMFORT), (("events",), EVENTS), ((), RUN_FIGURES)):
+        metrics += [
+            Metric(path=(*part, key), label=item.label, unit=item.unit, flag=key in _FLAGS)
+            for key, item in items.items()
+        ]
+    return {metric.key: metric for metric in metrics}
 
 
 # Every number of a result by its flat name: the columns of tables, the figures of summaries, objectives and limits.
@@ -323,10 +234,10 @@ PAPER_METRICS = tuple(
 
 # Lines a plot draws beside the curves; values come with each result as `reference`.
 REFERENCES = _catalogue(
-    Quantity(key="front_static_load", label="Front static tyre load", unit="N"),
-    Quantity(key="rear_static_load", label="Rear static tyre load", unit="N"),
-    Quantity(key="deflection_limit", label="Suspension travel limit", unit="m"),
-    Quantity(key="force_limit", label="Actuator force limit", unit="N"),
-    Quantity(key="target_speed", label="Target speed", unit="m/s"),
-    Quantity(key="target_band", label="Half width of the target band", unit="m/s"),
+    Quantity("front_static_load", "Front static tyre load", "N"),
+    Quantity("rear_static_load", "Rear static tyre load", "N"),
+    Quantity("deflection_limit", "Suspension travel limit", "m"),
+    Quantity("force_limit", "Actuator force limit", "N"),
+    Quantity("target_speed", "Target speed", "m/s"),
+    Quantity("target_band", "Half width of the target band", "m/s"),
 )

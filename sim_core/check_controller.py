@@ -7,13 +7,13 @@ from typing import get_args
 
 import numpy as np
 
-from sim_core.control.controller import Controller, Force, Option, ScenarioField, checked_option, fields
+from sim_core.control.controller import Controller, Force, Option, checked_value, scenario_value
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
-from sim_core.scenario import Bump, Preview, Road, Scenario, dotted
+from sim_core.scenario import Bump, Preview, Road, Scenario
 from sim_core.simulate import simulate
-from sim_core.strategies import speed_plan
+from sim_core.strategies import speed_plan, strategy_named
 from sim_core.vehicle.model import SemiActiveDampers
 
 _SHORT = Scenario(road=Road(length=60, bump=Bump(start=30)))
@@ -22,15 +22,18 @@ _NOTHING = 1e-6  # in SI units: less than that is nobody's difference
 _ID = re.compile("[a-z][a-z0-9_]*")
 
 
-def check_controller(controller: type[Controller] | Controller, scenario: Scenario | None = None) -> list[str]:
+def check_controller(controller: str | type[Controller] | Controller, scenario: Scenario | None = None) -> list[str]:
     """Look at a controller's fields, then drive it over a short road several times.
 
     Args:
-        controller: Its class, or an object of it.
+        controller: Its class, an object of it, or the id of one of `STRATEGIES`.
         scenario: What to drive; by default the paper's bump on a road of 60 m.
 
     Returns:
         A sentence for each thing that is wrong; none where nothing was found.
+
+    Raises:
+        UnknownNameError: No such strategy.
 
     Example:
         >>> from sim_core import Controller, check_controller
@@ -42,22 +45,27 @@ def check_controller(controller: type[Controller] | Controller, scenario: Scenar
         >>> check_controller(Nothing)
         ['label is empty']
     """
-    wrong = _declared(controller if isinstance(controller, type) else type(controller))
+    if isinstance(controller, str):
+        controller = strategy_named(controller)
+    kind = controller if isinstance(controller, type) else type(controller)
+    if not issubclass(kind, Controller):
+        return ["A controller is a class derived from sim_core.Controller, or an object of one"]
+    wrong = _declared(kind)
     return wrong or _driven(controller, _SHORT if scenario is None else scenario)
 
 
 def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> list[str]:
     """What is wrong with its runs."""
     try:
-        made = controller() if isinstance(controller, type) else controller
+        instance = controller() if isinstance(controller, type) else controller
     except Exception as error:  # noqa: BLE001 - of anybody's code
         return [_raised(error, controller)]
-    speed = scenario.speed.model_copy(update={"policy": speed_plan(type(made), scenario.speed.policy)})
+    speed = scenario.speed.model_copy(update={"policy": speed_plan(type(instance), scenario.speed.policy)})
     scenario = scenario.model_copy(update={"speed": speed})
     try:
-        first, again = simulate(scenario, made), simulate(scenario, made)
+        first, again = simulate(scenario, instance), simulate(scenario, instance)
         other = simulate(scenario, controller) if isinstance(controller, type) else first
-        by_force = simulate(scenario, _ByForce(made)) if _has_both(made) else first
+        by_force = simulate(scenario, _ByForce(instance)) if _has_both(instance) else first
     except Exception as error:  # noqa: BLE001 - of anybody's code
         return [_raised(error, controller)]
     if not _same(first, other):
@@ -67,7 +75,7 @@ def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> li
         ]
     if not _same(first, again):
         return ["A second run of the same object differs: start has to forget the run before"]
-    if not made.actuated and any(first.metrics["whole"][f"{axle}_force"]["peak"] for axle in ("front", "rear")):
+    if not instance.actuated and any(first.metrics["whole"][f"{axle}_force"]["peak"] for axle in ("front", "rear")):
         return ["It says that it has no actuators, and gives a force"]
     if not _close(first, by_force):
         return ["force and linear_law give different forces where no limit binds"]
@@ -89,14 +97,14 @@ def _declared(kind: type[Controller]) -> list[str]:
         wrong.append("speed_plan is planned or constant")
     if kind.force is Controller.force and kind.linear_law is Controller.linear_law:
         wrong.append("It defines neither force nor linear_law")
-    for name, field in fields(kind).items():
-        if isinstance(field, ScenarioField) and field.name not in dotted.fields():
-            wrong.append(f"{name}: a scenario has no field {field.name}")
-        if isinstance(field, Option):
-            try:
-                checked_option(kind, name, field.default)
-            except RidelabError as error:
-                wrong.append(f"The default of {name} is not allowed: {error.message}")
+    for name, field in kind.declared.items():
+        try:
+            if isinstance(field, Option):
+                checked_value(kind, name, field.default)
+            else:
+                scenario_value(Scenario(), field.name)
+        except RidelabError as error:
+            wrong.append(f"{name}: {error.message}")
     return wrong
 
 

@@ -7,7 +7,8 @@ from sim_core.metrics.evaluate import evaluate
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.speed.profile import plan_speed
-from sim_core.strategies import speed_plan, strategy_named
+from sim_core.speed.stages import spans
+from sim_core.strategies import make_controller, speed_plan
 
 
 @one_thread()
@@ -40,10 +41,17 @@ def prepare(scenario: Scenario, strategy: str | type[Controller] | Controller) -
 
     Raises:
         UnknownNameError: No such strategy.
+        RidelabError: It is neither an id nor a controller.
     """
-    chosen = strategy_named(strategy) if isinstance(strategy, str) else strategy
-    controller = (chosen() if isinstance(chosen, type) else chosen).for_scenario(scenario)
+    controller = make_controller(strategy).for_scenario(scenario)
     plan = speed_plan(type(controller), scenario.speed.policy)
     profile = plan_speed(scenario, plan)
     excitation = make_excitation(scenario, controller, plan, profile)
-    return Run(scenario=scenario, controller=controller, plan=plan, profile=profile, excitation=excitation)
+    return Run(
+        scenario=scenario,
+        controller=controller,
+        plan=plan,
+        profile=profile,
+        excitation=excitation,
+        stages=spans(scenario, plan, profile),
+    )

@@ -9,10 +9,9 @@ takes the id of one in `sim_core.STRATEGIES`.
 `sim_core.check_controller` tells what is wrong with a controller.
 """
 
-from collections.abc import Hashable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
-from functools import cache
 from typing import Annotated, Any, ClassVar, Self, get_type_hints
 
 import numpy as np
@@ -20,8 +19,9 @@ from numpy.typing import NDArray
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
 from sim_core.control.seen import Seen, Setup
-from sim_core.errors import RidelabError
-from sim_core.scenario import Preview, Scenario
+from sim_core.errors import RidelabError, UnknownNameError
+from sim_core.scenario import Preview, Scenario, dotted
+from sim_core.scenario.fields import Part
 from sim_core.speed.profile import SpeedPlan
 from sim_core.vehicle.model import LinearLaw, SemiActiveDampers
 
@@ -52,7 +52,7 @@ def scenario_field(name: str) -> Any:
     """A field of a controller that takes its value from the scenario.
 
     Args:
-        name: Dotted name of the scenario's field, such as `mpc.force_weight`.
+        name: Dotted name of the scenario's field, such as `mpc.force_weight`, or of a whole part.
 
     Example:
         >>> from sim_core import Controller, Scenario, scenario_field
@@ -94,7 +94,8 @@ class Report:
         fallbacks: Of them, those that another solver than the first one solved.
         failures: Of them, those that none solved.
         max_slack: Largest predicted deflection beyond its limit [m].
-        limited_steps: Control steps in which a limit shaped the force; None lets the loop count them.
+        limited_steps: Control steps in which a limit of its own shaped the force; in a run's events, those in which
+            the limits of forces or actuators did are counted too.
         most_iterations: Most iterations of the solver in one step.
         clipped_values: Measured values beyond the range of their converters.
 
@@ -102,7 +103,7 @@ class Report:
         >>> from sim_core import Controller, Scenario, simulate
         >>> class OftenLimited(Controller):
         ...     def force(self, seen):
-        ...         self.report.limited_steps = (self.report.limited_steps or 0) + 1
+        ...         self.report.limited_steps += 1
         ...         return 0.0, 0.0
         >>> result = simulate(Scenario(), OftenLimited)
         >>> result.events["limited_steps"] > 1000
@@ -113,7 +114,7 @@ class Report:
     fallbacks: int = 0
     failures: int = 0
     max_slack: float = 0.0
-    limited_steps: int | None = None
+    limited_steps: int = 0
     most_iterations: int | None = None
     clipped_values: int | None = None
 
@@ -133,6 +134,7 @@ class Controller:
         preview: What of the road ahead `Seen` reports: none, wheelbase, lookahead or obstacle.
         prediction_horizon: For how many control steps ahead.
         report: Of the present run; new at each start.
+        declared: Its fields by their names.
 
     Example:
         >>> from sim_core import Controller, Scenario, option, simulate
@@ -156,17 +158,23 @@ class Controller:
     preview: Preview = scenario_field("mpc.preview")
     prediction_horizon: int = scenario_field("mpc.prediction_horizon")
     report: Report
+    declared: ClassVar[Mapping[str, ScenarioField | Option]] = {}
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        """List its fields; one that a subclass replaces by a plain value is none any more."""
+        super().__init_subclass__(**options)
+        names = dict.fromkeys(name for each in reversed(cls.__mro__) for name in vars(each))
+        values = {name: getattr(cls, name) for name in names}
+        cls.declared = {name: value for name, value in values.items() if isinstance(value, ScenarioField | Option)}
 
     def __init__(self, **values: Any) -> None:
         """Set fields; what is not given has its default, or the scenario's value in a run.
 
         Raises:
-            RidelabError: There is no such field, or its option's bounds exclude the value.
+            RidelabError: There is no such field, or it does not take the value.
         """
-        self._given: dict[str, Any] = {}
         self.report = Report()
-        for name, value in values.items():
-            self._given[name] = checked_option(type(self), name, value)
+        self._own_values = {name: checked_value(type(self), name, value) for name, value in values.items()}
         self._set(_DEFAULTS)
 
     @classmethod
@@ -199,10 +207,13 @@ class Controller:
 
         Returns:
             Two numbers; None, of a delayed controller, where no command came.
+
+        Raises:
+            RidelabError: The class defines neither this nor `linear_law`.
         """
         law = self.linear_law(seen.stage)
         if law is None:
-            raise NotImplementedError(f"{type(self).__name__} defines neither force nor linear_law")
+            raise undefined(self, "force(seen) or linear_law(stage)")
         return law.force(seen.state, seen.previous_force, seen.disturbances)
 
     def linear_law(self, stage: str) -> LinearLaw | None:
@@ -230,49 +241,51 @@ class Controller:
         """Release what `start` took; called once after a run, also after one that failed."""
 
     def _set(self, scenario: Scenario) -> None:
-        given = vars(self).get("_given", {})  # none where a subclass's __init__ does not call this one's
-        for name, declared in fields(type(self)).items():
-            if name in given:
-                value = given[name]
+        own_values = vars(self).get("_own_values", {})  # none where a subclass's __init__ does not call this one's
+        for name, field in self.declared.items():
+            if name in own_values:
+                value = own_values[name]
             else:
-                value = declared.default if isinstance(declared, Option) else _value(scenario, declared.name)
+                value = field.default if isinstance(field, Option) else scenario_value(scenario, field.name)
             setattr(self, name, value)
 
 
-@cache
-def _fields(kind: Hashable) -> Mapping[str, ScenarioField | Option]:
-    assert isinstance(kind, type)  # noqa: S101 - a class can be hashed
-    names = dict.fromkeys(name for each in reversed(kind.__mro__) for name in vars(each))
-    found = {name: getattr(kind, name) for name in names}
-    return {name: value for name, value in found.items() if isinstance(value, ScenarioField | Option)}
+def undefined(controller: Controller, methods: str) -> RidelabError:
+    """The error of a controller whose class has to define one of these methods, and does not."""
+    return RidelabError(f"{type(controller).__name__} has to define {methods}")
 
 
-def fields(kind: type[Controller]) -> Mapping[str, ScenarioField | Option]:
-    """A controller's fields by their names; one that a subclass replaces by a plain value is none any more."""
-    return _fields(kind)  # type: ignore[arg-type]  # a class can be hashed
+def scenario_value(scenario: Scenario, name: str) -> Any:
+    """The value of a scenario's field, or a whole part, by its dotted name.
 
-
-def _value(scenario: Scenario, name: str) -> Any:
+    Raises:
+        UnknownNameError: A scenario has no such field.
+    """
     part: Any = scenario
     for key in name.split("."):
+        if key not in type(part).model_fields:
+            raise UnknownNameError(f"A scenario has no field {name}; there are {', '.join(dotted.offered(name))}")
         part = getattr(part, key)
     return part
 
 
-def checked_option(kind: type[Controller], name: str, value: Any) -> Any:
-    """A field's value, of the annotated type and within its bounds.
+def checked_value(kind: type[Controller], name: str, value: Any) -> Any:
+    """A field's value, of its type and within its bounds.
 
     Raises:
-        RidelabError: There is no such field, or it is not allowed.
+        RidelabError: There is no such field, or it does not take the value.
     """
-    declared = fields(kind).get(name)
-    if declared is None:
-        raise RidelabError(f"{kind.__name__} has no field of that name; there are {', '.join(fields(kind))}")
-    if isinstance(declared, ScenarioField):
-        return value
-    annotation = get_type_hints(kind).get(name, type(declared.default))
-    annotated: Any = Annotated[annotation, Field(ge=declared.ge, le=declared.le)]
+    field = kind.declared.get(name)
+    if field is None:
+        raise RidelabError(f"{kind.__name__} has no field of that name; there are {', '.join(kind.declared)}")
+    if isinstance(field, ScenarioField):
+        part, dotted_name = scenario_value(_DEFAULTS, field.name), field.name
+        adapter = TypeAdapter(type(part)) if isinstance(part, Part) else dotted.field(field.name).adapter
+    else:
+        annotation: Any = get_type_hints(kind).get(name, type(field.default))
+        dotted_name = f"own.{kind.id}.{name}"
+        adapter = TypeAdapter(Annotated[annotation, Field(ge=field.ge, le=field.le)], config=_STRICT)
     try:
-        return TypeAdapter(annotated, config=_STRICT).validate_python(value)
+        return adapter.validate_python(value)
     except ValidationError as error:
-        raise RidelabError(error.errors(include_input=False)[0]["msg"], field=f"own.{kind.id}.{name}") from None
+        raise RidelabError(error.errors(include_input=False)[0]["msg"], field=dotted_name) from None

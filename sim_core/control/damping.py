@@ -5,7 +5,7 @@ from math import inf
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.control.controller import Controller, scenario_field
+from sim_core.control.controller import Controller, scenario_field, undefined
 from sim_core.control.seen import Setup
 from sim_core.vehicle.half_car import FORCES, STATES
 from sim_core.vehicle.model import LinearLaw, SemiActiveDampers
@@ -32,8 +32,12 @@ class DampingController(Controller):
     max_damping: float | None = scenario_field("hook.max_damping")
 
     def damping(self, setup: Setup) -> FloatArray:
-        """The forces front and rear for each number of the state (2, 8), in N."""
-        raise NotImplementedError
+        """The forces front and rear for each number of the state (2, 8), in N.
+
+        Raises:
+            RidelabError: The class does not define it.
+        """
+        raise undefined(self, "damping(setup)")
 
     def start(self, setup: Setup) -> None:
         """Make the law."""

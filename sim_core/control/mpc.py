@@ -3,9 +3,9 @@
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.control.controller import Controller, scenario_field
-from sim_core.control.cost import KILO, CostTerms
-from sim_core.control.mpc_design import CENTI, SLACK_LINEAR, Horizon, MpcDesign, design
+from sim_core.control.controller import Controller, scenario_field, undefined
+from sim_core.control.cost import KILO
+from sim_core.control.mpc_design import CENTI, SLACK_LINEAR, MpcDesign, design
 from sim_core.control.qp import MAX_EFFORT, SOLVERS, QpProblem, QpSolver
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import TooExpensiveError
@@ -62,8 +62,12 @@ class PredictiveController(Controller):
     solver: str = scenario_field("mpc.solver")
 
     def weights(self, stage: str) -> Weights:
-        """Of body acceleration, pitch acceleration and tyre load in a driving stage."""
-        raise NotImplementedError
+        """Of body acceleration, pitch acceleration and tyre load in a driving stage.
+
+        Raises:
+            RidelabError: The class does not define it.
+        """
+        raise undefined(self, "weights(stage)")
 
     def designs(self, setup: Setup) -> dict[str, MpcDesign]:
         """The MPC of each driving stage.
@@ -71,24 +75,9 @@ class PredictiveController(Controller):
         Raises:
             RidelabError: The vehicle and weights admit no stabilising controller.
         """
-        horizon = Horizon(
-            prediction=self.prediction_horizon,
-            control=self.control_horizon,
-            force_limit=setup.force_limit,
-            force_change_weight=self.force_change_weight,
-        )
-        return {stage: design(self._terms(setup, stage), horizon) for stage in setup.stages}
-
-    def _terms(self, setup: Setup, stage: str) -> CostTerms:
-        return CostTerms(
-            vehicle=setup.vehicle,
-            speed=setup.initial_speed,
-            sample_time=setup.sample_time,
-            weights=self.weights(stage),
-            deflection_weight=self.deflection_weight,
-            deflection_limit=setup.deflection_limit,
-            force_weight=self.force_weight,
-        )
+        horizon = self.prediction_horizon, self.control_horizon, setup.force_limit, self.force_change_weight
+        other = self.deflection_weight, self.force_weight
+        return {stage: design(setup.cost(self.weights(stage), *other), *horizon) for stage in setup.stages}
 
     def start(self, setup: Setup) -> None:
         """Design each stage.

@@ -108,44 +108,39 @@ def _move_penalty(moves: int, weight: float) -> tuple[FloatArray, FloatArray]:
     return scaled * D.T @ D, -scaled * D.T @ first
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Horizon:
-    """What an MPC design depends on beside its cost."""
-
-    prediction: int
-    control: int
-    force_limit: float
-    force_change_weight: float
-
-
 @cached
-def design(terms: CostTerms, horizon: Horizon) -> MpcDesign:
+def design(terms: CostTerms, horizon: int, moves: int, force_limit: float, force_change_weight: float) -> MpcDesign:
     """Condense one stage's problem: interval costs, terminal cost (the stage's Riccati solution), limits.
+
+    Args:
+        terms: Of the interval costs.
+        horizon: Np, in steps.
+        moves: Nc; after the last one the force is held.
+        force_limit: Of each force [N].
+        force_change_weight: On the moves of the force [1/N²].
 
     Raises:
         RidelabError: No stabilising terminal controller exists for these weights.
     """
     S, P = stage_cost(terms), regulator(terms).P
-    p = predict(terms.vehicle, terms.sample_time, horizon.prediction, horizon.control)
+    p = predict(terms.vehicle, terms.sample_time, horizon, moves)
     free = p.z_moves.shape[1]
 
     weighted = (S @ p.z_moves.reshape(len(S), -1)).reshape(-1, free)
     end = P @ p.end_moves
-    change, change_previous = _move_penalty(horizon.control, horizon.force_change_weight)
+    change, change_previous = _move_penalty(moves, force_change_weight)
     H = p.z_moves.T @ weighted + p.end_moves.T @ end + change
     H = (H + H.T) / 2
     linear = weighted[: len(p.x_parameters)].T @ p.x_parameters + end.T @ p.end_parameters
     linear[:, STATES:LAW_INPUTS] += change_previous / KILO
-    linear[:, LAW_INPUTS:] += weighted[
-        -DISTURBANCES * horizon.prediction :
-    ].T  # the preview is the last of z as it stands
+    linear[:, LAW_INPUTS:] += weighted[-DISTURBANCES * horizon :].T  # the preview is the last of z as it stands
     optimum = -solve(H, linear)
 
     checks = np.vstack([optimum * KILO, p.travel_parameters + p.travel_moves @ optimum])
-    bounds = np.repeat([horizon.force_limit, terms.deflection_limit], [free, 2 * horizon.prediction])
+    bounds = np.repeat([force_limit, terms.deflection_limit], [free, 2 * horizon])
     checks /= bounds[:, None]
     return MpcDesign(
-        shape=_shape(H, p.rows, horizon.force_limit),
+        shape=_shape(H, p.rows, force_limit),
         law=LinearLaw(
             gain=optimum[:FORCES, :LAW_INPUTS] * KILO,
             preview_gain=np.ascontiguousarray(optimum[:FORCES, LAW_INPUTS:] * KILO),

@@ -17,7 +17,7 @@ from sim_core.kernel.prepared import LawArrays
 from sim_core.loop.drive import make_setup, told_preview
 from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario, Vehicle
 from sim_core.speed.profile import plan_speed
-from sim_core.strategies import speed_plan, strategy_named
+from sim_core.strategies import make_controller, speed_plan
 from sim_core.vehicle.estimator import make_estimator
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 from sim_core.vehicle.linear import closed_loop_matrix, control_step
@@ -32,7 +32,7 @@ _NEGLIGIBLE = 1e-6  # a mode with a smaller eigenvalue has died out after one co
 _ANY_ROAD = Road(roughness=0, length=30, bump=Bump(height=0, start=20))
 
 
-def least_damping(scenario: Scenario, strategy: str | type[Controller]) -> float | None:
+def least_damping(scenario: Scenario, strategy: str | type[Controller] | Controller) -> float | None:
     """Smallest damping ratio of the closed loop's modes [1], over the stages; None for a controller that is not a law.
 
     Of a mode exp(s·t) it is -Re(s)/|s|: 1 does not oscillate, 0 oscillates for ever, below 0 the loop is unstable.
@@ -46,13 +46,13 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller]) -> float
 
     Args:
         scenario: With its mismatch: the controller is designed without it and meets the real car.
-        strategy: Its id, or a controller's class.
+        strategy: Its id, a controller's class, or an object of it.
 
     Raises:
         UnknownNameError: No such strategy.
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
-    kind = strategy_named(strategy) if isinstance(strategy, str) else strategy
+    instance = make_controller(strategy)
     believed = scenario.model_copy(
         update={
             "road": _ANY_ROAD,
@@ -61,26 +61,26 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller]) -> float
             "lqr": scenario.lqr.model_copy(update={"preview": "none"}),
         }
     )
-    controller = kind().for_scenario(believed)
+    controller = instance.for_scenario(believed)
     if controller.delayed or controller.dampers() is not None:
         return None
-    profile = plan_speed(believed, speed_plan(kind, scenario.speed.policy))
+    profile = plan_speed(believed, speed_plan(type(instance), scenario.speed.policy))
     setup = make_setup(believed, controller, profile)
     controller.start(setup)
-    found = dict.fromkeys(controller.linear_law(stage) for stage in setup.stages)
+    of_stages = [controller.linear_law(stage) for stage in setup.stages]
     controller.end()
-    laws = [law for law in found if law is not None]
-    if len(laws) < len(found):
+    if None in of_stages:
         return None
-    vehicle, actuator = scenario.real_vehicle, scenario.actuator if kind.actuated else Actuator()
+    laws = dict.fromkeys(law for law in of_stages if law is not None)
+    vehicle, actuator = scenario.real_vehicle, scenario.actuator if instance.actuated else Actuator()
     step, estimator = setup.sample_time, None
-    if kind.actuated:
-        mode, still = told_preview(scenario, kind().for_scenario(scenario)), np.zeros((1, DISTURBANCES))
+    if instance.actuated:
+        mode, still = told_preview(scenario, instance.for_scenario(scenario)), np.zeros((1, DISTURBANCES))
         estimator = make_estimator(scenario, step, profile.initial_speed, still, mode=mode)
     exact = control_step(plant(vehicle, actuator, step, 1), vehicle, estimator)
     loops = [closed_loop_matrix(exact, law) for law in laws]
     of_modes = [damping(loop, step) for loop in loops]
-    if vehicle.rebound_ratio == 1 or not kind.actuated:  # dampers alone only take energy out
+    if vehicle.rebound_ratio == 1 or not instance.actuated:  # dampers alone only take energy out
         return min(of_modes)
     last = [_last_motion(vehicle, actuator, step, estimator, law, loop) for law, loop in zip(laws, loops, strict=True)]
     return min(slowest if mean < 0 else min(mean, slowest) for mean, slowest in zip(of_modes, last, strict=True))
@@ -111,7 +111,7 @@ def _last_motion(
         estimator = replace(estimator, input=np.zeros((_BLOCK, STATES)))
     car = NonlinearCar(near_rest, actuator, step, np.zeros((_BLOCK, DISTURBANCES)), _BLOCK, estimator)
     motion = np.ones((_BLOCK + 1, len(loop)))
-    follow = car.follow(_unlimited(law), motion)
+    follow = car.follow_law(_unlimited(law), motion)
     eigenvalues, modes = np.linalg.eig(loop)
     to_modes = np.linalg.pinv(modes)[np.abs(eigenvalues) > _NEGLIGIBLE].T
     blocks = ceil(_SETTLED / (step * _BLOCK))
@@ -139,10 +139,11 @@ def _unlimited(law: LinearLaw) -> LawArrays:
         gain=law.gain,
         preview_gain=np.zeros((FORCES, 0)),
         limits=np.zeros((0, LAW_INPUTS)),
-        screen=np.zeros((14, 0)),
+        scale=np.ones(LAW_INPUTS),
+        norms=np.zeros((0, 5)),
         preview=np.zeros(0),
-        apart=(0, 0),
-        sums=np.zeros((4, _BLOCK)),
+        strides=(0, 0),
+        sizes=np.zeros((4, _BLOCK)),
         force_limit=inf,
         most_change=inf,
         most_force=inf,

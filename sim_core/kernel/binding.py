@@ -138,12 +138,12 @@ def disturbances(height: FloatArray, braking: FloatArray, step: float, held: Flo
     _disturbances(height, braking, steps, step, held)
 
 
-def horizons(ahead: FloatArray, horizon: int, sums: FloatArray) -> None:
-    """Fill sums (4, n) from disturbances (3, n + horizon - 1)."""
-    steps = sums.shape[-1]
-    fits = ahead.shape == (_DISTURBANCES, steps + horizon - 1) and sums.shape == (1 + _DISTURBANCES, steps)
+def horizons(ahead: FloatArray, horizon: int, sizes: FloatArray) -> None:
+    """Fill sizes (4, n) from disturbances (3, n + horizon - 1)."""
+    steps = sizes.shape[-1]
+    fits = ahead.shape == (_DISTURBANCES, steps + horizon - 1) and sizes.shape == (1 + _DISTURBANCES, steps)
     require(fits and horizon > 0, "Every step has its horizon")
-    _horizons(ahead, steps, horizon, sums)
+    _horizons(ahead, steps, horizon, sizes)
 
 
 def _check_ends(ends: FloatArray, last: int) -> None:

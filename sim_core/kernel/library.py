@@ -77,7 +77,27 @@ def load(file: Path, expected: str | None) -> ctypes.CDLL:
 
 
 _LIBRARY = load(_FILE, build.digest() if build.SOURCES else None)
+_PREPARED_BYTES: int = _LIBRARY.ridelab_prepared_bytes()
 DIGEST: str = _LIBRARY.ridelab_digest().decode()  # SHA-256 of the C and of the flags it was compiled with
+
+
+class Prepared:
+    """What C has made of arrays, for many calls; it keeps them alive."""
+
+    def __init__(self, memory: Any, arguments: list[Any]) -> None:
+        self._as_parameter_ = memory
+        self._arguments = arguments
+
+    @staticmethod
+    def from_param(value: Any) -> Any:
+        """Where C finds it; `ctypes` calls this for each argument.
+
+        Raises:
+            TypeError: It is no such thing.
+        """
+        if not isinstance(value, Prepared):
+            raise TypeError("C takes here what it has prepared")
+        return value
 
 
 class Function:
@@ -104,7 +124,7 @@ class Function:
         return self._checked(*values)
 
     def bind(self, *values: Any) -> Callable[..., Any]:
-        """The function of its last arguments alone, for many calls; the first ones are checked here.
+        """The function of its last arguments, integers all, for many calls; the first ones are checked here.
 
         Args:
             values: The first arguments, whose arrays are kept alive.
@@ -112,16 +132,19 @@ class Function:
         Raises:
             TypeError: An argument is of another type, shape or order, or cannot be written.
         """
-        fixed = [kind.from_param(value) for kind, value in zip(self._arguments, values, strict=False)]
-        addresses = [getattr(argument, "_as_parameter_", argument) for argument in fixed]
-        last, unchecked = self._arguments[len(values) :], self._unchecked
-        if not last:
-            return partial(unchecked, *addresses)
+        first = zip(self._arguments, values, strict=False)
+        return partial(self._unchecked, *[kind.from_param(value) for kind, value in first])
 
-        def bound(*rest: Any) -> Any:
-            return unchecked(*addresses, *[kind.from_param(value) for kind, value in zip(last, rest, strict=True)])
+    def prepare(self, *values: Any) -> Prepared:
+        """What the function makes of these arguments, in memory that it takes before them.
 
-        return bound
+        Raises:
+            TypeError: An argument is of another type, shape or order, or cannot be written.
+        """
+        memory = ctypes.create_string_buffer(_PREPARED_BYTES)
+        arguments = [kind.from_param(value) for kind, value in zip(self._arguments, values, strict=True)]
+        self._unchecked(memory, *arguments)
+        return Prepared(memory, arguments)
 
 
 def require(agreed: bool, what: str) -> None:

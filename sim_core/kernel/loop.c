@@ -6,9 +6,14 @@
 #include <stddef.h>
 #include <string.h>
 
-enum { STATE = 8, FORCES = 2, INPUTS = 10, DISTURBANCES = 3, MEAN = 10, TOGETHER = 4 };
-static const double WITHIN = 1 - 1e-9;    /* of a limit: so that rounding does not pass it */
-static const double SAME_FORCE = 1e-6;    /* [N]: rounding */
+enum { TOGETHER = 4, SIZES = 5 };
+static const double WITHIN = 1 - 1e-9; /* of a limit: so that rounding does not pass it */
+static const double SAME_FORCE = 1e-6; /* [N]: rounding */
+
+int ridelab_prepared_bytes(void)
+{
+    return RIDELAB_PREPARED;
+}
 
 static double clipped(double value, double limit)
 {
@@ -31,99 +36,99 @@ static double dot(const double *a, const double *b, int count)
 /* A row on state and previous force `z`, then on what is previewed in a control step. */
 static double on_preview(const struct law *law, const double *row, const double *preview)
 {
-    int horizon = (int)law->at->horizon;
+    int horizon = (int)law->numbers->horizon;
     double sum = 0;
     for (int kind = 0; kind < DISTURBANCES; kind++)
-        sum += dot(row + kind * horizon, preview + (ptrdiff_t)law->at->kind * kind, horizon);
+        sum += dot(row + kind * horizon, preview + (ptrdiff_t)law->numbers->kind_stride * kind, horizon);
     return sum;
 }
 
-/* Add five columns, each times its number. */
-static void add_five(int rows, const double *restrict columns, const double *z, double *restrict sums)
-{
-    size_t next = (size_t)rows;
-    for (size_t i = 0; i < next; i++)
-        sums[i] += columns[i] * z[0] + columns[next + i] * z[1] + columns[2 * next + i] * z[2] +
-                   columns[3 * next + i] * z[3] + columns[4 * next + i] * z[4];
-}
-
-/* Whether every row is within its limit. A bound rules most rows out: by Cauchy and Schwarz a row comes, on what is
-   previewed, to no more than its norm times the preview's. */
+/* Whether every row is within its limit. By Cauchy and Schwarz a row comes to no more than the norms of its parts times
+   the sizes of what they are on: most rows need no closer look. */
 static int holds(const struct law *law, int step, const double *z, const double *preview)
 {
-    int rows = (int)law->at->rows, steps = (int)law->at->steps;
-    const double *screen = law->screen, *sums = law->sums + step;
-    double *restrict work = law->work;
-    double mean = sums[0], front = sums[steps], rear = sums[2 * steps], braking = sums[3 * steps];
-    size_t next = (size_t)rows;
-    for (size_t i = 0; i < next; i++)
-        work[i] = 0;
-    add_five(rows, screen, z, work);
-    add_five(rows, screen + 5 * next, z + 5, work);
-    const double *restrict norms = screen + MEAN * next;
-    for (size_t i = 0; i < next; i++)
-        work[i] = fabs(work[i] + norms[i] * mean) + norms[next + i] * front + norms[2 * next + i] * rear +
-                  norms[3 * next + i] * braking;
+    int rows = (int)law->numbers->rows, steps = (int)law->numbers->steps;
+    int columns = INPUTS + DISTURBANCES * (int)law->numbers->horizon;
+    double size[SIZES], squares = 0;
+    for (int i = 0; i < INPUTS; i++)
+        squares += law->scale[i] * law->scale[i] * z[i] * z[i];
+    size[0] = sqrt(squares);
+    for (int i = 1; i < SIZES; i++)
+        size[i] = law->sizes[step + (ptrdiff_t)steps * (i - 1)];
     for (int i = 0; i < rows; i++) {
-        const double *row = law->limits + (size_t)i * (size_t)(INPUTS + DISTURBANCES * (int)law->at->horizon);
-        if (!(work[i] <= WITHIN) && !(fabs(dot(row, z, INPUTS) + on_preview(law, row + INPUTS, preview)) <= WITHIN))
+        const double *norms = law->norms + SIZES * i, *row = law->limits + (ptrdiff_t)columns * i;
+        double most = norms[0] * size[0] + norms[1] * size[1] + norms[2] * size[2] + norms[3] * size[3] + norms[4] * size[4];
+        if (!(most <= WITHIN) && !(fabs(dot(row, z, INPUTS) + on_preview(law, row + INPUTS, preview)) <= WITHIN))
             return 0;
     }
     return 1;
 }
 
-int ridelab_follow(const struct law *law, advance_function *advance, const void *car, int size, int first, int last,
-                   double *loop, int *limited)
+/* Control steps from `first` to before `last`, in rows of `loop`, [car; previous command], of which the first is given.
+   Returns the first step that the law does not decide, or `last`; `limited` counts those in which a limit of forces or
+   actuators shaped the command. */
+int ridelab_follow_law(const struct car *car, const struct law *law, double *loop, int *limited, int first, int last)
 {
-    const struct law_numbers *at = law->at;
-    int width = size + FORCES;
+    const struct law_numbers *numbers = law->numbers;
+    int width = car->size + FORCES;
     for (int step = first; step < last; step++) {
-        double *now = loop + (size_t)step * (size_t)width, *next = now + width, z[INPUTS], command[FORCES];
-        const double *previous = now + size, *preview = law->preview + (ptrdiff_t)at->apart * step;
+        double *now = loop + (ptrdiff_t)width * step, *next = now + width, z[INPUTS], command[FORCES];
+        const double *previous = now + car->size, *preview = law->preview + (ptrdiff_t)numbers->step_stride * step;
         int shaped = 0, beyond = 0, lost = 0;
         memcpy(z, now, STATE * sizeof(double));
         memcpy(z + STATE, previous, FORCES * sizeof(double));
         for (int axle = 0; axle < FORCES; axle++) {
             double wanted = dot(law->gain + INPUTS * axle, z, INPUTS) +
-                            on_preview(law, law->preview_gain + DISTURBANCES * (int)at->horizon * axle, preview);
-            double force = clipped(wanted, at->force_limit), change = force - previous[axle];
-            if (fabs(change) > at->most_change)
-                force = previous[axle] + clipped(change, at->most_change);
-            command[axle] = clipped(force, at->most_force);
-            beyond |= !(fabs(wanted) <= at->force_limit * WITHIN);
+                            on_preview(law, law->preview_gain + DISTURBANCES * (int)numbers->horizon * axle, preview);
+            double force = clipped(wanted, numbers->force_limit), change = force - previous[axle];
+            if (fabs(change) > numbers->most_change)
+                force = previous[axle] + clipped(change, numbers->most_change);
+            command[axle] = clipped(force, numbers->most_force);
+            beyond |= !(fabs(wanted) <= numbers->force_limit * WITHIN);
             lost |= isnan(wanted);
             shaped |= !(fabs(command[axle] - wanted) <= SAME_FORCE);
         }
-        if (lost || (beyond && !at->clips) || !holds(law, step, z, preview))
+        if (lost || (beyond && !numbers->clips) || !holds(law, step, z, preview))
             return step;
-        advance(car, step, now, command, next);
-        memcpy(next + size, command, sizeof command);
+        car->advance(car, step, now, command, next);
+        memcpy(next + car->size, command, sizeof command);
         *limited += shaped;
     }
     return last;
 }
 
-struct linear {
-    int size;
+/* One control step whose command stands in the next row already. */
+void ridelab_advance(const struct car *car, double *loop, int step)
+{
+    double *now = loop + (ptrdiff_t)(car->size + FORCES) * step, *next = now + car->size + FORCES;
+    car->advance(car, step, now, next + car->size, next);
+}
+
+void ridelab_prepare_law(struct law *law, const struct law_numbers *numbers, const double *gain,
+                         const double *preview_gain, const double *limits, const double *scale, const double *norms,
+                         const double *preview, const double *sizes)
+{
+    _Static_assert(sizeof *law <= RIDELAB_PREPARED, "a law is prepared in memory of that size");
+    *law = (struct law){numbers, gain, preview_gain, limits, scale, norms, preview, sizes};
+}
+
+/* A linear car: p' = A p + B u + forcing; A is size x size, B size x 2, forcing steps x size. */
+struct linear_car {
+    struct car car;
     const double *A, *B, *forcing;
 };
 
-static void advance_linear(const void *given, int step, const double *now, const double *command, double *next)
+static void advance_linear(const struct car *car, int step, const double *now, const double *command, double *next)
 {
-    const struct linear *car = given;
-    for (int i = 0; i < car->size; i++)
-        next[i] = dot(car->A + car->size * i, now, car->size) + dot(car->B + FORCES * i, command, FORCES) +
-                  car->forcing[(size_t)step * (size_t)car->size + (size_t)i];
+    const struct linear_car *me = (const struct linear_car *)car;
+    int size = car->size;
+    for (int i = 0; i < size; i++)
+        next[i] = dot(me->A + size * i, now, size) + dot(me->B + FORCES * i, command, FORCES) +
+                  me->forcing[(ptrdiff_t)size * step + i];
 }
 
-/* A linear car: p' = A p + B u + forcing; A is size x size, B size x 2, forcing steps x size. The others as
-   `ridelab_follow` and `struct law` have them. */
-int ridelab_drive_linear(int size, const double *A, const double *B, const double *forcing, const struct law_numbers *at,
-                         const double *gain, const double *preview_gain, const double *limits, const double *screen,
-                         const double *preview, const double *sums, double *work, double *loop, int *limited, int first,
-                         int last)
+void ridelab_prepare_linear_car(struct linear_car *me, int size, const double *A, const double *B, const double *forcing)
 {
-    const struct law law = {at, gain, preview_gain, limits, screen, preview, sums, work};
-    const struct linear car = {size, A, B, forcing};
-    return ridelab_follow(&law, advance_linear, &car, size, first, last, loop, limited);
+    _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a car is prepared in memory of that size");
+    *me = (struct linear_car){{advance_linear, size}, A, B, forcing};
 }

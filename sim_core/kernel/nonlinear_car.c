@@ -9,7 +9,7 @@
 #include "loop.h"
 #include "road.h"
 
-enum { AXLES = 2, STATE = 8, DISTURBANCES = 3, SIGNALS = 5 };
+enum { AXLES = 2, SIGNALS = 5, MEASURED = 4 };
 enum { TRAVEL = 0, TYRE = 2, BODY = 4, WHEEL = 6, FORCE = 8, NUMBERS = 10 }; /* places in a state, two numbers each */
 enum { MOST_EVENTS = 4 };          /* that a step ends at; both axles' dampers may turn again and again around rest */
 enum { PARTS = 8 };                /* of a fine step in which a tyre lifts off or lands */
@@ -18,7 +18,7 @@ static const double ROUNDING = 1e-9; /* of a length */
 static const double TINY = 1e-300; /* squared speed that is no speed [m^2/s^2] */
 
 /* All numbers, as they come from outside; arrays of two are of the front and the rear axle. */
-struct car {
+struct vehicle {
     double brake_moment, corner;
     double turns;                   /* 1 where the slope of the dampers' force depends on its direction, else 0 */
     double semi_active, most_force; /* whether they are; what control changes of the passive damper's force at most [N] */
@@ -34,14 +34,21 @@ struct state {
     double at[NUMBERS];
 };
 
-/* What a drive meets, fine step after fine step. */
-struct input {
-    const struct road *road;              /* NULL: straight within a fine step */
-    const double *position;               /* of both axles at every fine instant, 2 x (fine_steps + 1) [m] */
-    const double *within;                 /* 4 a fine step: both roads' means above their chords, then moments [m] */
-    const double *disturbance;            /* 3 a fine step: both road velocities [m/s], braking [m/s^2] */
-    int fine_steps, fine, substeps;       /* of all, in a control step; steps of Runge-Kutta in a fine one */
-    double time;                          /* of a fine step [s] */
+/* A nonlinear car on its road over a whole drive. */
+struct nonlinear_car {
+    struct car car;
+    int states; /* 8, or 10 with a lagging actuator's */
+    const struct vehicle *vehicle;
+    const struct estimator *estimator; /* NULL: none */
+    const double *known;               /* its input, 8 numbers a control step */
+    struct road road;                  /* without samples: straight within a fine step */
+    const double *position;            /* of both axles at every fine instant, 2 x (steps fine + 1) [m] */
+    const double *within;              /* 4 a fine step: both roads' means above their chords, then moments [m] */
+    const double *disturbance;         /* 3 a fine step: both road velocities [m/s], braking [m/s^2] */
+    int steps, fine, substeps;         /* of all; fine ones in a control step; steps of Runge-Kutta in a fine one */
+    double time;                       /* of a fine step [s] */
+    double *table;                     /* 10 x (fine + 1) x columns samples, of the last control steps */
+    int columns;
 };
 
 /* A fine step or a part of one: the road's velocity as a polynomial of the time from its beginning. */
@@ -57,69 +64,69 @@ static inline double between(double low, double value, double high)
 }
 
 /* The suspension's force but the damper's. */
-static inline double spring_force(const struct car *car, int axle, double travel)
+static inline double spring_force(const struct vehicle *vehicle, int axle, double travel)
 {
-    double stopped = between(-car->clearance[axle], travel, car->clearance[axle]);
-    return car->spring[axle] * travel + car->stop[axle] * (travel - stopped);
+    double stopped = between(-vehicle->clearance[axle], travel, vehicle->clearance[axle]);
+    return vehicle->spring[axle] * travel + vehicle->stop[axle] * (travel - stopped);
 }
 
-static inline double tyre_load(const struct car *car, int axle, double tyre)
+static inline double tyre_load(const struct vehicle *vehicle, int axle, double tyre)
 {
-    double load = -car->tyre[axle] * tyre;
-    return load < car->lift_off[axle] ? car->lift_off[axle] : load;
+    double load = -vehicle->tyre[axle] * tyre;
+    return load < vehicle->lift_off[axle] ? vehicle->lift_off[axle] : load;
 }
 
-static inline double travel_speed(const struct car *car, int axle, const struct state *x)
+static inline double travel_speed(const struct vehicle *vehicle, int axle, const struct state *x)
 {
-    return (x->at[BODY] - x->at[WHEEL + axle]) + car->arm[axle] * x->at[BODY + 1];
+    return (x->at[BODY] - x->at[WHEEL + axle]) + vehicle->arm[axle] * x->at[BODY + 1];
 }
 
-static inline double passive_damping(const struct car *car, int axle, double speed)
+static inline double passive_damping(const struct vehicle *vehicle, int axle, double speed)
 {
-    return speed > 0 ? car->rebound[axle] : car->compression[axle];
+    return speed > 0 ? vehicle->rebound[axle] : vehicle->compression[axle];
 }
 
 /* The force of an actuator whose state is `control`, at that speed. A semi-active damper gives the nearest that leaves it
    between its least and its most damping. */
-static inline double control_force(const struct car *car, int axle, double speed, double passive, double control)
+static inline double control_force(const struct vehicle *vehicle, int axle, double speed, double passive, double control)
 {
-    if (!car->semi_active)
+    if (!vehicle->semi_active)
         return control;
-    double soft = (passive - car->least_damping[axle]) * speed, hard = (passive - car->most_damping[axle]) * speed;
-    double wanted = car->corner ? between(-car->most_force, -control * speed, car->most_force) : control;
+    double soft = (passive - vehicle->least_damping[axle]) * speed, hard = (passive - vehicle->most_damping[axle]) * speed;
+    double wanted = vehicle->corner ? between(-vehicle->most_force, -control * speed, vehicle->most_force) : control;
     return speed > 0 ? between(hard, wanted, soft) : between(soft, wanted, hard);
 }
 
 /* How fast a lagging actuator's state follows the command: its force, or the coefficient that would give this force. */
-static inline double control_rate(const struct car *car, int axle, double speed, double command, double control)
+static inline double control_rate(const struct vehicle *vehicle, int axle, double speed, double command, double control)
 {
-    if (car->semi_active) {
-        double passive = passive_damping(car, axle, speed);
-        command = between(car->least_damping[axle] - passive, -command * speed / (speed * speed + TINY),
-                          car->most_damping[axle] - passive);
+    if (vehicle->semi_active) {
+        double passive = passive_damping(vehicle, axle, speed);
+        command = between(vehicle->least_damping[axle] - passive, -command * speed / (speed * speed + TINY),
+                          vehicle->most_damping[axle] - passive);
     }
-    return car->corner * (command - control);
+    return vehicle->corner * (command - control);
 }
 
 /* At a time from the beginning of a piece [s]. */
-static inline struct state derivative(const struct car *car, const struct state *x, const double *command,
+static inline struct state derivative(const struct vehicle *vehicle, const struct state *x, const double *command,
                                       const struct piece *w, double time)
 {
     struct state rate;
     double force[AXLES];
     for (int axle = 0; axle < AXLES; axle++) {
-        double speed = travel_speed(car, axle, x), passive = passive_damping(car, axle, speed);
+        double speed = travel_speed(vehicle, axle, x), passive = passive_damping(vehicle, axle, speed);
         double control = x->at[FORCE + axle];
         double road = w->velocity[0][axle] + time * (w->velocity[1][axle] + time * w->velocity[2][axle]);
-        force[axle] = spring_force(car, axle, x->at[TRAVEL + axle]) - car->link[axle] * w->braking +
-                      (passive * speed - control_force(car, axle, speed, passive, control));
+        force[axle] = spring_force(vehicle, axle, x->at[TRAVEL + axle]) - vehicle->link[axle] * w->braking +
+                      (passive * speed - control_force(vehicle, axle, speed, passive, control));
         rate.at[TRAVEL + axle] = speed;
         rate.at[TYRE + axle] = x->at[WHEEL + axle] - road;
-        rate.at[WHEEL + axle] = (tyre_load(car, axle, x->at[TYRE + axle]) + force[axle]) * car->per_wheel_mass[axle];
-        rate.at[FORCE + axle] = car->corner ? control_rate(car, axle, speed, command[axle], control) : 0;
+        rate.at[WHEEL + axle] = (tyre_load(vehicle, axle, x->at[TYRE + axle]) + force[axle]) * vehicle->per_wheel_mass[axle];
+        rate.at[FORCE + axle] = vehicle->corner ? control_rate(vehicle, axle, speed, command[axle], control) : 0;
     }
-    rate.at[BODY] = -force[0] * car->body_share[0] - force[1] * car->body_share[1];
-    rate.at[BODY + 1] = car->brake_moment * w->braking - force[0] * car->pitch_share[0] - force[1] * car->pitch_share[1];
+    rate.at[BODY] = -force[0] * vehicle->body_share[0] - force[1] * vehicle->body_share[1];
+    rate.at[BODY + 1] = vehicle->brake_moment * w->braking - force[0] * vehicle->pitch_share[0] - force[1] * vehicle->pitch_share[1];
     return rate;
 }
 
@@ -132,12 +139,12 @@ static inline struct state moved(const struct state *x, double time, const struc
 }
 
 /* One step h of the classical Runge-Kutta method; `first` is the derivative at its beginning. */
-static inline struct state advance(const struct car *car, double h, const double *command, const struct piece *w,
+static inline struct state advance(const struct vehicle *vehicle, double h, const double *command, const struct piece *w,
                                    double time, const struct state *first, const struct state *x)
 {
-    struct state at_second = moved(x, h / 2, first), second = derivative(car, &at_second, command, w, time + h / 2);
-    struct state at_third = moved(x, h / 2, &second), third = derivative(car, &at_third, command, w, time + h / 2);
-    struct state at_fourth = moved(x, h, &third), fourth = derivative(car, &at_fourth, command, w, time + h);
+    struct state at_second = moved(x, h / 2, first), second = derivative(vehicle, &at_second, command, w, time + h / 2);
+    struct state at_third = moved(x, h / 2, &second), third = derivative(vehicle, &at_third, command, w, time + h / 2);
+    struct state at_fourth = moved(x, h, &third), fourth = derivative(vehicle, &at_fourth, command, w, time + h);
     struct state next;
     for (int i = 0; i < NUMBERS; i++)
         next.at[i] = x->at[i] + h / 6 * first->at[i] + h / 3 * second.at[i] + h / 3 * third.at[i] + h / 6 * fourth.at[i];
@@ -145,14 +152,14 @@ static inline struct state advance(const struct car *car, double h, const double
 }
 
 /* On which side of its events each axle is: of meeting a stop, of its tyre's lifting off, of its damper's turning. */
-static inline int side(const struct car *car, const struct state *x)
+static inline int side(const struct vehicle *vehicle, const struct state *x)
 {
     int sides = 0;
     for (int axle = 0; axle < AXLES; axle++) {
         double travel = x->at[TRAVEL + axle];
-        int stops = (travel > car->clearance[axle]) | (travel < -car->clearance[axle]) << 1;
-        int lifted = -car->tyre[axle] * x->at[TYRE + axle] < car->lift_off[axle];
-        int rebounds = car->turns * travel_speed(car, axle, x) > 0;
+        int stops = (travel > vehicle->clearance[axle]) | (travel < -vehicle->clearance[axle]) << 1;
+        int lifted = -vehicle->tyre[axle] * x->at[TYRE + axle] < vehicle->lift_off[axle];
+        int rebounds = vehicle->turns * travel_speed(vehicle, axle, x) > 0;
         sides = sides << 4 | stops | lifted << 2 | rebounds << 3;
     }
     return sides;
@@ -168,43 +175,43 @@ static double crossing(double before, double after, double share)
 }
 
 /* The share of a step from x to `next` after which the slope of a force changes; 1 where that is near its end only. */
-static double first_event(const struct car *car, const struct state *x, const struct state *next)
+static double first_event(const struct vehicle *vehicle, const struct state *x, const struct state *next)
 {
     double share = 1 - NEAR;
     for (int axle = 0; axle < AXLES; axle++) {
-        double clearance = car->clearance[axle], tyre = car->tyre[axle], lift_off = car->lift_off[axle];
+        double clearance = vehicle->clearance[axle], tyre = vehicle->tyre[axle], lift_off = vehicle->lift_off[axle];
         double travel = x->at[TRAVEL + axle], later = next->at[TRAVEL + axle];
         share = crossing(travel - clearance, later - clearance, share);
         share = crossing(-travel - clearance, -later - clearance, share);
         share = crossing(tyre * x->at[TYRE + axle] + lift_off, tyre * next->at[TYRE + axle] + lift_off, share);
-        share = crossing(car->turns * travel_speed(car, axle, x), car->turns * travel_speed(car, axle, next), share);
+        share = crossing(vehicle->turns * travel_speed(vehicle, axle, x), vehicle->turns * travel_speed(vehicle, axle, next), share);
     }
     return share < 1 - NEAR ? share : 1;
 }
 
 /* The same where the step meets events: by steps that end there. */
-static struct state advance_by_events(const struct car *car, double h, const double *command, const struct piece *w,
+static struct state advance_by_events(const struct vehicle *vehicle, double h, const double *command, const struct piece *w,
                                       double time, struct state first, struct state x)
 {
     for (int events = 0;; events++) {
-        struct state next = advance(car, h, command, w, time, &first, &x);
-        double share = events < MOST_EVENTS ? first_event(car, &x, &next) : 1;
+        struct state next = advance(vehicle, h, command, w, time, &first, &x);
+        double share = events < MOST_EVENTS ? first_event(vehicle, &x, &next) : 1;
         if (share == 1)
             return next;
-        x = advance(car, share * h, command, w, time, &first, &x);
+        x = advance(vehicle, share * h, command, w, time, &first, &x);
         time += share * h;
         h -= share * h;
-        first = derivative(car, &x, command, w, time);
+        first = derivative(vehicle, &x, command, w, time);
     }
 }
 
-static void sample(const struct car *car, const struct state *x, const struct state *rate, double *table, size_t signal)
+static void sample(const struct vehicle *vehicle, const struct state *x, const struct state *rate, double *table, size_t signal)
 {
     for (int axle = 0; axle < AXLES; axle++) {
-        double speed = rate->at[TRAVEL + axle], passive = passive_damping(car, axle, speed);
-        const double signals[SIGNALS] = {speed, rate->at[BODY + axle], tyre_load(car, axle, x->at[TYRE + axle]),
+        double speed = rate->at[TRAVEL + axle], passive = passive_damping(vehicle, axle, speed);
+        const double signals[SIGNALS] = {speed, rate->at[BODY + axle], tyre_load(vehicle, axle, x->at[TYRE + axle]),
                                          x->at[TRAVEL + axle],
-                                         control_force(car, axle, speed, passive, x->at[FORCE + axle])};
+                                         control_force(vehicle, axle, speed, passive, x->at[FORCE + axle])};
         for (size_t i = 0; i < SIGNALS; i++)
             table[(AXLES * i + (size_t)axle) * signal] = signals[i];
     }
@@ -226,28 +233,28 @@ static struct piece piece(const double *chord, const double *mean, const double 
     return w;
 }
 
-static struct piece fine_step(const struct input *input, int step)
+static struct piece fine_step(const struct nonlinear_car *me, int step)
 {
     static const double none[2 * AXLES];
-    const double *w = input->disturbance + (size_t)DISTURBANCES * (size_t)step;
-    const double *within = input->road ? input->within + 4 * (size_t)step : none;
-    return piece(w, within, within + AXLES, w[2], input->time);
+    const double *w = me->disturbance + (ptrdiff_t)DISTURBANCES * step;
+    const double *within = me->road.samples ? me->within + (ptrdiff_t)2 * AXLES * step : none;
+    return piece(w, within, within + AXLES, w[2], me->time);
 }
 
 /* Over a piece; `rate` is the derivative at its beginning. */
-static struct state cross(const struct car *car, int steps, const double *command, const struct piece *w,
+static struct state cross(const struct vehicle *vehicle, int steps, const double *command, const struct piece *w,
                           struct state rate, struct state x)
 {
     double h = w->time / steps;
-    int where = side(car, &x);
+    int where = side(vehicle, &x);
     for (int step = 0; step < steps; step++) {
         if (step)
-            rate = derivative(car, &x, command, w, step * h);
-        struct state next = advance(car, h, command, w, step * h, &rate, &x);
-        int there = side(car, &next);
+            rate = derivative(vehicle, &x, command, w, step * h);
+        struct state next = advance(vehicle, h, command, w, step * h, &rate, &x);
+        int there = side(vehicle, &next);
         if (there != where) {
-            next = advance_by_events(car, h, command, w, step * h, rate, x);
-            there = side(car, &next);
+            next = advance_by_events(vehicle, h, command, w, step * h, rate, x);
+            there = side(vehicle, &next);
         }
         x = next;
         where = there;
@@ -256,10 +263,10 @@ static struct state cross(const struct car *car, int steps, const double *comman
 }
 
 /* Whether a tyre may have lifted off or landed within a piece. */
-static int may_lift(const struct car *car, const struct piece *w, const struct state *x, const struct state *next)
+static int may_lift(const struct vehicle *vehicle, const struct piece *w, const struct state *x, const struct state *next)
 {
     for (int axle = 0; axle < AXLES; axle++) {
-        double tyre = car->tyre[axle], lift_off = car->lift_off[axle], margin = tyre * w->beside[axle];
+        double tyre = vehicle->tyre[axle], lift_off = vehicle->lift_off[axle], margin = tyre * w->beside[axle];
         double before = -tyre * x->at[TYRE + axle] - lift_off, after = -tyre * next->at[TYRE + axle] - lift_off;
         if (!((before > margin && after > margin) || (before < -margin && after < -margin)))
             return 1;
@@ -268,164 +275,134 @@ static int may_lift(const struct car *car, const struct piece *w, const struct s
 }
 
 /* A fine step in so many parts, each with a polynomial of its own. */
-static struct state cross_parts(const struct car *car, const struct input *input, int step, int parts,
-                                const double *command, struct state x)
+static struct state cross_parts(const struct nonlinear_car *me, int step, int parts, const double *command,
+                                struct state x)
 {
-    int substeps = (input->substeps + parts - 1) / parts;
-    const double *front = input->position + step, *rear = front + input->fine_steps + 1;
-    double share = 1.0 / parts, time = input->time * share, length = (front[1] - front[0]) * share;
-    double braking = input->disturbance[(size_t)DISTURBANCES * (size_t)step + 2];
+    int substeps = (me->substeps + parts - 1) / parts;
+    const double *front = me->position + step, *rear = front + me->steps * me->fine + 1;
+    double share = 1.0 / parts, time = me->time * share, length = (front[1] - front[0]) * share;
+    double braking = me->disturbance[(ptrdiff_t)DISTURBANCES * step + 2];
     double begin[AXLES] = {front[0], rear[0]}, low[AXLES], chord[AXLES], mean[AXLES], moment[AXLES];
     for (int axle = 0; axle < AXLES; axle++)
-        low[axle] = ridelab_road_height(input->road, begin[axle]);
+        low[axle] = ridelab_road_height(&me->road, begin[axle]);
     for (int part = 0; part < parts; part++) {
         for (int axle = 0; axle < AXLES; axle++) {
-            double end = begin[axle] + length, high = ridelab_road_height(input->road, end);
+            double end = begin[axle] + length, high = ridelab_road_height(&me->road, end);
             chord[axle] = (high - low[axle]) / time;
-            mean[axle] = ridelab_above_chord(input->road, begin[axle], end, &moment[axle]);
+            mean[axle] = ridelab_above_chord(&me->road, begin[axle], end, &moment[axle]);
             begin[axle] = end;
             low[axle] = high;
         }
         struct piece w = piece(chord, mean, moment, braking, time);
-        x = cross(car, substeps, command, &w, derivative(car, &x, command, &w, 0), x);
+        x = cross(me->vehicle, substeps, command, &w, derivative(me->vehicle, &x, command, &w, 0), x);
     }
     return x;
 }
 
 /* Into how many parts a fine step goes, so that none is longer than a cell of the road's grid: no polynomial follows two
    of its kinks. */
-static int cells(const struct input *input, int step)
+static int cells(const struct nonlinear_car *me, int step)
 {
-    double length = input->position[step + 1] - input->position[step], cell = input->road->at.grid * (1 + ROUNDING);
+    double length = me->position[step + 1] - me->position[step], cell = me->road.at.grid * (1 + ROUNDING);
     return length <= cell ? 1 : (int)ceil(length / cell);
 }
 
 /* One control step from x, whose first fine step is given; its samples in a column of the table unless that is NULL. */
-static struct state hold(const struct car *car, const struct input *input, int first, const double *command,
-                         struct state x, double *column, size_t columns)
+static struct state hold(const struct nonlinear_car *me, int first, const double *command, struct state x, double *column)
 {
-    size_t signal = columns * (size_t)(input->fine + 1);
+    const struct vehicle *vehicle = me->vehicle;
+    size_t columns = (size_t)me->columns, signal = columns * (size_t)(me->fine + 1);
     struct piece w = {.time = 0};
-    for (int j = 0; j < input->fine; j++) {
-        w = fine_step(input, first + j);
-        struct state next, rate = derivative(car, &x, command, &w, 0);
+    for (int j = 0; j < me->fine; j++) {
+        w = fine_step(me, first + j);
+        struct state next, rate = derivative(vehicle, &x, command, &w, 0);
         if (column)
-            sample(car, &x, &rate, column + (size_t)j * columns, signal);
-        int parts = input->road ? cells(input, first + j) : 1;
+            sample(vehicle, &x, &rate, column + (size_t)j * columns, signal);
+        int parts = me->road.samples ? cells(me, first + j) : 1;
         if (parts > 1)
-            next = cross_parts(car, input, first + j, parts, command, x);
+            next = cross_parts(me, first + j, parts, command, x);
         else
-            next = cross(car, input->substeps, command, &w, rate, x);
-        if (input->road && may_lift(car, &w, &x, &next))
-            next = cross_parts(car, input, first + j, PARTS, command, x);
+            next = cross(vehicle, me->substeps, command, &w, rate, x);
+        if (me->road.samples && may_lift(vehicle, &w, &x, &next))
+            next = cross_parts(me, first + j, PARTS, command, x);
         x = next;
     }
     if (column) {
-        struct state rate = derivative(car, &x, command, &w, w.time);
-        sample(car, &x, &rate, column + (size_t)input->fine * columns, signal);
+        struct state rate = derivative(vehicle, &x, command, &w, w.time);
+        sample(vehicle, &x, &rate, column + (size_t)me->fine * columns, signal);
     }
     return x;
 }
 
 struct estimator {
-    double state[8][8], command[8][2], measurement[8][4];
+    double state[STATE][STATE], command[STATE][FORCES], measurement[STATE][MEASURED];
 };
 
 /* What the car's own sensors give: both deflections, the body's acceleration, the pitch rate. */
-static void measure(const struct car *car, const struct state *x, const double *command, double braking, double *y)
+static void measure(const struct vehicle *vehicle, const struct state *x, const double *command, double braking, double *y)
 {
     struct piece level = {.braking = braking};
-    struct state rate = derivative(car, x, command, &level, 0);
+    struct state rate = derivative(vehicle, x, command, &level, 0);
     y[0] = x->at[TRAVEL];
     y[1] = x->at[TRAVEL + 1];
     y[2] = rate.at[BODY];
     y[3] = x->at[BODY + 1];
 }
 
-/* The same of a car's state: 8 numbers, or 10 with a lagging actuator's. */
-void ridelab_measure(const struct car *car, int states, const double *state, const double *command, double braking,
-                     double *y)
-{
-    struct state x = {.at[FORCE] = command[0], .at[FORCE + 1] = command[1]};
-    memcpy(x.at, state, (size_t)states * sizeof(double));
-    measure(car, &x, command, braking, y);
-}
-
 /* The estimated state at the end of a control step from the one at its beginning. */
-static void estimate(const struct estimator *estimator, const struct car *car, const struct state *x,
-                     const double *command, double braking, const double *input, const double *before, double *next)
+static void estimate(const struct estimator *estimator, const double *y, const double *command, const double *input,
+                     const double *before, double *next)
 {
-    double y[4];
-    measure(car, x, command, braking, y);
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < STATE; i++) {
         next[i] = input[i];
-        for (int j = 0; j < 8; j++)
+        for (int j = 0; j < STATE; j++)
             next[i] += estimator->state[i][j] * before[j];
-        for (int j = 0; j < 2; j++)
+        for (int j = 0; j < FORCES; j++)
             next[i] += estimator->command[i][j] * command[j];
-        for (int j = 0; j < 4; j++)
+        for (int j = 0; j < MEASURED; j++)
             next[i] += estimator->measurement[i][j] * y[j];
     }
 }
 
-struct nonlinear {
-    const struct car *car;
-    const struct estimator *estimator; /* NULL: none */
-    const double *known;
-    const struct input *input;
-    double *table;
-    int states, before, columns;
-};
-
-static void advance_nonlinear(const void *given, int step, const double *now, const double *command, double *next)
+/* The car's own part of what the loop knows of it; without a lag the actuators' forces are the commands. */
+static struct state state_of(const struct nonlinear_car *me, const double *now, const double *command)
 {
-    const struct nonlinear *me = given;
-    int estimated = me->estimator ? STATE : 0, fine_step = step * me->input->fine;
     struct state x = {.at[FORCE] = command[0], .at[FORCE + 1] = command[1]};
-    double *column = step < me->before ? NULL : me->table + (step - me->before);
-    memcpy(x.at, now + estimated, (size_t)me->states * sizeof(double));
-    x = hold(me->car, me->input, fine_step, command, x, column, (size_t)me->columns);
-    memcpy(next + estimated, x.at, (size_t)me->states * sizeof(double));
+    memcpy(x.at, now + me->car.size - me->states, (size_t)me->states * sizeof(double));
+    return x;
+}
+
+static void advance_nonlinear(const struct car *car, int step, const double *now, const double *command, double *next)
+{
+    const struct nonlinear_car *me = (const struct nonlinear_car *)car;
+    int column = step - (me->steps - me->columns), first = step * me->fine;
+    struct state x = state_of(me, now, command);
+    x = hold(me, first, command, x, column < 0 ? NULL : me->table + column);
+    memcpy(next + car->size - me->states, x.at, (size_t)me->states * sizeof(double));
     if (me->estimator) {
-        double braking = me->input->disturbance[(size_t)DISTURBANCES * (size_t)(fine_step + me->input->fine) - 1];
-        estimate(me->estimator, me->car, &x, command, braking, me->known + STATE * (size_t)step, now, next);
+        double y[MEASURED], braking = me->disturbance[(ptrdiff_t)DISTURBANCES * (first + me->fine) - 1];
+        measure(me->vehicle, &x, command, braking, y);
+        estimate(me->estimator, y, command, me->known + (ptrdiff_t)STATE * step, now, next);
     }
 }
 
-/* A nonlinear car; arrays are C-contiguous:
-
-   states           8, or 10 with a lagging actuator's
-   estimator        of the state where it `estimates`; known, its input, 8 numbers a step of the whole drive
-   roughness        of the road, without samples where it is straight within a fine step
-   layout           of the road; position and within as `struct input` has them
-   disturbance      the same, of all fine steps; `substeps` of Runge-Kutta in each, which takes `time` [s]
-   table            10 x (fine + 1) x columns samples, of the drive's last steps
-   the others       as `ridelab_follow` and `struct law` have them; in `loop` the estimated state comes first */
-int ridelab_drive(const struct car *car, int states, int estimates, const struct estimator *estimator,
-                  const double *known, int samples, const double *roughness, const struct layout *layout,
-                  const double *position, const double *within, const double *disturbance, int steps, int fine,
-                  int substeps, double time, double *table, int columns, const struct law_numbers *at, const double *gain,
-                  const double *preview_gain, const double *limits, const double *screen, const double *preview,
-                  const double *sums, double *work, double *loop, int *limited, int first, int last)
+/* What its own sensors give, from its state and its command [N] and the braking [m/s^2]. */
+void ridelab_measure(const struct nonlinear_car *me, const double *now, const double *command, double braking, double *y)
 {
-    const struct law law = {at, gain, preview_gain, limits, screen, preview, sums, work};
-    const struct road road = {roughness, samples, *layout};
-    const struct input input = {samples ? &road : NULL, position, within, disturbance, steps * fine, fine, substeps, time};
-    const struct nonlinear me = {
-        car, estimates ? estimator : NULL, known, &input, table, states, steps - columns, columns};
-    return ridelab_follow(&law, advance_nonlinear, &me, states + (estimates ? STATE : 0), first, last, loop, limited);
+    struct state x = state_of(me, now, command);
+    measure(me->vehicle, &x, command, braking, y);
 }
 
-/* One control step of it from `now` with a command [N]. */
-void ridelab_advance(const struct car *car, int states, int estimates, const struct estimator *estimator,
-                     const double *known, int samples, const double *roughness, const struct layout *layout,
-                     const double *position, const double *within, const double *disturbance, int steps, int fine,
-                     int substeps, double time, double *table, int columns, const double *now, const double *command,
-                     double *next, int step)
+/* The state is an estimator's where it `estimates`, then the car's; the road has no samples where it is straight within
+   a fine step. The others as the struct has them. */
+void ridelab_prepare_nonlinear_car(struct nonlinear_car *me, const struct vehicle *vehicle, int states, int estimates,
+                                   const struct estimator *estimator, const double *known, int samples,
+                                   const double *roughness, const struct layout *layout, const double *position,
+                                   const double *within, const double *disturbance, int steps, int fine, int substeps,
+                                   double time, double *table, int columns)
 {
-    const struct road road = {roughness, samples, *layout};
-    const struct input input = {samples ? &road : NULL, position, within, disturbance, steps * fine, fine, substeps, time};
-    const struct nonlinear me = {
-        car, estimates ? estimator : NULL, known, &input, table, states, steps - columns, columns};
-    advance_nonlinear(&me, step, now, command, next);
+    _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a car is prepared in memory of that size");
+    *me = (struct nonlinear_car){
+        {advance_nonlinear, states + (estimates ? STATE : 0)}, states, vehicle, estimates ? estimator : NULL, known,
+        {roughness, samples, *layout}, position, within, disturbance, steps, fine, substeps, time, table, columns};
 }

@@ -6,18 +6,17 @@ C-contiguous, or cannot be written into. The arrays live as long as what is call
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.kernel.binding import LAYOUT
-from sim_core.kernel.library import DOUBLE, INT, Array, Function, require
+from sim_core.kernel.library import DOUBLE, INT, Array, Function, Prepared, require
 
-CAR, ESTIMATOR = 33, 112  # numbers of `struct car` and `struct estimator` of nonlinear_car.c
+CAR, ESTIMATOR = 33, 112  # numbers of `struct vehicle` and `struct estimator` of nonlinear_car.c
 ECU_ANSWER, _STAGES = 5, 3  # numbers of an answer in ecu.c, stages of the ECU's tables
-_LAW_NUMBERS, _SCREENED = 9, 14  # of `struct law_numbers` in loop.h; columns of a law's screen
+_LAW_NUMBERS, _SIZES = 9, 5  # of `struct law_numbers` in loop.h; columns of a law's norms
 _STATES, _LAGGING, _FORCES, _LAW_INPUTS, _DISTURBANCES, _MEASURED, _SIGNALS = 8, 10, 2, 10, 3, 4, 10
 _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
 _LINE_OUT, _TABLE_OUT, _LINES_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2, 3))
@@ -36,17 +35,23 @@ _ecu_step = Function(
     *(Array(ECU_ANSWER, dtype=np.int32, written=True), Array(1, dtype=np.float32, written=True), INT),
     result=INT,
 )
-_measure = Function("measure", Array(CAR), INT, _LINE, Array(_FORCES), DOUBLE, Array(_MEASURED, written=True))
-_LAW = Array(_LAW_NUMBERS), Array(_FORCES, _LAW_INPUTS), _TABLE, _TABLE, _TABLE, Array(), _TABLE, _LINE_OUT
-_LOOP = _TABLE_OUT, Array(1, dtype=np.intc, written=True), INT, INT
-_NONLINEAR = (
+_prepare_law = Function(
+    "prepare_law",
+    *(Array(_LAW_NUMBERS), Array(_FORCES, _LAW_INPUTS), _TABLE, _TABLE),
+    *(Array(_LAW_INPUTS), _TABLE, Array(), _TABLE),
+)
+_prepare_linear_car = Function("prepare_linear_car", INT, _TABLE, _TABLE, _TABLE)
+_prepare_nonlinear_car = Function(
+    "prepare_nonlinear_car",
     *(Array(CAR), INT, INT, Array(ESTIMATOR), _TABLE),
     *(INT, _LINE, Array(LAYOUT), _TABLE, _TABLE),
     *(_TABLE, INT, INT, INT, DOUBLE, _LINES_OUT, INT),
 )
-_drive = Function("drive", *_NONLINEAR, *_LAW, *_LOOP, result=INT)
-_advance = Function("advance", *_NONLINEAR, _LINE, Array(_FORCES), _LINE_OUT, INT)
-_drive_linear = Function("drive_linear", INT, _TABLE, _TABLE, _TABLE, *_LAW, *_LOOP, result=INT)
+_follow_law = Function(
+    "follow_law", Prepared, Prepared, _TABLE_OUT, Array(1, dtype=np.intc, written=True), INT, INT, result=INT
+)
+_advance = Function("advance", Prepared, _TABLE_OUT, INT)
+_measure = Function("measure", Prepared, _LINE, Array(_FORCES), DOUBLE, Array(_MEASURED, written=True))
 
 
 def residual(
@@ -108,10 +113,12 @@ class LawArrays:
         gain: (2, 10).
         preview_gain: (2, 3 · horizon).
         limits: (rows, 10 + 3 · horizon).
-        screen: Gains of each row on state, previous force and mean deceleration, then its norms (14, rows).
-        preview: An array with all that is previewed, and how many numbers further the next kind and step are in it.
-        apart: Those two.
-        sums: Mean deceleration and three norms of what is previewed in each step (4, steps).
+        scale: Of the state and the previous force, where `norms` have them together (10,).
+        norms: Of each row's parts on the scaled state and force, on the mean deceleration, on both road velocities, and
+            on the deceleration's difference from its mean (rows, 5).
+        preview: An array with all that is previewed.
+        strides: How many numbers further the next kind of disturbance and the next control step are in it.
+        sizes: Magnitudes of what is previewed in each step, for the last four of the norms (4, steps).
         force_limit: Of the law's forces [N].
         most_change: Of the actuators' in a step [N].
         most_force: Of the actuators' [N].
@@ -121,88 +128,143 @@ class LawArrays:
     gain: FloatArray
     preview_gain: FloatArray
     limits: FloatArray
-    screen: FloatArray
+    scale: FloatArray
+    norms: FloatArray
     preview: FloatArray
-    apart: tuple[int, int]
-    sums: FloatArray
+    strides: tuple[int, int]
+    sizes: FloatArray
     force_limit: float
     most_change: float
     most_force: float
     clips: bool
 
-    def arguments(self) -> tuple[FloatArray, ...]:
+    def prepared(self) -> Prepared:
         """What C gets.
 
         Raises:
             ValueError: Sizes disagree.
         """
-        horizon, rows, steps = self.preview_gain.shape[1] // _DISTURBANCES, len(self.limits), self.sums.shape[1]
-        kind, step = self.apart
+        horizon, rows, steps = self.preview_gain.shape[1] // _DISTURBANCES, len(self.limits), self.sizes.shape[1]
+        kind, step = self.strides
         beyond = (_DISTURBANCES - 1) * kind + (steps - 1) * step + horizon
         require(self.preview_gain.shape == (_FORCES, _DISTURBANCES * horizon), "A gain for everything previewed")
         require(
             self.limits.shape == (rows, _LAW_INPUTS + _DISTURBANCES * horizon), "Limits on everything the law knows"
         )
-        require(self.screen.shape == (_SCREENED, rows) and len(self.sums) == 4, "A bound for each limit and step")
+        require(self.norms.shape == (rows, _SIZES) and len(self.sizes) == _SIZES - 1, "Norms of each limit and step")
         require(
             min(kind, step) >= 0 and (beyond <= self.preview.size or not horizon), "What is previewed in every step"
         )
         limits = self.force_limit, self.most_change, self.most_force
         numbers = np.array([rows, horizon, kind, step, steps, self.clips, *limits], dtype=np.float64)
-        arrays = self.gain, self.preview_gain, self.limits, self.screen, self.preview, self.sums
-        return numbers, *arrays, np.empty(rows)
+        by_row = self.limits, self.scale, self.norms
+        return _prepare_law.prepare(numbers, self.gain, self.preview_gain, *by_row, self.preview, self.sizes)
 
     @property
     def steps(self) -> int:
         """Control steps of the run."""
-        return len(self.sums[0])
+        return len(self.sizes[0])
 
 
-Follow = Callable[[int, int], tuple[int, int]]
+FollowLaw = Callable[[int, int], tuple[int, int]]
 
 
-def follow_linear(A: FloatArray, B: FloatArray, forcing: FloatArray, law: LawArrays, loop: FloatArray) -> Follow:
-    """Drive a linear car by a law.
+class DrivenCar:
+    """A car over its whole drive, of which a call takes some control steps.
 
     Args:
-        A: (n, n).
-        B: (n, 2).
-        forcing: (steps, n).
-        law: Of control.
-        loop: [p; previous command] before each step and after the last (steps + 1, n + 2).
+        prepared: It, as C has it.
+        size: Numbers of its state.
+        steps: Control steps of the drive.
+    """
 
-    Returns:
-        From which step on, and before which one, it is to be driven -> the first step that the law does not decide, and
-        in how many before it a limit shaped the command.
+    def __init__(self, prepared: Prepared, size: int, steps: int) -> None:
+        self._prepared, self._size, self._steps = prepared, size, steps
+
+    def follow_law(self, law: LawArrays, loop: FloatArray) -> FollowLaw:
+        """Drive it by a law.
+
+        Args:
+            law: Of control.
+            loop: [p; previous command] before each step and after the last (steps + 1, size + 2).
+
+        Returns:
+            From which step on, and before which one, it is to be driven -> the first step that the law does not decide,
+            and in how many before it a limit shaped the command.
+
+        Raises:
+            ValueError: Sizes disagree.
+        """
+        require(law.steps == self._steps, "What is previewed in every step")
+        self._check(loop)
+        limited = np.zeros(1, dtype=np.intc)
+        follow = _follow_law.bind(self._prepared, law.prepared(), loop, limited)
+
+        def follow_from(first: int, last: int) -> tuple[int, int]:
+            require(0 <= first <= last <= self._steps, "No steps beyond the drive")
+            limited[0] = 0
+            driven: int = follow(first, last)
+            return driven, int(limited[0])
+
+        return follow_from
+
+    def advance(self, step: int, loop: FloatArray) -> None:
+        """Fill in its state after a control step, whose command stands beside it already.
+
+        Args:
+            step: Index of the control step.
+            loop: As `follow_law` has it.
+
+        Raises:
+            ValueError: The step is beyond the drive, or sizes disagree.
+        """
+        require(0 <= step < self._steps, "No steps beyond the drive")
+        self._check(loop)
+        _advance(self._prepared, loop, step)
+
+    def measure(self, state: FloatArray, command: FloatArray, braking: float) -> FloatArray:
+        """What a nonlinear car's own sensors give (4,), from its state, command (2,) [N] and braking [m/s^2].
+
+        Raises:
+            ValueError: The state is another car's.
+        """
+        require(len(state) == self._size, "The state of this car")
+        measured = np.empty(_MEASURED)
+        _measure(self._prepared, state, command, braking, measured)
+        return measured
+
+    def _check(self, loop: FloatArray) -> None:
+        require(loop.shape == (self._steps + 1, self._size + _FORCES), "A row before each step and after the last")
+
+
+def linear_car(A: FloatArray, B: FloatArray, forcing: FloatArray) -> DrivenCar:
+    """A linear car: A (n, n), B (n, 2), forcing (steps, n).
 
     Raises:
         ValueError: Sizes disagree.
     """
     n = len(A)
     require(A.shape == (n, n) and B.shape == (n, _FORCES) and n >= _STATES, "A state, and two forces")
-    require(forcing.shape == (law.steps, n), "What moves the car in every step")
-    return _following(partial(_drive_linear.bind, n, A, B, forcing), law, loop, n)
+    require(forcing.shape[1] == n, "What moves the car in every step")
+    return DrivenCar(_prepare_linear_car.prepare(n, A, B, forcing), n, len(forcing))
 
 
-def _following(bind: Callable[..., Callable[[int, int], int]], law: LawArrays, loop: FloatArray, size: int) -> Follow:
-    require(loop.shape == (law.steps + 1, size + _FORCES), "A row before each step and after the last")
-    limited = np.zeros(1, dtype=np.intc)
-    follow = bind(*law.arguments(), loop, limited)
-
-    def follow_from(first: int, last: int) -> tuple[int, int]:
-        require(0 <= first <= last <= law.steps, "No steps beyond the drive")
-        limited[0] = 0
-        driven: int = follow(first, last)
-        return driven, int(limited[0])
-
-    return follow_from
-
-
-class NonlinearDrive:
-    """A nonlinear car over its whole drive, of which a call takes some control steps.
+def nonlinear_car(
+    *,
+    car: FloatArray,
+    states: int,
+    estimator: FloatArray | None,
+    known: FloatArray,
+    road: tuple[FloatArray, FloatArray, FloatArray, FloatArray] | None,
+    disturbance: FloatArray,
+    substeps: int,
+    fine_step: float,
+    table: FloatArray,
+) -> DrivenCar:
+    """A nonlinear car.
 
     Args:
-        car: (33,), as `struct car` has them.
+        car: (33,), as `struct vehicle` has them.
         states: 8, or 10 with a lagging actuator's.
         estimator: (112,), as `struct estimator` has them; None without one.
         known: What the estimator knows beforehand (steps, 8); of no steps without one.
@@ -212,70 +274,23 @@ class NonlinearDrive:
         substeps: Of Runge-Kutta in a fine step.
         fine_step: In s.
         table: Where the signals of the last steps are recorded (10, fine + 1, columns).
+
+    Raises:
+        ValueError: Sizes disagree.
     """
-
-    def __init__(
-        self,
-        *,
-        car: FloatArray,
-        states: int,
-        estimator: FloatArray | None,
-        known: FloatArray,
-        road: tuple[FloatArray, FloatArray, FloatArray, FloatArray] | None,
-        disturbance: FloatArray,
-        substeps: int,
-        fine_step: float,
-        table: FloatArray,
-    ) -> None:
-        self._car, self._states = car, states
-        self._steps, fine = len(disturbance), disturbance.shape[1] // _DISTURBANCES
-        self._width = states + _FORCES + (0 if estimator is None else _STATES)
-        columns, all_fine = table.shape[-1], self._steps * fine
-        require(states in (_STATES, _LAGGING) and substeps > 0 < fine, "A state of 8 or 10 numbers, and a step or more")
-        require(disturbance.shape[1] == _DISTURBANCES * fine, "Three disturbances in a fine step")
-        require(table.shape == (_SIGNALS, fine + 1, columns) and columns <= self._steps, "A record within the drive")
-        require(estimator is None or known.shape == (self._steps, _STATES), "What is known of every step")
-        samples, layout, position, within = road or (np.empty(0), np.zeros(LAYOUT), np.empty((0, 0)), np.empty((0, 0)))
-        if road is not None:
-            require(len(samples) > 1, "A road has two samples at least")
-            require(
-                position.shape == (2, all_fine + 1) and within.shape == (all_fine, 4), "The road of every fine step"
-            )
-        self._fixed = (
-            *(car, states, int(estimator is not None), np.zeros(ESTIMATOR) if estimator is None else estimator, known),
-            *(len(samples), samples, layout, position, within),
-            *(disturbance, self._steps, fine, substeps, fine_step, table, columns),
-        )
-        self._advance = _advance.bind(*self._fixed)
-
-    def follow(self, law: LawArrays, loop: FloatArray) -> Follow:
-        """Drive it by a law, as `follow_linear`.
-
-        Raises:
-            ValueError: Sizes disagree.
-        """
-        require(law.steps == self._steps, "What is previewed in every step")
-        return _following(partial(_drive.bind, *self._fixed), law, loop, self._width - _FORCES)
-
-    def advance(self, step: int, now: FloatArray, command: FloatArray) -> FloatArray:
-        """The state at the end of a control step that begins with `now` and holds `command` (2,) [N].
-
-        Raises:
-            ValueError: The step is beyond the drive, or the state is another car's.
-        """
-        require(0 <= step < self._steps, "No steps beyond the drive")
-        require(len(now) == self._width - _FORCES, "The state of this car")
-        following = np.empty_like(now)
-        self._advance(now, command, following, step)
-        return following
-
-    def measure(self, state: FloatArray, command: FloatArray, braking: float) -> FloatArray:
-        """What the car's own sensors give (4,), from its state (8,) or (10,), command (2,) [N] and braking [m/s^2].
-
-        Raises:
-            ValueError: The state is another car's.
-        """
-        require(len(state) == self._states, "A state of 8 numbers, or of 10 with a lagging actuator's")
-        measured = np.empty(_MEASURED)
-        _measure(self._car, self._states, state, command, braking, measured)
-        return measured
+    steps, fine = len(disturbance), disturbance.shape[1] // _DISTURBANCES
+    columns, all_fine, estimates = table.shape[-1], steps * fine, estimator is not None
+    require(states in (_STATES, _LAGGING) and substeps > 0 < fine, "A state of 8 or 10 numbers, and a step or more")
+    require(disturbance.shape[1] == _DISTURBANCES * fine, "Three disturbances in a fine step")
+    require(table.shape == (_SIGNALS, fine + 1, columns) and columns <= steps, "A record within the drive")
+    require(not estimates or known.shape == (steps, _STATES), "What is known of every step")
+    samples, layout, position, within = road or (np.empty(0), np.zeros(LAYOUT), np.empty((0, 0)), np.empty((0, 0)))
+    if road is not None:
+        require(len(samples) > 1, "A road has two samples at least")
+        require(position.shape == (2, all_fine + 1) and within.shape == (all_fine, 4), "The road of every fine step")
+    prepared = _prepare_nonlinear_car.prepare(
+        *(car, states, int(estimates), np.zeros(ESTIMATOR) if estimator is None else estimator, known),
+        *(len(samples), samples, layout, position, within),
+        *(disturbance, steps, fine, substeps, fine_step, table, columns),
+    )
+    return DrivenCar(prepared, states + (_STATES if estimates else 0), steps)

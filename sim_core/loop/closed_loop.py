@@ -6,6 +6,7 @@ step, and C goes on (docs/decisions/0002-laws-are-followed-in-c.md). A controlle
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import isfinite
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from sim_core.caching import cached
 from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Seen
 from sim_core.errors import RidelabError
-from sim_core.kernel.prepared import LawArrays
+from sim_core.kernel.prepared import FollowLaw, LawArrays
 from sim_core.loop.preview import Forecast
 from sim_core.speed.stages import Segment
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES
@@ -79,13 +80,15 @@ class ClosedLoop:
         n = self._car.size
         loop = np.zeros((segments[-1].last + 1, n + FORCES))  # [car; previous command] at every control instant
         limited = 0
+        prepared: dict[LinearLaw, FollowLaw] = {}
         for segment in segments:
             law = self._controller.linear_law(segment.stage)
             if law is None:
                 limited += sum(self._step(k, loop) for k in range(segment.first, segment.last))
                 continue
-            follow = self._car.follow(self._arrays(law), loop)
-            k = segment.first
+            if law not in prepared:
+                prepared[law] = self._car.follow_law(self._arrays(law), loop)
+            follow, k = prepared[law], segment.first
             while k < segment.last:
                 k, shaped = follow(k, segment.last)
                 limited += shaped
@@ -102,15 +105,17 @@ class ClosedLoop:
         rows = np.zeros((0, LAW_INPUTS + previewed)) if law.limits is None else law.limits
         if preview_gain.shape[1] != previewed or rows.shape[1] != LAW_INPUTS + previewed:
             raise RidelabError(f"{self._controller.label}: a law has three columns for each step previewed")
+        scale, norms = (np.ones(LAW_INPUTS), np.zeros((0, 5))) if law.limits is None else _norms(law)
         kind, step, _ = (stride // forecast.windows.itemsize for stride in forecast.windows.strides)
         return LawArrays(
             gain=law.gain,
             preview_gain=preview_gain,
             limits=rows,
-            screen=_screen(law) if law.limits is not None else np.zeros((14, 0)),
+            scale=scale,
+            norms=norms,
             preview=forecast.source,
-            apart=(kind, step),
-            sums=forecast.sums,
+            strides=(kind, step),
+            sizes=forecast.sizes,
             force_limit=limits.control,
             most_change=limits.change,
             most_force=limits.actuator,
@@ -121,28 +126,28 @@ class ClosedLoop:
         """Drive one control step by the controller; whether a limit of forces or actuators shaped its command."""
         n = self._car.size
         state, previous = loop[k, :n], loop[k, n:]
-        seen = Seen(self._inputs, self._car, k, read_only(state), read_only(previous))
+        seen = Seen(self._inputs, self._car, k, k, read_only(state), read_only(previous))
+        limited = self._controller.report.limited_steps
         asked = checked_force(self._controller, self._controller.force(seen), k)
         wanted = asked.clip(-self._limits.control, self._limits.control)
         command = self._limits.of_actuator(wanted, previous)
-        loop[k + 1, :n] = self._car.advance(k, state, command)
         loop[k + 1, n:] = command
-        return command is not wanted or not np.array_equal(asked, wanted)
+        self._car.advance(k, loop)
+        by_itself = self._controller.report.limited_steps > limited
+        return by_itself or command is not wanted or asked.tolist() != wanted.tolist()
 
 
 @cached
-def _screen(law: LinearLaw) -> FloatArray:
-    """Of each row of the law's limits what bounds it (14, rows).
-
-    Its gains on state, previous force and mean deceleration; then its norms on what is previewed of both roads and of
-    the deceleration's difference from its mean.
-    """
+def _norms(law: LinearLaw) -> tuple[FloatArray, FloatArray]:
+    """`LawArrays.scale` (10,) and `norms` (rows, 5): on the state and force in units that make the largest gain 1."""
     assert law.limits is not None  # noqa: S101 - who asks has looked
     rows, columns = law.limits.shape
+    on_state = law.limits[:, :LAW_INPUTS]
     by_disturbance = law.limits[:, LAW_INPUTS:].reshape(rows, DISTURBANCES, (columns - LAW_INPUTS) // DISTURBANCES)
-    mean = by_disturbance[:, 2].sum(axis=1)
-    bounds = [law.limits[:, :LAW_INPUTS].T, mean[None], np.linalg.norm(by_disturbance, axis=2).T]
-    return np.ascontiguousarray(np.vstack(bounds))
+    scale = np.abs(on_state).max(axis=0, initial=0.0)
+    state = np.linalg.norm(on_state / np.where(scale > 0, scale, 1.0), axis=1)
+    mean = np.abs(by_disturbance[:, 2].sum(axis=1))
+    return scale, np.column_stack([state, mean, np.linalg.norm(by_disturbance, axis=2)])
 
 
 def checked_force(controller: Controller, force: object, step: int) -> FloatArray:
@@ -162,7 +167,7 @@ def checked_force(controller: Controller, force: object, step: int) -> FloatArra
         raise RidelabError(
             f"{controller.label}: force gives two numbers, front and rear; in step {step} it gave {came}"
         )
-    if not np.isfinite(asked).all():
+    if not all(map(isfinite, asked.tolist())):
         raise RidelabError(f"{controller.label}: force gave a value that is not finite in control step {step}")
     return asked
 

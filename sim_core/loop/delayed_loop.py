@@ -29,21 +29,22 @@ class DelayedLoop:
     def run(self) -> Trajectory:
         """Drive from rest, without a command before the first arrives; a row of the trajectory is a short step."""
         car, steps, n = self._car, self._setup.steps, self._setup.short_steps
-        states, commands = np.empty((steps * n, car.size)), np.empty((steps * n, FORCES))
+        loop = np.zeros((steps * n + 1, car.size + FORCES))  # [car; previous command] before every short step
         arrivals = self._arrivals()
         newest = [-1] * (steps * n)  # the command that arrives at a short step, the newest of several
         asked = np.zeros((steps + 1, FORCES))  # by command [N]; the last row is none, -1
         used = np.zeros(steps + 1, dtype=bool)
-        state, held, present, limited = np.zeros(car.size), -1, np.zeros(FORCES), 0
-        settled = True  # whether the actuators have what is asked
+        held, present, limited = -1, np.zeros(FORCES), 0
+        settled, bound = True, False  # whether the actuators change no more, and whether their limits hold them back
         for k in range(steps):
-            force = self._controller.force(
-                Seen(self._inputs, car, k, read_only(state), read_only(present), car_step=k * n)
-            )
+            counted = self._controller.report.limited_steps
+            seen = Seen(self._inputs, car, k, k * n, read_only(loop[k * n, : car.size]), read_only(present))
+            force = self._controller.force(seen)
+            shaped = self._controller.report.limited_steps > counted
             if force is not None:
                 wanted = checked_force(self._controller, force, k)
                 asked[k] = wanted.clip(-self._limits.control, self._limits.control)
-                limited += not np.array_equal(asked[k], wanted)
+                shaped |= not np.array_equal(asked[k], wanted)
                 if arrivals[k] < steps * n:
                     newest[arrivals[k]] = k
             for i in range(k * n, k * n + n):
@@ -52,11 +53,15 @@ class DelayedLoop:
                     used[held] = True
                 if not settled:
                     before, present = present, self._limits.of_actuator(asked[held], present)
-                    settled = np.array_equal(present, before)
-                states[i], commands[i] = state, present
-                state = car.advance(i, state, present)
+                    settled, bound = np.array_equal(present, before), not np.array_equal(present, asked[held])
+                shaped |= bound
+                loop[i + 1, car.size :] = present
+                car.advance(i, loop)
+            limited += shaped
         held_commands = int(np.count_nonzero(~used[: steps - 1]))  # the last one would take effect after the run
-        return Trajectory(states=states, commands=commands, limited=limited, held_commands=held_commands)
+        return Trajectory(
+            states=loop[:-1, : car.size], commands=loop[1:, car.size :], limited=limited, held_commands=held_commands
+        )
 
     def _arrivals(self) -> list[int]:
         """The controller's, if each command arrives after it was asked for.

@@ -1,13 +1,14 @@
 """One run: what the controller is told, the car it meets, the loop of both, and the recording."""
 
 from dataclasses import dataclass, replace
+from itertools import chain
 from math import ceil, inf
 
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import STAGES
 from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Setup
-from sim_core.loop.closed_loop import ClosedLoop, ForceLimits, Trajectory
+from sim_core.loop.closed_loop import ClosedLoop, ForceLimits
 from sim_core.loop.delayed_loop import DelayedLoop
 from sim_core.loop.excitation import Excitation, excite, fine_step, under_axles
 from sim_core.loop.preview import Forecast, preview
@@ -16,7 +17,7 @@ from sim_core.result import Span
 from sim_core.road.sensed import expected_errors
 from sim_core.scenario import Actuator, Preview, Scenario
 from sim_core.speed.profile import CONTROL_STEP, SpeedPlan, SpeedProfile, run_in_steps
-from sim_core.speed.stages import Segment, segments, spans
+from sim_core.speed.stages import Segment, segments
 from sim_core.vehicle.estimator import make_estimator, sensor_noise
 from sim_core.vehicle.half_car import DISTURBANCES
 from sim_core.vehicle.make import is_linear, make_vehicle
@@ -82,6 +83,7 @@ class Run:
         plan: Whether the car slows down for the bump.
         profile: The speed profile.
         excitation: The road under the axles and the braking.
+        stages: The driving stages.
     """
 
     scenario: Scenario
@@ -89,14 +91,11 @@ class Run:
     plan: SpeedPlan
     profile: SpeedProfile
     excitation: Excitation
-
-    def stages(self) -> tuple[Span, ...]:
-        """The driving stages."""
-        return spans(self.scenario, self.plan, self.profile)
+    stages: tuple[Span, ...]
 
     def segments(self) -> list[Segment]:
         """The control steps of each driving stage."""
-        return segments(self.stages(), self.excitation.position)
+        return segments(self.stages, self.excitation.position)
 
     def setup(self) -> Setup:
         """What the controller is told before it."""
@@ -126,7 +125,7 @@ class Run:
             table=car.record(trajectory.states[before * n :], trajectory.commands[before * n :]),
             excitation=self.excitation,
             report=controller.report,
-            limited=_limited(controller, trajectory),
+            limited=trajectory.limited,
             held_commands=trajectory.held_commands,
         )
 
@@ -199,15 +198,10 @@ class Run:
         return RunInputs(
             time=excitation.time[:-1],
             position=excitation.position,
-            speed=self.profile.at(excitation.time[:-1])[1],
-            stage=[stage for stage, first, last in self.segments() for _ in range(first, last)],
+            speed=excitation.drive.speed,
+            stage=list(chain.from_iterable([stage] * (last - first) for stage, first, last in self.segments())),
             windows=forecast.windows,
             road_height=forecast.height_now,
             noise=lambda: sensor_noise(self.scenario, steps * per_control, per_control)[::per_control],
             sample_time=excitation.step,
         )
-
-
-def _limited(controller: Controller, trajectory: Trajectory) -> int:
-    counted = controller.report.limited_steps
-    return trajectory.limited if counted is None else counted

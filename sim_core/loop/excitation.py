@@ -28,8 +28,9 @@ class TimeGrid:
         time: Control instants (steps + 1,) [s], 0 when the front axle is at x = 0.
         fine: Fine steps in each control step.
         before: Control steps before x = 0.
-        position: Of the front axle at every fine instant (n + 1,) [m].
-        wheelbase: How far behind the rear one is [m].
+        axles: Position of both axles at every fine instant (2, n + 1) [m].
+        position: Of the front axle at the control instants that begin a step (steps,) [m].
+        speed: Of the car then (steps,) [m/s].
         on_record: The fine samples on record, from x = 0 to the road's end.
         series: The record's signals that no road changes (catalogue.SIGNALS).
     """
@@ -37,8 +38,9 @@ class TimeGrid:
     time: FloatArray
     fine: int
     before: int
+    axles: FloatArray
     position: FloatArray
-    wheelbase: float
+    speed: FloatArray
     on_record: slice
     series: dict[str, FloatArray]
 
@@ -52,11 +54,6 @@ class TimeGrid:
         """Fine step [s]."""
         return self.step / self.fine
 
-    @property
-    def axles(self) -> FloatArray:
-        """Position of both axles at every fine instant (2, n + 1) [m]."""
-        return np.stack([self.position, self.position - self.wheelbase])
-
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Excitation:
@@ -64,7 +61,6 @@ class Excitation:
 
     Attributes:
         drive: What follows from the drive alone.
-        position: Of the front axle at the control instants that begin a step (steps,) [m].
         disturbance: Road velocities front and rear [m/s], braking deceleration [m/s^2], each held over a fine step;
             (steps, 3 · fine), fine step after fine step.
         surface: The road.
@@ -73,7 +69,6 @@ class Excitation:
     """
 
     drive: TimeGrid
-    position: FloatArray
     disturbance: FloatArray
     surface: RoadProfile
     height: FloatArray
@@ -83,6 +78,11 @@ class Excitation:
     def time(self) -> FloatArray:
         """Control instants (steps + 1,) [s]."""
         return self.drive.time
+
+    @property
+    def position(self) -> FloatArray:
+        """Of the front axle at the control instants that begin a step (steps,) [m]."""
+        return self.drive.position
 
     @property
     def fine(self) -> int:
@@ -153,7 +153,6 @@ def excite(
     front, rear = height[:, sampled.on_record]
     return Excitation(
         drive=sampled,
-        position=sampled.position[: -1 : sampled.fine],
         disturbance=held,
         surface=surface,
         height=height,
@@ -192,8 +191,9 @@ def _sampled(drive: SpeedProfile, length: float, wheelbase: float, step: float, 
         time=step * np.arange(-before, steps - before + 1, dtype=np.float64),
         fine=fine,
         before=before,
-        position=position,
-        wheelbase=wheelbase,
+        axles=np.stack([position, position - wheelbase]),
+        position=position[:-1:fine],
+        speed=speed[:-1:fine],
         on_record=record,
         series=series,
     )
@@ -203,7 +203,7 @@ def _sampled(drive: SpeedProfile, length: float, wheelbase: float, step: float, 
 def _braking(drive: SpeedProfile, sampled: TimeGrid, h: float) -> FloatArray:
     """Deceleration, held over each fine step of h [s] (n,) [m/s^2]; apart from the drive, which lives longer."""
     first = -sampled.before * sampled.fine
-    begins = h * np.arange(first, first + len(sampled.position) - 1, dtype=np.float64)
+    begins = h * np.arange(first, first + sampled.axles.shape[1] - 1, dtype=np.float64)
     return drive.sample(drive.braking, begins + h / 2)
 
 

@@ -31,14 +31,14 @@ class Forecast:
         windows: Mean velocity of the front axle's road in each interval, the rear's [m/s], and the braking deceleration
             [m/s^2] (3, steps, horizon); perhaps a view.
         source: A C-contiguous array that begins with the first window, and of which `windows` may be a view.
-        sums: Of each window the mean deceleration [m/s^2], then the norms of both velocities and of the deceleration's
-            difference from its mean (4, steps).
+        sizes: Of each window the mean deceleration's magnitude [m/s^2], then the norms of both velocities and of the
+            deceleration's difference from its mean (4, steps).
         height_now: Of the road under both axles, as it is previewed (2, steps) [m].
     """
 
     windows: FloatArray
     source: FloatArray
-    sums: FloatArray
+    sizes: FloatArray
     height_now: FloatArray
 
 
@@ -88,7 +88,12 @@ def preview(
         if mode == "obstacle" or mismatch.preview_noise or mismatch.preview_resolution or expected != NO_ERRORS:
             surface = sensed_road(surface, road, mismatch, expected, obstacle_alone=mode == "obstacle")
         return _by_sensors(surface, drive, excitation, horizon, wheelbase, mismatch)
-    return _without_sensors(mode, road, drive, excitation, horizon, wheelbase)
+    if mode == "wheelbase":
+        windows, sizes = _behind_the_front(excitation, drive, horizon, wheelbase)
+    else:
+        windows, sizes = _level(excitation.drive, drive, horizon)
+    height_now = excitation.height[:, : -1 : excitation.fine]
+    return Forecast(windows=windows, source=windows, sizes=sizes, height_now=height_now)
 
 
 def sliding_forecast(disturbances: FloatArray, horizon: int, height_now: FloatArray) -> Forecast:
@@ -100,12 +105,12 @@ def sliding_forecast(disturbances: FloatArray, horizon: int, height_now: FloatAr
         height_now: As `Forecast`'s.
     """
     steps = disturbances.shape[1] - horizon + 1
-    sums = np.empty((1 + DISTURBANCES, steps))
-    binding.horizons(disturbances, horizon, sums)
+    sizes = np.empty((1 + DISTURBANCES, steps))
+    binding.horizons(disturbances, horizon, sizes)
     return Forecast(
         windows=sliding_window_view(disturbances, horizon, axis=1),
         source=disturbances,
-        sums=sums,
+        sizes=sizes,
         height_now=height_now,
     )
 
@@ -140,21 +145,26 @@ def _ahead(
 
 
 @cached
-def _without_sensors(
-    mode: Preview, road: Road, drive: SpeedProfile, excitation: Excitation, horizon: int, wheelbase: float
-) -> Forecast:
-    """Without sensors: the rear axle meets what the front has met, or the road is level; braking stays as it is."""
-    surface, time, h = excitation.surface, excitation.time, excitation.step
-    windows = np.zeros((DISTURBANCES, len(time) - 1, horizon))
-    position, speed = drive.at(time[:-1])
-    braking = drive.sample(drive.braking, time[:-1])
+def _level(sampled: TimeGrid, drive: SpeedProfile, horizon: int) -> tuple[FloatArray, FloatArray]:
+    """`Forecast.windows` and `sizes` of a level road; braking stays as it is."""
+    braking = drive.sample(drive.braking, sampled.time[:-1])
+    windows = np.zeros((DISTURBANCES, len(braking), horizon))
     windows[2] = braking[:, None]
-    if mode == "wheelbase":
-        further = speed[:, None] * h * np.arange(horizon + 1)
-        driven = further[:, 1:] <= wheelbase
-        heights = surface.height(position[:, None] - wheelbase + np.minimum(further, wheelbase))
-        windows[1] = np.where(driven, np.diff(heights, axis=1) / h, 0.0)
     none = np.zeros(len(braking))
-    sums = np.stack([braking, none, np.linalg.norm(windows[1], axis=1), none])
-    height_now = excitation.height[:, : -1 : excitation.fine]
-    return Forecast(windows=windows, source=windows, sums=sums, height_now=height_now)
+    return windows, np.stack([np.abs(braking), none, none, none])
+
+
+@cached
+def _behind_the_front(
+    excitation: Excitation, drive: SpeedProfile, horizon: int, wheelbase: float
+) -> tuple[FloatArray, FloatArray]:
+    """The same where the rear axle meets what the front has met."""
+    sampled, surface = excitation.drive, excitation.surface
+    level, level_sizes = _level(sampled, drive, horizon)
+    windows, sizes = level.copy(), level_sizes.copy()
+    further = sampled.speed[:, None] * sampled.step * np.arange(horizon + 1)
+    driven = further[:, 1:] <= wheelbase
+    heights = surface.height(sampled.position[:, None] - wheelbase + np.minimum(further, wheelbase))
+    windows[1] = np.where(driven, np.diff(heights, axis=1) / sampled.step, 0.0)
+    sizes[2] = np.linalg.norm(windows[1], axis=1)
+    return windows, sizes

@@ -85,7 +85,7 @@ def evaluate(
             "target_speed": scenario.speed.target_speed_kmh * KMH if planned else None,
             "target_band": TARGET_BAND if planned else None,
         },
-        stages=run.stages(),
+        stages=run.stages,
         travel_time=drive.time_at(scenario.road.length),
         arrival_speed_kmh=arrival / KMH,
         series=Series(excitation.series, dict(zip(METRIC_SIGNALS, signals, strict=True))),
@@ -110,25 +110,25 @@ def _by_window(
     }
 
 
-def rms_between(series: Series, drive: SpeedProfile, stretches: Sequence[tuple[float, float]]) -> dict[str, float]:
-    """RMS of METRIC_SIGNALS over all the time in which the front axle is in one of these stretches of the road.
+def rms_between(series: Series, drive: SpeedProfile, intervals: Sequence[tuple[float, float]]) -> dict[str, float]:
+    """RMS of METRIC_SIGNALS over all the time in which the front axle is in one of these intervals of the road.
 
     Args:
-        series: Of a run; as exact as its metrics, whose windows `stretches` may differ from.
+        series: Of a run; as exact as its metrics, whose windows `intervals` may differ from.
         drive: How that run drove.
-        stretches: First and last position [m], from x = 0 to the road's end at most; none overlap.
+        intervals: First and last position [m], from x = 0 to the road's end at most; none overlap.
 
     Raises:
-        ValueError: A stretch is empty, or the run does not reach its end.
+        ValueError: An interval is empty, or the run does not reach its end.
     """
     time = series["time"]
     fine_step = float(time[-1]) / (len(time) - 1)
     table = np.ascontiguousarray([series.columns(signal) for signal in METRIC_SIGNALS])
-    times = [(drive.time_at(first), drive.time_at(last)) for first, last in stretches]
+    times = [(drive.time_at(first), drive.time_at(last)) for first, last in intervals]
     ends = section_ends([(first / fine_step, last / fine_step) for first, last in times])
     durations = ends[:, 1] - ends[:, 0]
     if (durations <= 0).any() or ends.min() < 0 or ends.max() > (table.shape[1] - 1) * table.shape[2]:
-        raise ValueError("A stretch ends behind its beginning and lies on the road that was driven")
+        raise ValueError("An interval ends behind its beginning and lies on the road that was driven")
     means = over_sections(table, _INTEGRANDS, ends).integrals.sum(axis=1) / durations.sum()
     return dict(zip(METRIC_SIGNALS, np.sqrt(means).tolist(), strict=True))
 

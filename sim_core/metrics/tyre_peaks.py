@@ -44,7 +44,7 @@ def peaks_with_kinks(
     tyres = (vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness)
     for axle, (stiffness, static) in enumerate(zip(tyres, vehicle.static_loads, strict=True)):
         record = binding.AxleRecord(
-            position=excitation.drive.position[start:] - axle * excitation.drive.wheelbase,
+            position=excitation.drive.axles[axle, start:],
             height=excitation.height[axle, start:],
             load=loads[axle],
             highest=highest[axle],

@@ -63,7 +63,7 @@ def windows_of(
     h = sampled.fine_step
     bounds = [0.0, *(drive.time_at(position) / h for position in (bump_start, min(bump_end, length), length))]
     ends = section_ends(list(pairwise(bounds)))
-    distance = np.diff(sampled.position[sampled.on_record.start :])
+    distance = np.diff(sampled.axles[0, sampled.on_record.start :])
     return Windows(
         ends=ends,
         fine_step=h,

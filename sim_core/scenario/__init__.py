@@ -3,23 +3,22 @@
 from sim_core.scenario.fields import Weights
 from sim_core.scenario.fuzzy import Fuzzy
 from sim_core.scenario.imperfections import Actuator, Estimation, Hil, Mismatch
+from sim_core.scenario.parts import SCHEMA_VERSION as SCHEMA_VERSION  # for who stores scenarios
 from sim_core.scenario.parts import (
-    SCHEMA_VERSION,
     Brake,
     Hook,
     Lqr,
     Mpc,
     Preview,
+    RoadWeights,
     Scenario,
     Speed,
     StageWeights,
 )
 from sim_core.scenario.road import Bump, Road
-from sim_core.scenario.vehicle import GRAVITY, Vehicle
+from sim_core.scenario.vehicle import Vehicle
 
 __all__ = [
-    "GRAVITY",
-    "SCHEMA_VERSION",
     "Actuator",
     "Brake",
     "Bump",
@@ -32,6 +31,7 @@ __all__ = [
     "Mpc",
     "Preview",
     "Road",
+    "RoadWeights",
     "Scenario",
     "Speed",
     "StageWeights",

@@ -1,102 +1,51 @@
 """A half-car from what a whole car's data sheet says (docs/physics.md, "From a data sheet")."""
 
 from math import pi, sqrt
-from typing import Self
+from typing import Annotated, Self
 
 from pydantic import ValidationError, model_validator
 
-from sim_core.scenario.fields import Part, at, quantity
-from sim_core.scenario.vehicle import Vehicle
+from sim_core.scenario.fields import Part, at, field, quantity
+from sim_core.scenario.vehicle import CgHeight, TyreStiffness, Vehicle
 from sim_core.scenario.vehicles import one_track
+
+AxleLoad = Annotated[float, quantity("kg", soft=(300, 1500), ge=50, le=50_000)]
+AxleMass = Annotated[float, quantity("kg", soft=(40, 200), ge=10, le=10_000)]
+Frequency = Annotated[float, quantity("Hz", soft=(0.8, 2.5), ge=0.2, le=20)]
+DampingRatio = Annotated[float, quantity("1", soft=(0.1, 0.6), ge=0.001, le=5)]
 
 
 class DataSheet(Part):
     """A whole car: what its axles weigh, how fast they swing and how well that is damped."""
 
-    front_axle_load: float = quantity(
-        ...,
-        "kg",
-        "Front axle load",
-        "What both front wheels carry, wheels included.",
-        soft=(300, 1500),
-        ge=50,
-        le=50_000,
+    front_axle_load: AxleLoad = field(..., "Front axle load", "What both front wheels carry, wheels included.")
+    rear_axle_load: AxleLoad = field(..., "Rear axle load", "What both rear wheels carry, wheels included.")
+    front_axle_mass: AxleMass = field(..., "Front unsprung mass", "Both front wheels with what moves with them.")
+    rear_axle_mass: AxleMass = field(..., "Rear unsprung mass", "Both rear wheels with what moves with them.")
+    wheelbase: Annotated[float, quantity("m", soft=(2, 4), ge=0.4, le=20)] = field(
+        ..., "Wheelbase", "Between the axles."
     )
-    rear_axle_load: float = quantity(
-        ..., "kg", "Rear axle load", "What both rear wheels carry, wheels included.", soft=(300, 1500), ge=50, le=50_000
+    cg_height: CgHeight = field(0.55, "Height of the centre of gravity", "Of the body above the road.")
+    front_frequency: Frequency = field(
+        ..., "Front natural frequency", "Of the body above the front axle, undamped, on suspension and tyres."
     )
-    front_axle_mass: float = quantity(
-        ...,
-        "kg",
-        "Front unsprung mass",
-        "Both front wheels with what moves with them.",
-        soft=(40, 200),
-        ge=10,
-        le=10_000,
+    rear_frequency: Frequency = field(
+        ..., "Rear natural frequency", "Of the body above the rear axle, undamped, on suspension and tyres."
     )
-    rear_axle_mass: float = quantity(
-        ..., "kg", "Rear unsprung mass", "Both rear wheels with what moves with them.", soft=(40, 200), ge=10, le=10_000
-    )
-    wheelbase: float = quantity(..., "m", "Wheelbase", "Between the axles.", soft=(2, 4), ge=0.4, le=20)
-    cg_height: float = quantity(
-        0.55, "m", "Height of the centre of gravity", "Of the body above the road.", soft=(0.3, 1), ge=0, le=3
-    )
-    front_frequency: float = quantity(
-        ...,
-        "Hz",
-        "Front natural frequency",
-        "Of the body above the front axle, undamped, on suspension and tyres.",
-        soft=(0.8, 2.5),
-        ge=0.2,
-        le=20,
-    )
-    rear_frequency: float = quantity(
-        ...,
-        "Hz",
-        "Rear natural frequency",
-        "Of the body above the rear axle, undamped, on suspension and tyres.",
-        soft=(0.8, 2.5),
-        ge=0.2,
-        le=20,
-    )
-    front_damping_ratio: float = quantity(
-        ..., "1", "Front damping ratio", "Of that motion, over critical.", soft=(0.1, 0.6), ge=0.001, le=5
-    )
-    rear_damping_ratio: float = quantity(
-        ..., "1", "Rear damping ratio", "Of that motion, over critical.", soft=(0.1, 0.6), ge=0.001, le=5
-    )
-    front_tyre_stiffness: float = quantity(
-        ...,
-        "N/m",
-        "Front tyre stiffness",
-        "Vertical stiffness of one tyre.",
-        soft=(100_000, 500_000),
-        ge=10_000,
-        le=20_000_000,
-    )
-    rear_tyre_stiffness: float = quantity(
-        ...,
-        "N/m",
-        "Rear tyre stiffness",
-        "Vertical stiffness of one tyre.",
-        soft=(100_000, 500_000),
-        ge=10_000,
-        le=20_000_000,
-    )
-    pitch_inertia: float | None = quantity(
+    front_damping_ratio: DampingRatio = field(..., "Front damping ratio", "Of that motion, over critical.")
+    rear_damping_ratio: DampingRatio = field(..., "Rear damping ratio", "Of that motion, over critical.")
+    front_tyre_stiffness: TyreStiffness = field(..., "Front tyre stiffness", "Vertical stiffness of one tyre.")
+    rear_tyre_stiffness: TyreStiffness = field(..., "Rear tyre stiffness", "Vertical stiffness of one tyre.")
+    pitch_inertia: Annotated[float | None, quantity("kg·m^2", soft=(500, 5000), ge=20, le=1_000_000)] = field(
         None,
-        "kg·m^2",
         "Pitch inertia",
         "Of the whole body; none makes the dynamic index 1, mass times both distances of the centre of gravity.",
-        soft=(500, 5000),
-        ge=20,
-        le=1_000_000,
     )
 
     @model_validator(mode="after")
     def _possible(self) -> Self:
         for axle in ("front", "rear"):
-            mass, together, tyre, _ = self._axle(axle)
+            mass, together, tyre = self._wheel(axle)
             if mass <= 0:
                 raise at(f"{axle}_axle_load", "An axle carries more than its own wheels")
             if together >= tyre:
@@ -116,35 +65,35 @@ class DataSheet(Part):
         An axle's share m of the body swings on spring and tyre in series, k = (2π f)² m = k_s k_t/(k_s + k_t). The
         damper moves by k_t/(k_s + k_t) of what the body does, so it needs 2 ζ √(k m) (1 + k_s/k_t)².
         """
-        fields: dict[str, float] = {}
-        for axle in ("front", "rear"):
-            mass, together, tyre, ratio = self._axle(axle)
-            spring = together * tyre / (tyre - together)
-            fields |= {
-                f"{axle}_spring": spring,
-                f"{axle}_damping": 2 * ratio * sqrt(together * mass) * (1 + spring / tyre) ** 2,
-                f"{axle}_tyre_stiffness": tyre,
-                f"{axle}_axle_mass": getattr(self, f"{axle}_axle_mass"),
-            }
-        front, rear = (2 * self._axle(axle)[0] for axle in ("front", "rear"))
+        front, front_spring, front_damping = self._suspension("front")
+        rear, rear_spring, rear_damping = self._suspension("rear")
         to_front = self.wheelbase * rear / (front + rear)
         to_rear = self.wheelbase - to_front
         inertia = (front + rear) * to_front * to_rear if self.pitch_inertia is None else self.pitch_inertia
         return one_track(
             body_mass=front + rear,
             pitch_inertia=inertia,
-            cg_to_front=to_front,
-            cg_to_rear=to_rear,
             cg_height=self.cg_height,
-            **fields,
+            cg_to_axles=(to_front, to_rear),
+            axle_masses=(self.front_axle_mass, self.rear_axle_mass),
+            springs=(front_spring, rear_spring),
+            damping=(front_damping, rear_damping),
+            tyres=(self.front_tyre_stiffness, self.rear_tyre_stiffness),
         )
 
-    def _axle(self, axle: str) -> tuple[float, float, float, float]:
-        """Of one wheel: its share of the body [kg], spring and tyre in series, tyre [N/m], and the damping ratio."""
-        names = ("axle_load", "axle_mass", "frequency", "tyre_stiffness", "damping_ratio")
-        load, wheels, frequency, tyre, ratio = (getattr(self, f"{axle}_{name}") for name in names)
+    def _wheel(self, axle: str) -> tuple[float, float, float]:
+        """Of one wheel: its share of the body [kg], spring and tyre in series, and the tyre [N/m]."""
+        names = ("axle_load", "axle_mass", "frequency", "tyre_stiffness")
+        load, wheels, frequency, tyre = (getattr(self, f"{axle}_{name}") for name in names)
         mass = (load - wheels) / 2
-        return mass, (2 * pi * frequency) ** 2 * mass, tyre, ratio
+        return mass, (2 * pi * frequency) ** 2 * mass, tyre
+
+    def _suspension(self, axle: str) -> tuple[float, float, float]:
+        """An axle's share of the body [kg]; spring [N/m] and damper [N s/m] of one wheel."""
+        mass, together, tyre = self._wheel(axle)
+        spring = together * tyre / (tyre - together)
+        ratio = getattr(self, f"{axle}_damping_ratio")
+        return 2 * mass, spring, 2 * ratio * sqrt(together * mass) * (1 + spring / tyre) ** 2
 
 
 # Which field of the sheet decides a field of the half-car, where their names differ.

@@ -1,31 +1,29 @@
 """Kinds of scenario fields: a number with its unit, a whole number, three weights; each knows its limits and range."""
 
-from types import EllipsisType
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, Any
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, JsonValue
 from pydantic_core import PydanticCustomError
 
 
-def quantity(
-    default: float | EllipsisType | None,
-    unit: str,
-    title: str,
-    description: str,
-    *,
-    soft: tuple[float, float],
-    ge: float,
-    le: float,
-    shown: str | None = None,
-) -> Any:
-    """A number with a unit: hard limits `ge` to `le`, slider range `soft`; `...` has no default.
+def quantity(unit: str, *, soft: tuple[float, float], ge: float, le: float, shown: str | None = None) -> Any:
+    """What a number may be, for its type's `Annotated`: hard limits `ge` to `le`, slider range `soft`.
 
     `shown` is the unit people think of it in, where that is another one: forms show and read it so.
     """
     extra: dict[str, JsonValue] = {"unit": unit, "soft_range": list(soft)}
     if shown is not None:
         extra["shown_unit"] = shown
-    return Field(default, ge=ge, le=le, title=title, description=description, json_schema_extra=extra)
+    return Field(ge=ge, le=le, json_schema_extra=extra)
+
+
+def field(default: Any, title: str, description: str) -> Any:
+    """A field of a part; `...` has no default."""
+    return Field(default, title=title, description=description)
+
+
+# In a field's type: it is younger than stored results, and at its default no part of what a result is known by.
+ADDED = "added"
 
 
 class Part(BaseModel):
@@ -40,11 +38,9 @@ class Part(BaseModel):
         hide_input_in_errors=True,
         serialize_by_alias=True,
     )
-    # Members that are younger than stored results. At its default such a one is no part of what a result is known by.
-    ADDED: ClassVar[frozenset[str]] = frozenset()
 
     def identity(self) -> dict[str, Any]:
-        """What a stored result or run is known by, plain JSON: every member, of `ADDED` those that are set.
+        """What a stored result or run is known by, plain JSON: every member, of those marked `ADDED` what is set.
 
         So a member that is added leaves every identity as it was where nobody sets it.
         """
@@ -53,11 +49,11 @@ class Part(BaseModel):
         return plain
 
     def _leave_out_unset(self, plain: dict[str, Any]) -> None:
-        for name in self.ADDED:
-            if getattr(self, name) == type(self).model_fields[name].default:
+        for name, info in type(self).model_fields.items():
+            value = getattr(self, name)
+            if ADDED in info.metadata and value == info.default:
                 del plain[name]
-        for name, value in self.__dict__.items():
-            if isinstance(value, Part) and name in plain:
+            elif isinstance(value, Part) and name in plain:
                 value._leave_out_unset(plain[name])
 
 
@@ -71,35 +67,16 @@ Weight = Annotated[float, Field(ge=0, le=1000)]
 # strict=False on the tuple alone: JSON has arrays only. The numbers inside stay strict.
 Weights = Annotated[
     tuple[Weight, Weight, Weight],
-    Field(strict=False),
-    AfterValidator(_not_all_zero),
-]
-
-
-def weights(default: tuple[float, float, float], title: str, description: str) -> Any:
-    """Cost weights q1 (body acceleration), q2 (pitch acceleration), q3 (tyre load), each 0 to 1000."""
-    return Field(
-        default,
-        title=title,
-        description=description,
+    Field(
+        strict=False,
         json_schema_extra={
             "unit": "1",
             "soft_range": [0, 10],
             "item_titles": ["Body acceleration", "Pitch acceleration", "Tyre load"],
         },
-    )
-
-
-def count(default: int, title: str, description: str, *, soft: tuple[int, int], ge: int, le: int) -> Any:
-    """A whole number without a unit."""
-    return Field(
-        default,
-        ge=ge,
-        le=le,
-        title=title,
-        description=description,
-        json_schema_extra={"unit": "1", "soft_range": list(soft)},
-    )
+    ),
+    AfterValidator(_not_all_zero),
+]
 
 
 def at(field: str, message: str) -> PydanticCustomError:

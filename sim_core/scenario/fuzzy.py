@@ -6,7 +6,7 @@ from typing import Annotated, Literal, Self
 from pydantic import AfterValidator, Field, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
-from sim_core.scenario.fields import Part, at
+from sim_core.scenario.fields import Part, at, field
 
 SET_NAMES = ("O", "S", "M", "L", "V")  # Table 1's: very low, medium-low, medium, medium-high, very high
 SPEED_ERROR_MAX = 30.0  # universe [0, 30] km/h
@@ -138,22 +138,22 @@ _Rules = Annotated[
 class Fuzzy(Part):
     """The fuzzy speed controller (section 3.1): Mamdani's minimum and maximum, centroid; by default the paper's."""
 
-    inputs: FuzzyInputs | None = Field(
+    inputs: FuzzyInputs | None = field(
         None,
-        title="Input sets",
-        description='Lists `speed_error` [km/h, 0 to 30] and `distance` [m, 0 to 80] of sets {"name", "function", '
+        "Input sets",
+        'Lists `speed_error` [km/h, 0 to 30] and `distance` [m, 0 to 80] of sets {"name", "function", '
         '"corners"}: a membership function of scikit-fuzzy (`trimf`, `trapmf`, `gaussmf`, `gauss2mf`, `gbellmf`, '
         "`sigmf`, `smf`, `zmf`, `pimf`) and its arguments; none is five even triangles O, S, M, L, V.",
     )
-    output: _Sets | None = Field(
+    output: _Sets | None = field(
         None,
-        title="Torque sets",
-        description="Sets of the braking torque, as shares 0 to 1 of the greatest; none is five even triangles.",
+        "Torque sets",
+        "Sets of the braking torque, as shares 0 to 1 of the greatest; none is five even triangles.",
     )
-    rules: _Rules | None = Field(
+    rules: _Rules | None = field(
         None,
-        title="Rules",
-        description='A list of {"if": {"speed_error": set, "distance": set}, "then": set}, of which the first names '
+        "Rules",
+        'A list of {"if": {"speed_error": set, "distance": set}, "then": set}, of which the first names '
         "one input or both; where no rule holds nothing brakes. None is Table 1.",
     )
 
@@ -179,13 +179,13 @@ class Fuzzy(Part):
         )
         for index, rule in enumerate(self.rules or TABLE_1):
             asked = rule.condition
-            for place, name, known in (
+            for place, name, names in (
                 ("if.speed_error", asked.speed_error, errors),
                 ("if.distance", asked.distance, distances),
                 ("then", rule.then, torques),
             ):
-                if name is not None and name not in known:
+                if name is not None and name not in names:
                     if self.rules is None:
                         raise at("rules", "Table 1 asks for sets O, S, M, L, V: other sets need rules of their own")
-                    raise at(f"rules.{index}.{place}", f"There is no such set; there are {', '.join(known)}")
+                    raise at(f"rules.{index}.{place}", f"There is no such set; there are {', '.join(names)}")
         return self

@@ -1,43 +1,29 @@
 """Parts of the scenario for what is not ideal; by default everything is, as in the paper."""
 
-from typing import ClassVar, Literal
+from typing import Annotated, Literal
 
-from pydantic import Field
-
-from sim_core.scenario.fields import Part, count, quantity
+from sim_core.scenario.fields import ADDED, Part, field, quantity
+from sim_core.scenario.road import Seed
 from sim_core.scenario.vehicle import Vehicle
+
+StiffnessFactor = Annotated[float, quantity("1", soft=(0.8, 1.2), ge=0.2, le=5)]
+HeightNoise = Annotated[float, quantity("m", soft=(0, 0.005), ge=0, le=0.1, shown="mm")]
 
 
 class Actuator(Part):
     """Suspension actuators; ideal by default, as in the paper."""
 
-    bandwidth: float | None = quantity(
-        None,
-        "Hz",
-        "Bandwidth",
-        "First-order lag between command and force, typically 10 Hz; none is ideal.",
-        soft=(2, 50),
-        ge=0.5,
-        le=1000,
+    bandwidth: Annotated[float | None, quantity("Hz", soft=(2, 50), ge=0.5, le=1000)] = field(
+        None, "Bandwidth", "First-order lag between command and force, typically 10 Hz; none is ideal."
     )
-    rate_limit: float | None = quantity(
-        None,
-        "N/s",
-        "Force rate limit",
-        "Greatest change of the commanded force; none is unlimited.",
-        soft=(10_000, 500_000),
-        ge=1000,
-        le=1e8,
+    rate_limit: Annotated[float | None, quantity("N/s", soft=(10_000, 500_000), ge=1000, le=1e8)] = field(
+        None, "Force rate limit", "Greatest change of the commanded force; none is unlimited."
     )
-    saturation: float | None = quantity(
+    saturation: Annotated[float | None, quantity("N", soft=(500, 10_000), ge=1, le=1_000_000)] = field(
         None,
-        "N",
         "Saturation",
         "Greatest force the actuator gives; no controller plans with it, each is told the force accepted last. "
         "None: the force limit.",
-        soft=(500, 10_000),
-        ge=1,
-        le=1_000_000,
     )
 
 
@@ -47,70 +33,33 @@ class Mismatch(Part):
     The controllers, and the speed plan, go by `vehicle`; the car that is driven has these factors on top.
     """
 
-    ADDED: ClassVar = frozenset({"rebound_ratio", "preview_resolution"})
-
-    body_mass: float = quantity(
-        1,
-        "1",
-        "Body mass and pitch inertia",
-        "Real over believed, both alike: the load.",
-        soft=(0.7, 1.4),
-        ge=0.3,
-        le=3,
+    body_mass: Annotated[float, quantity("1", soft=(0.7, 1.4), ge=0.3, le=3)] = field(
+        1, "Body mass and pitch inertia", "Real over believed, both alike: the load."
     )
-    springs: float = quantity(
-        1, "1", "Spring stiffness", "Real over believed, both axles.", soft=(0.8, 1.2), ge=0.2, le=5
+    springs: StiffnessFactor = field(1, "Spring stiffness", "Real over believed, both axles.")
+    damping: Annotated[float, quantity("1", soft=(0.5, 1.5), ge=0.05, le=5)] = field(
+        1, "Damping", "Real over believed, both axles."
     )
-    damping: float = quantity(1, "1", "Damping", "Real over believed, both axles.", soft=(0.5, 1.5), ge=0.05, le=5)
-    tyres: float = quantity(1, "1", "Tyre stiffness", "Real over believed, both axles.", soft=(0.8, 1.2), ge=0.2, le=5)
-    rebound_ratio: float = quantity(
-        1,
-        "1",
-        "Rebound over compression",
-        "Real over believed ratio, both dampers, at the same mean.",
-        soft=(1, 3),
-        ge=0.1,
-        le=10,
+    tyres: StiffnessFactor = field(1, "Tyre stiffness", "Real over believed, both axles.")
+    rebound_ratio: Annotated[float, quantity("1", soft=(1, 3), ge=0.1, le=10), ADDED] = field(
+        1, "Rebound over compression", "Real over believed ratio, both dampers, at the same mean."
     )
-    preview_offset: float = quantity(
+    preview_offset: Annotated[float, quantity("m", soft=(-0.5, 0.5), ge=-10, le=10)] = field(
+        0, "Preview offset", "The sensors place the road ahead so much too far away (lookahead, obstacle)."
+    )
+    preview_gain: Annotated[float, quantity("1", soft=(0.7, 1.3), ge=0, le=3)] = field(
+        1, "Preview gain", "Height seen over the true one (lookahead, obstacle)."
+    )
+    preview_noise: HeightNoise = field(
         0,
-        "m",
-        "Preview offset",
-        "The sensors place the road ahead so much too far away (lookahead, obstacle).",
-        soft=(-0.5, 0.5),
-        ge=-10,
-        le=10,
-    )
-    preview_gain: float = quantity(
-        1,
-        "1",
-        "Preview gain",
-        "Height seen over the true one (lookahead, obstacle).",
-        soft=(0.7, 1.3),
-        ge=0,
-        le=3,
-    )
-    preview_noise: float = quantity(
-        0,
-        "m",
         "Preview noise",
         "Standard deviation of each height the sensors give, one each 10 mm of the road (lookahead).",
-        soft=(0, 0.005),
-        ge=0,
-        le=0.1,
-        shown="mm",
     )
-    preview_resolution: float = quantity(
-        0,
-        "m",
-        "Preview resolution",
-        "Length of road over which the sensors average each height (lookahead, obstacle).",
-        soft=(0, 0.3),
-        ge=0,
-        le=2,
+    preview_resolution: Annotated[float, quantity("m", soft=(0, 0.3), ge=0, le=2), ADDED] = field(
+        0, "Preview resolution", "Length of road over which the sensors average each height (lookahead, obstacle)."
     )
-    preview_delay: float = quantity(
-        0, "s", "Preview delay", "Delay of what the sensors see (lookahead, obstacle).", soft=(0, 0.05), ge=0, le=1
+    preview_delay: Annotated[float, quantity("s", soft=(0, 0.05), ge=0, le=1)] = field(
+        0, "Preview delay", "Delay of what the sensors see (lookahead, obstacle)."
     )
 
     def real(self, vehicle: Vehicle) -> Vehicle:
@@ -134,90 +83,59 @@ class Mismatch(Part):
 class Estimation(Part):
     """What controllers are told of the car's state: the state itself, or what a Kalman filter makes of sensors."""
 
-    ADDED: ClassVar = frozenset({"kind", "acceleration_noise", "deflection_noise", "pitch_rate_noise"})
-
-    kind: Literal["exact", "kalman"] = Field(
+    kind: Annotated[Literal["exact", "kalman"], ADDED] = field(
         "exact",
-        title="State",
-        description="exact as in the paper; kalman: a steady-state filter on both deflections, the body's acceleration "
+        "State",
+        "exact as in the paper; kalman: a steady-state filter on both deflections, the body's acceleration "
         "and the pitch rate, measured at each control instant.",
     )
-    knows_preview: bool = Field(
+    knows_preview: bool = field(
         True,
-        title="Filter knows the preview",
-        description="The filter is told what its strategy previews of the road, with the errors that the sensors have; "
+        "Filter knows the preview",
+        "The filter is told what its strategy previews of the road, with the errors that the sensors have; "
         "the rest of the roughness is noise to it, as all of it is where nothing is previewed (kalman).",
     )
-    acceleration_noise: float = quantity(
+    acceleration_noise: Annotated[float, quantity("m/s^2", soft=(0.01, 0.5), ge=1e-4, le=10), ADDED] = field(
         0.05,
-        "m/s^2",
         "Acceleration noise",
         "Standard deviation of each measured acceleration of the body, and what the filter expects (kalman; ours).",
-        soft=(0.01, 0.5),
-        ge=1e-4,
-        le=10,
     )
-    deflection_noise: float = quantity(
+    deflection_noise: Annotated[float, quantity("m", soft=(0.0001, 0.005), ge=1e-6, le=0.1, shown="mm"), ADDED] = field(
         0.0005,
-        "m",
         "Deflection noise",
         "Standard deviation of each measured deflection, and what the filter expects (kalman; ours).",
-        soft=(0.0001, 0.005),
-        ge=1e-6,
-        le=0.1,
-        shown="mm",
     )
-    pitch_rate_noise: float = quantity(
+    pitch_rate_noise: Annotated[float, quantity("rad/s", soft=(0.0005, 0.02), ge=1e-6, le=1), ADDED] = field(
         0.002,
-        "rad/s",
         "Pitch rate noise",
         "Standard deviation of each measured pitch rate, and what the filter expects (kalman; ours).",
-        soft=(0.0005, 0.02),
-        ge=1e-6,
-        le=1,
     )
 
 
 class Hil(Part):
     """Hardware in the loop: the controller apart from the plant, as `lv_hil` drives it (section 4.2)."""
 
-    bits: int = count(
-        12, "Converter bits", "Resolution of every sensor and of the actuator commands.", soft=(8, 16), ge=4, le=24
+    bits: Annotated[int, quantity("1", soft=(8, 16), ge=4, le=24)] = field(
+        12, "Converter bits", "Resolution of every sensor and of the actuator commands."
     )
-    compensation: Literal["predict", "none"] = Field(
+    compensation: Literal["predict", "none"] = field(
         "predict",
-        title="Delay compensation",
-        description="A command takes effect one control step after its measurement: predict (ours) lets the ECU reckon "
+        "Delay compensation",
+        "A command takes effect one control step after its measurement: predict (ours) lets the ECU reckon "
         "the state ahead to that moment, none lets it answer the past.",
     )
-    iterations: int = count(
-        30, "Iterations", "The ECU's solver stops after so many, whatever it has.", soft=(1, 60), ge=0, le=200
+    iterations: Annotated[int, quantity("1", soft=(1, 60), ge=0, le=200)] = field(
+        30, "Iterations", "The ECU's solver stops after so many, whatever it has."
     )
-    noise: float = quantity(
-        0,
-        "1",
-        "Sensor noise",
-        "Standard deviation as a share of each input's range, before the converter.",
-        soft=(0, 0.005),
-        ge=0,
-        le=0.2,
+    noise: Annotated[float, quantity("1", soft=(0, 0.005), ge=0, le=0.2)] = field(
+        0, "Sensor noise", "Standard deviation as a share of each input's range, before the converter."
     )
-    jitter: float = quantity(
+    jitter: Annotated[float, quantity("s", soft=(0, 0.01), ge=0, le=0.05)] = field(
         0,
-        "s",
         "Jitter",
         "A command takes effect up to so much later still, evenly spread, in steps of 1 ms or a little less.",
-        soft=(0, 0.01),
-        ge=0,
-        le=0.05,
     )
-    packet_loss: float = quantity(
-        0,
-        "1",
-        "Lost packets",
-        "Share of the commands that never arrive; the actuators hold the last one.",
-        soft=(0, 0.2),
-        ge=0,
-        le=0.9,
+    packet_loss: Annotated[float, quantity("1", soft=(0, 0.2), ge=0, le=0.9)] = field(
+        0, "Lost packets", "Share of the commands that never arrive; the actuators hold the last one."
     )
-    seed: int = count(1, "Seed", "Of noise, jitter and losses.", soft=(1, 20), ge=0, le=2**32 - 1)
+    seed: Seed = field(1, "Seed", "Of noise, jitter and losses.")

@@ -5,15 +5,15 @@ SI units, except speeds a person types, which end in `_kmh`. Defaults are the pa
 and section 3) unless the description says "ours"; docs/physics.md gives each one's source.
 """
 
-from typing import ClassVar, Literal, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import ConfigDict, Field, model_validator
 from pydantic.config import JsonDict
 
 from sim_core.errors import RidelabError
-from sim_core.scenario.fields import Part, Weights, at, count, quantity, weights
+from sim_core.scenario.fields import ADDED, Part, Weights, at, field, quantity
 from sim_core.scenario.fuzzy import Fuzzy
-from sim_core.scenario.imperfections import Actuator, Estimation, Hil, Mismatch
+from sim_core.scenario.imperfections import Actuator, Estimation, HeightNoise, Hil, Mismatch
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.scenario.road import Road
 from sim_core.scenario.vehicle import Vehicle
@@ -21,36 +21,33 @@ from sim_core.scenario.vehicle import Vehicle
 SCHEMA_VERSION = 2
 
 
+Horizon = Annotated[int, quantity("1", soft=(5, 60), ge=1, le=200)]
+TravelWeight = Annotated[float, quantity("1", soft=(0, 10), ge=0, le=1000)]
+HookDamping = Annotated[float, quantity("N·s/m", soft=(0, 10_000), ge=0, le=500_000)]
+
+
 class Speed(Part):
     """Speeds and when braking begins (section 3.1)."""
 
-    ADDED: ClassVar = frozenset({"policy"})
-
-    initial_speed_kmh: float = quantity(
-        50, "km/h", "Initial speed", "Held until the bump is detected.", soft=(20, 90), ge=5, le=200
+    initial_speed_kmh: Annotated[float, quantity("km/h", soft=(20, 90), ge=5, le=200)] = field(
+        50, "Initial speed", "Held until the bump is detected."
     )
-    target_speed_kmh: float = quantity(
-        22.5, "km/h", "Target speed", "Aimed at for the bump; the paper's 20 to 25 km/h.", soft=(10, 50), ge=5, le=200
+    target_speed_kmh: Annotated[float, quantity("km/h", soft=(10, 50), ge=5, le=200)] = field(
+        22.5, "Target speed", "Aimed at for the bump; the paper's 20 to 25 km/h."
     )
-    detection_distance: float = quantity(
-        80,
-        "m",
-        "Detection distance",
-        "How far ahead the bump is seen and braking begins.",
-        soft=(20, 100),
-        ge=1,
-        le=1000,
+    detection_distance: Annotated[float, quantity("m", soft=(20, 100), ge=1, le=1000)] = field(
+        80, "Detection distance", "How far ahead the bump is seen and braking begins."
     )
-    controller: Literal["guarded", "fuzzy"] = Field(
+    controller: Literal["guarded", "fuzzy"] = field(
         "guarded",
-        title="Speed controller",
-        description="fuzzy is Table 1 alone; guarded (ours) brakes at least as hard as the distance left needs, which "
+        "Speed controller",
+        "fuzzy is Table 1 alone; guarded (ours) brakes at least as hard as the distance left needs, which "
         "changes nothing on the paper's scenario.",
     )
-    policy: Literal["by_strategy", "planned", "constant"] = Field(
+    policy: Annotated[Literal["by_strategy", "planned", "constant"], ADDED] = field(
         "by_strategy",
-        title="Who slows down",
-        description="by_strategy: those that have a speed control, as in the paper. At equal speed what is left of a "
+        "Who slows down",
+        "by_strategy: those that have a speed control, as in the paper. At equal speed what is left of a "
         "gain is the suspension's: planned slows all of them down for the bump, constant none.",
     )
 
@@ -58,55 +55,56 @@ class Speed(Part):
 class Brake(Part):
     """Brake chain and driving resistances (Eq. 4-6); the paper gives no values: typical ones, ours."""
 
-    friction_coefficient: float = quantity(
-        0.38, "1", "Pad friction", "Coefficient µ; brake factor k = 2 µ.", soft=(0.2, 0.6), ge=0.05, le=1
+    friction_coefficient: Annotated[float, quantity("1", soft=(0.2, 0.6), ge=0.05, le=1)] = field(
+        0.38, "Pad friction", "Coefficient µ; brake factor k = 2 µ."
     )
-    effective_radius: float = quantity(
-        0.13, "m", "Effective disc radius", "Friction radius r_b.", soft=(0.08, 0.2), ge=0.02, le=1
+    effective_radius: Annotated[float, quantity("m", soft=(0.08, 0.2), ge=0.02, le=1)] = field(
+        0.13, "Effective disc radius", "Friction radius r_b."
     )
-    piston_area: float = quantity(
-        0.0025, "m^2", "Piston area", "Contact area A of one brake.", soft=(0.001, 0.006), ge=1e-4, le=0.1
+    piston_area: Annotated[float, quantity("m^2", soft=(0.001, 0.006), ge=1e-4, le=0.1)] = field(
+        0.0025, "Piston area", "Contact area A of one brake."
     )
-    brakes: int = count(
-        2, "Brakes", "How many share the torque; one per axle of the half-car.", soft=(1, 4), ge=1, le=8
+    brakes: Annotated[int, quantity("1", soft=(1, 4), ge=1, le=8)] = field(
+        2, "Brakes", "How many share the torque; one per axle of the half-car."
     )
-    threshold_speed: float = quantity(
-        0.1, "m/s", "Threshold speed", "Sliding speed v_d of the smoothed friction.", soft=(0.01, 0.5), ge=0.001, le=5
+    threshold_speed: Annotated[float, quantity("m/s", soft=(0.01, 0.5), ge=0.001, le=5)] = field(
+        0.1, "Threshold speed", "Sliding speed v_d of the smoothed friction."
     )
-    pressure_lag: float = quantity(
-        0.1, "s", "Pressure lag", "Time constant of the line pressure.", soft=(0, 0.4), ge=0, le=2
+    pressure_lag: Annotated[float, quantity("s", soft=(0, 0.4), ge=0, le=2)] = field(
+        0.1, "Pressure lag", "Time constant of the line pressure."
     )
-    wheel_radius: float = quantity(0.3, "m", "Wheel radius", "Rolling radius.", soft=(0.25, 0.4), ge=0.1, le=2)
-    maximum_deceleration: float = quantity(
-        4,
-        "m/s^2",
-        "Greatest deceleration",
-        "Top of the fuzzy controller's torque universe.",
-        soft=(1, 8),
-        ge=0.2,
-        le=10,
+    wheel_radius: Annotated[float, quantity("m", soft=(0.25, 0.4), ge=0.1, le=2)] = field(
+        0.3, "Wheel radius", "Rolling radius."
     )
-    rolling_resistance: float = quantity(
-        0.012, "1", "Rolling resistance", "Coefficient f_r.", soft=(0, 0.03), ge=0, le=0.2
+    maximum_deceleration: Annotated[float, quantity("m/s^2", soft=(1, 8), ge=0.2, le=10)] = field(
+        4, "Greatest deceleration", "Top of the fuzzy controller's torque universe."
     )
-    drag_area: float = quantity(
-        0.65, "m^2", "Drag area", "Air drag coefficient times frontal area, c_d A.", soft=(0, 1.5), ge=0, le=20
+    rolling_resistance: Annotated[float, quantity("1", soft=(0, 0.03), ge=0, le=0.2)] = field(
+        0.012, "Rolling resistance", "Coefficient f_r."
+    )
+    drag_area: Annotated[float, quantity("m^2", soft=(0, 1.5), ge=0, le=20)] = field(
+        0.65, "Drag area", "Air drag coefficient times frontal area, c_d A."
     )
 
 
 class StageWeights(Part):
     """LV control's weights per driving stage (Table 6)."""
 
-    cruise: Weights = weights((8, 1, 1), "Cruise", "Uniform speed: comfort first.")
-    brake: Weights = weights((2, 6, 1), "Brake", "Braking: pitch first.")
-    bump: Weights = weights((1, 1, 6), "Bump", "On the bump: tyre load first.")
+    cruise: Weights = field((8, 1, 1), "Cruise", "Uniform speed: comfort first.")
+    brake: Weights = field((2, 6, 1), "Brake", "Braking: pitch first.")
+    bump: Weights = field((1, 1, 6), "Bump", "On the bump: tyre load first.")
+
+    def of(self, stage: str) -> Weights:
+        """Those of a driving stage."""
+        weights: Weights = getattr(self, stage)
+        return weights
 
 
 class RoadWeights(Part):
     """Single suspension control's weights per road (Table 3)."""
 
-    rough: Weights = weights((8, 1, 1), "Rough road", "Class B pavement.")
-    bump: Weights = weights((3, 1, 6), "Bump", "Bumpy pavement.")
+    rough: Weights = field((8, 1, 1), "Rough road", "Class B pavement.")
+    bump: Weights = field((3, 1, 6), "Bump", "Bumpy pavement.")
 
 
 Preview = Literal["none", "wheelbase", "lookahead", "obstacle"]
@@ -115,70 +113,44 @@ Preview = Literal["none", "wheelbase", "lookahead", "obstacle"]
 class Mpc(Part):
     """Model predictive suspension control (Eq. 8-15, section 3.2.2)."""
 
-    ADDED: ClassVar = frozenset({"expected_offset", "expected_noise"})
-
-    sample_time: float = quantity(
-        0.01, "s", "Sample time", "Control interval Ts (ours).", soft=(0.005, 0.02), ge=0.002, le=0.05
+    sample_time: Annotated[float, quantity("s", soft=(0.005, 0.02), ge=0.002, le=0.05)] = field(
+        0.01, "Sample time", "Control interval Ts (ours)."
     )
-    prediction_horizon: int = count(30, "Prediction horizon", "Np, in steps.", soft=(5, 60), ge=1, le=200)
-    control_horizon: int = count(20, "Control horizon", "Nc, moves; at most Np.", soft=(1, 40), ge=1, le=100)
-    preview: Preview = Field(
+    prediction_horizon: Horizon = field(30, "Prediction horizon", "Np, in steps.")
+    control_horizon: Annotated[int, quantity("1", soft=(1, 40), ge=1, le=100)] = field(
+        20, "Control horizon", "Nc, moves; at most Np."
+    )
+    preview: Preview = field(
         "lookahead",
-        title="Preview",
-        description="What is known of the road ahead: nothing, what the front axle has passed (wheelbase), what the "
+        "Preview",
+        "What is known of the road ahead: nothing, what the front axle has passed (wheelbase), what the "
         "sensors see (lookahead), or the bump alone (obstacle).",
     )
-    expected_offset: float = quantity(
+    expected_offset: Annotated[float, quantity("m", soft=(0, 0.5), ge=0, le=10), ADDED] = field(
         0,
-        "m",
         "Expected preview offset",
         "Standard deviation of the offset that the controllers, LQR too, expect of the sensors: the more, the less "
         "of the roughness seen they trust (lookahead).",
-        soft=(0, 0.5),
-        ge=0,
-        le=10,
     )
-    expected_noise: float = quantity(
+    expected_noise: Annotated[HeightNoise, ADDED] = field(
         0,
-        "m",
         "Expected preview noise",
         "Standard deviation of the noise that the controllers, LQR too, expect of each height (lookahead).",
-        soft=(0, 0.005),
-        ge=0,
-        le=0.1,
-        shown="mm",
     )
-    deflection_limit: float = quantity(
-        0.08,
-        "m",
-        "Travel limit",
-        "Suspension deflection limit, soft (ours).",
-        soft=(0.03, 0.15),
-        ge=0.005,
-        le=1,
-        shown="mm",
+    deflection_limit: Annotated[float, quantity("m", soft=(0.03, 0.15), ge=0.005, le=1, shown="mm")] = field(
+        0.08, "Travel limit", "Suspension deflection limit, soft (ours)."
     )
-    force_limit: float = quantity(
-        5000, "N", "Force limit", "Actuator limit, hard (ours); LQR has it too.", soft=(500, 10_000), ge=1, le=1_000_000
+    force_limit: Annotated[float, quantity("N", soft=(500, 10_000), ge=1, le=1_000_000)] = field(
+        5000, "Force limit", "Actuator limit, hard (ours); LQR has it too."
     )
-    deflection_weight: float = quantity(
-        3, "1", "Travel weight", "q4 (ours); 0 as in Eq. 16, which has none.", soft=(0, 10), ge=0, le=1000
+    deflection_weight: TravelWeight = field(3, "Travel weight", "q4 (ours); 0 as in Eq. 16, which has none.")
+    force_weight: Annotated[float, quantity("1/N^2", soft=(1e-10, 1e-7), ge=1e-12, le=1e-3)] = field(
+        1e-9, "Force weight", "R, keeps the cost strictly convex (ours)."
     )
-    force_weight: float = quantity(
-        1e-9,
-        "1/N^2",
-        "Force weight",
-        "R, keeps the cost strictly convex (ours).",
-        soft=(1e-10, 1e-7),
-        ge=1e-12,
-        le=1e-3,
+    force_change_weight: Annotated[float, quantity("1/N^2", soft=(0, 1e-8), ge=0, le=1e-3)] = field(
+        1e-10, "Force change weight", "On the moves of the force (ours)."
     )
-    force_change_weight: float = quantity(
-        1e-10, "1/N^2", "Force change weight", "On the moves of the force (ours).", soft=(0, 1e-8), ge=0, le=1e-3
-    )
-    solver: Literal["daqp", "osqp"] = Field(
-        "daqp", title="QP solver", description="Used where a limit binds; the other is the fallback."
-    )
+    solver: Literal["daqp", "osqp"] = field("daqp", "QP solver", "Used where a limit binds; the other is the fallback.")
     stage_weights: StageWeights = Field(StageWeights(), title="LV weights per driving stage")
     road_weights: RoadWeights = Field(RoadWeights(), title="Single suspension control's weights per road")
 
@@ -186,59 +158,37 @@ class Mpc(Part):
 class Lqr(Part):
     """Linear quadratic regulator (section 4.2.2: equal weights)."""
 
-    weights: Weights = weights((1, 1, 1), "Weights", "Equal, as in the paper.")
-    deflection_weight: float = quantity(
-        3, "1", "Travel weight", "q4 (ours); 0 as in Eq. 16, which has none.", soft=(0, 10), ge=0, le=1000
+    weights: Weights = field((1, 1, 1), "Weights", "Equal, as in the paper.")
+    deflection_weight: TravelWeight = field(3, "Travel weight", "q4 (ours); 0 as in Eq. 16, which has none.")
+    preview: Preview = field(
+        "none", "Preview", "As the MPC's, by a feedforward that is optimal without limits; none is the paper's LQR."
     )
-    preview: Preview = Field(
-        "none",
-        title="Preview",
-        description="As the MPC's, by a feedforward that is optimal without limits; none is the paper's LQR.",
-    )
-    preview_horizon: int = count(
-        30, "Preview horizon", "In steps; nothing is known beyond.", soft=(5, 60), ge=1, le=200
-    )
+    preview_horizon: Horizon = field(30, "Preview horizon", "In steps; nothing is known beyond.")
 
 
 class Hook(Part):
     """Skyhook, groundhook and hybrid: dampers against sky and ground, beside the car's own (docs/physics.md)."""
 
-    ADDED: ClassVar = frozenset(
-        {"skyhook_damping", "groundhook_damping", "alpha", "semi_active", "min_damping", "max_damping"}
+    skyhook_damping: Annotated[HookDamping, ADDED] = field(
+        4000, "Skyhook damping", "Of the body over each axle (ours)."
     )
-
-    skyhook_damping: float = quantity(
-        4000, "N·s/m", "Skyhook damping", "Of the body over each axle (ours).", soft=(0, 10_000), ge=0, le=500_000
+    groundhook_damping: Annotated[HookDamping, ADDED] = field(2000, "Groundhook damping", "Of each wheel (ours).")
+    alpha: Annotated[float, quantity("1", soft=(0, 1), ge=0, le=1), ADDED] = field(
+        0.5, "Share of skyhook", "Of hybrid; the rest is groundhook (ours)."
     )
-    groundhook_damping: float = quantity(
-        2000, "N·s/m", "Groundhook damping", "Of each wheel (ours).", soft=(0, 10_000), ge=0, le=500_000
-    )
-    alpha: float = quantity(
-        0.5, "1", "Share of skyhook", "Of hybrid; the rest is groundhook (ours).", soft=(0, 1), ge=0, le=1
-    )
-    semi_active: bool = Field(
+    semi_active: Annotated[bool, ADDED] = field(
         False,
-        title="Semi-active",
-        description="Damper and control are one controlled damper, which only takes energy out: where the law asks for "
+        "Semi-active",
+        "Damper and control are one controlled damper, which only takes energy out: where the law asks for "
         "a force that it cannot give, it gives the nearest that it can.",
     )
-    min_damping: float = quantity(
-        0,
-        "N·s/m",
-        "Least damping",
-        "Softest setting of a semi-active damper as a whole, the passive one included.",
-        soft=(0, 2000),
-        ge=0,
-        le=500_000,
+    min_damping: Annotated[float, quantity("N·s/m", soft=(0, 2000), ge=0, le=500_000), ADDED] = field(
+        0, "Least damping", "Softest setting of a semi-active damper as a whole, the passive one included."
     )
-    max_damping: float | None = quantity(
+    max_damping: Annotated[float | None, quantity("N·s/m", soft=(5000, 20_000), ge=10, le=500_000), ADDED] = field(
         None,
-        "N·s/m",
         "Greatest damping",
         "Hardest setting of a semi-active damper as a whole, the passive one included; none is no limit.",
-        soft=(5000, 20_000),
-        ge=10,
-        le=500_000,
     )
 
 
@@ -260,19 +210,18 @@ class Scenario(Part):
     """
 
     model_config = ConfigDict(json_schema_extra=_without_example)
-    ADDED: ClassVar = frozenset({"hook", "estimation", "fuzzy"})
 
     vehicle: Vehicle = Field(Vehicle(), title="Vehicle")
     road: Road = Field(Road(), title="Road")
     speed: Speed = Field(Speed(), title="Speed")
-    fuzzy: Fuzzy = Field(Fuzzy(), title="Fuzzy speed control")
+    fuzzy: Annotated[Fuzzy, ADDED] = Field(Fuzzy(), title="Fuzzy speed control")
     brake: Brake = Field(Brake(), title="Brake")
     actuator: Actuator = Field(Actuator(), title="Actuator")
     mismatch: Mismatch = Field(Mismatch(), title="Model mismatch")
-    estimation: Estimation = Field(Estimation(), title="State estimation")
+    estimation: Annotated[Estimation, ADDED] = Field(Estimation(), title="State estimation")
     mpc: Mpc = Field(Mpc(), title="MPC")
     lqr: Lqr = Field(Lqr(), title="LQR")
-    hook: Hook = Field(Hook(), title="Skyhook and groundhook")
+    hook: Annotated[Hook, ADDED] = Field(Hook(), title="Skyhook and groundhook")
     hil: Hil = Field(Hil(), title="Hardware in the loop")
 
     def on(self, measured: MeasuredRoad) -> "Scenario":

@@ -1,56 +1,43 @@
 """The road of a scenario: its roughness or a measured profile, and the bumps on it."""
 
-from typing import Annotated, Any, ClassVar, Literal, get_args
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BeforeValidator, Field, PrivateAttr
 from pydantic_core import PydanticCustomError
 
-from sim_core.scenario.fields import Part, count, quantity
+from sim_core.scenario.fields import ADDED, Part, field, quantity
 from sim_core.scenario.measured import ID_PATTERN, MeasuredRoad
 
 MAX_SEED = 2**32 - 1
+Seed = Annotated[int, quantity("1", soft=(1, 20), ge=0, le=MAX_SEED)]
 BumpShape = Literal["cosine", "half_sine", "circular", "flat_top", "trapezoid", "kerb"]
 
 
 class Bump(Part):
     """The obstacle, or several alike in a row, added to the roughness (Eq. 2-3)."""
 
-    ADDED: ClassVar = frozenset({"count", "spacing"})
-
-    shape: BumpShape = Field(
+    shape: BumpShape = field(
         "cosine",
-        title="Shape",
-        description="cosine is the paper's (Eq. 2); circular is a Watts hump; flat_top has half-cosine ramps, "
+        "Shape",
+        "cosine is the paper's (Eq. 2); circular is a Watts hump; flat_top has half-cosine ramps, "
         "trapezoid straight ones, each a quarter of the width; kerb rises as half a cosine and stays up.",
     )
-    height: float = quantity(
-        0.1,
-        "m",
-        "Height",
-        "Crest height; 0 is no bump, negative a pothole.",
-        soft=(-0.15, 0.2),
-        ge=-1,
-        le=1,
-        shown="cm",
+    height: Annotated[float, quantity("m", soft=(-0.15, 0.2), ge=-1, le=1, shown="cm")] = field(
+        0.1, "Height", "Crest height; 0 is no bump, negative a pothole."
     )
-    width: float = quantity(4, "m", "Width", "Length along the road.", soft=(0.3, 10), ge=0.05, le=100)
-    start: float = quantity(100, "m", "Position", "Where the front axle meets it.", soft=(30, 130), ge=1, le=3000)
-    count: int = count(
-        1,
-        "Bumps",
-        "How many alike in a row; they count as one bump, from the first to the last.",
-        soft=(1, 10),
-        ge=1,
-        le=200,
+    width: Annotated[float, quantity("m", soft=(0.3, 10), ge=0.05, le=100)] = field(
+        4, "Width", "Length along the road."
     )
-    spacing: float = quantity(
+    start: Annotated[float, quantity("m", soft=(30, 130), ge=1, le=3000)] = field(
+        100, "Position", "Where the front axle meets it."
+    )
+    count: Annotated[int, quantity("1", soft=(1, 10), ge=1, le=200), ADDED] = field(
+        1, "Bumps", "How many alike in a row; they count as one bump, from the first to the last."
+    )
+    spacing: Annotated[float, quantity("m", soft=(0.3, 20), ge=0.05, le=1000), ADDED] = field(
         10,
-        "m",
         "Spacing",
         "From the start of each to the next one's; cosines as far apart as they are wide are a washboard.",
-        soft=(0.3, 20),
-        ge=0.05,
-        le=1000,
     )
 
     @property
@@ -86,30 +73,20 @@ _BY_CLASS = BeforeValidator(
 class Road(Part):
     """Rough road made in space by ISO 8608, or a measured one, with bumps (section 2.1)."""
 
-    ADDED: ClassVar = frozenset({"profile"})
-
-    roughness: Annotated[float, _BY_CLASS] = quantity(
+    roughness: Annotated[float, quantity("m^3", soft=(0, 1024e-6), ge=0, le=MAX_ROUGHNESS), _BY_CLASS] = field(
         64e-6,
-        "m^3",
         "Roughness",
         "Displacement PSD Gd(n0) at n0 = 0.1 1/m; or a class of ISO 8608 by its name, A to H, for its mean: A 16e-6, "
         "B 64e-6, C 256e-6, D 1024e-6, …; 0 is smooth.",
-        soft=(0, 1024e-6),
-        ge=0,
-        le=MAX_ROUGHNESS,
     )
-    seed: int = count(1, "Seed", "Same seed, same road.", soft=(1, 20), ge=0, le=MAX_SEED)
-    length: float = quantity(
+    seed: Seed = field(1, "Seed", "Same seed, same road.")
+    length: Annotated[float, quantity("m", soft=(110, 300), ge=5, le=3000)] = field(
         150,
-        "m",
         "Length",
         "The run ends when the front axle gets here. The paper's road ends at 110 m; ours lets the car settle. Where "
         "none is given beside a measured profile, it is the profile's.",
-        soft=(110, 300),
-        ge=5,
-        le=3000,
     )
-    profile: str | None = Field(
+    profile: Annotated[str | None, ADDED] = Field(
         None,
         pattern=ID_PATTERN,
         title="Measured profile",

@@ -1,139 +1,73 @@
 """The half-car's parameters (Table 2)."""
 
-from typing import ClassVar
+from typing import Annotated
 
-from pydantic import Field
+from sim_core.scenario.fields import ADDED, Part, field, quantity
 
-from sim_core.scenario.fields import Part, quantity
+WheelMass = Annotated[float, quantity("kg", soft=(20, 150), ge=5, le=5000)]
+CgHeight = Annotated[float, quantity("m", soft=(0.3, 1), ge=0, le=3)]
+Spring = Annotated[float, quantity("N/m", soft=(10_000, 60_000), ge=1000, le=5_000_000)]
+Damping = Annotated[float, quantity("N·s/m", soft=(500, 10_000), ge=10, le=500_000)]
+TyreStiffness = Annotated[float, quantity("N/m", soft=(100_000, 500_000), ge=10_000, le=20_000_000)]
+Clearance = Annotated[float | None, quantity("m", soft=(0.04, 0.12), ge=0.005, le=1, shown="mm")]
+StopStiffness = Annotated[float, quantity("N/m", soft=(50_000, 500_000), ge=1000, le=5_000_000)]
+LinkShare = Annotated[float, quantity("1", soft=(0, 1), ge=-1, le=3)]
 
 
 class Vehicle(Part):
     """Half-car model: body with heave and pitch, front and rear wheel (Table 2)."""
 
-    ADDED: ClassVar = frozenset(
-        {
-            "rebound_ratio",
-            "bump_stop_clearance",
-            "bump_stop_stiffness",
-            "tyre_lift_off",
-            "anti_dive",
-            "anti_lift",
-            "front_brake_share",
-        }
+    body_mass: Annotated[float, quantity("kg", soft=(300, 2500), ge=50, le=50_000)] = field(
+        1270, "Body mass", "Sprung mass m_b."
     )
-
-    body_mass: float = quantity(1270, "kg", "Body mass", "Sprung mass m_b.", soft=(300, 2500), ge=50, le=50_000)
-    pitch_inertia: float = quantity(
-        1536.7,
-        "kg·m^2",
-        "Pitch inertia",
-        "Body inertia about the pitch axis I_yy.",
-        soft=(400, 4000),
-        ge=10,
-        le=500_000,
+    pitch_inertia: Annotated[float, quantity("kg·m^2", soft=(400, 4000), ge=10, le=500_000)] = field(
+        1536.7, "Pitch inertia", "Body inertia about the pitch axis I_yy."
     )
-    front_wheel_mass: float = quantity(
-        66.3, "kg", "Front wheel mass", "Unsprung mass m_w1.", soft=(20, 150), ge=5, le=5000
+    front_wheel_mass: WheelMass = field(66.3, "Front wheel mass", "Unsprung mass m_w1.")
+    rear_wheel_mass: WheelMass = field(66.3, "Rear wheel mass", "Unsprung mass m_w2.")
+    cg_to_front: Annotated[float, quantity("m", soft=(0.8, 2), ge=0.2, le=10)] = field(
+        1.015, "Centre of gravity to front axle", "Distance a."
     )
-    rear_wheel_mass: float = quantity(
-        66.3, "kg", "Rear wheel mass", "Unsprung mass m_w2.", soft=(20, 150), ge=5, le=5000
+    cg_to_rear: Annotated[float, quantity("m", soft=(0.8, 2.5), ge=0.2, le=10)] = field(
+        1.895, "Centre of gravity to rear axle", "Distance b."
     )
-    cg_to_front: float = quantity(
-        1.015, "m", "Centre of gravity to front axle", "Distance a.", soft=(0.8, 2), ge=0.2, le=10
+    cg_height: CgHeight = field(
+        0.54, "Height of the centre of gravity", "Arm of the braking force on the body h_cg (ours)."
     )
-    cg_to_rear: float = quantity(
-        1.895, "m", "Centre of gravity to rear axle", "Distance b.", soft=(0.8, 2.5), ge=0.2, le=10
-    )
-    cg_height: float = quantity(
-        0.54,
-        "m",
-        "Height of the centre of gravity",
-        "Arm of the braking force on the body h_cg (ours).",
-        soft=(0.3, 1),
-        ge=0,
-        le=3,
-    )
-    front_spring: float = quantity(
-        27_000, "N/m", "Front spring", "Suspension stiffness k_s1.", soft=(10_000, 60_000), ge=1000, le=5_000_000
-    )
-    rear_spring: float = quantity(
-        30_000, "N/m", "Rear spring", "Suspension stiffness k_s2.", soft=(10_000, 60_000), ge=1000, le=5_000_000
-    )
-    front_damping: float = quantity(
-        6000, "N·s/m", "Front damper", "Damping C_s1.", soft=(500, 10_000), ge=10, le=500_000
-    )
-    rear_damping: float = quantity(6000, "N·s/m", "Rear damper", "Damping C_s2.", soft=(500, 10_000), ge=10, le=500_000)
-    front_tyre_stiffness: float = quantity(
-        268_000,
-        "N/m",
-        "Front tyre stiffness",
-        "Vertical stiffness k_u1.",
-        soft=(100_000, 500_000),
-        ge=10_000,
-        le=20_000_000,
-    )
-    rear_tyre_stiffness: float = quantity(
-        268_000,
-        "N/m",
-        "Rear tyre stiffness",
-        "Vertical stiffness k_u2.",
-        soft=(100_000, 500_000),
-        ge=10_000,
-        le=20_000_000,
-    )
-    rebound_ratio: float = quantity(
+    front_spring: Spring = field(27_000, "Front spring", "Suspension stiffness k_s1.")
+    rear_spring: Spring = field(30_000, "Rear spring", "Suspension stiffness k_s2.")
+    front_damping: Damping = field(6000, "Front damper", "Damping C_s1.")
+    rear_damping: Damping = field(6000, "Rear damper", "Damping C_s2.")
+    front_tyre_stiffness: TyreStiffness = field(268_000, "Front tyre stiffness", "Vertical stiffness k_u1.")
+    rear_tyre_stiffness: TyreStiffness = field(268_000, "Rear tyre stiffness", "Vertical stiffness k_u2.")
+    rebound_ratio: Annotated[float, quantity("1", soft=(1, 3), ge=0.1, le=10), ADDED] = field(
         1,
-        "1",
         "Rebound over compression",
         "Of both dampers, at the same mean damping; real ones have 2 to 3. The controllers know the mean alone.",
-        soft=(1, 3),
-        ge=0.1,
-        le=10,
     )
-    bump_stop_clearance: float | None = quantity(
-        None,
-        "m",
-        "Clearance of the stops",
-        "Travel either way from rest until a stop is met; none is a car without stops.",
-        soft=(0.04, 0.12),
-        ge=0.005,
-        le=1,
-        shown="mm",
+    bump_stop_clearance: Annotated[Clearance, ADDED] = field(
+        None, "Clearance of the stops", "Travel either way from rest until a stop is met; none is a car without stops."
     )
-    bump_stop_stiffness: float = quantity(
-        200_000,
-        "N/m",
-        "Stiffness of the stops",
-        "Added to the spring's beyond the clearance (ours).",
-        soft=(50_000, 500_000),
-        ge=1000,
-        le=5_000_000,
+    bump_stop_stiffness: Annotated[StopStiffness, ADDED] = field(
+        200_000, "Stiffness of the stops", "Added to the spring's beyond the clearance (ours)."
     )
-    tyre_lift_off: bool = Field(
+    tyre_lift_off: Annotated[bool, ADDED] = field(
         False,
-        title="Tyres lift off",
-        description="On, a tyre cannot pull on the road: its load is never below 0. Off, as in the paper, it can.",
+        "Tyres lift off",
+        "On, a tyre cannot pull on the road: its load is never below 0. Off, as in the paper, it can.",
     )
-    anti_dive: float = quantity(
+    anti_dive: Annotated[LinkShare, ADDED] = field(
         0,
-        "1",
         "Anti-dive",
         "Share of the load transfer that the front links would carry if only the front wheels braked: tan β L / h.",
-        soft=(0, 1),
-        ge=-1,
-        le=3,
     )
-    anti_lift: float = quantity(
+    anti_lift: Annotated[LinkShare, ADDED] = field(
         0,
-        "1",
         "Anti-lift",
         "Share of the load transfer that the rear links would carry if only the rear wheels braked: tan β L / h.",
-        soft=(0, 1),
-        ge=-1,
-        le=3,
     )
-    front_brake_share: float = quantity(
-        0.7, "1", "Front brakes' share", "Of the braking force (ours); for anti-dive.", soft=(0.5, 0.9), ge=0, le=1
+    front_brake_share: Annotated[float, quantity("1", soft=(0.5, 0.9), ge=0, le=1), ADDED] = field(
+        0.7, "Front brakes' share", "Of the braking force (ours); for anti-dive."
     )
 
     @property

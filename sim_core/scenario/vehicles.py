@@ -9,6 +9,7 @@ from math import hypot
 
 from sim_core.scenario.vehicle import Vehicle
 
+Pair = tuple[float, float]
 _ALLEN = (
     "M. Althoff, CommonRoad: Vehicle Models, version 2019b, table of the multi-body model's vehicle parameters "
     "(github.com/dawsonc/commonroad-vehicle-models, documentation/vehicleModels_commonRoad.tex)",
@@ -35,24 +36,41 @@ class VehiclePreset:
 
 
 def one_track(
-    *, body_mass: float, pitch_inertia: float, front_axle_mass: float, rear_axle_mass: float, **of_one_wheel: float
+    *,
+    body_mass: float,
+    pitch_inertia: float,
+    cg_height: float,
+    cg_to_axles: Pair,
+    axle_masses: Pair,
+    springs: Pair,
+    damping: Pair,
+    tyres: Pair,
+    rebound_ratio: float = 1,
 ) -> Vehicle:
-    """Half of a whole car: its left or right track.
+    """Half of a whole car: its left or right track. Pairs are of the front and of the rear axle.
 
     Args:
         body_mass: Sprung mass of the whole car [kg].
         pitch_inertia: Of the whole body about its pitch axis [kg m^2].
-        front_axle_mass: Unsprung mass of both front wheels [kg].
-        rear_axle_mass: Of both rear wheels [kg].
-        of_one_wheel: The fields of `Vehicle` that a track and the whole car have alike.
+        cg_height: Of the body's centre of gravity above the road [m].
+        cg_to_axles: From the centre of gravity to both axles [m].
+        axle_masses: Unsprung masses, of both wheels [kg].
+        springs: Of one wheel [N/m].
+        damping: Of one wheel [N s/m].
+        tyres: Stiffness of one [N/m].
+        rebound_ratio: Damping in rebound over that in compression.
     """
-    halved = {
-        "body_mass": body_mass / 2,
-        "pitch_inertia": pitch_inertia / 2,
-        "front_wheel_mass": front_axle_mass / 2,
-        "rear_wheel_mass": rear_axle_mass / 2,
-    }
-    return Vehicle.model_validate({name: _rounded(value) for name, value in (halved | of_one_wheel).items()})
+    half = {"body_mass": body_mass / 2, "pitch_inertia": pitch_inertia / 2}
+    values = {**half, "cg_height": cg_height, "rebound_ratio": rebound_ratio}
+    for name, (front, rear) in {
+        "cg_to_{}": cg_to_axles,
+        "{}_wheel_mass": (axle_masses[0] / 2, axle_masses[1] / 2),
+        "{}_spring": springs,
+        "{}_damping": damping,
+        "{}_tyre_stiffness": tyres,
+    }.items():
+        values |= {name.format("front"): front, name.format("rear"): rear}
+    return Vehicle.model_validate({name: _rounded(value) for name, value in values.items()})
 
 
 def loaded(vehicle: Vehicle, mass: float, behind_front_axle: float, length: float) -> Vehicle:
@@ -99,17 +117,12 @@ _SHOCK_SPEED = 0.3  # at which a degressive damper is made linear [m/s]
 _VAN = one_track(
     body_mass=1316,
     pitch_inertia=2204,
-    front_axle_mass=81.14,
-    rear_axle_mass=81.14,
-    cg_to_front=1.150,
-    cg_to_rear=1.321,
     cg_height=0.804,
-    front_spring=33_570,
-    rear_spring=39_120,
-    front_damping=2405,
-    rear_damping=2769,
-    front_tyre_stiffness=212_600,
-    rear_tyre_stiffness=212_600,
+    cg_to_axles=(1.150, 1.321),
+    axle_masses=(81.14, 81.14),
+    springs=(33_570, 39_120),
+    damping=(2405, 2769),
+    tyres=(212_600, 212_600),
 )
 _HALVED = "Masses and inertia are half the whole car's, an axle's mass half its two wheels'"
 _SPIN = 2 * (20.0 + 11.38 + 13.78)  # both spindles, wheels and tyres of the Cherokee's axle [kg]
@@ -124,17 +137,12 @@ VEHICLES: dict[str, VehiclePreset] = {
             vehicle=one_track(
                 body_mass=1094,
                 pitch_inertia=1342,
-                front_axle_mass=65.67,
-                rear_axle_mass=65.67,
-                cg_to_front=0.883,
-                cg_to_rear=1.508,
                 cg_height=0.594,
-                front_spring=21_890,
-                rear_spring=21_890,
-                front_damping=1459,
-                rear_damping=1459,
-                front_tyre_stiffness=189_700,
-                rear_tyre_stiffness=189_700,
+                cg_to_axles=(0.883, 1.508),
+                axle_masses=(65.67, 65.67),
+                springs=(21_890, 21_890),
+                damping=(1459, 1459),
+                tyres=(189_700, 189_700),
             ),
             sources=_ALLEN,
             derived=(_HALVED,),
@@ -146,17 +154,12 @@ VEHICLES: dict[str, VehiclePreset] = {
             vehicle=one_track(
                 body_mass=965,
                 pitch_inertia=1565,
-                front_axle_mass=63.79,
-                rear_axle_mass=63.79,
-                cg_to_front=1.156,
-                cg_to_rear=1.422,
                 cg_height=0.613,
-                front_spring=24_450,
-                rear_spring=19_630,
-                front_damping=1786,
-                rear_damping=1649,
-                front_tyre_stiffness=158_200,
-                rear_tyre_stiffness=158_200,
+                cg_to_axles=(1.156, 1.422),
+                axle_masses=(63.79, 63.79),
+                springs=(24_450, 19_630),
+                damping=(1786, 1649),
+                tyres=(158_200, 158_200),
             ),
             sources=_ALLEN,
             derived=(_HALVED,),
@@ -168,18 +171,16 @@ VEHICLES: dict[str, VehiclePreset] = {
             vehicle=one_track(
                 body_mass=1663,
                 pitch_inertia=2498,
-                front_axle_mass=96.797 + 2 * 10.0 + 2.7216 + _SPIN,
-                rear_axle_mass=70.035 + _SPIN,
-                cg_to_front=1.147,
-                cg_to_rear=2.578 - 1.147,
                 cg_height=0.213 + 15 * 0.0254 / 2 + 0.225 * 0.75,
-                front_spring=25_000,
-                rear_spring=25_000,
-                front_damping=_shock(4528.05, 9704.56, (-0.087376, 0.45212, 0.029972), (-0.1143, 0.58801, 0.464312)),
-                rear_damping=_shock(3821.14, 8189.49, (-0.09906, 0.507238, -0.093218), (-0.0889, 0.29337, 0.280162)),
+                cg_to_axles=(1.147, 2.578 - 1.147),
+                axle_masses=(96.797 + 2 * 10.0 + 2.7216 + _SPIN, 70.035 + _SPIN),
+                springs=(25_000, 25_000),
+                damping=(
+                    _shock(4528.05, 9704.56, (-0.087376, 0.45212, 0.029972), (-0.1143, 0.58801, 0.464312)),
+                    _shock(3821.14, 8189.49, (-0.09906, 0.507238, -0.093218), (-0.0889, 0.29337, 0.280162)),
+                ),
+                tyres=(850 * 9.81 / (0.16 * 0.225 * 0.75), 850 * 9.81 / (0.16 * 0.225 * 0.75)),
                 rebound_ratio=9704.56 / (1 + _SHOCK_SPEED) / (4528.05 / (1 + 3 * _SHOCK_SPEED)),
-                front_tyre_stiffness=850 * 9.81 / (0.16 * 0.225 * 0.75),
-                rear_tyre_stiffness=850 * 9.81 / (0.16 * 0.225 * 0.75),
             ),
             sources=_CHRONO,
             derived=(

@@ -1,6 +1,6 @@
 """Stored scenarios of older schema versions, brought to today's a step at a time.
 
-A field that is new with a default under which nothing computes otherwise needs no step: its part names it in `ADDED`,
+A field that is new with a default under which nothing computes otherwise needs no step: its type is marked `ADDED`,
 so that no result is known by another key for it. Everything else does (a field renamed, moved, dropped, in another
 unit, with tighter limits or another default): raise `SCHEMA_VERSION`, add the step here and leave a database of the old
 version as a fixture (tests/data/release.py).

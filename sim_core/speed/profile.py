@@ -13,8 +13,8 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.road.profile import RUN_IN
-from sim_core.scenario import Fuzzy, Scenario
-from sim_core.speed.brake import BrakeChain, brake_chain
+from sim_core.scenario import Brake, Fuzzy, Scenario, Speed
+from sim_core.speed.brake import BrakeChain
 from sim_core.speed.fuzzy import torque_rules
 
 SpeedPlan = Literal["planned", "constant"]  # whether the car slows down for the bump
@@ -26,20 +26,6 @@ DRIVE_LIMIT = 2.0  # and accelerates at most this much [m/s^2] (ours)
 # A place so little ahead of the car counts as reached [m]: far more than rounding, which differs between processors,
 # and far less than changes a metric. Otherwise a step that meets a place exactly reaches it on some processors only.
 REACHED = 1e-9
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SpeedPlanInputs:
-    """What the plan is made for; nothing else changes it. Speeds [m/s], places [m]."""
-
-    initial_speed: float
-    target_speed: float
-    detection: float
-    bump_start: float
-    bump_end: float  # where the rear axle has left the bump
-    guarded: bool
-    fuzzy: Fuzzy
-    chain: BrakeChain
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -101,22 +87,11 @@ def _time_at(drive: SpeedProfile, position: float) -> float:
 
 def plan_speed(scenario: Scenario, plan: SpeedPlan) -> SpeedProfile:
     """How the scenario's road is driven."""
-    speed, bump, vehicle = scenario.speed, scenario.road.bump, scenario.vehicle
-    initial = speed.initial_speed_kmh * KMH
     if plan == "constant":
-        return _constant(initial)
-    return _planned(
-        SpeedPlanInputs(
-            initial_speed=initial,
-            target_speed=speed.target_speed_kmh * KMH,
-            detection=max(0.0, bump.start - speed.detection_distance),
-            bump_start=bump.start,
-            bump_end=bump.end + vehicle.wheelbase,
-            guarded=speed.controller == "guarded",
-            fuzzy=scenario.fuzzy,
-            chain=brake_chain(scenario.brake, vehicle),
-        )
-    )
+        return _constant(scenario.speed.initial_speed_kmh * KMH)
+    bump, vehicle = scenario.road.bump, scenario.vehicle
+    bump_end = bump.end + vehicle.wheelbase
+    return _planned(scenario.speed, scenario.fuzzy, scenario.brake, vehicle.total_mass, bump.start, bump_end)
 
 
 @lru_cache(maxsize=256)
@@ -133,35 +108,44 @@ def _constant(speed: float) -> SpeedProfile:
 
 
 @cached
-def _planned(inputs: SpeedPlanInputs) -> SpeedProfile:
+def _planned(speed: Speed, fuzzy: Fuzzy, brake: Brake, mass: float, bump_start: float, bump_end: float) -> SpeedProfile:
     """Step the speed controller and the brake chain from the detection until the rear axle has left the bump.
 
     Per period: the fuzzy torque sets the pressure demand (zero inside the target band, where the drive holds the
     target instead), the pressure follows with its lag exactly, speed by the midpoint rule. On the bump the car
     coasts; only if it would fall below the band does the drive keep it moving.
+
+    Args:
+        speed: Initial and target speed, detection, and which controller.
+        fuzzy: Its rules.
+        brake: The brake chain.
+        mass: Of the car [kg].
+        bump_start: Where the front axle meets the bump [m].
+        bump_end: Where it is when the rear one has left it [m].
     """
-    chain, rules, h = inputs.chain, torque_rules(inputs.fuzzy), CONTROL_STEP
-    target = min(inputs.target_speed, inputs.initial_speed)
+    chain, rules, h = BrakeChain(brake, mass), torque_rules(fuzzy), CONTROL_STEP
+    initial, detection = speed.initial_speed_kmh * KMH, max(0.0, bump_start - speed.detection_distance)
+    target = min(speed.target_speed_kmh * KMH, initial)
     floor = target - TARGET_BAND
     keep_half, keep = chain.decay(h / 2), chain.decay(h)
-    x, v, pressure = inputs.detection, inputs.initial_speed, 0.0
+    x, v, pressure = detection, initial, 0.0
     rows = []
     while True:
-        coasting = x >= inputs.bump_start - REACHED
+        coasting = x >= bump_start - REACHED
         error = v - target
         braking_wanted = not coasting and error > TARGET_BAND
         demand = 0.0
         if braking_wanted:
-            left = inputs.bump_start - x
+            left = bump_start - x
             share = rules.share(error / KMH, left)
-            if inputs.guarded:
+            if speed.controller == "guarded":
                 share = max(share, _needed(chain, v, target, left))
             demand = share * chain.maximum_torque * chain.pressure_per_torque
         reference = floor if coasting else target
         push = 0.0 if braking_wanted else _push(chain, v, reference)
         acceleration = push - chain.resistance(v) - chain.deceleration(pressure, v)
         rows.append((x, v, pressure, chain.deceleration(pressure, v)))
-        if x >= inputs.bump_end - REACHED:
+        if x >= bump_end - REACHED:
             break
         middle = v + h / 2 * acceleration
         pressure_middle = demand + (pressure - demand) * keep_half
@@ -171,9 +155,9 @@ def _planned(inputs: SpeedPlanInputs) -> SpeedProfile:
         pressure = demand + (pressure - demand) * keep
     table = np.array(rows).T
     table[2:, -1] = 0.0  # from here on the drive holds the speed, the brakes are off
-    time = inputs.detection / inputs.initial_speed + h * np.arange(table.shape[1], dtype=np.float64)
+    time = detection / initial + h * np.arange(table.shape[1], dtype=np.float64)
     return SpeedProfile(
-        initial_speed=inputs.initial_speed,
+        initial_speed=initial,
         time=time,
         position=table[0],
         speed=table[1],

@@ -6,7 +6,7 @@ Adding one is adding its file and its class here.
 from typing import Any
 
 from sim_core.control.controller import Controller
-from sim_core.errors import UnknownNameError
+from sim_core.errors import RidelabError, UnknownNameError
 from sim_core.scenario import Scenario
 from sim_core.speed.profile import SpeedPlan
 from sim_core.strategies.groundhook import Groundhook
@@ -35,6 +35,21 @@ def strategy_named(name: str) -> type[Controller]:
         return STRATEGIES[name]
     except KeyError:
         raise UnknownNameError(f"Unknown strategy; there are {', '.join(STRATEGIES)}") from None
+
+
+def make_controller(strategy: str | type[Controller] | Controller) -> Controller:
+    """An object for the id of a strategy or for a controller's class; an object is returned as it is.
+
+    Raises:
+        UnknownNameError: No such strategy.
+        RidelabError: It is none of these.
+    """
+    controller = strategy_named(strategy) if isinstance(strategy, str) else strategy
+    if isinstance(controller, type) and issubclass(controller, Controller):
+        return controller()
+    if not isinstance(controller, Controller):
+        raise RidelabError("A strategy is an id, a class derived from sim_core.Controller, or an object of one")
+    return controller
 
 
 def speed_plan(strategy: type[Controller], policy: str) -> SpeedPlan:

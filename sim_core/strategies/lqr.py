@@ -7,7 +7,6 @@ import numpy as np
 
 from sim_core import (
     Controller,
-    CostTerms,
     LinearLaw,
     Preview,
     Setup,
@@ -42,15 +41,7 @@ class Lqr(Controller):
         Raises:
             RidelabError: The vehicle and weights admit no stabilising controller.
         """
-        terms = CostTerms(
-            vehicle=setup.vehicle,
-            speed=setup.initial_speed,
-            sample_time=setup.sample_time,
-            weights=self.weights,
-            deflection_weight=self.deflection_weight,
-            deflection_limit=setup.deflection_limit,
-            force_weight=self.force_weight,
-        )
+        terms = setup.cost(self.weights, self.deflection_weight, self.force_weight)
         self._law = LinearLaw(
             gain=np.hstack([-regulator(terms).K * NEWTONS, np.zeros((2, 2))]),
             preview_gain=feedforward(terms, setup.preview_steps) if setup.preview_steps else None,

@@ -1,6 +1,6 @@
 """LV control: the paper's (section 3), with MPC weights by driving stage (Table 6)."""
 
-from sim_core import PredictiveController, Weights, scenario_field
+from sim_core import PredictiveController, StageWeights, Weights, scenario_field
 
 
 class Lv(PredictiveController):
@@ -8,10 +8,8 @@ class Lv(PredictiveController):
 
     id = "lv"
     label = "LV control"
-    cruise: Weights = scenario_field("mpc.stage_weights.cruise")
-    brake: Weights = scenario_field("mpc.stage_weights.brake")
-    bump: Weights = scenario_field("mpc.stage_weights.bump")
+    stage_weights: StageWeights = scenario_field("mpc.stage_weights")
 
     def weights(self, stage: str) -> Weights:
         """The stage's own."""
-        return {"cruise": self.cruise, "brake": self.brake, "bump": self.bump}[stage]
+        return self.stage_weights.of(stage)

@@ -1,6 +1,6 @@
 """LV's suspension control as an ECU drives it (section 4.2): C code of its own beside the simulated car."""
 
-from sim_core import EcuController, Weights, scenario_field
+from sim_core import EcuController, StageWeights, Weights, scenario_field
 
 
 class LvHil(EcuController):
@@ -8,10 +8,8 @@ class LvHil(EcuController):
 
     id = "lv_hil"
     label = "LV as ECU code"
-    cruise: Weights = scenario_field("mpc.stage_weights.cruise")
-    brake: Weights = scenario_field("mpc.stage_weights.brake")
-    bump: Weights = scenario_field("mpc.stage_weights.bump")
+    stage_weights: StageWeights = scenario_field("mpc.stage_weights")
 
     def weights(self, stage: str) -> Weights:
         """The stage's own."""
-        return {"cruise": self.cruise, "brake": self.brake, "bump": self.bump}[stage]
+        return self.stage_weights.of(stage)

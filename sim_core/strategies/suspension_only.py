@@ -1,6 +1,6 @@
 """Single suspension control: the paper's MPC without the speed control, with weights by road (Table 3)."""
 
-from sim_core import PredictiveController, Weights, scenario_field
+from sim_core import PredictiveController, RoadWeights, Weights, scenario_field
 
 
 class SuspensionOnly(PredictiveController):
@@ -9,9 +9,8 @@ class SuspensionOnly(PredictiveController):
     id = "suspension_only"
     label = "Single suspension control"
     speed_plan = "constant"
-    rough: Weights = scenario_field("mpc.road_weights.rough")
-    bump: Weights = scenario_field("mpc.road_weights.bump")
+    road_weights: RoadWeights = scenario_field("mpc.road_weights")
 
     def weights(self, stage: str) -> Weights:
         """Those of the bump on it, of the rough road before and behind it."""
-        return self.bump if stage == "bump" else self.rough
+        return self.road_weights.bump if stage == "bump" else self.road_weights.rough

@@ -110,15 +110,15 @@ def make_estimator(
     model, sensors, L = discrete(scenario.vehicle, step), measurement(scenario.vehicle), filtered.gain
     rest = np.eye(STATES) - L @ sensors.C
     braking, last = disturbance.reshape(len(disturbance), -1, DISTURBANCES)[:, :, 2].mean(axis=1), disturbance[:, -1]
-    known = np.outer(braking, model.E[:, 2])
+    predicted = np.outer(braking, model.E[:, 2])
     if seen is not None:
-        known += np.repeat(seen, per_control, axis=0) @ model.E[:, :2].T
+        predicted += np.repeat(seen, per_control, axis=0) @ model.E[:, :2].T
     measured = sensor_noise(scenario, len(disturbance), per_control) - np.outer(last, sensors.F)
     return Estimator(
         state=rest @ model.A,
         command=rest @ model.B - L @ sensors.D,
         measurement=L,
-        input=known @ rest.T + measured @ L.T,
+        input=predicted @ rest.T + measured @ L.T,
     )
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.kernel.prepared import Follow, LawArrays, follow_linear
+from sim_core.kernel.prepared import FollowLaw, LawArrays, linear_car
 from sim_core.scenario import Vehicle
 from sim_core.vehicle.half_car import FORCES, STATES, measurement
 from sim_core.vehicle.model import Estimator, LinearLaw, VehicleModel
@@ -76,21 +76,22 @@ class LinearCar(VehicleModel):
         self._vehicle = vehicle
         self._disturbance = disturbance
         self._before = before
-        self._step = control_step(plant, vehicle, estimator)
-        self.size = len(self._step.A)
-        self._forcing = disturbance @ plant.E
+        step = control_step(plant, vehicle, estimator)
+        self.size = len(step.A)
+        forcing = disturbance @ plant.E
         if estimator is not None:
-            measured = self._forcing @ _sensors(plant, vehicle)[0].T
+            measured = forcing @ _sensors(plant, vehicle)[0].T
             measured += np.outer(disturbance[:, -1], measurement(vehicle).F)
-            self._forcing = np.hstack([measured @ estimator.measurement.T + estimator.input, self._forcing])
+            forcing = np.hstack([measured @ estimator.measurement.T + estimator.input, forcing])
+        self._driven = linear_car(step.A, step.B, forcing)
 
-    def follow(self, law: LawArrays, loop: FloatArray) -> Follow:
+    def follow_law(self, law: LawArrays, loop: FloatArray) -> FollowLaw:
         """As VehicleModel says."""
-        return follow_linear(self._step.A, self._step.B, self._forcing, law, loop)
+        return self._driven.follow_law(law, loop)
 
-    def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
+    def advance(self, step: int, loop: FloatArray) -> None:
         """As VehicleModel says."""
-        return np.asarray(self._step.A @ state + self._step.B @ command + self._forcing[step])
+        self._driven.advance(step, loop)
 
     def measure(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
         """As VehicleModel says."""

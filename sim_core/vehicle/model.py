@@ -8,7 +8,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.errors import RidelabError
-from sim_core.kernel.prepared import Follow, LawArrays
+from sim_core.kernel.prepared import FollowLaw, LawArrays
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 
 LAW_INPUTS = STATES + FORCES  # what a law multiplies: the state, then the previous command
@@ -125,8 +125,8 @@ class VehicleModel(ABC):
     size: int
 
     @abstractmethod
-    def follow(self, law: LawArrays, loop: FloatArray) -> Follow:
-        """Drive it by a law of control, as `prepared.follow_linear` says.
+    def follow_law(self, law: LawArrays, loop: FloatArray) -> FollowLaw:
+        """Drive it by a law of control, as `prepared.DrivenCar.follow_law` says.
 
         Args:
             law: In all control steps.
@@ -134,8 +134,8 @@ class VehicleModel(ABC):
         """
 
     @abstractmethod
-    def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
-        """The state p (size,) at the end of a control step that begins with `state` and holds `command` (2,) [N]."""
+    def advance(self, step: int, loop: FloatArray) -> None:
+        """Fill in the state after a control step, whose command [N] stands beside it in `follow_law`'s `loop`."""
 
     @abstractmethod
     def measure(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:

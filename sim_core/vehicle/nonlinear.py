@@ -14,7 +14,7 @@ from math import ceil, inf, pi
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.prepared import Follow, LawArrays, NonlinearDrive
+from sim_core.kernel.prepared import FollowLaw, LawArrays, nonlinear_car
 from sim_core.road.profile import RoadUnderAxles
 from sim_core.scenario import Actuator, Vehicle
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, deflection_speeds, half_car
@@ -45,14 +45,14 @@ class NonlinearCar(VehicleModel):
         dampers: SemiActiveDampers | None = None,
         road: RoadUnderAxles | None = None,
     ) -> None:
-        self._states = STATES if actuator.bandwidth is None else STATES + FORCES
-        self.size = self._states + (0 if estimator is None else STATES)
+        states = STATES if actuator.bandwidth is None else STATES + FORCES
+        self.size = states + (0 if estimator is None else STATES)
         fine = disturbance.shape[1] // DISTURBANCES
         self._disturbance = np.ascontiguousarray(disturbance, dtype=np.float64)
         self._table = np.empty((_SIGNALS, fine + 1, len(disturbance) - before))  # of the last drive over each step
-        self._drive = NonlinearDrive(
+        self._driven = nonlinear_car(
             car=_numbers(vehicle, actuator, dampers),
-            states=self._states,
+            states=states,
             estimator=None if estimator is None else _matrices(estimator),
             known=np.empty((0, STATES)) if estimator is None else np.ascontiguousarray(estimator.input),
             road=None if road is None else (road.surface.roughness, road.surface.layout, road.position, road.within),
@@ -62,18 +62,18 @@ class NonlinearCar(VehicleModel):
             table=self._table,
         )
 
-    def follow(self, law: LawArrays, loop: FloatArray) -> Follow:
+    def follow_law(self, law: LawArrays, loop: FloatArray) -> FollowLaw:
         """As VehicleModel says."""
-        return self._drive.follow(law, loop)
+        return self._driven.follow_law(law, loop)
 
-    def advance(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
+    def advance(self, step: int, loop: FloatArray) -> None:
         """As VehicleModel says."""
-        return self._drive.advance(step, np.ascontiguousarray(state), np.ascontiguousarray(command))
+        self._driven.advance(step, loop)
 
     def measure(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
         """As VehicleModel says."""
         braking = float(self._disturbance[max(step - 1, 0), -1])
-        return self._drive.measure(state[-self._states :].copy(), command.copy(), braking)
+        return self._driven.measure(np.ascontiguousarray(state), np.ascontiguousarray(command), braking)
 
     def record(self, states: FloatArray, commands: FloatArray) -> FloatArray:
         """As VehicleModel says: what was sampled while it drove."""
@@ -110,7 +110,7 @@ def _corner(actuator: Actuator) -> float:
 
 
 def _numbers(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | None) -> FloatArray:
-    """`struct car` of nonlinear_car.c (33,)."""
+    """`struct vehicle` of nonlinear_car.c (33,)."""
     semi_active = dampers or SemiActiveDampers(least=0.0, most=0.0, most_force=0.0)
     compression, rebound = vehicle.damping_factors
     damping = np.array([vehicle.front_damping, vehicle.rear_damping])

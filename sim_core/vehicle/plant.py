@@ -58,15 +58,16 @@ class Plant:
             table[signals:] = commands.T[:, np.newaxis]
         for begin in range(0, len(states), _LONGEST_RECORD):  # a product takes about as much memory as it gives
             block = slice(begin, begin + _LONGEST_RECORD)
-            first, state, held = 0, states[block].T, commands[block].T
+            first, state = 0, states[block]
             for lift in self.lifts:
                 last = first + lift.fine
-                causes = np.vstack([state, held, disturbance[block, DISTURBANCES * first : DISTURBANCES * last].T])
+                met = disturbance[block, DISTURBANCES * first : DISTURBANCES * last]
+                causes = np.hstack([state, commands[block], met]).T
                 if len(self.lifts) == 1 and len(states) <= _LONGEST_RECORD:
                     np.matmul(lift.outputs, causes, out=table[:signals].reshape(len(lift.outputs), -1))
                     break
                 table[:signals, first : last + 1, block] = (lift.outputs @ causes).reshape(signals, lift.fine + 1, -1)
-                first, state = last, lift.end @ causes
+                first, state = last, (lift.end @ causes).T
         return table
 
 

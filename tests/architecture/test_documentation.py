@@ -19,7 +19,8 @@ from tests.docs import scenario_reference
 ROOT = Path(__file__).parents[2]
 BLOCK = re.compile(r"^```python\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 CONSTANTS_AND_TYPES = {"STRATEGIES", "FloatArray", "Preview", "SpeedPlan", "Weights"}  # they have no docstring
-PUBLIC = sorted(set(sim_core.__all__) - CONSTANTS_AND_TYPES)
+PARTS = set(sim_core.scenario.__all__) - {"Scenario"}  # Scenario's example shows how they make one
+PUBLIC = sorted(set(sim_core.__all__) - CONSTANTS_AND_TYPES - PARTS)
 
 
 @pytest.mark.parametrize(("page", "name"), [(scenario_reference.page, "scenario.md"), (errata.page, "errata.md")])

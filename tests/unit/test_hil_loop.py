@@ -144,3 +144,13 @@ def test_the_actuators_limits_hold_between_control_steps_too() -> None:
         force = series[f"{axle}_force"][::every]
         assert np.abs(force).max() == 300
         assert np.abs(np.diff(force)).max() <= 20.000001
+
+
+def test_control_steps_in_which_an_actuators_limit_binds_are_counted() -> None:
+    """Step k + 1 has the command of k + 1 codes: from step 11 on, 10.5 codes are not enough."""
+    code = SHORT.mpc.force_limit / highest_code(SHORT.hil.bits)
+    saturated = SHORT.model_copy(update={"actuator": Actuator(saturation=10.5 * code)})
+    for driven, free_steps in ((saturated, 11), (SHORT, None)):
+        ecu = Scripted()
+        limited = event(commanded(driven, ecu)[1], "limited_steps")
+        assert limited == (0 if free_steps is None else len(ecu.frames) - free_steps)

@@ -12,7 +12,7 @@ from sim_core.arrays import FloatArray
 from sim_core.control.qp import QpProblem, QpShape
 from sim_core.kernel import binding, build, library, prepared
 from sim_core.kernel.library import load
-from sim_core.loop.closed_loop import _screen
+from sim_core.loop.closed_loop import _norms
 from sim_core.loop.preview import sliding_forecast
 from sim_core.metrics.sections import Integrand, over_sections
 from sim_core.vehicle.model import LinearLaw
@@ -112,7 +112,7 @@ def test_a_sliding_horizon_is_each_of_its_windows() -> None:
     assert braking.shape == (16, horizon)
     about_mean = braking - braking.mean(axis=1, keepdims=True)
     norms = [np.linalg.norm(each, axis=1) for each in (*velocities, about_mean)]
-    np.testing.assert_allclose(forecast.sums, [braking.mean(axis=1), *norms])
+    np.testing.assert_allclose(forecast.sizes, [np.abs(braking.mean(axis=1)), *norms])
 
 
 @pytest.mark.parametrize("seed", range(20))
@@ -128,14 +128,16 @@ def test_a_law_is_followed_up_to_the_first_step_in_which_a_limit_binds(seed: int
     law = LinearLaw(gain=rng.normal(size=(2, 10)) * 0.3, preview_gain=rng.normal(size=(2, 3 * horizon)), limits=limits)
     clips = bool(rng.integers(2))
     force, change, actuator = (float(each) for each in rng.choice([0.5, 2.0, np.inf], size=3))
+    scale, norms = _norms(law)
     arrays = prepared.LawArrays(
         gain=law.gain,
         preview_gain=law.preview_gain if law.preview_gain is not None else np.zeros((2, 0)),
         limits=limits,
-        screen=_screen(law),
+        scale=scale,
+        norms=norms,
         preview=ahead,
-        apart=(ahead.shape[1], 1),
-        sums=forecast.sums,
+        strides=(ahead.shape[1], 1),
+        sizes=forecast.sizes,
         force_limit=force,
         most_change=change,
         most_force=actuator,
@@ -154,7 +156,7 @@ def test_a_law_is_followed_up_to_the_first_step_in_which_a_limit_binds(seed: int
         command = np.clip(command, -actuator, actuator)
         limited += int(np.abs(command - wanted).max() > 1e-6)
         expected[k + 1] = np.concatenate([A @ expected[k, :n] + B @ command + forcing[k], command])
-    follow = prepared.follow_linear(A, B, forcing, arrays, loop)
+    follow = prepared.linear_car(A, B, forcing).follow_law(arrays, loop)
     assert follow(0, steps) == (stopped, limited)
     np.testing.assert_allclose(loop[: stopped + 1], expected[: stopped + 1], rtol=1e-9, atol=1e-12)
     assert follow(0, min(stopped, 7))[0] == min(stopped, 7)

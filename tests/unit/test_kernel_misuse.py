@@ -75,9 +75,11 @@ def test_what_a_call_is_prepared_with_lives_as_long() -> None:
 
 A_DRIVE = """
 import numpy as np
+from ctypes import ArgumentError
 from math import inf
-from sim_core.kernel.prepared import LawArrays, NonlinearDrive
+from sim_core.kernel.prepared import LawArrays, nonlinear_car
 
+REFUSED = ValueError, TypeError, ArgumentError
 STEPS, FINE = 6, 2
 RIGHT = dict(
     car=np.ones(33), states=8, estimator=None, known=np.empty((0, 8)), substeps=3, fine_step=1e-3,
@@ -85,19 +87,22 @@ RIGHT = dict(
     road=(np.zeros(50), np.ones(9), np.zeros((2, STEPS * FINE + 1)), np.zeros((STEPS * FINE, 4))),
 )
 LAW = dict(
-    gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 9)), limits=np.zeros((4, 19)), screen=np.zeros((14, 4)),
-    preview=np.zeros((3, STEPS + 2)), apart=(STEPS + 2, 1), sums=np.zeros((4, STEPS)),
+    gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 9)),
+    limits=np.zeros((4, 19)), scale=np.ones(10), norms=np.zeros((4, 5)),
+    preview=np.zeros((3, STEPS + 2)), strides=(STEPS + 2, 1), sizes=np.zeros((4, STEPS)),
     force_limit=inf, most_change=inf, most_force=inf, clips=True,
 )
 RUN = dict(first=0, last=STEPS, loop=np.zeros((STEPS + 1, 10)))
-ONE = dict(step=0, now=np.zeros(8), command=np.zeros(2))
+ONE = dict(step=0, state=np.zeros(8), command=np.zeros(2))
 
 def drive(**changed):
-    built = NonlinearDrive(**{name: changed.get(name, value) for name, value in RIGHT.items()})
+    built = nonlinear_car(**{name: changed.get(name, value) for name, value in RIGHT.items()})
     run = {name: changed.get(name, value) for name, value in RUN.items()}
     law = LawArrays(**{name: changed.get(name, value) for name, value in LAW.items()})
-    built.follow(law, run["loop"])(run["first"], run["last"])
-    built.advance(**{name: changed.get(name, value) for name, value in ONE.items()})
+    one = {name: changed.get(name, value) for name, value in ONE.items()}
+    built.follow_law(law, run["loop"])(run["first"], run["last"])
+    built.advance(one["step"], run["loop"])
+    built.measure(one["state"], one["command"], 0.0)
 
 def road(**changed):
     names = "samples", "layout", "position", "within"
@@ -111,13 +116,15 @@ MISUSES = {
     "preview by axle": "preview_gain=np.zeros((2, 9), order='F')",
     "big-endian preview": "preview_gain=np.zeros((2, 9), dtype='>f8')",
     "limits on the state alone": "limits=np.zeros((4, 10))",
-    "a bound for other limits": "screen=np.zeros((14, 3))",
+    "norms of other limits": "norms=np.zeros((3, 5))",
+    "norms of four parts": "norms=np.zeros((4, 4))",
+    "a scale of the state alone": "scale=np.ones(8)",
     "a preview that ends before the drive": "preview=np.zeros((3, STEPS + 1))",
-    "a preview from behind": "apart=(STEPS + 2, -1)",
-    "sums of fewer steps": "sums=np.zeros((4, STEPS - 1))",
+    "a preview from behind": "strides=(STEPS + 2, -1)",
+    "sizes in fewer steps": "sizes=np.zeros((4, STEPS - 1))",
     "a single step beyond the drive": "step=STEPS",
-    "a single step of another car": "now=np.zeros(10)",
-    "a single step of one force": "command=np.zeros(1)",
+    "a measurement of another car": "state=np.zeros(10)",
+    "a measurement of one force": "command=np.zeros(1)",
     "no row after the last step": "loop=np.zeros((STEPS, 10))",
     "a loop without commands": "loop=np.zeros((STEPS + 1, 8))",
     "a first step before the drive": "first=-1",
@@ -143,7 +150,7 @@ MISUSES = {
 def test_no_drive_is_let_beyond_its_arrays() -> None:
     """In a process of its own: what C is not kept from ends a process, or corrupts it."""
     lines = [
-        f"try:\n    drive({misuse})\n    print('drove')\nexcept (ValueError, TypeError): print('refused')"
+        f"try:\n    drive({misuse})\n    print('drove')\nexcept REFUSED: print('refused')"
         for misuse in MISUSES.values()
     ]
     script = "\n".join([A_DRIVE, *lines])
@@ -243,17 +250,19 @@ def linear_drive(**changed: Any) -> None:
         gain=np.zeros((2, 10)),
         preview_gain=np.zeros((2, 9)),
         limits=np.zeros((4, 19)),
-        screen=np.zeros((14, 4)),
+        scale=np.ones(10),
+        norms=np.zeros((4, 5)),
         preview=np.zeros((3, 8)),
-        apart=(8, 1),
-        sums=np.zeros((4, 6)),
+        strides=(8, 1),
+        sizes=np.zeros((4, 6)),
         force_limit=np.inf,
         most_change=np.inf,
         most_force=np.inf,
         clips=True,
     )
     right = {"A": np.eye(8), "B": np.zeros((8, 2)), "forcing": np.zeros((6, 8)), "loop": np.zeros((7, 10))}
-    prepared.follow_linear(law=law, **(right | changed))
+    *car, loop = (right | changed).values()
+    prepared.linear_car(*car).follow_law(law, loop)
 
 
 @pytest.mark.parametrize("misuse", DISAGREEING)

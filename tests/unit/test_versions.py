@@ -77,4 +77,4 @@ def test_a_field_that_changes_nothing_is_no_part_of_a_scenarios_identity() -> No
     for run in release.rows("0.2.0", "runs"):
         stored, version = json.loads(run["scenario"]), run["schema_version"]
         identity = restored(stored, version).identity()
-        assert identity == upgraded(stored, version), "a new field, neither of a step nor among its part's ADDED"
+        assert identity == upgraded(stored, version), "a new field, neither of a step nor marked ADDED"

@@ -4,7 +4,8 @@ import numpy as np
 from hypothesis import given, settings
 from scipy.integrate import solve_ivp
 
-from sim_core.scenario import GRAVITY, Vehicle
+from sim_core.scenario import Vehicle
+from sim_core.scenario.vehicle import GRAVITY
 from sim_core.vehicle.half_car import OUTPUTS, discrete, half_car
 from tests.validation.reference.sampled import to_deflections
 from tests.validation.reference.vehicle import OUTPUTS as REFERENCE_OUTPUTS

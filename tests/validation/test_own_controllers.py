@@ -258,6 +258,50 @@ def test_the_check_reads_the_declaration() -> None:
         assert said in sentences
 
 
+def test_the_check_takes_an_id_and_refuses_what_is_no_controller() -> None:
+    assert check_controller("skyhook") == []
+    with pytest.raises(RidelabError, match="skyhook"):
+        check_controller("skyhok")
+    nothing: Any = 5
+    assert "derived from sim_core.Controller" in check_controller(nothing)[0]
+    with pytest.raises(RidelabError, match=r"derived from sim_core\.Controller"):
+        simulate(SHORT, nothing)
+
+
+@pytest.mark.parametrize(
+    ("base", "missing"),
+    [
+        (Controller, "force"),
+        (sim_core.DampingController, "damping"),
+        (sim_core.PredictiveController, "weights"),
+        (sim_core.EcuController, "weights"),
+    ],
+)
+def test_what_a_class_has_to_define_is_said(base: type[Controller], missing: str) -> None:
+    unfinished = type("Unfinished", (base,), {})
+    with pytest.raises(RidelabError, match=f"Unfinished has to define {missing}"):
+        simulate(SHORT, unfinished)
+
+
+def test_a_field_of_the_scenario_exists_and_takes_what_the_scenario_takes() -> None:
+    class Misspelt(Controller):
+        gain: float = scenario_field("hook.skyhok_damping")
+
+    with pytest.raises(RidelabError, match=r"no field hook\.skyhok_damping.*hook\.skyhook_damping"):
+        simulate(SHORT, Misspelt)
+    lv, word = STRATEGIES["lv"], "word"
+    for values, dotted in (
+        ({"preview": word}, "mpc.preview"),
+        ({"prediction_horizon": 0}, "mpc.prediction_horizon"),
+        ({"stage_weights": word}, "mpc.stage_weights"),
+    ):
+        with pytest.raises(RidelabError) as refused:
+            lv(**values)
+        assert refused.value.field == dotted
+        assert word not in refused.value.message
+    assert lv(preview="none").for_scenario(SHORT).preview == "none"
+
+
 def test_a_law_that_does_not_fit_its_preview_is_refused() -> None:
     class Wide(Controller):
         """Has a law for another horizon."""

@@ -53,15 +53,15 @@ def test_a_kink_between_two_samples_counts_where_it_may_raise_the_peak(spare: fl
         time=0.002 * np.arange(3.0),
         fine=2,
         before=0,
-        position=position,
-        wheelbase=2.9,
+        axles=np.stack([position, position - 2.9]),
+        position=position[:-1:2],
+        speed=np.full(2, 10.0),
         on_record=slice(0, 5),
         series={},
     )
     height = surface.height(drive.axles)
     excitation = Excitation(
         drive=drive,
-        position=position[:-1:2],
         disturbance=np.zeros((2, 6)),
         surface=surface,
         height=height,

@@ -10,7 +10,7 @@ from sim_core.loop.excitation import excite
 from sim_core.result import StrategyResult
 from sim_core.scenario import Brake, Bump, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
-from sim_core.speed.brake import brake_chain
+from sim_core.speed.brake import BrakeChain
 from sim_core.speed.profile import plan_speed
 from sim_core.speed.stages import segments, spans
 from tests.validation.reference.driving import brake_to_bump
@@ -26,7 +26,7 @@ def plan(**speed: Any) -> Scenario:
 def test_chain_gives_back_the_torque_asked_for() -> None:
     """Eq. 6 turned round by Eq. 4-5: 800 N·m in all → pressure → pad force → friction → deceleration."""
     car, brake = Vehicle(), Brake()
-    chain = brake_chain(brake, car)
+    chain = BrakeChain(brake, car.total_mass)
     pressure = 800 * chain.pressure_per_torque
     per_brake = 400.0
     assert pressure == pytest.approx(per_brake / (2 * 0.38 * 0.13 * 0.0025))

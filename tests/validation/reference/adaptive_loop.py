@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import ode
 
-from sim_core.kernel.prepared import Follow, LawArrays
+from sim_core.kernel.prepared import FollowLaw, LawArrays
 from sim_core.loop.excitation import fine_step
 from sim_core.result import StrategyResult
 from sim_core.road.profile import RoadUnderAxles
@@ -78,7 +78,7 @@ class SolvedCar(VehicleModel):
         """Nobody asks."""
         raise NotImplementedError
 
-    def follow(self, law: LawArrays, loop: Array) -> Follow:
+    def follow_law(self, law: LawArrays, loop: Array) -> FollowLaw:
         """As VehicleModel says; where a law has limits beside its forces' the controller decides each step."""
 
         def follow_from(first: int, last: int) -> tuple[int, int]:
@@ -86,7 +86,7 @@ class SolvedCar(VehicleModel):
                 return first, 0
             horizon, limited = law.preview_gain.shape[1] // 3, 0
             for k in range(first, last):
-                kind, step = law.apart
+                kind, step = law.strides
                 seen = [law.preview.ravel()[i * kind + k * step :][:horizon] for i in range(3)]
                 state, previous = loop[k, :8], loop[k, self.size :]
                 wanted = law.gain @ np.concatenate([state, previous]) + law.preview_gain @ np.concatenate(seen)
@@ -94,13 +94,15 @@ class SolvedCar(VehicleModel):
                 command = previous + np.clip(change, -law.most_change, law.most_change)
                 command = np.clip(command, -law.most_force, law.most_force)
                 limited += bool(np.abs(command - wanted).max() > 1e-6)
-                loop[k + 1] = np.concatenate([self.advance(k, loop[k, : self.size], command), command])
+                loop[k + 1, self.size :] = command
+                self.advance(k, loop)
             return last, limited
 
         return follow_from
 
-    def advance(self, step: int, state: Array, command: Array) -> Array:
+    def advance(self, step: int, loop: Array) -> None:
         """As VehicleModel says."""
+        state, command = loop[step, : self.size], loop[step + 1, self.size :]
         x, column = [*state[-self._states :].tolist(), *command.tolist()][:10], step - self._before
         self._command = command.tolist()
         for j in range(self._fine):
@@ -113,11 +115,11 @@ class SolvedCar(VehicleModel):
         if column >= 0:
             self._table[:, self._fine, column] = self._signals(self._h, end)
         reached = np.array(x[: self._states])
+        loop[step + 1, self.size - self._states : self.size] = reached
         if self._estimator is None:
-            return reached
+            return
         e, measured = self._estimator, np.array([x[0], x[1], self._rates(self._h, end)[4], x[5]])
-        estimate = e.state @ state[:8] + e.command @ command + e.measurement @ measured + e.input[step]
-        return np.concatenate([estimate, reached])
+        loop[step + 1, :8] = e.state @ state[:8] + e.command @ command + e.measurement @ measured + e.input[step]
 
     def record(self, states: Array, commands: Array) -> Array:
         """As VehicleModel says."""

@@ -101,7 +101,7 @@ def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, fl
 
     def command(k: int, state: Array) -> Array:
         nonlocal previous
-        seen = Seen(inputs, car, k, state, previous)
+        seen = Seen(inputs, car, k, k, state, previous)
         law = controller.linear_law(seen.stage)
         assert law is not None
         z = np.concatenate([state, previous, seen.disturbances.ravel()])
