@@ -7,7 +7,7 @@ import pytest
 from playwright.sync_api import Browser, Page, Playwright, Route, expect
 
 from tests.browser.chromium import launch
-from tests.browser.dashboard import LAPTOP, Dashboard
+from tests.browser.dashboard import LAPTOP, Dashboard, expect_new_address
 from tests.browser.server import Server
 
 BEFORE = "Before the last edit"
@@ -36,10 +36,10 @@ def edited(dashboard: Dashboard) -> None:
     """Two edits, the second one undone, and changes against the state before that."""
     page, paper = dashboard.page, dashboard.address()
     dashboard.type_into("Height", "6")
-    expect(page).not_to_have_url(paper)
+    expect_new_address(page, paper)
     low = dashboard.address()
     dashboard.type_into("Width", "3")
-    expect(page).not_to_have_url(low)
+    expect_new_address(page, low)
     page.get_by_role("button", name="Undo").click()
     expect(page).to_have_url(low)
     dashboard.expect_curves()
@@ -104,7 +104,7 @@ def test_forward_leads_to_an_edit_that_back_has_left(cached: Dashboard) -> None:
     cached.open()
     page, paper = cached.page, cached.address()
     cached.type_into("Height", "6")
-    expect(page).not_to_have_url(paper)
+    expect_new_address(page, paper)
     low = cached.address()
     page.evaluate("location.href = '/docs'")
     expect(page.locator("#swagger-ui")).to_be_attached()
