@@ -79,8 +79,8 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
     if instance.actuated:
         mode, still = filter_preview(scenario, instance.for_scenario(scenario)), np.zeros((1, DISTURBANCES))
         estimator = make_estimator(scenario, step, profile.initial_speed, still, mode=mode)
-    exact = control_step(plant(vehicle, actuator, step, 1), vehicle, estimator)
-    loops = [closed_loop_matrix(exact, law) for law in laws]
+    A, B = control_step(plant(vehicle, actuator, step, 1), vehicle, estimator)
+    loops = [closed_loop_matrix(A, B, law) for law in laws]
     of_modes = [damping(loop, step) for loop in loops]
     if vehicle.rebound_ratio == 1 or not instance.actuated:  # dampers alone only take energy out
         return min(of_modes)

@@ -336,7 +336,7 @@ def test_the_loop_has_the_regulators_poles_and_the_filters() -> None:
     estimate = make_estimator(scenario, STEP, 13.9, np.zeros((1, 3)))
     assert estimate is not None
     loop = closed_loop_matrix(
-        control_step(plant(CAR, Actuator(), STEP, 1), CAR, estimate),
+        *control_step(plant(CAR, Actuator(), STEP, 1), CAR, estimate),
         LinearLaw(gain=np.hstack([-1000 * design.K, np.zeros((2, 2))])),
     )
     poles = np.concatenate(
