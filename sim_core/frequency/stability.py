@@ -14,7 +14,8 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller
 from sim_core.kernel.prepared import LawArrays
-from sim_core.loop.drive import make_setup, told_preview
+from sim_core.loop.drive import filter_preview, make_setup
+from sim_core.loop.excitation import step_sizes
 from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario, Vehicle
 from sim_core.speed.profile import plan_speed
 from sim_core.strategies import make_controller, speed_plan
@@ -64,8 +65,9 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
     controller = instance.for_scenario(believed)
     if controller.delayed or controller.dampers() is not None:
         return None
-    profile = plan_speed(believed, speed_plan(type(instance), scenario.speed.policy))
-    setup = make_setup(believed, controller, profile)
+    plan = speed_plan(type(instance), scenario.speed.policy)
+    profile = plan_speed(believed, plan)
+    setup = make_setup(believed, controller, profile, step_sizes(believed, controller, plan))
     controller.start(setup)
     of_stages = [controller.linear_law(stage) for stage in setup.stages]
     controller.end()
@@ -75,10 +77,10 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
     vehicle, actuator = scenario.real_vehicle, scenario.actuator if instance.actuated else Actuator()
     step, estimator = setup.sample_time, None
     if instance.actuated:
-        mode, still = told_preview(scenario, instance.for_scenario(scenario)), np.zeros((1, DISTURBANCES))
+        mode, still = filter_preview(scenario, instance.for_scenario(scenario)), np.zeros((1, DISTURBANCES))
         estimator = make_estimator(scenario, step, profile.initial_speed, still, mode=mode)
-    exact = control_step(plant(vehicle, actuator, step, 1), vehicle, estimator)
-    loops = [closed_loop_matrix(exact, law) for law in laws]
+    A, B = control_step(plant(vehicle, actuator, step, 1), vehicle, estimator)
+    loops = [closed_loop_matrix(A, B, law) for law in laws]
     of_modes = [damping(loop, step) for loop in loops]
     if vehicle.rebound_ratio == 1 or not instance.actuated:  # dampers alone only take energy out
         return min(of_modes)
