@@ -26,8 +26,9 @@ class StageQp(QpProblem):
     def set(self, state: FloatArray, previous_force: FloatArray, disturbances: FloatArray) -> None:
         """Make it the QP of a control step: state (8,), previous force (2,) [N], disturbances (3, Np)."""
         parameters = np.concatenate([state, previous_force, disturbances.ravel()])
-        travel = self._design.travel @ parameters
-        self.f[:-2] = self._design.linear @ parameters
+        values = self._design.by_parameters @ parameters
+        free = len(self.f) - 2
+        self.f[:-2], travel = values[:free], values[free:]
         self.b[: len(travel)] = self._design.travel_limit - travel
         self.b[len(travel) :] = self._design.travel_limit + travel
 

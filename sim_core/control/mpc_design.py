@@ -31,17 +31,16 @@ class MpcDesign:
         law: The unconstrained optimum's first force; its limits are the forces of all moves, then the deflections at
             the end of all intervals, front ones first, each over its bound.
         bounds: Those bounds [N and m].
-        linear: The QP's linear term but for the slacks, on [state; previous force in N; preview (3 Np)].
-        travel: The deflections without a force, likewise [cm]; with either sign they are taken from `travel_limit` to
-            give the row limits.
+        by_parameters: The QP's linear term but for the slacks, then the deflections without a force [cm], on [state;
+            previous force in N; preview (3 Np)]. With either sign the deflections are taken from `travel_limit` to give
+            the row limits.
         travel_limit: [cm].
     """
 
     shape: QpShape
     law: LinearLaw
     bounds: FloatArray
-    linear: FloatArray
-    travel: FloatArray
+    by_parameters: FloatArray
     travel_limit: float
 
 
@@ -147,8 +146,7 @@ def design(terms: CostTerms, horizon: int, moves: int, force_limit: float, force
             limits=constraint_rows,
         ),
         bounds=bounds,
-        linear=2 * linear,
-        travel=p.travel_parameters * CENTI,
+        by_parameters=np.vstack([2 * linear, p.travel_parameters * CENTI]),
         travel_limit=terms.deflection_limit * CENTI,
     )
 
