@@ -135,15 +135,15 @@ def design(terms: CostTerms, horizon: int, moves: int, force_limit: float, force
     linear[:, LAW_INPUTS:] += weighted[-DISTURBANCES * horizon :].T  # the preview is the last of z as it stands
     optimum = -solve(H, linear)
 
-    checks = np.vstack([optimum * KILO, p.travel_parameters + p.travel_moves @ optimum])
+    constraint_rows = np.vstack([optimum * KILO, p.travel_parameters + p.travel_moves @ optimum])
     bounds = np.repeat([force_limit, terms.deflection_limit], [free, 2 * horizon])
-    checks /= bounds[:, None]
+    constraint_rows /= bounds[:, None]
     return MpcDesign(
         shape=_shape(H, p.rows, force_limit),
         law=LinearLaw(
             gain=optimum[:FORCES, :LAW_INPUTS] * KILO,
             preview_gain=np.ascontiguousarray(optimum[:FORCES, LAW_INPUTS:] * KILO),
-            limits=checks,
+            limits=constraint_rows,
         ),
         bounds=bounds,
         by_parameters=np.vstack([2 * linear, p.travel_parameters * CENTI]),
