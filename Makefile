@@ -7,7 +7,8 @@ HOST ?= 127.0.0.1
 PORT ?= 8000
 DATA ?= data
 # A file's tests share what they start; in the folders' order the last files are short, so both processes end together.
-PYTEST ?= --numprocesses 2 --dist loadfile --no-loadscope-reorder --durations 25
+PROCESSES := $(shell $(PYTHON) -c "import os; print(min(4, max(2, os.cpu_count() or 1)))")
+PYTEST ?= --numprocesses $(PROCESSES) --dist loadfile --no-loadscope-reorder --durations 25
 INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --require-hashes -r
 MAKEFLAGS += --jobs=2  # packages and page, and both halves of the checks, side by side
 

@@ -28,7 +28,8 @@ class Connection:
         url, login = split_login(address)
         token = os.environ.get(TOKEN_VARIABLE, "") if token is None else token
         if transport is None and url.host in _LOOPBACK:
-            transport = httpx.HTTPTransport()  # a proxy does not know this machine's own services
+            # A proxy does not know this machine's own services, and plain HTTP needs no certificates, slow to read.
+            transport = httpx.HTTPTransport(verify=url.scheme == "https")
         self._client = httpx.Client(
             base_url=url,
             auth=None if token else login,

@@ -24,6 +24,7 @@ from sim_core.catalogue import SIGNALS
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.presets import PRESETS
 from sim_core.strategies import STRATEGIES, reads
+from tests.servers import loops
 from tests.servers.process import HANG_TIMEOUT
 
 ROOT = Path(__file__).parents[2]
@@ -172,57 +173,58 @@ def visitor(settings: Settings) -> httpx.AsyncClient:
     return httpx.AsyncClient(transport=httpx.ASGITransport(app=create_app(settings)), base_url="http://ridelab")
 
 
-@pytest.mark.anyio
-async def test_the_dashboard_is_served_at_its_addresses(built: Path) -> None:
-    async with visitor(Settings(frontend_dir=built)) as client:
-        for path in ("/", "/r/AAAAAAAAAAAAAAAAAAAAAA", "/b/AAAAAAAAAAAAAAAAAAAAAA"):
-            page = await client.get(path)
-            assert page.status_code == 200
-            assert page.headers["content-type"].startswith("text/html")
-            assert page.headers["cache-control"] == "no-cache"
+def test_the_dashboard_is_served_at_its_addresses(built: Path) -> None:
+    async def visit() -> None:
+        async with visitor(Settings(frontend_dir=built)) as client:
+            for path in ("/", "/r/AAAAAAAAAAAAAAAAAAAAAA", "/b/AAAAAAAAAAAAAAAAAAAAAA"):
+                page = await client.get(path)
+                assert page.status_code == 200
+                assert page.headers["content-type"].startswith("text/html")
+                assert page.headers["cache-control"] == "no-cache"
+                assert "Ridelab" in page.text
+            hashed = await client.get("/assets/index-abc123.js")
+            assert "immutable" in hashed.headers["cache-control"]
+            assert hashed.headers["content-type"].startswith("text/javascript")
+            assert "content-encoding" not in hashed.headers  # none was made
+            (built / "assets/index-abc123.js.br").write_bytes(bytes.fromhex("0b0480657870") + b"ort {}\x03")
+            small = await client.get("/assets/index-abc123.js", headers={"Accept-Encoding": "gzip, br;q=0.9"})
+            assert (small.headers["content-encoding"], small.headers["vary"]) == ("br", "Accept-Encoding")
+            assert small.headers["content-type"].startswith("text/javascript")
+            assert "immutable" in small.headers["cache-control"]
+            for without in ("gzip", "gzip, br;q=0", "br; q=0.000"):
+                plain = await client.get("/assets/index-abc123.js", headers={"Accept-Encoding": without})
+                assert (plain.text, "content-encoding" in plain.headers) == ("export {}", False)
+            assert (await client.get("/assets/index-abc123.js.br")).status_code == 404, "no script"
+            assert (await client.get("/favicon.svg")).headers["content-type"] == "image/svg+xml"
+            assert (await client.get("/docs-assets/swagger-ui-bundle.js")).status_code == 200
+            for path in ("/assets/../index.html", "/assets/%2e%2e/index.html", "/r/a/b", "/index.htm", "/s", "/b"):
+                assert (await client.get(path)).status_code == 404
+
+    loops.run(visit)
+
+
+def test_an_unknown_address_is_a_page_to_a_browser_and_a_problem_to_a_script(built: Path) -> None:
+    async def visit() -> None:
+        browser = {"Accept": "text/html,application/xhtml+xml,*/*;q=0.8"}
+        async with visitor(Settings(frontend_dir=built)) as client:
+            page = await client.get("/nowhere", headers=browser)
+            assert (page.status_code, page.headers["content-type"]) == (404, "text/html; charset=utf-8")
             assert "Ridelab" in page.text
-        hashed = await client.get("/assets/index-abc123.js")
-        assert "immutable" in hashed.headers["cache-control"]
-        assert hashed.headers["content-type"].startswith("text/javascript")
-        assert "content-encoding" not in hashed.headers  # none was made
-        (built / "assets/index-abc123.js.br").write_bytes(bytes.fromhex("0b0480657870") + b"ort {}\x03")
-        small = await client.get("/assets/index-abc123.js", headers={"Accept-Encoding": "gzip, br;q=0.9"})
-        assert (small.headers["content-encoding"], small.headers["vary"]) == ("br", "Accept-Encoding")
-        assert small.headers["content-type"].startswith("text/javascript")
-        assert "immutable" in small.headers["cache-control"]
-        for without in ("gzip", "gzip, br;q=0", "br; q=0.000"):
-            plain = await client.get("/assets/index-abc123.js", headers={"Accept-Encoding": without})
-            assert (plain.text, "content-encoding" in plain.headers) == ("export {}", False)
-        assert (await client.get("/assets/index-abc123.js.br")).status_code == 404, "no script"
-        assert (await client.get("/favicon.svg")).headers["content-type"] == "image/svg+xml"
-        assert (await client.get("/docs-assets/swagger-ui-bundle.js")).status_code == 200
-        for path in ("/assets/../index.html", "/assets/%2e%2e/index.html", "/r/a/b", "/index.htm", "/s", "/b"):
-            assert (await client.get(path)).status_code == 404
+            for path, accept in (("/nowhere", "*/*"), ("/api/v1/nowhere", browser["Accept"]), ("/assets/x.js", "*/*")):
+                answer = await client.get(path, headers={"Accept": accept})
+                assert (answer.status_code, answer.headers["content-type"]) == (404, "application/problem+json")
+
+    loops.run(visit)
 
 
-@pytest.mark.anyio
-async def test_an_unknown_address_is_a_page_to_a_browser_and_a_problem_to_a_script(built: Path) -> None:
-    browser = {"Accept": "text/html,application/xhtml+xml,*/*;q=0.8"}
-    async with visitor(Settings(frontend_dir=built)) as client:
-        page = await client.get("/nowhere", headers=browser)
-        assert (page.status_code, page.headers["content-type"]) == (404, "text/html; charset=utf-8")
-        assert "Ridelab" in page.text
-        for path, accept in (("/nowhere", "*/*"), ("/api/v1/nowhere", browser["Accept"]), ("/assets/x.js", "*/*")):
-            answer = await client.get(path, headers={"Accept": accept})
-            assert (answer.status_code, answer.headers["content-type"]) == (404, "application/problem+json")
+def test_without_a_dashboard_the_page_says_so(tmp_path: Path) -> None:
+    async def visit() -> None:
+        async with visitor(Settings(frontend_dir=tmp_path)) as client:
+            page = await client.get("/")
+        assert page.status_code == 503
+        assert "make setup" in page.json()["detail"]
 
-
-@pytest.mark.anyio
-async def test_without_a_dashboard_the_page_says_so(tmp_path: Path) -> None:
-    async with visitor(Settings(frontend_dir=tmp_path)) as client:
-        page = await client.get("/")
-    assert page.status_code == 503
-    assert "make setup" in page.json()["detail"]
-
-
-@pytest.fixture
-def anyio_backend() -> str:
-    return "asyncio"
+    loops.run(visit)
 
 
 def test_the_schema_is_the_scenarios_own(client: httpx.Client) -> None:
