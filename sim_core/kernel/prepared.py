@@ -38,7 +38,7 @@ _ecu_step = Function(
 _prepare_law = Function(
     "prepare_law",
     *(Array(_LAW_NUMBERS), Array(_FORCES, _LAW_INPUTS), _TABLE, _TABLE),
-    *(Array(_LAW_INPUTS), _TABLE, Array(), _TABLE),
+    *(Array(_LAW_INPUTS), _TABLE, Array(), _TABLE, _LINE_OUT),
 )
 _prepare_linear_car = Function("prepare_linear_car", INT, _TABLE, _TABLE, _TABLE)
 _prepare_nonlinear_car = Function(
@@ -157,8 +157,8 @@ class LawArrays:
         )
         limits = self.force_limit, self.most_change, self.most_force
         numbers = np.array([rows, horizon, kind, step, steps, self.clips, *limits], dtype=np.float64)
-        by_row = self.limits, self.scale, self.norms
-        return _prepare_law.prepare(numbers, self.gain, self.preview_gain, *by_row, self.preview, self.sizes)
+        by_row, known = (self.limits, self.scale, self.norms), np.empty(_LAW_INPUTS + _DISTURBANCES * horizon)
+        return _prepare_law.prepare(numbers, self.gain, self.preview_gain, *by_row, self.preview, self.sizes, known)
 
     @property
     def steps(self) -> int:
