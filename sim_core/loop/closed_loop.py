@@ -57,13 +57,15 @@ class ClosedLoop:
         loop = np.zeros((segments[-1].last + 1, n + FORCES))  # [car; previous command] at every control instant
         limited = 0
         prepared: dict[LinearLaw, FollowLaw] = {}
+        clips = type(self._controller).force is Controller.force
         for segment in segments:
             law = self._controller.linear_law(segment.stage)
             if law is None:
                 limited += sum(self._step(k, loop) for k in range(segment.first, segment.last))
                 continue
             if law not in prepared:
-                prepared[law] = self._car.follow_law(self._arrays(law), loop)
+                arrays = law_arrays(law, self._forecast, self._limits, clips=clips)
+                prepared[law] = self._car.follow_law(arrays, loop)
             follow, k = prepared[law], segment.first
             while k < segment.last:
                 k, shaped = follow(k, segment.last)
@@ -72,29 +74,6 @@ class ClosedLoop:
                     self._step(k, loop)
                     limited, k = limited + 1, k + 1
         return Trajectory(states=loop[:-1, :n], commands=loop[1:, n:], limited=limited)
-
-    def _arrays(self, law: LinearLaw) -> LawArrays:
-        """The law with all that decides where it holds."""
-        forecast = self._forecast
-        previewed = DISTURBANCES * forecast.windows.shape[2]
-        preview_gain = np.zeros((FORCES, previewed)) if law.preview_gain is None else law.preview_gain
-        rows = np.zeros((0, LAW_INPUTS + previewed)) if law.limits is None else law.limits
-        if preview_gain.shape[1] != previewed or rows.shape[1] != LAW_INPUTS + previewed:
-            raise RidelabError(f"{self._controller.label}: a law has three columns for each step previewed")
-        scale, norms = (np.ones(LAW_INPUTS), np.zeros((0, 5))) if law.limits is None else _norms(law)
-        kind, step, _ = (stride // forecast.windows.itemsize for stride in forecast.windows.strides)
-        return LawArrays(
-            gain=law.gain,
-            preview_gain=preview_gain,
-            limits=rows,
-            scale=scale,
-            norms=norms,
-            preview=forecast.source,
-            strides=(kind, step),
-            sizes=forecast.sizes,
-            force_limits=self._limits,
-            clips=type(self._controller).force is Controller.force,
-        )
 
     def _step(self, k: int, loop: FloatArray) -> bool:
         """Drive one control step by the controller; whether a limit of forces or actuators shaped its command."""
@@ -106,6 +85,39 @@ class ClosedLoop:
         limited = limit_force(self._limits, wanted, previous, loop[k + 1, n:])
         self._car.advance(k, loop)
         return limited or self._controller.report.limited_steps > counted
+
+
+def law_arrays(law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, clips: bool) -> LawArrays:
+    """A law with all that decides where it holds.
+
+    Args:
+        law: Of control.
+        forecast: What its controller previews.
+        force_limits: As `limit_force` has them.
+        clips: Whether a force beyond the limit is clipped, or not decided by the law.
+
+    Raises:
+        RidelabError: It is a law for another horizon.
+    """
+    previewed = DISTURBANCES * forecast.windows.shape[2]
+    preview_gain = np.zeros((FORCES, previewed)) if law.preview_gain is None else law.preview_gain
+    rows = np.zeros((0, LAW_INPUTS + previewed)) if law.limits is None else law.limits
+    if preview_gain.shape[1] != previewed or rows.shape[1] != LAW_INPUTS + previewed:
+        raise RidelabError("A linear law has three columns for each control step that is previewed")
+    scale, norms = (np.ones(LAW_INPUTS), np.zeros((0, 5))) if law.limits is None else _norms(law)
+    kind, step, _ = (stride // forecast.windows.itemsize for stride in forecast.windows.strides)
+    return LawArrays(
+        gain=law.gain,
+        preview_gain=preview_gain,
+        limits=rows,
+        scale=scale,
+        norms=norms,
+        preview=forecast.source,
+        strides=(kind, step),
+        sizes=forecast.sizes,
+        force_limits=force_limits,
+        clips=clips,
+    )
 
 
 @cached
