@@ -1,20 +1,31 @@
-"""The runs of a job: planned, waiting, in a chunk, computed, stored. Workers import this, so it imports little."""
+"""The runs of a job: waiting, in a chunk, stored with their results. Workers import this, so it imports little."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 from backend.json_types import JsonObject
+from backend.outcome import Outcome
 from sim_core.scenario.measured import MeasuredRoad
 
+Computed = Literal["sweep", "reproduction"]  # kinds of jobs whose runs are computed in chunks
 
-class PlannedRun(NamedTuple):
-    """One run of a new job; without a key it has failed already, and `reason` says why. `changes` is JSON text."""
+
+class JobRun(NamedTuple):
+    """A run of a job without a result.
+
+    Attributes:
+        position: In the job.
+        changes: JSON text: field -> value.
+        strategy: Its id; of a reproduction the row's name.
+        key: Of its result; empty where it has failed when it was planned.
+        reason: Why it has.
+    """
 
     position: int
     changes: str
     strategy: str
-    key: str | None
+    key: str
     reason: str | None = None
 
     def row(self, job_id: str) -> dict[str, object]:
@@ -24,36 +35,10 @@ class PlannedRun(NamedTuple):
             "position": self.position,
             "changes": self.changes,
             "strategy": self.strategy,
-            "status": "failed" if self.key is None else "waiting",
-            "result_key": self.key,
+            "status": "waiting" if self.key else "failed",
+            "result_key": self.key or None,
             "reason": self.reason,
         }
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class WaitingRun:
-    """One run without a result; `changes` is JSON text: field -> value."""
-
-    position: int
-    changes: str
-    strategy: str
-    key: str
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ComputedRun:
-    """A run's result, its summary as JSON text as it will be stored; a failure that is not `cacheable` is no result.
-
-    `fallbacks` are those of its QP solver.
-    """
-
-    key: str
-    strategy: str
-    status: str
-    summary: str
-    compute_ms: float
-    fallbacks: float = 0.0
-    cacheable: bool = True
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -75,6 +60,7 @@ class Chunk:
     """Runs of one job that one process computes together.
 
     Attributes:
+        kind: Of the job: what its runs compute.
         group: Chunks of one group are stopped together; a job that is resumed gets another one.
         core_version: Of the service that asks; results of another would be stored under a wrong key.
         schema_version: Of the base.
@@ -86,11 +72,12 @@ class Chunk:
         priority: Those of the highest come first.
     """
 
+    kind: Computed
     group: str
     core_version: str
     schema_version: int
     base: JsonObject
-    runs: Sequence[WaitingRun]
+    runs: Sequence[JobRun]
     roads: Mapping[str, MeasuredRoad]
     budget: float
     timeout: float
@@ -116,6 +103,6 @@ class ChunkOutcome:
         detail: More, for the log.
     """
 
-    computed: list[ComputedRun] | None = None
+    computed: list[Outcome] | None = None
     trouble: Trouble | None = None
     detail: str = ""

@@ -3,15 +3,16 @@
 import asyncio
 import logging
 from collections.abc import Coroutine, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import orjson
 from sqlalchemy.exc import DataError, IntegrityError, ProgrammingError, SQLAlchemyError
 
 from backend import metrics
 from backend.errors import CHEAPER_RUN
-from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError, ComputedRun, Trouble, WaitingRun
+from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError, Computed, JobRun, Trouble
 from backend.jobs.running_job import RunningJob
+from backend.outcome import Outcome
 from backend.store import Store, StoredJob
 from backend.store.roads import PROFILE
 from sim_core import __version__ as CORE_VERSION
@@ -52,7 +53,7 @@ class Chunks:
         """Chunks being computed or waiting to be stored."""
         return len(self._computing) + len(self._committing)
 
-    def send(self, cluster: "Cluster", running: RunningJob, runs: list[WaitingRun]) -> None:
+    def send(self, cluster: "Cluster", running: RunningJob, runs: list[JobRun]) -> None:
         """Send these runs to the cluster, and store their results; a job's first goes before others' later ones."""
         priority = -running.open_chunks
         running.open_chunks += 1
@@ -77,7 +78,7 @@ class Chunks:
         await _cancel(self._computing)
         await _cancel(self._committing)
 
-    async def _compute(self, cluster: "Cluster", running: RunningJob, runs: list[WaitingRun], priority: int) -> None:
+    async def _compute(self, cluster: "Cluster", running: RunningJob, runs: list[JobRun], priority: int) -> None:
         committing = False
         try:
             chunk = await self._chunk(running, runs, priority)
@@ -96,7 +97,7 @@ class Chunks:
             if not committing:
                 self._end(running)
 
-    async def _chunk(self, running: RunningJob, runs: list[WaitingRun], priority: int) -> Chunk | None:
+    async def _chunk(self, running: RunningJob, runs: list[JobRun], priority: int) -> Chunk | None:
         """The chunk with its roads; None where the database has failed: its runs are sent again."""
         try:
             roads = await self._roads(running.job, runs)
@@ -106,6 +107,7 @@ class Chunks:
             await asyncio.sleep(PAUSE)  # the database may be back by then
             return None
         return Chunk(
+            kind=cast(Computed, running.job.kind),
             group=running.group,
             core_version=CORE_VERSION,
             schema_version=running.job.schema_version,
@@ -117,14 +119,14 @@ class Chunks:
             priority=priority,
         )
 
-    async def _roads(self, job: StoredJob, runs: Sequence[WaitingRun]) -> dict[str, MeasuredRoad]:
+    async def _roads(self, job: StoredJob, runs: Sequence[JobRun]) -> dict[str, MeasuredRoad]:
         """The measured roads that these runs name."""
         if not job.road_ids and not any(PROFILE in run.changes for run in runs):
             return {}
         named = {orjson.loads(run.changes).get(f"road.{PROFILE}") for run in runs} | job.road_ids
         return await self._store.read(self._store.roads.load, [each for each in named if each is not None])
 
-    async def _retry(self, running: RunningJob, runs: list[WaitingRun], outcome: ChunkOutcome) -> bool:
+    async def _retry(self, running: RunningJob, runs: list[JobRun], outcome: ChunkOutcome) -> bool:
         """Halve a chunk that failed until the run that makes it fail is alone; False for that run."""
         logger.warning("A chunk of %d runs could not be computed: %s %s", len(runs), outcome.trouble, outcome.detail)
         if outcome.trouble not in REASONS:  # not the chunk's fault
@@ -133,7 +135,7 @@ class Chunks:
             return True
         return running.halve(runs) or (outcome.trouble == "lost" and running.try_again(runs))
 
-    async def _commit(self, running: RunningJob, computed: Sequence[ComputedRun], failures: Mapping[int, str]) -> None:
+    async def _commit(self, running: RunningJob, computed: Sequence[Outcome], failures: Mapping[int, str]) -> None:
         """Store a chunk's results, and wait for the database as long as it is away."""
         try:
             await self._save(running.job.id, computed, failures)
@@ -144,7 +146,7 @@ class Chunks:
         metrics.count_runs("batch", "ok", len(computed) - refused, fallbacks)
         metrics.count_runs("batch", "failed", refused + len(failures))
 
-    async def _save(self, job_id: str, computed: Sequence[ComputedRun], failures: Mapping[int, str]) -> None:
+    async def _save(self, job_id: str, computed: Sequence[Outcome], failures: Mapping[int, str]) -> None:
         while True:
             try:
                 await self._store.write(self._store.job_runs.save, job_id, computed, CORE_VERSION, failures)
@@ -176,10 +178,10 @@ async def _outcome(cluster: "Cluster", chunk: Chunk) -> ChunkOutcome:
 
 
 def _split(
-    running: RunningJob, runs: Sequence[WaitingRun], computed: Sequence[ComputedRun]
-) -> tuple[list[ComputedRun], dict[int, str]]:
+    running: RunningJob, runs: Sequence[JobRun], computed: Sequence[Outcome]
+) -> tuple[list[Outcome], dict[int, str]]:
     """The results to store, and the reasons of runs without one; runs not begun are sent again."""
-    reasons = {run.key: str(orjson.loads(run.summary)["reason"]) for run in computed if not run.cacheable}
+    reasons = {run.key: str(run.summary["reason"]) for run in computed if not run.cacheable}
     done = {run.key for run in computed}
     left = [run for run in runs if run.key not in done]
     running.record_time(len(runs) - len(left), sum(run.compute_ms for run in computed) / 1000)

@@ -8,7 +8,7 @@ from typing import Any
 from backend import digest
 from backend.errors import BusyError, ConflictError, ForbiddenError, NotFoundError
 from backend.http.admission import Admission
-from backend.jobs.chunk import PlannedRun
+from backend.jobs.chunk import JobRun
 from backend.jobs.events import server_sent
 from backend.settings import Settings
 from backend.store import Store, StoredJob
@@ -55,7 +55,7 @@ class Jobs:
             plural = PLURALS[self._kind]
             raise BusyError(f"The service is full: too many {plural} are waiting.", retry_after=RETRY_AFTER)
 
-    async def accept(self, job: StoredJob, runs: Sequence[PlannedRun], key: str | None) -> StoredJob:
+    async def accept(self, job: StoredJob, runs: Sequence[JobRun], key: str | None) -> StoredJob:
         """Commit a job with its runs; where one was accepted with that key meanwhile, return that one.
 
         Raises:

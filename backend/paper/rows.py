@@ -12,9 +12,9 @@ import orjson
 
 from backend.compute.flights import Flights
 from backend.errors import BusyError
+from backend.jobs.chunk import JobRun
 from backend.jobs.service import request_hash
 from backend.json_types import JsonObject
-from backend.paper.work import RowRequest
 from backend.store import Store, StoredJob
 from backend.store.job import FINAL, UNFINISHED
 from sim_core import __version__ as CORE_VERSION
@@ -53,7 +53,7 @@ class PaperRows:
         self._store = store
         self._waits: Flights[str, str | None] = Flights()
 
-    async def get(self, requests: Sequence[RowRequest], patience: float | None) -> Rows:
+    async def get(self, requests: Sequence[JobRun], patience: float | None) -> Rows:
         """These rows; the first ones are computed first.
 
         Args:
@@ -77,14 +77,14 @@ class PaperRows:
         complete = len(rows) == len(unique) or reason is not None
         return Rows(by_key=rows, total=len(unique), reason=reason, complete=complete)
 
-    async def _stored(self, requests: Sequence[RowRequest]) -> tuple[JsonObject, str | None]:
+    async def _stored(self, requests: Sequence[JobRun]) -> tuple[JsonObject, str | None]:
         """By key the rows that are stored, and why one has failed for good."""
         results = await self._store.read(self._store.runs.load_results, [request.key for request in requests])
         rows = {key: result.summary["row"] for key, result in results.items() if result.status == "ok"}
         reasons = [result.summary["reason"] for result in results.values() if result.status == "failed"]
         return rows, next(iter(reasons), None)
 
-    async def _job(self, requests: Sequence[RowRequest], *, patient: bool) -> StoredJob:
+    async def _job(self, requests: Sequence[JobRun], *, patient: bool) -> StoredJob:
         """The job that computes these rows: an unfinished one, or (unless `patient`) one that failed lately."""
         key = f"paper {request_hash([request.key for request in requests])}"
         existing = await self._store.read(self._store.jobs.by_idempotency_key, "reproduction", key)
@@ -108,7 +108,7 @@ class PaperRows:
             total=len(requests),
             request_hash=request_hash(key),
         )
-        runs = [request.run(position) for position, request in enumerate(requests)]
+        runs = [request._replace(position=position) for position, request in enumerate(requests)]
         stored, _ = await self._store.write(self._store.jobs.create, job, runs, key)
         return stored
 

@@ -7,7 +7,8 @@ from typing import Any
 
 from backend.errors import BusyError
 from backend.http.admission import Admission, cost_of
-from backend.paper import answers, claims, drawings, work
+from backend.jobs.chunk import JobRun
+from backend.paper import answers, claims, drawings, paper_rows
 from backend.paper.interpretations import DEFAULT, INTERPRETATIONS
 from backend.paper.models import AttributionAnswer, PaperAnswer, PaperFigures, ReadingsAnswer
 from backend.paper.readings import READINGS
@@ -21,7 +22,7 @@ from sim_core.scenario import Scenario
 HISTORY_POINTS = 1200
 PATIENCE = 2.0  # an answer in rows comes after so long with those that are there [s]
 
-Requests = Mapping[str, tuple[work.RowRequest, ...]]
+Requests = Mapping[str, tuple[JobRun, ...]]
 
 
 class Paper:
@@ -51,7 +52,7 @@ class Paper:
         requests = {name: await _requests(each, roads) for name, each in sets.items()}
         rows = await self._get(client, *requests.values(), patience=0.0 if partial else None)
         values = {
-            name: work.figures_by_strategy(rows.by_key, requests[name], each[claims.WINDOW])
+            name: paper_rows.figures_by_strategy(rows.by_key, requests[name], each[claims.WINDOW])
             for name, each in sets.items()
         }
         named = {name: values[name] for name in INTERPRETATIONS}
@@ -69,7 +70,7 @@ class Paper:
         requests = [await _requests(each, roads) for each in sets]
         rows = await self._get(client, *requests, patience=PATIENCE)
         values = [
-            work.figures_by_strategy(rows.by_key, row_requests, each[claims.WINDOW])
+            paper_rows.figures_by_strategy(rows.by_key, row_requests, each[claims.WINDOW])
             for row_requests, each in zip(requests, sets, strict=True)
         ]
         needed = set(claims.SIMULATED if rows.reason is not None else claims.STRATEGIES)
@@ -90,7 +91,7 @@ class Paper:
         Raises:
             TemporaryError: Too much is being computed.
         """
-        return answers.attribution(roads, await self._study(work.ATTRIBUTION, roads, client))
+        return answers.attribution(roads, await self._study(paper_rows.ATTRIBUTION, roads, client))
 
     async def figures(self, roads: range, client: str) -> PaperFigures:
         """The paper's figures, drawn from our runs.
@@ -98,10 +99,9 @@ class Paper:
         Raises:
             TemporaryError: Too much is being computed.
         """
-        peaks = await self._study(work.SPEEDS, roads, client)
+        peaks = await self._study(paper_rows.SPEEDS, roads, client)
         results = await self._results.get(Scenario(), claims.STRATEGIES, client, points=HISTORY_POINTS)
-        outcomes = {name: item.outcome for name, item in results.items()}
-        return PaperFigures(figures=await asyncio.to_thread(drawings.all_figures, peaks, outcomes))
+        return PaperFigures(figures=await asyncio.to_thread(drawings.all_figures, peaks, results))
 
     async def report(self, choices: Mapping[str, str], roads: range, client: str, *, compressed: bool) -> Report:
         """The whole page as one HTML file; attribution and figures are by the default readings.
@@ -115,7 +115,7 @@ class Paper:
             return await in_thread(partial(report, page, parts, drawn.figures, compressed=compressed))
 
     async def _study(self, study: str, roads: range, client: str) -> list[Any]:
-        row_requests = work.requests_of_study(study, roads)
+        row_requests = paper_rows.requests_of_study(study, roads)
         rows = await self._get(client, {study: row_requests}, patience=None)
         if len(rows.by_key) < len(row_requests):
             raise BusyError(f"Not every road could be driven. {rows.reason or 'The computation was called off'}.")
@@ -130,4 +130,4 @@ class Paper:
 
 
 async def _requests(choices: Mapping[str, str], roads: range) -> Requests:
-    return await asyncio.to_thread(work.requests_under, choices, roads)
+    return await asyncio.to_thread(paper_rows.requests_under, choices, roads)

@@ -3,6 +3,7 @@
 import asyncio
 from collections.abc import AsyncIterator, Mapping, Sequence
 from contextlib import asynccontextmanager
+from dataclasses import replace
 from functools import partial
 
 from cachetools import LRUCache
@@ -16,11 +17,11 @@ from backend.errors import CostLimitError, GoneError, InvalidError, RoadGoneErro
 from backend.http.admission import Admission, cost_of
 from backend.http.limits import FairLimit
 from backend.http.spool import Spool, SpoolFile, refused_where_full
+from backend.outcome import Outcome
 from backend.roads.service import Roads
 from backend.runs import bands, exports, pins
 from backend.runs.results import Results
 from backend.runs.series import SAMPLE_BYTES, Stages, most_samples
-from backend.runs.work import ComputedResult
 from backend.store import Store, StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
@@ -70,7 +71,7 @@ class Histories:
             )
         return {name: key for name, key in keys.items() if key in pinned}
 
-    async def outcomes(self, stored: StoredRun, client: str) -> dict[str, ComputedResult]:
+    async def outcomes(self, stored: StoredRun, client: str) -> dict[str, Outcome]:
         """The strategies that have time histories, with as many samples as figures need.
 
         Raises:
@@ -83,18 +84,11 @@ class Histories:
         async with self._pinned(scenario, keys, client) as pinned:
             if pinned is None:
                 await self._on_its_road(scenario)
-                results = await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
-                return {strategy: item.outcome for strategy, item in results.items()}
+                return await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
             with self._admission.computing(client, 0.0):
                 arrays = await self._workers.call(pins.opened, pinned, _stages(stored), FIGURE_POINTS, client=client)
         return {
-            item.strategy: ComputedResult(
-                status=item.status,
-                summary=item.summary,
-                compute_ms=item.compute_ms,
-                points=FIGURE_POINTS,
-                series=arrays[item.strategy],
-            )
+            item.strategy: replace(item, points=FIGURE_POINTS, series=arrays[item.strategy])
             for item in stored.shown
             if item.strategy in arrays
         }

@@ -14,7 +14,7 @@ from sqlalchemy.exc import IntegrityError
 
 from backend.db.database import Database, insert_new
 from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, trials
-from backend.jobs.chunk import PlannedRun
+from backend.jobs.chunk import JobRun
 from backend.json_types import JsonObject
 from backend.store.job import FINAL, UNFINISHED, Kind, State, StoredJob
 from backend.store.job_events import add_event
@@ -40,7 +40,7 @@ class JobStore:
         self._database = database
 
     def create(
-        self, job: StoredJob, runs: Sequence[PlannedRun] = (), idempotency_key: str | None = None
+        self, job: StoredJob, runs: Sequence[JobRun] = (), idempotency_key: str | None = None
     ) -> tuple[StoredJob, bool]:
         """Commit a job with all its runs; if its idempotency key exists, return that key's job and False.
 

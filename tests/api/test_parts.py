@@ -11,8 +11,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from backend import digest
+from backend.outcome import Outcome
 from backend.runs.memory import Memory
-from backend.runs.work import ComputedResult
 from sim_core.scenario import Hil, Lqr, Mpc, Road, Scenario
 from sim_core.strategies import STRATEGIES
 
@@ -74,9 +74,9 @@ def test_equal_numbers_have_one_canonical_form_and_others_another(value: float) 
         assert digest.canonical([value]) != digest.canonical([other])
 
 
-def outcome(samples: int, points: int = 800) -> ComputedResult:
+def outcome(samples: int, points: int = 800) -> Outcome:
     series = np.zeros((15, samples), dtype=np.float32)
-    return ComputedResult(status="ok", summary={}, compute_ms=1.0, points=points, series=series)
+    return Outcome(key="k", strategy="lv", status="ok", json=b"{}", compute_ms=1.0, points=points, series=series)
 
 
 def test_memory_answers_only_for_the_points_it_has() -> None:
@@ -87,5 +87,5 @@ def test_memory_answers_only_for_the_points_it_has() -> None:
     memory.put("a", outcome(200, 2000))
     assert memory.get("a", 800) is None
     assert memory.get("a", 2000) is not None
-    memory.put("a", ComputedResult(status="ok", summary={}, compute_ms=1.0))
+    memory.put("a", Outcome(key="k", strategy="lv", status="ok", json=b"{}", compute_ms=1.0))
     assert memory.get("a", 2000) is not None, "one without series does not drive out one with"

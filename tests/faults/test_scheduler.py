@@ -16,12 +16,13 @@ from sqlalchemy.exc import IntegrityError, OperationalError
 from backend.db import database, sqlite
 from backend.db.sqlite import DatabaseLockedError
 from backend.jobs import chunks, cluster, running_job, scheduler
-from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError, ComputedRun, JobRow
+from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError, JobRow
 from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.jobs.scheduler import Scheduler
 from backend.jobs.sweep.plan import plan
 from backend.jobs.sweep.sweeps import Sweep
 from backend.metrics import REGISTRY
+from backend.outcome import Outcome
 from backend.settings import Settings
 from backend.store import Store, StoredJob
 from backend.store.roads import RoadStore
@@ -37,7 +38,7 @@ Behaviour = Callable[[Chunk], ChunkOutcome]
 
 def answered(chunk: Chunk) -> ChunkOutcome:
     done = [
-        ComputedRun(key=run.key, strategy=run.strategy, status="ok", summary='{"metrics":{}}', compute_ms=1.0)
+        Outcome(key=run.key, strategy=run.strategy, status="ok", json=b'{"metrics":{}}', compute_ms=1.0)
         for run in chunk.runs
     ]
     return ChunkOutcome(computed=done)

@@ -11,7 +11,7 @@ from pydantic import ValidationError
 from backend import digest
 from backend.cost.estimate import estimate
 from backend.ecu.drive import simulate
-from backend.jobs.chunk import PlannedRun, WaitingRun
+from backend.jobs.chunk import JobRun
 from backend.jobs.sweep import notes
 from backend.jobs.sweep.sweeps import Sweep, axes, points
 from backend.json_types import JsonObject
@@ -41,14 +41,14 @@ class SweepPlan:
 
     fields: list[str]
     notes: list[str]
-    runs: list[PlannedRun]
+    runs: list[JobRun]
     cost: float
     max_run_cost: float
 
     @property
     def contradictory(self) -> int:
         """How many runs have failed already."""
-        return sum(run.key is None for run in self.runs)
+        return sum(not run.key for run in self.runs)
 
 
 def scenario_at(
@@ -72,9 +72,7 @@ def scenario_at(
     return scenario if road is None else scenario.on(road)
 
 
-def rekeyed(
-    base: JsonObject, schema_version: int, runs: Iterable[WaitingRun]
-) -> dict[int, tuple[str | None, str | None]]:
+def rekeyed(base: JsonObject, schema_version: int, runs: Iterable[JobRun]) -> dict[int, tuple[str | None, str | None]]:
     """By position this core version's key of each run, or the reason why it has none."""
     keys: dict[int, tuple[str | None, str | None]] = {}
     for run in runs:
@@ -106,7 +104,7 @@ def plan(
         SweepError: The sweep has fields or values that cannot be used.
     """
     fields, changes_by_point = _points(base, sweep, lengths)
-    runs: list[PlannedRun] = []
+    runs: list[JobRun] = []
     cost = max_run_cost = 0.0
     for changes in changes_by_point:
         text = orjson.dumps(changes).decode()
@@ -115,12 +113,12 @@ def plan(
         except ValidationError as error:
             reason = contradiction(error)
             for name in strategies:
-                runs.append(PlannedRun(len(runs), text, name, None, reason))
+                runs.append(JobRun(len(runs), text, name, "", reason))
             continue
         for name in strategies:
             each = estimate(scenario, name)
             cost, max_run_cost = cost + each, max(max_run_cost, each)
-            runs.append(PlannedRun(len(runs), text, name, digest.result_key(scenario, name)))
+            runs.append(JobRun(len(runs), text, name, digest.result_key(scenario, name)))
     said = notes.notes(base, changes_by_point, axes(sweep, fields), runs)
     return SweepPlan(fields=fields, notes=said, runs=runs, cost=cost, max_run_cost=max_run_cost)
 

@@ -14,9 +14,9 @@ from backend.jobs.sweep.models import Batch
 from backend.json_types import JsonObject
 from backend.roads.service import Roads
 from backend.runs import pins
-from backend.runs.answers import run_answer
+from backend.runs.answers import as_plain, run_answer
 from backend.runs.links import preview
-from backend.runs.links.models import SLUG_PATTERN, CreatedLink, Link, LinkView
+from backend.runs.links.models import SLUG_PATTERN, CreatedLink, LinkView
 from backend.runs.links.preview import Preview
 from backend.runs.series import SAMPLE_BYTES, most_samples
 from backend.runs.service import Runs, upgraded_scenario
@@ -93,8 +93,8 @@ class Links:
             raise _unknown("batch_id", "There is no batch of this id")
         return CreatedLink(slug=slug, url=url(slug), series_pinned=False)
 
-    async def get(self, slug: str, client: str) -> Link:
-        """The answer about a link.
+    async def get(self, slug: str, client: str) -> JsonObject:
+        """The answer about a link, of the shape of `Link`.
 
         Raises:
             NotFoundError: There is none.
@@ -105,7 +105,7 @@ class Links:
             raise NotFoundError("There is no link of this slug.")
         if link.kind == "batch":
             job = await self._job(link)
-            return _opened(link, job, job.request["scenario"], batch=_batch(job))
+            return _opened(link, job, job.request["scenario"], batch=_batch(job).model_dump())
         stored = await self._run(link)
         if stored.expired:
             again = await self._runs.stored(stored.id, client)
@@ -128,7 +128,7 @@ class Links:
         if run.expired:  # its numbers are computed for whoever opens the link, not for a preview
             answer = {"core_version": run.core_version, "scenario": run.scenario, "strategies": {}}
         else:
-            answer = run_answer(run).model_dump(mode="json")
+            answer = as_plain(run_answer(run))
         return preview.of_run(answer, link.view, run.created_at)
 
     async def _pin(self, shared: _SharedRun, client: str) -> dict[str, bytes]:
@@ -192,22 +192,24 @@ def _histories(stored: StoredRun) -> dict[str, str]:
     return {item.strategy: item.key for item in stored.shown}
 
 
-def _opened(link: StoredLink, shown: StoredRun | StoredJob, scenario: JsonObject, **content: Any) -> Link:
+def _opened(link: StoredLink, shown: StoredRun | StoredJob, scenario: JsonObject, **content: Any) -> JsonObject:
     finished_at = shown.finished_at if isinstance(shown, StoredJob) else None
-    empty = {"run": None, "batch": None, "series_pinned": False}
-    return Link(
-        slug=link.slug,
-        url=url(link.slug),
-        created_at=link.created_at,
-        kind=link.kind,
-        current_core_version=CORE_VERSION,
-        view=LinkView.model_construct(**link.view),  # as it was sent, perhaps with names of an older version
-        core_version=shown.core_version,
-        computed_at=finished_at or shown.created_at,
-        schema_version=shown.schema_version,
-        scenario=scenario,
-        **empty | content,
-    )
+    return {
+        "slug": link.slug,
+        "url": url(link.slug),
+        "created_at": link.created_at,
+        "kind": link.kind,
+        "core_version": shown.core_version,
+        "computed_at": finished_at or shown.created_at,
+        "current_core_version": CORE_VERSION,
+        "schema_version": shown.schema_version,
+        "scenario": scenario,
+        "view": link.view,  # as it was sent, perhaps with names of an older version
+        "run": None,
+        "batch": None,
+        "series_pinned": False,
+        **content,
+    }
 
 
 def _unknown(field: str, message: str) -> InvalidError:
