@@ -95,13 +95,14 @@ class Runs:
     ) -> tuple[StoredRun, dict[str, bool]]:
         """The run in the database, and the strategies that were not computed for this request."""
         names, scenario = ordered(strategies), await self._roads.with_length(scenario)
-        self._admission.check_cost(roads * cost_of(scenario, names))
         against = None if roads == 1 else baseline or default_baseline(names)
         run_id = digest.run_id(scenario, names, roads, against)
-        stored = await self._load(run_id)
+        plain = scenario.model_dump(mode="json")
+        stored = await self._store.read(self._store.runs.load, run_id)
         if stored is not None and not stored.expired:
             CACHE.labels("hit").inc(len(names) * roads)
-            return stored, dict.fromkeys(names, True)
+            return replace(stored, scenario=plain), dict.fromkeys(names, True)  # the id says that they are the same
+        self._admission.check_cost(roads * cost_of(scenario, names))
         outcomes = await self._computed(scenario, names, roads, client)
         if not all(item.cacheable for item in outcomes):  # asked again: tried again
             run_id = digest.random_id()
@@ -109,7 +110,7 @@ class Runs:
             id=run_id,
             core_version=CORE_VERSION,
             schema_version=SCHEMA_VERSION,
-            scenario=scenario.model_dump(mode="json"),
+            scenario=plain,
             results=tuple(outcomes),
             roads=roads,
             baseline=against,

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from typing import Any
 
-from sqlalchemy import Connection, Row, delete, insert, select, update
+from sqlalchemy import Connection, Row, bindparam, delete, insert, select, update
 from sqlalchemy.dialects import postgresql, sqlite
 
 from backend.db.database import Database, insert_new
@@ -57,6 +57,16 @@ class StoredRun:
         """Each strategy's results in the order of the roads."""
         count = len(self.first_road)
         return {item.strategy: self.results[index::count] for index, item in enumerate(self.first_road)}
+
+
+# Made once: to make them takes as long as to run them.
+_HEAD = select(runs).where(runs.c.id == bindparam("run"))
+_MEMBERS = (
+    select(results.c.key, results.c.strategy, results.c.status, results.c.summary, results.c.compute_ms)
+    .join(run_results, run_results.c.result_key == results.c.key)
+    .where(run_results.c.run_id == bindparam("run"))
+    .order_by(run_results.c.position)
+)
 
 
 class RunStore:
@@ -130,15 +140,10 @@ def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_ver
 
 
 def _load_run(connection: Connection, run_id: str) -> StoredRun | None:
-    head = connection.execute(select(runs).where(runs.c.id == run_id)).one_or_none()
+    head = connection.execute(_HEAD, {"run": run_id}).one_or_none()
     if head is None:
         return None
-    members = connection.execute(
-        select(results)
-        .join(run_results, run_results.c.result_key == results.c.key)
-        .where(run_results.c.run_id == run_id)
-        .order_by(run_results.c.position)
-    ).all()
+    members = connection.execute(_MEMBERS, {"run": run_id}).all()
     return StoredRun(**head._asdict(), results=tuple(_result(row) for row in members))
 
 
