@@ -16,9 +16,9 @@ Numbers = list[tuple[LibController, int]]
 @cache
 def _libraries() -> tuple[list[LibController], list[LibController]]:
     """Every BLAS, NumPy's and SciPy's: those with a number of threads for the process, and for each of its threads."""
-    found = [each for each in ThreadpoolController().lib_controllers if each.user_api == "blas"]
-    own = [each for each in found if getattr(each, "threading_layer", None) == "openmp"]
-    return [each for each in found if each not in own], own
+    libraries = [each for each in ThreadpoolController().lib_controllers if each.user_api == "blas"]
+    own = [each for each in libraries if getattr(each, "threading_layer", None) == "openmp"]
+    return [each for each in libraries if each not in own], own
 
 
 def _limit(libraries: Iterable[LibController]) -> Numbers:

@@ -57,15 +57,15 @@ def check_controller(controller: str | type[Controller] | Controller, scenario: 
 def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> list[str]:
     """What is wrong with its runs."""
     try:
-        made = controller() if isinstance(controller, type) else controller
+        instance = controller() if isinstance(controller, type) else controller
     except Exception as error:  # noqa: BLE001 - of anybody's code
         return [_raised(error, controller)]
-    speed = scenario.speed.model_copy(update={"policy": speed_plan(type(made), scenario.speed.policy)})
+    speed = scenario.speed.model_copy(update={"policy": speed_plan(type(instance), scenario.speed.policy)})
     scenario = scenario.model_copy(update={"speed": speed})
     try:
-        first, again = simulate(scenario, made), simulate(scenario, made)
+        first, again = simulate(scenario, instance), simulate(scenario, instance)
         other = simulate(scenario, controller) if isinstance(controller, type) else first
-        by_force = simulate(scenario, _ByForce(made)) if _has_both(made) else first
+        by_force = simulate(scenario, _ByForce(instance)) if _has_both(instance) else first
     except Exception as error:  # noqa: BLE001 - of anybody's code
         return [_raised(error, controller)]
     if not _same(first, other):
@@ -75,7 +75,7 @@ def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> li
         ]
     if not _same(first, again):
         return ["A second run of the same object differs: start has to forget the run before"]
-    if not made.actuated and any(first.metrics["whole"][f"{axle}_force"]["peak"] for axle in ("front", "rear")):
+    if not instance.actuated and any(first.metrics["whole"][f"{axle}_force"]["peak"] for axle in ("front", "rear")):
         return ["It says that it has no actuators, and gives a force"]
     if not _close(first, by_force):
         return ["force and linear_law give different forces where no limit binds"]

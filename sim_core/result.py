@@ -1,7 +1,7 @@
 """What a simulation returns: metrics always, time histories beside them."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 from sim_core.arrays import FloatArray
@@ -105,16 +105,7 @@ class StrategyResult:
             "comfort": self.comfort,
             "events": self.events,
             "reference": self.reference,
-            "stages": [
-                {
-                    "stage": span.stage,
-                    "start_time": span.start_time,
-                    "end_time": span.end_time,
-                    "start_position": span.start_position,
-                    "end_position": span.end_position,
-                }
-                for span in self.stages
-            ],
+            "stages": [asdict(span) for span in self.stages],
             "travel_time": self.travel_time,
             "arrival_speed_kmh": self.arrival_speed_kmh,
         }

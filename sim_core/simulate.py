@@ -2,7 +2,8 @@
 
 from sim_core.blas import one_thread
 from sim_core.control.controller import Controller
-from sim_core.loop.drive import Run, make_excitation
+from sim_core.loop.drive import Run
+from sim_core.loop.excitation import excite, step_sizes
 from sim_core.metrics.evaluate import evaluate
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
@@ -46,12 +47,13 @@ def prepare(scenario: Scenario, strategy: str | type[Controller] | Controller) -
     controller = make_controller(strategy).for_scenario(scenario)
     plan = speed_plan(type(controller), scenario.speed.policy)
     profile = plan_speed(scenario, plan)
-    excitation = make_excitation(scenario, controller, plan, profile)
+    steps = step_sizes(scenario, controller, plan)
     return Run(
         scenario=scenario,
         controller=controller,
         plan=plan,
         profile=profile,
-        excitation=excitation,
+        steps=steps,
+        excitation=excite(scenario.road, scenario.vehicle.wheelbase, profile, steps.control, steps.fine),
         stages=spans(scenario, plan, profile),
     )

@@ -5,14 +5,14 @@ count its work and not its time, so that whether it is too expensive depends on 
 """
 
 from collections.abc import Mapping
-from math import ceil, sqrt
+from math import sqrt
 
 from backend.cost.binding_limits import LimitShares, expected_limits
 from sim_core import Controller, DampingController, EcuController, PredictiveController
 from sim_core.control.qp import OsqpSolver
 from sim_core.errors import TooExpensiveError
-from sim_core.loop.drive import SHORT_STEP, run_dampers
-from sim_core.loop.excitation import fine_step
+from sim_core.loop.drive import run_dampers
+from sim_core.loop.excitation import StepSizes, fine_step, step_sizes
 from sim_core.scenario import Actuator, Scenario
 from sim_core.speed.profile import CONTROL_STEP, KMH, TARGET_BAND, plan_speed
 from sim_core.strategies import speed_plan, strategy_named
@@ -111,9 +111,8 @@ def samples(scenario: Scenario, strategy: type[Controller], time: float) -> tupl
         strategy: What drives it.
         time: The run's [s].
     """
-    step = scenario.mpc.sample_time if strategy.actuated else CONTROL_STEP
-    multiple = _short_steps(step) if strategy.delayed else 1
-    return time / step, multiple * ceil(step / multiple / _fine_step(scenario, strategy) - 1e-9)
+    steps = _steps(scenario, strategy)
+    return time / steps.control, steps.fine
 
 
 def memory(scenario: Scenario, strategy: type[Controller], time: float) -> float:
@@ -176,7 +175,7 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, expected: 
         return counts | {
             "ECU": 1.0,
             "exchanges": steps,
-            "short steps": steps * _short_steps(mpc.sample_time),
+            "short steps": steps * _steps(scenario, strategy).short,
             "ECU entries": steps * checks * inputs,
             "ECU iterations": 0.5 * steps * checks * scenario.hil.iterations,
         }
@@ -196,8 +195,8 @@ def _detection(scenario: Scenario) -> float:
     return max(0.0, scenario.road.bump.start - scenario.speed.detection_distance)
 
 
-def _short_steps(step: float) -> int:
-    return ceil(step / SHORT_STEP - 1e-9)
+def _steps(scenario: Scenario, strategy: type[Controller]) -> StepSizes:
+    return step_sizes(scenario, strategy, speed_plan(strategy, scenario.speed.policy))
 
 
 def _fine_step(scenario: Scenario, strategy: type[Controller]) -> float:

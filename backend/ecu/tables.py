@@ -74,11 +74,11 @@ def calibration_header(calibration: Calibration) -> str:
     highest = highest_code(calibration.bits)
     lines.append(f"/* Converters of {calibration.bits} bits: codes from -{highest} to the same above zero.")
     for i, channel in enumerate(SENSORS):
-        lines.append(f"   code {i}: {channel.label.lower()}, +-{channel.reach:g} {channel.unit}")
+        lines.append(f"   code {i}: {channel.label.lower()}, +-{channel.full_scale:g} {channel.unit}")
     for i, channel in enumerate(PREVIEW):
         first = STATES + i * calibration.preview_length
         last = first + calibration.preview_length - 1
-        lines.append(f"   codes {first} to {last}: {channel.label.lower()}, +-{channel.reach:g} {channel.unit}")
+        lines.append(f"   codes {first} to {last}: {channel.label.lower()}, +-{channel.full_scale:g} {channel.unit}")
     lines.append(f"   commands: force front and rear, +-{calibration.force_limit * 1000:g} N */")
     lines.append("extern const ridelab_tables ridelab_calibration;")
     return _guarded("RIDELAB_CALIBRATION_H", "The tables of one scenario.", lines)

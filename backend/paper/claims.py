@@ -154,11 +154,11 @@ def figures_by_window(scenario: Scenario, result: StrategyResult) -> dict[str, l
     """`figures_of` a run under each choice of the reading `window`."""
     own, figures = figures_of(result), {}
     for choice in READINGS[WINDOW].choices:
-        if choice.stretches is None:
+        if choice.intervals is None:
             figures[choice.id] = own
             continue
         rms = rms_between(
-            result.series, plan_speed(scenario, strategy_named(result.strategy).speed_plan), choice.stretches
+            result.series, plan_speed(scenario, strategy_named(result.strategy).speed_plan), choice.intervals
         )
         figures[choice.id] = [
             rms[signal] if window == "rough_road" else value

@@ -15,7 +15,7 @@ from sim_core.scenario.presets import PRESETS
 OURS = "ours"
 
 # First and last position of the front axle [m].
-Stretches = tuple[tuple[float, float], ...]
+Intervals = tuple[tuple[float, float], ...]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -27,7 +27,7 @@ class Choice:
         label: Short, for a switch.
         source: The sentence or equation of the paper that has it, or `OURS`.
         changes: The fields it changes, by dotted name.
-        stretches: Where the RMS on the rough road are taken, of a choice of the reading `window`; None is the run's own
+        intervals: Where the RMS on the rough road are taken, of a choice of the reading `window`; None is the run's own
             window, 0 to the bump.
     """
 
@@ -35,7 +35,7 @@ class Choice:
     label: str
     source: str
     changes: Mapping[str, Any] = field(default_factory=dict)
-    stretches: Stretches | None = None
+    intervals: Intervals | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -75,6 +75,14 @@ def _half_car() -> dict[str, Any]:
         for name, value in half[part].items()
         if value != paper[part][name]
     }
+
+
+def _by_value(field: str, unit: str, values: Mapping[str, float]) -> tuple[Choice, ...]:
+    """Choices of a field's values, all ours: each value by its number in a unit."""
+    return tuple(
+        Choice(id=number, label=f"{number} {unit}", source=OURS, changes={field: value})
+        for number, value in values.items()
+    )
 
 
 READINGS: dict[str, Reading] = {
@@ -138,13 +146,13 @@ READINGS: dict[str, Reading] = {
                     id="class_b",
                     label="Class B parts",
                     source="Eq. 3: class B from 0 to 100 m and from 104 to 110 m",
-                    stretches=((0, 100), (104, 110)),
+                    intervals=((0, 100), (104, 110)),
                 ),
                 Choice(
                     id="full_course",
                     label="0 to 110 m",
                     source="Section 4.2.2: RMS for the full course, which by Eq. 3 ends at 110 m",
-                    stretches=((0, 110),),
+                    intervals=((0, 110),),
                 ),
             ),
         ),
@@ -203,31 +211,19 @@ READINGS: dict[str, Reading] = {
             id="sample_time",
             title="Control interval",
             description="The paper does not give it.",
-            choices=(
-                Choice(id="10", label="10 ms", source=OURS, changes={"mpc.sample_time": 0.01}),
-                Choice(id="5", label="5 ms", source=OURS, changes={"mpc.sample_time": 0.005}),
-                Choice(id="20", label="20 ms", source=OURS, changes={"mpc.sample_time": 0.02}),
-            ),
+            choices=_by_value("mpc.sample_time", "ms", {"10": 0.01, "5": 0.005, "20": 0.02}),
         ),
         Reading(
             id="force_limit",
             title="Actuator force limit",
             description="The paper gives none.",
-            choices=(
-                Choice(id="5", label="5 kN", source=OURS, changes={"mpc.force_limit": 5000}),
-                Choice(id="2.5", label="2.5 kN", source=OURS, changes={"mpc.force_limit": 2500}),
-                Choice(id="10", label="10 kN", source=OURS, changes={"mpc.force_limit": 10_000}),
-                Choice(id="20", label="20 kN", source=OURS, changes={"mpc.force_limit": 20_000}),
-            ),
+            choices=_by_value("mpc.force_limit", "kN", {"5": 5000, "2.5": 2500, "10": 10_000, "20": 20_000}),
         ),
         Reading(
             id="travel_limit",
             title="Travel limit",
             description="Eq. 14 names a limit of the deflection, f_dmax; the paper gives no value.",
-            choices=(
-                Choice(id="80", label="80 mm", source=OURS, changes={"mpc.deflection_limit": 0.08}),
-                Choice(id="100", label="100 mm", source=OURS, changes={"mpc.deflection_limit": 0.1}),
-            ),
+            choices=_by_value("mpc.deflection_limit", "mm", {"80": 0.08, "100": 0.1}),
         ),
     )
 }

@@ -13,7 +13,7 @@ from backend.roads import export, survey
 from backend.roads.models import CreatedRoad, FoundBumpAnswer, RoadAnswer
 from backend.store import Store
 from sim_core.errors import RidelabError
-from sim_core.road.survey import FoundBump, bumps_in
+from sim_core.road.survey import DetectedBump, bumps_in
 from sim_core.scenario import Scenario
 from sim_core.scenario.measured import SPACING, MeasuredRoad
 
@@ -130,7 +130,7 @@ class Roads:
         return roads
 
 
-def drawn(road: MeasuredRoad, points: int) -> tuple[list[float], list[float], list[FoundBump]]:
+def drawn(road: MeasuredRoad, points: int) -> tuple[list[float], list[float], list[DetectedBump]]:
     """About `points` of its heights, the extremes of each section, with their distances; and its bumps."""
     heights = road.heights()
     each = max(1, -(-2 * len(heights) // points))
@@ -143,5 +143,5 @@ def drawn(road: MeasuredRoad, points: int) -> tuple[list[float], list[float], li
     return (samples * SPACING).round(2).tolist(), heights[samples].tolist(), bumps_in(heights)
 
 
-def _bumps(bumps: Iterable[FoundBump]) -> list[FoundBumpAnswer]:
+def _bumps(bumps: Iterable[DetectedBump]) -> list[FoundBumpAnswer]:
     return [FoundBumpAnswer(**asdict(each)) for each in bumps]

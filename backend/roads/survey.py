@@ -8,7 +8,7 @@ import numpy as np
 
 from backend.roads import export
 from sim_core.arrays import FloatArray
-from sim_core.road.survey import CONTACT, FoundBump, bumps_in, surveyed
+from sim_core.road.survey import CONTACT, DetectedBump, bumps_in, surveyed
 from sim_core.scenario.measured import SPACING, MeasuredRoad
 
 MAX_LENGTH, MIN_LENGTH = 3000.0, 5.0  # of a road [m]
@@ -58,7 +58,7 @@ class Survey:
     """The result of reading a file: the road, the bumps in it, and warnings."""
 
     road: MeasuredRoad
-    bumps: list[FoundBump]
+    bumps: list[DetectedBump]
     warnings: list[str] = field(default_factory=list)
 
 

@@ -97,14 +97,12 @@ class RunInputs:
     sample_time: float
 
 
+@dataclass(slots=True, eq=False, repr=False)
 class Seen:
     """What a controller is told in one control step, measured just before the command changes.
 
     Attributes:
         step: Number of the control step, from 0; the first ones are before x = 0.
-        state: The half-car's (8,), exact or estimated as the scenario says: suspension deflections front and rear [m],
-            tyre deflections front and rear [m], body velocity [m/s], pitch rate [rad/s], wheel velocities front and
-            rear [m/s]. Up and nose-down are positive; a suspension deflection is body minus wheel: longer is positive.
         previous_force: What the actuators were told before, front and rear (2,) [N].
 
     Example:
@@ -118,34 +116,22 @@ class Seen:
         cruise (8,) (30, 2)
     """
 
-    __slots__ = ("_car", "_car_state", "_car_step", "_inputs", "previous_force", "state", "step")
+    _inputs: RunInputs
+    _car: VehicleModel
+    step: int
+    _car_step: int  # number of the car's step that begins then
+    _car_state: FloatArray
+    previous_force: FloatArray
 
-    def __init__(
-        self,
-        inputs: RunInputs,
-        car: VehicleModel,
-        step: int,
-        car_state: FloatArray,
-        force: FloatArray,
-        car_step: int | None = None,
-    ) -> None:
-        """Show a control step.
+    @property
+    def state(self) -> FloatArray:
+        """The half-car's (8,), exact or estimated as the scenario says.
 
-        Args:
-            inputs: Of the run.
-            car: Which is driven.
-            step: Number of the control step.
-            car_state: The car's, at its beginning.
-            force: The previous command (2,) [N].
-            car_step: Number of the car's step; by default the control step's.
+        Suspension deflections front and rear [m], tyre deflections front and rear [m], body velocity [m/s], pitch rate
+        [rad/s], wheel velocities front and rear [m/s]. Up and nose-down are positive; a suspension deflection is body
+        minus wheel: longer is positive.
         """
-        self._inputs = inputs
-        self._car = car
-        self._car_state = car_state
-        self._car_step = step if car_step is None else car_step
-        self.step = step
-        self.state = car_state[:STATES]
-        self.previous_force = force
+        return self._car_state[:STATES]
 
     @property
     def time(self) -> float:

@@ -99,7 +99,7 @@ def calibrate(
     first = designs[STAGES[0]]
     free = len(first.shape.H) - AXLES
     intervals = (len(first.bounds) - free) // AXLES
-    checked_rows = _kept(free, intervals, checked)
+    checked_rows = _rows_checked(free, intervals, checked)
     highest = highest_code(hil.bits)
     unit = np.concatenate([np.full(free, 1 / KILO), np.full(AXLES * intervals, CENTI)])[checked_rows]
     axles = np.concatenate([np.full(free, FORCE_ROW), np.repeat(np.arange(AXLES), intervals)])[checked_rows]
@@ -109,7 +109,7 @@ def calibrate(
         predicts=hil.compensation == "predict",
         iterations=hil.iterations,
         bits=hil.bits,
-        input_steps=np.array([channel.reach / highest for channel in (*SENSORS, *PREVIEW)]),
+        input_steps=np.array([channel.full_scale / highest for channel in (*SENSORS, *PREVIEW)]),
         command_step=force_limit / KILO / highest,
         force_limit=force_limit / KILO,
         A=model.A,
@@ -123,7 +123,7 @@ def calibrate(
     )
 
 
-def _kept(free: int, intervals: int, checked: Checked) -> NDArray[np.intp]:
+def _rows_checked(free: int, intervals: int, checked: Checked) -> NDArray[np.intp]:
     """Which of the law's checks the program makes; the first two, its commands, always."""
     if checked == "all":
         return np.arange(free + AXLES * intervals, dtype=np.intp)

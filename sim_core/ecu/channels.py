@@ -17,29 +17,29 @@ IntArray = NDArray[np.int32]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Channel:
-    """A measured quantity: `reach` is what its converter's last step on either side stands for, in `unit`."""
+    """A measured quantity: `full_scale` is what its converter's last step on either side stands for, in `unit`."""
 
     key: str
     label: str
     unit: str
-    reach: float
+    full_scale: float
 
 
 # Ranges (ours) leave the paper's crossing about a factor of two; a value beyond is clipped, and counted.
 SENSORS: tuple[Channel, ...] = (
-    Channel(key="front_deflection", label="Suspension deflection, front", unit="m", reach=0.15),
-    Channel(key="rear_deflection", label="Suspension deflection, rear", unit="m", reach=0.15),
-    Channel(key="front_tyre_deflection", label="Tyre deflection, front", unit="m", reach=0.1),
-    Channel(key="rear_tyre_deflection", label="Tyre deflection, rear", unit="m", reach=0.1),
-    Channel(key="body_velocity", label="Body velocity", unit="m/s", reach=2.0),
-    Channel(key="pitch_rate", label="Pitch rate", unit="rad/s", reach=4.0),
-    Channel(key="front_wheel_velocity", label="Wheel velocity, front", unit="m/s", reach=4.0),
-    Channel(key="rear_wheel_velocity", label="Wheel velocity, rear", unit="m/s", reach=4.0),
+    Channel(key="front_deflection", label="Suspension deflection, front", unit="m", full_scale=0.15),
+    Channel(key="rear_deflection", label="Suspension deflection, rear", unit="m", full_scale=0.15),
+    Channel(key="front_tyre_deflection", label="Tyre deflection, front", unit="m", full_scale=0.1),
+    Channel(key="rear_tyre_deflection", label="Tyre deflection, rear", unit="m", full_scale=0.1),
+    Channel(key="body_velocity", label="Body velocity", unit="m/s", full_scale=2.0),
+    Channel(key="pitch_rate", label="Pitch rate", unit="rad/s", full_scale=4.0),
+    Channel(key="front_wheel_velocity", label="Wheel velocity, front", unit="m/s", full_scale=4.0),
+    Channel(key="rear_wheel_velocity", label="Wheel velocity, rear", unit="m/s", full_scale=4.0),
 )
 PREVIEW: tuple[Channel, ...] = (
-    Channel(key="front_road_velocity", label="Road velocity ahead, front axle", unit="m/s", reach=4.0),
-    Channel(key="rear_road_velocity", label="Road velocity ahead, rear axle", unit="m/s", reach=4.0),
-    Channel(key="braking_deceleration", label="Braking deceleration ahead", unit="m/s^2", reach=10.0),
+    Channel(key="front_road_velocity", label="Road velocity ahead, front axle", unit="m/s", full_scale=4.0),
+    Channel(key="rear_road_velocity", label="Road velocity ahead, rear axle", unit="m/s", full_scale=4.0),
+    Channel(key="braking_deceleration", label="Braking deceleration ahead", unit="m/s^2", full_scale=10.0),
 )
 STAGES = tuple(catalogue.STAGES)  # by the number that stands for each
 
@@ -55,14 +55,14 @@ def highest_code(bits: int) -> int:
 
 def full_scales(intervals: int) -> FloatArray:
     """Range of each input channel: the states, then each preview channel in every interval (8 + 3 · intervals,)."""
-    sensors = [channel.reach for channel in SENSORS]
-    return np.array(sensors + [channel.reach for channel in PREVIEW for _ in range(intervals)])
+    sensors = [channel.full_scale for channel in SENSORS]
+    return np.array(sensors + [channel.full_scale for channel in PREVIEW for _ in range(intervals)])
 
 
-def convert(values: FloatArray, reach: FloatArray | float, bits: int) -> tuple[IntArray, int]:
+def convert(values: FloatArray, full_scale: FloatArray | float, bits: int) -> tuple[IntArray, int]:
     """Codes of values (…, n) and how many of them were beyond the range; rounds to nearest, clips at the ends."""
     highest = highest_code(bits)
-    steps = np.rint(values / reach * highest)
+    steps = np.rint(values / full_scale * highest)
     codes = steps.clip(-highest, highest)
     return codes.astype(np.int32), int(np.count_nonzero(codes != steps))
 

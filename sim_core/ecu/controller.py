@@ -5,7 +5,7 @@ never. What its program is, `connect` says.
 """
 
 from contextlib import ExitStack
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,13 +44,7 @@ class EcuController(PredictiveController):
 
     delayed = True
     solver = "its own"
-    bits: int = scenario_field("hil.bits")
-    compensation: Literal["predict", "none"] = scenario_field("hil.compensation")
-    iterations: int = scenario_field("hil.iterations")
-    noise: float = scenario_field("hil.noise")
-    jitter: float = scenario_field("hil.jitter")
-    packet_loss: float = scenario_field("hil.packet_loss")
-    seed: int = scenario_field("hil.seed")
+    hil: Hil = scenario_field("hil")
 
     def __init__(self, *, connect: Connect = in_process, checked: Checked = "all", **values: Any) -> None:
         """Drive with the program that `connect` leads to, which checks all limits of the horizon or a few."""
@@ -61,7 +55,7 @@ class EcuController(PredictiveController):
     @property
     def preview_steps(self) -> int:
         """The prediction horizon, and one more where the first step is spent on predicting."""
-        return self.prediction_horizon + (self.compensation == "predict")
+        return self.prediction_horizon + (self.hil.compensation == "predict")
 
     def calibration(self, setup: Setup) -> Calibration:
         """What the ECU's program knows in such a run.
@@ -69,9 +63,8 @@ class EcuController(PredictiveController):
         Raises:
             RidelabError: The vehicle and weights admit no stabilising controller.
         """
-        hil = Hil(bits=self.bits, compensation=self.compensation, iterations=self.iterations)
         model = discrete(setup.vehicle, setup.sample_time)
-        return calibrate(self.designs(setup), model, hil, setup.force_limit, self._checked)
+        return calibrate(self.designs(setup), model, self.hil, setup.force_limit, self._checked)
 
     def start(self, setup: Setup) -> None:
         """Connect to the program.
@@ -80,7 +73,7 @@ class EcuController(PredictiveController):
             RidelabError: The vehicle and weights admit no stabilising controller.
         """
         self._connection = ExitStack()
-        self._known = calibration = self.calibration(setup)
+        self._calibration = calibration = self.calibration(setup)
         self._full_scale = full_scales(calibration.preview_length)
         self._noise = self._draw_noise(setup)
         self.report.most_iterations = self.report.clipped_values = 0
@@ -96,7 +89,7 @@ class EcuController(PredictiveController):
 
     def force(self, seen: Seen) -> FloatArray | None:
         """What the program answers; None where nothing came in time."""
-        calibration = self._known
+        calibration = self._calibration
         values = np.concatenate([seen.state, seen.disturbances.ravel()]) + self._noise[seen.step]
         codes, clipped = convert(values, self._full_scale, calibration.bits)
         self.report.clipped_values = (self.report.clipped_values or 0) + clipped
@@ -110,18 +103,18 @@ class EcuController(PredictiveController):
     def arrivals(self, setup: Setup) -> NDArray[np.intp]:
         """A control step later, and by the jitter; one after the end of the run where it is lost."""
         steps, n = setup.steps, setup.short_steps
-        latest = round(self.jitter / setup.short_step)
-        delays = np.random.default_rng((self.seed, _JITTER)).integers(0, latest, size=steps, endpoint=True)
-        lost = np.random.default_rng((self.seed, _LOSS)).random(steps) < self.packet_loss
+        latest = round(self.hil.jitter / setup.short_step)
+        delays = np.random.default_rng((self.hil.seed, _JITTER)).integers(0, latest, size=steps, endpoint=True)
+        lost = np.random.default_rng((self.hil.seed, _LOSS)).random(steps) < self.hil.packet_loss
         return np.where(lost, steps * n, (np.arange(steps) + 1) * n + delays)
 
     def _draw_noise(self, setup: Setup) -> FloatArray:
         """What noise adds to the inputs in each control step (steps, 8 + 3 · preview_steps)."""
         shape = (setup.steps, len(self._full_scale))
-        if not self.noise:
+        if not self.hil.noise:
             return np.broadcast_to(0.0, shape)
-        generator = np.random.default_rng((self.seed, _NOISE))
-        return self.noise * self._full_scale * generator.standard_normal(shape)
+        generator = np.random.default_rng((self.hil.seed, _NOISE))
+        return self.hil.noise * self._full_scale * generator.standard_normal(shape)
 
     def _count(self, reply: Reply) -> None:
         """Take an answer in."""

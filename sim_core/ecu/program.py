@@ -1,7 +1,6 @@
 """The ECU's program in this process: its C (sim_core/ecu/source), compiled into the core's library."""
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, nullcontext
 
 import numpy as np
 
@@ -12,30 +11,28 @@ from sim_core.kernel import prepared
 from sim_core.vehicle.half_car import FORCES, STATES
 
 
-@contextmanager
-def in_process(calibration: Calibration) -> Iterator[Ecu]:
+def in_process(calibration: Calibration) -> AbstractContextManager[Ecu]:
     """A `Connect` that needs neither process nor compiler."""
-    yield CompiledEcu(calibration)
+    return nullcontext(CompiledEcu(calibration))
 
 
 class CompiledEcu(Ecu):
     """The program with these tables, in float32 as everywhere it runs: its answers are the same to the bit."""
 
-    def __init__(self, calibration: Calibration) -> None:
-        known = calibration
-        self._codes = np.zeros(STATES + len(PREVIEW) * known.preview_length, dtype=np.int32)
+    def __init__(self, tables: Calibration) -> None:
+        self._codes = np.zeros(STATES + len(PREVIEW) * tables.preview_length, dtype=np.int32)
         self._answer, self._slack = np.zeros(prepared.ECU_ANSWER, dtype=np.int32), np.zeros(1, dtype=np.float32)
-        sizes = known.intervals, known.preview_length, known.row_count, known.predicts, known.iterations
-        real = known.command_step, known.force_limit, known.slack_price, known.slack_yield
-        vehicle = [part.ravel() for part in (known.input_steps, known.A, known.B, known.E)]
+        sizes = tables.intervals, tables.preview_length, tables.row_count, tables.predicts, tables.iterations
+        real = tables.command_step, tables.force_limit, tables.slack_price, tables.slack_yield
+        vehicle = [part.ravel() for part in (tables.input_steps, tables.A, tables.B, tables.E)]
         self._step = prepared.ecu_step(
-            sizes=np.array([*sizes, highest_code(known.bits)], dtype=np.int32),
+            sizes=np.array([*sizes, highest_code(tables.bits)], dtype=np.int32),
             real=np.array(real, dtype=np.float32),
             vehicle=np.concatenate(vehicle).astype(np.float32),
-            bounds=known.bounds.astype(np.float32),
-            axles=np.array(known.axles, dtype=np.int8),
-            effects=np.array([stage.rows for stage in known.stages], dtype=np.float32),
-            gram=np.array([stage.gram for stage in known.stages], dtype=np.float32),
+            bounds=tables.bounds.astype(np.float32),
+            axles=np.array(tables.axles, dtype=np.int8),
+            effects=np.array([stage.rows for stage in tables.stages], dtype=np.float32),
+            gram=np.array([stage.gram for stage in tables.stages], dtype=np.float32),
             previous=np.zeros(FORCES, dtype=np.float32),
             codes=self._codes,
             answer=self._answer,

@@ -14,7 +14,8 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller
 from sim_core.kernel.prepared import LawArrays
-from sim_core.loop.drive import make_setup, told_preview
+from sim_core.loop.drive import filter_preview, make_setup
+from sim_core.loop.excitation import step_sizes
 from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario, Vehicle
 from sim_core.speed.profile import plan_speed
 from sim_core.strategies import make_controller, speed_plan
@@ -52,7 +53,7 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
         UnknownNameError: No such strategy.
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
-    made = make_controller(strategy)
+    instance = make_controller(strategy)
     believed = scenario.model_copy(
         update={
             "road": _ANY_ROAD,
@@ -61,26 +62,27 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
             "lqr": scenario.lqr.model_copy(update={"preview": "none"}),
         }
     )
-    controller = made.for_scenario(believed)
+    controller = instance.for_scenario(believed)
     if controller.delayed or controller.dampers() is not None:
         return None
-    profile = plan_speed(believed, speed_plan(type(made), scenario.speed.policy))
-    setup = make_setup(believed, controller, profile)
+    plan = speed_plan(type(instance), scenario.speed.policy)
+    profile = plan_speed(believed, plan)
+    setup = make_setup(believed, controller, profile, step_sizes(believed, controller, plan))
     controller.start(setup)
     of_stages = [controller.linear_law(stage) for stage in setup.stages]
     controller.end()
     if None in of_stages:
         return None
     laws = dict.fromkeys(law for law in of_stages if law is not None)
-    vehicle, actuator = scenario.real_vehicle, scenario.actuator if made.actuated else Actuator()
+    vehicle, actuator = scenario.real_vehicle, scenario.actuator if instance.actuated else Actuator()
     step, estimator = setup.sample_time, None
-    if made.actuated:
-        mode, still = told_preview(scenario, made.for_scenario(scenario)), np.zeros((1, DISTURBANCES))
+    if instance.actuated:
+        mode, still = filter_preview(scenario, instance.for_scenario(scenario)), np.zeros((1, DISTURBANCES))
         estimator = make_estimator(scenario, step, profile.initial_speed, still, mode=mode)
-    exact = control_step(plant(vehicle, actuator, step, 1), vehicle, estimator)
-    loops = [closed_loop_matrix(exact, law) for law in laws]
+    A, B = control_step(plant(vehicle, actuator, step, 1), vehicle, estimator)
+    loops = [closed_loop_matrix(A, B, law) for law in laws]
     of_modes = [damping(loop, step) for loop in loops]
-    if vehicle.rebound_ratio == 1 or not made.actuated:  # dampers alone only take energy out
+    if vehicle.rebound_ratio == 1 or not instance.actuated:  # dampers alone only take energy out
         return min(of_modes)
     last = [_last_motion(vehicle, actuator, step, estimator, law, loop) for law, loop in zip(laws, loops, strict=True)]
     return min(slowest if mean < 0 else min(mean, slowest) for mean, slowest in zip(of_modes, last, strict=True))

@@ -33,6 +33,14 @@ static double dot(const double *a, const double *b, int count)
     return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
+void ridelab_add_columns(const double (*restrict columns)[10], const double *restrict factors, int count,
+                         double *restrict sum)
+{
+    for (int column = 0; column < count; column++)
+        for (int i = 0; i < 10; i++)
+            sum[i] += columns[column][i] * factors[column];
+}
+
 /* A row on state and previous force `z`, then on what is previewed in a control step. */
 static double on_preview(const struct law *law, const double *row, const double *preview)
 {
@@ -67,7 +75,7 @@ static int holds(const struct law *law, int step, const double *z, const double 
 /* Control steps from `first` to before `last`, in rows of `loop`, [car; previous command], of which the first is given.
    Returns the first step that the law does not decide, or `last`; `limited` counts those in which a limit of forces or
    actuators shaped the command. */
-int ridelab_follow_law(const struct car *car, const struct law *law, double *loop, int *limited, int first, int last)
+int ridelab_follow_law(struct car *car, const struct law *law, double *loop, int *limited, int first, int last)
 {
     const struct law_numbers *numbers = law->numbers;
     int width = car->size + FORCES;
@@ -98,7 +106,7 @@ int ridelab_follow_law(const struct car *car, const struct law *law, double *loo
 }
 
 /* One control step whose command stands in the next row already. */
-void ridelab_advance(const struct car *car, double *loop, int step)
+void ridelab_advance(struct car *car, double *loop, int step)
 {
     double *now = loop + (ptrdiff_t)(car->size + FORCES) * step, *next = now + car->size + FORCES;
     car->advance(car, step, now, next + car->size, next);
@@ -118,7 +126,7 @@ struct linear_car {
     const double *A, *B, *forcing;
 };
 
-static void advance_linear(const struct car *car, int step, const double *now, const double *command, double *next)
+static void advance_linear(struct car *car, int step, const double *now, const double *command, double *next)
 {
     const struct linear_car *me = (const struct linear_car *)car;
     int size = car->size;

@@ -27,7 +27,7 @@ struct law {
 
 /* What a car's state is at the end of a control step from what it is now, and the command [N]. */
 struct car;
-typedef void advance_function(const struct car *car, int step, const double *now, const double *command, double *next);
+typedef void advance_function(struct car *car, int step, const double *now, const double *command, double *next);
 
 /* Each kind of car begins with it. */
 struct car {
@@ -35,7 +35,10 @@ struct car {
     int size; /* numbers of its state */
 };
 
+/* Add columns of ten numbers, each times its factor. */
+void ridelab_add_columns(const double (*columns)[10], const double *factors, int count, double *sum);
+
 /* Bytes that are enough for a law or a car of any kind. */
-enum { RIDELAB_PREPARED = 256 };
+enum { RIDELAB_PREPARED = 32768 };
 
 #endif

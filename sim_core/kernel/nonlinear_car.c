@@ -15,6 +15,7 @@ enum { MOST_EVENTS = 4 };          /* that a step ends at; both axles' dampers m
 enum { PARTS = 8 };                /* of a fine step in which a tyre lifts off or lands */
 static const double NEAR = 1e-3;   /* of a step: an event nearer to one of its ends does not divide it */
 static const double ROUNDING = 1e-9; /* of a length */
+static const double SLOW = 1e-3;     /* [m/s]: within a step a damper that is faster does not turn and turn back */
 static const double TINY = 1e-300; /* squared speed that is no speed [m^2/s^2] */
 
 /* All numbers, as they come from outside; arrays of two are of the front and the rear axle. */
@@ -34,6 +35,22 @@ struct state {
     double at[NUMBERS];
 };
 
+/* The forces where no slope changes: of an axle's damper and spring, what a stop adds, of its tyre, and of one lifted. */
+struct mode {
+    double damping[AXLES], spring[AXLES], stop[AXLES], tyre[AXLES], lifted[AXLES];
+};
+
+/* What a step of Runge-Kutta depends on: the state, the road's velocity as a polynomial, braking, 1, the command. */
+enum { ROAD = NUMBERS, BRAKING = ROAD + 3 * AXLES, ONE, COMMAND, CAUSES = COMMAND + FORCES };
+
+/* Such a step in a mode, that of `sides`: it is linear. */
+struct linear_step {
+    int sides;
+    double time; /* that it takes [s]; 0 for none */
+    double effects[CAUSES][NUMBERS];
+};
+enum { LINEAR_STEPS = 16 }; /* that are kept */
+
 /* A nonlinear car on its road over a whole drive. */
 struct nonlinear_car {
     struct car car;
@@ -49,6 +66,8 @@ struct nonlinear_car {
     double time;                       /* of a fine step [s] */
     double *table;                     /* 10 x (fine + 1) x columns samples, of the last control steps */
     int columns;
+    int linear_steps; /* that were made */
+    struct linear_step kept[LINEAR_STEPS];
 };
 
 /* A fine step or a part of one: the road's velocity as a polynomial of the time from its beginning. */
@@ -61,13 +80,6 @@ struct piece {
 static inline double between(double low, double value, double high)
 {
     return value < low ? low : value > high ? high : value;
-}
-
-/* The suspension's force but the damper's. */
-static inline double spring_force(const struct vehicle *vehicle, int axle, double travel)
-{
-    double stopped = between(-vehicle->clearance[axle], travel, vehicle->clearance[axle]);
-    return vehicle->spring[axle] * travel + vehicle->stop[axle] * (travel - stopped);
 }
 
 static inline double tyre_load(const struct vehicle *vehicle, int axle, double tyre)
@@ -108,26 +120,66 @@ static inline double control_rate(const struct vehicle *vehicle, int axle, doubl
     return vehicle->corner * (command - control);
 }
 
+enum { EXTENDED = 1, COMPRESSED = 2, LIFTED = 4, REBOUNDS = 8, OF_AXLE = 4 }; /* bits of an axle; how many */
+enum { MAY_TURN = 1 << AXLES * OF_AXLE };
+
+/* On which side of its events each axle is: of meeting a stop, of its tyre's lifting off, of its damper's turning. And
+   whether a damper is so slow that it may turn, and turn back, within a step; a semi-active one is no mode's. */
+static inline int side(const struct vehicle *vehicle, const struct state *x)
+{
+    double slow = vehicle->semi_active ? INFINITY : SLOW * vehicle->turns;
+    int sides = 0;
+    for (int axle = 0; axle < AXLES; axle++) {
+        double travel = x->at[TRAVEL + axle], speed = vehicle->turns * travel_speed(vehicle, axle, x);
+        int own = EXTENDED * (travel > vehicle->clearance[axle]) | COMPRESSED * (travel < -vehicle->clearance[axle]) |
+                  LIFTED * (-vehicle->tyre[axle] * x->at[TYRE + axle] < vehicle->lift_off[axle]) | REBOUNDS * (speed > 0);
+        sides |= own << OF_AXLE * axle | MAY_TURN * (fabs(speed) < slow);
+    }
+    return sides;
+}
+
+static inline struct mode mode_of(const struct vehicle *vehicle, int sides)
+{
+    struct mode mode;
+    for (int axle = 0; axle < AXLES; axle++) {
+        int own = sides >> OF_AXLE * axle, stopped = own & (EXTENDED | COMPRESSED);
+        double meets = vehicle->stop[axle] * vehicle->clearance[axle];
+        mode.damping[axle] = own & REBOUNDS ? vehicle->rebound[axle] : vehicle->compression[axle];
+        mode.spring[axle] = vehicle->spring[axle] + (stopped ? vehicle->stop[axle] : 0);
+        mode.stop[axle] = !stopped ? 0 : own & EXTENDED ? -meets : meets;
+        mode.tyre[axle] = own & LIFTED ? 0 : vehicle->tyre[axle];
+        mode.lifted[axle] = own & LIFTED ? vehicle->lift_off[axle] : 0;
+    }
+    return mode;
+}
+
 /* At a time from the beginning of a piece [s]. */
-static inline struct state derivative(const struct vehicle *vehicle, const struct state *x, const double *command,
-                                      const struct piece *w, double time)
+static inline struct state derivative_in(const struct mode *mode, const struct vehicle *vehicle, const struct state *x,
+                                         const double *command, const struct piece *w, double time)
 {
     struct state rate;
     double force[AXLES];
     for (int axle = 0; axle < AXLES; axle++) {
-        double speed = travel_speed(vehicle, axle, x), passive = passive_damping(vehicle, axle, speed);
-        double control = x->at[FORCE + axle];
+        double speed = travel_speed(vehicle, axle, x), passive = mode->damping[axle], control = x->at[FORCE + axle];
         double road = w->velocity[0][axle] + time * (w->velocity[1][axle] + time * w->velocity[2][axle]);
-        force[axle] = spring_force(vehicle, axle, x->at[TRAVEL + axle]) - vehicle->link[axle] * w->braking +
+        force[axle] = mode->spring[axle] * x->at[TRAVEL + axle] + mode->stop[axle] - vehicle->link[axle] * w->braking +
                       (passive * speed - control_force(vehicle, axle, speed, passive, control));
+        double load = mode->lifted[axle] - mode->tyre[axle] * x->at[TYRE + axle];
         rate.at[TRAVEL + axle] = speed;
         rate.at[TYRE + axle] = x->at[WHEEL + axle] - road;
-        rate.at[WHEEL + axle] = (tyre_load(vehicle, axle, x->at[TYRE + axle]) + force[axle]) * vehicle->per_wheel_mass[axle];
+        rate.at[WHEEL + axle] = (load + force[axle]) * vehicle->per_wheel_mass[axle];
         rate.at[FORCE + axle] = vehicle->corner ? control_rate(vehicle, axle, speed, command[axle], control) : 0;
     }
     rate.at[BODY] = -force[0] * vehicle->body_share[0] - force[1] * vehicle->body_share[1];
     rate.at[BODY + 1] = vehicle->brake_moment * w->braking - force[0] * vehicle->pitch_share[0] - force[1] * vehicle->pitch_share[1];
     return rate;
+}
+
+static inline struct state derivative(const struct vehicle *vehicle, const struct state *x, const double *command,
+                                      const struct piece *w, double time)
+{
+    struct mode mode = mode_of(vehicle, side(vehicle, x));
+    return derivative_in(&mode, vehicle, x, command, w, time);
 }
 
 static inline struct state moved(const struct state *x, double time, const struct state *rate)
@@ -138,31 +190,75 @@ static inline struct state moved(const struct state *x, double time, const struc
     return next;
 }
 
-/* One step h of the classical Runge-Kutta method; `first` is the derivative at its beginning. */
-static inline struct state advance(const struct vehicle *vehicle, double h, const double *command, const struct piece *w,
-                                   double time, const struct state *first, const struct state *x)
+/* One step h of the classical Runge-Kutta method; `first` is the derivative at its beginning. In a mode, or in that of
+   each state where it is NULL. */
+static inline struct state advance_in(const struct mode *mode, const struct vehicle *vehicle, double h,
+                                      const double *command, const struct piece *w, double time,
+                                      const struct state *first, const struct state *x)
 {
-    struct state at_second = moved(x, h / 2, first), second = derivative(vehicle, &at_second, command, w, time + h / 2);
-    struct state at_third = moved(x, h / 2, &second), third = derivative(vehicle, &at_third, command, w, time + h / 2);
-    struct state at_fourth = moved(x, h, &third), fourth = derivative(vehicle, &at_fourth, command, w, time + h);
-    struct state next;
-    for (int i = 0; i < NUMBERS; i++)
-        next.at[i] = x->at[i] + h / 6 * first->at[i] + h / 3 * second.at[i] + h / 3 * third.at[i] + h / 6 * fourth.at[i];
+    static const double share[3] = {0.5, 0.5, 1}, weight[3] = {1.0 / 3, 1.0 / 3, 1.0 / 6};
+    struct state next = moved(x, h / 6, first), rate = *first;
+    for (int stage = 0; stage < 3; stage++) {
+        struct state at_stage = moved(x, share[stage] * h, &rate);
+        double then = time + share[stage] * h;
+        rate = mode ? derivative_in(mode, vehicle, &at_stage, command, w, then)
+                    : derivative(vehicle, &at_stage, command, w, then);
+        next = moved(&next, weight[stage] * h, &rate);
+    }
     return next;
 }
 
-/* On which side of its events each axle is: of meeting a stop, of its tyre's lifting off, of its damper's turning. */
-static inline int side(const struct vehicle *vehicle, const struct state *x)
+static struct state advance(const struct vehicle *vehicle, double h, const double *command, const struct piece *w,
+                            double time, const struct state *first, const struct state *x)
 {
-    int sides = 0;
-    for (int axle = 0; axle < AXLES; axle++) {
-        double travel = x->at[TRAVEL + axle];
-        int stops = (travel > vehicle->clearance[axle]) | (travel < -vehicle->clearance[axle]) << 1;
-        int lifted = -vehicle->tyre[axle] * x->at[TYRE + axle] < vehicle->lift_off[axle];
-        int rebounds = vehicle->turns * travel_speed(vehicle, axle, x) > 0;
-        sides = sides << 4 | stops | lifted << 2 | rebounds << 3;
+    return advance_in(NULL, vehicle, h, command, w, time, first, x);
+}
+
+/* The step in the mode of `sides`: what each cause alone makes of rest. */
+static const struct linear_step *linear_step(struct nonlinear_car *me, int sides, double h)
+{
+    for (int i = 0; i < LINEAR_STEPS; i++)
+        if (me->kept[i].sides == sides && me->kept[i].time == h)
+            return me->kept + i;
+    struct linear_step *step = me->kept + me->linear_steps++ % LINEAR_STEPS;
+    step->sides = sides;
+    step->time = h;
+    for (int cause = 0; cause < CAUSES; cause++) {
+        struct mode mode = mode_of(me->vehicle, sides);
+        struct state x = {{0}}, first;
+        struct piece w = {.braking = cause == BRAKING};
+        double command[FORCES] = {cause == COMMAND, cause == COMMAND + 1};
+        for (int axle = 0; axle < AXLES && cause != ONE; axle++)
+            mode.stop[axle] = mode.lifted[axle] = 0;
+        if (cause < ROAD)
+            x.at[cause] = 1;
+        else if (cause < BRAKING)
+            w.velocity[(cause - ROAD) / AXLES][(cause - ROAD) % AXLES] = 1;
+        first = derivative_in(&mode, me->vehicle, &x, command, &w, 0);
+        x = advance_in(&mode, me->vehicle, h, command, &w, 0, &first, &x);
+        memcpy(step->effects[cause], x.at, sizeof x);
     }
-    return sides;
+    return step;
+}
+
+static void advance_linearly(const struct linear_step *step, const double *command, const struct piece *w, double time,
+                             const struct state *x, struct state *next)
+{
+    double cause[CAUSES];
+    for (int i = 0; i < NUMBERS; i++) {
+        cause[i] = x->at[i];
+        next->at[i] = 0;
+    }
+    for (int axle = 0; axle < AXLES; axle++) {
+        double v0 = w->velocity[0][axle], v1 = w->velocity[1][axle], v2 = w->velocity[2][axle];
+        cause[ROAD + axle] = v0 + time * (v1 + time * v2);
+        cause[ROAD + AXLES + axle] = v1 + 2 * time * v2;
+        cause[ROAD + 2 * AXLES + axle] = v2;
+        cause[COMMAND + axle] = command[axle];
+    }
+    cause[BRAKING] = w->braking;
+    cause[ONE] = 1;
+    ridelab_add_columns(step->effects, cause, CAUSES, next->at);
 }
 
 /* The share of a step at which a number crosses zero, if that is before `share`. */
@@ -189,27 +285,31 @@ static double first_event(const struct vehicle *vehicle, const struct state *x, 
     return share < 1 - NEAR ? share : 1;
 }
 
-/* The same where the step meets events: by steps that end there. */
-static struct state advance_by_events(const struct vehicle *vehicle, double h, const double *command, const struct piece *w,
-                                      double time, struct state first, struct state x)
+/* The step by steps that end at the events it meets. */
+static void advance_by_events(const struct vehicle *vehicle, double h, const double *command, const struct piece *w,
+                              double time, struct state *x)
 {
     for (int events = 0;; events++) {
-        struct state next = advance(vehicle, h, command, w, time, &first, &x);
-        double share = events < MOST_EVENTS ? first_event(vehicle, &x, &next) : 1;
+        struct state first = derivative(vehicle, x, command, w, time);
+        struct state next = advance(vehicle, h, command, w, time, &first, x);
+        double share = events < MOST_EVENTS ? first_event(vehicle, x, &next) : 1;
+        if (share < 1)
+            next = advance(vehicle, share * h, command, w, time, &first, x);
+        *x = next;
         if (share == 1)
-            return next;
-        x = advance(vehicle, share * h, command, w, time, &first, &x);
+            return;
         time += share * h;
         h -= share * h;
-        first = derivative(vehicle, &x, command, w, time);
     }
 }
 
-static void sample(const struct vehicle *vehicle, const struct state *x, const struct state *rate, double *table, size_t signal)
+static void sample(const struct vehicle *vehicle, const struct state *x, const double *command, const struct piece *w,
+                   double time, double *table, size_t signal)
 {
+    struct state rate = derivative(vehicle, x, command, w, time);
     for (int axle = 0; axle < AXLES; axle++) {
-        double speed = rate->at[TRAVEL + axle], passive = passive_damping(vehicle, axle, speed);
-        const double signals[SIGNALS] = {speed, rate->at[BODY + axle], tyre_load(vehicle, axle, x->at[TYRE + axle]),
+        double speed = rate.at[TRAVEL + axle], passive = passive_damping(vehicle, axle, speed);
+        const double signals[SIGNALS] = {speed, rate.at[BODY + axle], tyre_load(vehicle, axle, x->at[TYRE + axle]),
                                          x->at[TRAVEL + axle],
                                          control_force(vehicle, axle, speed, passive, x->at[FORCE + axle])};
         for (size_t i = 0; i < SIGNALS; i++)
@@ -241,25 +341,27 @@ static struct piece fine_step(const struct nonlinear_car *me, int step)
     return piece(w, within, within + AXLES, w[2], me->time);
 }
 
-/* Over a piece; `rate` is the derivative at its beginning. */
-static struct state cross(const struct vehicle *vehicle, int steps, const double *command, const struct piece *w,
-                          struct state rate, struct state x)
+/* Over a piece. */
+static void cross(struct nonlinear_car *me, int steps, const double *command, const struct piece *w, struct state *x)
 {
+    const struct vehicle *vehicle = me->vehicle;
     double h = w->time / steps;
-    int where = side(vehicle, &x);
+    int where = side(vehicle, x);
     for (int step = 0; step < steps; step++) {
-        if (step)
-            rate = derivative(vehicle, &x, command, w, step * h);
-        struct state next = advance(vehicle, h, command, w, step * h, &rate, &x);
-        int there = side(vehicle, &next);
-        if (there != where) {
-            next = advance_by_events(vehicle, h, command, w, step * h, rate, x);
+        struct state next;
+        int there = MAY_TURN;
+        if (!(where & MAY_TURN)) {
+            advance_linearly(linear_step(me, where, h), command, w, step * h, x, &next);
             there = side(vehicle, &next);
         }
-        x = next;
+        if (there & MAY_TURN || there != where) {
+            next = *x;
+            advance_by_events(vehicle, h, command, w, step * h, &next);
+            there = side(vehicle, &next);
+        }
+        *x = next;
         where = there;
     }
-    return x;
 }
 
 /* Whether a tyre may have lifted off or landed within a piece. */
@@ -275,8 +377,7 @@ static int may_lift(const struct vehicle *vehicle, const struct piece *w, const 
 }
 
 /* A fine step in so many parts, each with a polynomial of its own. */
-static struct state cross_parts(const struct nonlinear_car *me, int step, int parts, const double *command,
-                                struct state x)
+static void cross_parts(struct nonlinear_car *me, int step, int parts, const double *command, struct state *x)
 {
     int substeps = (me->substeps + parts - 1) / parts;
     const double *front = me->position + step, *rear = front + me->steps * me->fine + 1;
@@ -294,9 +395,8 @@ static struct state cross_parts(const struct nonlinear_car *me, int step, int pa
             low[axle] = high;
         }
         struct piece w = piece(chord, mean, moment, braking, time);
-        x = cross(me->vehicle, substeps, command, &w, derivative(me->vehicle, &x, command, &w, 0), x);
+        cross(me, substeps, command, &w, x);
     }
-    return x;
 }
 
 /* Into how many parts a fine step goes, so that none is longer than a cell of the road's grid: no polynomial follows two
@@ -307,31 +407,29 @@ static int cells(const struct nonlinear_car *me, int step)
     return length <= cell ? 1 : (int)ceil(length / cell);
 }
 
-/* One control step from x, whose first fine step is given; its samples in a column of the table unless that is NULL. */
-static struct state hold(const struct nonlinear_car *me, int first, const double *command, struct state x, double *column)
+/* One control step, whose first fine step is given; its samples in a column of the table unless that is NULL. */
+static void hold(struct nonlinear_car *me, int first, const double *command, struct state *x, double *column)
 {
     const struct vehicle *vehicle = me->vehicle;
     size_t columns = (size_t)me->columns, signal = columns * (size_t)(me->fine + 1);
     struct piece w = {.time = 0};
     for (int j = 0; j < me->fine; j++) {
         w = fine_step(me, first + j);
-        struct state next, rate = derivative(vehicle, &x, command, &w, 0);
         if (column)
-            sample(vehicle, &x, &rate, column + (size_t)j * columns, signal);
+            sample(vehicle, x, command, &w, 0, column + (size_t)j * columns, signal);
+        struct state before = *x;
         int parts = me->road.samples ? cells(me, first + j) : 1;
         if (parts > 1)
-            next = cross_parts(me, first + j, parts, command, x);
+            cross_parts(me, first + j, parts, command, x);
         else
-            next = cross(vehicle, me->substeps, command, &w, rate, x);
-        if (me->road.samples && may_lift(vehicle, &w, &x, &next))
-            next = cross_parts(me, first + j, PARTS, command, x);
-        x = next;
+            cross(me, me->substeps, command, &w, x);
+        if (me->road.samples && may_lift(vehicle, &w, &before, x)) {
+            *x = before;
+            cross_parts(me, first + j, PARTS, command, x);
+        }
     }
-    if (column) {
-        struct state rate = derivative(vehicle, &x, command, &w, w.time);
-        sample(vehicle, &x, &rate, column + (size_t)me->fine * columns, signal);
-    }
-    return x;
+    if (column)
+        sample(vehicle, x, command, &w, w.time, column + (size_t)me->fine * columns, signal);
 }
 
 struct estimator {
@@ -372,12 +470,12 @@ static struct state state_of(const struct nonlinear_car *me, const double *now, 
     return x;
 }
 
-static void advance_nonlinear(const struct car *car, int step, const double *now, const double *command, double *next)
+static void advance_nonlinear(struct car *car, int step, const double *now, const double *command, double *next)
 {
-    const struct nonlinear_car *me = (const struct nonlinear_car *)car;
+    struct nonlinear_car *me = (struct nonlinear_car *)car;
     int column = step - (me->steps - me->columns), first = step * me->fine;
     struct state x = state_of(me, now, command);
-    x = hold(me, first, command, x, column < 0 ? NULL : me->table + column);
+    hold(me, first, command, &x, column < 0 ? NULL : me->table + column);
     memcpy(next + car->size - me->states, x.at, (size_t)me->states * sizeof(double));
     if (me->estimator) {
         double y[MEASURED], braking = me->disturbance[(ptrdiff_t)DISTURBANCES * (first + me->fine) - 1];
@@ -404,5 +502,6 @@ void ridelab_prepare_nonlinear_car(struct nonlinear_car *me, const struct vehicl
     _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a car is prepared in memory of that size");
     *me = (struct nonlinear_car){
         {advance_nonlinear, states + (estimates ? STATE : 0)}, states, vehicle, estimates ? estimator : NULL, known,
-        {roughness, samples, *layout}, position, within, disturbance, steps, fine, substeps, time, table, columns};
+        {roughness, samples, *layout}, position, within, disturbance, steps, fine, substeps, time, table, columns, 0,
+        {{.time = 0}}};
 }

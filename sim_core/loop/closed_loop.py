@@ -126,14 +126,15 @@ class ClosedLoop:
         """Drive one control step by the controller; whether a limit of forces or actuators shaped its command."""
         n = self._car.size
         state, previous = loop[k, :n], loop[k, n:]
-        seen, report = Seen(self._inputs, self._car, k, read_only(state), read_only(previous)), self._controller.report
-        limited = report.limited_steps
+        seen = Seen(self._inputs, self._car, k, k, read_only(state), read_only(previous))
+        limited = self._controller.report.limited_steps
         asked = checked_force(self._controller, self._controller.force(seen), k)
         wanted = asked.clip(-self._limits.control, self._limits.control)
         command = self._limits.of_actuator(wanted, previous)
         loop[k + 1, n:] = command
         self._car.advance(k, loop)
-        return command is not wanted or asked.tolist() != wanted.tolist() or report.limited_steps > limited
+        by_itself = self._controller.report.limited_steps > limited
+        return by_itself or command is not wanted or asked.tolist() != wanted.tolist()
 
 
 @cached

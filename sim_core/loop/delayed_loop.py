@@ -38,8 +38,8 @@ class DelayedLoop:
         settled, bound = True, False  # whether the actuators change no more, and whether their limits hold them back
         for k in range(steps):
             counted = self._controller.report.limited_steps
-            state = read_only(loop[k * n, : car.size])
-            force = self._controller.force(Seen(self._inputs, car, k, state, read_only(present), car_step=k * n))
+            seen = Seen(self._inputs, car, k, k * n, read_only(loop[k * n, : car.size]), read_only(present))
+            force = self._controller.force(seen)
             shaped = self._controller.report.limited_steps > counted
             if force is not None:
                 wanted = checked_force(self._controller, force, k)

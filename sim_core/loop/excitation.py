@@ -11,13 +11,15 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
+from sim_core.control.controller import Controller
 from sim_core.kernel import binding
 from sim_core.road.profile import GRID, RoadProfile, RoadUnderAxles, detail, profile, road_under_axles
 from sim_core.scenario import Road, Scenario
-from sim_core.speed.profile import KMH, SpeedPlan, SpeedProfile, run_in_steps
+from sim_core.speed.profile import CONTROL_STEP, KMH, SpeedPlan, SpeedProfile
 from sim_core.vehicle.half_car import DISTURBANCES
 
 FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
+SHORT_STEP = 1e-3  # longest step in which a delayed controller's commands may arrive [s]
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -60,7 +62,7 @@ class Excitation:
     """A sampled drive on its road.
 
     Attributes:
-        drive: What follows from the drive alone.
+        grid: What follows from the drive alone.
         disturbance: Road velocities front and rear [m/s], braking deceleration [m/s^2], each held over a fine step;
             (steps, 3 · fine), fine step after fine step.
         surface: The road.
@@ -68,41 +70,34 @@ class Excitation:
         series: The record's signals that no suspension changes (catalogue.SIGNALS).
     """
 
-    drive: TimeGrid
+    grid: TimeGrid
     disturbance: FloatArray
     surface: RoadProfile
     height: FloatArray
     series: dict[str, FloatArray]
 
-    @property
-    def time(self) -> FloatArray:
-        """Control instants (steps + 1,) [s]."""
-        return self.drive.time
 
-    @property
-    def position(self) -> FloatArray:
-        """Of the front axle at the control instants that begin a step (steps,) [m]."""
-        return self.drive.position
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StepSizes:
+    """How finely a run is stepped.
 
-    @property
-    def fine(self) -> int:
-        """Fine steps in each control step."""
-        return self.drive.fine
+    Attributes:
+        control: Control step [s].
+        short: Short steps in a control step: 1 where commands take effect at once.
+        fine: Fine steps in a control step, as many in each short one.
+    """
 
-    @property
-    def on_record(self) -> slice:
-        """The fine samples on record."""
-        return self.drive.on_record
+    control: float
+    short: int
+    fine: int
 
-    @property
-    def step(self) -> float:
-        """Control step [s]."""
-        return self.drive.step
 
-    @property
-    def fine_step(self) -> float:
-        """Fine step [s]."""
-        return self.drive.fine_step
+def step_sizes(scenario: Scenario, controller: type[Controller] | Controller, plan: SpeedPlan) -> StepSizes:
+    """Those of a controller's run at that speed plan."""
+    control = scenario.mpc.sample_time if controller.actuated else CONTROL_STEP
+    short = ceil(control / SHORT_STEP - 1e-9) if controller.delayed else 1
+    longest = fine_step(scenario, plan, actuated=controller.actuated)
+    return StepSizes(control=control, short=short, fine=short * ceil(control / short / longest - 1e-9))
 
 
 def fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool) -> float:
@@ -129,9 +124,7 @@ def fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool) -> float:
 
 
 @cached
-def excite(
-    road: Road, wheelbase: float, drive: SpeedProfile, step: float, longest_fine_step: float, multiple: int = 1
-) -> Excitation:
+def excite(road: Road, wheelbase: float, drive: SpeedProfile, step: float, fine: int) -> Excitation:
     """Sample a drive and look its road up.
 
     Args:
@@ -139,45 +132,41 @@ def excite(
         wheelbase: L [m].
         drive: Its speed plan.
         step: Control step [s].
-        longest_fine_step: See `fine_step` [s].
-        multiple: A control step has a whole multiple of so many fine steps.
+        fine: Fine steps in it.
     """
-    fine = multiple * ceil(step / multiple / longest_fine_step - 1e-9)
-    sampled = _sampled(drive, road.length, wheelbase, step, fine)
+    grid = _sampled(drive, road.length, wheelbase, step, fine)
     surface = profile(road)
-    height = surface.height(sampled.axles)
-    braking = _braking(drive, sampled, step / fine)
-    held = np.empty((len(sampled.time) - 1, fine * DISTURBANCES))
-    binding.disturbances(height, braking, sampled.fine_step, held)
+    height = surface.height(grid.axles)
+    braking = _braking(drive, grid, step)
+    held = np.empty((len(grid.time) - 1, fine * DISTURBANCES))
+    binding.disturbances(height, braking, grid.fine_step, held)
     height.flags.writeable = False
-    front, rear = height[:, sampled.on_record]
+    front, rear = height[:, grid.on_record]
     return Excitation(
-        drive=sampled,
+        grid=grid,
         disturbance=held,
         surface=surface,
         height=height,
-        series=sampled.series | {"front_road": front, "rear_road": rear},
+        series=grid.series | {"front_road": front, "rear_road": rear},
     )
 
 
 @cached
 def under_axles(excitation: Excitation) -> RoadUnderAxles:
     """The road that `disturbance` has straight within each fine step."""
-    return road_under_axles(excitation.surface, excitation.drive.axles)
+    return road_under_axles(excitation.surface, excitation.grid.axles)
 
 
 @cached
 def _sampled(drive: SpeedProfile, length: float, wheelbase: float, step: float, fine: int) -> TimeGrid:
     """The part of `excite` that needs no height; length of the road in m."""
-    duration = drive.time_at(length)
-    before = run_in_steps(drive.initial_speed, step)
-    steps = before + int(duration / step + 1e-6) + 1  # the last one begins at the road's end or before it
+    before, steps = drive.control_steps(length, step)
     h = step / fine
 
     time = h * np.arange(-before * fine, (steps - before) * fine + 1, dtype=np.float64)
     position, speed = drive.at(time)
     first = before * fine
-    record = slice(first, first + int(duration / h + 1e-6) + 1)
+    record = slice(first, first + int(drive.time_at(length) / h + 1e-6) + 1)
     series = {
         "time": time[record],
         "position": position[record],
@@ -200,10 +189,10 @@ def _sampled(drive: SpeedProfile, length: float, wheelbase: float, step: float, 
 
 
 @cached
-def _braking(drive: SpeedProfile, sampled: TimeGrid, h: float) -> FloatArray:
-    """Deceleration, held over each fine step of h [s] (n,) [m/s^2]; apart from the drive, which lives longer."""
-    first = -sampled.before * sampled.fine
-    begins = h * np.arange(first, first + sampled.axles.shape[1] - 1, dtype=np.float64)
+def _braking(drive: SpeedProfile, grid: TimeGrid, step: float) -> FloatArray:
+    """Deceleration, held over each fine step (n,) [m/s^2]; apart from the grid, which lives longer."""
+    first, h = -grid.before * grid.fine, step / grid.fine
+    begins = h * np.arange(first, first + grid.axles.shape[1] - 1, dtype=np.float64)
     return drive.sample(drive.braking, begins + h / 2)
 
 

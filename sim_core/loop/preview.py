@@ -15,12 +15,10 @@ from sim_core.caching import cached
 from sim_core.kernel import binding
 from sim_core.loop.excitation import Excitation, TimeGrid
 from sim_core.road.profile import RoadProfile
-from sim_core.road.sensed import ExpectedErrors, sensed_road
-from sim_core.scenario import Mismatch, Preview, Road
+from sim_core.road.sensed import ExpectedErrors, expected_errors, sensed_road
+from sim_core.scenario import Mismatch, Preview, Scenario
 from sim_core.speed.profile import SpeedProfile
 from sim_core.vehicle.half_car import DISTURBANCES
-
-EXACT, NO_ERRORS = Mismatch(), ExpectedErrors()
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -42,57 +40,27 @@ class Forecast:
     height_now: FloatArray
 
 
-def preview_windows(
-    mode: Preview,
-    road: Road,
-    drive: SpeedProfile,
-    excitation: Excitation,
-    horizon: int,
-    wheelbase: float,
-    mismatch: Mismatch = EXACT,
-    expected: ExpectedErrors = NO_ERRORS,
-) -> FloatArray:
-    """The windows of `preview`, flattened: (steps, 3 · horizon)."""
-    return flattened(preview(mode, road, drive, excitation, horizon, wheelbase, mismatch, expected).windows)
-
-
-def flattened(windows: FloatArray) -> FloatArray:
-    """Windows (3, steps, horizon), or some steps of them, as rows (steps, 3 · horizon)."""
-    return windows.transpose(1, 0, 2).reshape(windows.shape[1], -1)
-
-
-def preview(
-    mode: Preview,
-    road: Road,
-    drive: SpeedProfile,
-    excitation: Excitation,
-    horizon: int,
-    wheelbase: float,
-    mismatch: Mismatch = EXACT,
-    expected: ExpectedErrors = NO_ERRORS,
-) -> Forecast:
+def preview(mode: Preview, scenario: Scenario, drive: SpeedProfile, excitation: Excitation, horizon: int) -> Forecast:
     """The disturbances over the horizon as expected at each control step.
 
     Args:
         mode: none, wheelbase, lookahead or obstacle.
-        road: The road.
-        drive: How it is driven.
-        excitation: The same, sampled.
+        scenario: Whose road, sensors and expected errors.
+        drive: How the road is driven.
+        excitation: The same, grid.
         horizon: Prediction horizon.
-        wheelbase: L [m].
-        mismatch: How the sensors that look ahead err.
-        expected: How they are expected to.
     """
+    mismatch, wheelbase = scenario.mismatch, scenario.vehicle.wheelbase
     if mode in ("lookahead", "obstacle"):
-        surface = excitation.surface
-        if mode == "obstacle" or mismatch.preview_noise or mismatch.preview_resolution or expected != NO_ERRORS:
-            surface = sensed_road(surface, road, mismatch, expected, obstacle_alone=mode == "obstacle")
-        return _by_sensors(surface, drive, excitation, horizon, wheelbase, mismatch)
+        surface, expected = excitation.surface, expected_errors(scenario.mpc)
+        if mode == "obstacle" or mismatch.preview_noise or mismatch.preview_resolution or expected != ExpectedErrors():
+            surface = sensed_road(surface, scenario.road, mismatch, expected, obstacle_alone=mode == "obstacle")
+        return _by_sensors(surface, drive, excitation.grid, horizon, wheelbase, mismatch)
     if mode == "wheelbase":
         windows, sizes = _behind_the_front(excitation, drive, horizon, wheelbase)
     else:
-        windows, sizes = _level(excitation.drive, drive, horizon)
-    height_now = excitation.height[:, : -1 : excitation.fine]
+        windows, sizes = _level(excitation.grid, drive, horizon)
+    height_now = excitation.height[:, : -1 : excitation.grid.fine]
     return Forecast(windows=windows, source=windows, sizes=sizes, height_now=height_now)
 
 
@@ -117,27 +85,21 @@ def sliding_forecast(disturbances: FloatArray, horizon: int, height_now: FloatAr
 
 @cached
 def _by_sensors(
-    surface: RoadProfile,
-    drive: SpeedProfile,
-    excitation: Excitation,
-    horizon: int,
-    wheelbase: float,
-    mismatch: Mismatch,
+    surface: RoadProfile, drive: SpeedProfile, grid: TimeGrid, horizon: int, wheelbase: float, mismatch: Mismatch
 ) -> Forecast:
     """What sensors and speed plan predict for every interval to come."""
-    sampled = excitation.drive
-    axles, braking = _ahead(drive, sampled, horizon, wheelbase, mismatch.preview_offset, mismatch.preview_delay)
+    axles, braking = _sensed_places(drive, grid, horizon, wheelbase, mismatch.preview_offset, mismatch.preview_delay)
     height = mismatch.preview_gain * surface.height(axles)
-    disturbances = np.vstack([np.diff(height) / sampled.step, braking])
-    return sliding_forecast(disturbances, horizon, height[:, : len(sampled.time) - 1])
+    disturbances = np.vstack([np.diff(height) / grid.step, braking])
+    return sliding_forecast(disturbances, horizon, height[:, : len(grid.time) - 1])
 
 
 @cached
-def _ahead(
-    drive: SpeedProfile, sampled: TimeGrid, horizon: int, wheelbase: float, offset: float, delay: float
+def _sensed_places(
+    drive: SpeedProfile, grid: TimeGrid, horizon: int, wheelbase: float, offset: float, delay: float
 ) -> tuple[FloatArray, FloatArray]:
     """Where sensors take the axles to be at every control instant to come (2, n + 1) [m]; the braking in between."""
-    time, h = sampled.time, sampled.step
+    time, h = grid.time, grid.step
     further = np.concatenate([time, time[-1] + h * np.arange(1, horizon)])
     position = drive.at(further - delay)[0] - offset
     axles = np.stack([position, position - wheelbase])
@@ -145,9 +107,9 @@ def _ahead(
 
 
 @cached
-def _level(sampled: TimeGrid, drive: SpeedProfile, horizon: int) -> tuple[FloatArray, FloatArray]:
+def _level(grid: TimeGrid, drive: SpeedProfile, horizon: int) -> tuple[FloatArray, FloatArray]:
     """`Forecast.windows` and `sizes` of a level road; braking stays as it is."""
-    braking = drive.sample(drive.braking, sampled.time[:-1])
+    braking = drive.sample(drive.braking, grid.time[:-1])
     windows = np.zeros((DISTURBANCES, len(braking), horizon))
     windows[2] = braking[:, None]
     none = np.zeros(len(braking))
@@ -159,12 +121,12 @@ def _behind_the_front(
     excitation: Excitation, drive: SpeedProfile, horizon: int, wheelbase: float
 ) -> tuple[FloatArray, FloatArray]:
     """The same where the rear axle meets what the front has met."""
-    sampled, surface = excitation.drive, excitation.surface
-    level, level_sizes = _level(sampled, drive, horizon)
+    grid, surface = excitation.grid, excitation.surface
+    level, level_sizes = _level(grid, drive, horizon)
     windows, sizes = level.copy(), level_sizes.copy()
-    further = sampled.speed[:, None] * sampled.step * np.arange(horizon + 1)
+    further = grid.speed[:, None] * grid.step * np.arange(horizon + 1)
     driven = further[:, 1:] <= wheelbase
-    heights = surface.height(sampled.position[:, None] - wheelbase + np.minimum(further, wheelbase))
-    windows[1] = np.where(driven, np.diff(heights, axis=1) / sampled.step, 0.0)
+    heights = surface.height(grid.position[:, None] - wheelbase + np.minimum(further, wheelbase))
+    windows[1] = np.where(driven, np.diff(heights, axis=1) / grid.step, 0.0)
     sizes[2] = np.linalg.norm(windows[1], axis=1)
     return windows, sizes

@@ -13,9 +13,8 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS, WINDOWS
 from sim_core.kernel import binding
-from sim_core.loop.drive import Run
+from sim_core.loop.drive import Recording, Run
 from sim_core.loop.excitation import Excitation
-from sim_core.loop.recording import Recording
 from sim_core.metrics.comfort import vibration_dose, weighted
 from sim_core.metrics.sections import Integrand, SectionValues, over_sections
 from sim_core.metrics.tyre_peaks import peaks_with_kinks
@@ -33,17 +32,13 @@ _LOADS = slice(_ROW["front_tyre_load"], _ROW["rear_tyre_load"] + 1)
 _FORCES = slice(_ROW["front_force"], _ROW["rear_force"] + 1)
 
 
-def evaluate(
-    run: Run,
-    recording: Recording,
-) -> StrategyResult:
+def evaluate(run: Run, recording: Recording) -> StrategyResult:
     """Everything a run reports, from its recording."""
     scenario, controller, drive = run.scenario, run.controller, run.profile
-    bump, excitation = scenario.road.bump, recording.excitation
-    report = recording.report
+    bump, excitation, report = scenario.road.bump, run.excitation, controller.report
     speeds, signals = recording.table[:_SPEEDS], recording.table[_SPEEDS:]
     bump_end = bump.end + scenario.vehicle.wheelbase
-    windows = windows_of(excitation.drive, drive, bump.start, bump_end, scenario.road.length)
+    windows = windows_of(excitation.grid, drive, bump.start, bump_end, scenario.road.length)
     values = over_sections(signals, _INTEGRANDS, windows.ends)
     metrics = _by_window(values, signals[_LOADS], windows, excitation, scenario.real_vehicle)
 
@@ -52,13 +47,13 @@ def evaluate(
     planned, actuated = run.plan == "planned", controller.actuated
     rough, whole = metrics["rough_road"], metrics["whole"]
     travel = max(whole["front_deflection"]["peak"], whole["rear_deflection"]["peak"])
-    filtered = weighted(signals[_ROW["body_acceleration"]], excitation.fine_step, len(excitation.series["time"]))
+    filtered = weighted(signals[_ROW["body_acceleration"]], excitation.grid.fine_step, len(excitation.series["time"]))
     return StrategyResult(
         strategy=controller.id,
         metrics=metrics,
         comfort={
             "weighted_rms": sqrt(float(filtered @ filtered) / len(filtered)),
-            "vibration_dose": vibration_dose(filtered, excitation.fine_step),
+            "vibration_dose": vibration_dose(filtered, excitation.grid.fine_step),
             "front_dynamic_load_coefficient": rough["front_tyre_load"]["rms"] / static[0],
             "rear_dynamic_load_coefficient": rough["rear_tyre_load"]["rms"] / static[1],
             **_power(signals[_FORCES], speeds, windows),
@@ -110,25 +105,25 @@ def _by_window(
     }
 
 
-def rms_between(series: Series, drive: SpeedProfile, stretches: Sequence[tuple[float, float]]) -> dict[str, float]:
-    """RMS of METRIC_SIGNALS over all the time in which the front axle is in one of these stretches of the road.
+def rms_between(series: Series, drive: SpeedProfile, intervals: Sequence[tuple[float, float]]) -> dict[str, float]:
+    """RMS of METRIC_SIGNALS over all the time in which the front axle is in one of these intervals of the road.
 
     Args:
-        series: Of a run; as exact as its metrics, whose windows `stretches` may differ from.
+        series: Of a run; as exact as its metrics, whose windows `intervals` may differ from.
         drive: How that run drove.
-        stretches: First and last position [m], from x = 0 to the road's end at most; none overlap.
+        intervals: First and last position [m], from x = 0 to the road's end at most; none overlap.
 
     Raises:
-        ValueError: A stretch is empty, or the run does not reach its end.
+        ValueError: An interval is empty, or the run does not reach its end.
     """
     time = series["time"]
     fine_step = float(time[-1]) / (len(time) - 1)
     table = np.ascontiguousarray([series.columns(signal) for signal in METRIC_SIGNALS])
-    times = [(drive.time_at(first), drive.time_at(last)) for first, last in stretches]
+    times = [(drive.time_at(first), drive.time_at(last)) for first, last in intervals]
     ends = section_ends([(first / fine_step, last / fine_step) for first, last in times])
     durations = ends[:, 1] - ends[:, 0]
     if (durations <= 0).any() or ends.min() < 0 or ends.max() > (table.shape[1] - 1) * table.shape[2]:
-        raise ValueError("A stretch ends behind its beginning and lies on the road that was driven")
+        raise ValueError("An interval ends behind its beginning and lies on the road that was driven")
     means = over_sections(table, _INTEGRANDS, ends).integrals.sum(axis=1) / durations.sum()
     return dict(zip(METRIC_SIGNALS, np.sqrt(means).tolist(), strict=True))
 

@@ -36,7 +36,7 @@ def peaks_with_kinks(
     Raises:
         ValueError: It is that of another record.
     """
-    surface, start = excitation.surface, excitation.on_record.start
+    surface, start = excitation.surface, excitation.grid.on_record.start
     of_bump = np.array([*sorted(kinks(surface.bump)), inf])
     beside, on_bump = surface.slope_range()
     rise = np.array([beside, on_bump, beside]) * windows.step_distance / 4  # of the road above a chord, at most
@@ -44,7 +44,7 @@ def peaks_with_kinks(
     tyres = (vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness)
     for axle, (stiffness, static) in enumerate(zip(tyres, vehicle.static_loads, strict=True)):
         record = binding.AxleRecord(
-            position=excitation.drive.axles[axle, start:],
+            position=excitation.grid.axles[axle, start:],
             height=excitation.height[axle, start:],
             load=loads[axle],
             highest=highest[axle],

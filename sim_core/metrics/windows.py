@@ -45,7 +45,7 @@ class Windows:
 
 @cached
 def windows_of(
-    sampled: TimeGrid,
+    grid: TimeGrid,
     drive: SpeedProfile,
     bump_start: float,
     bump_end: float,
@@ -54,16 +54,16 @@ def windows_of(
     """The windows of a record.
 
     Args:
-        sampled: The drive, sampled.
+        grid: The drive, sampled.
         drive: The same.
         bump_start: Of the bump [m].
         bump_end: Where the front axle is when the rear one has left it [m].
         length: Of the road [m].
     """
-    h = sampled.fine_step
+    h = grid.fine_step
     bounds = [0.0, *(drive.time_at(position) / h for position in (bump_start, min(bump_end, length), length))]
     ends = section_ends(list(pairwise(bounds)))
-    distance = np.diff(sampled.axles[0, sampled.on_record.start :])
+    distance = np.diff(grid.axles[0, grid.on_record.start :])
     return Windows(
         ends=ends,
         fine_step=h,

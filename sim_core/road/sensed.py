@@ -108,6 +108,6 @@ def _averaged(heights: FloatArray, length: float) -> FloatArray:
     half = length / GRID / 2
     ends = np.array([-half, *range(-floor(half), floor(half) + 1), half])
     share, middle = np.diff(ends) / (2 * half), (ends[1:] + ends[:-1]) / 2
-    reach = ceil(half)
-    weights = share @ np.maximum(0, 1 - np.abs(middle[:, None] - np.arange(-reach, reach + 1)))
-    return np.convolve(np.pad(heights, reach, mode="edge"), weights, mode="valid")
+    beside = ceil(half)
+    weights = share @ np.maximum(0, 1 - np.abs(middle[:, None] - np.arange(-beside, beside + 1)))
+    return np.convolve(np.pad(heights, beside, mode="edge"), weights, mode="valid")

@@ -34,7 +34,7 @@ class SurveyedRoad:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class FoundBump:
+class DetectedBump:
     """A bump in a profile: where it begins, how wide and how high it is [m]; a pothole's height is negative."""
 
     start: float
@@ -62,7 +62,7 @@ def surveyed(distance: FloatArray, height: FloatArray) -> SurveyedRoad:
     return SurveyedRoad(heights=inner, offset=offset, slope=slope)
 
 
-def bumps_in(heights: FloatArray) -> list[FoundBump]:
+def bumps_in(heights: FloatArray) -> list[DetectedBump]:
     """The bumps and potholes in a profile (samples,) SPACING apart [m], the largest first.
 
     Each stands out from the running median over LEVEL by at least LEAST_BUMP and six times what the rest of the road
@@ -76,7 +76,7 @@ def bumps_in(heights: FloatArray) -> list[FoundBump]:
     above = coarse - median_filter(coarse, window, mode="nearest")
     rest = 1.4826 * float(np.median(np.abs(above)))
     size = np.abs(above)
-    bumps: list[FoundBump] = []
+    bumps: list[DetectedBump] = []
     while len(bumps) < _MOST_BUMPS:
         crest = int(size.argmax())
         if size[crest] < max(LEAST_BUMP, 6 * rest):
@@ -90,7 +90,7 @@ def bumps_in(heights: FloatArray) -> list[FoundBump]:
         while last < len(coarse) - 1 and 0 < size[last + 1] < size[last]:
             last += 1
         bumps.append(
-            FoundBump(
+            DetectedBump(
                 start=round(first * _COARSE, 2),
                 width=round(max(last - first, 1) * _COARSE, 2),
                 height=round(float(above[crest]), 4),

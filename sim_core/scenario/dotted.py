@@ -5,6 +5,7 @@
 """
 
 from collections.abc import Iterator, Mapping
+from copy import copy
 from dataclasses import dataclass
 from functools import cache
 from typing import Annotated, Any, Literal, get_args, get_origin
@@ -63,7 +64,7 @@ def value(scenario: Mapping[str, Any], name: str) -> Any:
     """That field's value in a complete plain scenario."""
     part: Any = scenario
     for step in name.split("."):
-        part = part[step] if isinstance(part, dict) else part[int(step)]
+        part = part[_key(part, step)]
     return part
 
 
@@ -71,22 +72,17 @@ def with_changes(scenario: Mapping[str, Any], changes: Mapping[str, Any]) -> dic
     """A copy of a complete plain scenario with these fields changed; what is not changed is shared with it."""
     changed = dict(scenario)
     for name, value in changes.items():
-        _set(changed, name.split("."), value)
+        *parts, last = name.split(".")
+        part: Any = changed
+        for step in parts:
+            part[step] = copy(part[step])
+            part = part[step]
+        part[_key(part, last)] = value
     return changed
 
 
-def _set(part: dict[str, Any], path: list[str], value: Any) -> None:
-    key, *rest = path
-    if not rest:
-        part[key] = value
-        return
-    if isinstance(part[key], dict):
-        part[key] = dict(part[key])
-        _set(part[key], rest, value)
-    else:
-        items = list(part[key])
-        items[int(rest[0])] = value
-        part[key] = items
+def _key(part: Any, step: str) -> str | int:
+    return step if isinstance(part, Mapping) else int(step)
 
 
 def offered(name: str) -> list[str]:

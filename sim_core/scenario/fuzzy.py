@@ -179,13 +179,13 @@ class Fuzzy(Part):
         )
         for index, rule in enumerate(self.rules or TABLE_1):
             asked = rule.condition
-            for place, name, known in (
+            for place, name, names in (
                 ("if.speed_error", asked.speed_error, errors),
                 ("if.distance", asked.distance, distances),
                 ("then", rule.then, torques),
             ):
-                if name is not None and name not in known:
+                if name is not None and name not in names:
                     if self.rules is None:
                         raise at("rules", "Table 1 asks for sets O, S, M, L, V: other sets need rules of their own")
-                    raise at(f"rules.{index}.{place}", f"There is no such set; there are {', '.join(known)}")
+                    raise at(f"rules.{index}.{place}", f"There is no such set; there are {', '.join(names)}")
         return self

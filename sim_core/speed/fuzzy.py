@@ -4,12 +4,10 @@ Mamdani min/max inference and centroid, compiled (kernel/fuzzy.c); scikit-fuzzy'
 evaluation by scikit-fuzzy takes about 10 ms.
 """
 
-from dataclasses import dataclass
 from functools import cache, lru_cache
 from importlib.util import find_spec, module_from_spec, spec_from_file_location
 from pathlib import Path
 from types import ModuleType
-from typing import Protocol
 
 import numpy as np
 
@@ -20,49 +18,38 @@ from sim_core.scenario.fuzzy import DISTANCE_MAX, SPEED_ERROR_MAX, TABLE_1, Fuzz
 ANY = -1  # in the place of a set that a rule does not ask for
 
 
-class TorqueRules(Protocol):
-    """What the speed plan asks for the braking torque."""
+class TorqueRules:
+    """A rule base, its sets sampled over their universes, evaluated where it is asked.
+
+    Args:
+        fuzzy: The scenario's.
+        error_steps: Even steps of the speed error's universe.
+        distance_steps: Of the distance's.
+        torque_steps: Of the torque's.
+    """
+
+    def __init__(self, fuzzy: Fuzzy, error_steps: int, distance_steps: int, torque_steps: int) -> None:
+        errors = np.linspace(0, SPEED_ERROR_MAX, error_steps + 1)
+        distances = np.linspace(0, DISTANCE_MAX, distance_steps + 1)
+        self._error = np.ascontiguousarray(memberships(fuzzy.speed_errors, errors).T)  # (samples, sets)
+        self._distance = np.ascontiguousarray(memberships(fuzzy.distances, distances).T)
+        self._torque = memberships(fuzzy.torques, np.linspace(0, 1, torque_steps + 1))  # (sets, samples)
+        self._rules = _numbered(fuzzy)
 
     def share(self, speed_error_kmh: float, distance: float) -> float:
         """Torque share 0 to 1 at a speed error [km/h] and distance [m], both clipped to their universes."""
+        errors = _between(self._error, *_place(speed_error_kmh, SPEED_ERROR_MAX, len(self._error)))
+        distances = _between(self._distance, *_place(distance, DISTANCE_MAX, len(self._distance)))
+        return float(self._shares(distances, errors[:, None])[0])
 
-
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class RuleBase:
-    """Sets sampled over their universes, and rules.
-
-    Attributes:
-        error: Memberships of speed errors in their sets (samples, sets), from 0 to SPEED_ERROR_MAX.
-        distance: The same of distances, from 0 to DISTANCE_MAX.
-        torque: Memberships of torque shares (sets, samples), from 0 to 1.
-        rules: Sets of distance and error, perhaps ANY, and of the torque (rules, 3).
-    """
-
-    error: FloatArray
-    distance: FloatArray
-    torque: FloatArray
-    rules: IntArray
-
-    @classmethod
-    def of(cls, fuzzy: Fuzzy, error_steps: int, distance_steps: int, torque_steps: int) -> "RuleBase":
-        """The scenario's, sampled in so many even steps."""
-        errors = np.linspace(0, SPEED_ERROR_MAX, error_steps + 1)
-        distances = np.linspace(0, DISTANCE_MAX, distance_steps + 1)
-        return cls(
-            error=np.ascontiguousarray(memberships(fuzzy.speed_errors, errors).T),
-            distance=np.ascontiguousarray(memberships(fuzzy.distances, distances).T),
-            torque=memberships(fuzzy.torques, np.linspace(0, 1, torque_steps + 1)),
-            rules=_numbered(fuzzy),
-        )
-
-    def shares(self, distance: FloatArray, errors: FloatArray) -> FloatArray:
+    def _shares(self, distance: FloatArray, errors: FloatArray) -> FloatArray:
         """Torque shares (n,) at one distance's memberships (sets,) and n errors' (sets, n)."""
         shares = np.empty(errors.shape[1])
-        binding.torque_shares(distance, errors, self.rules, self.torque, shares)
+        binding.torque_shares(distance, errors, self._rules, self._torque, shares)
         return shares
 
 
-class TorqueSurface:
+class TorqueSurface(TorqueRules):
     """Table 1: braking torque as a share of its universe, on a grid of 0.25 km/h × 0.5 m.
 
     Every plan asks it, so that it is made once and interpolated. Its rows, one for each distance, are evaluated when
@@ -70,14 +57,14 @@ class TorqueSurface:
     """
 
     def __init__(self) -> None:
-        self._base = RuleBase.of(Fuzzy(), 120, 160, 100)
-        self._errors = np.ascontiguousarray(self._base.error.T)
+        super().__init__(Fuzzy(), 120, 160, 100)
+        self._errors = np.ascontiguousarray(self._error.T)
         self._rows: dict[int, list[float]] = {}
 
     def share(self, speed_error_kmh: float, distance: float) -> float:
-        """See `TorqueRules`."""
-        j, fx = _place(speed_error_kmh, SPEED_ERROR_MAX, len(self._base.error))
-        i, fy = _place(distance, DISTANCE_MAX, len(self._base.distance))
+        """As `TorqueRules` says."""
+        j, fx = _place(speed_error_kmh, SPEED_ERROR_MAX, len(self._error))
+        i, fy = _place(distance, DISTANCE_MAX, len(self._distance))
         low, high = self._row(i), self._row(i + 1)
         first = low[j] + fx * (low[j + 1] - low[j])
         return first + fy * (high[j] + fx * (high[j + 1] - high[j]) - first)
@@ -85,28 +72,14 @@ class TorqueSurface:
     def _row(self, number: int) -> list[float]:
         """Shares at one distance, over the errors."""
         if number not in self._rows:
-            self._rows[number] = self._base.shares(self._base.distance[number], self._errors).tolist()
+            self._rows[number] = self._shares(self._distance[number], self._errors).tolist()
         return self._rows[number]
-
-
-class OwnRules:
-    """A scenario's own rule base, evaluated where it is asked: within 0.1 % of scikit-fuzzy's."""
-
-    def __init__(self, fuzzy: Fuzzy) -> None:
-        self._base = RuleBase.of(fuzzy, 3000, 8000, 1000)
-
-    def share(self, speed_error_kmh: float, distance: float) -> float:
-        """See `TorqueRules`."""
-        base = self._base
-        errors = _between(base.error, *_place(speed_error_kmh, SPEED_ERROR_MAX, len(base.error)))
-        distances = _between(base.distance, *_place(distance, DISTANCE_MAX, len(base.distance)))
-        return float(base.shares(distances, errors[:, None])[0])
 
 
 @lru_cache(maxsize=8)
 def torque_rules(fuzzy: Fuzzy) -> TorqueRules:
-    """The rule base of a scenario."""
-    return TorqueSurface() if fuzzy == Fuzzy() else OwnRules(fuzzy)
+    """The rule base of a scenario; one of its own is within 0.1 % of scikit-fuzzy's."""
+    return TorqueSurface() if fuzzy == Fuzzy() else TorqueRules(fuzzy, 3000, 8000, 1000)
 
 
 def memberships(sets: tuple[FuzzySet, ...], universe: FloatArray) -> FloatArray:
@@ -133,7 +106,7 @@ def _membership_functions() -> ModuleType:
 
 
 def _numbered(fuzzy: Fuzzy) -> IntArray:
-    """`RuleBase.rules`."""
+    """Sets of distance and error, perhaps ANY, and of the torque (rules, 3)."""
     errors, distances, torques = (
         {each.name: place for place, each in enumerate(sets)}
         for sets in (fuzzy.speed_errors, fuzzy.distances, fuzzy.torques)

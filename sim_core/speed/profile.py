@@ -65,6 +65,11 @@ class SpeedProfile:
         """When the front axle is at a position [m] [s]."""
         return _time_at(self, position)
 
+    def control_steps(self, road_length: float, step: float) -> tuple[int, int]:
+        """Control steps [s each] before x = 0, and in all over a road [m]: the last begins at its end or before it."""
+        before = ceil(RUN_IN / (self.initial_speed * step))
+        return before, before + int(self.time_at(road_length) / step + 1e-6) + 1
+
 
 @lru_cache(maxsize=32)
 def _time_at(drive: SpeedProfile, position: float) -> float:
@@ -175,8 +180,3 @@ def _needed(chain: BrakeChain, speed: float, target: float, distance: float) -> 
     """Share of the greatest deceleration that reaches the target in the distance left after the lag, 0 to 1."""
     usable = max(distance - chain.lag * speed, 0.1)
     return min((speed * speed - target * target) / (2 * usable * chain.maximum_deceleration), 1.0)
-
-
-def run_in_steps(speed: float, step: float) -> int:
-    """Control steps [s each] driven before x = 0 at a speed [m/s]."""
-    return ceil(RUN_IN / (speed * step))

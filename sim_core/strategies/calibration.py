@@ -2,6 +2,7 @@
 
 from sim_core.ecu.calibration import Calibration, Checked
 from sim_core.loop.drive import make_setup
+from sim_core.loop.excitation import step_sizes
 from sim_core.scenario import Scenario
 from sim_core.speed.profile import plan_speed
 from sim_core.strategies import speed_plan
@@ -19,5 +20,6 @@ def ecu_calibration(scenario: Scenario, checked: Checked = "all") -> Calibration
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
     controller = LvHil(checked=checked).for_scenario(scenario)
-    profile = plan_speed(scenario, speed_plan(LvHil, scenario.speed.policy))
-    return controller.calibration(make_setup(scenario, controller, profile))
+    plan = speed_plan(LvHil, scenario.speed.policy)
+    steps = step_sizes(scenario, controller, plan)
+    return controller.calibration(make_setup(scenario, controller, plan_speed(scenario, plan), steps))

@@ -1,6 +1,5 @@
 """Which of the scenario's fields a strategy's result depends on: those of every run, and its controller's own."""
 
-from collections.abc import Sequence
 from functools import cache
 
 from pydantic import BaseModel
@@ -55,29 +54,21 @@ def fields_read(strategy: type[Controller], plan: SpeedPlan) -> tuple[str, ...]:
         names += PREVIEW
     if plan == "planned":
         names += SPEED_PLAN
-    return tuple(sorted(_whole_parts(names)))
-
-
-def _whole_parts(names: Sequence[str]) -> set[str]:
-    """The same fields, with a part's name in place of those of all its fields."""
-    left = set(names)
-    for part, own in parts().items():
-        if left >= own:
-            left = left - own | {part}
-    return left
+    return _by_parts(frozenset(names))
 
 
 @cache
-def parts() -> dict[str, set[str]]:
-    """By dotted name the fields of each part of a scenario, those of inner parts before those of outer ones."""
-    found: dict[str, set[str]] = {}
-    _collect(Scenario, "", found)
-    return found
+def _by_parts(names: frozenset[str]) -> tuple[str, ...]:
+    """The same fields, with a part's name in place of those of all its fields."""
+    return tuple(sorted(_of_part(Scenario, "", names)))
 
 
-def _collect(model: type[BaseModel], prefix: str, found: dict[str, set[str]]) -> None:
-    for name, info in model.model_fields.items():
-        kind = info.annotation
-        if isinstance(kind, type) and issubclass(kind, BaseModel):
-            _collect(kind, f"{prefix}{name}.", found)
-            found[f"{prefix}{name}"] = {f"{prefix}{name}.{inner}" for inner in kind.model_fields}
+def _of_part(part: type[BaseModel], prefix: str, names: frozenset[str]) -> set[str]:
+    """Those of a part, whose fields begin with `prefix`."""
+    fields, own = {f"{prefix}{name}": info.annotation for name, info in part.model_fields.items()}, set[str]()
+    for name, kind in fields.items():
+        if name in names:
+            own.add(name)
+        elif isinstance(kind, type) and issubclass(kind, BaseModel):
+            own |= _of_part(kind, f"{name}.", names)
+    return {prefix.removesuffix(".")} if own == fields.keys() else own

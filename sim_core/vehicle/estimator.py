@@ -66,7 +66,7 @@ def kalman_filter(
     """
     A, C = discrete(vehicle, step).A, measurement(vehicle).C
     Q = _added(vehicle, step, intensity * np.array(unseen), intensity * (1 - np.array(unseen)), per_control)
-    R = np.diag(np.square([noise.deflection_noise] * 2 + [noise.acceleration_noise, noise.pitch_rate_noise]))
+    R = np.diag(_deviations(noise, per_control) ** 2)
     P = riccati(A.T, C.T, Q, R, np.zeros((STATES, len(C))))
     gain = solve(C @ P @ C.T + R, C @ P).T
     closed = A - gain @ C @ A
@@ -102,23 +102,22 @@ def make_estimator(
     """
     if scenario.estimation.kind == "exact":
         return None
-    noise = _per_measurement(scenario.estimation, per_control)
     roughness = max(scenario.road.roughness, _LEAST_ROUGHNESS)
     intensity = (2 * pi * REFERENCE_FREQUENCY) ** 2 * roughness * speed / 2
     unseen = _unseen(scenario, mode, speed)
-    filtered = kalman_filter(scenario.vehicle, noise, step, intensity, unseen, per_control)
+    filtered = kalman_filter(scenario.vehicle, scenario.estimation, step, intensity, unseen, per_control)
     model, sensors, L = discrete(scenario.vehicle, step), measurement(scenario.vehicle), filtered.gain
     rest = np.eye(STATES) - L @ sensors.C
     braking, last = disturbance.reshape(len(disturbance), -1, DISTURBANCES)[:, :, 2].mean(axis=1), disturbance[:, -1]
-    known = np.outer(braking, model.E[:, 2])
+    predicted = np.outer(braking, model.E[:, 2])
     if seen is not None:
-        known += np.repeat(seen, per_control, axis=0) @ model.E[:, :2].T
+        predicted += np.repeat(seen, per_control, axis=0) @ model.E[:, :2].T
     measured = sensor_noise(scenario, len(disturbance), per_control) - np.outer(last, sensors.F)
     return Estimator(
         state=rest @ model.A,
         command=rest @ model.B - L @ sensors.D,
         measurement=L,
-        input=known @ rest.T + measured @ L.T,
+        input=predicted @ rest.T + measured @ L.T,
     )
 
 
@@ -132,16 +131,14 @@ def sensor_noise(scenario: Scenario, steps: int, per_control: int = 1) -> FloatA
         per_control: Measurements in a control step: each has so many times the variance, so that together they tell as
             much as one.
     """
-    noise = _per_measurement(scenario.estimation, per_control)
     white = np.random.default_rng((scenario.road.seed, _NOISE_STREAM)).standard_normal((steps, len(MEASURED_OUTPUTS)))
-    return white * ([noise.deflection_noise] * 2 + [noise.acceleration_noise, noise.pitch_rate_noise])
+    return white * _deviations(scenario.estimation, per_control)
 
 
-def _per_measurement(noise: Estimation, per_control: int) -> Estimation:
-    if per_control == 1:
-        return noise
-    names = "acceleration_noise", "deflection_noise", "pitch_rate_noise"
-    return noise.model_copy(update={name: getattr(noise, name) * sqrt(per_control) for name in names})
+def _deviations(noise: Estimation, per_control: int) -> FloatArray:
+    """Standard deviations of half_car.MEASURED_OUTPUTS (4,)."""
+    of_sensors = [noise.deflection_noise] * 2 + [noise.acceleration_noise, noise.pitch_rate_noise]
+    return np.array(of_sensors) * sqrt(per_control)
 
 
 def _unseen(scenario: Scenario, mode: Preview, speed: float) -> tuple[float, float]:

@@ -104,17 +104,12 @@ class Measurement:
 def measurement(vehicle: Vehicle) -> Measurement:
     """What a car's own sensors give."""
     model = half_car(vehicle)
-    deflections, acceleration = slice(*_rows("front_deflection", "rear_deflection")), OUTPUTS.index("body_acceleration")
-    pitch_rate = np.eye(1, STATES, k=5)
+    rows, pitch_rate = [OUTPUTS.index(name) for name in MEASURED_OUTPUTS[:3]], np.eye(1, STATES, k=5)
     return Measurement(
-        C=np.vstack([model.C[deflections], model.C[acceleration], pitch_rate]),
-        D=np.vstack([model.D[deflections], model.D[acceleration], np.zeros((1, FORCES))]),
-        F=np.array([0.0, 0.0, model.F[acceleration, 2], 0.0]),
+        C=np.vstack([model.C[rows], pitch_rate]),
+        D=np.vstack([model.D[rows], np.zeros((1, FORCES))]),
+        F=np.append(model.F[rows, 2], 0.0),
     )
-
-
-def _rows(first: str, last: str) -> tuple[int, int]:
-    return OUTPUTS.index(first), OUTPUTS.index(last) + 1
 
 
 def hold(A: FloatArray, inputs: FloatArray, step: float) -> tuple[FloatArray, FloatArray]:

@@ -8,7 +8,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.errors import RidelabError
-from sim_core.kernel.prepared import FollowLaw, LawArrays
+from sim_core.kernel.prepared import DrivenCar, FollowLaw, LawArrays
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 
 LAW_INPUTS = STATES + FORCES  # what a law multiplies: the state, then the previous command
@@ -123,8 +123,8 @@ class VehicleModel(ABC):
     """
 
     size: int
+    _driven: DrivenCar
 
-    @abstractmethod
     def follow_law(self, law: LawArrays, loop: FloatArray) -> FollowLaw:
         """Drive it by a law of control, as `prepared.DrivenCar.follow_law` says.
 
@@ -132,10 +132,11 @@ class VehicleModel(ABC):
             law: In all control steps.
             loop: [p; previous command] before each step and after the last (steps + 1, size + 2).
         """
+        return self._driven.follow_law(law, loop)
 
-    @abstractmethod
     def advance(self, step: int, loop: FloatArray) -> None:
         """Fill in the state after a control step, whose command [N] stands beside it in `follow_law`'s `loop`."""
+        self._driven.advance(step, loop)
 
     @abstractmethod
     def measure(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:

@@ -14,7 +14,7 @@ from math import ceil, inf, pi
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.prepared import FollowLaw, LawArrays, nonlinear_car
+from sim_core.kernel.prepared import nonlinear_car
 from sim_core.road.profile import RoadUnderAxles
 from sim_core.scenario import Actuator, Vehicle
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, deflection_speeds, half_car
@@ -61,14 +61,6 @@ class NonlinearCar(VehicleModel):
             fine_step=step / fine,
             table=self._table,
         )
-
-    def follow_law(self, law: LawArrays, loop: FloatArray) -> FollowLaw:
-        """As VehicleModel says."""
-        return self._driven.follow_law(law, loop)
-
-    def advance(self, step: int, loop: FloatArray) -> None:
-        """As VehicleModel says."""
-        self._driven.advance(step, loop)
 
     def measure(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
         """As VehicleModel says."""

@@ -92,7 +92,8 @@ def plant(vehicle: Vehicle, actuator: Actuator, step: float, fine: int) -> Plant
         lifts.append(_lift(fine_A, fine_inputs, outputs, fine % longest.fine))
     whole = _lift(fine_A, fine_inputs, outputs[:0], fine).end
     n = len(A)
-    return Plant(A=whole[:, :n], B=whole[:, n : n + FORCES], E=whole[:, n + FORCES :].T, lifts=tuple(lifts))
+    A, B = (np.ascontiguousarray(part) for part in (whole[:, :n], whole[:, n : n + FORCES]))
+    return Plant(A=A, B=B, E=whole[:, n + FORCES :].T, lifts=tuple(lifts))
 
 
 def _lift(A: FloatArray, inputs: FloatArray, outputs: FloatArray, fine: int) -> Lift:

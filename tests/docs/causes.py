@@ -11,7 +11,7 @@ from statistics import fmean
 from typing import Any
 
 from backend.analysis.intervals import change_with_interval
-from backend.paper.readings import Stretches
+from backend.paper.readings import Intervals
 from backend.paper.tables import PaperCell, cells
 from sim_core.catalogue import PAPER_SIGNALS, SIGNALS
 from sim_core.metrics.evaluate import rms_between
@@ -31,7 +31,7 @@ class Variation:
     """Fields set otherwise than in the paper's scenario, by dotted name; where RMS are taken, if not up to the bump."""
 
     changes: Mapping[str, Any] = field(default_factory=dict)
-    stretches: Stretches | None = None
+    stretches: Intervals | None = None
 
     @property
     def label(self) -> str:
@@ -173,7 +173,7 @@ def changes(cause: Cause, variation: Variation, seeds: Sequence[int]) -> list[fl
 
 @cache
 def _figures(
-    changes: tuple[tuple[str, Any], ...], stretches: Stretches | None, strategy: str, seed: int
+    changes: tuple[tuple[str, Any], ...], stretches: Intervals | None, strategy: str, seed: int
 ) -> dict[tuple[str, str, str], float]:
     """Every figure of the paper, and the lowest rear tyre load [N], which is none."""
     scenario = _scenario(dict(changes), seed)

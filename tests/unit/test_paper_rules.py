@@ -157,7 +157,7 @@ def test_every_reading_changes_fields_that_exist_and_the_first_choice_is_ours() 
             ours = scenario_for({reading.id: choice.id}, 1).model_dump(mode="json")
             changes_no_run = choice.id == reading.default or reading.id == claims.WINDOW
             assert (ours == default) == changes_no_run, (reading.id, choice.id)
-            assert (choice.stretches is None) == (choice.id == reading.default or reading.id != claims.WINDOW)
+            assert (choice.intervals is None) == (choice.id == reading.default or reading.id != claims.WINDOW)
     for unknown in ({"colour": "red"}, {"preview": "red"}):
         with pytest.raises(UnknownNameError):
             scenario_for(unknown, 1)

@@ -41,7 +41,7 @@ def test_the_ecus_optimum_is_the_qps() -> None:
         lv.start(run.setup())
         forecast = sliding_forecast(preview, horizon, np.zeros((2, 1)))
         inputs = replace(run.inputs(forecast), stage=[STAGES[i % 3]])
-        force = lv.force(Seen(inputs, car, 0, state, previous * 1000))
+        force = lv.force(Seen(inputs, car, 0, 0, state, previous * 1000))
         assert force is not None
         if finished:
             np.testing.assert_allclose(rows[:FORCES] * 1000, force, atol=1e-6)

@@ -10,8 +10,8 @@ from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.control.cost import CostTerms
 from sim_core.control.regulator import regulator
 from sim_core.errors import RidelabError
-from sim_core.loop.drive import told_preview
-from sim_core.loop.preview import preview_windows
+from sim_core.loop.drive import filter_preview
+from sim_core.loop.preview import preview
 from sim_core.road.profile import profile
 from sim_core.road.sensed import ExpectedErrors, expected_errors
 from sim_core.scenario import Actuator, Bump, Estimation, Lqr, Mismatch, Mpc, Preview, Road, Scenario, Speed, Vehicle
@@ -134,7 +134,7 @@ def predicted(scenario: Scenario, run: adaptive.AdaptiveRun) -> FloatArray:
     core = prepare(scenario, run.result.strategy)
     motion, excitation = core.profile, core.excitation
     braking = excitation.disturbance.reshape(len(run.commands), -1, 3)[:, :, 2].mean(axis=1)
-    seen, model = seen_by_sensors(scenario, excitation.time, motion), discrete(scenario.vehicle, STEP)
+    seen, model = seen_by_sensors(scenario, excitation.grid.time, motion), discrete(scenario.vehicle, STEP)
     by_model = run.trajectory.states[:, :8] @ model.A.T + run.commands @ model.B.T
     return np.asarray(by_model + np.outer(braking, model.E[:, 2]) + seen @ model.E[:, :2].T)[:-1]
 
@@ -247,8 +247,8 @@ def test_each_strategy_tells_its_filter_what_it_previews_itself(lqr: Preview, mp
     untold = scenario.model_copy(update={"estimation": UNTOLD})
     for name, strategy in STRATEGIES.items():
         expected = lqr if name == "lqr" else mpc if issubclass(strategy, PredictiveController) else "none"
-        assert told_preview(scenario, strategy().for_scenario(scenario)) == expected
-        assert told_preview(untold, strategy().for_scenario(untold)) == "none"
+        assert filter_preview(scenario, strategy().for_scenario(scenario)) == expected
+        assert filter_preview(untold, strategy().for_scenario(untold)) == "none"
 
 
 def test_it_is_told_what_the_controller_itself_plans_on() -> None:
@@ -261,11 +261,10 @@ def test_it_is_told_what_the_controller_itself_plans_on() -> None:
     )
     run = prepare(scenario, "lv")
     motion, excitation = run.profile, run.excitation
-    sensing = scenario.vehicle.wheelbase, scenario.mismatch, expected_errors(scenario.mpc)
-    windows = preview_windows("lookahead", scenario.road, motion, excitation, 30, *sensing)
+    windows = preview("lookahead", scenario, motion, excitation, 30).windows
     ours = run.estimator()
     told = make_estimator(
-        *(scenario, STEP, motion.initial_speed, excitation.disturbance), mode="lookahead", seen=windows[:, [0, 30]]
+        *(scenario, STEP, motion.initial_speed, excitation.disturbance), mode="lookahead", seen=windows[:2, :, 0].T
     )
     assert ours is not None
     assert told is not None
@@ -337,7 +336,7 @@ def test_the_loop_has_the_regulators_poles_and_the_filters() -> None:
     estimate = make_estimator(scenario, STEP, 13.9, np.zeros((1, 3)))
     assert estimate is not None
     loop = closed_loop_matrix(
-        control_step(plant(CAR, Actuator(), STEP, 1), CAR, estimate),
+        *control_step(plant(CAR, Actuator(), STEP, 1), CAR, estimate),
         LinearLaw(gain=np.hstack([-1000 * design.K, np.zeros((2, 2))])),
     )
     poles = np.concatenate(

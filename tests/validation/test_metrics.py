@@ -77,24 +77,24 @@ def test_a_window_ends_where_the_drive_does_not_where_a_sample_is() -> None:
     assert np.abs(changes - changes.mean()).max() < 0.2 * np.abs(changes).mean()
 
 
-STRETCHES = [[(0, 100)], [(0, 100), (104, 110)], [(0, 110)], [(63.2, 63.3), (20, 50), (149, 150)]]
+INTERVALS = [[(0, 100)], [(0, 100), (104, 110)], [(0, 110)], [(63.2, 63.3), (20, 50), (149, 150)]]
 
 
-@pytest.mark.parametrize("stretches", STRETCHES, ids=str)
+@pytest.mark.parametrize("intervals", INTERVALS, ids=str)
 @pytest.mark.parametrize("strategy", ["passive", "lv", "lqr"])
-def test_rms_over_stretches_of_the_road_is_by_definition(strategy: str, stretches: list[tuple[float, float]]) -> None:
+def test_rms_over_intervals_of_the_road_is_by_definition(strategy: str, intervals: list[tuple[float, float]]) -> None:
     """The RMS by a million instants, with the jump where a held command changes.
 
     Between samples accelerations are straight lines, of all else the squares are; a million
-    instants place a stretch's ends within 20 µs, which is a ten-thousandth of the shortest stretch's RMS.
+    instants place an interval's ends within 20 µs, which is a ten-thousandth of the shortest interval's RMS.
     """
     scenario = Scenario()
     result, motion = simulate(scenario, strategy), plan_speed(scenario, STRATEGIES[strategy].speed_plan)
-    rms = rms_between(result.series, motion, stretches)
+    rms = rms_between(result.series, motion, intervals)
     assert list(rms) == list(METRIC_SIGNALS)
     time = (np.arange(1_000_000) + 0.5) * result.travel_time / 1_000_000
     position = motion.at(time)[0]
-    time = time[np.any([(first <= position) & (position <= last) for first, last in stretches], axis=0)]
+    time = time[np.any([(first <= position) & (position <= last) for first, last in intervals], axis=0)]
     fine = len(result.series.columns("front_force")) - 1
     step = time / result.series["time"][1]
     sample = step.astype(int)
@@ -119,15 +119,15 @@ def test_rms_between_knows_jumps() -> None:
         pressure=none,
         braking=none,
     )
-    for stretches, expected in (
+    for intervals, expected in (
         ([(0, 10)], 1 / 3),
         ([(2, 4)], 1 / 3),
         ([(2, 2.5)], 1 / 12),
         ([(1, 1.5), (3, 4)], 1 / 4),
     ):
-        assert rms_between(series, motion, stretches)["body_acceleration"] ** 2 == pytest.approx(expected)
+        assert rms_between(series, motion, intervals)["body_acceleration"] ** 2 == pytest.approx(expected)
     for nowhere in ([(3, 3)], [(9, 11)], [(-1, 2)]):
-        with pytest.raises(ValueError, match="stretch"):
+        with pytest.raises(ValueError, match="interval"):
             rms_between(series, motion, nowhere)
 
 

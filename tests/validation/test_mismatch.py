@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from sim_core.loop.excitation import excite
-from sim_core.loop.preview import preview_windows
+from sim_core.loop.preview import preview
 from sim_core.road import profile as road
 from sim_core.road.sensed import ExpectedErrors, sensed_road, trust, trusted
 from sim_core.scenario import Actuator, Bump, Lqr, Mismatch, Mpc, Preview, Road, Scenario, Speed, Vehicle
@@ -43,10 +43,16 @@ def test_a_saturated_actuator_gives_no_more(strategy: str) -> None:
 
 
 def windows(mismatch: Mismatch, driven: Road = SHORT.road, mode: Preview = "lookahead") -> np.ndarray:
-    scenario = SHORT.model_copy(update={"road": driven})
+    scenario = SHORT.model_copy(update={"road": driven, "mismatch": mismatch})
+    return previewed(scenario, mode, 0.01, 10)
+
+
+def previewed(scenario: Scenario, mode: Preview, step: float, horizon: int) -> np.ndarray:
+    """The disturbances expected in each control step [s], those of one kind after another (steps, 3 · horizon)."""
     motion = plan_speed(scenario, "constant")
-    excitation = excite(driven, scenario.vehicle.wheelbase, motion, 0.01, 0.001)
-    return preview_windows(mode, driven, motion, excitation, 10, scenario.vehicle.wheelbase, mismatch)
+    excitation = excite(scenario.road, scenario.vehicle.wheelbase, motion, step, 10)
+    windows = preview(mode, scenario, motion, excitation, horizon).windows
+    return windows.transpose(1, 0, 2).reshape(windows.shape[1], -1)
 
 
 def test_preview_offset_and_delay_show_the_road_elsewhere() -> None:
@@ -68,12 +74,11 @@ def test_preview_gain_and_noise_scale_the_heights() -> None:
 def test_noise_lies_in_the_road() -> None:
     """Both axles get the same noise at the same position, at any speed."""
     flat = Road(roughness=0, length=60, bump=Bump(height=0, start=40, width=3))
-    scenario = SHORT.model_copy(update={"road": flat, "vehicle": Vehicle(cg_to_front=1.0, cg_to_rear=1.0)})
+    car, noise = Vehicle(cg_to_front=1.0, cg_to_rear=1.0), Mismatch(preview_noise=0.002)
+    scenario = SHORT.model_copy(update={"road": flat, "vehicle": car, "mismatch": noise})
     speed = SHORT.speed.initial_speed_kmh / 3.6
     step = 2.0 / speed / 12  # the wheelbase is twelve control steps long
-    motion = plan_speed(scenario, "constant")
-    excitation = excite(flat, 2.0, motion, step, 0.001)
-    seen = preview_windows("lookahead", flat, motion, excitation, 5, 2.0, Mismatch(preview_noise=0.002))
+    seen = previewed(scenario, "lookahead", step, 5)
     front, rear = seen[:, 0], seen[:, 5]
     assert np.abs(front).max() > 0.05
     np.testing.assert_allclose(rear[12:], front[:-12], atol=1e-9)

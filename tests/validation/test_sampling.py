@@ -61,7 +61,7 @@ def test_a_kink_between_two_samples_counts_where_it_may_raise_the_peak(spare: fl
     )
     height = surface.height(drive.axles)
     excitation = Excitation(
-        drive=drive,
+        grid=drive,
         disturbance=np.zeros((2, 6)),
         surface=surface,
         height=height,

@@ -75,9 +75,9 @@ def test_a_stage_begins_with_the_same_step_on_either_side_of_rounding() -> None:
     def bump_begins(start: float) -> int:
         scenario = Scenario(road=Road(bump=Bump(start=start)))
         motion = plan_speed(scenario, "constant")
-        excitation = excite(scenario.road, scenario.vehicle.wheelbase, motion, 0.01, 0.001)
-        stages = segments(spans(scenario, "constant", motion), excitation.position)
-        return {stage: first for stage, first, _ in reversed(stages)}["bump"] - excitation.drive.before
+        excitation = excite(scenario.road, scenario.vehicle.wheelbase, motion, 0.01, 10)
+        stages = segments(spans(scenario, "constant", motion), excitation.grid.position)
+        return {stage: first for stage, first, _ in reversed(stages)}["bump"] - excitation.grid.before
 
     ulp = np.spacing(100.0)
     starts = [100.0, *(100 + distance * ulp for distance in (-1000, -1, 1, 1000)), 100 - 1e-6]

@@ -27,7 +27,7 @@ def solved(scenario: Scenario, strategy: str) -> StrategyResult:
     """A run of any strategy without semi-active dampers and without an ECU."""
     with (
         patch("sim_core.loop.drive.make_vehicle", SolvedCar),
-        patch("sim_core.loop.drive.fine_step", lambda *plan, **actuated: fine_step(*plan, **actuated) / FINER),
+        patch("sim_core.loop.excitation.fine_step", lambda *plan, **actuated: fine_step(*plan, **actuated) / FINER),
     ):
         return simulate(scenario, strategy)
 

@@ -85,7 +85,7 @@ def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, fl
     """One strategy's metrics by the reference, and the samples they come from."""
     core = prepare(scenario, name)
     motion, controller, excitation = core.profile, core.controller, core.excitation
-    Ts = excitation.step
+    Ts = excitation.grid.step
     if controller.delayed:
         commands, Ts = _ecu_commands(scenario)
         held = _drive(scenario, motion, Ts, len(commands), lambda k, state: commands[k], step)
@@ -101,7 +101,7 @@ def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, fl
 
     def command(k: int, state: Array) -> Array:
         nonlocal previous
-        seen = Seen(inputs, car, k, state, previous)
+        seen = Seen(inputs, car, k, k, state, previous)
         law = controller.linear_law(seen.stage)
         assert law is not None
         z = np.concatenate([state, previous, seen.disturbances.ravel()])
@@ -112,7 +112,7 @@ def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, fl
         previous = np.asarray(np.clip(previous + np.clip(wanted - previous, -most, most), -strongest, strongest))
         return previous
 
-    held = _drive(scenario, motion, Ts, len(excitation.position), command, step)
+    held = _drive(scenario, motion, Ts, len(excitation.grid.position), command, step)
     return held.metrics(scenario, motion), held
 
 
