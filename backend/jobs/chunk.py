@@ -1,6 +1,7 @@
 """The runs of a job: waiting, in a chunk, stored with their results. Workers import this, so it imports little."""
 
-from collections.abc import Mapping, Sequence
+import pickle
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
@@ -8,6 +9,7 @@ from backend.json_types import JsonObject
 from backend.outcome import Outcome
 from sim_core.scenario.measured import MeasuredRoad
 
+PAGE = 1000  # runs
 Computed = Literal["sweep", "reproduction"]  # kinds of jobs whose runs are computed in chunks
 
 
@@ -39,6 +41,20 @@ class JobRun(NamedTuple):
             "result_key": self.key or None,
             "reason": self.reason,
         }
+
+
+class PackedRuns:
+    """The runs of a new job on their way from a worker to the database, unpacked some at a time.
+
+    As objects those of a large batch would hold up the service's other threads.
+    """
+
+    def __init__(self, runs: Sequence[JobRun]) -> None:
+        self._pages = [pickle.dumps(runs[first : first + PAGE]) for first in range(0, len(runs), PAGE)]
+
+    def __iter__(self) -> Iterator[JobRun]:
+        for page in self._pages:
+            yield from pickle.loads(page)  # noqa: S301 - our own worker's
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

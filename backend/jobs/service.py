@@ -1,7 +1,7 @@
 """What every kind of job does: accept once, list, follow, label, cancel, delete."""
 
 import hashlib
-from collections.abc import AsyncIterator, Mapping, Sequence
+from collections.abc import AsyncIterator, Iterable, Mapping
 from datetime import UTC, datetime, timedelta
 from typing import Any
 
@@ -55,7 +55,7 @@ class Jobs:
             plural = PLURALS[self._kind]
             raise BusyError(f"The service is full: too many {plural} are waiting.", retry_after=RETRY_AFTER)
 
-    async def accept(self, job: StoredJob, runs: Sequence[JobRun], key: str | None) -> StoredJob:
+    async def accept(self, job: StoredJob, runs: Iterable[JobRun], key: str | None) -> StoredJob:
         """Commit a job with its runs; where one was accepted with that key meanwhile, return that one.
 
         Raises:

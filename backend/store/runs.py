@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from typing import Any
 
-from sqlalchemy import Connection, Row, bindparam, delete, insert, select, update
+from sqlalchemy import Connection, bindparam, delete, insert, select, update
 from sqlalchemy.dialects import postgresql, sqlite
 
 from backend.db.database import Database, insert_new
@@ -147,7 +147,7 @@ def _load_run(connection: Connection, run_id: str) -> StoredRun | None:
     return StoredRun(**head._asdict(), results=tuple(_result(row) for row in members))
 
 
-def _result(row: Row[Any]) -> Outcome:
+def _result(row: Any) -> Outcome:
     return Outcome(
         key=row.key,
         strategy=row.strategy,

@@ -11,7 +11,7 @@ from pydantic import ValidationError
 from backend import digest
 from backend.cost.estimate import estimate
 from backend.ecu.drive import simulate
-from backend.jobs.chunk import JobRun
+from backend.jobs.chunk import JobRun, PackedRuns
 from backend.jobs.sweep import notes
 from backend.jobs.sweep.sweeps import Sweep, axes, points
 from backend.json_types import JsonObject
@@ -35,20 +35,19 @@ class SweepPlan:
         fields: Dotted names of the fields that change.
         notes: What its runs do not depend on, in sentences.
         runs: A point's strategies side by side; one whose fields contradict each other has failed already.
+        total: How many there are.
+        contradictory: How many have failed already.
         cost: Estimated cost of all [s of one core].
         max_run_cost: The greatest of one run [s of one core].
     """
 
     fields: list[str]
     notes: list[str]
-    runs: list[JobRun]
+    runs: PackedRuns
+    total: int
+    contradictory: int
     cost: float
     max_run_cost: float
-
-    @property
-    def contradictory(self) -> int:
-        """How many runs have failed already."""
-        return sum(not run.key for run in self.runs)
 
 
 def scenario_at(
@@ -120,7 +119,15 @@ def plan(
             cost, max_run_cost = cost + each, max(max_run_cost, each)
             runs.append(JobRun(len(runs), text, name, digest.result_key(scenario, name)))
     said = notes.notes(base, changes_by_point, axes(sweep, fields), runs)
-    return SweepPlan(fields=fields, notes=said, runs=runs, cost=cost, max_run_cost=max_run_cost)
+    return SweepPlan(
+        fields=fields,
+        notes=said,
+        runs=PackedRuns(runs),
+        total=len(runs),
+        contradictory=sum(not run.key for run in runs),
+        cost=cost,
+        max_run_cost=max_run_cost,
+    )
 
 
 def _points(base: JsonObject, sweep: Sweep, lengths: Mapping[str | None, float]) -> tuple[list[str], list[JsonObject]]:

@@ -83,13 +83,13 @@ class Sweeps:
         cost = plan.PILOTS * len(names) * min(plan.PILOT_LIMIT, planned.max_run_cost)
         with self._admission.background(client, cost):
             seconds = await self._call(client, cost, plan.pilot, base, names, sweep, lengths, roads)
-        points = len(planned.runs) // len(names)
+        points = planned.total // len(names)
         if seconds is not None:
             seconds *= points / self._settings.batch_workers
             seconds *= 1 + await self._queued_cost(planned.cost) / planned.cost if planned.cost else 1
         return Estimate(
             points=points,
-            total=len(planned.runs),
+            total=planned.total,
             contradictory=planned.contradictory,
             notes=planned.notes,
             estimated_cost=planned.cost,
@@ -151,7 +151,7 @@ class Sweeps:
             },
             sweep=sent,
             estimated_cost=planned.cost,
-            total=len(planned.runs),
+            total=planned.total,
             failed=planned.contradictory,
             request_hash=hashed,
         )
