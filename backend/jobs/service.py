@@ -7,7 +7,7 @@ from typing import Any
 
 from backend import digest
 from backend.errors import BusyError, ConflictError, ForbiddenError, NotFoundError
-from backend.http.admission import Admission
+from backend.gate import Gate
 from backend.jobs.chunk import JobRun
 from backend.jobs.events import server_sent
 from backend.settings import Settings
@@ -24,10 +24,10 @@ PLURALS: Mapping[Kind, str] = {"sweep": "batches", "tuning": "tunings", "reprodu
 class Jobs:
     """The service of one kind of job; its methods belong to the event loop."""
 
-    def __init__(self, kind: Kind, *, store: Store, admission: Admission, settings: Settings) -> None:
+    def __init__(self, kind: Kind, *, store: Store, gate: Gate, settings: Settings) -> None:
         self._kind = kind
         self._store = store
-        self._admission = admission
+        self._gate = gate
         self._max_unfinished = settings.max_unfinished_batches
 
     async def existing(self, key: str | None, request_hash: str) -> StoredJob | None:
@@ -166,7 +166,7 @@ class Jobs:
             BusyError: The service has.
         """
         await self.get(job_id)
-        return await server_sent(self._store, job_id, after, self._admission, client)
+        return await server_sent(self._store, job_id, after, self._gate, client)
 
 
 def request_hash(request: Any) -> str:

@@ -5,8 +5,9 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
+from backend.cost.estimate import cost_of
 from backend.errors import BusyError
-from backend.http.admission import Admission, cost_of
+from backend.gate import Gate
 from backend.jobs.chunk import JobRun
 from backend.paper import answers, claims, drawings, paper_rows
 from backend.paper.interpretations import DEFAULT, INTERPRETATIONS
@@ -14,6 +15,7 @@ from backend.paper.models import AttributionAnswer, PaperAnswer, PaperFigures, R
 from backend.paper.readings import READINGS
 from backend.paper.report import report
 from backend.paper.rows import PaperRows, Rows
+from backend.runs.reports import page
 from backend.runs.reports.page import Report, in_thread
 from backend.runs.results import Results
 from backend.store import Store
@@ -28,10 +30,10 @@ Requests = Mapping[str, tuple[JobRun, ...]]
 class Paper:
     """The one service of the paper page; its methods belong to the event loop."""
 
-    def __init__(self, *, store: Store, results: Results, admission: Admission) -> None:
+    def __init__(self, *, store: Store, results: Results, gate: Gate) -> None:
         self._rows = PaperRows(store)
         self._results = results
-        self._admission = admission
+        self._gate = gate
 
     async def reproduction(
         self, choices: Mapping[str, str], roads: range, client: str, *, partial: bool = False
@@ -109,10 +111,10 @@ class Paper:
         Raises:
             TemporaryError: Too much is being computed.
         """
-        page = await self.reproduction(choices, roads, client)
+        whole = await self.reproduction(choices, roads, client)
         parts, drawn = await self.attribution(roads, client), await self.figures(roads, client)
-        with self._admission.reporting(client):
-            return await in_thread(partial(report, page, parts, drawn.figures, compressed=compressed))
+        with self._gate.computing(client, page.COST, reports=1):
+            return await in_thread(partial(report, whole, parts, drawn.figures, compressed=compressed))
 
     async def _study(self, study: str, roads: range, client: str) -> list[Any]:
         row_requests = paper_rows.requests_of_study(study, roads)
@@ -123,8 +125,8 @@ class Paper:
 
     async def _get(self, client: str, *requests: Requests, patience: float | None) -> Rows:
         """These rows; one road's runs must be within the cost limit of a request."""
-        self._admission.check_cost(cost_of(Scenario(), claims.STRATEGIES))
-        with self._admission.reading(client):
+        self._gate.check_cost(cost_of(Scenario(), claims.STRATEGIES))
+        with self._gate.hold(client, requests=1):
             every = [row for by_strategy in requests for rows in by_strategy.values() for row in rows]
             return await self._rows.get(every, patience)
 

@@ -8,7 +8,7 @@ from backend import digest
 from backend.compute.flights import Flights
 from backend.compute.workers import Workers
 from backend.cost.estimate import estimate
-from backend.http.admission import Admission
+from backend.gate import Gate
 from backend.metrics import CACHE, count_runs
 from backend.outcome import Outcome
 from backend.roads.service import Roads
@@ -32,11 +32,11 @@ class _Request:
 class Results:
     """Finds or computes results; its methods belong to the event loop."""
 
-    def __init__(self, *, store: Store, workers: Workers, memory: Memory, admission: Admission, roads: Roads) -> None:
+    def __init__(self, *, store: Store, workers: Workers, memory: Memory, gate: Gate, roads: Roads) -> None:
         self._store = store
         self._workers = workers
         self._memory = memory
-        self._admission = admission
+        self._gate = gate
         self._roads = roads
         self._flights: Flights[tuple[str, int | None], Outcomes] = Flights()
 
@@ -74,7 +74,7 @@ class Results:
             roads = [await self._roads.on(road) for road in roads]
             costs = {name: estimate(roads[0], name) for name in set(costly)}  # which no seed changes
             request = _Request(client=client, points=points, costs=costs)
-            with self._admission.computing(client, sum(costs[name] for name in costly)):
+            with self._gate.computing(client, sum(costs[name] for name in costly)):
                 computed = await self._compute_roads(roads, missing, request)
             found = [there | new for there, new in zip(found, computed, strict=True)]
         return [{name: each[name] for name in names} for each in found]

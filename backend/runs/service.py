@@ -11,6 +11,7 @@ from sqlalchemy.exc import SQLAlchemyError
 from backend import digest
 from backend.analysis.roads import seeded
 from backend.compute.workers import Workers
+from backend.cost.estimate import cost_of
 from backend.errors import (
     GoneError,
     InvalidError,
@@ -18,7 +19,7 @@ from backend.errors import (
     NotFoundError,
     RoadGoneError,
 )
-from backend.http.admission import Admission, cost_of
+from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile
 from backend.json_types import JsonObject
 from backend.metrics import CACHE
@@ -34,6 +35,7 @@ from backend.runs.answers import (
     run_answer,
 )
 from backend.runs.histories import Histories
+from backend.runs.reports import page
 from backend.runs.reports import run as run_report
 from backend.runs.reports.page import Report, in_thread
 from backend.runs.results import Outcomes, Results
@@ -51,15 +53,13 @@ class Runs:
     """The one service of runs; its methods belong to the event loop."""
 
     def __init__(
-        self, *, store: Store, workers: Workers, results: Results, admission: Admission, roads: Roads, spool: Spool
+        self, *, store: Store, workers: Workers, results: Results, gate: Gate, roads: Roads, spool: Spool
     ) -> None:
         self._store = store
         self._results = results
-        self._admission = admission
+        self._gate = gate
         self._roads = roads
-        self._histories = Histories(
-            store=store, workers=workers, results=results, admission=admission, roads=roads, spool=spool
-        )
+        self._histories = Histories(store=store, workers=workers, results=results, gate=gate, roads=roads, spool=spool)
         self._store_usable = True
 
     async def store_usable(self) -> bool:
@@ -102,7 +102,7 @@ class Runs:
         if stored is not None and not stored.expired:
             CACHE.labels("hit").inc(len(names) * roads)
             return replace(stored, scenario=plain), dict.fromkeys(names, True)  # the id says that they are the same
-        self._admission.check_cost(roads * cost_of(scenario, names))
+        self._gate.check_cost(roads * cost_of(scenario, names))
         outcomes = await self._computed(scenario, names, roads, client)
         if not all(item.cacheable for item in outcomes):  # asked again: tried again
             run_id = digest.random_id()
@@ -148,7 +148,7 @@ class Runs:
     ) -> JsonObject:
         """Figures and decimated time histories of that scenario; nothing is stored."""
         names, scenario = ordered(strategies), await self._roads.with_length(scenario)
-        self._admission.check_cost(cost_of(scenario, names))
+        self._gate.check_cost(cost_of(scenario, names))
         outcomes = await self._results.get(scenario, names, client, points=points)
         keys = series.ordered_signals(signals)
         fields: dict[str, JsonObject] = {name: {"cached": outcome.cached} for name, outcome in outcomes.items()}
@@ -239,7 +239,7 @@ class Runs:
             raise NotFoundError(f"There is no such figure; there are {', '.join(figures.PANELS)}.")
         stored = await self.stored(run_id, client)
         outcomes = await self._histories.outcomes(stored, client)
-        with self._admission.computing(client, 0.0):
+        with self._gate.computing(client, 0.0):
             if name is not None:
                 return figures.filled(name, outcomes, axis)
             return {"figures": {each: figures.filled(each, outcomes, axis) for each in figures.PANELS}}
@@ -289,7 +289,7 @@ class Runs:
             axis=axis,
             gone=gone,
         )
-        with self._admission.reporting(client):
+        with self._gate.computing(client, page.COST, reports=1):
             return await in_thread(partial(run_report.report, facts, compressed=compressed))
 
     async def _other(self, run_id: str, client: str) -> StoredRun:

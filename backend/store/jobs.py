@@ -44,9 +44,9 @@ class JobStore:
     def create(
         self, job: StoredJob, runs: Iterable[JobRun] = (), idempotency_key: str | None = None
     ) -> tuple[StoredJob, bool]:
-        """Commit a job with all its runs, which can be read again; if its idempotency key exists, return that key's job and False.
+        """Commit a job with all its runs; if its idempotency key exists, return that key's job and False.
 
-        A cancelled job gives its key away.
+        A cancelled job gives its key away. The runs can be gone through more than once.
 
         Raises:
             ParentEndedError: The job that submits it has ended meanwhile.

@@ -8,6 +8,7 @@ import pytest
 from prometheus_client.core import Metric
 from pydantic_core import PydanticUndefined
 
+from backend.gate.quotas import explained, quotas
 from backend.metrics import service_registry
 from backend.settings import Settings
 
@@ -52,8 +53,12 @@ def test_the_proxys_variables_are_documented() -> None:
     assert {name: value.strip("`") for name, value in rows("PROXY_").items()} == read
 
 
+def test_the_quotas_are_those_that_a_service_prints() -> None:
+    assert explained(quotas(Settings())) in TEXT
+
+
 class Idle:
-    """Workers and admission with nothing to do."""
+    """Workers and gate with nothing to do."""
 
     load: Any = dict.fromkeys(("busy", "idle", "waiting", "cost", "wait", "requests", "streams", "bodies"), 0)
 

@@ -107,7 +107,7 @@ def submitted(
         store.roads.save(road)
         base["road"]["profile"] = road.id
     seeds = list(range(first_seed, first_seed + RUNS))
-    runs = plan(base, ["lv"], Sweep.model_validate({"grid": {"road.seed": seeds}})).runs
+    runs = list(plan(base, ["lv"], Sweep.model_validate({"grid": {"road.seed": seeds}})).runs)
     request = {"scenario": base, "strategies": ["lv"], "fields": ["road.seed"]}
     batch = StoredJob(
         kind="sweep", request=request, estimated_cost=1, total=RUNS, request_hash="", core_version=core_version

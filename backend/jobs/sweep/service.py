@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 from backend.compute.workers import Workers
 from backend.errors import CHEAPER_RUN, ConflictError, CostLimitError, InvalidError
-from backend.http.admission import Admission
+from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile
 from backend.jobs.chunk import JobRow
 from backend.jobs.service import Jobs, request_hash
@@ -41,7 +41,7 @@ class Sweeps:
         store: The database.
         workers: Processes for interactive runs; they also do what is quick.
         background: Processes for longer planning and summaries, so that these delay no interactive run.
-        admission: What is accepted at once.
+        gate: What is accepted at once.
         settings: Of the service.
         roads: The measured ones.
         spool: For long tables.
@@ -53,20 +53,20 @@ class Sweeps:
         store: Store,
         workers: Workers,
         background: Workers,
-        admission: Admission,
+        gate: Gate,
         settings: Settings,
         roads: Roads,
         spool: Spool,
     ) -> None:
         self._spool = spool
-        self.jobs = Jobs("sweep", store=store, admission=admission, settings=settings)
+        self.jobs = Jobs("sweep", store=store, gate=gate, settings=settings)
         self._store = store
         self._workers = workers
         self._background = background
-        self._admission = admission
+        self._gate = gate
         self._roads = roads
         self._settings = settings
-        self._summaries = Summaries(rows=self.rows, call=self._call, admission=admission, roads=roads)
+        self._summaries = Summaries(rows=self.rows, call=self._call, gate=gate, roads=roads)
 
     async def estimate(self, scenario: Scenario, strategies: Iterable[str], sweep: Sweep, client: str) -> Estimate:
         """The size and the estimated time of that batch.
@@ -81,7 +81,7 @@ class Sweeps:
         lengths = _lengths(given, roads)
         planned = await self._planned(base, names, sweep, lengths, client)
         cost = plan.PILOTS * len(names) * min(plan.PILOT_LIMIT, planned.max_run_cost)
-        with self._admission.background(client, cost):
+        with self._gate.hold(client, requests=1, background_cost=cost):
             seconds = await self._call(client, cost, plan.pilot, base, names, sweep, lengths, roads)
         points = planned.total // len(names)
         if seconds is not None:
@@ -193,7 +193,7 @@ class Sweeps:
         names = [*table.FIXED, *fields, *figures]
         size, call = table.TABLE_VALUE_BYTES * job.total * len(names), self._page_call(client)
         with (
-            self._admission.computing(client, rendering.ROW_COST * job.total),
+            self._gate.computing(client, rendering.ROW_COST * job.total),
             self._spool.reserved(client, size) as write,
             self._spool.scratch(client, size) as scratch,
         ):
@@ -228,7 +228,7 @@ class Sweeps:
             TemporaryError: Too much is being computed.
         """
         job, counted = await self.jobs.get(job_id), ExitStack()
-        counted.enter_context(self._admission.downloading(client, rendering.ROW_COST * job.total))
+        counted.enter_context(self._gate.hold(client, computing=1, cost=rendering.ROW_COST * job.total))
         return job, table.RENDERERS[file_format](job, self.rows(job.id), self._page_call(client)), counted
 
     async def rows(self, job_id: str) -> AsyncIterator[list[JobRow]]:
@@ -258,7 +258,7 @@ class Sweeps:
         self._check_size(sweep, names)
         try:
             cost = PLAN_COST * size(sweep) * len(names)
-            with self._admission.background(client, cost):
+            with self._gate.hold(client, requests=1, background_cost=cost):
                 planned = await self._call(client, cost, plan.plan, base, names, sweep, lengths)
         except SweepError as error:
             raise InvalidError(

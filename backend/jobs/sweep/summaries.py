@@ -12,7 +12,7 @@ from cachetools import LRUCache
 from backend.analysis import reading, robustness
 from backend.compute.flights import Flights
 from backend.errors import InvalidError
-from backend.http.admission import Admission
+from backend.gate import Gate
 from backend.jobs.chunk import JobRow
 from backend.jobs.sweep.models import BatchSummary
 from backend.roads.service import Roads
@@ -45,7 +45,7 @@ class Summaries:
     Args:
         rows: A batch's rows, page by page, by its id.
         call: Runs a function of that client and that cost [s of one core] in a process.
-        admission: What is accepted at once.
+        gate: What is accepted at once.
         roads: The measured roads.
     """
 
@@ -54,12 +54,12 @@ class Summaries:
         *,
         rows: Callable[[str], AsyncIterator[list[JobRow]]],
         call: Callable[..., Awaitable[Any]],
-        admission: Admission,
+        gate: Gate,
         roads: Roads,
     ) -> None:
         self._rows = rows
         self._call = call
-        self._admission = admission
+        self._gate = gate
         self._roads = roads
         self._cached: LRUCache[tuple[str, ...], CachedSummary] = LRUCache(CACHED)
         self._flights: Flights[tuple[str | int, ...], BatchSummary] = Flights()
@@ -85,7 +85,7 @@ class Summaries:
         cost = COST * ended
         rows, call = self._rows(job.id), partial(self._call, client, cost)
         measured = await self._roads.named(job.road_ids)
-        with self._admission.background(client, cost):
+        with self._gate.hold(client, requests=1, background_cost=cost):
             answer = await self._flights.join(
                 (*key, ended), partial(reading.summarised, job, rows, call, figures, against, measured)
             )

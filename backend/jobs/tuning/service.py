@@ -7,7 +7,7 @@ from backend.analysis.measure import Aims
 from backend.compute.workers import Workers
 from backend.cost.estimate import estimate
 from backend.errors import CHEAPER_RUN, ConflictError, CostLimitError, InvalidError
-from backend.http.admission import Admission
+from backend.gate import Gate
 from backend.jobs.service import Jobs, request_hash
 from backend.jobs.sweep import plan
 from backend.jobs.sweep.sweeps import Sweep
@@ -25,11 +25,11 @@ from sim_core.scenario import Scenario, dotted
 class TuningService:
     """The service of tunings; its methods belong to the event loop."""
 
-    def __init__(self, *, store: Store, background: Workers, admission: Admission, settings: Settings) -> None:
-        self.jobs = Jobs("tuning", store=store, admission=admission, settings=settings)
+    def __init__(self, *, store: Store, background: Workers, gate: Gate, settings: Settings) -> None:
+        self.jobs = Jobs("tuning", store=store, gate=gate, settings=settings)
         self._store = store
         self._background = background
-        self._admission = admission
+        self._gate = gate
         self._settings = settings
 
     async def estimate(self, request: TuningRequest, client: str) -> TuningEstimate:
@@ -39,16 +39,17 @@ class TuningService:
             ServiceError: As `create`.
         """
         stored = request.stored()
-        runs, cost = self._workload(stored, request.trials)
+        runs, whole_cost = self._workload(stored, request.trials)
         first = first_weights(stored["scenario"], request.strategy, ranges_of(stored))
         points = [{**weights, **road(stored, seed)} for weights in first for seed in request.seeds]
         sweep = Sweep.model_validate({"list": points})
-        with self._admission.background(client, plan.PILOTS * estimate(request.scenario, request.strategy)):
+        cost = plan.PILOTS * estimate(request.scenario, request.strategy)
+        with self._gate.hold(client, requests=1, background_cost=cost):
             each = await self._background.call(plan.pilot, stored["scenario"], [request.strategy], sweep, client=client)
         return TuningEstimate(
             runs=runs,
             generations=math.ceil(request.trials / request.population),
-            estimated_cost=cost,
+            estimated_cost=whole_cost,
             estimated_seconds=None if each is None else each * runs / self._settings.batch_workers,
         )
 

@@ -8,8 +8,9 @@ from typing import Any, Literal
 
 from backend import digest
 from backend.compute.workers import Workers
+from backend.cost.estimate import cost_of
 from backend.errors import InvalidError, NotFoundError
-from backend.http.admission import Admission, cost_of
+from backend.gate import Gate
 from backend.jobs.sweep.models import Batch
 from backend.json_types import JsonObject
 from backend.roads.service import Roads
@@ -38,11 +39,11 @@ class _SharedRun:
 class Links:
     """The one service of links; its methods belong to the event loop."""
 
-    def __init__(self, *, store: Store, workers: Workers, runs: Runs, admission: Admission, roads: Roads) -> None:
+    def __init__(self, *, store: Store, workers: Workers, runs: Runs, gate: Gate, roads: Roads) -> None:
         self._runs = runs
         self._store = store
         self._workers = workers
-        self._admission = admission
+        self._gate = gate
         self._roads = roads
 
     async def share_run(self, run_id: str, view: LinkView, client: str) -> CreatedLink:
@@ -57,7 +58,7 @@ class Links:
         places = [(run_id, "run_id"), *((pin.run, f"view/pins/{n}/run") for n, pin in enumerate(view.pins or []))]
         shared = [await self._shared(run, place, client) for run, place in places]
         missing = {key for each in shared for key in each.missing.values()}
-        self._admission.linking(client, links=len(shared), pinned=len(missing))
+        self._gate.linking(client, links=len(shared), pinned=len(missing))
         series = [await self._pin(each, client) for each in shared]
         for each, pinned in zip(shared[1:], series[1:], strict=True):
             await self._save_run(each.stored.id, LinkView(), pinned, client)
@@ -87,7 +88,7 @@ class Links:
             raise _unknown("batch_id", "There is no batch of this id")
         if view.x not in (None, *stored.request["fields"]):
             raise _unknown("view/x", f"This batch sweeps {', '.join(stored.request['fields'])}")
-        self._admission.linking(client)
+        self._gate.linking(client)
         slug = await self._save("batch", batch_id, view, {})
         if slug is None:
             raise _unknown("batch_id", "There is no batch of this id")
@@ -141,7 +142,7 @@ class Links:
             return {}
         scenario = await self._roads.on(scenario)
         cost = cost_of(scenario, missing)
-        with self._admission.computing(client, cost):
+        with self._gate.computing(client, cost):
             series = await self._workers.call(pins.make, scenario, list(missing), client=client, cost=cost)
         return {missing[name]: content for name, content in series.items()}
 

@@ -28,6 +28,7 @@ from sim_core.catalogue import STATISTICS, WINDOWS
 
 TEMPLATES = Path(__file__).parent / "templates"
 PLOTLY = PAGE / "report" / "plotly.js"  # with the traces that the lab draws; made with the page
+COST = 0.1  # of a report [s of one core]
 COMPRESSION = 1  # the same as the service's other answers
 # One thread: a report is mostly compressing, which leaves the event loop alone; the next one waits.
 _thread = ThreadPoolExecutor(1, thread_name_prefix="report")
