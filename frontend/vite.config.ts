@@ -26,5 +26,6 @@ export default defineConfig({
     // What the first view needs is one file: in fifty the browser's six connections take turns.
     rolldownOptions: { output: { codeSplitting: { groups: [{ name: "first", tags: ["$initial"] }] } } },
   },
-  test: { include: ["src/**/*.test.ts"], environment: "node", css: { include: [/\?raw$/] } },
+  // Files without a page share what they import: in a process of its own each would read half of the sources again.
+  test: { include: ["src/**/*.test.ts"], environment: "node", isolate: false, css: { include: [/\?raw$/] } },
 });

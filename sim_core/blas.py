@@ -10,7 +10,7 @@ from threading import Lock
 
 from threadpoolctl import LibController, ThreadpoolController
 
-Numbers = list[tuple[LibController, int]]
+ThreadCounts = list[tuple[LibController, int]]
 
 
 @cache
@@ -21,7 +21,7 @@ def _libraries() -> tuple[list[LibController], list[LibController]]:
     return [each for each in libraries if each not in own], own
 
 
-def _limit(libraries: Iterable[LibController]) -> Numbers:
+def _limit(libraries: Iterable[LibController]) -> ThreadCounts:
     """Hold them to one thread; returns the numbers of those that had another."""
     numbers = [(each, each.get_num_threads()) for each in libraries]
     changed = [(each, number) for each, number in numbers if number != 1]
@@ -45,7 +45,7 @@ class _Process:
     def __init__(self) -> None:
         self._lock = Lock()
         self._runs = 0
-        self._before: Numbers = []
+        self._before: ThreadCounts = []
 
     def limit(self, libraries: Iterable[LibController]) -> None:
         with self._lock:

@@ -5,8 +5,7 @@ Results with a few small arrays of a fixed shape, such as a car's matrices, are 
 
 from collections import OrderedDict
 from collections.abc import Callable, Hashable, Iterable
-from dataclasses import fields, is_dataclass
-from functools import cache, wraps
+from functools import wraps
 from threading import Lock
 from typing import Any, ParamSpec, TypeVar
 
@@ -24,33 +23,27 @@ _ENTRY_OVERHEAD = 1024  # so that the number of small entries is bounded too [by
 
 def arrays(value: Any) -> list[NDArray[Any]]:
     """Itself, those in dataclasses, tuples and dictionaries; and the arrays that these are views of."""
-    found: list[NDArray[Any]] = []
+    collected: list[NDArray[Any]] = []
     waiting = [value]
     while waiting:
         part = waiting.pop()
         if isinstance(part, np.ndarray):
             while part is not None:  # between a strided view and its array stands an object of NumPy's with a base too
                 if isinstance(part, np.ndarray):
-                    found.append(part)
+                    collected.append(part)
                 part = getattr(part, "base", None)
         elif isinstance(part, dict):
             waiting.extend(part.values())
         elif isinstance(part, tuple):
             waiting.extend(part)
         else:
-            waiting.extend([getattr(part, name) for name in _field_names(type(part))])  # type: ignore[arg-type]  # a class can be hashed
-    return found
+            waiting.extend([getattr(part, name) for name in getattr(part, "__dataclass_fields__", ())])
+    return collected
 
 
 def buffers(arrays: Iterable[NDArray[Any]]) -> dict[int, int]:
     """Bytes of each buffer by its identity; a view counts as its whole base array, which it keeps alive."""
     return {id(array): array.nbytes for array in arrays if not hasattr(array.base, "base")}
-
-
-@cache
-def _field_names(kind: Hashable) -> tuple[str, ...]:
-    """Fields of a dataclass; of anything else none."""
-    return tuple(field.name for field in fields(kind)) if isinstance(kind, type) and is_dataclass(kind) else ()
 
 
 class Cache:

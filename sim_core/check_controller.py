@@ -7,13 +7,14 @@ from typing import get_args
 
 import numpy as np
 
+from sim_core.catalogue import METRICS
 from sim_core.control.controller import Controller, Force, Option, checked_value, scenario_value
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Preview, Road, Scenario
 from sim_core.simulate import simulate
-from sim_core.strategies import speed_plan, strategy_named
+from sim_core.strategies import make_controller, speed_plan, strategy_named
 from sim_core.vehicle.model import SemiActiveDampers
 
 _SHORT = Scenario(road=Road(length=60, bump=Bump(start=30)))
@@ -57,23 +58,22 @@ def check_controller(controller: str | type[Controller] | Controller, scenario: 
 def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> list[str]:
     """What is wrong with its runs."""
     try:
-        instance = controller() if isinstance(controller, type) else controller
-    except Exception as error:  # noqa: BLE001 - of anybody's code
-        return [_raised(error, controller)]
-    speed = scenario.speed.model_copy(update={"policy": speed_plan(type(instance), scenario.speed.policy)})
-    scenario = scenario.model_copy(update={"speed": speed})
-    try:
+        instance = make_controller(controller)
+        kind = type(instance)
+        speed = scenario.speed.model_copy(update={"policy": speed_plan(kind, scenario.speed.policy)})
+        scenario = scenario.model_copy(update={"speed": speed})
         first, again = simulate(scenario, instance), simulate(scenario, instance)
         other = simulate(scenario, controller) if isinstance(controller, type) else first
-        by_force = simulate(scenario, _ByForce(instance)) if _has_both(instance) else first
+        has_both = kind.linear_law is not Controller.linear_law and kind.force is not Controller.force
+        by_force = simulate(scenario, _ByForce(instance)) if has_both and not instance.delayed else first
     except Exception as error:  # noqa: BLE001 - of anybody's code
         return [_raised(error, controller)]
-    if not _same(first, other):
+    if first.summary() != other.summary():
         return [
             "Two runs of new objects differ: it keeps something outside the object, such as a list of the class or "
             "random numbers; make it in start"
         ]
-    if not _same(first, again):
+    if first.summary() != again.summary():
         return ["A second run of the same object differs: start has to forget the run before"]
     if not instance.actuated and any(first.metrics["whole"][f"{axle}_force"]["peak"] for axle in ("front", "rear")):
         return ["It says that it has no actuators, and gives a force"]
@@ -108,14 +108,6 @@ def _declared(kind: type[Controller]) -> list[str]:
     return wrong
 
 
-def _has_both(controller: Controller) -> bool:
-    """Whether it has forces of its own beside a law."""
-    kind = type(controller)
-    return (
-        not controller.delayed and kind.linear_law is not Controller.linear_law and kind.force is not Controller.force
-    )
-
-
 class _ByForce(Controller):
     """Another controller, asked in each step although it has a law."""
 
@@ -141,17 +133,10 @@ class _ByForce(Controller):
         self._other.end()
 
 
-def _same(first: StrategyResult, second: StrategyResult) -> bool:
-    return first.summary() == second.summary()
-
-
 def _close(first: StrategyResult, second: StrategyResult) -> bool:
-    for window, signals in first.metrics.items():
-        for signal, statistics in signals.items():
-            ours, theirs = list(statistics.values()), list(second.metrics[window][signal].values())
-            if not np.allclose(ours, theirs, rtol=_SAME_LAW, atol=_NOTHING):
-                return False
-    return True
+    of_signals = [metric for metric in METRICS.values() if metric.path[0] == "metrics"]
+    ours, theirs = ([metric.of(each.summary()) for metric in of_signals] for each in (first, second))
+    return np.allclose(ours, theirs, rtol=_SAME_LAW, atol=_NOTHING)
 
 
 def _raised(error: Exception, controller: type[Controller] | Controller) -> str:

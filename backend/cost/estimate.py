@@ -14,7 +14,7 @@ from sim_core.errors import TooExpensiveError
 from sim_core.loop.drive import run_dampers
 from sim_core.loop.excitation import StepSizes, fine_step, step_sizes
 from sim_core.scenario import Actuator, Scenario
-from sim_core.speed.profile import CONTROL_STEP, KMH, TARGET_BAND, plan_speed
+from sim_core.speed.profile import CONTROL_STEP, TARGET_BAND, plan_speed
 from sim_core.strategies import speed_plan, strategy_named
 from sim_core.vehicle.make import is_linear
 from sim_core.vehicle.nonlinear import substeps
@@ -64,16 +64,15 @@ SECONDS: Mapping[str, float] = {
 def duration(scenario: Scenario, name: str) -> float:
     """Longest time the strategy can take from x = 0 to the road's end [s]; exact where the brakes' lag is long."""
     speed, road = scenario.speed, scenario.road
-    initial = speed.initial_speed_kmh * KMH
     if speed_plan(strategy_named(name), speed.policy) == "constant":
-        return road.length / initial
-    floor = min(initial, speed.target_speed_kmh * KMH) - TARGET_BAND
+        return road.length / speed.initial
+    floor = min(speed.initial, speed.target) - TARGET_BAND
     # The brake pressure that remains when braking ends reduces the speed by as much again.
     slowest = floor - scenario.brake.maximum_deceleration * (scenario.brake.pressure_lag + CONTROL_STEP)
     if slowest < floor / 2:
         return plan_speed(scenario, "planned").time_at(road.length)
-    detection = _detection(scenario)
-    return detection / initial + (road.length - detection) / slowest
+    detection = scenario.braking_start
+    return detection / speed.initial + (road.length - detection) / slowest
 
 
 def estimate(scenario: Scenario, name: str) -> float:
@@ -139,11 +138,11 @@ def memory(scenario: Scenario, strategy: type[Controller], time: float) -> float
 def expected_time(scenario: Scenario, strategy: type[Controller]) -> float:
     """Expected time from x = 0 to the road's end [s], braking with the maximum deceleration."""
     speed, road, brake = scenario.speed, scenario.road, scenario.brake
-    initial = speed.initial_speed_kmh * KMH
+    initial = speed.initial
     if speed_plan(strategy, speed.policy) == "constant":
         return road.length / initial
-    detection = _detection(scenario)
-    distance, target = road.bump.start - detection, min(initial, speed.target_speed_kmh * KMH)
+    detection = scenario.braking_start
+    distance, target = road.bump.start - detection, min(initial, speed.target)
     braked = max(0.0, distance - brake.pressure_lag * initial)
     arrival = max(target, sqrt(max(0.0, initial**2 - 2 * brake.maximum_deceleration * braked)))
     return detection / initial + distance / ((initial + arrival) / 2) + (road.length - road.bump.start) / arrival
@@ -193,11 +192,6 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, expected: 
     if mpc.solver == "osqp":
         counts["OSQP"] = solved * OsqpSolver.effort(expected.iterations, unknowns, 4 * mpc.prediction_horizon)
     return counts
-
-
-def _detection(scenario: Scenario) -> float:
-    """Where braking begins [m]."""
-    return max(0.0, scenario.road.bump.start - scenario.speed.detection_distance)
 
 
 def _steps(scenario: Scenario, strategy: type[Controller]) -> StepSizes:

@@ -6,7 +6,7 @@ from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller, scenario_field, undefined
 from sim_core.control.cost import KILO
 from sim_core.control.mpc_design import CENTI, SLACK_LINEAR, MpcDesign, design
-from sim_core.control.qp import MAX_EFFORT, SOLVERS, QpProblem, QpSolver
+from sim_core.control.qp import MAX_EFFORT, SOLVERS, QpProblem
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import TooExpensiveError
 from sim_core.scenario import Weights
@@ -15,29 +15,22 @@ from sim_core.vehicle.model import LinearLaw
 _COSTLY_FIELDS = "mpc.control_horizon", "mpc.prediction_horizon", "mpc.sample_time", "road.length"
 
 
-class StageQp:
+class StageQp(QpProblem):
     """One stage's QPs in one run."""
 
     def __init__(self, design: MpcDesign) -> None:
-        self.problem = QpProblem(design.shape)
-        self.problem.f[-2:] = SLACK_LINEAR / CENTI
+        super().__init__(design.shape)
+        self.f[-2:] = SLACK_LINEAR / CENTI
         self._design = design
-        self._solvers: dict[str, QpSolver] = {}
 
     def set(self, state: FloatArray, previous_force: FloatArray, disturbances: FloatArray) -> None:
         """Make it the QP of a control step: state (8,), previous force (2,) [N], disturbances (3, Np)."""
         parameters = np.concatenate([state, previous_force, disturbances.ravel()])
-        travel = self._design.travel @ parameters
-        self.problem.f[:-2] = self._design.linear @ parameters
-        self.problem.b[: len(travel)] = self._design.travel_limit - travel
-        self.problem.b[len(travel) :] = self._design.travel_limit + travel
-
-    def solve(self, name: str) -> FloatArray | None:
-        """A solver's answer to the problem: its minimiser, if that holds up."""
-        solver = self._solvers.get(name)
-        if solver is None:
-            solver = self._solvers[name] = SOLVERS[name](self.problem)
-        return solver.solve()
+        values = self._design.by_parameters @ parameters
+        free = len(self.f) - 2
+        self.f[:-2], travel = values[:free], values[free:]
+        self.b[: len(travel)] = self._design.travel_limit - travel
+        self.b[len(travel) :] = self._design.travel_limit + travel
 
 
 class PredictiveController(Controller):
@@ -103,7 +96,7 @@ class PredictiveController(Controller):
         qp = self._qps.get(seen.stage)
         if qp is None:
             qp = self._qps[seen.stage] = StageQp(self._designs[seen.stage])
-        if sum([each.problem.spent for each in self._qps.values()]) > MAX_EFFORT:
+        if sum([each.spent for each in self._qps.values()]) > MAX_EFFORT:
             faster = () if self.solver == "daqp" else ("mpc.solver",)
             raise TooExpensiveError("The run's QPs take too many iterations", fields=(*faster, *_COSTLY_FIELDS))
         qp.set(seen.state, seen.previous_force, seen.disturbances)

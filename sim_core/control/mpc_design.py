@@ -31,17 +31,16 @@ class MpcDesign:
         law: The unconstrained optimum's first force; its limits are the forces of all moves, then the deflections at
             the end of all intervals, front ones first, each over its bound.
         bounds: Those bounds [N and m].
-        linear: The QP's linear term but for the slacks, on [state; previous force in N; preview (3 Np)].
-        travel: The deflections without a force, likewise [cm]; with either sign they are taken from `travel_limit` to
-            give the row limits.
+        by_parameters: The QP's linear term but for the slacks, then the deflections without a force [cm], on [state;
+            previous force in N; preview (3 Np)]. With either sign the deflections are taken from `travel_limit` to give
+            the row limits.
         travel_limit: [cm].
     """
 
     shape: QpShape
     law: LinearLaw
     bounds: FloatArray
-    linear: FloatArray
-    travel: FloatArray
+    by_parameters: FloatArray
     travel_limit: float
 
 
@@ -136,19 +135,18 @@ def design(terms: CostTerms, horizon: int, moves: int, force_limit: float, force
     linear[:, LAW_INPUTS:] += weighted[-DISTURBANCES * horizon :].T  # the preview is the last of z as it stands
     optimum = -solve(H, linear)
 
-    checks = np.vstack([optimum * KILO, p.travel_parameters + p.travel_moves @ optimum])
+    constraint_rows = np.vstack([optimum * KILO, p.travel_parameters + p.travel_moves @ optimum])
     bounds = np.repeat([force_limit, terms.deflection_limit], [free, 2 * horizon])
-    checks /= bounds[:, None]
+    constraint_rows /= bounds[:, None]
     return MpcDesign(
         shape=_shape(H, p.rows, force_limit),
         law=LinearLaw(
             gain=optimum[:FORCES, :LAW_INPUTS] * KILO,
             preview_gain=np.ascontiguousarray(optimum[:FORCES, LAW_INPUTS:] * KILO),
-            limits=checks,
+            limits=constraint_rows,
         ),
         bounds=bounds,
-        linear=2 * linear,
-        travel=p.travel_parameters * CENTI,
+        by_parameters=np.vstack([2 * linear, p.travel_parameters * CENTI]),
         travel_limit=terms.deflection_limit * CENTI,
     )
 

@@ -57,10 +57,17 @@ class QpProblem:
         self.lower = np.concatenate([shape.low, np.full(rows, -_NO_LIMIT)])
         self.b = self.upper[n:]
         columns = np.ascontiguousarray(shape.A.T)
+        self._solvers: dict[str, QpSolver] = {}
         self._y, self._multipliers = np.empty(n), np.empty(n + rows)
         self._violation = prepared.residual(
             np.ascontiguousarray(shape.H), columns, self.lower, self.upper, self.f, self._y, self._multipliers
         )
+
+    def solve(self, solver: str) -> FloatArray | None:
+        """The minimiser (n,) by one of `SOLVERS`, or None if it gave no answer that holds up."""
+        if solver not in self._solvers:
+            self._solvers[solver] = SOLVERS[solver](self)
+        return self._solvers[solver].solve()
 
     def residual(self, y: FloatArray, multipliers: FloatArray) -> float:
         """Largest violation of the KKT conditions at y: of limits in kN and cm, of the others relative.

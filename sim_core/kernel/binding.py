@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from sim_core.arrays import FloatArray
 from sim_core.kernel.library import DOUBLE, INT, NAME, Array, Function, require
 
-BUMP, LAYOUT = 7, 9  # numbers of `struct bump` and `struct layout`
+LAYOUT = 9  # numbers of `struct layout`
 _MOST_FUZZY_SETS, _DISTURBANCES = 20, 3
 _LINE, _TABLE, _LINES = Array(ndim=1), Array(ndim=2), Array(ndim=3)
 _LINE_OUT, _TABLE_OUT, _LINES_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2, 3))
@@ -28,11 +28,9 @@ _torque_shares = Function(
     "torque_shares", _LINE, _TABLE, INT, Array(ndim=2, dtype=np.intc), INT, _TABLE, INT, INT, _LINE_OUT
 )
 _roughness = Function("roughness", _LINE_OUT, INT, DOUBLE, DOUBLE, DOUBLE, result=DOUBLE)
-_bump_heights = Function("bump_heights", Array(BUMP), Array(), INT, Array(written=True))
 _road_heights = Function("road_heights", *_ROAD, Array(), INT, Array(written=True))
 _within_steps = Function("within_steps", *_ROAD, _TABLE, INT, _TABLE_OUT)
 _disturbances = Function("disturbances", _TABLE, _LINE, INT, DOUBLE, _TABLE_OUT)
-_horizons = Function("horizons", _TABLE, INT, INT, _TABLE_OUT)
 _sections = Function(
     "sections", _LINES, INT, _INTEGERS, INT, INT, _TABLE, INT, _TABLE_OUT, _TABLE_OUT, _LINE_OUT, _TABLE_OUT
 )
@@ -106,18 +104,12 @@ def roughness(samples: FloatArray, deviation: float, keep: float, grid: float) -
     return slopes
 
 
-def bump_heights(bump: FloatArray, position: FloatArray, height: FloatArray) -> None:
-    """Fill the heights of bumps at positions of the same shape [m]."""
-    require(position.shape == height.shape, "Every position has a height")
-    _bump_heights(bump, position, position.size, height)
-
-
 def _check_road(samples: FloatArray) -> None:
     require(len(samples) > 1, "A road has two samples at least")
 
 
 def road_heights(samples: FloatArray, layout: FloatArray, position: FloatArray, height: FloatArray) -> None:
-    """The same of a whole road."""
+    """Fill the heights of a road at positions of the same shape [m]."""
     _check_road(samples)
     require(position.shape == height.shape, "Every position has a height")
     _road_heights(samples, len(samples), layout, position, position.size, height)
@@ -136,14 +128,6 @@ def disturbances(height: FloatArray, braking: FloatArray, step: float, held: Flo
     steps = len(braking)
     require(height.shape == (2, steps + 1) and held.size == _DISTURBANCES * steps, "As many heights as steps, and one")
     _disturbances(height, braking, steps, step, held)
-
-
-def horizons(ahead: FloatArray, horizon: int, sizes: FloatArray) -> None:
-    """Fill sizes (4, n) from disturbances (3, n + horizon - 1)."""
-    steps = sizes.shape[-1]
-    fits = ahead.shape == (_DISTURBANCES, steps + horizon - 1) and sizes.shape == (1 + _DISTURBANCES, steps)
-    require(fits and horizon > 0, "Every step has its horizon")
-    _horizons(ahead, steps, horizon, sizes)
 
 
 def _check_ends(ends: FloatArray, last: int) -> None:

@@ -91,13 +91,6 @@ double ridelab_roughness(double *samples, int count, double deviation, double ke
 }
 
 /* Heights at n positions [m]. */
-void ridelab_bump_heights(const struct bump *bump, const double *position, int n, double *height)
-{
-    for (int i = 0; i < n; i++)
-        height[i] = bump_height(bump, position[i]);
-}
-
-/* The same of the whole road. */
 void ridelab_road_heights(const double *roughness, int samples, const struct layout *layout, const double *position,
                           int n, double *height)
 {

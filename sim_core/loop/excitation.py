@@ -15,7 +15,7 @@ from sim_core.control.controller import Controller
 from sim_core.kernel import binding
 from sim_core.road.profile import GRID, RoadProfile, RoadUnderAxles, detail, profile, road_under_axles
 from sim_core.scenario import Road, Scenario
-from sim_core.speed.profile import CONTROL_STEP, KMH, SpeedPlan, SpeedProfile
+from sim_core.speed.profile import CONTROL_STEP, SpeedPlan, SpeedProfile
 from sim_core.vehicle.half_car import DISTURBANCES
 
 FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
@@ -114,12 +114,12 @@ def fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool) -> float:
         (vehicle.front_tyre_stiffness + vehicle.front_spring + stop) / vehicle.front_wheel_mass,
         (vehicle.rear_tyre_stiffness + vehicle.rear_spring + stop) / vehicle.rear_wheel_mass,
     )
-    over_bump = detail(bump) / (60 * speed.initial_speed_kmh * KMH) if bump.height else COARSEST
-    held = speed.initial_speed_kmh
+    over_bump = detail(bump) / (60 * speed.initial) if bump.height else COARSEST
+    held = speed.initial
     lagging = actuated and scenario.actuator.bandwidth is not None
     if plan == "planned" and not lagging:
-        held = min(held, speed.target_speed_kmh)
-    over_grid = COARSEST if scenario.road.is_smooth else GRID / (held * KMH)
+        held = min(held, speed.target)
+    over_grid = COARSEST if scenario.road.is_smooth else GRID / held
     return min(COARSEST, max(FINEST, min(0.1 / float(np.sqrt(stiffest)), over_bump, over_grid)))
 
 

@@ -12,7 +12,6 @@ from numpy.lib.stride_tricks import sliding_window_view
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.kernel import binding
 from sim_core.loop.excitation import Excitation, TimeGrid
 from sim_core.road.profile import RoadProfile
 from sim_core.road.sensed import ExpectedErrors, expected_errors, sensed_road
@@ -72,15 +71,22 @@ def sliding_forecast(disturbances: FloatArray, horizon: int, height_now: FloatAr
         horizon: Intervals in a window.
         height_now: As `Forecast`'s.
     """
-    steps = disturbances.shape[1] - horizon + 1
-    sizes = np.empty((1 + DISTURBANCES, steps))
-    binding.horizons(disturbances, horizon, sizes)
+    mean = _sums(disturbances[2], horizon) / horizon
+    squares = _sums(disturbances**2, horizon)
+    squares[2] -= horizon * mean**2
     return Forecast(
         windows=sliding_window_view(disturbances, horizon, axis=1),
         source=disturbances,
-        sizes=sizes,
+        sizes=np.vstack([np.abs(mean), np.sqrt(squares.clip(min=0.0))]),
         height_now=height_now,
     )
+
+
+def _sums(values: FloatArray, count: int) -> FloatArray:
+    """Of so many values, from each one on that has them."""
+    sums = np.cumsum(values, axis=-1)
+    sums[..., count:] -= sums[..., :-count].copy()
+    return sums[..., count - 1 :]
 
 
 @cached

@@ -21,7 +21,8 @@ from sim_core.metrics.tyre_peaks import peaks_with_kinks
 from sim_core.metrics.windows import Windows, section_ends, windows_of
 from sim_core.result import Series, StrategyResult
 from sim_core.scenario import Scenario, Vehicle
-from sim_core.speed.profile import KMH, TARGET_BAND, SpeedProfile
+from sim_core.scenario.parts import KMH
+from sim_core.speed.profile import TARGET_BAND, SpeedProfile
 from sim_core.vehicle.plant import RECORDED
 
 _ROW = {signal: row for row, signal in enumerate(METRIC_SIGNALS)}
@@ -37,8 +38,7 @@ def evaluate(run: Run, recording: Recording) -> StrategyResult:
     scenario, controller, drive = run.scenario, run.controller, run.profile
     bump, excitation, report = scenario.road.bump, run.excitation, controller.report
     speeds, signals = recording.table[:_SPEEDS], recording.table[_SPEEDS:]
-    bump_end = bump.end + scenario.vehicle.wheelbase
-    windows = windows_of(excitation.grid, drive, bump.start, bump_end, scenario.road.length)
+    windows = windows_of(excitation.grid, drive, bump.start, scenario.bump_left, scenario.road.length)
     values = over_sections(signals, _INTEGRANDS, windows.ends)
     metrics = _by_window(values, signals[_LOADS], windows, excitation, scenario.real_vehicle)
 
@@ -61,7 +61,7 @@ def evaluate(run: Run, recording: Recording) -> StrategyResult:
         events={
             **_airborne(signals[_LOADS], values.highest[_LOADS], windows, static),
             "target_reached": _target_reached(scenario, arrival) if planned else None,
-            "bump_complete": bump_end <= scenario.road.length,
+            "bump_complete": scenario.bump_left <= scenario.road.length,
             "travel_exceeded_mm": max(0.0, travel - scenario.mpc.deflection_limit) * 1000,
             "limited_steps": recording.limited,
             "qp_solves": report.solves,
@@ -77,7 +77,7 @@ def evaluate(run: Run, recording: Recording) -> StrategyResult:
             "rear_static_load": static[1],
             "deflection_limit": scenario.mpc.deflection_limit,
             "force_limit": scenario.mpc.force_limit if actuated else None,
-            "target_speed": scenario.speed.target_speed_kmh * KMH if planned else None,
+            "target_speed": scenario.speed.target if planned else None,
             "target_band": TARGET_BAND if planned else None,
         },
         stages=run.stages,
@@ -162,7 +162,5 @@ def _airborne(
 
 def _target_reached(scenario: Scenario, arrival: float) -> bool:
     """Arrival within the band around the target; a target at or above the initial speed asks for nothing."""
-    target = scenario.speed.target_speed_kmh * KMH
-    if target >= scenario.speed.initial_speed_kmh * KMH:
-        return True
-    return abs(arrival - target) <= TARGET_BAND + 1e-9
+    target = scenario.speed.target
+    return target >= scenario.speed.initial or abs(arrival - target) <= TARGET_BAND + 1e-9

@@ -17,12 +17,9 @@ _SNAP = 1e-6  # of a fine step: a section that ends so near to a sample ends the
 
 def section_ends(spans: Sequence[tuple[float, float]]) -> FloatArray:
     """Ends (sections, 2) of sections that begin and end so many fine steps from x = 0: at a sample where near one."""
-    return np.array([[_snapped(first), _snapped(last)] for first, last in spans])
-
-
-def _snapped(steps: float) -> float:
-    nearest = round(steps)
-    return float(nearest) if abs(steps - nearest) < _SNAP else steps
+    steps = np.array(spans)
+    nearest = np.round(steps)
+    return np.where(np.abs(steps - nearest) < _SNAP, nearest, steps)
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -44,13 +41,7 @@ class Windows:
 
 
 @cached
-def windows_of(
-    grid: TimeGrid,
-    drive: SpeedProfile,
-    bump_start: float,
-    bump_end: float,
-    length: float,
-) -> Windows:
+def windows_of(grid: TimeGrid, drive: SpeedProfile, bump_start: float, bump_end: float, length: float) -> Windows:
     """The windows of a record.
 
     Args:

@@ -67,14 +67,10 @@ class Mismatch(Part):
         if (self.body_mass, self.springs, self.damping, self.tyres, self.rebound_ratio) == (1, 1, 1, 1, 1):
             return vehicle
         factors = {
-            "body_mass": self.body_mass,
-            "pitch_inertia": self.body_mass,
-            "front_spring": self.springs,
-            "rear_spring": self.springs,
-            "front_damping": self.damping,
-            "rear_damping": self.damping,
-            "front_tyre_stiffness": self.tyres,
-            "rear_tyre_stiffness": self.tyres,
+            **dict.fromkeys(("body_mass", "pitch_inertia"), self.body_mass),
+            **dict.fromkeys(("front_spring", "rear_spring"), self.springs),
+            **dict.fromkeys(("front_damping", "rear_damping"), self.damping),
+            **dict.fromkeys(("front_tyre_stiffness", "rear_tyre_stiffness"), self.tyres),
             "rebound_ratio": self.rebound_ratio,
         }
         return vehicle.model_copy(update={name: getattr(vehicle, name) * factor for name, factor in factors.items()})

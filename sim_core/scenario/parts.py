@@ -19,6 +19,7 @@ from sim_core.scenario.road import Road
 from sim_core.scenario.vehicle import Vehicle
 
 SCHEMA_VERSION = 2
+KMH = 1 / 3.6  # one km/h [m/s]
 
 
 Horizon = Annotated[int, quantity("1", soft=(5, 60), ge=1, le=200)]
@@ -50,6 +51,16 @@ class Speed(Part):
         "by_strategy: those that have a speed control, as in the paper. At equal speed what is left of a "
         "gain is the suspension's: planned slows all of them down for the bump, constant none.",
     )
+
+    @property
+    def initial(self) -> float:
+        """Initial speed [m/s]."""
+        return self.initial_speed_kmh * KMH
+
+    @property
+    def target(self) -> float:
+        """Target speed [m/s]."""
+        return self.target_speed_kmh * KMH
 
 
 class Brake(Part):
@@ -243,6 +254,16 @@ class Scenario(Part):
     def real_vehicle(self) -> Vehicle:
         """The car that is driven; `vehicle` is the one the controllers believe in."""
         return self.mismatch.real(self.vehicle)
+
+    @property
+    def braking_start(self) -> float:
+        """Where the front axle is when the bump is detected and braking begins [m]."""
+        return max(0.0, self.road.bump.start - self.speed.detection_distance)
+
+    @property
+    def bump_left(self) -> float:
+        """Where the front axle is when the rear one has left the bump [m]."""
+        return self.road.bump.end + self.vehicle.wheelbase
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:

@@ -21,6 +21,7 @@ _CHRONO = (
     "Its source is M. K. Salaani et al., Vehicle dynamics modeling for the National Advanced Driving Simulator of a "
     "1997 Jeep Cherokee, SAE 1999-01-0121; its tyre is Chrono's estimate",
 )
+_HALVED = "Masses and inertia are half the whole car's, an axle's mass half its two wheels'"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -32,7 +33,7 @@ class VehiclePreset:
     description: str
     vehicle: Vehicle
     sources: tuple[str, ...]
-    derived: tuple[str, ...]
+    derived: tuple[str, ...] = (_HALVED,)
 
 
 def one_track(
@@ -124,7 +125,6 @@ _VAN = one_track(
     damping=(2405, 2769),
     tyres=(212_600, 212_600),
 )
-_HALVED = "Masses and inertia are half the whole car's, an axle's mass half its two wheels'"
 _SPIN = 2 * (20.0 + 11.38 + 13.78)  # both spindles, wheels and tyres of the Cherokee's axle [kg]
 
 VEHICLES: dict[str, VehiclePreset] = {
@@ -145,7 +145,6 @@ VEHICLES: dict[str, VehiclePreset] = {
                 tyres=(189_700, 189_700),
             ),
             sources=_ALLEN,
-            derived=(_HALVED,),
         ),
         VehiclePreset(
             id="sedan",
@@ -162,7 +161,6 @@ VEHICLES: dict[str, VehiclePreset] = {
                 tyres=(158_200, 158_200),
             ),
             sources=_ALLEN,
-            derived=(_HALVED,),
         ),
         VehiclePreset(
             id="suv",
@@ -198,7 +196,6 @@ VEHICLES: dict[str, VehiclePreset] = {
             description="VW Vanagon of the 1980s, 1478 kg as measured.",
             vehicle=_VAN,
             sources=_ALLEN,
-            derived=(_HALVED,),
         ),
         VehiclePreset(
             id="van_loaded",

@@ -14,11 +14,11 @@ from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.road.profile import RUN_IN
 from sim_core.scenario import Brake, Fuzzy, Scenario, Speed
+from sim_core.scenario.parts import KMH
 from sim_core.speed.brake import BrakeChain
 from sim_core.speed.fuzzy import torque_rules
 
 SpeedPlan = Literal["planned", "constant"]  # whether the car slows down for the bump
-KMH = 1 / 3.6  # one km/h [m/s]
 TARGET_BAND = 2.5 * KMH  # half width of the band the paper aims at, 20 to 25 km/h [m/s]
 CONTROL_STEP = 0.01  # period of the speed controller [s]
 DRIVE_TIME = 0.5  # the drive closes a speed error with this time constant [s] (ours)
@@ -93,10 +93,9 @@ def _time_at(drive: SpeedProfile, position: float) -> float:
 def plan_speed(scenario: Scenario, plan: SpeedPlan) -> SpeedProfile:
     """How the scenario's road is driven."""
     if plan == "constant":
-        return _constant(scenario.speed.initial_speed_kmh * KMH)
-    bump, vehicle = scenario.road.bump, scenario.vehicle
-    bump_end = bump.end + vehicle.wheelbase
-    return _planned(scenario.speed, scenario.fuzzy, scenario.brake, vehicle.total_mass, bump.start, bump_end)
+        return _constant(scenario.speed.initial)
+    places = scenario.braking_start, scenario.road.bump.start, scenario.bump_left
+    return _planned(scenario.speed, scenario.fuzzy, scenario.brake, scenario.vehicle.total_mass, *places)
 
 
 @lru_cache(maxsize=256)
@@ -113,7 +112,9 @@ def _constant(speed: float) -> SpeedProfile:
 
 
 @cached
-def _planned(speed: Speed, fuzzy: Fuzzy, brake: Brake, mass: float, bump_start: float, bump_end: float) -> SpeedProfile:
+def _planned(
+    speed: Speed, fuzzy: Fuzzy, brake: Brake, mass: float, detection: float, bump_start: float, bump_end: float
+) -> SpeedProfile:
     """Step the speed controller and the brake chain from the detection until the rear axle has left the bump.
 
     Per period: the fuzzy torque sets the pressure demand (zero inside the target band, where the drive holds the
@@ -121,16 +122,16 @@ def _planned(speed: Speed, fuzzy: Fuzzy, brake: Brake, mass: float, bump_start: 
     coasts; only if it would fall below the band does the drive keep it moving.
 
     Args:
-        speed: Initial and target speed, detection, and which controller.
+        speed: Initial and target speed, and which controller.
         fuzzy: Its rules.
         brake: The brake chain.
         mass: Of the car [kg].
+        detection: Where the front axle is when the bump is detected [m].
         bump_start: Where the front axle meets the bump [m].
         bump_end: Where it is when the rear one has left it [m].
     """
     chain, rules, h = BrakeChain(brake, mass), torque_rules(fuzzy), CONTROL_STEP
-    initial, detection = speed.initial_speed_kmh * KMH, max(0.0, bump_start - speed.detection_distance)
-    target = min(speed.target_speed_kmh * KMH, initial)
+    initial, target = speed.initial, min(speed.target, speed.initial)
     floor = target - TARGET_BAND
     keep_half, keep = chain.decay(h / 2), chain.decay(h)
     x, v, pressure = detection, initial, 0.0

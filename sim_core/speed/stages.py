@@ -25,9 +25,9 @@ def spans(scenario: Scenario, plan: SpeedPlan, profile: SpeedProfile) -> tuple[S
     bump, end = scenario.road.bump, scenario.road.length
     edges = [("cruise", 0.0)]
     if plan == "planned":
-        edges.append(("brake", max(0.0, bump.start - scenario.speed.detection_distance)))
+        edges.append(("brake", scenario.braking_start))
     edges.append(("bump", bump.start))
-    edges.append(("cruise", bump.end + scenario.vehicle.wheelbase))
+    edges.append(("cruise", scenario.bump_left))
     stops = [min(position, end) for _, position in edges[1:]] + [end]
     return tuple(
         Span(

@@ -17,7 +17,7 @@ RECORDED = (*_SPEEDS, *(name for name in OUTPUTS if name not in _SPEEDS), "front
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class Lift:
+class LiftedStep:
     """`fine` steps as one linear map of [plant state; command in N; disturbances (3 · fine)].
 
     `outputs` (signals · (fine + 1), n + 2 + 3 · fine): one of RECORDED after another, each at the start of every fine
@@ -40,7 +40,7 @@ class Plant:
     A: FloatArray
     B: FloatArray
     E: FloatArray
-    lifts: tuple[Lift, ...]
+    lifts: tuple[LiftedStep, ...]
 
     @property
     def size(self) -> int:
@@ -96,7 +96,7 @@ def plant(vehicle: Vehicle, actuator: Actuator, step: float, fine: int) -> Plant
     return Plant(A=A, B=B, E=whole[:, n + FORCES :].T, lifts=tuple(lifts))
 
 
-def _lift(A: FloatArray, inputs: FloatArray, outputs: FloatArray, fine: int) -> Lift:
+def _lift(A: FloatArray, inputs: FloatArray, outputs: FloatArray, fine: int) -> LiftedStep:
     """Roll `fine` steps of p' = A p + inputs·[command; disturbance] into one map."""
     n = len(A)
     width = n + FORCES + DISTURBANCES * fine
@@ -109,4 +109,4 @@ def _lift(A: FloatArray, inputs: FloatArray, outputs: FloatArray, fine: int) -> 
         state = A @ state + inputs @ held
     rows.append(outputs[:, :n] @ state + outputs[:, n:] @ held)
     by_output = np.stack(rows, axis=1).reshape(-1, width)
-    return Lift(fine=fine, outputs=by_output, end=state)
+    return LiftedStep(fine=fine, outputs=by_output, end=state)

@@ -6,7 +6,7 @@ from contextlib import contextmanager
 
 from playwright.sync_api import Locator, Page, expect
 
-from tests.browser.dashboard import Dashboard
+from tests.browser.dashboard import Dashboard, expect_new_address
 from tests.servers.process import ROOT
 
 Question = Callable[[Dashboard], None]
@@ -51,7 +51,7 @@ def edited(dashboard: Dashboard, name: str, text: str) -> None:
     """Types a value and waits for its run."""
     address = dashboard.address()
     dashboard.type_into(name, text)
-    expect(dashboard.page).not_to_have_url(address)
+    expect_new_address(dashboard.page, address)
 
 
 def what_got_better(dashboard: Dashboard) -> None:
@@ -150,7 +150,7 @@ def measured_road(dashboard: Dashboard) -> None:
     with form(page):
         section(page, "Road")
         page.get_by_label("Road file").set_input_files(ROOT / "docs/roads/street.csv")
-        expect(page).not_to_have_url(address)
+        expect_new_address(page, address)
     dashboard.expect_curves()
     assert dashboard.stored_run()["scenario"]["road"]["profile"]
 

@@ -94,7 +94,7 @@ def test_a_drive_by_the_clock(dashboard: Dashboard, server: Server) -> None:
     card = page.get_by_role("region", name="In real time")
     expect(card).to_contain_text("An ordinary operating system wakes both sides")
     expect(page.get_by_test_id("hil-count")).to_be_visible()
-    with page.expect_response("**/controller/realtime") as answer:
+    with page.expect_response("**/controller/realtime") as answer, dashboard.held("**/controller/realtime"):
         card.get_by_role("button", name="Drive in real time").click()
         expect(card.get_by_role("progressbar", name="Driven")).to_be_visible()
     report = answer.value.json()

@@ -4,7 +4,7 @@ import re
 
 from playwright.sync_api import Page, expect
 
-from tests.browser.dashboard import Dashboard
+from tests.browser.dashboard import Dashboard, expect_new_address
 
 
 def go(page: Page, name: str) -> None:
@@ -17,10 +17,10 @@ def test_an_edit_outlives_other_pages(dashboard: Dashboard) -> None:
     page, paper = dashboard.page, dashboard.address()
     page.evaluate("window.unloaded = false")
     dashboard.type_into("Height", "6")
-    expect(page).not_to_have_url(paper)
+    expect_new_address(page, paper)
     low = dashboard.address()
     dashboard.type_into("Width", "3")
-    expect(page).not_to_have_url(low)
+    expect_new_address(page, low)
     page.get_by_role("button", name="Undo").click()
     expect(page).to_have_url(low)
     go(page, "Paper")

@@ -4,7 +4,7 @@ import re
 
 from playwright.sync_api import Page, expect
 
-from tests.browser.dashboard import REFUSE_COPYING, Dashboard
+from tests.browser.dashboard import REFUSE_COPYING, Dashboard, expect_new_address
 
 
 def share(page: Page) -> str:
@@ -25,7 +25,7 @@ def test_a_link_opens_the_same_numbers_the_same_view_and_the_pins(dashboard: Das
     page.get_by_label("Name").press("Enter")
     page.keyboard.press("Escape")
     dashboard.type_into("Height", "0.12 m")
-    expect(page).not_to_have_url(first)
+    expect_new_address(page, first)
     dashboard.expect_curves()
     pinned = "[data-pinned='As printed'] [data-pinned-strategy=lv] [data-cell='bump.body_acceleration.peak']"
     key = "lv bump.body_acceleration.peak"
@@ -140,7 +140,7 @@ def test_a_shared_result_is_read_only_and_a_copy_is_not(dashboard: Dashboard) ->
     copy = page.url
     dashboard.type_into("Height", "0.05 m")
     expect(page.get_by_text("1 value differs from the paper")).to_be_visible()
-    expect(page).not_to_have_url(copy)
+    expect_new_address(page, copy)
     dashboard.expect_curves()
     page.get_by_role("button", name="Undo").click()
     expect(dashboard.entry("Height")).to_have_value("10")

@@ -7,7 +7,7 @@ import pytest
 from playwright.sync_api import Browser, Page, Playwright, Route, expect
 
 from tests.browser.chromium import launch
-from tests.browser.dashboard import LAPTOP, Dashboard
+from tests.browser.dashboard import LAPTOP, Dashboard, expect_new_address
 from tests.browser.server import Server
 
 BEFORE = "Before the last edit"
@@ -36,10 +36,10 @@ def edited(dashboard: Dashboard) -> None:
     """Two edits, the second one undone, and changes against the state before that."""
     page, paper = dashboard.page, dashboard.address()
     dashboard.type_into("Height", "6")
-    expect(page).not_to_have_url(paper)
+    expect_new_address(page, paper)
     low = dashboard.address()
     dashboard.type_into("Width", "3")
-    expect(page).not_to_have_url(low)
+    expect_new_address(page, low)
     page.get_by_role("button", name="Undo").click()
     expect(page).to_have_url(low)
     dashboard.expect_curves()
@@ -91,9 +91,9 @@ def test_back_from_another_document_keeps_them(cached: Dashboard) -> None:
     edited(cached)
     page, address = cached.page, cached.address()
     page.evaluate("window.cached = false; location.href = '/docs'")
-    page.wait_for_function("document.querySelector('#swagger-ui')")
+    expect(page.locator("#swagger-ui")).to_be_attached()
     page.evaluate("history.back()")
-    page.wait_for_function("window.cached")
+    page.wait_for_function("() => window.cached")
     cached.expect_curves()
     assert cached.address() == address
     expect_edited(cached)
@@ -104,10 +104,10 @@ def test_forward_leads_to_an_edit_that_back_has_left(cached: Dashboard) -> None:
     cached.open()
     page, paper = cached.page, cached.address()
     cached.type_into("Height", "6")
-    expect(page).not_to_have_url(paper)
+    expect_new_address(page, paper)
     low = cached.address()
     page.evaluate("location.href = '/docs'")
-    page.wait_for_function("document.querySelector('#swagger-ui')")
+    expect(page.locator("#swagger-ui")).to_be_attached()
     for address, height in ((low, "6"), (paper, "10"), (low, "6")):
         page.evaluate(f"history.{'forward' if page.url == paper else 'back'}()")
         expect(page).to_have_url(address)
@@ -136,14 +136,14 @@ def test_pins_of_two_tabs_stay(cached: Dashboard) -> None:
         pin(other)
         expect(pins).to_have_count(2)
         page.evaluate("window.cached = false; location.href = '/docs'")
-        page.wait_for_function("document.querySelector('#swagger-ui')")
+        expect(page.locator("#swagger-ui")).to_be_attached()
         second.type_into("Height", "7")
         expect(second.entry("Height")).to_have_value("7")
         second.expect_curves()
         pin(other)
         expect(other.get_by_role("list", name="Pinned results").get_by_role("button")).to_have_count(3)
     page.evaluate("history.back()")
-    page.wait_for_function("window.cached")
+    page.wait_for_function("() => window.cached")
     expect(pins).to_have_count(3)
 
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.dashboard import Dashboard
+from tests.browser.dashboard import Dashboard, expect_new_address
 from tests.browser.server import Server
 from tests.servers.process import HANG_TIMEOUT, ROOT
 
@@ -54,10 +54,10 @@ def test_copied_commands_give_the_same_run(dashboard: Dashboard, clipboard: Page
     first = clipboard.url
     for name, value in (("Height", "-6"), ("Cruise, Body acceleration, value", "5")):
         dashboard.type_into(name, value)
-        expect(clipboard).not_to_have_url(first)
+        expect_new_address(clipboard, first)
         first = clipboard.url
     clipboard.get_by_role("combobox", name="Shape").select_option("flat_top")
-    expect(clipboard).not_to_have_url(first)
+    expect_new_address(clipboard, first)
     dashboard.expect_curves()
 
     curl = copied(clipboard, "Copy as curl")
@@ -79,7 +79,7 @@ def test_files_of_every_kind(dashboard: Dashboard) -> None:
     page.get_by_label("Name").press("Enter")
     page.keyboard.press("Escape")
     dashboard.type_into("Height", "12")
-    expect(page).not_to_have_url(first)
+    expect_new_address(page, first)
     dashboard.expect_curves()
     expect(page.locator("[data-pinned]").first).to_be_visible()
     names = {

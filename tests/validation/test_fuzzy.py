@@ -2,6 +2,7 @@
 
 from typing import Any
 
+import networkx
 import numpy as np
 import pytest
 from pydantic import ValidationError
@@ -44,7 +45,9 @@ def control_system(fuzzy: Fuzzy) -> control.ControlSystemSimulation:
     for rule in fuzzy.rules or RULES_OF_TABLE_1:
         asked = [inputs[name][of] for name, of in rule.condition.model_dump().items() if of is not None]
         rules.append(control.Rule(asked[0] & asked[1] if len(asked) == 2 else asked[0], torque[rule.then]))
-    return control.ControlSystemSimulation(control.ControlSystem(rules))
+    system = control.ControlSystem()
+    system.graph = networkx.compose_all(rule.graph for rule in rules)  # one by one takes the square of their number
+    return control.ControlSystemSimulation(system)
 
 
 def directly(system: control.ControlSystemSimulation, error: float, distance: float) -> float:

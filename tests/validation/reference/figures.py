@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.fft import next_fast_len
 
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
@@ -47,8 +48,11 @@ def wk(frequency: Array) -> Array:
 
 
 def weighted(acceleration: Array, step: float) -> Array:
-    """Acceleration through Wk from rest: spectrum of the record, padded with 20 s so that its start stays clean."""
+    """Acceleration through Wk from rest: spectrum of the record, padded with 20 s so that its start stays clean.
+
+    And somewhat more, up to a number of samples without large prime factors: others take ten times as long.
+    """
     n = len(acceleration)
-    padded = n + int(20 / step)
+    padded = next_fast_len(n + int(20 / step), real=True)
     spectrum = np.fft.rfft(acceleration, padded)
     return np.fft.irfft(spectrum * wk(np.fft.rfftfreq(padded, step)), padded)[:n]
