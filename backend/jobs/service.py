@@ -6,7 +6,7 @@ from datetime import UTC, datetime, timedelta
 from typing import Any
 
 from backend import digest
-from backend.errors import BusyError, ConflictError, ForbiddenError, NotFoundError
+from backend.errors import CHEAPER_RUN, BusyError, ConflictError, CostLimitError, ForbiddenError, NotFoundError
 from backend.gate import Gate
 from backend.jobs.chunk import JobRun
 from backend.jobs.events import server_sent
@@ -28,7 +28,7 @@ class Jobs:
         self._kind = kind
         self._store = store
         self._gate = gate
-        self._max_unfinished = settings.max_unfinished_batches
+        self._settings = settings
 
     async def existing(self, key: str | None, request_hash: str) -> StoredJob | None:
         """The job that was accepted with that idempotency key.
@@ -51,9 +51,31 @@ class Jobs:
         waiting = sum(
             count for (kind, state), (count, _) in counts.items() if kind == self._kind and state in UNFINISHED
         )
-        if waiting >= self._max_unfinished:
+        if waiting >= self._settings.max_unfinished_batches:
             plural = PLURALS[self._kind]
             raise BusyError(f"The service is full: too many {plural} are waiting.", retry_after=RETRY_AFTER)
+
+    def check_runs(self, runs: float) -> None:
+        """Refuse a job of too many runs; raises CostLimitError."""
+        limit = self._settings.max_batch_runs
+        if runs > limit:
+            raise self._over_limit(f"{runs:.6g} runs are over the limit of {limit} runs")
+
+    def check_cost(self, cost: float, max_run_cost: float) -> None:
+        """Refuse a job of that estimated cost, and of its costliest run [s of one core]; raises CostLimitError."""
+        limit, each = self._settings.max_batch_cost, self._settings.max_request_cost
+        if cost > limit:
+            raise self._over_limit(f"The estimated cost of {cost:.3g} s of computing is over the limit of {limit:g} s")
+        if max_run_cost > each:
+            raise CostLimitError(
+                f"One run's estimated cost of {max_run_cost:.3g} s of computing is over the limit of {each:g} s; "
+                f"{CHEAPER_RUN}",
+                pointer="/sweep" if self._kind == "sweep" else "/scenario",
+            )
+
+    def _over_limit(self, message: str) -> CostLimitError:
+        pointer = "/sweep" if self._kind == "sweep" else "/trials"
+        return CostLimitError(f"{message} a {WORDS[self._kind]}", pointer=pointer)
 
     async def accept(self, job: StoredJob, runs: Iterable[JobRun], key: str | None) -> StoredJob:
         """Commit a job with its runs; where one was accepted with that key meanwhile, return that one.

@@ -1,8 +1,7 @@
-"""The paper page's rows: those that are stored, and a job that computes the others while somebody waits."""
+"""The paper page's rows: those that are stored, and a job that computes the others."""
 
 import asyncio
 import contextlib
-import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
@@ -17,13 +16,10 @@ from backend.jobs.service import request_hash
 from backend.json_types import JsonObject
 from backend.store import Store, StoredJob
 from backend.store.job import FINAL, UNFINISHED
-from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
 
 RETRY_AFTER = 30
-ATTEMPTS = 3
 MAX_JOBS = 8  # that compute rows, of all visitors
-LINGER = 15.0  # a job that nobody waits for is cancelled after so long [s]
 TRY_AGAIN = timedelta(minutes=1)  # rows that failed are not tried again before, for those who ask every second
 LOOK = 1.0  # between two looks at a job of another process [s]
 ROW_COST = 0.02  # [s of one core]
@@ -65,9 +61,7 @@ class PaperRows:
         """
         unique = list({request.key: request for request in requests}.values())
         rows, reason = await self._stored(unique)
-        for _ in range(ATTEMPTS if patience is None else 1):  # a job may be cancelled by whoever else waited for it
-            if len(rows) == len(unique) or reason is not None:
-                break
+        if len(rows) < len(unique) and reason is None:
             job = await self._job(unique, patient=patience is None)
             with contextlib.suppress(TimeoutError):
                 async with asyncio.timeout(None if job.state in FINAL else patience):
@@ -92,7 +86,6 @@ class PaperRows:
             ended = existing.finished_at
             failed_lately = existing.failed and not patient
             if ended is None or (failed_lately and datetime.now(UTC) - ended < TRY_AGAIN):
-                await self._note(existing)
                 return existing
             await self._store.write(self._store.jobs.delete, existing.id)
         counts = await self._store.read(self._store.jobs.counts)
@@ -103,7 +96,6 @@ class PaperRows:
         job = StoredJob(
             kind="reproduction",
             request={"scenario": Scenario().model_dump(mode="json"), "strategies": [], "fields": []},
-            progress={"asked_at": time.time()},
             estimated_cost=ROW_COST * len(requests),
             total=len(requests),
             request_hash=request_hash(key),
@@ -113,28 +105,16 @@ class PaperRows:
         return stored
 
     async def _wait(self, job: StoredJob) -> str | None:
-        """Wait for the job's end while telling the scheduler that somebody waits; why one of its runs failed."""
-        noted = time.monotonic()
+        """Wait for the job's end; why one of its runs failed."""
         with self._store.commits.following(job.id) as changes:
             while True:
                 changes.clear()
                 now = await self._store.read(self._store.jobs.load, job.id)
                 if now is None or now.state in FINAL:
                     break
-                if time.monotonic() - noted > LINGER / 4:
-                    noted = time.monotonic()
-                    await self._note(job)
                 await changes.wait(LOOK)
         if now is None or not now.failed:
             return None
         rows = await self._store.read(self._store.job_runs.rows, job.id, -1, now.total)
         failed = (row for row in rows if row.status == "failed")
         return next((row.reason or orjson.loads(row.summary or "{}").get("reason") for row in failed), None)
-
-    async def _note(self, job: StoredJob) -> None:
-        await self._store.write(self._store.jobs.note_progress, job.id, asked_at=time.time())
-
-
-def is_abandoned(job: StoredJob) -> bool:
-    """Whether nobody has waited for its rows for a while, or another core version's page asked for them."""
-    return job.core_version != CORE_VERSION or time.time() - float(job.progress.get("asked_at", 0)) > LINGER

@@ -220,12 +220,6 @@ class JobStore:
         self._database.changed(job.id)
         return True
 
-    def note_progress(self, job_id: str, **progress: Any) -> None:
-        """Change the stored progress of a job that has not ended, without an event."""
-        with self._database.writing() as connection:
-            running = (jobs.c.id == job_id) & jobs.c.state.in_(UNFINISHED)
-            connection.execute(update(jobs).where(running).values(progress=progress))
-
     def set_label(self, job_id: str, label: str | None) -> None:
         """Set its label, or (None) remove it."""
         with self._database.writing() as connection:

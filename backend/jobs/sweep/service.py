@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from backend.compute.workers import Workers
-from backend.errors import CHEAPER_RUN, ConflictError, CostLimitError, InvalidError
+from backend.errors import ConflictError, InvalidError
 from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile
 from backend.jobs.chunk import JobRow
@@ -134,7 +134,7 @@ class Sweeps:
         if existing is not None:
             return existing
         lengths = _lengths(given, await self._named_roads(base, sent))
-        self._check_size(sweep, names)
+        self.jobs.check_runs(size(sweep) * len(names))
         await self.jobs.check_room()
         planned = await self._planned(base, names, sweep, lengths, client)
         job = StoredJob(
@@ -255,7 +255,7 @@ class Sweeps:
         lengths: Mapping[str | None, float],
         client: str,
     ) -> plan.SweepPlan:
-        self._check_size(sweep, names)
+        self.jobs.check_runs(size(sweep) * len(names))
         try:
             cost = PLAN_COST * size(sweep) * len(names)
             with self._gate.hold(client, requests=1, background_cost=cost):
@@ -264,16 +264,7 @@ class Sweeps:
             raise InvalidError(
                 "The sweep has fields that cannot be used; errors names each.", errors=error.problems()
             ) from None
-        limit, each = self._settings.max_batch_cost, self._settings.max_request_cost
-        if planned.cost > limit:
-            raise _too_big(
-                f"The estimated cost of {planned.cost:.3g} s of computing is over the limit of {limit:g} s a batch"
-            )
-        if planned.max_run_cost > each:
-            raise _too_big(
-                f"One run's estimated cost of {planned.max_run_cost:.3g} s of computing is over the limit of "
-                f"{each:g} s; {CHEAPER_RUN}"
-            )
+        self.jobs.check_cost(planned.cost, planned.max_run_cost)
         return planned
 
     async def _call(self, client: str, cost: float, function: Callable[..., T], *args: Any) -> T:
@@ -284,11 +275,6 @@ class Sweeps:
     def _page_call(self, client: str) -> Callable[..., Awaitable[Any]]:
         """Runs a function of a page of rows in a worker, so that clients take turns page by page."""
         return partial(self._workers.call, client=client, cost=rendering.ROW_COST * PAGE)
-
-    def _check_size(self, sweep: Sweep, names: Sequence[str]) -> None:
-        total, limit = size(sweep) * len(names), self._settings.max_batch_runs
-        if total > limit:
-            raise _too_big(f"{total:.6g} runs are over the limit of {limit} runs a batch")
 
     async def _queued_cost(self, own: float) -> float:
         """Cost of other jobs' runs before a new job of that cost ends, as all share the processes [s of one core]."""
@@ -306,7 +292,3 @@ def _lengths(scenario: Scenario, roads: Mapping[str, MeasuredRoad]) -> dict[str 
 def _sent(sweep: Sweep) -> JsonObject:
     """The sweep as it was sent."""
     return sweep.model_dump(mode="json", by_alias=True, exclude_none=True)
-
-
-def _too_big(message: str) -> CostLimitError:
-    return CostLimitError(message, pointer="/sweep")

@@ -6,7 +6,7 @@ import math
 from backend.analysis.measure import Aims
 from backend.compute.workers import Workers
 from backend.cost.estimate import estimate
-from backend.errors import CHEAPER_RUN, ConflictError, CostLimitError, InvalidError
+from backend.errors import ConflictError, InvalidError
 from backend.gate import Gate
 from backend.jobs.service import Jobs, request_hash
 from backend.jobs.sweep import plan
@@ -143,24 +143,10 @@ class TuningService:
         runs = trials * training + points * validation + passive
         each = estimate(scenario, request["strategy"])
         cost = (runs - passive) * each + passive * estimate(scenario, "passive")
-        settings = self._settings
-        if runs > settings.max_batch_runs:
-            raise _too_big(f"{runs} runs are over the limit of {settings.max_batch_runs} runs a tuning")
-        if cost > settings.max_batch_cost:
-            limit = f"the limit of {settings.max_batch_cost:g} s a tuning"
-            raise _too_big(f"The estimated cost of {cost:.3g} s of computing is over {limit}")
-        if each > settings.max_request_cost:
-            raise CostLimitError(
-                f"One run's estimated cost of {each:.3g} s of computing is over the limit of "
-                f"{settings.max_request_cost:g} s; {CHEAPER_RUN}",
-                pointer="/scenario",
-            )
+        self.jobs.check_runs(runs)
+        self.jobs.check_cost(cost, each)
         return runs, cost
 
 
 def _not_ended() -> ConflictError:
     return ConflictError("It has not ended: cancel it to change its number of trials.", kind="not-ended")
-
-
-def _too_big(message: str) -> CostLimitError:
-    return CostLimitError(message, pointer="/trials")
