@@ -20,15 +20,15 @@ from backend.http.spool import Spool
 from backend.http.token_middleware import TokenMiddleware
 from backend.http.tokens import Tokens
 from backend.jobs.scheduler import Scheduler
-from backend.jobs.sweep.service import Sweeps
+from backend.jobs.sweep.service import BatchService
 from backend.jobs.tuning.service import TuningService
 from backend.jobs.tuning.steps import TuningSteps
+from backend.links.service import Links
 from backend.metrics import service_registry
 from backend.paper.service import Paper
-from backend.roads.service import Roads
-from backend.runs.links.service import Links
-from backend.runs.memory import Memory
-from backend.runs.results import Results
+from backend.roads.service import MeasuredRoads
+from backend.runs.result_cache import ResultCache
+from backend.runs.result_finder import ResultFinder
 from backend.runs.service import Runs
 from backend.runs.solve.service import Solver
 from backend.settings import Settings
@@ -124,10 +124,10 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     try:
         warming = asyncio.create_task(asyncio.to_thread(schema.warm))  # beside: nobody waits for it
         gate = Gate(settings)
-        memory = Memory(settings.series_cache_bytes)
-        measured = Roads(store=store, workers=workers, gate=gate)
+        memory = ResultCache(settings.series_cache_bytes)
+        measured = MeasuredRoads(store=store, workers=workers, gate=gate)
         app.state.roads = measured
-        results = Results(store=store, workers=workers, memory=memory, gate=gate, roads=measured)
+        results = ResultFinder(store=store, workers=workers, memory=memory, gate=gate, roads=measured)
         app.state.gate = gate
         app.state.metrics = service_registry(workers, gate)
         spool = Spool(settings.data_dir / "spool", gate)
@@ -139,7 +139,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
             workers=workers, gate=gate, roads=measured, max_request_cost=settings.max_request_cost
         )
         app.state.links = Links(store=store, workers=workers, runs=app.state.runs, gate=gate, roads=measured)
-        sweeps = Sweeps(
+        sweeps = BatchService(
             store=store,
             workers=workers,
             background=background,

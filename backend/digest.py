@@ -55,7 +55,7 @@ def result_keys(roads: Sequence[Scenario], strategies: Iterable[str]) -> list[di
     return keys
 
 
-def figures_key(scenario: Scenario, strategy: str) -> str:
+def paper_row_key(scenario: Scenario, strategy: str) -> str:
     """Key of the paper's figures of one strategy's run: it depends on what the result depends on."""
     return _hash({"figures_of": result_key(scenario, strategy)})
 

@@ -11,7 +11,7 @@ from backend.api import router
 from backend.api.deps import Client, LinksService
 from backend.http.answers import answer_unless_cached, json_answer
 from backend.http.routing import ComputingRoute
-from backend.runs.links import models as models_links
+from backend.links import models as models_links
 
 links = router("links", 404, 410, 422, 429, 503)
 sharing = router("links", 400, 410, 413, 415, 422, 429, 503, route_class=ComputingRoute)

@@ -9,7 +9,7 @@ from backend.ecu import export, realtime, report
 from backend.ecu.models import ControllerReport, RealtimeReport
 from backend.errors import CostLimitError
 from backend.gate import Gate
-from backend.roads.service import Roads
+from backend.roads.service import MeasuredRoads
 from sim_core.scenario import Scenario
 
 T = TypeVar("T")
@@ -20,7 +20,7 @@ BUILDING = 1.0  # one controller for its part [s of one core]
 class Controllers:
     """The one service of controllers; its methods belong to the event loop."""
 
-    def __init__(self, *, workers: Workers, gate: Gate, roads: Roads, max_request_cost: float) -> None:
+    def __init__(self, *, workers: Workers, gate: Gate, roads: MeasuredRoads, max_request_cost: float) -> None:
         self._workers = workers
         self._gate = gate
         self._roads = roads

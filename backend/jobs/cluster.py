@@ -22,7 +22,7 @@ from tornado.httpserver import HTTPServer
 
 from backend.compute.workers import Workers
 from backend.errors import WorkerLostError, WorkersBusyError, WorkerTimeoutError
-from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError
+from backend.jobs.chunk_messages import Chunk, ChunkOutcome, ClusterLostError
 from backend.jobs.compute_chunk import compute_chunk
 from backend.settings import Settings
 from sim_core import __version__ as CORE_VERSION

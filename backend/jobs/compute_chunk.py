@@ -5,11 +5,11 @@ from collections.abc import Callable, Mapping
 
 import orjson
 
-from backend.jobs.chunk import Chunk, Computed
-from backend.jobs.sweep.plan import scenario_at
+from backend.jobs.chunk_messages import Chunk, Computed
 from backend.outcome import Outcome
 from backend.paper.paper_rows import compute_row
 from backend.runs.compute_run import compute
+from backend.scenario_at import scenario_at
 from sim_core.scenario import Scenario
 
 # By the job's kind, from the scenario, the run's strategy and its key.

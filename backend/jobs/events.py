@@ -9,9 +9,9 @@ from sqlalchemy.exc import SQLAlchemyError
 
 from backend.gate import Gate
 from backend.store import Store
-from backend.store.job_events import PAGE
+from backend.store.job_events import EVENTS_AT_ONCE
 
-LOOK = 1.0  # between two looks for events of other processes [s]
+JOB_POLL_INTERVAL = 1.0  # between two looks for events of other processes [s]
 HEARTBEAT = 15.0  # a comment so often keeps a silent stream open [s]
 RECONNECT = 2000  # a browser that lost the stream comes back after so long [ms]
 
@@ -44,12 +44,12 @@ async def _stream(store: Store, job_id: str, after: int, gate: Gate, client: str
                 yield format_sse_event(data_str=event.data, event=event.kind, id=str(event.number))
             if ended:
                 return
-            if len(events) == PAGE:
+            if len(events) == EVENTS_AT_ONCE:
                 continue
             if clock() - sent > HEARTBEAT:
                 sent = clock()
                 yield b": still here\n\n"
-            await changes.wait(LOOK)
+            await changes.wait(JOB_POLL_INTERVAL)
 
 
 async def _with_first(first: bytes, rest: AsyncGenerator[bytes, None]) -> AsyncIterator[bytes]:

@@ -8,7 +8,7 @@ from typing import Any
 from backend import digest
 from backend.errors import CHEAPER_RUN, BusyError, ConflictError, CostLimitError, ForbiddenError, NotFoundError
 from backend.gate import Gate
-from backend.jobs.chunk import JobRun
+from backend.job_run import JobRun
 from backend.jobs.events import server_sent
 from backend.settings import Settings
 from backend.store import Store, StoredJob

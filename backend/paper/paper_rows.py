@@ -13,7 +13,7 @@ import orjson
 
 from backend import digest
 from backend.ecu.drive import simulate
-from backend.jobs.chunk import JobRun
+from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from backend.outcome import JSON_OPTIONS, Outcome, elapsed_ms
 from backend.paper.attribution import COMFORT_FIGURES, VARIANTS
@@ -42,7 +42,7 @@ def _requests(choices: tuple[tuple[str, str], ...], roads: range) -> dict[str, t
     scenarios = [scenario_for(dict(choices), seed) for seed in roads]
     return {
         name: tuple(
-            JobRun(0, text, name, digest.figures_key(scenario, name))
+            JobRun(0, text, name, digest.paper_row_key(scenario, name))
             for scenario, text in zip(scenarios, texts, strict=True)
         )
         for name in STRATEGIES

@@ -9,9 +9,9 @@ from functools import partial
 
 import orjson
 
-from backend.compute.flights import Flights
+from backend.compute.shared_computations import SharedComputations
 from backend.errors import BusyError
-from backend.jobs.chunk import JobRun
+from backend.job_run import JobRun
 from backend.jobs.service import request_hash
 from backend.json_types import JsonObject
 from backend.store import Store, StoredJob
@@ -21,7 +21,7 @@ from sim_core.scenario import Scenario
 RETRY_AFTER = 30
 MAX_JOBS = 8  # that compute rows, of all visitors
 TRY_AGAIN = timedelta(minutes=1)  # rows that failed are not tried again before, for those who ask every second
-LOOK = 1.0  # between two looks at a job of another process [s]
+JOB_POLL_INTERVAL = 1.0  # between two looks at a job of another process [s]
 ROW_COST = 0.02  # [s of one core]
 
 
@@ -47,7 +47,7 @@ class PaperRows:
 
     def __init__(self, store: Store) -> None:
         self._store = store
-        self._waits: Flights[str, str | None] = Flights()
+        self._waits: SharedComputations[str, str | None] = SharedComputations()
 
     async def get(self, requests: Sequence[JobRun], patience: float | None) -> Rows:
         """These rows; the first ones are computed first.
@@ -112,7 +112,7 @@ class PaperRows:
                 now = await self._store.read(self._store.jobs.load, job.id)
                 if now is None or now.state in FINAL:
                     break
-                await changes.wait(LOOK)
+                await changes.wait(JOB_POLL_INTERVAL)
         if now is None or not now.failed:
             return None
         rows = await self._store.read(self._store.job_runs.rows, job.id, -1, now.total)

@@ -8,7 +8,7 @@ from typing import Any
 from backend.cost.estimate import cost_of
 from backend.errors import BusyError
 from backend.gate import Gate
-from backend.jobs.chunk import JobRun
+from backend.job_run import JobRun
 from backend.paper import answers, claims, drawings, paper_rows
 from backend.paper.interpretations import DEFAULT, INTERPRETATIONS
 from backend.paper.models import AttributionAnswer, PaperAnswer, PaperFigures, ReadingsAnswer
@@ -17,12 +17,12 @@ from backend.paper.report import report
 from backend.paper.rows import PaperRows, Rows
 from backend.runs.reports import page
 from backend.runs.reports.page import Report, in_thread
-from backend.runs.results import Results
+from backend.runs.result_finder import ResultFinder
 from backend.store import Store
 from sim_core.scenario import Scenario
 
 HISTORY_POINTS = 1200
-PATIENCE = 2.0  # an answer in rows comes after so long with those that are there [s]
+WAIT_FOR_ROWS = 2.0  # an answer in rows comes after so long with those that are there [s]
 
 Requests = Mapping[str, tuple[JobRun, ...]]
 
@@ -30,7 +30,7 @@ Requests = Mapping[str, tuple[JobRun, ...]]
 class Paper:
     """The one service of the paper page; its methods belong to the event loop."""
 
-    def __init__(self, *, store: Store, results: Results, gate: Gate) -> None:
+    def __init__(self, *, store: Store, results: ResultFinder, gate: Gate) -> None:
         self._rows = PaperRows(store)
         self._results = results
         self._gate = gate
@@ -70,7 +70,7 @@ class Paper:
         choices = [(reading.id, choice.id) for reading in READINGS.values() for choice in reading.choices[1:]]
         sets = [default, *({**default, reading: choice} for reading, choice in choices)]
         requests = [await _requests(each, roads) for each in sets]
-        rows = await self._get(client, *requests, patience=PATIENCE)
+        rows = await self._get(client, *requests, patience=WAIT_FOR_ROWS)
         values = [
             paper_rows.figures_by_strategy(rows.by_key, row_requests, each[claims.WINDOW])
             for row_requests, each in zip(requests, sets, strict=True)

@@ -21,7 +21,7 @@ CSV_COST = 2e-6  # of one height [s of one core]
 POINTER = "/scenario/road/profile"
 
 
-class Roads:
+class MeasuredRoads:
     """The one service of measured roads; its methods belong to the event loop."""
 
     def __init__(self, *, store: Store, workers: Workers, gate: Gate) -> None:

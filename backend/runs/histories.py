@@ -10,17 +10,17 @@ from cachetools import LRUCache
 
 from backend import digest
 from backend.analysis.roads import seeded
-from backend.compute.flights import Flights
+from backend.compute.shared_computations import SharedComputations
 from backend.compute.workers import Workers
 from backend.cost.estimate import cost_of, estimate
 from backend.errors import CostLimitError, GoneError, InvalidError, RoadGoneError
 from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile, refused_where_full
 from backend.outcome import Outcome
-from backend.roads.service import Roads
+from backend.roads.service import MeasuredRoads
 from backend.runs import bands, exports, pins
-from backend.runs.results import Results
-from backend.runs.series import SAMPLE_BYTES, Stages, most_samples
+from backend.runs.result_finder import ResultFinder
+from backend.runs.series import SAMPLE_BYTES, SamplingHints, most_samples
 from backend.store import Store, StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
@@ -35,7 +35,7 @@ class Histories:
     """Reads or simulates time histories; its methods belong to the event loop."""
 
     def __init__(
-        self, *, store: Store, workers: Workers, results: Results, gate: Gate, roads: Roads, spool: Spool
+        self, *, store: Store, workers: Workers, results: ResultFinder, gate: Gate, roads: MeasuredRoads, spool: Spool
     ) -> None:
         self._spool = spool
         self._store = store
@@ -46,7 +46,7 @@ class Histories:
         self._bands: LRUCache[str, SpoolFile] = LRUCache(
             BAND_BYTES, getsizeof=lambda band: max(MIN_CACHED_BAND, band.size)
         )
-        self._flights: Flights[str, SpoolFile] = Flights()
+        self._in_progress: SharedComputations[str, SpoolFile] = SharedComputations()
 
     async def keys(self, stored: StoredRun) -> dict[str, str]:
         """Result keys of the strategies whose exact time histories are pinned or can be simulated again.
@@ -145,7 +145,7 @@ class Histories:
         self._check_memory(roads[0], names)
         with self._gate.computing(client, cost), self._spool.reserved(client, size) as write:
             tasks = [
-                asyncio.create_task(self._flights.join(keys[name], partial(self._drive, roads, name, client)))
+                asyncio.create_task(self._in_progress.join(keys[name], partial(self._drive, roads, name, client)))
                 for name in missing
             ]
             try:
@@ -212,10 +212,10 @@ class Histories:
             yield {name: contents[key] for name, key in keys.items()}
 
 
-def _stages(stored: StoredRun) -> dict[str, Stages]:
+def _stages(stored: StoredRun) -> dict[str, SamplingHints]:
     """By strategy its driving stages: decimation preserves the extremes of each."""
     return {
-        item.strategy: Stages.of(
+        item.strategy: SamplingHints.of(
             (span["stage"], span["start_time"], span["end_time"]) for span in item.summary["stages"]
         )
         for item in stored.shown

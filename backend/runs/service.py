@@ -24,7 +24,7 @@ from backend.http.spool import Spool, SpoolFile
 from backend.json_types import JsonObject
 from backend.metrics import CACHE
 from backend.outcome import Outcome
-from backend.roads.service import Roads
+from backend.roads.service import MeasuredRoads
 from backend.runs import exports, figures, series
 from backend.runs.answers import (
     as_plain,
@@ -38,7 +38,7 @@ from backend.runs.histories import Histories
 from backend.runs.reports import page
 from backend.runs.reports import run as run_report
 from backend.runs.reports.page import Report, in_thread
-from backend.runs.results import Outcomes, Results
+from backend.runs.result_finder import Outcomes, ResultFinder
 from backend.store import Store, StoredRun
 from backend.store.roads import measured_roads
 from sim_core import __version__ as CORE_VERSION
@@ -53,7 +53,7 @@ class Runs:
     """The one service of runs; its methods belong to the event loop."""
 
     def __init__(
-        self, *, store: Store, workers: Workers, results: Results, gate: Gate, roads: Roads, spool: Spool
+        self, *, store: Store, workers: Workers, results: ResultFinder, gate: Gate, roads: MeasuredRoads, spool: Spool
     ) -> None:
         self._store = store
         self._results = results

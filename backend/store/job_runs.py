@@ -7,7 +7,7 @@ from sqlalchemy import Connection, Select, Update, bindparam, select, update
 
 from backend.db.database import Database
 from backend.db.tables import EXPIRED, job_runs, jobs, results
-from backend.jobs.chunk import JobRow, JobRun
+from backend.job_run import JobRow, JobRun
 from backend.outcome import Outcome
 from backend.store.job_events import add_event
 from backend.store.jobs import lock

@@ -15,7 +15,7 @@ from sqlalchemy.exc import IntegrityError
 
 from backend.db.database import Database, insert_new
 from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, trials
-from backend.jobs.chunk import JobRun
+from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from backend.store.job import FINAL, UNFINISHED, Kind, State, StoredJob
 from backend.store.job_events import add_event

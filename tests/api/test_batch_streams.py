@@ -38,7 +38,7 @@ def test_a_stream_reads_nothing_when_another_job_changes(service: Any, monkeypat
         service.loop.call_soon_threadsafe(reads.put_nowait, job_id)
         return [], False
 
-    monkeypatch.setattr("backend.jobs.events.LOOK", HANG_TIMEOUT)
+    monkeypatch.setattr("backend.jobs.events.JOB_POLL_INTERVAL", HANG_TIMEOUT)
     monkeypatch.setattr(store.job_events, "news", news)
 
     async def follow() -> int:

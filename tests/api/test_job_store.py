@@ -9,7 +9,7 @@ import orjson
 import pytest
 
 from backend.db.tables import links
-from backend.jobs.chunk import JobRun
+from backend.job_run import JobRun
 from backend.outcome import Outcome
 from backend.store import Store, StoredJob, StoredLink, jobs
 

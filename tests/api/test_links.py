@@ -12,8 +12,8 @@ from sqlalchemy import delete, select, update
 
 from backend.db.tables import links, pinned_series, results, run_results, runs
 from backend.gate import Gate
+from backend.links.models import CreatedLink, Link
 from backend.runs import exports, pins
-from backend.runs.links.models import CreatedLink, Link
 from backend.store import Store
 from sim_core import __version__
 from sim_core.scenario import SCHEMA_VERSION

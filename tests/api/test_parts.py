@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from backend import digest
 from backend.outcome import Outcome
-from backend.runs.memory import Memory
+from backend.runs.result_cache import ResultCache
 from sim_core.scenario import Hil, Lqr, Mpc, Road, Scenario
 from sim_core.strategies import STRATEGIES
 
@@ -80,7 +80,7 @@ def outcome(samples: int, points: int = 800) -> Outcome:
 
 
 def test_memory_answers_only_for_the_points_it_has() -> None:
-    memory = Memory(10**6)
+    memory = ResultCache(10**6)
     memory.put("a", outcome(100, 800))
     assert memory.get("a", 2000) is None
     assert memory.get("a", None) is not None, "without series any will do"

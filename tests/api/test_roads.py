@@ -13,7 +13,7 @@ from backend.analysis.intervals import change_with_interval, mean_with_interval
 from backend.models import CreatedRun
 from backend.outcome import Outcome
 from backend.runs import bands, histories
-from backend.runs.roads_models import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
+from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario
 from tests.html import check, read

@@ -12,7 +12,8 @@ import psutil
 import pytest
 from distributed import Client
 
-from backend.jobs.chunk import Chunk, ChunkOutcome, JobRun
+from backend.job_run import JobRun
+from backend.jobs.chunk_messages import Chunk, ChunkOutcome
 from backend.jobs.cluster import Cluster
 from backend.settings import Settings
 from sim_core import __version__

@@ -28,10 +28,10 @@ from filelock import FileLock
 
 from backend.db.database import insert_new
 from backend.db.tables import results
-from backend.jobs.chunk import JobRun
-from backend.jobs.sweep.plan import scenario_at
+from backend.job_run import JobRun
 from backend.paper import claims, paper_rows
 from backend.paper.interpretations import DEFAULT, FAVOURABLE
+from backend.scenario_at import scenario_at
 from backend.store import Store
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario

@@ -6,10 +6,11 @@ from typing import Any
 
 import pytest
 
-from backend.jobs.chunk import Chunk, JobRun
+from backend.job_run import JobRun
+from backend.jobs.chunk_messages import Chunk
 from backend.jobs.compute_chunk import compute_chunk
 from backend.jobs.sweep.plan import plan
-from backend.jobs.sweep.sweeps import Sweep, SweepError
+from backend.jobs.sweep.points import Sweep, SweepError
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
 from backend.runs import compute_run

@@ -18,7 +18,8 @@ from backend.cost.binding_limits import LimitShares, combine, expected_limits
 from backend.cost.binding_limits import _passive as passive_suspension
 from backend.cost.estimate import SECONDS, check_affordable, duration, estimate, expected_time, memory, work
 from backend.ecu import drive, program, realtime, report
-from backend.jobs.chunk import Chunk, JobRun
+from backend.job_run import JobRun
+from backend.jobs.chunk_messages import Chunk
 from backend.jobs.compute_chunk import compute_chunk
 from backend.runs import bands, compute_run, exports, pins
 from sim_core.control import mpc as mpc_module

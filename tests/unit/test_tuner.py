@@ -17,8 +17,8 @@ from pydantic import ValidationError
 from backend.analysis import comparison, front, robustness
 from backend.analysis.measure import Aims, Failure
 from backend.analysis.objectives import StoredLimit, StoredObjective, UndefinedObjectiveError
-from backend.jobs.chunk import JobRow
-from backend.jobs.running_job import RunningJob
+from backend.job_run import JobRow
+from backend.jobs.chunk_cutter import RunningJob
 from backend.jobs.tuning import space
 from backend.jobs.tuning.models import TuningRequest
 from backend.jobs.tuning.search import Search, ask

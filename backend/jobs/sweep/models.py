@@ -7,7 +7,7 @@ from pydantic import ConfigDict, Field
 
 from backend.analysis.models import Cell, StrategySummary
 from backend.jobs.models import Label
-from backend.jobs.sweep.sweeps import Sweep
+from backend.jobs.sweep.points import Sweep
 from backend.json_types import JsonObject
 from backend.models import Answer, RequestModel, StrategyName
 from backend.store import StoredJob

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Mapping, Sequence
 
-from backend.jobs.chunk import JobRun
+from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from sim_core.scenario import dotted
 from sim_core.strategies import STRATEGIES, reads, speed_plan

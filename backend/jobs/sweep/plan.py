@@ -11,18 +11,16 @@ from pydantic import ValidationError
 from backend import digest
 from backend.cost.estimate import estimate
 from backend.ecu.drive import simulate
-from backend.jobs.chunk import JobRun, PackedRuns
+from backend.job_run import JobRun, PackedRuns
 from backend.jobs.sweep import notes
-from backend.jobs.sweep.sweeps import Sweep, axes, points
+from backend.jobs.sweep.points import Sweep, axes, points
 from backend.json_types import JsonObject
+from backend.scenario_at import NO_ROADS, contradiction, scenario_at
 from sim_core.errors import RidelabError
-from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
 from sim_core.scenario.measured import MeasuredRoad
-from sim_core.scenario.versions import restored
 
 PILOTS = 5  # runs tried to tell how long a batch takes
 PILOT_LIMIT = 1.0  # estimated cost [s] beyond which a run is not tried
-NO_ROADS: Mapping[str, MeasuredRoad] = {}
 NO_LENGTHS: Mapping[str | None, float] = {}
 PROFILE, LENGTH = "road.profile", "road.length"
 
@@ -48,27 +46,6 @@ class SweepPlan:
     contradictory: int
     cost: float
     max_run_cost: float
-
-
-def scenario_at(
-    base: JsonObject,
-    changes: JsonObject,
-    schema_version: int = SCHEMA_VERSION,
-    roads: Mapping[str, MeasuredRoad] = NO_ROADS,
-) -> Scenario:
-    """The scenario of one point, on its measured road where `roads` has it.
-
-    Fields have the names they had under that schema version.
-
-    Raises:
-        NewerScenarioError: A newer version of Ridelab stored it.
-        ValidationError: Its fields contradict each other.
-    """
-    changed = dotted.with_changes(base, changes)
-    current = schema_version == SCHEMA_VERSION
-    scenario = Scenario.model_validate(changed) if current else restored(changed, schema_version)
-    road = roads.get(scenario.road.profile or "")
-    return scenario if road is None else scenario.on(road)
 
 
 def rekeyed(base: JsonObject, schema_version: int, runs: Iterable[JobRun]) -> dict[int, tuple[str | None, str | None]]:
@@ -137,13 +114,6 @@ def _points(base: JsonObject, sweep: Sweep, lengths: Mapping[str | None, float])
     return fields, [
         {LENGTH: lengths[changes[PROFILE]], **changes} if PROFILE in changes else changes for changes in every_point
     ]
-
-
-def contradiction(error: ValidationError) -> str:
-    """Why the fields of a point contradict each other, as its row's reason."""
-    first = error.errors(include_input=False, include_url=False)[0]
-    field = first.get("ctx", {}).get("field") or ".".join(map(str, first["loc"]))
-    return f"{field}: {first['msg']}" if field else str(first["msg"])
 
 
 def pilot(

@@ -11,15 +11,15 @@ from backend.compute.workers import Workers
 from backend.errors import ConflictError, InvalidError
 from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile
-from backend.jobs.chunk import JobRow
+from backend.job_run import JobRow
 from backend.jobs.service import Jobs, request_hash
 from backend.jobs.sweep import plan, rendering, table
 from backend.jobs.sweep.models import Batch, Batches, BatchItem, BatchSummary, Estimate
+from backend.jobs.sweep.points import Sweep, SweepError, size
 from backend.jobs.sweep.summaries import Summaries
-from backend.jobs.sweep.sweeps import Sweep, SweepError, size
 from backend.jobs.sweep.table import Format
 from backend.json_types import JsonObject
-from backend.roads.service import Roads
+from backend.roads.service import MeasuredRoads
 from backend.runs.service import ordered
 from backend.settings import Settings
 from backend.store import Store, StoredJob
@@ -28,13 +28,13 @@ from backend.store.roads import measured_roads, swept_roads
 from sim_core.scenario import Road, Scenario
 from sim_core.scenario.measured import MeasuredRoad
 
-PAGE = 250  # rows read in one transaction
+ROWS_AT_ONCE = 250  # rows read in one transaction
 PLAN_COST = 0.0002  # of one run [s of one core]
 QUICK = 0.3  # what takes less needs no process in the background [s of one core]
 T = TypeVar("T")
 
 
-class Sweeps:
+class BatchService:
     """The service of batches; its methods belong to the event loop.
 
     Args:
@@ -55,7 +55,7 @@ class Sweeps:
         background: Workers,
         gate: Gate,
         settings: Settings,
-        roads: Roads,
+        roads: MeasuredRoads,
         spool: Spool,
     ) -> None:
         self._spool = spool
@@ -234,7 +234,7 @@ class Sweeps:
     async def rows(self, job_id: str) -> AsyncIterator[list[JobRow]]:
         """Its rows in order, page by page."""
         last = -1
-        while rows := await self._store.read(self._store.job_runs.rows, job_id, last, PAGE):
+        while rows := await self._store.read(self._store.job_runs.rows, job_id, last, ROWS_AT_ONCE):
             yield rows
             last = rows[-1].position
 
@@ -274,7 +274,7 @@ class Sweeps:
 
     def _page_call(self, client: str) -> Callable[..., Awaitable[Any]]:
         """Runs a function of a page of rows in a worker, so that clients take turns page by page."""
-        return partial(self._workers.call, client=client, cost=rendering.ROW_COST * PAGE)
+        return partial(self._workers.call, client=client, cost=rendering.ROW_COST * ROWS_AT_ONCE)
 
     async def _queued_cost(self, own: float) -> float:
         """Cost of other jobs' runs before a new job of that cost ends, as all share the processes [s of one core]."""

@@ -9,13 +9,13 @@ from typing import Any
 
 from cachetools import LRUCache
 
-from backend.analysis import reading, robustness
-from backend.compute.flights import Flights
+from backend.analysis import batch_summary, robustness
+from backend.compute.shared_computations import SharedComputations
 from backend.errors import InvalidError
 from backend.gate import Gate
-from backend.jobs.chunk import JobRow
+from backend.job_run import JobRow
 from backend.jobs.sweep.models import BatchSummary
-from backend.roads.service import Roads
+from backend.roads.service import MeasuredRoads
 from backend.store import StoredJob
 from backend.store.job import FINAL
 
@@ -55,14 +55,14 @@ class Summaries:
         rows: Callable[[str], AsyncIterator[list[JobRow]]],
         call: Callable[..., Awaitable[Any]],
         gate: Gate,
-        roads: Roads,
+        roads: MeasuredRoads,
     ) -> None:
         self._rows = rows
         self._call = call
         self._gate = gate
         self._roads = roads
         self._cached: LRUCache[tuple[str, ...], CachedSummary] = LRUCache(CACHED)
-        self._flights: Flights[tuple[str | int, ...], BatchSummary] = Flights()
+        self._in_progress: SharedComputations[tuple[str | int, ...], BatchSummary] = SharedComputations()
 
     async def get(self, job: StoredJob, figures: Sequence[str], baseline: str | None, client: str) -> BatchSummary:
         """The summary of the batch's finished rows.
@@ -86,8 +86,8 @@ class Summaries:
         rows, call = self._rows(job.id), partial(self._call, client, cost)
         measured = await self._roads.named(job.road_ids)
         with self._gate.hold(client, requests=1, background_cost=cost):
-            answer = await self._flights.join(
-                (*key, ended), partial(reading.summarised, job, rows, call, figures, against, measured)
+            answer = await self._in_progress.join(
+                (*key, ended), partial(batch_summary.summarised, job, rows, call, figures, against, measured)
             )
         until = clock() + REUSE * (time.perf_counter() - begin)
         self._cached[key] = CachedSummary(answer=answer, ended=ended, reusable_until=until)

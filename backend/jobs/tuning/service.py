@@ -10,7 +10,7 @@ from backend.errors import ConflictError, InvalidError
 from backend.gate import Gate
 from backend.jobs.service import Jobs, request_hash
 from backend.jobs.sweep import plan
-from backend.jobs.sweep.sweeps import Sweep
+from backend.jobs.sweep.points import Sweep
 from backend.jobs.tuning.answers import Trials, Tuning, TuningEstimate, TuningItem, Tunings
 from backend.jobs.tuning.models import TuningRequest
 from backend.jobs.tuning.space import first_weights, longest_run, ranges_of, road

@@ -5,12 +5,12 @@ from pydantic import ValidationError
 from backend.cost.estimate import estimate
 from backend.errors import ShortRoadError
 from backend.gate import Gate
-from backend.jobs.sweep.plan import contradiction, scenario_at
-from backend.roads.service import Roads
+from backend.roads.service import MeasuredRoads
 from backend.runs.service import Runs
 from backend.runs.solve.limit_search import MAX_VALUES, next_indices
 from backend.runs.solve.models import Solution, SolveRequest
 from backend.runs.solve.solution import Tried, bounds_of, solution
+from backend.scenario_at import contradiction, scenario_at
 from sim_core.catalogue import METRICS
 from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario
@@ -21,7 +21,7 @@ LENGTH = "road.length"
 class Solver:
     """Finds the largest value of a field that keeps a limit; its methods belong to the event loop."""
 
-    def __init__(self, *, runs: Runs, gate: Gate, roads: Roads) -> None:
+    def __init__(self, *, runs: Runs, gate: Gate, roads: MeasuredRoads) -> None:
         self._runs = runs
         self._gate = gate
         self._roads = roads

@@ -5,15 +5,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from backend import digest
-from backend.compute.flights import Flights
+from backend.compute.shared_computations import SharedComputations
 from backend.compute.workers import Workers
 from backend.cost.estimate import estimate
 from backend.gate import Gate
 from backend.metrics import CACHE, count_runs
 from backend.outcome import Outcome
-from backend.roads.service import Roads
+from backend.roads.service import MeasuredRoads
 from backend.runs.compute_run import compute_run
-from backend.runs.memory import Memory
+from backend.runs.result_cache import ResultCache
 from backend.store import Store
 from sim_core.scenario import Scenario
 
@@ -29,16 +29,18 @@ class _Request:
     costs: Mapping[str, float]
 
 
-class Results:
+class ResultFinder:
     """Finds or computes results; its methods belong to the event loop."""
 
-    def __init__(self, *, store: Store, workers: Workers, memory: Memory, gate: Gate, roads: Roads) -> None:
+    def __init__(
+        self, *, store: Store, workers: Workers, memory: ResultCache, gate: Gate, roads: MeasuredRoads
+    ) -> None:
         self._store = store
         self._workers = workers
         self._memory = memory
         self._gate = gate
         self._roads = roads
-        self._flights: Flights[tuple[str, int | None], Outcomes] = Flights()
+        self._in_progress: SharedComputations[tuple[str, int | None], Outcomes] = SharedComputations()
 
     async def get(self, scenario: Scenario, names: Sequence[str], client: str, *, points: int | None) -> Outcomes:
         """Each strategy's result, with about `points` samples of its time histories or (None) without them.
@@ -108,18 +110,18 @@ class Results:
         points = request.points
 
         def running_task(key: str) -> asyncio.Task[Outcomes] | None:
-            return self._flights.find(lambda flight: flight[0] == key and points in (None, flight[1]))
+            return self._in_progress.find(lambda other: other[0] == key and points in (None, other[1]))
 
         tasks = {name: task for name, key in missing.items() if (task := running_task(key))}
         joined = set(tasks)
         fresh = {name: key for name, key in missing.items() if name not in joined}
         if fresh:
-            computing = self._fly(scenario, fresh, request)
-            tasks |= dict.fromkeys(fresh, self._flights.begin([(key, points) for key in fresh.values()], computing))
-        landed = await self._flights.wait(set(tasks.values()))
-        return {name: replace(landed[task][name], cached=name in joined) for name, task in tasks.items()}
+            computing = self._compute_fresh(scenario, fresh, request)
+            tasks |= dict.fromkeys(fresh, self._in_progress.begin([(key, points) for key in fresh.values()], computing))
+        outcomes = await self._in_progress.wait(set(tasks.values()))
+        return {name: replace(outcomes[task][name], cached=name in joined) for name, task in tasks.items()}
 
-    async def _fly(self, scenario: Scenario, fresh: Mapping[str, str], request: _Request) -> Outcomes:
+    async def _compute_fresh(self, scenario: Scenario, fresh: Mapping[str, str], request: _Request) -> Outcomes:
         cost = sum(request.costs[name] for name in fresh)
         outcomes = await self._workers.call(
             compute_run, scenario, fresh, request.points, client=request.client, cost=cost

@@ -5,7 +5,7 @@ from cachetools import LRUCache
 from backend.outcome import Outcome
 
 
-class Memory:
+class ResultCache:
     """A cache that drops the least recently used result first; bounded in bytes."""
 
     def __init__(self, limit: int) -> None:

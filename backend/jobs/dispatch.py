@@ -10,8 +10,9 @@ from sqlalchemy.exc import DataError, IntegrityError, ProgrammingError, SQLAlche
 
 from backend import metrics
 from backend.errors import CHEAPER_RUN
-from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError, Computed, JobRun, Trouble
-from backend.jobs.running_job import RunningJob
+from backend.job_run import JobRun
+from backend.jobs.chunk_cutter import RunningJob
+from backend.jobs.chunk_messages import Chunk, ChunkOutcome, ClusterLostError, Computed, Trouble
 from backend.outcome import Outcome
 from backend.store import Store, StoredJob
 from backend.store.roads import PROFILE
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 logger = logging.getLogger(__name__)
 
 CHUNK_BUDGET = 2.0  # a chunk is cut short after this, where its runs take longer than those before [s]
-PAUSE = 2.0  # after the database or the cluster failed [s]
+PAUSE_AFTER_FAILURE = 2.0  # after the database or the cluster failed [s]
 PERMANENT = (IntegrityError, DataError, ProgrammingError)  # what the database will never take
 REASONS: dict[Trouble, str] = {
     "lost": "The computation ended unexpectedly, twice",
@@ -33,7 +34,7 @@ REASONS: dict[Trouble, str] = {
 }
 
 
-class Chunks:
+class Dispatch:
     """Chunks being computed or stored; its methods belong to the event loop.
 
     Args:
@@ -104,7 +105,7 @@ class Chunks:
         except (SQLAlchemyError, OSError) as error:
             logger.warning("A chunk's roads could not be read: %s", type(error).__name__)
             running.take_back(runs)
-            await asyncio.sleep(PAUSE)  # the database may be back by then
+            await asyncio.sleep(PAUSE_AFTER_FAILURE)  # the database may be back by then
             return None
         return Chunk(
             kind=cast(Computed, running.job.kind),
@@ -131,7 +132,7 @@ class Chunks:
         logger.warning("A chunk of %d runs could not be computed: %s %s", len(runs), outcome.trouble, outcome.detail)
         if outcome.trouble not in REASONS:  # not the chunk's fault
             running.take_back(runs)
-            await asyncio.sleep(PAUSE)
+            await asyncio.sleep(PAUSE_AFTER_FAILURE)
             return True
         return running.halve(runs) or (outcome.trouble == "lost" and running.try_again(runs))
 
@@ -157,7 +158,7 @@ class Chunks:
                 return
             except SQLAlchemyError as error:
                 logger.warning("A chunk waits for the database: %s", type(error).__name__)
-                await asyncio.sleep(PAUSE)
+                await asyncio.sleep(PAUSE_AFTER_FAILURE)
             else:
                 return
 

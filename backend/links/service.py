@@ -13,12 +13,12 @@ from backend.errors import InvalidError, NotFoundError
 from backend.gate import Gate
 from backend.jobs.sweep.models import Batch
 from backend.json_types import JsonObject
-from backend.roads.service import Roads
+from backend.links import preview
+from backend.links.models import SLUG_PATTERN, CreatedLink, LinkView
+from backend.links.preview import Preview
+from backend.roads.service import MeasuredRoads
 from backend.runs import pins
 from backend.runs.answers import as_plain, run_answer
-from backend.runs.links import preview
-from backend.runs.links.models import SLUG_PATTERN, CreatedLink, LinkView
-from backend.runs.links.preview import Preview
 from backend.runs.series import SAMPLE_BYTES, most_samples
 from backend.runs.service import Runs, upgraded_scenario
 from backend.store import Store, StoredJob, StoredLink, StoredRun
@@ -39,7 +39,7 @@ class _SharedRun:
 class Links:
     """The one service of links; its methods belong to the event loop."""
 
-    def __init__(self, *, store: Store, workers: Workers, runs: Runs, gate: Gate, roads: Roads) -> None:
+    def __init__(self, *, store: Store, workers: Workers, runs: Runs, gate: Gate, roads: MeasuredRoads) -> None:
         self._runs = runs
         self._store = store
         self._workers = workers

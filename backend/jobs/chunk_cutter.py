@@ -5,7 +5,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 
 from backend import digest
-from backend.jobs.chunk import JobRun
+from backend.job_run import JobRun
 from backend.store import Store, StoredJob
 
 CHUNK_SECONDS = 1.0  # a chunk is cut to take about so long
@@ -24,8 +24,8 @@ class RunningJob:
         job: The stored job as it was at the start.
         group: Cancels all its chunks together.
         position: Runs up to this one are computed or sent.
-        returned: Chunks to send again before new ones are cut.
-        open_chunks: Chunks sent and not yet stored.
+        returned: Dispatch to send again before new ones are cut.
+        open_chunks: Dispatch sent and not yet stored.
         exhausted: Whether the last look saw no waiting run behind `position`.
         last_send: Number of its last chunk among all chunks sent.
         run_seconds: Mean time of a run in the chunks so far [s].

@@ -9,7 +9,7 @@ K = TypeVar("K")
 T = TypeVar("T")
 
 
-class Flights(Generic[K, T]):
+class SharedComputations(Generic[K, T]):
     """Computations by key, one perhaps under several keys; its methods belong to the event loop."""
 
     def __init__(self) -> None:
