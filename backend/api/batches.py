@@ -5,8 +5,6 @@ from typing import Annotated, Literal
 
 from fastapi import Query, Request, Response
 
-from backend.analysis import robustness
-from backend.analysis.models import RobustnessDefaults
 from backend.api import jobs, router
 from backend.api.deps import Client, service
 from backend.api.runs import MEDIA_TYPES
@@ -15,6 +13,7 @@ from backend.http import problems
 from backend.http.answers import IMMUTABLE, Download, cancel_on_disconnect, content_answer, json_answer
 from backend.http.routing import ComputingRoute
 from backend.http.tokens import Caller
+from backend.jobs.sweep import robustness
 from backend.jobs.sweep.models import (
     Batch,
     Batches,
@@ -25,6 +24,7 @@ from backend.jobs.sweep.models import (
     Estimate,
 )
 from backend.jobs.sweep.service import BatchService
+from backend.jobs.sweep.summary_models import RobustnessDefaults
 from sim_core.catalogue import METRICS, NUMBERS, PAPER_METRICS
 
 Service = Annotated[BatchService, service("sweeps")]

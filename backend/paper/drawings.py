@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from backend.analysis.intervals import mean_with_interval
+from backend.intervals import mean_with_interval
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
 from backend.paper.models import PaperFigure

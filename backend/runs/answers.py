@@ -9,11 +9,11 @@ from math import isfinite
 
 import orjson
 
-from backend.analysis.intervals import Interval
-from backend.analysis.roads import Changes, Comparison, Numbers, compare, numbers, paired_changes
 from backend.errors import InvalidError
+from backend.intervals import Interval
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
+from backend.over_roads import Changes, Comparison, Numbers, compare, numbers, paired_changes
 from backend.store import StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario

@@ -9,7 +9,6 @@ from functools import partial
 from cachetools import LRUCache
 
 from backend import digest
-from backend.analysis.roads import seeded
 from backend.compute.shared_computations import SharedComputations
 from backend.compute.workers import Workers
 from backend.cost.estimate import cost_of, estimate
@@ -17,6 +16,7 @@ from backend.errors import CostLimitError, GoneError, InvalidError, RoadGoneErro
 from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile, refused_where_full
 from backend.outcome import Outcome
+from backend.over_roads import seeded
 from backend.roads.service import MeasuredRoads
 from backend.runs import bands, exports, pins
 from backend.runs.result_finder import ResultFinder

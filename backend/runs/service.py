@@ -9,7 +9,6 @@ from typing import Literal
 from sqlalchemy.exc import SQLAlchemyError
 
 from backend import digest
-from backend.analysis.roads import seeded
 from backend.compute.workers import Workers
 from backend.cost.estimate import cost_of
 from backend.errors import (
@@ -24,6 +23,7 @@ from backend.http.spool import Spool, SpoolFile
 from backend.json_types import JsonObject
 from backend.metrics import CACHE
 from backend.outcome import Outcome
+from backend.over_roads import seeded
 from backend.roads.service import MeasuredRoads
 from backend.runs import exports, figures, series
 from backend.runs.answers import (

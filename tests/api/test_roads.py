@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from backend import digest
-from backend.analysis.intervals import change_with_interval, mean_with_interval
+from backend.intervals import change_with_interval, mean_with_interval
 from backend.models import CreatedRun
 from backend.outcome import Outcome
 from backend.runs import bands, histories

@@ -10,7 +10,7 @@ from typing import Any
 import httpx
 import pytest
 
-from backend.analysis.intervals import mean_with_interval
+from backend.intervals import mean_with_interval
 from backend.runs.solve.models import Solution, SolveRequest
 from ridelab import Ridelab, RidelabAPIError
 from tests.api.cli import Cli

@@ -9,10 +9,10 @@ import pytest
 from pydantic import TypeAdapter
 from sqlalchemy.exc import OperationalError
 
-from backend.analysis.measure import Failure
 from backend.errors import BusyError, ConflictError, CostLimitError, WorkersBusyError
 from backend.jobs import job_drivers
 from backend.jobs.tuning import answers, steps
+from backend.jobs.tuning.measure import Failure
 from backend.store import StoredJob
 from tests.api.conftest import Service
 from tests.api.tuning import REQUEST, SCENARIO, begin, get, trials, wait_for

@@ -43,7 +43,7 @@ SOURCES = (
     "backend/__init__.py",
     "backend/digest.py",
     "backend/errors.py",
-    "backend/analysis/intervals.py",
+    "backend/intervals.py",
     "backend/cost",
     "backend/ecu",
     "backend/paper",

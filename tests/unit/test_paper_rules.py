@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from backend.analysis.intervals import change_with_interval, mean_with_interval
+from backend.intervals import change_with_interval, mean_with_interval
 from backend.paper import claims
 from backend.paper.attribution import FACTORS, VARIANTS, shares
 from backend.paper.claims import FIGURES, Verdict, judge, scenario_for, verdict

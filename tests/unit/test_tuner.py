@@ -14,13 +14,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from backend.analysis import comparison, front, robustness
-from backend.analysis.measure import Aims, Failure
-from backend.analysis.objectives import StoredLimit, StoredObjective, UndefinedObjectiveError
 from backend.job_run import JobRow
 from backend.jobs.chunk_cutter import RunningJob
-from backend.jobs.tuning import space
+from backend.jobs.sweep import robustness
+from backend.jobs.tuning import comparison, front, space
+from backend.jobs.tuning.measure import Aims, Failure
 from backend.jobs.tuning.models import TuningRequest
+from backend.jobs.tuning.objectives import StoredLimit, StoredObjective, UndefinedObjectiveError
 from backend.jobs.tuning.search import Search, ask
 from backend.store.trials import StoredTrial
 from sim_core.scenario import Scenario, dotted

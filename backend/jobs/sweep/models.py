@@ -5,9 +5,9 @@ from typing import Annotated, Literal, Self
 
 from pydantic import ConfigDict, Field
 
-from backend.analysis.models import Cell, StrategySummary
 from backend.jobs.models import Label
 from backend.jobs.sweep.points import Sweep
+from backend.jobs.sweep.summary_models import Cell, StrategySummary
 from backend.json_types import JsonObject
 from backend.models import Answer, RequestModel, StrategyName
 from backend.store import StoredJob

@@ -9,11 +9,11 @@ from typing import Any
 
 from cachetools import LRUCache
 
-from backend.analysis import batch_summary, robustness
 from backend.compute.shared_computations import SharedComputations
 from backend.errors import InvalidError
 from backend.gate import Gate
 from backend.job_run import JobRow
+from backend.jobs.sweep import batch_summary, robustness
 from backend.jobs.sweep.models import BatchSummary
 from backend.roads.service import MeasuredRoads
 from backend.store import StoredJob

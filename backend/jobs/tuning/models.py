@@ -5,8 +5,8 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import AfterValidator, BeforeValidator, Field, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
 
-from backend.analysis.objectives import NORMALISED
 from backend.jobs.models import Label
+from backend.jobs.tuning.objectives import NORMALISED
 from backend.jobs.tuning.space import LARGEST, STRATEGIES, default_search, searchable
 from backend.json_types import JsonObject
 from backend.models import MetricName, RequestModel, inconsistent

@@ -3,7 +3,6 @@
 import asyncio
 import math
 
-from backend.analysis.measure import Aims
 from backend.compute.workers import Workers
 from backend.cost.estimate import estimate
 from backend.errors import ConflictError, InvalidError
@@ -12,6 +11,7 @@ from backend.jobs.service import Jobs, request_hash
 from backend.jobs.sweep import plan
 from backend.jobs.sweep.points import Sweep
 from backend.jobs.tuning.answers import Trials, Tuning, TuningEstimate, TuningItem, Tunings
+from backend.jobs.tuning.measure import Aims
 from backend.jobs.tuning.models import TuningRequest
 from backend.jobs.tuning.space import first_weights, longest_run, ranges_of, road
 from backend.jobs.tuning.steps import first_progress

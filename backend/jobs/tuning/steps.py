@@ -15,15 +15,15 @@ from typing import Any, Literal
 
 import orjson
 
-from backend.analysis import comparison, front
-from backend.analysis.measure import Aims, Failure, Measured, RunsByRoad
-from backend.analysis.models import Comparison
-from backend.analysis.objectives import UndefinedObjectiveError
 from backend.errors import ServiceError, TemporaryError
 from backend.job_run import JobRow
 from backend.jobs.job_drivers import JobFailedError
 from backend.jobs.sweep.points import Sweep
 from backend.jobs.sweep.service import BatchService
+from backend.jobs.tuning import comparison, front
+from backend.jobs.tuning.comparison_models import Comparison
+from backend.jobs.tuning.measure import Aims, Failure, Measured, RunsByRoad
+from backend.jobs.tuning.objectives import UndefinedObjectiveError
 from backend.jobs.tuning.space import Weights, first_weights, ranges_of, road, weights_at, weights_of
 from backend.json_types import JsonObject, Summary
 from backend.store import Store, StoredJob

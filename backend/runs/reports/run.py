@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
-from backend.analysis.roads import one_road_resolution
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
+from backend.over_roads import one_road_resolution
 from backend.runs import figures
 from backend.runs.reports import inputs
 from backend.runs.reports.caveats import caveats

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import orjson
 
-from backend.analysis import robustness, summary
 from backend.job_run import JobRow
+from backend.jobs.sweep import robustness, summary
 from backend.jobs.sweep.models import BatchSummary
 from backend.json_types import Summary
 from backend.scenario_at import scenario_at

@@ -7,8 +7,8 @@ from typing import Self
 import numpy as np
 import orjson
 
-from backend.analysis.objectives import StoredLimit, StoredObjective
 from backend.job_run import JobRow
+from backend.jobs.tuning.objectives import StoredLimit, StoredObjective
 from backend.jobs.tuning.space import Weights
 from backend.json_types import JsonObject, Summary
 from backend.store.trials import StoredTrial

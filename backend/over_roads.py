@@ -9,7 +9,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from backend.analysis.intervals import Interval, changes_with_intervals, means_with_intervals
+from backend.intervals import Interval, changes_with_intervals, means_with_intervals
 from sim_core import PredictiveController
 from sim_core.catalogue import PEAK, RMS
 from sim_core.scenario import Scenario

@@ -3,10 +3,10 @@
 import math
 from collections.abc import Mapping, Sequence
 
-from backend.analysis import front
-from backend.analysis.intervals import change_with_interval, mean_with_interval
-from backend.analysis.measure import Aims, Failure, Measured, RunsByRoad, mean
-from backend.analysis.models import ComparedFigure, ComparedPoint, TunedChange, TunedFigures, Verdict
+from backend.intervals import change_with_interval, mean_with_interval
+from backend.jobs.tuning import front
+from backend.jobs.tuning.comparison_models import ComparedFigure, ComparedPoint, TunedChange, TunedFigures, Verdict
+from backend.jobs.tuning.measure import Aims, Failure, Measured, RunsByRoad, mean
 from backend.store.trials import StoredTrial
 
 PAPER, SCENARIO, KNEE = "paper", "scenario", "knee"
