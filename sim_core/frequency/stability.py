@@ -146,8 +146,6 @@ def _unlimited(law: LinearLaw) -> LawArrays:
         preview=np.zeros(0),
         strides=(0, 0),
         sizes=np.zeros((4, _BLOCK)),
-        force_limit=inf,
-        most_change=inf,
-        most_force=inf,
+        force_limits=np.full(3, inf),
         clips=True,
     )

@@ -20,6 +20,21 @@ static double clipped(double value, double limit)
     return value > limit ? limit : value < -limit ? -limit : value;
 }
 
+/* What the actuators are told where a force is wanted after the previous command: no more than `limits` [N] of the
+   force, then of its change, then of the actuators. Returns whether that shapes it. */
+int ridelab_limit_force(const double *limits, const double *wanted, const double *previous, double *command)
+{
+    int shaped = 0;
+    for (int axle = 0; axle < FORCES; axle++) {
+        double force = clipped(wanted[axle], limits[0]), change = force - previous[axle];
+        if (fabs(change) > limits[1])
+            force = previous[axle] + clipped(change, limits[1]);
+        command[axle] = clipped(force, limits[2]);
+        shaped |= !(fabs(command[axle] - wanted[axle]) <= SAME_FORCE);
+    }
+    return shaped;
+}
+
 /* Some sums beside each other: one alone would wait for each addition. */
 static double dot(const double *a, const double *b, int count)
 {
@@ -80,27 +95,23 @@ int ridelab_follow_law(struct car *car, const struct law *law, double *loop, int
     const struct law_numbers *numbers = law->numbers;
     int width = car->size + FORCES;
     for (int step = first; step < last; step++) {
-        double *now = loop + (ptrdiff_t)width * step, *next = now + width, z[INPUTS], command[FORCES];
+        double *now = loop + (ptrdiff_t)width * step, *next = now + width, z[INPUTS];
+        double wanted[FORCES], command[FORCES];
         const double *previous = now + car->size, *preview = law->preview + (ptrdiff_t)numbers->step_stride * step;
-        int shaped = 0, beyond = 0, lost = 0;
+        int beyond = 0, lost = 0;
         memcpy(z, now, STATE * sizeof(double));
         memcpy(z + STATE, previous, FORCES * sizeof(double));
         for (int axle = 0; axle < FORCES; axle++) {
-            double wanted = dot(law->gain + INPUTS * axle, z, INPUTS) +
-                            on_preview(law, law->preview_gain + DISTURBANCES * (int)numbers->horizon * axle, preview);
-            double force = clipped(wanted, numbers->force_limit), change = force - previous[axle];
-            if (fabs(change) > numbers->most_change)
-                force = previous[axle] + clipped(change, numbers->most_change);
-            command[axle] = clipped(force, numbers->most_force);
-            beyond |= !(fabs(wanted) <= numbers->force_limit * WITHIN);
-            lost |= isnan(wanted);
-            shaped |= !(fabs(command[axle] - wanted) <= SAME_FORCE);
+            wanted[axle] = dot(law->gain + INPUTS * axle, z, INPUTS) +
+                           on_preview(law, law->preview_gain + DISTURBANCES * (int)numbers->horizon * axle, preview);
+            beyond |= !(fabs(wanted[axle]) <= numbers->force_limits[0] * WITHIN);
+            lost |= isnan(wanted[axle]);
         }
         if (lost || (beyond && !numbers->clips) || !holds(law, step, z, preview))
             return step;
+        *limited += ridelab_limit_force(numbers->force_limits, wanted, previous, command);
         car->advance(car, step, now, command, next);
         memcpy(next + car->size, command, sizeof command);
-        *limited += shaped;
     }
     return last;
 }

@@ -10,7 +10,7 @@ struct law_numbers {
     double kind_stride, step_stride; /* in `preview`: from one kind of disturbance, one control step, to the next */
     double steps;                    /* of the run */
     double clips;                    /* 1 where a force beyond the limit is clipped, 0 where the law does not decide it */
-    double force_limit, most_change, most_force; /* of the law, of the actuators [N] */
+    double force_limits[3];          /* of the law, of the actuators' change in a step, of the actuators [N] */
 };
 
 /* u = gain [state; previous force] + preview_gain preview, where each of the limits' rows is between -1 and 1. */

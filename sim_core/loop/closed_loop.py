@@ -15,35 +15,11 @@ from sim_core.caching import cached
 from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Seen
 from sim_core.errors import RidelabError
-from sim_core.kernel.prepared import FollowLaw, LawArrays
+from sim_core.kernel.prepared import FollowLaw, LawArrays, limit_force
 from sim_core.loop.preview import Forecast
 from sim_core.speed.stages import Segment
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES
 from sim_core.vehicle.model import LAW_INPUTS, LinearLaw, VehicleModel
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ForceLimits:
-    """Of a run's forces; each may be infinite.
-
-    Attributes:
-        control: Greatest force that the controller may ask for [N].
-        change: Greatest change of the actuators' force in a step [N].
-        actuator: Greatest force of the actuators [N].
-    """
-
-    control: float
-    change: float
-    actuator: float
-
-    def of_actuator(self, wanted: FloatArray, previous: FloatArray) -> FloatArray:
-        """What the actuators are told after the previous command (2,) [N]: or `wanted` itself."""
-        if self.change == self.actuator == np.inf:
-            return wanted
-        change = np.clip(wanted - previous, -self.change, self.change)
-        reached = np.where(change == wanted - previous, wanted, previous + change)
-        command = np.clip(reached, -self.actuator, self.actuator)
-        return wanted if np.array_equal(command, wanted) else command
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -64,10 +40,10 @@ class Trajectory:
 
 
 class ClosedLoop:
-    """One run's loop."""
+    """One run's loop; limits of forces as `limit_force` has them."""
 
     def __init__(
-        self, controller: Controller, car: VehicleModel, inputs: RunInputs, forecast: Forecast, limits: ForceLimits
+        self, controller: Controller, car: VehicleModel, inputs: RunInputs, forecast: Forecast, limits: FloatArray
     ) -> None:
         self._controller = controller
         self._car = car
@@ -99,7 +75,7 @@ class ClosedLoop:
 
     def _arrays(self, law: LinearLaw) -> LawArrays:
         """The law with all that decides where it holds."""
-        forecast, limits = self._forecast, self._limits
+        forecast = self._forecast
         previewed = DISTURBANCES * forecast.windows.shape[2]
         preview_gain = np.zeros((FORCES, previewed)) if law.preview_gain is None else law.preview_gain
         rows = np.zeros((0, LAW_INPUTS + previewed)) if law.limits is None else law.limits
@@ -116,9 +92,7 @@ class ClosedLoop:
             preview=forecast.source,
             strides=(kind, step),
             sizes=forecast.sizes,
-            force_limit=limits.control,
-            most_change=limits.change,
-            most_force=limits.actuator,
+            force_limits=self._limits,
             clips=type(self._controller).force is Controller.force,
         )
 
@@ -127,14 +101,11 @@ class ClosedLoop:
         n = self._car.size
         state, previous = loop[k, :n], loop[k, n:]
         seen = Seen(self._inputs, self._car, k, k, read_only(state), read_only(previous))
-        limited = self._controller.report.limited_steps
-        asked = checked_force(self._controller, self._controller.force(seen), k)
-        wanted = asked.clip(-self._limits.control, self._limits.control)
-        command = self._limits.of_actuator(wanted, previous)
-        loop[k + 1, n:] = command
+        counted = self._controller.report.limited_steps
+        wanted = checked_force(self._controller, self._controller.force(seen), k)
+        limited = limit_force(self._limits, wanted, previous, loop[k + 1, n:])
         self._car.advance(k, loop)
-        by_itself = self._controller.report.limited_steps > limited
-        return by_itself or command is not wanted or asked.tolist() != wanted.tolist()
+        return limited or self._controller.report.limited_steps > counted
 
 
 @cached
@@ -157,7 +128,7 @@ def checked_force(controller: Controller, force: object, step: int) -> FloatArra
         RidelabError: They are not two finite numbers.
     """
     try:
-        asked = np.asarray(force, dtype=np.float64)
+        asked = np.array(force, dtype=np.float64)
     except (TypeError, ValueError):
         asked = np.empty(0)
     if asked.shape != (FORCES,):

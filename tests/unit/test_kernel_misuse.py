@@ -90,7 +90,7 @@ LAW = dict(
     gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 9)),
     limits=np.zeros((4, 19)), scale=np.ones(10), norms=np.zeros((4, 5)),
     preview=np.zeros((3, STEPS + 2)), strides=(STEPS + 2, 1), sizes=np.zeros((4, STEPS)),
-    force_limit=inf, most_change=inf, most_force=inf, clips=True,
+    force_limits=np.full(3, inf), clips=True,
 )
 RUN = dict(first=0, last=STEPS, loop=np.zeros((STEPS + 1, 10)))
 ONE = dict(step=0, state=np.zeros(8), command=np.zeros(2))
@@ -252,9 +252,7 @@ def linear_drive(**changed: Any) -> None:
         preview=np.zeros((3, 8)),
         strides=(8, 1),
         sizes=np.zeros((4, 6)),
-        force_limit=np.inf,
-        most_change=np.inf,
-        most_force=np.inf,
+        force_limits=np.full(3, np.inf),
         clips=True,
     )
     right = {"A": np.eye(8), "B": np.zeros((8, 2)), "forcing": np.zeros((6, 8)), "loop": np.zeros((7, 10))}
