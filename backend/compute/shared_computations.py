@@ -10,7 +10,7 @@ T = TypeVar("T")
 
 
 class SharedComputations(Generic[K, T]):
-    """Computations by key, one perhaps under several keys; its methods belong to the event loop."""
+    """Computations by key, one perhaps under several keys."""
 
     def __init__(self) -> None:
         self._by_key: dict[K, asyncio.Task[T]] = {}

@@ -18,7 +18,7 @@ BUILDING = 1.0  # one controller for its part [s of one core]
 
 
 class Controllers:
-    """The one service of controllers; its methods belong to the event loop."""
+    """The one service of controllers."""
 
     def __init__(self, *, workers: Workers, gate: Gate, roads: MeasuredRoads, max_request_cost: float) -> None:
         self._workers = workers

@@ -19,7 +19,7 @@ _computing: ContextVar[bool] = ContextVar("computing", default=False)  # whether
 
 
 class Gate:
-    """Counts what is open, for each client and in all; its methods belong to the event loop.
+    """Counts what is open, for each client and in all.
 
     What is over a limit raises a TemporaryError: TooManyRequestsError (429) where the client has used its share,
     BusyError (503) where the service as a whole is full.

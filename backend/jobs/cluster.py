@@ -45,7 +45,7 @@ _stopped: deque[str] = deque(maxlen=1000)  # groups stopped lately: chunks of th
 
 
 class Cluster:
-    """Sends chunks to Dask; its methods belong to the event loop."""
+    """Sends chunks to Dask."""
 
     def __init__(self, settings: Settings) -> None:
         self._settings = settings

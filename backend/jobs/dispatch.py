@@ -35,7 +35,7 @@ REASONS: dict[Trouble, str] = {
 
 
 class Dispatch:
-    """Chunks being computed or stored; its methods belong to the event loop.
+    """Chunks being computed or stored.
 
     Args:
         store: Of the service.

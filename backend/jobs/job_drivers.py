@@ -38,7 +38,7 @@ class Stepper(Protocol):
 
 
 class JobDrivers:
-    """A task for each job; its methods belong to the event loop.
+    """A task for each job.
 
     Args:
         store: The database.

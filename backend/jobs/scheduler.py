@@ -45,7 +45,7 @@ STATES: tuple[State, ...] = get_args(State)
 
 
 class Scheduler:
-    """The one scheduler of a service; its methods belong to the event loop.
+    """The one scheduler of a service.
 
     Args:
         store: The database.

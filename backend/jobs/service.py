@@ -22,7 +22,7 @@ PLURALS: Mapping[Kind, str] = {"sweep": "batches", "tuning": "tunings", "reprodu
 
 
 class Jobs:
-    """The service of one kind of job; its methods belong to the event loop."""
+    """The service of one kind of job."""
 
     def __init__(self, kind: Kind, *, store: Store, gate: Gate, settings: Settings) -> None:
         self._kind = kind
@@ -142,7 +142,8 @@ class Jobs:
         """Cancel a job's waiting and running runs; finished ones stay. A job that has ended is returned unchanged.
 
         Raises:
-            NotFoundError, ForbiddenError: As `owned`.
+            NotFoundError: There is none.
+            ForbiddenError: It belongs to another token.
         """
         await self.owned(job_id, owner)
         await self._store.write(self._store.jobs.cancel, job_id)
@@ -158,7 +159,8 @@ class Jobs:
         """Set its label, or (None) remove it.
 
         Raises:
-            NotFoundError, ForbiddenError: As `owned`.
+            NotFoundError: There is none.
+            ForbiddenError: It belongs to another token.
         """
         await self.owned(job_id, owner)
         await self._store.write(self._store.jobs.set_label, job_id, label)
@@ -168,7 +170,8 @@ class Jobs:
         """Delete a job; results that runs and other jobs share stay.
 
         Raises:
-            NotFoundError, ForbiddenError: As `owned`.
+            NotFoundError: There is none.
+            ForbiddenError: It belongs to another token.
             ConflictError: It has not ended, or a link shows it.
         """
         await self.owned(job_id, owner)

@@ -37,7 +37,7 @@ class _SharedRun:
 
 
 class Links:
-    """The one service of links; its methods belong to the event loop."""
+    """The one service of links."""
 
     def __init__(self, *, store: Store, workers: Workers, runs: Runs, gate: Gate, roads: MeasuredRoads) -> None:
         self._runs = runs

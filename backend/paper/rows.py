@@ -43,7 +43,7 @@ class Rows:
 
 
 class PaperRows:
-    """Reads rows, or submits a job that computes them; its methods belong to the event loop."""
+    """Reads rows, or submits a job that computes them."""
 
     def __init__(self, store: Store) -> None:
         self._store = store

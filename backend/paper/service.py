@@ -28,7 +28,7 @@ Requests = Mapping[str, tuple[JobRun, ...]]
 
 
 class Paper:
-    """The one service of the paper page; its methods belong to the event loop."""
+    """The one service of the paper page."""
 
     def __init__(self, *, store: Store, results: ResultFinder, gate: Gate) -> None:
         self._rows = PaperRows(store)

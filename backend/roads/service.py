@@ -22,7 +22,7 @@ POINTER = "/scenario/road/profile"
 
 
 class MeasuredRoads:
-    """The one service of measured roads; its methods belong to the event loop."""
+    """The one service of measured roads."""
 
     def __init__(self, *, store: Store, workers: Workers, gate: Gate) -> None:
         self._store = store

@@ -32,7 +32,7 @@ MIN_CACHED_BAND = 4 * 1024 * 1024  # a shorter one counts as this long, so that 
 
 
 class Histories:
-    """Reads or simulates time histories; its methods belong to the event loop."""
+    """Reads or simulates time histories."""
 
     def __init__(
         self, *, store: Store, workers: Workers, results: ResultFinder, gate: Gate, roads: MeasuredRoads, spool: Spool

@@ -30,7 +30,7 @@ class _Request:
 
 
 class ResultFinder:
-    """Finds or computes results; its methods belong to the event loop."""
+    """Finds or computes results."""
 
     def __init__(
         self, *, store: Store, workers: Workers, memory: ResultCache, gate: Gate, roads: MeasuredRoads

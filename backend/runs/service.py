@@ -50,7 +50,7 @@ logger = logging.getLogger(__name__)
 
 
 class Runs:
-    """The one service of runs; its methods belong to the event loop."""
+    """The one service of runs."""
 
     def __init__(
         self, *, store: Store, workers: Workers, results: ResultFinder, gate: Gate, roads: MeasuredRoads, spool: Spool

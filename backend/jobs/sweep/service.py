@@ -35,7 +35,7 @@ T = TypeVar("T")
 
 
 class BatchService:
-    """The service of batches; its methods belong to the event loop.
+    """The service of batches.
 
     Args:
         store: The database.
@@ -71,8 +71,7 @@ class BatchService:
     async def estimate(self, scenario: Scenario, strategies: Iterable[str], sweep: Sweep, client: str) -> Estimate:
         """The size and the estimated time of that batch.
 
-        Raises:
-            ServiceError: As `create`.
+        It is refused where `create` refuses it.
         """
         names, given = ordered(strategies), scenario
         scenario = await self._roads.with_length(scenario)
@@ -171,7 +170,8 @@ class BatchService:
         """Continue a cancelled batch; one that has not ended is returned unchanged.
 
         Raises:
-            NotFoundError, ForbiddenError: As `Jobs.owned`.
+            NotFoundError: There is none.
+            ForbiddenError: It belongs to another token.
             ConflictError: It is done.
         """
         job = await self.jobs.owned(job_id, owner)

@@ -40,7 +40,7 @@ class CachedSummary:
 
 
 class Summaries:
-    """Computes and caches summaries; its methods belong to the event loop.
+    """Computes and caches summaries.
 
     Args:
         rows: A batch's rows, page by page, by its id.

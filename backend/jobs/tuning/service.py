@@ -23,7 +23,7 @@ from sim_core.scenario import Scenario, dotted
 
 
 class TuningService:
-    """The service of tunings; its methods belong to the event loop."""
+    """The service of tunings."""
 
     def __init__(self, *, store: Store, background: Workers, gate: Gate, settings: Settings) -> None:
         self.jobs = Jobs("tuning", store=store, gate=gate, settings=settings)
@@ -35,8 +35,7 @@ class TuningService:
     async def estimate(self, request: TuningRequest, client: str) -> TuningEstimate:
         """The size and the estimated time of that tuning.
 
-        Raises:
-            ServiceError: As `create`.
+        It is refused where `create` refuses it.
         """
         stored = request.stored()
         runs, whole_cost = self._workload(stored, request.trials)
@@ -105,7 +104,8 @@ class TuningService:
         """Continue a tuning, up to so many trials; one that has not ended is returned unchanged.
 
         Raises:
-            NotFoundError, ForbiddenError: As `Jobs.owned`.
+            NotFoundError: There is none.
+            ForbiddenError: It belongs to another token.
             ConflictError: It has not ended and other trials are asked for, or there is nothing left to do.
             InvalidError: It has more trials already.
             CostLimitError: It would be over a limit.

@@ -43,7 +43,7 @@ Step = Literal["search", "comparison"]
 
 
 class TuningSteps:
-    """Takes the steps; its methods belong to the event loop, Optuna to a thread of its own."""
+    """Takes the steps; Optuna has a thread of its own."""
 
     def __init__(self, store: Store, sweeps: BatchService) -> None:
         self._store = store

@@ -19,7 +19,7 @@ LENGTH = "road.length"
 
 
 class Solver:
-    """Finds the largest value of a field that keeps a limit; its methods belong to the event loop."""
+    """Finds the largest value of a field that keeps a limit."""
 
     def __init__(self, *, runs: Runs, gate: Gate, roads: MeasuredRoads) -> None:
         self._runs = runs
