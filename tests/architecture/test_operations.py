@@ -8,6 +8,7 @@ import pytest
 from prometheus_client.core import Metric
 from pydantic_core import PydanticUndefined
 
+from backend.__main__ import main
 from backend.gate.quotas import explained, quotas
 from backend.metrics import service_registry
 from backend.settings import Settings
@@ -55,6 +56,16 @@ def test_the_proxys_variables_are_documented() -> None:
 
 def test_the_quotas_are_those_that_a_service_prints() -> None:
     assert explained(quotas(Settings())) in TEXT
+
+
+def test_a_service_prints_its_own_quotas(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setenv("RIDELAB_MAX_STREAMS", "7")
+    assert main(["--explain-limits", "--data-dir", str(tmp_path)]) == 0
+    printed = capsys.readouterr().out.strip()
+    assert printed == explained(quotas(Settings(max_streams=7)))
+    assert "| `streams` | 1: a job's events | 16 | 7 |" in printed
 
 
 class Idle:

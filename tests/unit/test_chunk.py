@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from backend.job_run import JobRun
+from backend.job_run import JobRun, PackedRuns
 from backend.jobs.chunk_messages import Chunk
 from backend.jobs.compute_chunk import compute_chunk
 from backend.jobs.sweep.plan import plan
@@ -80,3 +80,10 @@ def test_a_sweeps_errors_survive_the_way_from_a_worker() -> None:
     again = pickle.loads(pickle.dumps(caught.value))  # noqa: S301 - our own
     assert again.errors == caught.value.errors
     assert [path for path, _ in again.errors] == [["grid", "road.bmp"], ["grid", "road.seed", 0]]
+
+
+def test_packed_runs_come_out_as_they_went_in_and_again() -> None:
+    runs = [run._replace(position=position) for position in range(2500) for run in waiting(0.05)]
+    packed = PackedRuns(runs)
+    assert list(packed) == runs
+    assert list(packed) == runs, "a transaction that was rolled back reads them again"
