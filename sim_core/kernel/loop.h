@@ -23,6 +23,7 @@ struct law {
     const double *norms;        /* rows x 5: of a row's parts on what `sizes` measures */
     const double *preview;      /* both road velocities and the deceleration in each coming step */
     const double *sizes;        /* 4 x steps: of the mean deceleration previewed, both velocities, its difference */
+    double *known;              /* 10 + 3 horizon numbers: what the law knows in the present step */
 };
 
 /* What a car's state is at the end of a control step from what it is now, and the command [N]. */

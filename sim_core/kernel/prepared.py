@@ -38,7 +38,7 @@ _ecu_step = Function(
 _prepare_law = Function(
     "prepare_law",
     *(Array(_LAW_NUMBERS), Array(_FORCES, _LAW_INPUTS), _TABLE, _TABLE),
-    *(Array(_LAW_INPUTS), _TABLE, Array(), _TABLE),
+    *(Array(_LAW_INPUTS), _TABLE, Array(), _TABLE, _LINE_OUT),
 )
 _prepare_linear_car = Function("prepare_linear_car", INT, _TABLE, _TABLE, _TABLE)
 _prepare_nonlinear_car = Function(
@@ -167,8 +167,8 @@ class LawArrays:
             min(kind, step) >= 0 and (beyond <= self.preview.size or not horizon), "What is previewed in every step"
         )
         numbers = np.array([rows, horizon, kind, step, steps, self.clips, *self.force_limits], dtype=np.float64)
-        by_row = self.limits, self.scale, self.norms
-        return _prepare_law.prepare(numbers, self.gain, self.preview_gain, *by_row, self.preview, self.sizes)
+        by_row, known = (self.limits, self.scale, self.norms), np.empty(_LAW_INPUTS + _DISTURBANCES * horizon)
+        return _prepare_law.prepare(numbers, self.gain, self.preview_gain, *by_row, self.preview, self.sizes, known)
 
     @property
     def steps(self) -> int:
