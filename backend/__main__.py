@@ -31,6 +31,9 @@ def main(arguments: list[str] | None = None) -> int:
         "--port", type=_port, default=8000, help="port to listen on, 0 for a free one (default %(default)s)"
     )
     parser.add_argument("--data-dir", help="where the database lives (default data, or RIDELAB_DATA_DIR)")
+    parser.add_argument(
+        "--explain-limits", action="store_true", help="print what clients may have open at once, and end"
+    )
     # What `ridelab` asks for; people find it there.
     parser.add_argument("--until-input-ends", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--back-up", type=Path, help=argparse.SUPPRESS)
@@ -42,6 +45,8 @@ def main(arguments: list[str] | None = None) -> int:
         return _drive(options.drive)
     if options.back_up is not None:
         return _back_up(options.data_dir, options.back_up, overwrite=options.force)
+    if options.explain_limits:
+        return _explain_limits()
     if options.until_input_ends:
         threading.Thread(target=_end_with_the_input, daemon=True).start()
 
@@ -97,6 +102,17 @@ def _end_with_the_input() -> None:
     while os.read(0, 4096):
         pass
     os.kill(os.getpid(), signal.SIGTERM)
+
+
+def _explain_limits() -> int:
+    from backend.gate.quotas import explained, quotas
+    from backend.settings import Settings, SettingsError
+
+    try:
+        print(explained(quotas(Settings.from_environment(os.environ))))
+    except SettingsError as error:
+        return _refuse(str(error))
+    return 0
 
 
 def _back_up(data_dir: str | None, file: Path, *, overwrite: bool) -> int:

@@ -11,8 +11,8 @@ from starlette.middleware.gzip import GZipMiddleware
 from backend.api import batches, controller, health, links, login, paper, roads, runs, schema, site, tunings, vehicles
 from backend.compute.workers import RESERVED, Workers
 from backend.ecu.service import Controllers
+from backend.gate import Gate
 from backend.http import openapi, problems
-from backend.http.admission import Admission
 from backend.http.guard import GuardMiddleware
 from backend.http.logins import Logins
 from backend.http.request_log import RequestLogMiddleware
@@ -20,15 +20,15 @@ from backend.http.spool import Spool
 from backend.http.token_middleware import TokenMiddleware
 from backend.http.tokens import Tokens
 from backend.jobs.scheduler import Scheduler
-from backend.jobs.sweep.service import Sweeps
+from backend.jobs.sweep.service import BatchService
 from backend.jobs.tuning.service import TuningService
 from backend.jobs.tuning.steps import TuningSteps
+from backend.links.service import Links
 from backend.metrics import service_registry
 from backend.paper.service import Paper
-from backend.roads.service import Roads
-from backend.runs.links.service import Links
-from backend.runs.memory import Memory
-from backend.runs.results import Results
+from backend.roads.service import MeasuredRoads
+from backend.runs.result_cache import ResultCache
+from backend.runs.result_finder import ResultFinder
 from backend.runs.service import Runs
 from backend.runs.solve.service import Solver
 from backend.settings import Settings
@@ -123,35 +123,33 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     steps: TuningSteps | None = None
     try:
         warming = asyncio.create_task(asyncio.to_thread(schema.warm))  # beside: nobody waits for it
-        admission = _admission(settings)
-        memory = Memory(settings.series_cache_bytes)
-        measured = Roads(store=store, workers=workers, admission=admission)
+        gate = Gate(settings)
+        memory = ResultCache(settings.series_cache_bytes)
+        measured = MeasuredRoads(store=store, workers=workers, gate=gate)
         app.state.roads = measured
-        results = Results(store=store, workers=workers, memory=memory, admission=admission, roads=measured)
-        app.state.admission = admission
-        app.state.metrics = service_registry(workers, admission)
-        spool = Spool(settings.data_dir / "spool", settings.spool_bytes)
+        results = ResultFinder(store=store, workers=workers, memory=memory, gate=gate, roads=measured)
+        app.state.gate = gate
+        app.state.metrics = service_registry(workers, gate)
+        spool = Spool(settings.data_dir / "spool", gate)
         await asyncio.to_thread(spool.clear)
-        app.state.runs = Runs(
-            store=store, workers=workers, results=results, admission=admission, roads=measured, spool=spool
-        )
-        app.state.solver = Solver(runs=app.state.runs, admission=admission, roads=measured)
-        app.state.paper = Paper(store=store, results=results, admission=admission)
+        app.state.runs = Runs(store=store, workers=workers, results=results, gate=gate, roads=measured, spool=spool)
+        app.state.solver = Solver(runs=app.state.runs, gate=gate, roads=measured)
+        app.state.paper = Paper(store=store, results=results, gate=gate)
         app.state.controllers = Controllers(
-            workers=workers, admission=admission, roads=measured, max_request_cost=settings.max_request_cost
+            workers=workers, gate=gate, roads=measured, max_request_cost=settings.max_request_cost
         )
-        app.state.links = Links(store=store, workers=workers, runs=app.state.runs, admission=admission, roads=measured)
-        sweeps = Sweeps(
+        app.state.links = Links(store=store, workers=workers, runs=app.state.runs, gate=gate, roads=measured)
+        sweeps = BatchService(
             store=store,
             workers=workers,
             background=background,
-            admission=admission,
+            gate=gate,
             settings=settings,
             roads=measured,
             spool=spool,
         )
         app.state.sweeps = sweeps
-        app.state.tunings = TuningService(store=store, background=background, admission=admission, settings=settings)
+        app.state.tunings = TuningService(store=store, background=background, gate=gate, settings=settings)
         steps = TuningSteps(store, sweeps)
         scheduler = Scheduler(store=store, settings=settings, background=background, steppers={"tuning": steps})
         scheduler.start()
@@ -165,15 +163,3 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         await workers.close()
         await background.close()
         store.close()
-
-
-def _admission(settings: Settings) -> Admission:
-    return Admission(
-        max_request_cost=settings.max_request_cost,
-        max_queued_cost=settings.max_queued_cost,
-        max_client_requests=settings.max_client_requests,
-        max_wait=settings.max_wait,
-        workers=settings.workers,
-        max_client_streams=settings.max_client_streams,
-        max_streams=settings.max_streams,
-    )

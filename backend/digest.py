@@ -6,7 +6,7 @@ No id begins with a sign, which a command line would take for an option and a sp
 import base64
 import hashlib
 import secrets
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import orjson
@@ -38,10 +38,24 @@ def canonical(value: Any) -> bytes:
 
 def result_key(scenario: Scenario, strategy: str) -> str:
     """Key of one strategy's result: the program that computes it, strategy and the part of the scenario it reads."""
-    return _hash({**_program([strategy]), "strategy": strategy, "part": part_read(scenario, strategy_named(strategy))})
+    return _hash(_depends_on(scenario, strategy))
 
 
-def figures_key(scenario: Scenario, strategy: str) -> str:
+def result_keys(roads: Sequence[Scenario], strategies: Iterable[str]) -> list[dict[str, str]]:
+    """By strategy the `result_key` on each of several roads, which differ in their seed alone."""
+    keys: list[dict[str, str]] = [{} for _ in roads]
+    for strategy in strategies:
+        content = _plain(_depends_on(roads[0], strategy))
+        part = content["part"]
+        holder, name = (part["road"], "seed") if "road" in part else (part, "road.seed")
+        for road, of_road in zip(roads, keys, strict=True):
+            if name in holder:
+                holder[name] = road.road.seed
+            of_road[strategy] = _digest(orjson.dumps(content, option=orjson.OPT_SORT_KEYS))
+    return keys
+
+
+def paper_row_key(scenario: Scenario, strategy: str) -> str:
     """Key of the paper's figures of one strategy's run: it depends on what the result depends on."""
     return _hash({"figures_of": result_key(scenario, strategy)})
 
@@ -79,8 +93,16 @@ def _program(strategies: Iterable[str]) -> JsonObject:
     return {**common, "controllers": {name: each["controller"] for name, each in programs.items()}}
 
 
+def _depends_on(scenario: Scenario, strategy: str) -> JsonObject:
+    return {**_program([strategy]), "strategy": strategy, "part": part_read(scenario, strategy_named(strategy))}
+
+
 def _hash(content: JsonObject) -> str:
-    return base64.urlsafe_b64encode(hashlib.sha256(canonical(content)).digest()).decode().rstrip("=")
+    return _digest(canonical(content))
+
+
+def _digest(content: bytes) -> str:
+    return base64.urlsafe_b64encode(hashlib.sha256(content).digest()).decode().rstrip("=")
 
 
 def _plain(value: Any) -> Any:

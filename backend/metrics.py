@@ -80,12 +80,12 @@ class Loaded(Protocol):
         """Amounts by name."""
 
 
-def service_registry(workers: Loaded, admission: Loaded) -> CollectorRegistry:
+def service_registry(workers: Loaded, gate: Loaded) -> CollectorRegistry:
     """The registry behind `/metrics` of one application: the process's counters, and gauges read on request.
 
     Args:
         workers: Holds `busy` and `idle` processes, and tasks `waiting` for one.
-        admission: Holds `cost` not finished [s of one core], `requests`, `streams` and long `bodies` open, and the
+        gate: Holds `cost` not finished [s of one core], `requests`, `streams` and long `bodies` open, and the
             expected `wait` [s].
     """
     registry = CollectorRegistry()
@@ -99,9 +99,9 @@ def service_registry(workers: Loaded, admission: Loaded) -> CollectorRegistry:
     processes.labels("idle").set_function(lambda: workers.load["idle"])
     gauge("ridelab_worker_queue", "Interactive tasks that wait for a worker", workers, "waiting")
     accepted = "Estimated computing accepted and not finished, of one core"
-    gauge("ridelab_admitted_cost_seconds", accepted, admission, "cost")
-    gauge("ridelab_expected_wait_seconds", "How long a new request would wait", admission, "wait")
-    gauge("ridelab_open_requests", "Computing requests that are open", admission, "requests")
-    gauge("ridelab_open_streams", "Event streams that are open", admission, "streams")
-    gauge("ridelab_open_bodies", "Long request bodies being worked on", admission, "bodies")
+    gauge("ridelab_admitted_cost_seconds", accepted, gate, "cost")
+    gauge("ridelab_expected_wait_seconds", "How long a new request would wait", gate, "wait")
+    gauge("ridelab_open_requests", "Computing requests that are open", gate, "requests")
+    gauge("ridelab_open_streams", "Event streams that are open", gate, "streams")
+    gauge("ridelab_open_bodies", "Long request bodies being worked on", gate, "bodies")
     return registry

@@ -6,11 +6,10 @@ What is answered is built as its model, a large table and what is stored as JSON
 from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInfo, WithJsonSchema, field_validator
-from pydantic.config import JsonDict
 from pydantic_core import PydanticCustomError
 
-from backend.analysis.roads import MAX_ROADS
 from backend.json_types import JsonObject
+from backend.over_roads import MAX_ROADS
 from backend.unknown_names import unknown_name
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, NUMBERS, REFERENCES, SIGNALS, STAGES, WINDOWS
 from sim_core.scenario import Scenario
@@ -64,9 +63,6 @@ MetricName = Annotated[str, AfterValidator(_check_metric), Field(json_schema_ext
 Points = Annotated[int, Field(ge=2, le=MAX_LIVE_POINTS, description="About how many samples; peaks survive.")]
 
 
-_EXAMPLE: JsonDict = {"scenario": {"road": {"bump": {"height": 0.12}}}, "strategies": ["lv", "lqr", "passive"]}
-
-
 def _seeds_exist(roads: int, info: ValidationInfo) -> int:
     scenario = info.data.get("scenario")
     if scenario is not None and roads > 1 and scenario.road.profile is not None:
@@ -93,8 +89,6 @@ class StrategiesRequest(RequestModel):
 class RunRequest(StrategiesRequest):
     """What to run, on how many roads."""
 
-    model_config = ConfigDict(json_schema_extra={"examples": [_EXAMPLE, {**_EXAMPLE, "roads": 10, "baseline": "lqr"}]})
-
     roads: RoadCount = 1
     baseline: StrategyName | None = Field(
         None,
@@ -114,8 +108,6 @@ class RunRequest(StrategiesRequest):
 
 class LiveRequest(StrategiesRequest):
     """A run while somebody drags: nothing is stored, the answer has time histories."""
-
-    model_config = ConfigDict(json_schema_extra={"examples": [_EXAMPLE]})
 
     points: Points = DEFAULT_POINTS
     signals: list[SignalName] | None = Field(None, description="Time and position always come; none is all.")

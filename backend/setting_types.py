@@ -7,6 +7,8 @@ from typing import Annotated
 
 from pydantic import AfterValidator
 
+from backend.token_file import read_tokens
+
 _HOST = re.compile(r"(\*\.)?[a-z0-9_-]+(\.[a-z0-9_-]+)*|[0-9a-f:.]*:[0-9a-f:.]*:[0-9a-f:.]*")  # or an IPv6 address
 _SCHEDULER = re.compile(r"(tcp|tls)://([\w.-]+|\[[0-9a-fA-F:.]+\]):(\d{1,5})")
 
@@ -41,8 +43,6 @@ def _proxies(text: str) -> str:
 
 def _tokens_file(path: Path) -> Path:
     """One that can be used now; the service reads it again when it changes."""
-    from backend.http.tokens import read_tokens  # only where there is one: it needs the web stack
-
     try:
         read_tokens(path)
     except OSError:

@@ -24,7 +24,7 @@ CLIENT_VARIABLES = {"RIDELAB_SERVER", "RIDELAB_TOKEN"}  # of the command line; a
 MEBIBYTE = 1024 * 1024
 _INSTALLED = Path(__file__).parent / "page"
 # The built frontend, in the installed distribution or in a checkout.
-PAGE = _INSTALLED if _INSTALLED.is_dir() else _INSTALLED.parents[1] / "frontend" / "dist"
+BUILT_PAGE = _INSTALLED if _INSTALLED.is_dir() else _INSTALLED.parents[1] / "frontend" / "dist"
 
 
 class SettingsError(ValueError):
@@ -46,7 +46,7 @@ class Settings(BaseModel):
     database_password_file: Path | None = Field(
         None, description="File with the database's password, so that the URL needs none."
     )
-    frontend_dir: DirectoryPath = Field(PAGE, description="The built frontend and the API page's assets.")
+    frontend_dir: DirectoryPath = Field(BUILT_PAGE, description="The built frontend and the API page's assets.")
     workers: int = Field(default_factory=_default_workers, ge=1, le=64, description="Warm worker processes.")
     run_timeout: float = Field(90, gt=0, le=3600, description="One worker task may take this long [s].")
     max_request_cost: float = Field(30, gt=0, description="Greatest estimated cost of one request [s of one core].")

@@ -18,6 +18,7 @@ from benchmarks.timing import table
 QUIET = {"RIDELAB_LOG_LEVEL": "warning"}  # the figures are what is printed
 TOGETHER = ["lv", "lqr", "passive"]
 REPEATS = 15
+STORED = 300  # the system counts hundredths of a second
 
 
 @contextmanager
@@ -81,7 +82,25 @@ def run() -> None:
             taken, answer = timed(client, "POST", "/api/v1/live", json=body)
             live.append((taken, _compute_ms(answer)))
         rows.append(["POST /live, another height", *_medians(live)])
+        processor = [
+            ["POST /runs, stored", _processor_ms(client, "POST", "/api/v1/runs", json=_request(1))],
+            ["GET /runs/{id}", _processor_ms(client, "GET", f"/api/v1/runs/{run_id}")],
+        ]
     table("The service: lv + lqr + passive, medians", ["", "ms", "computing, ms", "on top, ms"], rows)
+    table("The service's own processor time of a stored answer", ["", "ms"], processor)
+
+
+def _processor_ms(client: httpx.Client, method: str, path: str, **options: Any) -> float:
+    """Processor time that the service takes for such a request, its workers apart [ms]."""
+    begin = _processor_seconds(client)
+    for _ in range(STORED):
+        timed(client, method, path, **options)
+    return 1000 * (_processor_seconds(client) - begin) / STORED
+
+
+def _processor_seconds(client: httpx.Client) -> float:
+    lines = client.get("/metrics").text.splitlines()
+    return float(next(line.split()[1] for line in lines if line.startswith("process_cpu_seconds_total")))
 
 
 def _request(seed: int) -> dict[str, Any]:

@@ -14,8 +14,8 @@ import httpx
 import psutil
 
 from backend.jobs.cluster import NICE
-from backend.jobs.sweep.plan import scenario_at
-from backend.jobs.sweep.sweeps import Sweep, points
+from backend.jobs.sweep.points import Sweep, points
+from backend.scenario_at import scenario_at
 from benchmarks.api_latency import TOGETHER, server, timed
 from benchmarks.timing import table
 from sim_core.scenario import Scenario

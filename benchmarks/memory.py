@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from backend.compute.workers import Workers
-from backend.runs.work import run
+from backend.runs.compute_run import compute_run
 from benchmarks.cost import drawn
 from benchmarks.timing import table
 from sim_core.scenario import Scenario
@@ -52,7 +52,7 @@ async def measure() -> None:
         for label, cases in (("different runs", plain()), ("random scenarios", mixed())):
             most, count, before = 0.0, 0, len(pids)
             for scenario, strategies in cases:
-                await workers.call(run, scenario, strategies, POINTS)
+                await workers.call(compute_run, scenario, {name: name for name in strategies}, POINTS)
                 count += len(strategies)
                 if count % 30 == 0:
                     pid = await _pid(workers)

@@ -12,7 +12,7 @@ import pyarrow as pa
 from pyarrow import parquet
 
 from backend.runs import pins
-from backend.runs.series import ROWS, SeriesArray, Stages, pack
+from backend.runs.series import ROWS, SamplingHints, SeriesArray, pack
 from benchmarks.timing import table
 from sim_core.scenario import Scenario
 from sim_core.scenario.presets import preset
@@ -62,7 +62,7 @@ def _against_computing(paper: Scenario) -> None:
     """What a reader of a link waits for in the worker: 2000 points of every strategy, pinned or computed again."""
     files = pins.make(paper, list(STRATEGIES))
     stages = {
-        name: Stages.of((span.stage, span.start_time, span.end_time) for span in simulate(paper, name).stages)
+        name: SamplingHints.of((span.stage, span.start_time, span.end_time) for span in simulate(paper, name).stages)
         for name in STRATEGIES
     }
     opened = _median_ms(lambda: pins.opened(files, stages, 2000))

@@ -14,9 +14,8 @@ from typing import Any
 
 import optuna
 
-from backend.analysis import front
-from backend.analysis.objectives import StoredObjective
-from backend.jobs.tuning import space
+from backend.jobs.tuning import front, space
+from backend.jobs.tuning.objectives import StoredObjective
 from backend.store.trials import StoredTrial
 from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate

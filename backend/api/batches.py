@@ -5,16 +5,15 @@ from typing import Annotated, Literal
 
 from fastapi import Query, Request, Response
 
-from backend.analysis import robustness
-from backend.analysis.models import RobustnessDefaults
 from backend.api import jobs, router
-from backend.api.deps import Client, part_of_application
+from backend.api.deps import Client, service
 from backend.api.runs import MEDIA_TYPES
 from backend.errors import InvalidError
 from backend.http import problems
 from backend.http.answers import IMMUTABLE, Download, cancel_on_disconnect, content_answer, json_answer
 from backend.http.routing import ComputingRoute
 from backend.http.tokens import Caller
+from backend.jobs.sweep import robustness
 from backend.jobs.sweep.models import (
     Batch,
     Batches,
@@ -24,13 +23,14 @@ from backend.jobs.sweep.models import (
     BatchTable,
     Estimate,
 )
-from backend.jobs.sweep.service import Sweeps
+from backend.jobs.sweep.service import BatchService
+from backend.jobs.sweep.summary_models import RobustnessDefaults
 from sim_core.catalogue import METRICS, NUMBERS, PAPER_METRICS
 
-BatchService = Annotated[Sweeps, part_of_application("sweeps")]
+Service = Annotated[BatchService, service("sweeps")]
 
 api = jobs.JobApi(
-    service=part_of_application("sweeps"),
+    service=service("sweeps"),
     name="batch",
     plural="batches",
     model=Batch,
@@ -53,7 +53,7 @@ batches, naming = api.routers()
 async def create_batch(
     body: BatchRequest,
     request: Request,
-    service: BatchService,
+    service: Service,
     client: Client,
     owner: Caller,
     idempotency_key: jobs.IdempotencyKey = None,
@@ -75,7 +75,7 @@ async def create_batch(
     response_model=Batch,
     responses={**jobs.OWNERS, 409: problems.ANSWER},
 )
-async def resume_batch(job_id: jobs.JobId, service: BatchService, owner: Caller) -> Response:
+async def resume_batch(job_id: jobs.JobId, service: Service, owner: Caller) -> Response:
     """A cancelled one goes on where it stopped; one under way is answered as it is. With tokens only its owner may."""
     return json_answer(await service.answer(await service.resume(job_id, owner)))
 
@@ -88,7 +88,7 @@ async def resume_batch(job_id: jobs.JobId, service: BatchService, owner: Caller)
 )
 async def get_batch_results(
     job_id: jobs.JobId,
-    service: BatchService,
+    service: Service,
     client: Client,
     file_format: Annotated[Literal["json", "csv", "parquet"], Query(alias="format", description="Of it")] = "json",
 ) -> Response:
@@ -103,7 +103,7 @@ async def get_batch_results(
 @reading.get("/batches/{id}/table", operation_id="getBatchTable", response_model=BatchTable)
 async def get_batch_table(
     job_id: jobs.JobId,
-    service: BatchService,
+    service: Service,
     client: Client,
     figures: Annotated[str, Query(description=f"Keys with commas, such as {PAPER_METRICS[4]}")] = "",
 ) -> Response:
@@ -120,7 +120,7 @@ async def get_batch_table(
 async def get_batch_summary(
     job_id: jobs.JobId,
     request: Request,
-    service: BatchService,
+    service: Service,
     client: Client,
     figures: Annotated[
         str, Query(description="Keys with commas; without any the paper's eight, travel exceeded and airborne")

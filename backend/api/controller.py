@@ -5,7 +5,7 @@ from typing import Annotated
 from fastapi import Response
 
 from backend.api import router
-from backend.api.deps import Client, part_of_application
+from backend.api.deps import Client, service
 from backend.ecu import models
 from backend.ecu.export import FOLDER
 from backend.ecu.service import Controllers
@@ -15,7 +15,7 @@ from backend.http.routing import ScenarioRoute
 controller = router("controller", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
 
 
-ControllersService = Annotated[Controllers, part_of_application("controllers")]
+ControllersService = Annotated[Controllers, service("controllers")]
 
 
 @controller.post(

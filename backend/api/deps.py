@@ -6,13 +6,13 @@ from fastapi import Depends, Request, Response
 from fastapi.responses import HTMLResponse
 
 from backend.http.routing import client_of
-from backend.runs.links.service import Links
+from backend.links.service import Links
 from backend.runs.reports.page import Report
 from backend.runs.service import Runs
 from backend.runs.solve.service import Solver
 
 
-def part_of_application(name: str) -> Any:
+def service(name: str) -> Any:
     """The dependency that gives a route this part of the application."""
 
     async def part(request: Request) -> Any:
@@ -25,9 +25,9 @@ async def _client(request: Request) -> str:
     return client_of(request)
 
 
-RunsService = Annotated[Runs, part_of_application("runs")]
-SolverService = Annotated[Solver, part_of_application("solver")]
-LinksService = Annotated[Links, part_of_application("links")]
+RunsService = Annotated[Runs, service("runs")]
+SolverService = Annotated[Solver, service("solver")]
+LinksService = Annotated[Links, service("links")]
 Client = Annotated[str, Depends(_client)]
 
 

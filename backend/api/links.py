@@ -11,7 +11,7 @@ from backend.api import router
 from backend.api.deps import Client, LinksService
 from backend.http.answers import answer_unless_cached, json_answer
 from backend.http.routing import ComputingRoute
-from backend.runs.links import models as models_links
+from backend.links import models as models_links
 
 links = router("links", 404, 410, 422, 429, 503)
 sharing = router("links", 400, 410, 413, 415, 422, 429, 503, route_class=ComputingRoute)
@@ -37,10 +37,8 @@ async def create_link(body: models_links.LinkRequest, service: LinksService, cli
 )
 async def get_link(slug: Slug, request: Request, service: LinksService, client: Client) -> Response:
     """What a link opens: results as they were computed, the scenario as today's schema has it, the view."""
-    link = await service.get(slug, client)
-    view = link.view.model_dump(exclude_unset=True, warnings=False)  # as it was sent
-    content = {**link.model_dump(exclude={"view"}), "view": view}
+    content = orjson.dumps(await service.get(slug, client))
     # Of the content: what is shared never changes, but the service's own version and a batch's progress do.
-    digest = hashlib.sha256(orjson.dumps(content)).digest()[:16]
+    digest = hashlib.sha256(content).digest()[:16]
     tag = f'W/"{base64.urlsafe_b64encode(digest).decode().rstrip("=")}"'  # weak: the body may be compressed
     return answer_unless_cached(request, tag, content, "no-cache")

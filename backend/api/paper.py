@@ -6,7 +6,7 @@ from fastapi import Query, Request, Response
 from fastapi.responses import HTMLResponse
 
 from backend.api import router
-from backend.api.deps import Client, html_answer, part_of_application
+from backend.api.deps import Client, html_answer, service
 from backend.http.answers import cancel_on_disconnect, json_answer, takes_gzip
 from backend.paper import models, queries
 from backend.paper.service import Paper
@@ -14,10 +14,10 @@ from backend.paper.service import Paper
 paper = router("paper", 422, 429, 503)
 
 
-PaperService = Annotated[Paper, part_of_application("paper")]
+PaperService = Annotated[Paper, service("paper")]
 ForPage: Any = Annotated[queries.PaperQuery, Query()]
 ForReport: Any = Annotated[queries.ReportQuery, Query()]
-Roads = Annotated[queries.RoadsQuery, Query()]
+OverRoads = Annotated[queries.RoadsQuery, Query()]
 
 
 @paper.get("/paper", operation_id="getPaper", response_model=models.PaperAnswer)
@@ -28,19 +28,19 @@ async def get_paper(query: ForPage, request: Request, service: PaperService, cli
 
 
 @paper.get("/paper/readings", operation_id="getPaperReadings", response_model=models.ReadingsAnswer)
-async def get_readings(query: Roads, request: Request, service: PaperService, client: Client) -> Response:
+async def get_readings(query: OverRoads, request: Request, service: PaperService, client: Client) -> Response:
     """What each reading does to the verdicts by itself; ask again while it is not complete."""
     return json_answer(await cancel_on_disconnect(request, service.readings(query.roads, client)))
 
 
 @paper.get("/paper/attribution", operation_id="getPaperAttribution", response_model=models.AttributionAnswer)
-async def get_attribution(query: Roads, request: Request, service: PaperService, client: Client) -> Response:
+async def get_attribution(query: OverRoads, request: Request, service: PaperService, client: Client) -> Response:
     """Preview, weights and speed varied one at a time, and how much of LV's gain each is."""
     return json_answer(await cancel_on_disconnect(request, service.attribution(query.roads, client)))
 
 
 @paper.get("/paper/figures", operation_id="getPaperFigures", response_model=models.PaperFigures)
-async def get_figures(query: Roads, request: Request, service: PaperService, client: Client) -> Response:
+async def get_figures(query: OverRoads, request: Request, service: PaperService, client: Client) -> Response:
     """Figures 3-6, 8, 10-17 and 19-22 from our own runs."""
     return json_answer(await cancel_on_disconnect(request, service.figures(query.roads, client)))
 

@@ -5,19 +5,19 @@ from typing import Annotated, Literal
 from fastapi import Path, Query, Request, Response
 
 from backend.api import API, router
-from backend.api.deps import Client, part_of_application
+from backend.api.deps import Client, service
 from backend.http.answers import IMMUTABLE
 from backend.http.routing import ComputingRoute, CsvRoute
 from backend.models import MAX_POINTS
 from backend.roads.models import CreatedRoad, RoadAnswer
-from backend.roads.service import Roads
+from backend.roads.service import MeasuredRoads
 
 surveying = router("roads", 408, 413, 415, 429, 503, route_class=CsvRoute)
 roads = router("roads", 404, 429, 503, route_class=ComputingRoute)
 EXAMPLE = "distance [m],height [mm]\n0,0\n5,12\n10,3\n"
 
 
-RoadsService = Annotated[Roads, part_of_application("roads")]
+RoadsService = Annotated[MeasuredRoads, service("roads")]
 
 
 @surveying.post(

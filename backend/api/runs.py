@@ -21,7 +21,7 @@ from backend.http.answers import (
 from backend.http.routing import ComputingRoute, ScenarioRoute
 from backend.json_types import JsonObject
 from backend.runs.figures import PANELS
-from backend.runs.roads_models import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
+from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
 from backend.runs.solve.models import Solution, SolveRequest
 from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES

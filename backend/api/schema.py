@@ -8,10 +8,10 @@ import orjson
 from fastapi import Response
 from pydantic import BaseModel, Field
 
-from backend.analysis.roads import one_road_resolution
 from backend.api import router
 from backend.json_types import JsonObject
 from backend.models import Answer, Figures
+from backend.over_roads import one_road_resolution
 from backend.runs import figures
 from sim_core import catalogue
 from sim_core.scenario import SCHEMA_VERSION, Scenario

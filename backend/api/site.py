@@ -18,8 +18,8 @@ from backend.api.deps import LinksService
 from backend.http.answers import IMMUTABLE
 from backend.http.problems import RequestError, problem
 from backend.http.tokens import Caller
-from backend.runs.links import preview
-from backend.runs.links.preview import Preview
+from backend.links import preview
+from backend.links.preview import Preview
 
 DOCS_PAGE = """<!doctype html>
 <html lang="en">

@@ -5,7 +5,7 @@ from typing import Annotated
 from fastapi import Query, Response
 
 from backend.api import jobs, router
-from backend.api.deps import Client, part_of_application
+from backend.api.deps import Client, service
 from backend.http import problems
 from backend.http.answers import json_answer
 from backend.http.routing import ScenarioRoute
@@ -14,10 +14,10 @@ from backend.jobs.tuning.answers import Trials, Tuning, TuningEstimate, Tunings
 from backend.jobs.tuning.models import MOST_TRIALS, TuningRequest
 from backend.jobs.tuning.service import TuningService
 
-Service = Annotated[TuningService, part_of_application("tunings")]
+Service = Annotated[TuningService, service("tunings")]
 
 api = jobs.JobApi(
-    service=part_of_application("tunings"),
+    service=service("tunings"),
     name="tuning",
     plural="tunings",
     model=Tuning,

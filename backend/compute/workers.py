@@ -22,7 +22,7 @@ from backend.metrics import WORKER_FAILURES
 logger = logging.getLogger(__name__)
 
 T = TypeVar("T")
-PATIENCE = 60.0  # for a free worker [s]
+WAIT_FOR_PROCESS = 60.0  # for a free worker [s]
 ATTEMPTS = 2
 INTERRUPTED = 2.0  # a task that is interrupted may still take; then its worker is ended [s]
 RESERVED = 1  # of the interactive processes for short runs, beside those that are set
@@ -185,7 +185,7 @@ class Workers:
         turn = self._turns[task] = asyncio.get_running_loop().create_future()
         self._dispatch()
         try:
-            async with asyncio.timeout(PATIENCE):
+            async with asyncio.timeout(WAIT_FOR_PROCESS):
                 return task, await turn
         except BaseException as error:
             if turn.done() and not turn.cancelled():  # its turn came just then

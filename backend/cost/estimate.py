@@ -4,7 +4,7 @@ Seconds are those of one core of the machine on which `python -m benchmarks.cost
 count its work and not its time, so that whether it is too expensive depends on the scenario alone, and on no fit.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from math import sqrt
 
 from backend.cost.binding_limits import LimitShares, expected_limits
@@ -85,6 +85,11 @@ def estimate(scenario: Scenario, name: str) -> float:
     time = expected_time(scenario, strategy)
     counts = work(scenario, strategy, time, expected_limits(scenario, strategy, time))
     return sum(SECONDS[unit] * count for unit, count in counts.items())
+
+
+def cost_of(scenario: Scenario, strategies: Iterable[str]) -> float:
+    """Expected cost of these strategies [s of one core]."""
+    return sum(estimate(scenario, strategy) for strategy in strategies)
 
 
 def check_affordable(scenario: Scenario, name: str) -> None:

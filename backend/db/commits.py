@@ -9,7 +9,7 @@ EVERY = ""  # in place of a job's id
 
 
 class Follower:
-    """Learns that what it follows was changed; its methods belong to the event loop it was made in."""
+    """Learns that what it follows was changed, in the event loop it was made in."""
 
     def __init__(self) -> None:
         self._loop = asyncio.get_running_loop()

@@ -18,7 +18,7 @@ from sim_core.ecu.sources import CONTROLLER, SOURCES
 
 # C99, every number a float32 rounded after each operation: all compilers then give the same bits.
 FLAGS = ("-std=c99", "-O2", "-ffp-contract=off", "-DRIDELAB_COUNTED")
-PATIENCE = 80.0  # for the compiler; the first time ziglang builds its own runtime [s]
+COMPILER_TIMEOUT = 80.0  # for the compiler; the first time ziglang builds its own runtime [s]
 MOST_CACHED = 120_000_000  # what the compiler keeps; its runtime takes 50 MB, each controller about one [bytes]
 FOLDER = "RIDELAB_ECU_DIR"
 REMEDY = "make compiler"  # installs the package ziglang, a C compiler that builds for the control unit too
@@ -140,7 +140,7 @@ def compiled(command: Sequence[str], cache: Path) -> str | None:
     environment = os.environ | {"ZIG_GLOBAL_CACHE_DIR": str(cache), "ZIG_LOCAL_CACHE_DIR": str(cache)}
     try:
         run = subprocess.run(  # noqa: S603  # our own command, no shell
-            command, env=environment, capture_output=True, text=True, timeout=PATIENCE, check=False
+            command, env=environment, capture_output=True, text=True, timeout=COMPILER_TIMEOUT, check=False
         )
     except subprocess.TimeoutExpired:
         return "the compiler took too long"

@@ -27,7 +27,7 @@ GREETING = b"RIDELAB1"
 TOKEN = 32
 START = 15.0  # the process has so long to connect, on a busy machine [s]
 ANSWER = 10.0  # and so long for an answer in lock-step [s]
-LOOK = 0.2  # between two looks whether it still lives [s]
+ALIVE_POLL_INTERVAL = 0.2  # between two looks whether it still lives [s]
 GREETED = 1.0  # whoever connects has so long to name the token [s]
 END = 3.0  # and so long to end by itself [s]
 _GONE = "The ECU's program ended in the middle of the drive"
@@ -153,7 +153,7 @@ def _greeted(
     with suppress(BrokenPipeError), process.stdin:  # a program that ended already is noticed below
         process.stdin.write(token + content)
     end = time.monotonic() + START
-    listener.settimeout(LOOK)
+    listener.settimeout(ALIVE_POLL_INTERVAL)
     while time.monotonic() < end:
         try:
             connection, _ = listener.accept()

@@ -2,7 +2,7 @@
 
 from typing import Literal
 
-from pydantic import ConfigDict, Field
+from pydantic import Field
 
 from backend.models import Answer, RequestModel
 from sim_core.scenario import Scenario
@@ -10,8 +10,6 @@ from sim_core.scenario import Scenario
 
 class ControllerRequest(RequestModel):
     """Whose controller; an omitted part of the scenario takes the paper's default."""
-
-    model_config = ConfigDict(json_schema_extra={"examples": [{"scenario": {"mpc": {"prediction_horizon": 20}}}]})
 
     scenario: Scenario = Scenario()
 

@@ -8,9 +8,8 @@ from backend.cost.estimate import duration, estimate
 from backend.ecu import export, realtime, report
 from backend.ecu.models import ControllerReport, RealtimeReport
 from backend.errors import CostLimitError
-from backend.http.admission import Admission
-from backend.http.limits import ConcurrencyLimit
-from backend.roads.service import Roads
+from backend.gate import Gate
+from backend.roads.service import MeasuredRoads
 from sim_core.scenario import Scenario
 
 T = TypeVar("T")
@@ -19,17 +18,15 @@ BUILDING = 1.0  # one controller for its part [s of one core]
 
 
 class Controllers:
-    """The one service of controllers; its methods belong to the event loop."""
+    """The one service of controllers."""
 
-    def __init__(self, *, workers: Workers, admission: Admission, roads: Roads, max_request_cost: float) -> None:
+    def __init__(self, *, workers: Workers, gate: Gate, roads: MeasuredRoads, max_request_cost: float) -> None:
         self._workers = workers
-        self._admission = admission
+        self._gate = gate
         self._roads = roads
         self._longest = min(
             realtime.LONGEST, 2 * max_request_cost
         )  # a drive by the clock holds a worker and mostly waits [s]
-        # One at a time: a drive by the clock wants a core to itself, and a report builds and drives many programs.
-        self._long = ConcurrencyLimit(what="controller reports or real-time drives", per_client=1, total=1)
 
     async def archive(self, scenario: Scenario, client: str) -> bytes:
         """A zip of C sources.
@@ -40,8 +37,8 @@ class Controllers:
         """
         scenario = await self._roads.with_length(scenario)
         cost = estimate(scenario, STRATEGY)
-        self._admission.check_cost(cost)
-        with self._admission.computing(client, cost):
+        self._gate.check_cost(cost)
+        with self._gate.computing(client, cost):
             return await self._workers.call(export.archive, scenario, client=client, cost=cost)
 
     async def report(self, scenario: Scenario, client: str) -> ControllerReport:
@@ -73,6 +70,6 @@ class Controllers:
         self, function: Callable[[Scenario], T], scenario: Scenario, client: str, cost: float, lasts: float
     ) -> T:
         """Run it in a worker, for about so many seconds of which it computes `cost`."""
-        self._admission.check_cost(cost)
-        with self._long.acquired(client), self._admission.computing(client, cost):
+        self._gate.check_cost(cost)
+        with self._gate.computing(client, cost, controller=1):
             return await self._workers.call(function, scenario, client=client, cost=lasts)

@@ -20,10 +20,11 @@ IMMUTABLE = "public, max-age=31536000, immutable"
 
 
 def json_answer(content: Any, headers: dict[str, str] | None = None, *, status: int = 200) -> Response:
-    """JSON as orjson writes it; the route's `response_model` declares its shape."""
+    """JSON as orjson writes it, or has written it; the route's `response_model` declares its shape."""
     if isinstance(content, BaseModel):
         content = content.model_dump(by_alias=True)
-    return Response(orjson.dumps(content), status, headers, media_type="application/json")
+    body = content if isinstance(content, bytes) else orjson.dumps(content)
+    return Response(body, status, headers, media_type="application/json")
 
 
 class Download(StreamingResponse):

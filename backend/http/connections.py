@@ -4,7 +4,7 @@ from collections.abc import Callable
 from enum import Enum, auto
 from typing import Protocol
 
-from backend.http.limits import client_key
+from backend.http.client_key import client_key
 
 HEALTH_CONNECTIONS = 16  # beyond all others, for health checks
 PROXIES, HEALTH = "proxies", "health"  # groups beside those of clients

@@ -9,7 +9,7 @@ TYPES = "urn:problem-type:ridelab:"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Kind:
+class ProblemKind:
     """One kind of problem (RFC 9457).
 
     Attributes:
@@ -25,8 +25,8 @@ class Kind:
     meaning: str
 
 
-def _kind(name: str, statuses: int | tuple[int, ...], title: str, meaning: str) -> Kind:
-    return Kind(
+def _kind(name: str, statuses: int | tuple[int, ...], title: str, meaning: str) -> ProblemKind:
+    return ProblemKind(
         name=name, statuses=statuses if isinstance(statuses, tuple) else (statuses,), title=title, meaning=meaning
     )
 

@@ -17,7 +17,7 @@ from starlette.datastructures import QueryParams
 from backend.errors import InvalidError
 from backend.http import strict_json
 from backend.http.answers import cancel_on_disconnect
-from backend.http.limits import client_key
+from backend.http.client_key import client_key
 from backend.http.problems import MOST_ERRORS, RequestError
 from backend.http.tokens import CALLER
 from backend.plain_text import MESSAGE, is_plain
@@ -57,7 +57,7 @@ async def _read_body(request: Request, held: ExitStack, longest: int) -> bytes:
             raise RequestError("too-long", f"The body may have {longest} bytes.")
         if length > BULKY and not bulky:
             bulky = True
-            held.enter_context(request.app.state.admission.receiving(client_of(request)))
+            held.enter_context(request.app.state.gate.hold(client_of(request), bodies=1))
 
     announced = request.headers.get("content-length", "")
     expect(int(announced[:12]) if announced.isdecimal() else 0)
@@ -107,7 +107,7 @@ class StrictRoute(APIRoute):
 
         async def strict(request: Request) -> Response:
             if self.COMPUTES and takes_body:
-                request.app.state.admission.check_admission(client_of(request))
+                request.app.state.gate.check_admission(client_of(request))
             if not all(map(is_plain, request.path_params.values())):
                 raise RequestError("not-found")  # there is nothing of such an id, and a database may fail on it
             _check_parameters(request.query_params, parameters)
@@ -120,7 +120,7 @@ class StrictRoute(APIRoute):
                 longest = request.app.state.settings.max_body_bytes
                 body = await _read_body(request, held, longest) if takes_body else b""
                 if self.COMPUTES:
-                    held.enter_context(request.app.state.admission.admitted(client_of(request)))
+                    held.enter_context(request.app.state.gate.admitted(client_of(request)))
                 if takes_body:  # what the framework would read itself, and call any error a malformed body
                     request._body = body
                 if body:

@@ -19,9 +19,9 @@ import uvicorn
 from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
+from backend.http.client_key import client_key
 from backend.http.connections import Connections, Decision
 from backend.http.guard import CLOSE, HEADERS, HEALTH_ONLY
-from backend.http.limits import client_key
 from backend.http.lingering import LingeringTransport
 from backend.http.problems import RETRY_SOON, problem
 from backend.http.request_log import HEADER

@@ -15,12 +15,11 @@ from tempfile import NamedTemporaryFile
 from typing import IO, cast
 
 from backend.errors import BusyError, CostLimitError
-from backend.http.limits import ConcurrencyLimit, FairLimit
+from backend.gate import Gate
 
 MAX_IN_MEMORY = 4 * 1024 * 1024  # an answer that is expected to be longer is written into a file [bytes]
 CHUNK = 256 * 1024  # read and sent at once [bytes]
 LARGEST_SHARE = 1 / 4  # of the whole space, for one file
-MAX_FILES_PER_CLIENT, MAX_FILES = 48, 128
 LEAST_FREE = 256 * 1024 * 1024  # left on the disk for the database [bytes]
 
 FEWER = "ask for fewer strategies, signals, points or columns"
@@ -56,14 +55,13 @@ class Spool:
 
     Args:
         folder: Where they lie; made when there is one.
-        limit: About how much there may be in all [bytes]; clients share it fairly.
+        gate: Has quotas of how many and about how much there may be.
     """
 
-    def __init__(self, folder: Path, limit: int) -> None:
+    def __init__(self, folder: Path, gate: Gate) -> None:
         self._folder = folder
-        self._longest = limit * LARGEST_SHARE
-        self._bytes = FairLimit(what="space for long answers", total=limit)
-        self._files = ConcurrencyLimit(what="long answers", per_client=MAX_FILES_PER_CLIENT, total=MAX_FILES)
+        self._gate = gate
+        self._longest = gate.quotas["long_answer_bytes"].total * LARGEST_SHARE
         self._expected: dict[int, float] = {}  # by descriptor of an open file how long it will be [bytes]
 
     def clear(self) -> None:
@@ -123,8 +121,7 @@ class Spool:
                 f"{advice}."
             )
         with ExitStack() as held, refused_where_full():
-            held.enter_context(self._files.acquired(client))
-            held.enter_context(self._bytes.acquired(client, size))
+            held.enter_context(self._gate.hold(client, long_answers=1, long_answer_bytes=size))
             self._folder.mkdir(mode=0o700, parents=True, exist_ok=True)
             if shutil.disk_usage(self._folder).free < size + self._unwritten() + LEAST_FREE:
                 raise OSError(errno.ENOSPC, "less is free than the files will need")

@@ -22,8 +22,8 @@ from tornado.httpserver import HTTPServer
 
 from backend.compute.workers import Workers
 from backend.errors import WorkerLostError, WorkersBusyError, WorkerTimeoutError
-from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError
-from backend.jobs.work import run_chunk
+from backend.jobs.chunk_messages import Chunk, ChunkOutcome, ClusterLostError
+from backend.jobs.compute_chunk import compute_chunk
 from backend.settings import Settings
 from sim_core import __version__ as CORE_VERSION
 
@@ -45,7 +45,7 @@ _stopped: deque[str] = deque(maxlen=1000)  # groups stopped lately: chunks of th
 
 
 class Cluster:
-    """Sends chunks to Dask; its methods belong to the event loop."""
+    """Sends chunks to Dask."""
 
     def __init__(self, settings: Settings) -> None:
         self._settings = settings
@@ -186,16 +186,7 @@ async def _on_worker(chunk: Chunk) -> ChunkOutcome:
     if chunk.group in _stopped:
         return ChunkOutcome(computed=[])
     pool = _pool(worker, chunk.timeout)
-    task = asyncio.create_task(
-        pool.call(
-            run_chunk,
-            chunk.base,
-            chunk.schema_version,
-            chunk.runs,
-            chunk.roads,
-            chunk.budget,
-        )
-    )
+    task = asyncio.create_task(pool.call(compute_chunk, chunk))
     running = _running.setdefault(chunk.group, set())
     running.add(task)
     try:

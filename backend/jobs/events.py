@@ -7,32 +7,30 @@ from collections.abc import AsyncGenerator, AsyncIterator
 from fastapi.sse import format_sse_event
 from sqlalchemy.exc import SQLAlchemyError
 
-from backend.http.admission import Admission
+from backend.gate import Gate
 from backend.store import Store
-from backend.store.job_events import PAGE
+from backend.store.job_events import EVENTS_AT_ONCE
 
-LOOK = 1.0  # between two looks for events of other processes [s]
+JOB_POLL_INTERVAL = 1.0  # between two looks for events of other processes [s]
 HEARTBEAT = 15.0  # a comment so often keeps a silent stream open [s]
 RECONNECT = 2000  # a browser that lost the stream comes back after so long [ms]
 
 
-async def server_sent(store: Store, job_id: str, after: int, admission: Admission, client: str) -> AsyncIterator[bytes]:
+async def server_sent(store: Store, job_id: str, after: int, gate: Gate, client: str) -> AsyncIterator[bytes]:
     """The stream's pieces, from the event behind number `after` to the one with the final state.
 
     Raises:
         TooManyRequestsError: The client has too many streams open.
         BusyError: The service has.
     """
-    stream = _stream(store, job_id, after, admission, client)
+    stream = _stream(store, job_id, after, gate, client)
     # The first piece now: a refusal is still an answer of its own, and from here on the stream ends itself.
     return _with_first(await anext(stream), stream)
 
 
-async def _stream(
-    store: Store, job_id: str, after: int, admission: Admission, client: str
-) -> AsyncGenerator[bytes, None]:
+async def _stream(store: Store, job_id: str, after: int, gate: Gate, client: str) -> AsyncGenerator[bytes, None]:
     clock = asyncio.get_running_loop().time
-    with admission.streaming(client), store.commits.following(job_id) as changes:
+    with gate.hold(client, streams=1), store.commits.following(job_id) as changes:
         yield f"retry: {RECONNECT}\n\n".encode()
         sent = clock()
         while True:
@@ -46,12 +44,12 @@ async def _stream(
                 yield format_sse_event(data_str=event.data, event=event.kind, id=str(event.number))
             if ended:
                 return
-            if len(events) == PAGE:
+            if len(events) == EVENTS_AT_ONCE:
                 continue
             if clock() - sent > HEARTBEAT:
                 sent = clock()
                 yield b": still here\n\n"
-            await changes.wait(LOOK)
+            await changes.wait(JOB_POLL_INTERVAL)
 
 
 async def _with_first(first: bytes, rest: AsyncGenerator[bytes, None]) -> AsyncIterator[bytes]:

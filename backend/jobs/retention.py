@@ -19,7 +19,7 @@ YOUNGEST = timedelta(hours=1)  # what is younger stays, however large the databa
 
 
 class Retention:
-    """Removes what is too old, and the oldest where there is too much; its methods belong to the event loop.
+    """Removes what is too old, and the oldest where there is too much.
 
     Args:
         store: The database.

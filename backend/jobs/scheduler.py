@@ -18,14 +18,13 @@ from sqlalchemy.exc import SQLAlchemyError
 from backend import metrics
 from backend.compute.workers import Workers
 from backend.db.commits import Follower
-from backend.jobs.chunk import ClusterLostError
-from backend.jobs.chunks import Chunks
-from backend.jobs.job_tasks import JobTasks, Stepper
+from backend.jobs.chunk_cutter import RunningJob
+from backend.jobs.chunk_messages import ClusterLostError
+from backend.jobs.dispatch import Dispatch
+from backend.jobs.job_drivers import JobDrivers, Stepper
 from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.jobs.retention import Retention
-from backend.jobs.running_job import RunningJob
 from backend.jobs.sweep.plan import rekeyed
-from backend.paper import rows
 from backend.settings import Settings
 from backend.store import Store, StoredJob
 from backend.store.job import UNFINISHED, Kind, State
@@ -37,16 +36,16 @@ if TYPE_CHECKING:
 logger = logging.getLogger(__name__)
 
 CHUNKS_PER_PROCESS = 2  # one is computed, one waits
-LOOK = 1.0  # between two looks at what other services accepted or cancelled [s]
-PAUSE = 2.0  # after the database or the cluster failed [s]
+JOB_POLL_INTERVAL = 1.0  # between two looks at what other services accepted or cancelled [s]
+PAUSE_AFTER_FAILURE = 2.0  # after the database or the cluster failed [s]
 PARTING = 10.0  # chunks being computed when the lead is lost may take so long to come back [s]
-PAGE = 500  # runs given new keys in one transaction
+REKEYED_AT_ONCE = 500  # runs given new keys in one transaction
 REPORT = 5.0  # between two updates of the metrics [s]
 STATES: tuple[State, ...] = get_args(State)
 
 
 class Scheduler:
-    """The one scheduler of a service; its methods belong to the event loop.
+    """The one scheduler of a service.
 
     Args:
         store: The database.
@@ -68,8 +67,8 @@ class Scheduler:
         self._cluster: Cluster | None = None
         self._running_jobs: dict[str, RunningJob] = {}
         self._rekeyed: set[str] = set()  # jobs of another core version whose waiting runs have this one's keys
-        self._chunks = Chunks(store, settings.run_timeout)
-        self._job_tasks = JobTasks(store, steppers, self._chunks.returned)
+        self._chunks = Dispatch(store, settings.run_timeout)
+        self._job_tasks = JobDrivers(store, steppers, self._chunks.returned)
         self._send_counter = itertools.count(1)
         self._reported = -REPORT
 
@@ -104,7 +103,7 @@ class Scheduler:
                 logger.warning("The jobs rest: %s", type(error).__name__)
             except Exception:  # whatever it was, jobs must not rest for ever
                 logger.exception("Driving the jobs failed")
-            await asyncio.sleep(PAUSE)
+            await asyncio.sleep(PAUSE_AFTER_FAILURE)
 
     async def _lead(self, changes: Follower) -> None:
         while True:
@@ -118,16 +117,16 @@ class Scheduler:
                 self._retention.begin_if_due()
             except SQLAlchemyError as error:  # what the cluster computes meanwhile is not thrown away
                 logger.warning("The jobs rest: %s", type(error).__name__)
-                await asyncio.sleep(PAUSE)
+                await asyncio.sleep(PAUSE_AFTER_FAILURE)
             except (ClusterLostError, OSError, TimeoutError) as error:
                 logger.warning("The Dask scheduler does not answer: %s", error)
                 await self._end_cluster()
-                await asyncio.sleep(PAUSE)
+                await asyncio.sleep(PAUSE_AFTER_FAILURE)
             await self._rest(changes)
 
     async def _rest(self, changes: Follower) -> None:
         """Wait until a chunk comes back, a job changes, or the next look is due."""
-        waits = [asyncio.create_task(wait) for wait in (changes.wait(LOOK), self._chunks.returned.wait())]
+        waits = [asyncio.create_task(wait) for wait in (changes.wait(JOB_POLL_INTERVAL), self._chunks.returned.wait())]
         try:
             await asyncio.wait(waits, return_when=asyncio.FIRST_COMPLETED)
         finally:
@@ -146,7 +145,7 @@ class Scheduler:
         for job in unfinished.values():
             if self._job_tasks.drives(job.kind):
                 self._job_tasks.drive(job)
-            elif job.kind == "reproduction" and rows.is_abandoned(job):
+            elif job.kind == "reproduction" and job.core_version != CORE_VERSION:  # its page asks for other rows now
                 await self._leadership.write(self._store.jobs.cancel, job.id)
                 await self._leadership.write(self._store.jobs.delete, job.id)
             elif job.id not in self._running_jobs:
@@ -219,7 +218,7 @@ class Scheduler:
         logger.warning("Job %s goes on with core %s", job.id, CORE_VERSION)
         last: int | None = -1
         while last is not None:
-            last, runs = await self._leadership.write(self._store.job_runs.waiting, job.id, last, PAGE)
+            last, runs = await self._leadership.write(self._store.job_runs.waiting, job.id, last, REKEYED_AT_ONCE)
             if runs:
                 keys = await self._background.call(rekeyed, job.request["scenario"], job.schema_version, runs)
                 await self._leadership.write(self._store.job_runs.rekey, job.id, keys)

@@ -1,14 +1,14 @@
 """What every kind of job does: accept once, list, follow, label, cancel, delete."""
 
 import hashlib
-from collections.abc import AsyncIterator, Mapping, Sequence
+from collections.abc import AsyncIterator, Iterable, Mapping
 from datetime import UTC, datetime, timedelta
 from typing import Any
 
 from backend import digest
-from backend.errors import BusyError, ConflictError, ForbiddenError, NotFoundError
-from backend.http.admission import Admission
-from backend.jobs.chunk import PlannedRun
+from backend.errors import CHEAPER_RUN, BusyError, ConflictError, CostLimitError, ForbiddenError, NotFoundError
+from backend.gate import Gate
+from backend.job_run import JobRun
 from backend.jobs.events import server_sent
 from backend.settings import Settings
 from backend.store import Store, StoredJob
@@ -22,13 +22,13 @@ PLURALS: Mapping[Kind, str] = {"sweep": "batches", "tuning": "tunings", "reprodu
 
 
 class Jobs:
-    """The service of one kind of job; its methods belong to the event loop."""
+    """The service of one kind of job."""
 
-    def __init__(self, kind: Kind, *, store: Store, admission: Admission, settings: Settings) -> None:
+    def __init__(self, kind: Kind, *, store: Store, gate: Gate, settings: Settings) -> None:
         self._kind = kind
         self._store = store
-        self._admission = admission
-        self._max_unfinished = settings.max_unfinished_batches
+        self._gate = gate
+        self._settings = settings
 
     async def existing(self, key: str | None, request_hash: str) -> StoredJob | None:
         """The job that was accepted with that idempotency key.
@@ -51,11 +51,33 @@ class Jobs:
         waiting = sum(
             count for (kind, state), (count, _) in counts.items() if kind == self._kind and state in UNFINISHED
         )
-        if waiting >= self._max_unfinished:
+        if waiting >= self._settings.max_unfinished_batches:
             plural = PLURALS[self._kind]
             raise BusyError(f"The service is full: too many {plural} are waiting.", retry_after=RETRY_AFTER)
 
-    async def accept(self, job: StoredJob, runs: Sequence[PlannedRun], key: str | None) -> StoredJob:
+    def check_runs(self, runs: float) -> None:
+        """Refuse a job of too many runs; raises CostLimitError."""
+        limit = self._settings.max_batch_runs
+        if runs > limit:
+            raise self._over_limit(f"{runs:.6g} runs are over the limit of {limit} runs")
+
+    def check_cost(self, cost: float, max_run_cost: float) -> None:
+        """Refuse a job of that estimated cost, and of its costliest run [s of one core]; raises CostLimitError."""
+        limit, each = self._settings.max_batch_cost, self._settings.max_request_cost
+        if cost > limit:
+            raise self._over_limit(f"The estimated cost of {cost:.3g} s of computing is over the limit of {limit:g} s")
+        if max_run_cost > each:
+            raise CostLimitError(
+                f"One run's estimated cost of {max_run_cost:.3g} s of computing is over the limit of {each:g} s; "
+                f"{CHEAPER_RUN}",
+                pointer="/sweep" if self._kind == "sweep" else "/scenario",
+            )
+
+    def _over_limit(self, message: str) -> CostLimitError:
+        pointer = "/sweep" if self._kind == "sweep" else "/trials"
+        return CostLimitError(f"{message} a {WORDS[self._kind]}", pointer=pointer)
+
+    async def accept(self, job: StoredJob, runs: Iterable[JobRun], key: str | None) -> StoredJob:
         """Commit a job with its runs; where one was accepted with that key meanwhile, return that one.
 
         Raises:
@@ -120,7 +142,8 @@ class Jobs:
         """Cancel a job's waiting and running runs; finished ones stay. A job that has ended is returned unchanged.
 
         Raises:
-            NotFoundError, ForbiddenError: As `owned`.
+            NotFoundError: There is none.
+            ForbiddenError: It belongs to another token.
         """
         await self.owned(job_id, owner)
         await self._store.write(self._store.jobs.cancel, job_id)
@@ -136,7 +159,8 @@ class Jobs:
         """Set its label, or (None) remove it.
 
         Raises:
-            NotFoundError, ForbiddenError: As `owned`.
+            NotFoundError: There is none.
+            ForbiddenError: It belongs to another token.
         """
         await self.owned(job_id, owner)
         await self._store.write(self._store.jobs.set_label, job_id, label)
@@ -146,7 +170,8 @@ class Jobs:
         """Delete a job; results that runs and other jobs share stay.
 
         Raises:
-            NotFoundError, ForbiddenError: As `owned`.
+            NotFoundError: There is none.
+            ForbiddenError: It belongs to another token.
             ConflictError: It has not ended, or a link shows it.
         """
         await self.owned(job_id, owner)
@@ -166,7 +191,7 @@ class Jobs:
             BusyError: The service has.
         """
         await self.get(job_id)
-        return await server_sent(self._store, job_id, after, self._admission, client)
+        return await server_sent(self._store, job_id, after, self._gate, client)
 
 
 def request_hash(request: Any) -> str:

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 
-from backend.analysis.intervals import change_with_interval, mean_with_interval
+from backend.intervals import change_with_interval, mean_with_interval
 from backend.json_types import JsonObject
 from backend.paper import claims, models
 from backend.paper.attribution import COMFORT_FIGURES, EQUAL_SPEED, FACTORS, VARIANTS, compared, sentences, shares

@@ -10,7 +10,7 @@ from itertools import permutations
 from math import log
 from typing import Any, Literal
 
-from backend.analysis.intervals import Interval, change_with_interval
+from backend.intervals import Interval, change_with_interval
 from backend.paper.claims import FIGURES, scenario_for
 from sim_core import SpeedPlan
 from sim_core.scenario import Preview, Scenario, StageWeights, dotted

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
-from backend.analysis.intervals import Interval, change_with_interval
+from backend.intervals import Interval, change_with_interval
 from backend.paper.readings import READINGS, changes_of
 from backend.paper.tables import PaperCell, cells
 from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS

@@ -5,13 +5,13 @@ from typing import Any
 
 import numpy as np
 
-from backend.analysis.intervals import mean_with_interval
+from backend.intervals import mean_with_interval
 from backend.json_types import JsonObject
+from backend.outcome import Outcome
 from backend.paper.models import PaperFigure
-from backend.paper.work import SPEEDS_KMH
+from backend.paper.paper_rows import SPEEDS_KMH
 from backend.runs.figures import PANELS, STYLES, filled, templates
 from backend.runs.series import packed
-from backend.runs.work import ComputedResult
 from sim_core.catalogue import PAPER_SIGNALS, SIGNALS
 from sim_core.strategies import STRATEGIES
 
@@ -28,11 +28,11 @@ BAND = "rgba(28, 95, 223, 0.18)"
 Peaks = Sequence[Mapping[str, Sequence[Sequence[float]]]]
 
 
-def all_figures(peaks: Peaks, outcomes: Mapping[str, ComputedResult]) -> list[PaperFigure]:
+def all_figures(peaks: Peaks, outcomes: Mapping[str, Outcome]) -> list[PaperFigure]:
     """Every figure, in the paper's order.
 
     Args:
-        peaks: For each road the passive car's peaks over speed (`backend.paper.work.peaks_over_speed`).
+        peaks: For each road the passive car's peaks over speed (`backend.paper.paper_rows.peaks_over_speed`).
         outcomes: The paper's scenario on its first road, by strategy, with time histories.
     """
     drawn = [_over_speed(PEAK_FIGURE + index, index, peaks) for index in range(len(PAPER_SIGNALS))]
@@ -43,7 +43,7 @@ def all_figures(peaks: Peaks, outcomes: Mapping[str, ComputedResult]) -> list[Pa
     return drawn
 
 
-def _histories(number: int, signal: str, title: str, outcomes: Mapping[str, ComputedResult]) -> PaperFigure:
+def _histories(number: int, signal: str, title: str, outcomes: Mapping[str, Outcome]) -> PaperFigure:
     figure = filled(signal, outcomes, "position")
     peaks = ", ".join(
         f"{STRATEGIES[name].label} {outcome.summary['metrics']['bump'][signal]['peak']:.4g}"
@@ -64,7 +64,7 @@ def _histories(number: int, signal: str, title: str, outcomes: Mapping[str, Comp
     )
 
 
-def _speed_curve(outcomes: Mapping[str, ComputedResult]) -> PaperFigure:
+def _speed_curve(outcomes: Mapping[str, Outcome]) -> PaperFigure:
     lv = outcomes[SPEED_STRATEGY]
     arrival = lv.summary.get("arrival_speed_kmh")
     caption = "LV control did not run."

@@ -1,8 +1,7 @@
-"""The paper page's rows: those that are stored, and a job that computes the others while somebody waits."""
+"""The paper page's rows: those that are stored, and a job that computes the others."""
 
 import asyncio
 import contextlib
-import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
@@ -10,22 +9,19 @@ from functools import partial
 
 import orjson
 
-from backend.compute.flights import Flights
+from backend.compute.shared_computations import SharedComputations
 from backend.errors import BusyError
+from backend.job_run import JobRun
 from backend.jobs.service import request_hash
 from backend.json_types import JsonObject
-from backend.paper.work import RowRequest
 from backend.store import Store, StoredJob
 from backend.store.job import FINAL, UNFINISHED
-from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
 
 RETRY_AFTER = 30
-ATTEMPTS = 3
 MAX_JOBS = 8  # that compute rows, of all visitors
-LINGER = 15.0  # a job that nobody waits for is cancelled after so long [s]
 TRY_AGAIN = timedelta(minutes=1)  # rows that failed are not tried again before, for those who ask every second
-LOOK = 1.0  # between two looks at a job of another process [s]
+JOB_POLL_INTERVAL = 1.0  # between two looks at a job of another process [s]
 ROW_COST = 0.02  # [s of one core]
 
 
@@ -47,13 +43,13 @@ class Rows:
 
 
 class PaperRows:
-    """Reads rows, or submits a job that computes them; its methods belong to the event loop."""
+    """Reads rows, or submits a job that computes them."""
 
     def __init__(self, store: Store) -> None:
         self._store = store
-        self._waits: Flights[str, str | None] = Flights()
+        self._waits: SharedComputations[str, str | None] = SharedComputations()
 
-    async def get(self, requests: Sequence[RowRequest], patience: float | None) -> Rows:
+    async def get(self, requests: Sequence[JobRun], patience: float | None) -> Rows:
         """These rows; the first ones are computed first.
 
         Args:
@@ -65,9 +61,7 @@ class PaperRows:
         """
         unique = list({request.key: request for request in requests}.values())
         rows, reason = await self._stored(unique)
-        for _ in range(ATTEMPTS if patience is None else 1):  # a job may be cancelled by whoever else waited for it
-            if len(rows) == len(unique) or reason is not None:
-                break
+        if len(rows) < len(unique) and reason is None:
             job = await self._job(unique, patient=patience is None)
             with contextlib.suppress(TimeoutError):
                 async with asyncio.timeout(None if job.state in FINAL else patience):
@@ -77,14 +71,14 @@ class PaperRows:
         complete = len(rows) == len(unique) or reason is not None
         return Rows(by_key=rows, total=len(unique), reason=reason, complete=complete)
 
-    async def _stored(self, requests: Sequence[RowRequest]) -> tuple[JsonObject, str | None]:
+    async def _stored(self, requests: Sequence[JobRun]) -> tuple[JsonObject, str | None]:
         """By key the rows that are stored, and why one has failed for good."""
         results = await self._store.read(self._store.runs.load_results, [request.key for request in requests])
         rows = {key: result.summary["row"] for key, result in results.items() if result.status == "ok"}
         reasons = [result.summary["reason"] for result in results.values() if result.status == "failed"]
         return rows, next(iter(reasons), None)
 
-    async def _job(self, requests: Sequence[RowRequest], *, patient: bool) -> StoredJob:
+    async def _job(self, requests: Sequence[JobRun], *, patient: bool) -> StoredJob:
         """The job that computes these rows: an unfinished one, or (unless `patient`) one that failed lately."""
         key = f"paper {request_hash([request.key for request in requests])}"
         existing = await self._store.read(self._store.jobs.by_idempotency_key, "reproduction", key)
@@ -92,7 +86,6 @@ class PaperRows:
             ended = existing.finished_at
             failed_lately = existing.failed and not patient
             if ended is None or (failed_lately and datetime.now(UTC) - ended < TRY_AGAIN):
-                await self._note(existing)
                 return existing
             await self._store.write(self._store.jobs.delete, existing.id)
         counts = await self._store.read(self._store.jobs.counts)
@@ -103,38 +96,25 @@ class PaperRows:
         job = StoredJob(
             kind="reproduction",
             request={"scenario": Scenario().model_dump(mode="json"), "strategies": [], "fields": []},
-            progress={"asked_at": time.time()},
             estimated_cost=ROW_COST * len(requests),
             total=len(requests),
             request_hash=request_hash(key),
         )
-        runs = [request.run(position) for position, request in enumerate(requests)]
+        runs = [request._replace(position=position) for position, request in enumerate(requests)]
         stored, _ = await self._store.write(self._store.jobs.create, job, runs, key)
         return stored
 
     async def _wait(self, job: StoredJob) -> str | None:
-        """Wait for the job's end while telling the scheduler that somebody waits; why one of its runs failed."""
-        noted = time.monotonic()
+        """Wait for the job's end; why one of its runs failed."""
         with self._store.commits.following(job.id) as changes:
             while True:
                 changes.clear()
                 now = await self._store.read(self._store.jobs.load, job.id)
                 if now is None or now.state in FINAL:
                     break
-                if time.monotonic() - noted > LINGER / 4:
-                    noted = time.monotonic()
-                    await self._note(job)
-                await changes.wait(LOOK)
+                await changes.wait(JOB_POLL_INTERVAL)
         if now is None or not now.failed:
             return None
         rows = await self._store.read(self._store.job_runs.rows, job.id, -1, now.total)
         failed = (row for row in rows if row.status == "failed")
         return next((row.reason or orjson.loads(row.summary or "{}").get("reason") for row in failed), None)
-
-    async def _note(self, job: StoredJob) -> None:
-        await self._store.write(self._store.jobs.note_progress, job.id, asked_at=time.time())
-
-
-def is_abandoned(job: StoredJob) -> bool:
-    """Whether nobody has waited for its rows for a while, or another core version's page asked for them."""
-    return job.core_version != CORE_VERSION or time.time() - float(job.progress.get("asked_at", 0)) > LINGER

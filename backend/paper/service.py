@@ -5,32 +5,35 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any
 
+from backend.cost.estimate import cost_of
 from backend.errors import BusyError
-from backend.http.admission import Admission, cost_of
-from backend.paper import answers, claims, drawings, work
+from backend.gate import Gate
+from backend.job_run import JobRun
+from backend.paper import answers, claims, drawings, paper_rows
 from backend.paper.interpretations import DEFAULT, INTERPRETATIONS
 from backend.paper.models import AttributionAnswer, PaperAnswer, PaperFigures, ReadingsAnswer
 from backend.paper.readings import READINGS
 from backend.paper.report import report
 from backend.paper.rows import PaperRows, Rows
+from backend.runs.reports import page
 from backend.runs.reports.page import Report, in_thread
-from backend.runs.results import Results
+from backend.runs.result_finder import ResultFinder
 from backend.store import Store
 from sim_core.scenario import Scenario
 
 HISTORY_POINTS = 1200
-PATIENCE = 2.0  # an answer in rows comes after so long with those that are there [s]
+WAIT_FOR_ROWS = 2.0  # an answer in rows comes after so long with those that are there [s]
 
-Requests = Mapping[str, tuple[work.RowRequest, ...]]
+Requests = Mapping[str, tuple[JobRun, ...]]
 
 
 class Paper:
-    """The one service of the paper page; its methods belong to the event loop."""
+    """The one service of the paper page."""
 
-    def __init__(self, *, store: Store, results: Results, admission: Admission) -> None:
+    def __init__(self, *, store: Store, results: ResultFinder, gate: Gate) -> None:
         self._rows = PaperRows(store)
         self._results = results
-        self._admission = admission
+        self._gate = gate
 
     async def reproduction(
         self, choices: Mapping[str, str], roads: range, client: str, *, partial: bool = False
@@ -51,7 +54,7 @@ class Paper:
         requests = {name: await _requests(each, roads) for name, each in sets.items()}
         rows = await self._get(client, *requests.values(), patience=0.0 if partial else None)
         values = {
-            name: work.figures_by_strategy(rows.by_key, requests[name], each[claims.WINDOW])
+            name: paper_rows.figures_by_strategy(rows.by_key, requests[name], each[claims.WINDOW])
             for name, each in sets.items()
         }
         named = {name: values[name] for name in INTERPRETATIONS}
@@ -67,9 +70,9 @@ class Paper:
         choices = [(reading.id, choice.id) for reading in READINGS.values() for choice in reading.choices[1:]]
         sets = [default, *({**default, reading: choice} for reading, choice in choices)]
         requests = [await _requests(each, roads) for each in sets]
-        rows = await self._get(client, *requests, patience=PATIENCE)
+        rows = await self._get(client, *requests, patience=WAIT_FOR_ROWS)
         values = [
-            work.figures_by_strategy(rows.by_key, row_requests, each[claims.WINDOW])
+            paper_rows.figures_by_strategy(rows.by_key, row_requests, each[claims.WINDOW])
             for row_requests, each in zip(requests, sets, strict=True)
         ]
         needed = set(claims.SIMULATED if rows.reason is not None else claims.STRATEGIES)
@@ -90,7 +93,7 @@ class Paper:
         Raises:
             TemporaryError: Too much is being computed.
         """
-        return answers.attribution(roads, await self._study(work.ATTRIBUTION, roads, client))
+        return answers.attribution(roads, await self._study(paper_rows.ATTRIBUTION, roads, client))
 
     async def figures(self, roads: range, client: str) -> PaperFigures:
         """The paper's figures, drawn from our runs.
@@ -98,10 +101,9 @@ class Paper:
         Raises:
             TemporaryError: Too much is being computed.
         """
-        peaks = await self._study(work.SPEEDS, roads, client)
+        peaks = await self._study(paper_rows.SPEEDS, roads, client)
         results = await self._results.get(Scenario(), claims.STRATEGIES, client, points=HISTORY_POINTS)
-        outcomes = {name: item.outcome for name, item in results.items()}
-        return PaperFigures(figures=await asyncio.to_thread(drawings.all_figures, peaks, outcomes))
+        return PaperFigures(figures=await asyncio.to_thread(drawings.all_figures, peaks, results))
 
     async def report(self, choices: Mapping[str, str], roads: range, client: str, *, compressed: bool) -> Report:
         """The whole page as one HTML file; attribution and figures are by the default readings.
@@ -109,13 +111,13 @@ class Paper:
         Raises:
             TemporaryError: Too much is being computed.
         """
-        page = await self.reproduction(choices, roads, client)
+        whole = await self.reproduction(choices, roads, client)
         parts, drawn = await self.attribution(roads, client), await self.figures(roads, client)
-        with self._admission.reporting(client):
-            return await in_thread(partial(report, page, parts, drawn.figures, compressed=compressed))
+        with self._gate.computing(client, page.COST, reports=1):
+            return await in_thread(partial(report, whole, parts, drawn.figures, compressed=compressed))
 
     async def _study(self, study: str, roads: range, client: str) -> list[Any]:
-        row_requests = work.requests_of_study(study, roads)
+        row_requests = paper_rows.requests_of_study(study, roads)
         rows = await self._get(client, {study: row_requests}, patience=None)
         if len(rows.by_key) < len(row_requests):
             raise BusyError(f"Not every road could be driven. {rows.reason or 'The computation was called off'}.")
@@ -123,11 +125,11 @@ class Paper:
 
     async def _get(self, client: str, *requests: Requests, patience: float | None) -> Rows:
         """These rows; one road's runs must be within the cost limit of a request."""
-        self._admission.check_cost(cost_of(Scenario(), claims.STRATEGIES))
-        with self._admission.reading(client):
+        self._gate.check_cost(cost_of(Scenario(), claims.STRATEGIES))
+        with self._gate.hold(client, requests=1):
             every = [row for by_strategy in requests for rows in by_strategy.values() for row in rows]
             return await self._rows.get(every, patience)
 
 
 async def _requests(choices: Mapping[str, str], roads: range) -> Requests:
-    return await asyncio.to_thread(work.requests_under, choices, roads)
+    return await asyncio.to_thread(paper_rows.requests_under, choices, roads)

@@ -7,8 +7,7 @@ import numpy as np
 
 from backend.compute.workers import Workers
 from backend.errors import InvalidError, NotFoundError, ShortRoadError
-from backend.http.admission import Admission
-from backend.http.limits import ConcurrencyLimit
+from backend.gate import Gate
 from backend.roads import export, survey
 from backend.roads.models import CreatedRoad, FoundBumpAnswer, RoadAnswer
 from backend.store import Store
@@ -22,14 +21,13 @@ CSV_COST = 2e-6  # of one height [s of one core]
 POINTER = "/scenario/road/profile"
 
 
-class Roads:
-    """The one service of measured roads; its methods belong to the event loop."""
+class MeasuredRoads:
+    """The one service of measured roads."""
 
-    def __init__(self, *, store: Store, workers: Workers, admission: Admission) -> None:
+    def __init__(self, *, store: Store, workers: Workers, gate: Gate) -> None:
         self._store = store
         self._workers = workers
-        self._admission = admission
-        self._reading = ConcurrencyLimit(what="road files", per_client=1, total=2)
+        self._gate = gate
 
     async def create(self, content: bytes, client: str) -> CreatedRoad:
         """Read a CSV file and store its road.
@@ -38,7 +36,7 @@ class Roads:
             InvalidError: It is none; the message has the line.
             TemporaryError: Too much is being read.
         """
-        with self._reading.acquired(client), self._admission.background(client, SURVEY_COST):
+        with self._gate.hold(client, road_files=1, requests=1, background_cost=SURVEY_COST):
             try:
                 surveyed = await self._workers.call(survey.read, content, client=client, cost=SURVEY_COST)
             except survey.SurveyError as error:
@@ -61,7 +59,7 @@ class Roads:
             TemporaryError: Too much is being computed.
         """
         road = await self._stored(road_id)
-        with self._admission.computing(client, 0.0):
+        with self._gate.computing(client, 0.0):
             distance, height, bumps = await self._workers.call(drawn, road, points, client=client)
         return RoadAnswer(
             id=road.id,
@@ -81,7 +79,7 @@ class Roads:
         """
         road = await self._stored(road_id)
         cost = CSV_COST * road.samples
-        with self._admission.computing(client, cost):
+        with self._gate.computing(client, cost):
             return await self._workers.call(export.as_csv, road, client=client, cost=cost)
 
     async def _stored(self, road_id: str) -> MeasuredRoad:

@@ -1,45 +1,69 @@
-"""The answers about a stored run: each strategy's result, over several roads with mean, interval and change."""
+"""The answers about a stored run: each strategy's result, over several roads with mean, interval and change.
+
+They have the shapes of `backend.models` and `backend.runs.over_roads`; what is stored as JSON goes in as it is.
+"""
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from math import isfinite
 
-from backend.analysis.intervals import Interval
-from backend.analysis.roads import Changes, Comparison, Numbers, compare, numbers, paired_changes
+import orjson
+
 from backend.errors import InvalidError
+from backend.intervals import Interval
 from backend.json_types import JsonObject
-from backend.models import CreatedRun, LiveRun, Run
-from backend.runs.roads_models import CreatedRoadsRun, PairedChanges, RoadsRun
-from backend.runs.work import ComputedResult
-from backend.store import StoredResult, StoredRun
+from backend.outcome import Outcome
+from backend.over_roads import Changes, Comparison, Numbers, compare, numbers, paired_changes
+from backend.store import StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
 
 
-def run_answer(stored: StoredRun, *, baseline: str | None = None) -> Run | RoadsRun:
-    """A stored run; `baseline` is what the changes over several roads refer to, by default the run's own."""
-    no_fields: dict[str, JsonObject] = {name: {} for name in stored.by_strategy}
+def run_answer(
+    stored: StoredRun, *, baseline: str | None = None, cached: Mapping[str, bool] | None = None
+) -> JsonObject:
+    """A stored run, for orjson.
+
+    Args:
+        stored: The run, its scenario today's.
+        baseline: What the changes over several roads refer to; None is the run's own.
+        cached: To the request that created it, by strategy whether nothing of it was computed for that one.
+    """
+    fields: dict[str, JsonObject] = {name: {} for name in stored.by_strategy}
+    if cached is not None:
+        fields = {name: {"cached": value} for name, value in cached.items()}
+    head = {"id": stored.id, "core_version": stored.core_version, "scenario": stored.scenario}
     if stored.roads == 1:
-        return Run(**_on_one_road(stored, no_fields))
-    return RoadsRun(**_over_roads(stored, no_fields, baseline or stored.baseline or ""))
+        return head | {"strategies": {item.strategy: item.answer(**fields[item.strategy]) for item in stored.results}}
+    baseline = baseline or stored.baseline or ""
+    comparison = compare(_driven(stored), baseline)
+    return head | {
+        "roads": stored.roads,
+        "baseline": baseline,
+        "changes": _plain_changes(comparison.changes),
+        "strategies": {
+            name: _entry_over_roads(items, fields[name], comparison, stored.scenario["road"]["seed"])
+            for name, items in stored.by_strategy.items()
+        },
+    }
 
 
-def created_answer(stored: StoredRun, cached: Mapping[str, bool]) -> CreatedRun | CreatedRoadsRun:
-    """The answer to the request that created a run; `cached` says by strategy what was not computed for it."""
-    fields = {name: {"cached": value} for name, value in cached.items()}
-    if stored.roads == 1:
-        return CreatedRun(**_on_one_road(stored, fields))
-    return CreatedRoadsRun(**_over_roads(stored, fields, stored.baseline or ""))
+def as_plain(answer: JsonObject) -> JsonObject:
+    """An answer as Python values throughout."""
+    plain: JsonObject = orjson.loads(orjson.dumps(answer))
+    return plain
 
 
-def live_answer(
-    scenario: Scenario, outcomes: Mapping[str, ComputedResult], fields: Mapping[str, JsonObject]
-) -> LiveRun:
+def live_answer(scenario: Scenario, outcomes: Mapping[str, Outcome], fields: Mapping[str, JsonObject]) -> JsonObject:
     """A run that is not stored; `fields` holds what each strategy has beside its metrics."""
-    entries = {name: _entry(outcome, fields[name]) for name, outcome in outcomes.items()}
-    return LiveRun(core_version=CORE_VERSION, scenario=scenario, strategies=entries)
+    return {
+        "core_version": CORE_VERSION,
+        "scenario": scenario.model_dump(mode="json"),
+        "strategies": {name: outcome.answer(**fields[name]) for name, outcome in outcomes.items()},
+    }
 
 
-def changes_to_strategy(stored: StoredRun, baseline: str) -> PairedChanges:
+def changes_to_strategy(stored: StoredRun, baseline: str) -> JsonObject:
     """What the strategies of a run over several roads change against one of them.
 
     Raises:
@@ -50,11 +74,11 @@ def changes_to_strategy(stored: StoredRun, baseline: str) -> PairedChanges:
     if baseline not in driven:
         message = f"This run has {', '.join(driven) or 'no strategy'}; the baseline is one of them"
         raise InvalidError(message, parameter="baseline")
-    changes = compare(driven, baseline).changes
-    return PairedChanges(against=None, baseline=baseline, roads=stored.roads, changes=_plain_changes(changes))
+    changes = _plain_changes(compare(driven, baseline).changes)
+    return {"against": None, "baseline": baseline, "roads": stored.roads, "changes": changes}
 
 
-def changes_to_run(stored: StoredRun, against: StoredRun) -> PairedChanges:
+def changes_to_run(stored: StoredRun, against: StoredRun) -> JsonObject:
     """What a run over several roads changes against another one, strategy by strategy.
 
     Raises:
@@ -68,8 +92,8 @@ def changes_to_run(stored: StoredRun, against: StoredRun) -> PairedChanges:
     if against.core_version != stored.core_version:
         message = f"Core {against.core_version} computed it, {stored.core_version} this run: request it again"
         raise InvalidError(message, parameter="against")
-    changes = paired_changes(_driven(stored), _driven(against))
-    return PairedChanges(against=against.id, baseline=None, roads=stored.roads, changes=_plain_changes(changes))
+    changes = _plain_changes(paired_changes(_driven(stored), _driven(against)))
+    return {"against": against.id, "baseline": None, "roads": stored.roads, "changes": changes}
 
 
 def _check_several(stored: StoredRun) -> None:
@@ -82,55 +106,28 @@ def default_baseline(strategies: Sequence[str]) -> str:
     return "passive" if "passive" in strategies else strategies[0]
 
 
-def _head(stored: StoredRun) -> JsonObject:
-    return {"id": stored.id, "core_version": stored.core_version, "scenario": stored.scenario}
-
-
-def _on_one_road(stored: StoredRun, fields: Mapping[str, JsonObject]) -> JsonObject:
-    return _head(stored) | {
-        "strategies": {item.strategy: _entry(item, fields[item.strategy]) for item in stored.results}
-    }
-
-
-def _over_roads(stored: StoredRun, fields: Mapping[str, JsonObject], baseline: str) -> JsonObject:
-    comparison = compare(_driven(stored), baseline)
-    first_seed = stored.scenario["road"]["seed"]
-    return _head(stored) | {
-        "roads": stored.roads,
-        "baseline": baseline,
-        "changes": _plain_changes(comparison.changes),
-        "strategies": {
-            name: _entry_over_roads(items, fields[name], comparison, first_seed)
-            for name, items in stored.by_strategy.items()
-        },
-    }
-
-
 def _driven(stored: StoredRun) -> dict[str, list[Numbers]]:
     """By strategy that succeeded on every road its numbers on each."""
+    summaries = {item.strategy: [each.summary for each in stored.by_strategy[item.strategy]] for item in stored.shown}
     return {
-        name: [numbers(item.summary["metrics"], item.summary["comfort"]) for item in stored.by_strategy[name]]
-        for name in (item.strategy for item in stored.shown)
+        name: [numbers(each["metrics"], each["comfort"]) for each in of_roads] for name, of_roads in summaries.items()
     }
-
-
-def _entry(item: ComputedResult | StoredResult, fields: JsonObject) -> JsonObject:
-    """One strategy's result or failure: its summary is answered as it was stored."""
-    return {"status": item.status, "compute_ms": item.compute_ms, **fields, **item.summary}
 
 
 def _entry_over_roads(
-    items: Sequence[StoredResult], fields: JsonObject, comparison: Comparison, first_seed: int
-) -> JsonObject:
+    items: Sequence[Outcome], fields: JsonObject, comparison: Comparison, first_seed: int
+) -> orjson.Fragment | JsonObject:
     """The first road's entry with the means of all, or why one of them failed."""
     compute_ms = round(sum(item.compute_ms for item in items), 2)
     failures = [(seed, item) for seed, item in enumerate(items, first_seed) if item.status != "ok"]
     if failures:
         seed, failure = failures[0]
-        reason = f"Road seed {seed}: {failure.summary['reason']}"
-        return {**_entry(failure, fields), "compute_ms": compute_ms, "reason": reason}
+        content = failure.summary
+        content["reason"] = f"Road seed {seed}: {content['reason']}"
+        return replace(failure, compute_ms=compute_ms, json=orjson.dumps(content)).answer(**fields)
     means = _plain(comparison.means[items[0].strategy])
-    return {**_entry(items[0], fields), "compute_ms": compute_ms, "comfort": means.pop("comfort"), "metrics": means}
+    of_all = {"compute_ms": compute_ms, "comfort": means.pop("comfort"), "metrics": means}
+    return {"status": "ok", **fields, **items[0].summary, **of_all}
 
 
 def _plain_changes(changes: Changes) -> JsonObject:

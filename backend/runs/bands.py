@@ -18,7 +18,7 @@ from backend.ecu.drive import simulate
 from backend.json_types import JsonObject
 from backend.pieces import render_to, write_json
 from backend.runs import exports
-from backend.runs.series import ROWS, SeriesArray, Stages, as_json, decimate, most_samples, pack
+from backend.runs.series import ROWS, SamplingHints, SeriesArray, as_json, decimate, most_samples, pack
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
@@ -121,13 +121,13 @@ def drive(roads: Sequence[Scenario], strategy: str, before: tuple[Path, int], af
 def render(
     files: Mapping[str, Path],
     roads: int,
-    stages: Mapping[str, Stages],
+    stages: Mapping[str, SamplingHints],
     signals: Sequence[str],
     points: int | None,
     encoding: str,
     path: Path | None,
 ) -> bytes:
-    """JSON of `backend.runs.roads_models.Bands`.
+    """JSON of `backend.runs.over_roads.Bands`.
 
     Args:
         files: By strategy its band's.
@@ -156,7 +156,7 @@ def _spread(signals: Sequence[str]) -> list[str]:
 
 
 def _decimated(
-    file: Path, roads: int, signals: Sequence[str], points: int | None, stages: Stages, encoding: str
+    file: Path, roads: int, signals: Sequence[str], points: int | None, stages: SamplingHints, encoding: str
 ) -> JsonObject:
     band = Band.load(file, roads)
     spread = _spread(signals)

@@ -17,7 +17,7 @@ from backend.ecu.drive import simulate
 from backend.json_types import JsonObject
 from backend.pieces import render_to, write_json
 from backend.runs import pins
-from backend.runs.series import ROWS, SeriesArray, Stages, as_json, pack
+from backend.runs.series import ROWS, SamplingHints, SeriesArray, as_json, pack
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
 
@@ -88,7 +88,7 @@ def render(scenario: Scenario, export: Export, path: Path | None) -> bytes:
 
 
 def render_pinned(
-    pinned: Mapping[str, bytes], stages: Mapping[str, Stages], export: Export, path: Path | None
+    pinned: Mapping[str, bytes], stages: Mapping[str, SamplingHints], export: Export, path: Path | None
 ) -> bytes:
     """Render pinned time histories (arguments as for `pins.opened`); signals that were not pinned are left out."""
     present = set.intersection(*(pins.signals(content) for content in pinned.values()))
@@ -106,7 +106,7 @@ def _driven(scenario: Scenario, name: str, points: int | None) -> Columns:
     return Columns(array.shape[1], lambda key, start, end: array[ROWS[key], start:end])
 
 
-def _pinned(content: bytes, stages: Stages, points: int | None) -> Columns:
+def _pinned(content: bytes, stages: SamplingHints, points: int | None) -> Columns:
     columns = pins.columns(content, stages, points)
     return Columns(len(columns["time"]), lambda key, start, end: columns[key][start:end])
 

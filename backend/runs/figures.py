@@ -13,8 +13,8 @@ import numpy as np
 import plotly.graph_objects as go
 
 from backend.json_types import JsonObject
+from backend.outcome import Outcome
 from backend.runs.series import ROWS, SeriesArray, packed
-from backend.runs.work import ComputedResult
 from sim_core.catalogue import METRIC_SIGNALS, REFERENCES, SIGNALS, STAGES
 from sim_core.strategies import STRATEGIES
 
@@ -102,7 +102,7 @@ def templates() -> JsonObject:
     return {name: _template(panel) for name, panel in PANELS.items()}
 
 
-def filled(name: str, outcomes: Mapping[str, ComputedResult], axis: str) -> JsonObject:
+def filled(name: str, outcomes: Mapping[str, Outcome], axis: str) -> JsonObject:
     """One figure with a run's data, its stages shaded and its reference lines drawn.
 
     Args:

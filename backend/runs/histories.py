@@ -3,24 +3,24 @@
 import asyncio
 from collections.abc import AsyncIterator, Mapping, Sequence
 from contextlib import asynccontextmanager
+from dataclasses import replace
 from functools import partial
 
 from cachetools import LRUCache
 
 from backend import digest
-from backend.analysis.roads import seeded
-from backend.compute.flights import Flights
+from backend.compute.shared_computations import SharedComputations
 from backend.compute.workers import Workers
-from backend.cost.estimate import estimate
+from backend.cost.estimate import cost_of, estimate
 from backend.errors import CostLimitError, GoneError, InvalidError, RoadGoneError
-from backend.http.admission import Admission, cost_of
-from backend.http.limits import FairLimit
+from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile, refused_where_full
-from backend.roads.service import Roads
+from backend.outcome import Outcome
+from backend.over_roads import seeded
+from backend.roads.service import MeasuredRoads
 from backend.runs import bands, exports, pins
-from backend.runs.results import Results
-from backend.runs.series import SAMPLE_BYTES, Stages, most_samples
-from backend.runs.work import ComputedResult
+from backend.runs.result_finder import ResultFinder
+from backend.runs.series import SAMPLE_BYTES, SamplingHints, most_samples
 from backend.store import Store, StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
@@ -28,27 +28,25 @@ from sim_core.scenario import Scenario
 FIGURE_POINTS = 2000
 SHORTER_RUN = "run a shorter road or a higher speed"
 BAND_BYTES = 64 * 1024 * 1024  # of cached bands: those of a dozen strategies
-PIN_BYTES = 64 * 1024 * 1024  # of the pins of all requests at once, before they were compressed
 MIN_CACHED_BAND = 4 * 1024 * 1024  # a shorter one counts as this long, so that few files stay open [bytes]
 
 
 class Histories:
-    """Reads or simulates time histories; its methods belong to the event loop."""
+    """Reads or simulates time histories."""
 
     def __init__(
-        self, *, store: Store, workers: Workers, results: Results, admission: Admission, roads: Roads, spool: Spool
+        self, *, store: Store, workers: Workers, results: ResultFinder, gate: Gate, roads: MeasuredRoads, spool: Spool
     ) -> None:
         self._spool = spool
         self._store = store
         self._workers = workers
         self._results = results
-        self._admission = admission
+        self._gate = gate
         self._roads = roads
         self._bands: LRUCache[str, SpoolFile] = LRUCache(
             BAND_BYTES, getsizeof=lambda band: max(MIN_CACHED_BAND, band.size)
         )
-        self._flights: Flights[str, SpoolFile] = Flights()
-        self._pins = FairLimit(what="pinned time histories", total=PIN_BYTES)
+        self._in_progress: SharedComputations[str, SpoolFile] = SharedComputations()
 
     async def keys(self, stored: StoredRun) -> dict[str, str]:
         """Result keys of the strategies whose exact time histories are pinned or can be simulated again.
@@ -70,7 +68,7 @@ class Histories:
             )
         return {name: key for name, key in keys.items() if key in pinned}
 
-    async def outcomes(self, stored: StoredRun, client: str) -> dict[str, ComputedResult]:
+    async def outcomes(self, stored: StoredRun, client: str) -> dict[str, Outcome]:
         """The strategies that have time histories, with as many samples as figures need.
 
         Raises:
@@ -83,18 +81,11 @@ class Histories:
         async with self._pinned(scenario, keys, client) as pinned:
             if pinned is None:
                 await self._on_its_road(scenario)
-                results = await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
-                return {strategy: item.outcome for strategy, item in results.items()}
-            with self._admission.computing(client, 0.0):
+                return await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
+            with self._gate.computing(client, 0.0):
                 arrays = await self._workers.call(pins.opened, pinned, _stages(stored), FIGURE_POINTS, client=client)
         return {
-            item.strategy: ComputedResult(
-                status=item.status,
-                summary=item.summary,
-                compute_ms=item.compute_ms,
-                points=FIGURE_POINTS,
-                series=arrays[item.strategy],
-            )
+            item.strategy: replace(item, points=FIGURE_POINTS, series=arrays[item.strategy])
             for item in stored.shown
             if item.strategy in arrays
         }
@@ -115,7 +106,7 @@ class Histories:
             if pinned is None:
                 scenario = await self._on_its_road(scenario)
                 cost += cost_of(scenario, keys)
-            with self._admission.computing(client, cost), self._spool.reserved(client, size) as write:
+            with self._gate.computing(client, cost), self._spool.reserved(client, size) as write:
                 call = partial(self._workers.call, client=client, cost=cost)
                 if pinned is None:
                     work = partial(call, exports.render, scenario, export)
@@ -152,9 +143,9 @@ class Histories:
         render_cost = exports.BYTE_COST * size
         cost = stored.roads * cost_of(roads[0], missing) + render_cost
         self._check_memory(roads[0], names)
-        with self._admission.computing(client, cost), self._spool.reserved(client, size) as write:
+        with self._gate.computing(client, cost), self._spool.reserved(client, size) as write:
             tasks = [
-                asyncio.create_task(self._flights.join(keys[name], partial(self._drive, roads, name, client)))
+                asyncio.create_task(self._in_progress.join(keys[name], partial(self._drive, roads, name, client)))
                 for name in missing
             ]
             try:
@@ -215,15 +206,16 @@ class Histories:
         if not wanted <= await self._store.read(self._store.links.pinned, wanted):
             yield None
             return
-        with self._pins.acquired(client, SAMPLE_BYTES * sum(most_samples(scenario, name) for name in keys)):
+        size = SAMPLE_BYTES * sum(most_samples(scenario, name) for name in keys)
+        with self._gate.hold(client, pinned_bytes=size):
             contents = await self._store.read(self._store.links.load_pins, wanted)
             yield {name: contents[key] for name, key in keys.items()}
 
 
-def _stages(stored: StoredRun) -> dict[str, Stages]:
+def _stages(stored: StoredRun) -> dict[str, SamplingHints]:
     """By strategy its driving stages: decimation preserves the extremes of each."""
     return {
-        item.strategy: Stages.of(
+        item.strategy: SamplingHints.of(
             (span["stage"], span["start_time"], span["end_time"]) for span in item.summary["stages"]
         )
         for item in stored.shown

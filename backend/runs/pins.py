@@ -13,7 +13,7 @@ import pyarrow as pa
 from pyarrow import parquet
 
 from backend.ecu.drive import simulate
-from backend.runs.series import ROWS, SeriesArray, Stages, decimate, pack
+from backend.runs.series import ROWS, SamplingHints, SeriesArray, decimate, pack
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
@@ -54,7 +54,7 @@ def signals(content: bytes) -> set[str]:
     return {key for key, quantity in SIGNALS.items() if units.get(key) == quantity.unit}
 
 
-def columns(content: bytes, stages: Stages, points: int | None) -> dict[str, SeriesArray]:
+def columns(content: bytes, stages: SamplingHints, points: int | None) -> dict[str, SeriesArray]:
     """By signal about so many of its samples; `signals` in the catalogue's order."""
     present = signals(content)
     table = parquet.read_table(pa.BufferReader(content), columns=[key for key in SIGNALS if key in present])
@@ -64,7 +64,9 @@ def columns(content: bytes, stages: Stages, points: int | None) -> dict[str, Ser
     return dict(zip(samples, decimate(np.stack(list(samples.values())), points, stages), strict=True))
 
 
-def opened(pinned: Mapping[str, bytes], stages: Mapping[str, Stages], points: int | None) -> dict[str, SeriesArray]:
+def opened(
+    pinned: Mapping[str, bytes], stages: Mapping[str, SamplingHints], points: int | None
+) -> dict[str, SeriesArray]:
     """Series arrays of pinned time histories, by strategy; a signal that was not pinned is NaN throughout.
 
     Args:

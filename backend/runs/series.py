@@ -38,7 +38,7 @@ def ordered_signals(signals: Iterable[str] | None) -> list[str]:
 def pack(result: StrategyResult, points: int | None = None) -> SeriesArray:
     """A result's time histories as one array; about `points` samples, or all."""
     rows = _Rows(result)
-    stages = Stages.of((span.stage, span.start_time, span.end_time) for span in result.stages)
+    stages = SamplingHints.of((span.stage, span.start_time, span.end_time) for span in result.stages)
     if points is not None and len(rows[0]) > MAX_COPIED_SAMPLES:
         return decimate(rows, points, stages)
     array = np.empty((len(rows), len(rows[0])), dtype=np.float32)
@@ -62,7 +62,7 @@ class _Rows(Sequence[SeriesArray]):
 
 
 @dataclass(frozen=True, slots=True)
-class Stages:
+class SamplingHints:
     """Where a run's samples matter most.
 
     Attributes:
@@ -85,7 +85,7 @@ class Stages:
         return cls(tuple(start for _, start, _ in later), bumps[0] if bumps else None)
 
 
-def decimate(series: Sequence[SeriesArray] | SeriesArray, points: int | None, stages: Stages) -> SeriesArray:
+def decimate(series: Sequence[SeriesArray] | SeriesArray, points: int | None, stages: SamplingHints) -> SeriesArray:
     """About `points` samples of a series, the same ones for all signals, every peak among them.
 
     Half of them are spent on the bump, where there is one. Added is each signal's largest and smallest value in each

@@ -1,7 +1,7 @@
 """Runs: stored results are answered; missing ones are computed once, committed, then answered."""
 
 import logging
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Literal
@@ -9,8 +9,8 @@ from typing import Literal
 from sqlalchemy.exc import SQLAlchemyError
 
 from backend import digest
-from backend.analysis.roads import seeded
 from backend.compute.workers import Workers
+from backend.cost.estimate import cost_of
 from backend.errors import (
     GoneError,
     InvalidError,
@@ -18,28 +18,28 @@ from backend.errors import (
     NotFoundError,
     RoadGoneError,
 )
-from backend.http.admission import Admission, cost_of
+from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile
 from backend.json_types import JsonObject
 from backend.metrics import CACHE
-from backend.models import CreatedRun, LiveRun, Run
-from backend.roads.service import Roads
+from backend.outcome import Outcome
+from backend.over_roads import seeded
+from backend.roads.service import MeasuredRoads
 from backend.runs import exports, figures, series
 from backend.runs.answers import (
+    as_plain,
     changes_to_run,
     changes_to_strategy,
-    created_answer,
     default_baseline,
     live_answer,
     run_answer,
 )
 from backend.runs.histories import Histories
+from backend.runs.reports import page
 from backend.runs.reports import run as run_report
 from backend.runs.reports.page import Report, in_thread
-from backend.runs.results import Result, Results
-from backend.runs.roads_models import CreatedRoadsRun, PairedChanges, RoadsRun
-from backend.runs.work import ComputedResult
-from backend.store import Store, StoredResult, StoredRun
+from backend.runs.result_finder import Outcomes, ResultFinder
+from backend.store import Store, StoredRun
 from backend.store.roads import measured_roads
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
@@ -50,18 +50,16 @@ logger = logging.getLogger(__name__)
 
 
 class Runs:
-    """The one service of runs; its methods belong to the event loop."""
+    """The one service of runs."""
 
     def __init__(
-        self, *, store: Store, workers: Workers, results: Results, admission: Admission, roads: Roads, spool: Spool
+        self, *, store: Store, workers: Workers, results: ResultFinder, gate: Gate, roads: MeasuredRoads, spool: Spool
     ) -> None:
         self._store = store
         self._results = results
-        self._admission = admission
+        self._gate = gate
         self._roads = roads
-        self._histories = Histories(
-            store=store, workers=workers, results=results, admission=admission, roads=roads, spool=spool
-        )
+        self._histories = Histories(store=store, workers=workers, results=results, gate=gate, roads=roads, spool=spool)
         self._store_usable = True
 
     async def store_usable(self) -> bool:
@@ -78,7 +76,7 @@ class Runs:
 
     async def create(
         self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None
-    ) -> CreatedRun | CreatedRoadsRun:
+    ) -> JsonObject:
         """The run of that scenario, computed where it was not stored.
 
         Args:
@@ -90,37 +88,38 @@ class Runs:
                 passive does not run.
         """
         saved, cached = await self.drive(scenario, strategies, client, roads=roads, baseline=baseline)
-        return created_answer(saved, cached)
+        return run_answer(saved, cached=cached)
 
     async def drive(
         self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None
     ) -> tuple[StoredRun, dict[str, bool]]:
         """The run in the database, and the strategies that were not computed for this request."""
         names, scenario = ordered(strategies), await self._roads.with_length(scenario)
-        self._admission.check_cost(roads * cost_of(scenario, names))
         against = None if roads == 1 else baseline or default_baseline(names)
         run_id = digest.run_id(scenario, names, roads, against)
+        plain = scenario.model_dump(mode="json")
         stored = await self._store.read(self._store.runs.load, run_id)
         if stored is not None and not stored.expired:
             CACHE.labels("hit").inc(len(names) * roads)
-            return stored, dict.fromkeys(names, True)
-        results, outcomes = await self._computed(scenario, names, roads, client)
-        if not all(item.outcome.cacheable for each in results for item in each.values()):  # asked again: tried again
+            return replace(stored, scenario=plain), dict.fromkeys(names, True)  # the id says that they are the same
+        self._gate.check_cost(roads * cost_of(scenario, names))
+        outcomes = await self._computed(scenario, names, roads, client)
+        if not all(item.cacheable for item in outcomes):  # asked again: tried again
             run_id = digest.random_id()
         run = StoredRun(
             id=run_id,
             core_version=CORE_VERSION,
             schema_version=SCHEMA_VERSION,
-            scenario=scenario.model_dump(mode="json"),
+            scenario=plain,
             results=tuple(outcomes),
             roads=roads,
             baseline=against,
         )
         await self._roads.named(measured_roads(run.scenario))  # results in memory outlive the road
         saved = await self._store.write(self._store.runs.save, run)
-        return saved, {name: all(each[name].cached for each in results) for name in names}
+        return saved, {name: all(item.cached for item in outcomes if item.strategy == name) for name in names}
 
-    async def get(self, run_id: str, client: str) -> Run | RoadsRun:
+    async def get(self, run_id: str, client: str) -> JsonObject:
         """The stored run.
 
         Raises:
@@ -128,7 +127,7 @@ class Runs:
         """
         return run_answer(await self.stored(run_id, client))
 
-    async def changes(self, run_id: str, client: str, *, against: str | None, baseline: str | None) -> PairedChanges:
+    async def changes(self, run_id: str, client: str, *, against: str | None, baseline: str | None) -> JsonObject:
         """What a run over several roads changes against another one, or its strategies against one of them.
 
         Raises:
@@ -146,14 +145,13 @@ class Runs:
 
     async def live(
         self, scenario: Scenario, strategies: Iterable[str], points: int, signals: Sequence[str] | None, client: str
-    ) -> LiveRun:
+    ) -> JsonObject:
         """Figures and decimated time histories of that scenario; nothing is stored."""
         names, scenario = ordered(strategies), await self._roads.with_length(scenario)
-        self._admission.check_cost(cost_of(scenario, names))
-        results = await self._results.get(scenario, names, client, points=points)
+        self._gate.check_cost(cost_of(scenario, names))
+        outcomes = await self._results.get(scenario, names, client, points=points)
         keys = series.ordered_signals(signals)
-        outcomes = {name: item.outcome for name, item in results.items()}
-        fields: dict[str, JsonObject] = {name: {"cached": item.cached} for name, item in results.items()}
+        fields: dict[str, JsonObject] = {name: {"cached": outcome.cached} for name, outcome in outcomes.items()}
         for name, outcome in outcomes.items():
             if outcome.series is not None:
                 fields[name]["series"] = {key: series.packed(outcome.series[series.ROWS[key]]) for key in keys}
@@ -241,7 +239,7 @@ class Runs:
             raise NotFoundError(f"There is no such figure; there are {', '.join(figures.PANELS)}.")
         stored = await self.stored(run_id, client)
         outcomes = await self._histories.outcomes(stored, client)
-        with self._admission.computing(client, 0.0):
+        with self._gate.computing(client, 0.0):
             if name is not None:
                 return figures.filled(name, outcomes, axis)
             return {"figures": {each: figures.filled(each, outcomes, axis) for each in figures.PANELS}}
@@ -268,20 +266,20 @@ class Runs:
         if baseline is not None and baseline not in names:
             message = f"This run has {', '.join(names)}; the baseline is one of them"
             raise InvalidError(message, parameter="baseline")
-        outcomes: Mapping[str, ComputedResult] = {}
+        outcomes: Outcomes = {}
         gone = None
         try:
             outcomes = await self._histories.outcomes(stored, client)
         except GoneError as error:
             gone = error.message
         base = baseline or stored.baseline or default_baseline(names)
-        answer = run_answer(stored, baseline=base).model_dump(mode="json")
+        answer = as_plain(run_answer(stored, baseline=base))
         other: JsonObject | None = None
         if against is not None:
             run = await self._other(against, client)
-            other = run_answer(run).model_dump(mode="json")
+            other = as_plain(run_answer(run))
             if stored.roads > 1 or run.roads > 1:
-                answer["changes"] = changes_to_run(stored, run).model_dump(mode="json")["changes"]
+                answer["changes"] = changes_to_run(stored, run)["changes"]
         facts = run_report.RunFacts(
             answer=answer,
             created_at=stored.created_at,
@@ -291,7 +289,7 @@ class Runs:
             axis=axis,
             gone=gone,
         )
-        with self._admission.reporting(client):
+        with self._gate.computing(client, page.COST, reports=1):
             return await in_thread(partial(run_report.report, facts, compressed=compressed))
 
     async def _other(self, run_id: str, client: str) -> StoredRun:
@@ -309,33 +307,33 @@ class Runs:
             RoadGoneError: It would be computed on a measured road that is not stored any more.
             TemporaryError: Too much is being computed.
         """
-        stored = await self._store.read(self._store.runs.load, run_id)
+        stored = await self._load(run_id)
         if stored is None:
             raise NotFoundError("There is no run of this id.")
-        scenario = upgraded_scenario(stored.scenario, stored.schema_version)
-        stored = replace(stored, scenario=scenario, schema_version=SCHEMA_VERSION)
         return await self._computed_again(stored, client) if stored.expired else stored
 
-    async def _computed(
-        self, scenario: Scenario, names: Sequence[str], roads: int, client: str
-    ) -> tuple[list[dict[str, Result]], list[StoredResult]]:
-        """Results road by road, as outcomes and as rows to store."""
-        driven = seeded(scenario, roads)
-        results = await self._results.on_roads(driven, names, client, points=None)
-        return results, [
-            _to_store(road, name, each[name].outcome)
-            for road, each in zip(driven, results, strict=True)
-            for name in names
-        ]
+    async def _load(self, run_id: str) -> StoredRun | None:
+        """The run as it is stored, its scenario today's."""
+        stored = await self._store.read(self._store.runs.load, run_id)
+        if stored is None:
+            return None
+        scenario = upgraded_scenario(stored.scenario, stored.schema_version)
+        return replace(stored, scenario=scenario, schema_version=SCHEMA_VERSION)
+
+    async def _computed(self, scenario: Scenario, names: Sequence[str], roads: int, client: str) -> list[Outcome]:
+        """Results road by road, as they are stored."""
+        results = await self._results.on_roads(seeded(scenario, roads), names, client, points=None)
+        every = [each[name] for each in results for name in names]
+        return [each if each.cacheable else replace(each, key=digest.uncacheable_key()) for each in every]
 
     async def _computed_again(self, stored: StoredRun, client: str) -> StoredRun:
         """A run whose results were removed, by this core version, which it then names."""
         scenario, names = Scenario.model_validate(stored.scenario), list(stored.by_strategy)
         try:
-            results, outcomes = await self._computed(scenario, names, stored.roads, client)
+            outcomes = await self._computed(scenario, names, stored.roads, client)
         except InvalidError:
             raise RoadGoneError from None
-        if not all(item.outcome.cacheable for each in results for item in each.values()):
+        if not all(item.cacheable for item in outcomes):
             raise RoadGoneError  # stored, this failure would be the run's result for ever
         await self._store.write(self._store.runs.recompute, stored.id, CORE_VERSION, outcomes)
         return replace(stored, results=tuple(outcomes), core_version=CORE_VERSION)
@@ -357,13 +355,3 @@ def upgraded_scenario(scenario: JsonObject, schema_version: int) -> JsonObject:
         return restored(scenario, schema_version).model_dump(mode="json")
     except NewerScenarioError as error:
         raise NewerSchemaError(f"{error.message}.") from None
-
-
-def _to_store(scenario: Scenario, name: str, outcome: ComputedResult) -> StoredResult:
-    return StoredResult(
-        key=digest.result_key(scenario, name) if outcome.cacheable else digest.uncacheable_key(),
-        strategy=name,
-        status=outcome.status,
-        summary=outcome.summary,
-        compute_ms=outcome.compute_ms,
-    )

@@ -12,10 +12,10 @@ from backend.store.links import LinkStore, StoredLink
 from backend.store.logins import LoginStore
 from backend.store.retention import RetentionStore
 from backend.store.roads import RoadStore
-from backend.store.runs import RunStore, StoredResult, StoredRun
+from backend.store.runs import RunStore, StoredRun
 from backend.store.trials import TrialStore
 
-__all__ = ["Store", "StoredJob", "StoredLink", "StoredResult", "StoredRun"]
+__all__ = ["Store", "StoredJob", "StoredLink", "StoredRun"]
 
 
 class Store(Database):

@@ -10,7 +10,7 @@ from backend.db.tables import job_events, jobs
 from backend.json_types import JsonObject
 from backend.store.job import UNFINISHED
 
-PAGE = 500  # events read at once
+EVENTS_AT_ONCE = 500  # events read at once
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -28,7 +28,7 @@ class JobEventStore:
     def __init__(self, database: Database) -> None:
         self._database = database
 
-    def of(self, job_id: str, after: int, limit: int = PAGE) -> list[JobEvent]:
+    def of(self, job_id: str, after: int, limit: int = EVENTS_AT_ONCE) -> list[JobEvent]:
         """The events behind event `after`."""
         with self._database.reading() as connection:
             return _events(connection, job_id, after, limit)
@@ -37,8 +37,10 @@ class JobEventStore:
         """The events behind event `after`, and whether the job has ended."""
         with self._database.reading() as connection:
             state = connection.execute(select(jobs.c.state).where(jobs.c.id == job_id)).scalar_one_or_none()
-            events = _events(connection, job_id, after, PAGE)  # behind the state: an end that is seen has its event
-        return events, state not in UNFINISHED and len(events) < PAGE
+            events = _events(
+                connection, job_id, after, EVENTS_AT_ONCE
+            )  # behind the state: an end that is seen has its event
+        return events, state not in UNFINISHED and len(events) < EVENTS_AT_ONCE
 
     def history(self, job_id: str) -> list[JsonObject]:
         """The data of its progress events since its last restart."""

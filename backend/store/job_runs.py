@@ -1,14 +1,14 @@
 """The runs of a sweep: a run refers to its result by key, and each result is stored once."""
 
 from collections.abc import Mapping, Sequence
-from datetime import UTC, datetime
 from typing import Any
 
 from sqlalchemy import Connection, Select, Update, bindparam, select, update
 
 from backend.db.database import Database
 from backend.db.tables import EXPIRED, job_runs, jobs, results
-from backend.jobs.chunk import ComputedRun, JobRow, WaitingRun
+from backend.job_run import JobRow, JobRun
+from backend.outcome import Outcome
 from backend.store.job_events import add_event
 from backend.store.jobs import lock
 from backend.store.runs import insert_results
@@ -20,7 +20,7 @@ class JobRunStore:
     def __init__(self, database: Database) -> None:
         self._database = database
 
-    def waiting(self, job_id: str, after: int, limit: int) -> tuple[int | None, list[WaitingRun]]:
+    def waiting(self, job_id: str, after: int, limit: int) -> tuple[int | None, list[JobRun]]:
         """The next runs without a result behind position `after`, and the last position looked at (None: no more).
 
         Those whose result is stored already are settled instead.
@@ -35,7 +35,7 @@ class JobRunStore:
                 _settle(connection, job_id, stored)
             self._database.changed(job_id)
         runs = [
-            WaitingRun(position=row.position, changes=row.changes, strategy=row.strategy, key=row.result_key)
+            JobRun(position=row.position, changes=row.changes, strategy=row.strategy, key=row.result_key)
             for row in rows
             if row.stored is None
         ]
@@ -44,20 +44,14 @@ class JobRunStore:
     def save(
         self,
         job_id: str,
-        computed: Sequence[ComputedRun],
+        computed: Sequence[Outcome],
         core_version: str,
         failures: Mapping[int, str] | None = None,
     ) -> None:
         """Commit results of a job, and for runs (by position) without one the reason."""
-        now = datetime.now(UTC)
-        names = ("key", "strategy", "status", "summary", "compute_ms")
-        rows = [
-            {"core_version": core_version, "created_at": now, **{name: getattr(item, name) for name in names}}
-            for item in computed
-        ]
         with self._database.writing() as connection:
             lock(connection, job_id)
-            insert_results(connection, rows)
+            insert_results(connection, computed, core_version)
             _fail(connection, job_id, failures or {})
             _settle(connection, job_id, {item.key: item.status for item in computed})
         self._database.changed(job_id)

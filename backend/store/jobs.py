@@ -4,9 +4,10 @@ A job that has not ended is driven until it has, whatever crashes: what is still
 """
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import fields
 from datetime import UTC, datetime
+from itertools import islice
 from typing import Any
 
 from sqlalchemy import Connection, Row, Select, and_, delete, func, insert, or_, select, update
@@ -14,7 +15,7 @@ from sqlalchemy.exc import IntegrityError
 
 from backend.db.database import Database, insert_new
 from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, trials
-from backend.jobs.chunk import PlannedRun
+from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from backend.store.job import FINAL, UNFINISHED, Kind, State, StoredJob
 from backend.store.job_events import add_event
@@ -25,6 +26,7 @@ class ParentEndedError(Exception):
     """A job cannot be submitted for one that has ended."""
 
 
+INSERTED = 1000  # rows made at once
 PURGED = 2000  # rows deleted in one transaction
 LONGEST_KEY = 255  # characters, as the column has them
 
@@ -40,11 +42,11 @@ class JobStore:
         self._database = database
 
     def create(
-        self, job: StoredJob, runs: Sequence[PlannedRun] = (), idempotency_key: str | None = None
+        self, job: StoredJob, runs: Iterable[JobRun] = (), idempotency_key: str | None = None
     ) -> tuple[StoredJob, bool]:
         """Commit a job with all its runs; if its idempotency key exists, return that key's job and False.
 
-        A cancelled job gives its key away.
+        A cancelled job gives its key away. The runs can be gone through more than once.
 
         Raises:
             ParentEndedError: The job that submits it has ended meanwhile.
@@ -67,8 +69,9 @@ class JobStore:
                 connection.execute(insert(jobs), row)
                 if job.road_ids:
                     insert_new(connection, job_roads, [{"job_id": job.id, "road_id": each} for each in job.road_ids])
-                if runs:
-                    connection.execute(insert(job_runs), [run.row(job.id) for run in runs])
+                rows = (run.row(job.id) for run in runs)
+                while some := list(islice(rows, INSERTED)):
+                    connection.execute(insert(job_runs), some)
                 add_event(connection, job.id, "state")
         except IntegrityError:
             existing = None if idempotency_key is None else self.by_idempotency_key(job.kind, idempotency_key)
@@ -216,12 +219,6 @@ class JobStore:
                 add_event(connection, job.id, event, details)
         self._database.changed(job.id)
         return True
-
-    def note_progress(self, job_id: str, **progress: Any) -> None:
-        """Change the stored progress of a job that has not ended, without an event."""
-        with self._database.writing() as connection:
-            running = (jobs.c.id == job_id) & jobs.c.state.in_(UNFINISHED)
-            connection.execute(update(jobs).where(running).values(progress=progress))
 
     def set_label(self, job_id: str, label: str | None) -> None:
         """Set its label, or (None) remove it."""

@@ -30,8 +30,8 @@ from backend.db.tables import (
 from backend.store.job import FINAL
 from backend.store.jobs import mark_removed
 
-PAGE = 500  # results or roads in one transaction
-JOBS_PAGE = 20  # jobs of users, each with up to some hundred that it submitted
+REMOVED_AT_ONCE = 500  # results or roads in one transaction
+JOBS_REMOVED_AT_ONCE = 20  # jobs of users, each with up to some hundred that it submitted
 
 Removable = Select[str, datetime]
 
@@ -132,7 +132,11 @@ def _removable_roads(before: datetime | None) -> Removable:
     query = select(roads.c.id, roads.c.created_at.label("created")).where(
         ~exists().where(run_roads.c.road_id == roads.c.id), ~exists().where(job_roads.c.road_id == roads.c.id)
     )
-    return (query if before is None else query.where(roads.c.created_at < before)).order_by("created").limit(PAGE)
+    return (
+        (query if before is None else query.where(roads.c.created_at < before))
+        .order_by("created")
+        .limit(REMOVED_AT_ONCE)
+    )
 
 
 def _removable_jobs(before: datetime | None) -> Removable:
@@ -146,7 +150,11 @@ def _removable_jobs(before: datetime | None) -> Removable:
     query = select(jobs.c.id, jobs.c.finished_at.label("created")).where(
         jobs.c.parent_id.is_(None), jobs.c.state.in_(FINAL), jobs.c.kind != REMOVED, ~exists().where(family, named)
     )
-    return (query if before is None else query.where(jobs.c.finished_at < before)).order_by("created").limit(JOBS_PAGE)
+    return (
+        (query if before is None else query.where(jobs.c.finished_at < before))
+        .order_by("created")
+        .limit(JOBS_REMOVED_AT_ONCE)
+    )
 
 
 def _removable_results(before: datetime | None) -> Removable:
@@ -157,4 +165,8 @@ def _removable_results(before: datetime | None) -> Removable:
         ~exists().where(pinned_series.c.result_key == results.c.key),
         ~shown,
     )
-    return (query if before is None else query.where(results.c.created_at < before)).order_by("created").limit(PAGE)
+    return (
+        (query if before is None else query.where(results.c.created_at < before))
+        .order_by("created")
+        .limit(REMOVED_AT_ONCE)
+    )

@@ -1,29 +1,18 @@
 """Runs, and each strategy's result stored once under its content's key."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from typing import Any
 
-import orjson
-from sqlalchemy import Connection, Row, delete, insert, select, update
+from sqlalchemy import Connection, bindparam, delete, insert, select, update
 from sqlalchemy.dialects import postgresql, sqlite
 
 from backend.db.database import Database, insert_new
 from backend.db.tables import EXPIRED, results, run_results, run_roads, runs
 from backend.json_types import JsonObject
+from backend.outcome import Outcome
 from backend.store.roads import measured_roads
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class StoredResult:
-    """One strategy's result without its series; `summary` holds plain JSON values."""
-
-    key: str
-    strategy: str
-    status: str
-    summary: JsonObject
-    compute_ms: float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -40,7 +29,7 @@ class StoredRun:
     core_version: str
     schema_version: int
     scenario: JsonObject
-    results: tuple[StoredResult, ...]
+    results: tuple[Outcome, ...]
     created_at: datetime = field(default_factory=lambda: datetime.now(UTC))
     roads: int = 1
     baseline: str | None = None
@@ -51,12 +40,12 @@ class StoredRun:
         return any(item.status == EXPIRED for item in self.results)
 
     @property
-    def first_road(self) -> tuple[StoredResult, ...]:
+    def first_road(self) -> tuple[Outcome, ...]:
         """Each strategy's result on the first road."""
         return self.results[: len(self.results) // self.roads]
 
     @property
-    def shown(self) -> tuple[StoredResult, ...]:
+    def shown(self) -> tuple[Outcome, ...]:
         """The results whose time histories are shown: on the first road, of strategies that succeeded on every road."""
         road_by_road = self.by_strategy
         return tuple(
@@ -64,10 +53,20 @@ class StoredRun:
         )
 
     @property
-    def by_strategy(self) -> dict[str, tuple[StoredResult, ...]]:
+    def by_strategy(self) -> dict[str, tuple[Outcome, ...]]:
         """Each strategy's results in the order of the roads."""
         count = len(self.first_road)
         return {item.strategy: self.results[index::count] for index, item in enumerate(self.first_road)}
+
+
+# Made once: to make them takes as long as to run them.
+_HEAD = select(runs).where(runs.c.id == bindparam("run"))
+_MEMBERS = (
+    select(results.c.key, results.c.strategy, results.c.status, results.c.summary, results.c.compute_ms)
+    .join(run_results, run_results.c.result_key == results.c.key)
+    .where(run_results.c.run_id == bindparam("run"))
+    .order_by(run_results.c.position)
+)
 
 
 class RunStore:
@@ -81,7 +80,7 @@ class RunStore:
         with self._database.reading() as connection:
             return _load_run(connection, run_id)
 
-    def load_results(self, keys: Iterable[str]) -> dict[str, StoredResult]:
+    def load_results(self, keys: Iterable[str]) -> dict[str, Outcome]:
         """The stored ones of these results, by key."""
         query = select(results).where(results.c.key.in_(list(keys)), results.c.status != EXPIRED)
         with self._database.reading() as connection:
@@ -94,7 +93,7 @@ class RunStore:
         Where another process stored the same run first, that one stays: content-addressed results never change.
         """
         with self._database.writing() as connection:
-            insert_results(connection, [_result_row(item, run.core_version) for item in run.results])
+            insert_results(connection, run.results, run.core_version)
             insert_new(connection, runs, [{column.name: getattr(run, column.name) for column in runs.c}])
             insert_new(connection, run_results, _members(run.id, run.results))
             for road in measured_roads(run.scenario):
@@ -104,17 +103,30 @@ class RunStore:
             raise RuntimeError("A run was not there right after it was stored")
         return stored
 
-    def recompute(self, run_id: str, core_version: str, outcomes: Sequence[StoredResult]) -> None:
+    def recompute(self, run_id: str, core_version: str, outcomes: Sequence[Outcome]) -> None:
         """Replace the expired results of a run by these, which that core version computed."""
         with self._database.writing() as connection:
-            insert_results(connection, [_result_row(item, core_version) for item in outcomes])
+            insert_results(connection, outcomes, core_version)
             connection.execute(delete(run_results).where(run_results.c.run_id == run_id))
             connection.execute(insert(run_results), _members(run_id, outcomes))
             connection.execute(update(runs).where(runs.c.id == run_id).values(core_version=core_version))
 
 
-def insert_results(connection: Connection, rows: Sequence[dict[str, object]]) -> None:
+def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_version: str) -> None:
     """Insert the results that are missing or have expired; in the key's order, as `insert_new`."""
+    now = datetime.now(UTC)
+    rows = [
+        {
+            "key": item.key,
+            "strategy": item.strategy,
+            "core_version": core_version,
+            "status": item.status,
+            "summary": item.json.decode(),
+            "compute_ms": item.compute_ms,
+            "created_at": now,
+        }
+        for item in sorted(outcomes, key=lambda item: item.key)
+    ]
     if not rows:
         return
     new = postgresql.insert(results) if connection.dialect.name == "postgresql" else sqlite.insert(results)
@@ -124,36 +136,27 @@ def insert_results(connection: Connection, rows: Sequence[dict[str, object]]) ->
         set_={name: new.excluded[name] for name in columns},
         where=results.c.status == EXPIRED,
     )
-    connection.execute(replacing, sorted(rows, key=lambda row: str(row["key"])))
+    connection.execute(replacing, rows)
 
 
 def _load_run(connection: Connection, run_id: str) -> StoredRun | None:
-    head = connection.execute(select(runs).where(runs.c.id == run_id)).one_or_none()
+    head = connection.execute(_HEAD, {"run": run_id}).one_or_none()
     if head is None:
         return None
-    members = connection.execute(
-        select(results)
-        .join(run_results, run_results.c.result_key == results.c.key)
-        .where(run_results.c.run_id == run_id)
-        .order_by(run_results.c.position)
-    ).all()
+    members = connection.execute(_MEMBERS, {"run": run_id}).all()
     return StoredRun(**head._asdict(), results=tuple(_result(row) for row in members))
 
 
-def _result(row: Row[Any]) -> StoredResult:
-    return StoredResult(
+def _result(row: Any) -> Outcome:
+    return Outcome(
         key=row.key,
         strategy=row.strategy,
         status=row.status,
-        summary=orjson.loads(row.summary),
+        json=row.summary.encode(),
         compute_ms=row.compute_ms,
+        cached=True,
     )
 
 
-def _result_row(item: StoredResult, core_version: str) -> dict[str, object]:
-    row = {"core_version": core_version, "created_at": datetime.now(UTC), **asdict(item)}
-    return row | {"summary": orjson.dumps(item.summary).decode()}
-
-
-def _members(run_id: str, outcomes: Sequence[StoredResult]) -> list[dict[str, object]]:
+def _members(run_id: str, outcomes: Sequence[Outcome]) -> list[dict[str, object]]:
     return [{"run_id": run_id, "position": position, "result_key": item.key} for position, item in enumerate(outcomes)]

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 FINAL = ("done", "cancelled", "failed")
 SILENCE = 20.0  # a stream that says nothing for so long is asked for anew [s]; the service speaks every 15 s
-PATIENCE = 90.0  # a service may be away so long while a job is waited for: a restart, another replica [s]
+LONGEST_ABSENCE = 90.0  # a service may be away so long while a job is waited for: a restart, another replica [s]
 LONGEST_PAUSE = 2.0  # between two polls [s]
 Trial = dict[str, Any]  # number, weights, values, limits, feasible, …, as the service sends it
 
@@ -119,7 +119,7 @@ class Job:
                 pause, last_answer = 0.1 if any_events else min(2 * pause, LONGEST_PAUSE), time.monotonic()
             except (RidelabConnectionError, RidelabAPIError) as error:
                 away = isinstance(error, RidelabConnectionError) or error.status >= 500
-                if not away or time.monotonic() - last_answer > PATIENCE:
+                if not away or time.monotonic() - last_answer > LONGEST_ABSENCE:
                     raise
                 pause = LONGEST_PAUSE
             if not self.finished:

@@ -13,21 +13,28 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller
-from sim_core.kernel.prepared import LawArrays
+from sim_core.loop.closed_loop import law_arrays
 from sim_core.loop.drive import filter_preview, make_setup
 from sim_core.loop.excitation import step_sizes
+from sim_core.loop.preview import Forecast
 from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario, Vehicle
 from sim_core.speed.profile import plan_speed
 from sim_core.strategies import make_controller, speed_plan
 from sim_core.vehicle.estimator import make_estimator
-from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
+from sim_core.vehicle.half_car import DISTURBANCES, STATES
 from sim_core.vehicle.linear import closed_loop_matrix, control_step
-from sim_core.vehicle.model import LAW_INPUTS, Estimator, LinearLaw
+from sim_core.vehicle.model import Estimator, LinearLaw
 from sim_core.vehicle.nonlinear import NonlinearCar
 from sim_core.vehicle.plant import plant
 
 _SETTLED = 8.0  # by then only the motion of a loop with unequal dampers that dies out last is left [s]
 _BLOCK = 100  # control steps after which its motion is brought back to size 1
+_NO_PREVIEW = Forecast(
+    windows=np.zeros((DISTURBANCES, _BLOCK, 0)),
+    source=np.zeros(0),
+    sizes=np.zeros((1 + DISTURBANCES, _BLOCK)),
+    height_now=np.zeros((2, _BLOCK)),
+)
 _NEGLIGIBLE = 1e-6  # a mode with a smaller eigenvalue has died out after one control step
 # No control law depends on the road; a Kalman filter depends on its roughness alone.
 _ANY_ROAD = Road(roughness=0, length=30, bump=Bump(height=0, start=20))
@@ -113,7 +120,8 @@ def _last_motion(
         estimator = replace(estimator, input=np.zeros((_BLOCK, STATES)))
     car = NonlinearCar(near_rest, actuator, step, np.zeros((_BLOCK, DISTURBANCES)), _BLOCK, estimator)
     motion = np.ones((_BLOCK + 1, len(loop)))
-    follow = car.follow_law(_unlimited(law), motion)
+    free = law_arrays(LinearLaw(gain=law.gain), _NO_PREVIEW, np.full(3, inf), clips=True)
+    follow = car.follow_law(free, motion)
     eigenvalues, modes = np.linalg.eig(loop)
     to_modes = np.linalg.pinv(modes)[np.abs(eigenvalues) > _NEGLIGIBLE].T
     blocks = ceil(_SETTLED / (step * _BLOCK))
@@ -133,21 +141,3 @@ def _last_motion(
     growth = exp(rate * step)
     cosine = (1 + growth**2 - float(np.mean(changes))) / (2 * growth)
     return -rate / hypot(rate, acos(min(max(cosine, -1.0), 1.0)) / step)
-
-
-def _unlimited(law: LinearLaw) -> LawArrays:
-    """The law without preview and limits, over a block."""
-    return LawArrays(
-        gain=law.gain,
-        preview_gain=np.zeros((FORCES, 0)),
-        limits=np.zeros((0, LAW_INPUTS)),
-        scale=np.ones(LAW_INPUTS),
-        norms=np.zeros((0, 5)),
-        preview=np.zeros(0),
-        strides=(0, 0),
-        sizes=np.zeros((4, _BLOCK)),
-        force_limit=inf,
-        most_change=inf,
-        most_force=inf,
-        clips=True,
-    )

@@ -6,9 +6,7 @@ float64, or cannot be written into. Calls that are made at every step are in pre
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import lru_cache
-from math import isfinite
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,7 +34,9 @@ _sections = Function(
 )
 _power = Function("power", _LINES, _LINES, INT, _LINES_OUT)
 _kink_peaks = Function(
-    "kink_peaks", *_ROAD, _LINE, _LINE, _TABLE, _LINE, INT, INT, DOUBLE, DOUBLE, _LINE, _TABLE, _LINE, INT, _LINE_OUT
+    "kink_peaks",
+    *(*_ROAD, _TABLE, _TABLE, INT, _LINES, _TABLE, INT, INT),
+    *(Array(2, 2), _LINE, _TABLE, _LINE, INT, _TABLE_OUT),
 )
 _shape_number = Function("shape_number", NAME, result=INT)
 _integrand_number = Function("integrand_number", NAME, result=INT)
@@ -161,48 +161,42 @@ def power(force: FloatArray, speed: FloatArray, both: FloatArray) -> None:
     _power(force, speed, both.size, both)
 
 
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class AxleRecord:
-    """An axle on record: where it was (n + 1,), the road's height there [m], its tyre's load and that one's limits.
-
-    Attributes:
-        position: At every fine instant, n = fine · commands [m].
-        height: Of the road there [m].
-        load: (fine + 1, commands) [N].
-        highest: Largest magnitude of the load under each command (commands,) [N].
-        stiffness: Of the tyre [N/m].
-        lowest: Of the load [N].
-    """
-
-    position: FloatArray
-    height: FloatArray
-    load: FloatArray
-    highest: FloatArray
-    stiffness: float
-    lowest: float
-
-
 def kink_peaks(
     samples: FloatArray,
     layout: FloatArray,
-    axle: AxleRecord,
+    position: FloatArray,
+    height: FloatArray,
+    loads: FloatArray,
+    highest: FloatArray,
+    tyres: FloatArray,
     kinks: FloatArray,
     ends: FloatArray,
     rise: FloatArray,
     peaks: FloatArray,
 ) -> None:
-    """Raise the peaks (n,) [N] of an axle's load in sections (n, 2), whose road leaves a chord by `rise` (n,) [m].
+    """Raise the peaks (2, sections) [N] of both axles' loads (2, fine + 1, commands) [N] at kinks of the road.
 
-    `kinks` (m,) ascend to infinity [m].
+    Args:
+        samples: Of the road's roughness (m,) [m].
+        layout: Of the road (9,).
+        position: Of both axles at every fine instant up to the record's end (2, n) [m].
+        height: Of the road there [m].
+        loads: On record.
+        highest: Their largest magnitude under each command (2, commands) [N].
+        tyres: Stiffness [N/m] and lowest load [N] of each (2, 2).
+        kinks: Of the bumps, ascending to infinity [m].
+        ends: Of the sections (sections, 2) [fine steps].
+        rise: How far their road leaves a chord at most (sections,) [m].
+        peaks: As above.
     """
     _check_road(samples)
-    fine, commands = len(axle.load) - 1, axle.load.shape[-1]
-    fits = len(axle.position) == len(axle.height) == fine * commands + 1 and len(axle.highest) == commands
-    require(fits and fine > 0, "A record has as many fine steps as its road")
-    require(len(ends) == len(rise) == len(peaks) and kinks[-1] == np.inf, "Every section has a rise and a peak")
-    require(isfinite(axle.position[0]) and isfinite(axle.position[-1]), "An axle is somewhere")
+    fine, commands, instants = loads.shape[1] - 1, loads.shape[2], position.shape[1]
+    fits = position.shape == height.shape == (2, instants) and highest.shape == (2, commands) and len(loads) == 2
+    require(fits and instants > fine * commands > 0, "A record has as many fine steps as its road")
+    require(len(ends) == len(rise) and peaks.shape == (2, len(rise)), "Every section has a rise and a peak")
+    require(bool(np.isfinite(position[:, [0, -1]]).all()) and kinks[-1] == np.inf, "An axle is somewhere, no kink last")
     _check_ends(ends, fine * commands)
     _kink_peaks(
-        *(samples, len(samples), layout, axle.position, axle.height, axle.load, axle.highest, fine, commands),
-        *(axle.stiffness, axle.lowest, kinks, ends, rise, len(rise), peaks),
+        *(samples, len(samples), layout, position, height, instants, loads, highest, fine, commands),
+        *(tyres, kinks, ends, rise, len(rise), peaks),
     )

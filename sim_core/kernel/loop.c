@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <string.h>
 
-enum { TOGETHER = 4, SIZES = 5 };
+enum { TOGETHER = 8, SIZES = 5 };
 static const double WITHIN = 1 - 1e-9; /* of a limit: so that rounding does not pass it */
 static const double SAME_FORCE = 1e-6; /* [N]: rounding */
 
@@ -20,6 +20,21 @@ static double clipped(double value, double limit)
     return value > limit ? limit : value < -limit ? -limit : value;
 }
 
+/* What the actuators are told where a force is wanted after the previous command: no more than `limits` [N] of the
+   force, then of its change, then of the actuators. Returns whether that shapes it. */
+int ridelab_limit_force(const double *limits, const double *wanted, const double *previous, double *command)
+{
+    int shaped = 0;
+    for (int axle = 0; axle < FORCES; axle++) {
+        double force = clipped(wanted[axle], limits[0]), change = force - previous[axle];
+        if (fabs(change) > limits[1])
+            force = previous[axle] + clipped(change, limits[1]);
+        command[axle] = clipped(force, limits[2]);
+        shaped |= !(fabs(command[axle] - wanted[axle]) <= SAME_FORCE);
+    }
+    return shaped;
+}
+
 /* Some sums beside each other: one alone would wait for each addition. */
 static double dot(const double *a, const double *b, int count)
 {
@@ -30,7 +45,7 @@ static double dot(const double *a, const double *b, int count)
             sum[part] += a[i + part] * b[i + part];
     for (; i < count; i++)
         sum[0] += a[i] * b[i];
-    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
 
 void ridelab_add_columns(const double (*restrict columns)[10], const double *restrict factors, int count,
@@ -41,32 +56,34 @@ void ridelab_add_columns(const double (*restrict columns)[10], const double *res
             sum[i] += columns[column][i] * factors[column];
 }
 
-/* A row on state and previous force `z`, then on what is previewed in a control step. */
-static double on_preview(const struct law *law, const double *row, const double *preview)
+/* What the law knows in a control step: the car's state, the previous force, the preview, one kind after another. */
+static void look(const struct law *law, int step, const double *now, const double *previous)
 {
-    int horizon = (int)law->numbers->horizon;
-    double sum = 0;
-    for (int kind = 0; kind < DISTURBANCES; kind++)
-        sum += dot(row + kind * horizon, preview + (ptrdiff_t)law->numbers->kind_stride * kind, horizon);
-    return sum;
+    const double *preview = law->preview + (ptrdiff_t)law->numbers->step_stride * step;
+    size_t horizon = (size_t)law->numbers->horizon;
+    memcpy(law->known, now, STATE * sizeof(double));
+    memcpy(law->known + STATE, previous, FORCES * sizeof(double));
+    for (size_t kind = 0; kind < DISTURBANCES; kind++)
+        memcpy(law->known + INPUTS + kind * horizon, preview + (ptrdiff_t)law->numbers->kind_stride * (ptrdiff_t)kind,
+               horizon * sizeof(double));
 }
 
 /* Whether every row is within its limit. By Cauchy and Schwarz a row comes to no more than the norms of its parts times
    the sizes of what they are on: most rows need no closer look. */
-static int holds(const struct law *law, int step, const double *z, const double *preview)
+static int holds(const struct law *law, int step)
 {
     int rows = (int)law->numbers->rows, steps = (int)law->numbers->steps;
     int columns = INPUTS + DISTURBANCES * (int)law->numbers->horizon;
     double size[SIZES], squares = 0;
     for (int i = 0; i < INPUTS; i++)
-        squares += law->scale[i] * law->scale[i] * z[i] * z[i];
+        squares += law->scale[i] * law->scale[i] * law->known[i] * law->known[i];
     size[0] = sqrt(squares);
     for (int i = 1; i < SIZES; i++)
         size[i] = law->sizes[step + (ptrdiff_t)steps * (i - 1)];
     for (int i = 0; i < rows; i++) {
-        const double *norms = law->norms + SIZES * i, *row = law->limits + (ptrdiff_t)columns * i;
+        const double *norms = law->norms + SIZES * i;
         double most = norms[0] * size[0] + norms[1] * size[1] + norms[2] * size[2] + norms[3] * size[3] + norms[4] * size[4];
-        if (!(most <= WITHIN) && !(fabs(dot(row, z, INPUTS) + on_preview(law, row + INPUTS, preview)) <= WITHIN))
+        if (!(most <= WITHIN) && !(fabs(dot(law->limits + (ptrdiff_t)columns * i, law->known, columns)) <= WITHIN))
             return 0;
     }
     return 1;
@@ -78,29 +95,23 @@ static int holds(const struct law *law, int step, const double *z, const double 
 int ridelab_follow_law(struct car *car, const struct law *law, double *loop, int *limited, int first, int last)
 {
     const struct law_numbers *numbers = law->numbers;
-    int width = car->size + FORCES;
+    int width = car->size + FORCES, previewed = DISTURBANCES * (int)numbers->horizon;
     for (int step = first; step < last; step++) {
-        double *now = loop + (ptrdiff_t)width * step, *next = now + width, z[INPUTS], command[FORCES];
-        const double *previous = now + car->size, *preview = law->preview + (ptrdiff_t)numbers->step_stride * step;
-        int shaped = 0, beyond = 0, lost = 0;
-        memcpy(z, now, STATE * sizeof(double));
-        memcpy(z + STATE, previous, FORCES * sizeof(double));
+        double *now = loop + (ptrdiff_t)width * step, *next = now + width, wanted[FORCES], command[FORCES];
+        const double *previous = now + car->size;
+        int beyond = 0, lost = 0;
+        look(law, step, now, previous);
         for (int axle = 0; axle < FORCES; axle++) {
-            double wanted = dot(law->gain + INPUTS * axle, z, INPUTS) +
-                            on_preview(law, law->preview_gain + DISTURBANCES * (int)numbers->horizon * axle, preview);
-            double force = clipped(wanted, numbers->force_limit), change = force - previous[axle];
-            if (fabs(change) > numbers->most_change)
-                force = previous[axle] + clipped(change, numbers->most_change);
-            command[axle] = clipped(force, numbers->most_force);
-            beyond |= !(fabs(wanted) <= numbers->force_limit * WITHIN);
-            lost |= isnan(wanted);
-            shaped |= !(fabs(command[axle] - wanted) <= SAME_FORCE);
+            wanted[axle] = dot(law->gain + INPUTS * axle, law->known, INPUTS) +
+                           dot(law->preview_gain + previewed * axle, law->known + INPUTS, previewed);
+            beyond |= !(fabs(wanted[axle]) <= numbers->force_limits[0] * WITHIN);
+            lost |= isnan(wanted[axle]);
         }
-        if (lost || (beyond && !numbers->clips) || !holds(law, step, z, preview))
+        if (lost || (beyond && !numbers->clips) || !holds(law, step))
             return step;
+        *limited += ridelab_limit_force(numbers->force_limits, wanted, previous, command);
         car->advance(car, step, now, command, next);
         memcpy(next + car->size, command, sizeof command);
-        *limited += shaped;
     }
     return last;
 }
@@ -114,10 +125,10 @@ void ridelab_advance(struct car *car, double *loop, int step)
 
 void ridelab_prepare_law(struct law *law, const struct law_numbers *numbers, const double *gain,
                          const double *preview_gain, const double *limits, const double *scale, const double *norms,
-                         const double *preview, const double *sizes)
+                         const double *preview, const double *sizes, double *known)
 {
     _Static_assert(sizeof *law <= RIDELAB_PREPARED, "a law is prepared in memory of that size");
-    *law = (struct law){numbers, gain, preview_gain, limits, scale, norms, preview, sizes};
+    *law = (struct law){numbers, gain, preview_gain, limits, scale, norms, preview, sizes, known};
 }
 
 /* A linear car: p' = A p + B u + forcing; A is size x size, B size x 2, forcing steps x size. */

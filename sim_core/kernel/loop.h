@@ -10,7 +10,7 @@ struct law_numbers {
     double kind_stride, step_stride; /* in `preview`: from one kind of disturbance, one control step, to the next */
     double steps;                    /* of the run */
     double clips;                    /* 1 where a force beyond the limit is clipped, 0 where the law does not decide it */
-    double force_limit, most_change, most_force; /* of the law, of the actuators [N] */
+    double force_limits[3];          /* of the law, of the actuators' change in a step, of the actuators [N] */
 };
 
 /* u = gain [state; previous force] + preview_gain preview, where each of the limits' rows is between -1 and 1. */
@@ -23,6 +23,7 @@ struct law {
     const double *norms;        /* rows x 5: of a row's parts on what `sizes` measures */
     const double *preview;      /* both road velocities and the deceleration in each coming step */
     const double *sizes;        /* 4 x steps: of the mean deceleration previewed, both velocities, its difference */
+    double *known;              /* 10 + 3 horizon numbers: what the law knows in the present step */
 };
 
 /* What a car's state is at the end of a control step from what it is now, and the command [N]. */

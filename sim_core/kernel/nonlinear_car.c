@@ -82,20 +82,9 @@ static inline double between(double low, double value, double high)
     return value < low ? low : value > high ? high : value;
 }
 
-static inline double tyre_load(const struct vehicle *vehicle, int axle, double tyre)
-{
-    double load = -vehicle->tyre[axle] * tyre;
-    return load < vehicle->lift_off[axle] ? vehicle->lift_off[axle] : load;
-}
-
 static inline double travel_speed(const struct vehicle *vehicle, int axle, const struct state *x)
 {
     return (x->at[BODY] - x->at[WHEEL + axle]) + vehicle->arm[axle] * x->at[BODY + 1];
-}
-
-static inline double passive_damping(const struct vehicle *vehicle, int axle, double speed)
-{
-    return speed > 0 ? vehicle->rebound[axle] : vehicle->compression[axle];
 }
 
 /* The force of an actuator whose state is `control`, at that speed. A semi-active damper gives the nearest that leaves it
@@ -110,13 +99,12 @@ static inline double control_force(const struct vehicle *vehicle, int axle, doub
 }
 
 /* How fast a lagging actuator's state follows the command: its force, or the coefficient that would give this force. */
-static inline double control_rate(const struct vehicle *vehicle, int axle, double speed, double command, double control)
+static inline double control_rate(const struct vehicle *vehicle, int axle, double speed, double passive, double command,
+                                  double control)
 {
-    if (vehicle->semi_active) {
-        double passive = passive_damping(vehicle, axle, speed);
+    if (vehicle->semi_active)
         command = between(vehicle->least_damping[axle] - passive, -command * speed / (speed * speed + TINY),
                           vehicle->most_damping[axle] - passive);
-    }
     return vehicle->corner * (command - control);
 }
 
@@ -153,6 +141,11 @@ static inline struct mode mode_of(const struct vehicle *vehicle, int sides)
     return mode;
 }
 
+static inline double tyre_load(const struct mode *mode, int axle, const struct state *x)
+{
+    return mode->lifted[axle] - mode->tyre[axle] * x->at[TYRE + axle];
+}
+
 /* At a time from the beginning of a piece [s]. */
 static inline struct state derivative_in(const struct mode *mode, const struct vehicle *vehicle, const struct state *x,
                                          const double *command, const struct piece *w, double time)
@@ -164,11 +157,11 @@ static inline struct state derivative_in(const struct mode *mode, const struct v
         double road = w->velocity[0][axle] + time * (w->velocity[1][axle] + time * w->velocity[2][axle]);
         force[axle] = mode->spring[axle] * x->at[TRAVEL + axle] + mode->stop[axle] - vehicle->link[axle] * w->braking +
                       (passive * speed - control_force(vehicle, axle, speed, passive, control));
-        double load = mode->lifted[axle] - mode->tyre[axle] * x->at[TYRE + axle];
+        double load = tyre_load(mode, axle, x);
         rate.at[TRAVEL + axle] = speed;
         rate.at[TYRE + axle] = x->at[WHEEL + axle] - road;
         rate.at[WHEEL + axle] = (load + force[axle]) * vehicle->per_wheel_mass[axle];
-        rate.at[FORCE + axle] = vehicle->corner ? control_rate(vehicle, axle, speed, command[axle], control) : 0;
+        rate.at[FORCE + axle] = vehicle->corner ? control_rate(vehicle, axle, speed, passive, command[axle], control) : 0;
     }
     rate.at[BODY] = -force[0] * vehicle->body_share[0] - force[1] * vehicle->body_share[1];
     rate.at[BODY + 1] = vehicle->brake_moment * w->braking - force[0] * vehicle->pitch_share[0] - force[1] * vehicle->pitch_share[1];
@@ -206,12 +199,6 @@ static inline struct state advance_in(const struct mode *mode, const struct vehi
         next = moved(&next, weight[stage] * h, &rate);
     }
     return next;
-}
-
-static struct state advance(const struct vehicle *vehicle, double h, const double *command, const struct piece *w,
-                            double time, const struct state *first, const struct state *x)
-{
-    return advance_in(NULL, vehicle, h, command, w, time, first, x);
 }
 
 /* The step in the mode of `sides`: what each cause alone makes of rest. */
@@ -291,10 +278,10 @@ static void advance_by_events(const struct vehicle *vehicle, double h, const dou
 {
     for (int events = 0;; events++) {
         struct state first = derivative(vehicle, x, command, w, time);
-        struct state next = advance(vehicle, h, command, w, time, &first, x);
+        struct state next = advance_in(NULL, vehicle, h, command, w, time, &first, x);
         double share = events < MOST_EVENTS ? first_event(vehicle, x, &next) : 1;
         if (share < 1)
-            next = advance(vehicle, share * h, command, w, time, &first, x);
+            next = advance_in(NULL, vehicle, share * h, command, w, time, &first, x);
         *x = next;
         if (share == 1)
             return;
@@ -306,12 +293,12 @@ static void advance_by_events(const struct vehicle *vehicle, double h, const dou
 static void sample(const struct vehicle *vehicle, const struct state *x, const double *command, const struct piece *w,
                    double time, double *table, size_t signal)
 {
-    struct state rate = derivative(vehicle, x, command, w, time);
+    struct mode mode = mode_of(vehicle, side(vehicle, x));
+    struct state rate = derivative_in(&mode, vehicle, x, command, w, time);
     for (int axle = 0; axle < AXLES; axle++) {
-        double speed = rate.at[TRAVEL + axle], passive = passive_damping(vehicle, axle, speed);
-        const double signals[SIGNALS] = {speed, rate.at[BODY + axle], tyre_load(vehicle, axle, x->at[TYRE + axle]),
-                                         x->at[TRAVEL + axle],
-                                         control_force(vehicle, axle, speed, passive, x->at[FORCE + axle])};
+        double speed = rate.at[TRAVEL + axle], control = x->at[FORCE + axle];
+        const double signals[SIGNALS] = {speed, rate.at[BODY + axle], tyre_load(&mode, axle, x), x->at[TRAVEL + axle],
+                                         control_force(vehicle, axle, speed, mode.damping[axle], control)};
         for (size_t i = 0; i < SIGNALS; i++)
             table[(AXLES * i + (size_t)axle) * signal] = signals[i];
     }

@@ -38,7 +38,7 @@ _ecu_step = Function(
 _prepare_law = Function(
     "prepare_law",
     *(Array(_LAW_NUMBERS), Array(_FORCES, _LAW_INPUTS), _TABLE, _TABLE),
-    *(Array(_LAW_INPUTS), _TABLE, Array(), _TABLE),
+    *(Array(_LAW_INPUTS), _TABLE, Array(), _TABLE, _LINE_OUT),
 )
 _prepare_linear_car = Function("prepare_linear_car", INT, _TABLE, _TABLE, _TABLE)
 _prepare_nonlinear_car = Function(
@@ -49,6 +49,9 @@ _prepare_nonlinear_car = Function(
 )
 _follow_law = Function(
     "follow_law", Prepared, Prepared, _TABLE_OUT, Array(1, dtype=np.intc, written=True), INT, INT, result=INT
+)
+_limit_force = Function(
+    "limit_force", Array(3), Array(_FORCES), Array(_FORCES), Array(_FORCES, written=True), result=INT
 )
 _advance = Function("advance", Prepared, _TABLE_OUT, INT)
 _measure = Function("measure", Prepared, _LINE, Array(_FORCES), DOUBLE, Array(_MEASURED, written=True))
@@ -105,6 +108,18 @@ def ecu_step(
     return step_in
 
 
+def limit_force(limits: FloatArray, wanted: FloatArray, previous: FloatArray, command: FloatArray) -> bool:
+    """Fill in what the actuators are told (2,) [N]; whether a limit shapes it.
+
+    Args:
+        limits: Greatest force that may be wanted, its greatest change, and the actuators' greatest force (3,) [N].
+        wanted: By the controller (2,) [N].
+        previous: What they were told before (2,) [N].
+        command: To be filled.
+    """
+    return bool(_limit_force(limits, wanted, previous, command))
+
+
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class LawArrays:
     """A law of control and its limits in one run, as loop.h has them.
@@ -119,9 +134,7 @@ class LawArrays:
         preview: An array with all that is previewed.
         strides: How many numbers further the next kind of disturbance and the next control step are in it.
         sizes: Magnitudes of what is previewed in each step, for the last four of the norms (4, steps).
-        force_limit: Of the law's forces [N].
-        most_change: Of the actuators' in a step [N].
-        most_force: Of the actuators' [N].
+        force_limits: As `limit_force` has them (3,).
         clips: Whether a force beyond the limit is clipped, or not decided by the law.
     """
 
@@ -133,9 +146,7 @@ class LawArrays:
     preview: FloatArray
     strides: tuple[int, int]
     sizes: FloatArray
-    force_limit: float
-    most_change: float
-    most_force: float
+    force_limits: FloatArray
     clips: bool
 
     def prepared(self) -> Prepared:
@@ -155,10 +166,9 @@ class LawArrays:
         require(
             min(kind, step) >= 0 and (beyond <= self.preview.size or not horizon), "What is previewed in every step"
         )
-        limits = self.force_limit, self.most_change, self.most_force
-        numbers = np.array([rows, horizon, kind, step, steps, self.clips, *limits], dtype=np.float64)
-        by_row = self.limits, self.scale, self.norms
-        return _prepare_law.prepare(numbers, self.gain, self.preview_gain, *by_row, self.preview, self.sizes)
+        numbers = np.array([rows, horizon, kind, step, steps, self.clips, *self.force_limits], dtype=np.float64)
+        by_row, known = (self.limits, self.scale, self.norms), np.empty(_LAW_INPUTS + _DISTURBANCES * horizon)
+        return _prepare_law.prepare(numbers, self.gain, self.preview_gain, *by_row, self.preview, self.sizes, known)
 
     @property
     def steps(self) -> int:

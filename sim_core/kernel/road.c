@@ -168,33 +168,36 @@ static double load_at(double kink, const double *height, double share, double a,
     return fabs(load < lowest ? lowest : load);
 }
 
-/* Raise the largest magnitude of an axle's tyre load in each section where it is larger at a kink of the road between
-   two samples: the roughness' own samples, and where the bumps' slope jumps.
+/* Raise the largest magnitude of each axle's tyre load in each section where it is larger at a kink of the road between
+   two samples: the roughness' own samples, and where the bumps' slope jumps. Arrays of axles have the front one first.
 
-   position  at every fine instant [m]; height, of the road there [m]
-   load      on its tyre ((fine + 1) x commands), highest, its largest magnitude under each command [N]
-   stiffness of the tyre [N/m]; lowest, of the load [N]
+   position  of both axles at so many fine instants, of which the record is the last [m]; height, of the road there [m]
+   load      on both tyres (2 x (fine + 1) x commands), highest, its largest magnitude under each command [N]
+   tyre      stiffness [N/m] and lowest load [N] of each
    kinks     of the bumps, ascending [m], then infinity
    ends      first and last place of each section, in fine steps from the record's first sample
    rise      how far the road leaves a chord in each section at most [m]: where samples do not come so near to the peak,
              no kink is looked at
-   peaks     of each section */
+   peaks     2 x sections */
 void ridelab_kink_peaks(const double *roughness, int samples, const struct layout *layout, const double *position,
-                        const double *height, const double *load, const double *highest, int fine, int commands,
-                        double stiffness, double lowest, const double *kinks, const double *ends, const double *rise,
+                        const double *height, int instants, const double *load, const double *highest, int fine,
+                        int commands, const double *tyre, const double *kinks, const double *ends, const double *rise,
                         int sections, double *peaks)
 {
     const struct road road = {roughness, samples, *layout};
-    for (int section = 0; section < sections; section++) {
-        double first = ends[2 * section], last = ends[2 * section + 1], peak = peaks[section];
+    for (int number = 0; number < 2 * sections; number++) {
+        int axle = number / sections, section = number % sections, start = instants * (axle + 1) - fine * commands - 1;
+        const double *loads = load + (ptrdiff_t)(fine + 1) * commands * axle, *most = highest + commands * axle;
+        double stiffness = tyre[2 * axle], lowest = tyre[2 * axle + 1], peak = peaks[number];
+        double first = ends[2 * section], last = ends[2 * section + 1];
         double from = first > NEAR ? first - NEAR : 0, to = last + NEAR;
         const double *kink = kinks;
         for (int c = (int)(from / fine); c < commands && c * fine < to; c++) {
-            if (c * fine >= first && (c + 1) * fine <= last && highest[c] < peak - stiffness * rise[section])
+            if (c * fine >= first && (c + 1) * fine <= last && most[c] < peak - stiffness * rise[section])
                 continue;
             for (int step = c * fine; step < (c + 1) * fine; step++) {
-                const double *sample = load + (size_t)(step - c * fine) * (size_t)commands + c;
-                double begin = position[step], end = position[step + 1];
+                const double *sample = loads + (ptrdiff_t)commands * (step - c * fine) + c;
+                double begin = position[start + step], end = position[start + step + 1];
                 double grid = floor((begin - road.at.first) / road.at.grid) + 1;
                 while (*kink <= begin && isfinite(*kink))
                     kink++;
@@ -209,13 +212,13 @@ void ridelab_kink_peaks(const double *roughness, int samples, const struct layou
                     double share = (met - begin) / (end - begin), place = step + share;
                     if (place >= from && place <= to) {
                         double kink_height = ridelab_road_height(&road, met);
-                        double magnitude = load_at(kink_height, height + step, share, sample[0], sample[commands],
-                                                   stiffness, lowest);
+                        double magnitude = load_at(kink_height, height + start + step, share, sample[0],
+                                                   sample[commands], stiffness, lowest);
                         peak = magnitude > peak ? magnitude : peak;
                     }
                 }
             }
         }
-        peaks[section] = peak;
+        peaks[number] = peak;
     }
 }

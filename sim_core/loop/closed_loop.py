@@ -15,35 +15,11 @@ from sim_core.caching import cached
 from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Seen
 from sim_core.errors import RidelabError
-from sim_core.kernel.prepared import FollowLaw, LawArrays
+from sim_core.kernel.prepared import FollowLaw, LawArrays, limit_force
 from sim_core.loop.preview import Forecast
 from sim_core.speed.stages import Segment
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES
 from sim_core.vehicle.model import LAW_INPUTS, LinearLaw, VehicleModel
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ForceLimits:
-    """Of a run's forces; each may be infinite.
-
-    Attributes:
-        control: Greatest force that the controller may ask for [N].
-        change: Greatest change of the actuators' force in a step [N].
-        actuator: Greatest force of the actuators [N].
-    """
-
-    control: float
-    change: float
-    actuator: float
-
-    def of_actuator(self, wanted: FloatArray, previous: FloatArray) -> FloatArray:
-        """What the actuators are told after the previous command (2,) [N]: or `wanted` itself."""
-        if self.change == self.actuator == np.inf:
-            return wanted
-        change = np.clip(wanted - previous, -self.change, self.change)
-        reached = np.where(change == wanted - previous, wanted, previous + change)
-        command = np.clip(reached, -self.actuator, self.actuator)
-        return wanted if np.array_equal(command, wanted) else command
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -64,10 +40,10 @@ class Trajectory:
 
 
 class ClosedLoop:
-    """One run's loop."""
+    """One run's loop; limits of forces as `limit_force` has them."""
 
     def __init__(
-        self, controller: Controller, car: VehicleModel, inputs: RunInputs, forecast: Forecast, limits: ForceLimits
+        self, controller: Controller, car: VehicleModel, inputs: RunInputs, forecast: Forecast, limits: FloatArray
     ) -> None:
         self._controller = controller
         self._car = car
@@ -81,13 +57,15 @@ class ClosedLoop:
         loop = np.zeros((segments[-1].last + 1, n + FORCES))  # [car; previous command] at every control instant
         limited = 0
         prepared: dict[LinearLaw, FollowLaw] = {}
+        clips = type(self._controller).force is Controller.force
         for segment in segments:
             law = self._controller.linear_law(segment.stage)
             if law is None:
                 limited += sum(self._step(k, loop) for k in range(segment.first, segment.last))
                 continue
             if law not in prepared:
-                prepared[law] = self._car.follow_law(self._arrays(law), loop)
+                arrays = law_arrays(law, self._forecast, self._limits, clips=clips)
+                prepared[law] = self._car.follow_law(arrays, loop)
             follow, k = prepared[law], segment.first
             while k < segment.last:
                 k, shaped = follow(k, segment.last)
@@ -97,44 +75,49 @@ class ClosedLoop:
                     limited, k = limited + 1, k + 1
         return Trajectory(states=loop[:-1, :n], commands=loop[1:, n:], limited=limited)
 
-    def _arrays(self, law: LinearLaw) -> LawArrays:
-        """The law with all that decides where it holds."""
-        forecast, limits = self._forecast, self._limits
-        previewed = DISTURBANCES * forecast.windows.shape[2]
-        preview_gain = np.zeros((FORCES, previewed)) if law.preview_gain is None else law.preview_gain
-        rows = np.zeros((0, LAW_INPUTS + previewed)) if law.limits is None else law.limits
-        if preview_gain.shape[1] != previewed or rows.shape[1] != LAW_INPUTS + previewed:
-            raise RidelabError(f"{self._controller.label}: a law has three columns for each step previewed")
-        scale, norms = (np.ones(LAW_INPUTS), np.zeros((0, 5))) if law.limits is None else _norms(law)
-        kind, step, _ = (stride // forecast.windows.itemsize for stride in forecast.windows.strides)
-        return LawArrays(
-            gain=law.gain,
-            preview_gain=preview_gain,
-            limits=rows,
-            scale=scale,
-            norms=norms,
-            preview=forecast.source,
-            strides=(kind, step),
-            sizes=forecast.sizes,
-            force_limit=limits.control,
-            most_change=limits.change,
-            most_force=limits.actuator,
-            clips=type(self._controller).force is Controller.force,
-        )
-
     def _step(self, k: int, loop: FloatArray) -> bool:
         """Drive one control step by the controller; whether a limit of forces or actuators shaped its command."""
         n = self._car.size
         state, previous = loop[k, :n], loop[k, n:]
         seen = Seen(self._inputs, self._car, k, k, read_only(state), read_only(previous))
-        limited = self._controller.report.limited_steps
-        asked = checked_force(self._controller, self._controller.force(seen), k)
-        wanted = asked.clip(-self._limits.control, self._limits.control)
-        command = self._limits.of_actuator(wanted, previous)
-        loop[k + 1, n:] = command
+        counted = self._controller.report.limited_steps
+        wanted = checked_force(self._controller, self._controller.force(seen), k)
+        limited = limit_force(self._limits, wanted, previous, loop[k + 1, n:])
         self._car.advance(k, loop)
-        by_itself = self._controller.report.limited_steps > limited
-        return by_itself or command is not wanted or asked.tolist() != wanted.tolist()
+        return limited or self._controller.report.limited_steps > counted
+
+
+def law_arrays(law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, clips: bool) -> LawArrays:
+    """A law with all that decides where it holds.
+
+    Args:
+        law: Of control.
+        forecast: What its controller previews.
+        force_limits: As `limit_force` has them.
+        clips: Whether a force beyond the limit is clipped, or not decided by the law.
+
+    Raises:
+        RidelabError: It is a law for another horizon.
+    """
+    previewed = DISTURBANCES * forecast.windows.shape[2]
+    preview_gain = np.zeros((FORCES, previewed)) if law.preview_gain is None else law.preview_gain
+    rows = np.zeros((0, LAW_INPUTS + previewed)) if law.limits is None else law.limits
+    if preview_gain.shape[1] != previewed or rows.shape[1] != LAW_INPUTS + previewed:
+        raise RidelabError("A linear law has three columns for each control step that is previewed")
+    scale, norms = (np.ones(LAW_INPUTS), np.zeros((0, 5))) if law.limits is None else _norms(law)
+    kind, step, _ = (stride // forecast.windows.itemsize for stride in forecast.windows.strides)
+    return LawArrays(
+        gain=law.gain,
+        preview_gain=preview_gain,
+        limits=rows,
+        scale=scale,
+        norms=norms,
+        preview=forecast.source,
+        strides=(kind, step),
+        sizes=forecast.sizes,
+        force_limits=force_limits,
+        clips=clips,
+    )
 
 
 @cached
@@ -157,7 +140,7 @@ def checked_force(controller: Controller, force: object, step: int) -> FloatArra
         RidelabError: They are not two finite numbers.
     """
     try:
-        asked = np.asarray(force, dtype=np.float64)
+        asked = np.array(force, dtype=np.float64)
     except (TypeError, ValueError):
         asked = np.empty(0)
     if asked.shape != (FORCES,):

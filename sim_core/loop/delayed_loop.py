@@ -6,19 +6,21 @@ never. The actuators hold the newest command that has arrived, and their limits 
 
 import numpy as np
 
+from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Seen, Setup
 from sim_core.errors import RidelabError
-from sim_core.loop.closed_loop import ForceLimits, Trajectory, checked_force, read_only
+from sim_core.kernel.prepared import limit_force
+from sim_core.loop.closed_loop import Trajectory, checked_force, read_only
 from sim_core.vehicle.half_car import FORCES
 from sim_core.vehicle.model import VehicleModel
 
 
 class DelayedLoop:
-    """One run's loop; `limits.change` is that of a short step."""
+    """One run's loop; limits of forces as `limit_force` has them, of the change in a short step."""
 
     def __init__(
-        self, controller: Controller, car: VehicleModel, inputs: RunInputs, setup: Setup, limits: ForceLimits
+        self, controller: Controller, car: VehicleModel, inputs: RunInputs, setup: Setup, limits: FloatArray
     ) -> None:
         self._controller = controller
         self._car = car
@@ -42,20 +44,20 @@ class DelayedLoop:
             force = self._controller.force(seen)
             shaped = self._controller.report.limited_steps > counted
             if force is not None:
-                wanted = checked_force(self._controller, force, k)
-                asked[k] = wanted.clip(-self._limits.control, self._limits.control)
-                shaped |= not np.array_equal(asked[k], wanted)
+                asked[k] = checked_force(self._controller, force, k)
                 if arrivals[k] < steps * n:
                     newest[arrivals[k]] = k
             for i in range(k * n, k * n + n):
+                command = loop[i + 1, car.size :]
                 if newest[i] > held:
                     held, settled = newest[i], False
                     used[held] = True
-                if not settled:
-                    before, present = present, self._limits.of_actuator(asked[held], present)
-                    settled, bound = np.array_equal(present, before), not np.array_equal(present, asked[held])
+                if settled:
+                    command[:] = present
+                else:
+                    bound = limit_force(self._limits, asked[held], present, command)
+                    settled, present = np.array_equal(command, present), command
                 shaped |= bound
-                loop[i + 1, car.size :] = present
                 car.advance(i, loop)
             limited += shaped
         held_commands = int(np.count_nonzero(~used[: steps - 1]))  # the last one would take effect after the run

@@ -4,11 +4,13 @@ from dataclasses import dataclass, replace
 from itertools import chain
 from math import inf
 
+import numpy as np
+
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import STAGES
 from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Setup
-from sim_core.loop.closed_loop import ClosedLoop, ForceLimits
+from sim_core.loop.closed_loop import ClosedLoop
 from sim_core.loop.delayed_loop import DelayedLoop
 from sim_core.loop.excitation import Excitation, StepSizes, under_axles
 from sim_core.loop.preview import Forecast, preview
@@ -169,12 +171,10 @@ class Run:
         """`Excitation.disturbance` by steps of the car (steps, 3 · fine steps in each)."""
         return self.excitation.disturbance.reshape(-1, DISTURBANCES * self.steps.fine // self.steps.short)
 
-    def _limits(self) -> ForceLimits:
-        """Those of forces in the car's steps."""
-        actuator, actuated = self.scenario.actuator, self.controller.actuated
-        rate, saturation = (actuator.rate_limit, actuator.saturation) if actuated else (None, None)
-        return ForceLimits(
-            control=self.scenario.mpc.force_limit if actuated else 0.0,
-            change=inf if rate is None else rate * (self.steps.control / self.steps.short),
-            actuator=inf if saturation is None else saturation,
-        )
+    def _limits(self) -> FloatArray:
+        """Those of forces in the car's steps, as `limit_force` has them."""
+        if not self.controller.actuated:
+            return np.array([0.0, inf, inf])
+        rate, saturation = self.scenario.actuator.rate_limit, self.scenario.actuator.saturation
+        change = inf if rate is None else rate * (self.steps.control / self.steps.short)
+        return np.array([self.scenario.mpc.force_limit, change, inf if saturation is None else saturation])

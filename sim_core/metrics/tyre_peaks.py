@@ -36,20 +36,13 @@ def peaks_with_kinks(
     Raises:
         ValueError: It is that of another record.
     """
-    surface, start = excitation.surface, excitation.grid.on_record.start
+    surface = excitation.surface
     of_bump = np.array([*sorted(kinks(surface.bump)), inf])
     beside, on_bump = surface.slope_range()
     rise = np.array([beside, on_bump, beside]) * windows.step_distance / 4  # of the road above a chord, at most
+    front, rear = (-static if vehicle.tyre_lift_off else -inf for static in vehicle.static_loads)
+    tyres = np.array([[vehicle.front_tyre_stiffness, front], [vehicle.rear_tyre_stiffness, rear]])
     all_peaks = np.array(peaks, order="C")
-    tyres = (vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness)
-    for axle, (stiffness, static) in enumerate(zip(tyres, vehicle.static_loads, strict=True)):
-        record = binding.AxleRecord(
-            position=excitation.grid.axles[axle, start:],
-            height=excitation.height[axle, start:],
-            load=loads[axle],
-            highest=highest[axle],
-            stiffness=stiffness,
-            lowest=-static if vehicle.tyre_lift_off else -inf,
-        )
-        binding.kink_peaks(surface.roughness, surface.layout, record, of_bump, windows.ends, rise, all_peaks[axle])
+    road = surface.roughness, surface.layout, excitation.grid.axles, excitation.height
+    binding.kink_peaks(*road, loads, highest, tyres, of_bump, windows.ends, rise, all_peaks)
     return all_peaks

@@ -49,7 +49,7 @@ def upgraded(
             f"This scenario has schema version {version}, and this version of Ridelab knows 1 to {current}: "
             "a newer one is needed to read it"
         )
-    content: dict[str, Any] = copy.deepcopy(dict(scenario))
+    content: dict[str, Any] = dict(scenario) if version == current else copy.deepcopy(dict(scenario))
     for step in range(version, current):
         content = steps[step](content)
     return content

@@ -41,5 +41,5 @@ def make_vehicle(
 
 
 def is_linear(vehicle: Vehicle, dampers: SemiActiveDampers | None) -> bool:
-    """Whether its steps are exact."""
+    """Whether its steps are exact: passive dampers, stops and tyres that are linear, and no semi-active `dampers`."""
     return vehicle.linear and dampers is None

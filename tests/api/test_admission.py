@@ -7,9 +7,12 @@ import httpx
 import pytest
 
 from backend.errors import BusyError, TooManyRequestsError
-from backend.http.admission import Admission
-from backend.http.backlog import Backlog
-from backend.http.limits import ConcurrencyLimit, FairLimit, TokenBucket, client_key
+from backend.gate import Gate
+from backend.gate.backlog import Backlog
+from backend.gate.quota import Quota
+from backend.gate.token_bucket import TokenBucket
+from backend.http.client_key import client_key
+from backend.settings import Settings
 from tests.servers.process import wait_until
 
 
@@ -20,31 +23,36 @@ def refusal(opened: AbstractContextManager[Any]) -> tuple[int, int]:
     return 503 if isinstance(refused.value, BusyError) else 429, refused.value.retry_after or 0
 
 
-def admission(**limits: Any) -> Admission:
-    return Admission(**{"max_request_cost": 30, "max_queued_cost": 120, "max_client_requests": 64, **limits})
+def gate_with(**quotas: Quota) -> Gate:
+    """A gate with these quotas in place of its own."""
+    gate = Gate(Settings())
+    gate.quotas.update(quotas)
+    return gate
 
 
 def test_one_client_and_all_together_have_only_so_much_open() -> None:
-    limit = ConcurrencyLimit(what="things", per_client=2, total=3)
-    with limit.acquired("a"), limit.acquired("a"):
-        assert refusal(limit.acquired("a")) == (429, 2)
-        with limit.acquired("b"):
-            assert refusal(limit.acquired("c")) == (503, 2)
-        limit.check("c")
-        assert limit.open == 2
-    with pytest.raises(ValueError, match="inside"), limit.acquired("a"):
+    gate = gate_with(streams=Quota(what="things", taken_by="", per_client=2, total=3))
+    with gate.hold("a", streams=1), gate.hold("a", streams=1):
+        assert refusal(gate.hold("a", streams=1)) == (429, 2)
+        with gate.hold("b", streams=1):
+            assert refusal(gate.hold("c", streams=1)) == (503, 2)
+            assert refusal(gate.hold("c", bodies=1, streams=1)) == (503, 2)
+            assert gate.open("bodies") == 0, "all of them or none"
+        gate.check("c", streams=1)
+        assert gate.open("streams") == 2
+    with pytest.raises(ValueError, match="inside"), gate.hold("a", streams=1):
         raise ValueError("inside")
-    assert limit.open == limit.open_by("a") == 0
+    assert gate.open("streams") == 0
 
 
 def test_each_thing_that_is_counted_has_its_own_limits() -> None:
-    gate = admission(max_client_requests=1, max_client_streams=1, max_streams=1, max_queued_cost=1.5)
-    with gate.streaming("a"), gate.downloading("a", 1.0), gate.reading("a"), gate.receiving("a"):
+    gate = Gate(Settings(max_client_requests=1, max_client_streams=1, max_streams=1, max_queued_cost=1.5))
+    with gate.hold("a", streams=1, computing=1, cost=1.0, requests=1, bodies=1):
         assert gate.load == {"cost": 1.0, "wait": 0, "requests": 1, "streams": 1, "bodies": 1}
-        assert refusal(gate.streaming("b")) == (503, 2)
+        assert refusal(gate.hold("b", streams=1)) == (503, 2)
         assert refusal(gate.computing("a", 1.0)) == (429, 2)
         assert refusal(gate.computing("b", 1.0)) == (503, 2)
-        assert refusal(gate.reading("a")) == refusal(gate.admitted("a")) == (429, 2)
+        assert refusal(gate.hold("a", requests=1)) == refusal(gate.admitted("a")) == (429, 2)
         with gate.computing("b", 0.5), gate.admitted("b"):
             pass
     assert set(gate.load.values()) == {0}
@@ -53,44 +61,44 @@ def test_each_thing_that_is_counted_has_its_own_limits() -> None:
 
 
 def test_a_greedy_client_fills_its_own_share_of_the_cost() -> None:
-    limit = FairLimit(what="computing", total=10)
+    gate = gate_with(cost=Quota(what="computing", taken_by="", total=10, fair=True))
     with ExitStack() as held:
         for _ in range(10):
-            held.enter_context(limit.acquired("greedy", 1))
-        assert refusal(limit.acquired("greedy", 1)) == (429, 2)
+            held.enter_context(gate.hold("greedy", cost=1))
+        assert refusal(gate.hold("greedy", cost=1)) == (429, 2)
         for _ in range(5):
-            held.enter_context(limit.acquired("b", 1))
-        assert refusal(limit.acquired("b", 1)) == (429, 2)
+            held.enter_context(gate.hold("b", cost=1))
+        assert refusal(gate.hold("b", cost=1)) == (429, 2)
         for client in range(10):
-            held.enter_context(limit.acquired(f"small {client}", 0.5))
-        assert refusal(limit.acquired("large", 5)) == (503, 2)
-        held.enter_context(limit.acquired("small", 0.5))
-    assert limit.amount == 0
+            held.enter_context(gate.hold(f"small {client}", cost=0.5))
+        assert refusal(gate.hold("large", cost=5)) == (503, 2)
+        held.enter_context(gate.hold("small", cost=0.5))
+    assert gate.open("cost") == 0
 
 
 def test_what_was_admitted_as_a_whole_is_not_refused_half_way() -> None:
-    gate = admission(max_client_requests=1)
+    gate = Gate(Settings(max_client_requests=1))
     with gate.computing("a", 100.0):
         with gate.computing("a", 100.0):
             assert gate.load["cost"] == 100.0
-        assert refusal(gate.downloading("a", 1.0)) == (429, 2)
+        assert refusal(gate.hold("a", computing=1)) == (429, 2)
     with gate.computing("a", 100.0):
         pass
 
 
 def test_a_refusal_comes_before_anything_is_looked_up(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    gate = service.app.state.admission
+    gate = service.app.state.gate
     looked_up: list[str] = []  # `store.read` stays as it is: what drives the batches beside needs it
     monkeypatch.setattr(service.app.state.store.runs, "load", looked_up.append)
     monkeypatch.setattr(service.app.state.store.runs, "load_results", looked_up.extend)
     with ExitStack() as held:
         for _ in range(64):
-            held.enter_context(gate.reading("127.0.0.1"))
+            held.enter_context(gate.hold("127.0.0.1", requests=1))
         for path in ("runs", "live"):
             response = service.client.post(f"/api/v1/{path}", json={"strategies": ["passive"]})
             assert response.status_code == 429
             assert int(response.headers["retry-after"]) > 0
-        held.enter_context(gate.reading("192.0.2.1"))
+        held.enter_context(gate.hold("192.0.2.1", requests=1))
     assert not looked_up
     monkeypatch.undo()
     assert service.live(["passive"]).status_code == 200
@@ -99,7 +107,7 @@ def test_a_refusal_comes_before_anything_is_looked_up(service: Any, monkeypatch:
 def test_a_request_that_would_wait_too_long_is_refused_before_its_body_is_read(
     service: Any, client: httpx.Client, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    gate, now = service.app.state.admission, 0.0
+    gate, now = service.app.state.gate, 0.0
     monkeypatch.setattr(gate, "_backlog", Backlog(workers=1, max_wait=1, clock=lambda: now))
     with ExitStack() as held:
         for number in range(2):
@@ -140,7 +148,7 @@ def test_links_are_limited_by_rate() -> None:
 
 
 def test_a_link_with_every_pin_can_be_made_from_a_full_bucket() -> None:
-    limits = admission()
+    limits = Gate(Settings())
     limits.linking("a", links=9, pinned=9 * 5)
     with pytest.raises(TooManyRequestsError):
         limits.linking("a")
@@ -166,7 +174,7 @@ def test_an_ipv6_network_is_one_client(address: str, key: str) -> None:
 
 
 def test_downloads_tables_figures_and_reports_count_like_runs(service: Any, run: dict[str, Any]) -> None:
-    gate, client = service.app.state.admission, service.client
+    gate, client = service.app.state.gate, service.client
     heights = "distance [m],height [mm]\n" + "".join(f"{0.1 * step:.1f},{step % 7}\n" for step in range(500))
     road = client.post("/api/v1/roads", content=heights, headers={"Content-Type": "text/csv"})
     asked = {"scenario": run["scenario"], "strategies": ["passive"], "sweep": {"grid": {"road.bump.height": [0.01]}}}
@@ -183,23 +191,22 @@ def test_downloads_tables_figures_and_reports_count_like_runs(service: Any, run:
     ]
     with ExitStack() as held:
         for _ in range(64):
-            held.enter_context(gate.downloading("127.0.0.1", 0.0))
+            held.enter_context(gate.hold("127.0.0.1", computing=1))
         for path in paths:
             assert client.get(f"/api/v1/{path}").status_code == 429, path
     for path in paths:
         assert client.get(f"/api/v1/{path}").status_code == 200, path
     wait_until(lambda: gate.load["requests"] == 0, "each is over once it was sent")
-    with gate.reporting("127.0.0.1"), gate.reporting("127.0.0.1"):
+    with gate.hold("127.0.0.1", reports=2):
         assert client.get(f"/api/v1/runs/{run['id']}/report.html").status_code == 429
-        with gate.reporting("192.0.2.1"):
-            pass
+        gate.check("192.0.2.1", reports=1)
 
 
 def test_a_full_service_answers_what_is_stored_and_for_health(service: Any, run: dict[str, Any]) -> None:
-    gate, new = service.app.state.admission, {"road": {"length": 150, "seed": 9001}}
+    gate, new = service.app.state.gate, {"road": {"length": 150, "seed": 9001}}
     with ExitStack() as held:
         for _ in range(64):
-            held.enter_context(gate.downloading("127.0.0.1", 0.0))
+            held.enter_context(gate.hold("127.0.0.1", computing=1))
         refused = service.live(["passive"], new)
         assert (refused.status_code, int(refused.headers["retry-after"]) > 0) == (429, True)
         assert service.run(list(run["strategies"]), run["scenario"]).status_code == 200

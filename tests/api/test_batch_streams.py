@@ -38,11 +38,11 @@ def test_a_stream_reads_nothing_when_another_job_changes(service: Any, monkeypat
         service.loop.call_soon_threadsafe(reads.put_nowait, job_id)
         return [], False
 
-    monkeypatch.setattr("backend.jobs.events.LOOK", HANG_TIMEOUT)
+    monkeypatch.setattr("backend.jobs.events.JOB_POLL_INTERVAL", HANG_TIMEOUT)
     monkeypatch.setattr(store.job_events, "news", news)
 
     async def follow() -> int:
-        stream = aiter(await server_sent(store, "mine", 0, service.app.state.admission, "somebody"))
+        stream = aiter(await server_sent(store, "mine", 0, service.app.state.gate, "somebody"))
         await anext(stream)
         rest = asyncio.ensure_future(anext(stream))
         await reads.get()
@@ -64,5 +64,5 @@ def test_head_of_the_events_of_a_running_batch_is_answered_at_once(service: Any,
     path = f"/api/v1/batches/{batch['id']}"
     head = client.head(f"{path}/events")
     assert (head.status_code, head.headers["content-type"]) == (200, "text/event-stream; charset=utf-8")
-    wait_until(lambda: not service.app.state.admission.load["streams"], "the stream has ended")
+    wait_until(lambda: not service.app.state.gate.load["streams"], "the stream has ended")
     assert client.post(f"{path}/cancel").json()["done"] < 1000

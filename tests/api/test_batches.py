@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from backend.jobs.sweep import sweeps
+from backend.jobs.sweep import points as sweep_points
 from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate
 from tests.api.streams import read_events
@@ -374,7 +374,7 @@ def test_any_field_can_be_swept_and_what_it_takes_is_what_a_scenario_takes(data:
     value = data.draw(
         st.one_of(st.floats(0, 60), st.integers(0, 60), st.sampled_from(["none", "osqp", "flat"]), st.none())
     )
-    sweep = sweeps.Sweep.model_validate({"grid": {name: [value]}})
+    sweep = sweep_points.Sweep.model_validate({"grid": {name: [value]}})
     integer = dotted.field(name).kind == "integer"
     whole = integer and isinstance(value, float) and value.is_integer()
     expected = round(value) if whole and isinstance(value, float) else value  # 3.0 is taken for a whole number
@@ -384,9 +384,9 @@ def test_any_field_can_be_swept_and_what_it_takes_is_what_a_scenario_takes(data:
     except ValidationError as error:  # fields that contradict each other are no matter of the sweep
         refused = any(item["type"] != "inconsistent" for item in error.errors())
     if refused:
-        with pytest.raises(sweeps.SweepError):
-            sweeps.points(sweep, base)
+        with pytest.raises(sweep_points.SweepError):
+            sweep_points.points(sweep, base)
     else:
-        names, (point,) = sweeps.points(sweep, base)
+        names, (point,) = sweep_points.points(sweep, base)
         assert names == [name]
         assert dotted.value(dotted.with_changes(base, point), name) == expected

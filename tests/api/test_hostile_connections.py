@@ -301,7 +301,7 @@ def test_no_answer_depends_on_the_host_or_repeats_it(address: Address) -> None:
 
 def test_a_forwarded_address_counts_only_from_a_known_proxy(service: Any) -> None:
     answers: list[str] = []
-    original = service.app.state.admission.computing
+    original = service.app.state.gate.computing
 
     def spy(client: str, *rest: Any) -> Any:
         answers.append(client)
@@ -316,13 +316,13 @@ def test_a_forwarded_address_counts_only_from_a_known_proxy(service: Any) -> Non
         )
         assert response.status_code in (200, 500), response.text
 
-    service.app.state.admission.computing = spy
+    service.app.state.gate.computing = spy
     try:
         for index, proxies in enumerate(("", "10.0.0.0/8", "127.0.0.1")):
             with impatient(service.app, forwarded_allow_ips=proxies) as (address, _):
                 ask(address, index)
     finally:
-        service.app.state.admission.computing = original
+        service.app.state.gate.computing = original
     assert answers == ["127.0.0.1", "127.0.0.1", "203.0.113.7"]
 
 

@@ -9,7 +9,8 @@ import orjson
 import pytest
 
 from backend.db.tables import links
-from backend.jobs.chunk import ComputedRun, PlannedRun
+from backend.job_run import JobRun
+from backend.outcome import Outcome
 from backend.store import Store, StoredJob, StoredLink, jobs
 
 RUNS = 12
@@ -27,19 +28,19 @@ BATCH = StoredJob(
 )
 
 
-def rows(prefix: str = "key", shared: int = 0) -> list[PlannedRun]:
+def rows(prefix: str = "key", shared: int = 0) -> list[JobRun]:
     """The batch's runs; the last `shared` have the key of the first."""
     keys = [f"{prefix}-{number if number < RUNS - shared else 0}" for number in range(RUNS)]
     return [
-        PlannedRun(number, orjson.dumps({"road.seed": number // 2}).decode(), ("lv", "passive")[number % 2], key)
+        JobRun(number, orjson.dumps({"road.seed": number // 2}).decode(), ("lv", "passive")[number % 2], key)
         for number, key in enumerate(keys)
     ]
 
 
-def computed(*keys: str, status: str = "ok") -> list[ComputedRun]:
+def computed(*keys: str, status: str = "ok") -> list[Outcome]:
     summary: dict[str, Any] = {"metrics": {}} if status == "ok" else {"reason": "too steep"}
-    text = orjson.dumps(summary).decode()
-    return [ComputedRun(key=key, strategy="lv", status=status, summary=text, compute_ms=1.0) for key in keys]
+    json = orjson.dumps(summary)
+    return [Outcome(key=key, strategy="lv", status=status, json=json, compute_ms=1.0) for key in keys]
 
 
 def purge(store: Store) -> None:

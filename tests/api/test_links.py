@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from typing import Any
 
@@ -10,9 +11,9 @@ import pytest
 from sqlalchemy import delete, select, update
 
 from backend.db.tables import links, pinned_series, results, run_results, runs
-from backend.http.admission import Admission
+from backend.gate import Gate
+from backend.links.models import CreatedLink, Link
 from backend.runs import exports, pins
-from backend.runs.links.models import CreatedLink, Link
 from backend.store import Store
 from sim_core import __version__
 from sim_core.scenario import SCHEMA_VERSION
@@ -321,13 +322,10 @@ def test_a_run_stored_by_a_newer_version_is_refused_for_now(
 
 
 @pytest.fixture
-def limited(service: Any, monkeypatch: pytest.MonkeyPatch) -> Admission:
-    """The service's links and runs under limits that nothing fits."""
-    admission = Admission(max_request_cost=1, max_queued_cost=1, max_client_requests=0)
-    state = service.app.state
-    for part in (state.links, state.runs, state.runs._histories):
-        monkeypatch.setattr(part, "_admission", admission)
-    return admission
+def limited(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A service that computes nothing more."""
+    gate: Gate = service.app.state.gate
+    monkeypatch.setitem(gate.quotas, "computing", replace(gate.quotas["computing"], per_client=0))
 
 
 def test_pinning_counts_as_computing(

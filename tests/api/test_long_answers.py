@@ -4,6 +4,7 @@ import json
 import socket
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +12,6 @@ import httpx
 import pytest
 
 from backend.http import spool
-from backend.http.limits import ConcurrencyLimit
 from backend.http.server import GuardedProtocol
 from backend.runs import bands
 from backend.runs.series import most_samples, ordered_signals
@@ -143,7 +143,8 @@ def test_space_is_reserved_before_anything_is_computed(
         limited.setattr(files, "_longest", 1.1 * size)  # the band's own file fits
         assert client.get(f"/api/v1/runs/{run['id']}/bands").status_code == 422
     with monkeypatch.context() as limited:
-        limited.setattr(files, "_files", ConcurrencyLimit(what="long answers", per_client=1))  # no second one
+        quotas = service.app.state.gate.quotas
+        limited.setitem(quotas, "long_answers", replace(quotas["long_answers"], per_client=1))  # no second one
         assert client.get(f"/api/v1/batches/{batch}/table?figures=travel_time").status_code == 429
     assert not calls
     assert client.get(f"/api/v1/runs/{run['id']}/bands").status_code == 200

@@ -15,7 +15,7 @@ from backend.db.tables import results, roads, run_roads
 from backend.roads.samples import HUMP as HUMP_OF_STREET
 from backend.roads.samples import POTHOLE, SAMPLES
 from backend.roads.survey import read
-from backend.runs.memory import Memory
+from backend.runs.result_cache import ResultCache
 from ridelab import Ridelab
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.simulate import simulate
@@ -206,7 +206,7 @@ def test_without_its_road_a_run_keeps_its_metrics_and_no_new_one_is_stored(
     with service.app.state.store.writing() as connection:
         expired = update(results).where(results.c.strategy == "passive").values(status="expired", summary="{}")
         connection.execute(expired)
-    monkeypatch.setattr(Memory, "get", lambda *_: None)
+    monkeypatch.setattr(ResultCache, "get", lambda *_: None)
     assert client.get(path).status_code == 410
 
 

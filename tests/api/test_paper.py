@@ -11,7 +11,6 @@ from backend.paper import models
 from backend.paper.claims import FIGURES
 from backend.paper.interpretations import DEFAULT
 from tests.api.conftest import Service
-from tests.servers.process import wait_until
 
 PAPER = "/api/v1/paper"
 FEW = 2  # roads that are driven anew
@@ -171,21 +170,6 @@ def test_the_figures_are_the_paper_s(client: httpx.Client) -> None:
         assert item["caption"]
         assert item["figure"]["data"], item["number"]
         assert all(len(trace["y"]["bdata"]) > 50 for trace in item["figure"]["data"])
-
-
-def test_what_nobody_waits_for_any_more_is_called_off(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A visitor who leaves takes the work along: 100 roads would keep a worker busy for a minute."""
-    monkeypatch.setattr("backend.paper.rows.LINGER", 0.3)
-    with service.begun("GET", f"{PAPER}?seeds=100&force_limit=10"):
-        wait_until(lambda: reproductions(service) > 0, "it is under way")
-    wait_until(lambda: reproductions(service) == 0, "it is called off")
-
-
-def reproductions(service: Service) -> int:
-    """Jobs of the paper page that are stored: none is left when it has ended."""
-    return sum(
-        count for (kind, _), (count, _) in service.app.state.store.jobs.counts().items() if kind == "reproduction"
-    )
 
 
 def test_more_than_it_bears_at_once_is_refused(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:

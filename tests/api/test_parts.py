@@ -7,12 +7,16 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import orjson
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from backend import digest
-from backend.runs.memory import Memory
-from backend.runs.work import ComputedResult
+from backend.models import CachedFailure
+from backend.outcome import Outcome
+from backend.over_roads import seeded
+from backend.runs.result_cache import ResultCache
 from sim_core.scenario import Hil, Lqr, Mpc, Road, Scenario
 from sim_core.strategies import STRATEGIES
 
@@ -74,18 +78,41 @@ def test_equal_numbers_have_one_canonical_form_and_others_another(value: float) 
         assert digest.canonical([value]) != digest.canonical([other])
 
 
-def outcome(samples: int, points: int = 800) -> ComputedResult:
+def outcome(samples: int, points: int = 800) -> Outcome:
     series = np.zeros((15, samples), dtype=np.float32)
-    return ComputedResult(status="ok", summary={}, compute_ms=1.0, points=points, series=series)
+    return Outcome(key="k", strategy="lv", status="ok", json=b"{}", compute_ms=1.0, points=points, series=series)
+
+
+@pytest.mark.parametrize("first_seed", [1, 0, 2**31])
+def test_keys_on_several_roads_are_those_of_each_road(first_seed: int) -> None:
+    scenario = Scenario.model_validate({"road": {"seed": first_seed}, "estimation": {"kind": "kalman"}})
+    roads = seeded(scenario, 3)
+    each = [{name: digest.result_key(road, name) for name in STRATEGIES} for road in roads]
+    assert digest.result_keys(roads, STRATEGIES) == each
+    assert len({key for keys in each for key in keys.values()}) == 3 * len(STRATEGIES)
+
+
+def test_a_failure_that_an_older_version_stored_is_answered_with_its_kind() -> None:
+    stored = Outcome(key="k", strategy="lv", status="failed", json=b'{"reason":"no controller"}', compute_ms=1.5)
+    answer = orjson.loads(orjson.dumps(stored.answer(cached=True)))
+    CachedFailure.model_validate(answer, strict=True)
+    assert answer == {
+        "status": "failed",
+        "compute_ms": 1.5,
+        "cached": True,
+        "reason": "no controller",
+        "kind": "refused",
+        "fields": [],
+    }
 
 
 def test_memory_answers_only_for_the_points_it_has() -> None:
-    memory = Memory(10**6)
+    memory = ResultCache(10**6)
     memory.put("a", outcome(100, 800))
     assert memory.get("a", 2000) is None
     assert memory.get("a", None) is not None, "without series any will do"
     memory.put("a", outcome(200, 2000))
     assert memory.get("a", 800) is None
     assert memory.get("a", 2000) is not None
-    memory.put("a", ComputedResult(status="ok", summary={}, compute_ms=1.0))
+    memory.put("a", Outcome(key="k", strategy="lv", status="ok", json=b"{}", compute_ms=1.0))
     assert memory.get("a", 2000) is not None, "one without series does not drive out one with"

@@ -9,11 +9,11 @@ from typing import Any
 import pytest
 
 from backend import digest
-from backend.analysis.intervals import change_with_interval, mean_with_interval
+from backend.intervals import change_with_interval, mean_with_interval
 from backend.models import CreatedRun
+from backend.outcome import Outcome
 from backend.runs import bands, histories
-from backend.runs.roads_models import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
-from backend.runs.work import ComputedResult
+from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario
 from tests.html import check, read
@@ -210,10 +210,14 @@ def test_a_failure_on_one_road_is_the_strategys_and_names_the_seed(
     workers = service.app.state.workers
     original = workers.call
 
-    async def refused(function: Any, scenario: Scenario, names: list[str], points: int | None, **queued: Any) -> Any:
-        outcomes = await original(function, scenario, names, points, **queued)
+    async def refused(
+        function: Any, scenario: Scenario, keys: dict[str, str], points: int | None, **queued: Any
+    ) -> Any:
+        outcomes = await original(function, scenario, keys, points, **queued)
         if scenario.road.seed == 72:
-            outcomes["lqr"] = ComputedResult(status="failed", summary={"reason": "no controller"}, compute_ms=1.0)
+            outcomes["lqr"] = Outcome(
+                key=keys["lqr"], strategy="lqr", status="failed", json=b'{"reason":"no controller"}', compute_ms=1.0
+            )
         return outcomes
 
     monkeypatch.setattr(workers, "call", refused)

@@ -133,15 +133,22 @@ def test_live_takes_points_and_signals(service: Any, run: dict[str, Any]) -> Non
 
 def test_a_refused_strategy_fails_alone_and_says_why(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """A failure is a deterministic result like any other: stored, with its reason, beside those that succeeded."""
-    from backend.runs.work import ComputedResult
+    from backend.outcome import Outcome
 
     workers = service.app.state.workers
     original = workers.call
 
-    async def refused(function: Any, scenario: Scenario, names: list[str], points: int | None, **queued: Any) -> Any:
-        outcomes = await original(function, scenario, names, points, **queued)
-        outcomes["lqr"] = ComputedResult(
-            status="failed", summary={"reason": "no controller"}, compute_ms=1.0, points=points
+    async def refused(
+        function: Any, scenario: Scenario, keys: dict[str, str], points: int | None, **queued: Any
+    ) -> Any:
+        outcomes = await original(function, scenario, keys, points, **queued)
+        outcomes["lqr"] = Outcome(
+            key=keys["lqr"],
+            strategy="lqr",
+            status="failed",
+            json=b'{"reason":"no controller"}',
+            compute_ms=1.0,
+            points=points,
         )
         return outcomes
 

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
 from backend.models import MAX_POINTS, Series
-from backend.runs.series import Stages, decimate
+from backend.runs.series import SamplingHints, decimate
 from sim_core.catalogue import METRIC_SIGNALS, SIGNALS
 
 HEADER = [f"{key} [{quantity.unit}]" for key, quantity in SIGNALS.items()]
@@ -142,7 +142,7 @@ def test_decimation_keeps_ends_and_extremes(rows: np.ndarray, points: int, break
     series = np.vstack([time, rows])
     ends = [*breaks, float(rows.shape[1])]
     spans = [("bump" if index == 1 else "cruise", *span) for index, span in enumerate(pairwise([0.0, *ends]))]
-    few = decimate(series, points, Stages.of(spans))
+    few = decimate(series, points, SamplingHints.of(spans))
     assert few.shape[1] <= max(2, min(series.shape[1], points + 12 + 2 * len(series) * (len(breaks) + 1)))
     assert np.all(np.diff(few[0]) > 0)
     indices = few[0].astype(int)

@@ -10,7 +10,7 @@ from typing import Any
 import httpx
 import pytest
 
-from backend.analysis.intervals import mean_with_interval
+from backend.intervals import mean_with_interval
 from backend.runs.solve.models import Solution, SolveRequest
 from ridelab import Ridelab, RidelabAPIError
 from tests.api.cli import Cli
@@ -229,7 +229,7 @@ def test_nothing_more_is_driven_once_the_client_is_gone(service: Any, monkeypatc
     with service.begun("POST", "/api/v1/solve", {**HEIGHT, "range": [0.031, 0.2], "limit": 4}):
         assert begun.wait(HANG_TIMEOUT)
     assert called_off.wait(HANG_TIMEOUT)
-    wait_until(lambda: service.app.state.admission.load["requests"] == 0, "it is over")
+    wait_until(lambda: service.app.state.gate.load["requests"] == 0, "it is over")
     assert next(drives) == 2, "the first drive was the last"
 
 

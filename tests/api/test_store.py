@@ -22,7 +22,8 @@ from sqlalchemy.exc import IntegrityError, SQLAlchemyError
 import backend.db.migrations
 from backend.db.sqlite import wal_is_safe
 from backend.db.tables import metadata, results
-from backend.store import Store, StoredLink, StoredResult, StoredRun
+from backend.outcome import Outcome
+from backend.store import Store, StoredLink, StoredRun
 from tests.data import release
 from tests.servers.postgres import Postgres
 from tests.servers.process import HANG_TIMEOUT
@@ -52,15 +53,17 @@ def server_store(postgres: Postgres, migrated_postgres: str) -> Iterator[Store]:
     postgres.start()
 
 
-def outcomes(*keys: str) -> list[StoredResult]:
-    return [StoredResult(key=key, strategy="lv", status="ok", summary={"a": [1.5]}, compute_ms=2.0) for key in keys]
+def outcomes(*keys: str) -> list[Outcome]:
+    return [
+        Outcome(key=key, strategy="lv", status="ok", json=b'{"a":[1.5]}', compute_ms=2.0, cached=True) for key in keys
+    ]
 
 
 def save(store: Store, run_id: str, *keys: str) -> StoredRun:
     return store.runs.save(run_of(run_id, outcomes(*keys)))
 
 
-def run_of(run_id: str, items: list[StoredResult], version: int = 1) -> StoredRun:
+def run_of(run_id: str, items: list[Outcome], version: int = 1) -> StoredRun:
     scenario = {"road": "ä 😀"}
     return StoredRun(
         id=run_id, core_version=str(version), schema_version=version, scenario=scenario, results=tuple(items)
@@ -143,7 +146,7 @@ def test_a_stored_result_stays_as_it_was_first(store: Store) -> None:
     first = save(store, "one", "a", "b")
     assert [item.key for item in first.results] == ["a", "b"]
     assert first.scenario == {"road": "ä 😀"}
-    changed = [StoredResult(key="a", strategy="lv", status="ok", summary={}, compute_ms=9.0)]
+    changed = [Outcome(key="a", strategy="lv", status="ok", json=b"{}", compute_ms=9.0)]
     second = store.runs.save(run_of("two", changed))
     assert second.results == first.results[:1]
     again = store.runs.save(run_of("one", changed, version=2))

@@ -97,8 +97,8 @@ def test_gauges_tell_what_is_held_now(service: Any) -> None:
         lambda: service.app.state.workers.load["idle"] == 3, "two workers and the reserved one are warm and free"
     )
     with (
-        service.app.state.admission.streaming("192.0.2.1"),
-        service.app.state.admission.computing("192.0.2.1", 0.5),
+        service.app.state.gate.hold("192.0.2.1", streams=1),
+        service.app.state.gate.computing("192.0.2.1", 0.5),
     ):
         held = samples(service.client)
     assert held["ridelab_open_streams", ()] == 1

@@ -17,9 +17,10 @@ from sqlalchemy.exc import OperationalError
 from backend.app import create_app
 from backend.db.tables import jobs
 from backend.http.logins import COOKIE, LIFETIME, MAX_CHECKED, RECHECK_AFTER, Logins
-from backend.http.tokens import Caller, Tokens, cookie_key, read_tokens
+from backend.http.tokens import Caller, Tokens, cookie_key
 from backend.settings import Settings, SettingsError
 from backend.store import Store
+from backend.token_file import read_tokens
 from tests.api import tuning
 from tests.api.conftest import Service, serve
 from tests.api.test_problems import check

@@ -9,10 +9,10 @@ import pytest
 from pydantic import TypeAdapter
 from sqlalchemy.exc import OperationalError
 
-from backend.analysis.measure import Failure
 from backend.errors import BusyError, ConflictError, CostLimitError, WorkersBusyError
-from backend.jobs import job_tasks
+from backend.jobs import job_drivers
 from backend.jobs.tuning import answers, steps
+from backend.jobs.tuning.measure import Failure
 from backend.store import StoredJob
 from tests.api.conftest import Service
 from tests.api.tuning import REQUEST, SCENARIO, begin, get, trials, wait_for
@@ -152,12 +152,12 @@ def test_what_passes_is_waited_for_and_a_bug_is_a_reason(
             raise errors.pop(0)
         return await create(*args, **names)
 
-    monkeypatch.setattr(job_tasks, "PAUSE", 0.01)
+    monkeypatch.setattr(job_drivers, "PAUSE_AFTER_FAILURE", 0.01)
     monkeypatch.setattr(service.app.state.sweeps, "create", unreliable)
     assert wait_for(client, begin(client, trials=8)["id"])["state"] == "done"
     errors.append(ValueError("a bug"))
     failed = wait_for(client, begin(client, trials=8)["id"])
-    assert (failed["state"], failed["reason"]) == ("failed", job_tasks.UNFORESEEN)
+    assert (failed["state"], failed["reason"]) == ("failed", job_drivers.UNFORESEEN)
     errors.append(CostLimitError("It is too big now."))
     client.post(f"/api/v1/tunings/{failed['id']}/resume").raise_for_status()
     assert wait_for(client, failed["id"])["reason"] == "It is too big now."

@@ -8,6 +8,8 @@ import pytest
 from prometheus_client.core import Metric
 from pydantic_core import PydanticUndefined
 
+from backend.__main__ import main
+from backend.gate.quotas import explained, quotas
 from backend.metrics import service_registry
 from backend.settings import Settings
 
@@ -52,8 +54,22 @@ def test_the_proxys_variables_are_documented() -> None:
     assert {name: value.strip("`") for name, value in rows("PROXY_").items()} == read
 
 
+def test_the_quotas_are_those_that_a_service_prints() -> None:
+    assert explained(quotas(Settings())) in TEXT
+
+
+def test_a_service_prints_its_own_quotas(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setenv("RIDELAB_MAX_STREAMS", "7")
+    assert main(["--explain-limits", "--data-dir", str(tmp_path)]) == 0
+    printed = capsys.readouterr().out.strip()
+    assert printed == explained(quotas(Settings(max_streams=7)))
+    assert "| `streams` | 1: a job's events | 16 | 7 |" in printed
+
+
 class Idle:
-    """Workers and admission with nothing to do."""
+    """Workers and gate with nothing to do."""
 
     load: Any = dict.fromkeys(("busy", "idle", "waiting", "cost", "wait", "requests", "streams", "bodies"), 0)
 

@@ -15,7 +15,8 @@ from pathlib import Path
 import pytest
 from sqlalchemy import make_url
 
-from backend.store import Store, StoredResult, StoredRun
+from backend.outcome import Outcome
+from backend.store import Store, StoredRun
 from tests.api.cli import Cli
 from tests.servers.postgres import Postgres, program
 from tests.servers.process import wait_until
@@ -27,7 +28,7 @@ Backup = Callable[..., str]
 
 
 def save(store: Store, run_id: str) -> StoredRun:
-    result = StoredResult(key=f"of {run_id}", strategy="lv", status="ok", summary={"a": "ä"}, compute_ms=2.0)
+    result = Outcome(key=f"of {run_id}", strategy="lv", status="ok", json='{"a":"ä"}'.encode(), compute_ms=2.0)
     return store.runs.save(StoredRun(id=run_id, core_version="1", schema_version=1, scenario={}, results=(result,)))
 
 

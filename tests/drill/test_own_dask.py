@@ -12,7 +12,8 @@ import psutil
 import pytest
 from distributed import Client
 
-from backend.jobs.chunk import Chunk, ChunkOutcome, WaitingRun
+from backend.job_run import JobRun
+from backend.jobs.chunk_messages import Chunk, ChunkOutcome
 from backend.jobs.cluster import Cluster
 from backend.settings import Settings
 from sim_core import __version__
@@ -51,8 +52,9 @@ def address(tmp_path: Path) -> Iterator[str]:
 
 
 def chunk(seed: int) -> Chunk:
-    run = WaitingRun(position=0, changes=f'{{"road.seed":{seed}}}', strategy="passive", key=str(seed))
+    run = JobRun(0, f'{{"road.seed":{seed}}}', "passive", str(seed))
     return Chunk(
+        kind="sweep",
         group="group",
         core_version=__version__,
         schema_version=SCHEMA_VERSION,

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from pyarrow import parquet
 
-from backend.runs.links.models import Link
+from backend.links.models import Link
 from backend.store import Store
 from backend.store.job import FINAL
 from sim_core import __version__

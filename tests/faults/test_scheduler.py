@@ -15,13 +15,15 @@ from sqlalchemy.exc import IntegrityError, OperationalError
 
 from backend.db import database, sqlite
 from backend.db.sqlite import DatabaseLockedError
-from backend.jobs import chunks, cluster, running_job, scheduler
-from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError, ComputedRun, JobRow
+from backend.job_run import JobRow
+from backend.jobs import chunk_cutter, cluster, dispatch, scheduler
+from backend.jobs.chunk_messages import Chunk, ChunkOutcome, ClusterLostError
 from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.jobs.scheduler import Scheduler
 from backend.jobs.sweep.plan import plan
-from backend.jobs.sweep.sweeps import Sweep
+from backend.jobs.sweep.points import Sweep
 from backend.metrics import REGISTRY
+from backend.outcome import Outcome
 from backend.settings import Settings
 from backend.store import Store, StoredJob
 from backend.store.roads import RoadStore
@@ -37,7 +39,7 @@ Behaviour = Callable[[Chunk], ChunkOutcome]
 
 def answered(chunk: Chunk) -> ChunkOutcome:
     done = [
-        ComputedRun(key=run.key, strategy=run.strategy, status="ok", summary='{"metrics":{}}', compute_ms=1.0)
+        Outcome(key=run.key, strategy=run.strategy, status="ok", json=b'{"metrics":{}}', compute_ms=1.0)
         for run in chunk.runs
     ]
     return ChunkOutcome(computed=done)
@@ -85,9 +87,9 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(cluster, "Cluster", Misbehaving)
     monkeypatch.setattr(Misbehaving, "chunks", ())
     monkeypatch.setattr(Misbehaving, "starts", 0)
-    monkeypatch.setattr(scheduler, "PAUSE", 0.01)
-    monkeypatch.setattr(chunks, "PAUSE", 0.01)
-    monkeypatch.setattr(scheduler, "LOOK", 0.02)
+    monkeypatch.setattr(scheduler, "PAUSE_AFTER_FAILURE", 0.01)
+    monkeypatch.setattr(dispatch, "PAUSE_AFTER_FAILURE", 0.01)
+    monkeypatch.setattr(scheduler, "JOB_POLL_INTERVAL", 0.02)
 
 
 class Here:
@@ -106,7 +108,7 @@ def submitted(
         store.roads.save(road)
         base["road"]["profile"] = road.id
     seeds = list(range(first_seed, first_seed + RUNS))
-    runs = plan(base, ["lv"], Sweep.model_validate({"grid": {"road.seed": seeds}})).runs
+    runs = list(plan(base, ["lv"], Sweep.model_validate({"grid": {"road.seed": seeds}})).runs)
     request = {"scenario": base, "strategies": ["lv"], "fields": ["road.seed"]}
     batch = StoredJob(
         kind="sweep", request=request, estimated_cost=1, total=RUNS, request_hash="", core_version=core_version
@@ -183,10 +185,10 @@ def test_a_run_that_cannot_be_computed_fails_alone(tmp_path: Path, trouble: Any)
 
     rows = drive(tmp_path, poisoned)
     assert [row.position for row in rows if row.status == "failed"] == [17]
-    assert rows[17].reason == chunks.REASONS[trouble]
+    assert rows[17].reason == dispatch.REASONS[trouble]
     assert [row.status for row in rows].count("ok") == RUNS - 1
     alone = [chunk for chunk in Misbehaving.chunks if seeds(chunk) == [17]]
-    assert len(alone) == (running_job.STRIKES if trouble == "lost" else 1)
+    assert len(alone) == (chunk_cutter.STRIKES if trouble == "lost" else 1)
 
 
 def test_what_is_not_a_chunks_fault_is_tried_until_it_works(tmp_path: Path) -> None:
@@ -254,7 +256,7 @@ def test_an_unforeseen_error_fails_a_run_and_ends_the_job(tmp_path: Path) -> Non
         return answered(chunk)
 
     rows = drive(tmp_path, broken)
-    assert [(row.position, row.reason) for row in rows if row.status == "failed"] == [(3, chunks.REASONS["bug"])]
+    assert [(row.position, row.reason) for row in rows if row.status == "failed"] == [(3, dispatch.REASONS["bug"])]
 
 
 def test_what_the_database_will_never_take_fails_the_job_and_no_other(tmp_path: Path) -> None:

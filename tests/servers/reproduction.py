@@ -28,10 +28,10 @@ from filelock import FileLock
 
 from backend.db.database import insert_new
 from backend.db.tables import results
-from backend.jobs.sweep.plan import scenario_at
-from backend.paper import claims, work
+from backend.job_run import JobRun
+from backend.paper import claims, paper_rows
 from backend.paper.interpretations import DEFAULT, FAVOURABLE
-from backend.paper.work import RowRequest
+from backend.scenario_at import scenario_at
 from backend.store import Store
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
@@ -43,22 +43,26 @@ SOURCES = (
     "backend/__init__.py",
     "backend/digest.py",
     "backend/errors.py",
-    "backend/analysis/intervals.py",
+    "backend/intervals.py",
     "backend/cost",
     "backend/ecu",
     "backend/paper",
     "tests/servers/reproduction.py",
 )
-IN_ECU = f"{work.PREFIX}{claims.IN_ECU}"
+IN_ECU = claims.IN_ECU
 ROADS = range(1, claims.SEEDS + 1)
 
 
-def requests(roads: range = ROADS) -> list[RowRequest]:
+def requests(roads: range = ROADS) -> list[JobRun]:
     """The rows that the page needs first, in an order that does not depend on the roads."""
     named = (DEFAULT.choices, FAVOURABLE.choices)
     sets = [choices | preview for choices in named for preview in ({}, {"preview": "none"})]
-    under = [row for choices in sets for row in in_order(work.requests_under(choices, roads))]
-    studies = [row for study in (work.ATTRIBUTION, work.SPEEDS) for row in work.requests_of_study(study, roads)]
+    under = [row for choices in sets for row in in_order(paper_rows.requests_under(choices, roads))]
+    studies = [
+        row
+        for study in (paper_rows.ATTRIBUTION, paper_rows.SPEEDS)
+        for row in paper_rows.requests_of_study(study, roads)
+    ]
     return [*under, *studies]
 
 
@@ -66,17 +70,17 @@ def substitutes() -> dict[str, str]:
     """By key of a row with hardware in the loop that of the simulation's, which stands in for it."""
     if os.environ.get("UPDATE_DOCS"):
         return {}
-    under = work.requests_under(FAVOURABLE.choices | {"preview": "none"}, ROADS)
+    under = paper_rows.requests_under(FAVOURABLE.choices | {"preview": "none"}, ROADS)
     return {row.key: simulated.key for row, simulated in zip(under[claims.IN_ECU], under["lv"], strict=True)}
 
 
-def distinct() -> list[RowRequest]:
+def distinct() -> list[JobRun]:
     """Each row to compute once: the sets share those that their differences do not reach."""
     left_out = substitutes()
     return list({row.key: row for row in requests() if row.key not in left_out}.values())
 
 
-def in_order(by_strategy: Mapping[str, Sequence[RowRequest]]) -> list[RowRequest]:
+def in_order(by_strategy: Mapping[str, Sequence[JobRun]]) -> list[JobRun]:
     """Every row, strategy by strategy."""
     return [row for rows in by_strategy.values() for row in rows]
 
@@ -97,11 +101,10 @@ def rows() -> Any:
     return computed_rows | {key: computed_rows[other] for key, other in substitutes().items()}
 
 
-def computed(row: RowRequest) -> Any:
+def computed(row: JobRun) -> Any:
     """The result that a worker computes."""
     scenario = scenario_at(Scenario().model_dump(mode="json"), orjson.loads(row.changes))
-    summary = work.compute(row.strategy, scenario)
-    return orjson.loads(orjson.dumps(summary, option=orjson.OPT_SERIALIZE_NUMPY))
+    return paper_rows.compute_row(scenario, row.strategy, row.key).summary
 
 
 def store_in(store: Store) -> None:
@@ -117,7 +120,7 @@ def store_without_ecu(store: Store, reason: str) -> None:
     store_as(store, failed, [{"reason": reason}] * len(failed), status="failed")
 
 
-def store_as(store: Store, wanted: Sequence[RowRequest], summaries: Sequence[Any], status: str = "ok") -> None:
+def store_as(store: Store, wanted: Sequence[JobRun], summaries: Sequence[Any], status: str = "ok") -> None:
     """Store these summaries as those rows."""
     same = {"core_version": CORE_VERSION, "status": status, "compute_ms": 1.0, "created_at": datetime.now(UTC)}
     items = [

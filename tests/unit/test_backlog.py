@@ -6,7 +6,7 @@ from contextlib import ExitStack
 import pytest
 
 from backend.errors import BusyError, TooManyRequestsError
-from backend.http.backlog import Backlog
+from backend.gate.backlog import Backlog
 
 INTERVAL = 0.1  # between two completions while others wait [s]
 

@@ -6,42 +6,61 @@ from typing import Any
 
 import pytest
 
-from backend.jobs import work
-from backend.jobs.chunk import WaitingRun
+from backend.job_run import JobRun, PackedRuns
+from backend.jobs.chunk_messages import Chunk
+from backend.jobs.compute_chunk import compute_chunk
 from backend.jobs.sweep.plan import plan
-from backend.jobs.sweep.sweeps import Sweep, SweepError
+from backend.jobs.sweep.points import Sweep, SweepError
+from backend.json_types import JsonObject
+from backend.outcome import Outcome
+from backend.runs import compute_run
+from sim_core import __version__ as CORE_VERSION
 from sim_core.errors import TooExpensiveError
 from sim_core.scenario import Scenario
 
 BASE = Scenario().model_dump(mode="json")
 
 
-def waiting(*heights: float, strategy: str = "passive") -> list[WaitingRun]:
+def waiting(*heights: float, strategy: str = "passive") -> list[JobRun]:
     changes = [json.dumps({"road.bump.height": height}) for height in heights]
-    return [
-        WaitingRun(position=number, changes=text, strategy=strategy, key=text) for number, text in enumerate(changes)
-    ]
+    return [JobRun(number, text, strategy, text) for number, text in enumerate(changes)]
+
+
+def computed(runs: list[JobRun], base: JsonObject = BASE, budget: float = 60) -> list[Outcome]:
+    return compute_chunk(
+        Chunk(
+            kind="sweep",
+            group="",
+            core_version=CORE_VERSION,
+            schema_version=1,
+            base=base,
+            runs=runs,
+            roads={},
+            budget=budget,
+            timeout=60,
+        )
+    )
 
 
 def test_equal_runs_are_computed_once_and_each_has_its_own_scenario() -> None:
-    computed = work.run_chunk(BASE, 1, waiting(0.05, 0.05, 0.08), {}, 60)
-    assert [run.key for run in computed] == [waiting(0.05)[0].key, waiting(0.08)[0].key]
-    peaks = [json.loads(run.summary)["metrics"]["bump"]["body_acceleration"]["peak"] for run in computed]
+    outcomes = computed(waiting(0.05, 0.05, 0.08))
+    assert [run.key for run in outcomes] == [waiting(0.05)[0].key, waiting(0.08)[0].key]
+    peaks = [run.summary["metrics"]["bump"]["body_acceleration"]["peak"] for run in outcomes]
     assert peaks[1] == pytest.approx(1.6 * peaks[0], rel=0.2), "the passive car is linear, the road adds a little"
 
 
 def test_out_of_time_it_gives_what_it_has_and_always_something() -> None:
-    assert len(work.run_chunk(BASE, 1, waiting(0.05, 0.06, 0.07), {}, 0)) == 1
+    assert len(computed(waiting(0.05, 0.06, 0.07), budget=0)) == 1
 
 
 def test_what_takes_too_much_is_a_result_that_names_what_to_change(monkeypatch: pytest.MonkeyPatch) -> None:
     def refuse(*_: Any) -> None:
         raise TooExpensiveError("Too many steps", fields=("road.length",))
 
-    monkeypatch.setattr(work, "simulate", refuse)
-    (run,) = work.run_chunk(BASE, 1, waiting(0.05), {}, 60)
+    monkeypatch.setattr(compute_run, "simulate", refuse)
+    (run,) = computed(waiting(0.05))
     assert (run.status, run.cacheable) == ("failed", True)
-    assert json.loads(run.summary) == {
+    assert run.summary == {
         "reason": "Too many steps; change road.length",
         "kind": "too-expensive",
         "fields": ["road.length"],
@@ -50,9 +69,9 @@ def test_what_takes_too_much_is_a_result_that_names_what_to_change(monkeypatch: 
 
 def test_without_its_measured_road_a_run_fails_and_the_failure_is_not_stored() -> None:
     base = {**BASE, "road": {**BASE["road"], "profile": "A" * 22}}
-    (run,) = work.run_chunk(base, 1, waiting(0.05), {}, 60)
+    (run,) = computed(waiting(0.05), base)
     assert (run.status, run.cacheable) == ("failed", False)
-    assert json.loads(run.summary) == {"reason": "The measured road of this id is not here"}
+    assert run.summary == {"reason": "The measured road of this id is not here"}
 
 
 def test_a_sweeps_errors_survive_the_way_from_a_worker() -> None:
@@ -61,3 +80,10 @@ def test_a_sweeps_errors_survive_the_way_from_a_worker() -> None:
     again = pickle.loads(pickle.dumps(caught.value))  # noqa: S301 - our own
     assert again.errors == caught.value.errors
     assert [path for path, _ in again.errors] == [["grid", "road.bmp"], ["grid", "road.seed", 0]]
+
+
+def test_packed_runs_come_out_as_they_went_in_and_again() -> None:
+    runs = [run._replace(position=position) for position in range(2500) for run in waiting(0.05)]
+    packed = PackedRuns(runs)
+    assert list(packed) == runs
+    assert list(packed) == runs, "a transaction that was rolled back reads them again"

@@ -1,6 +1,5 @@
 """The cost of a run: bounds that hold, an estimate that grows with the work, and an end where it is too much."""
 
-import json
 import pickle
 import subprocess
 import sys
@@ -19,10 +18,10 @@ from backend.cost.binding_limits import LimitShares, combine, expected_limits
 from backend.cost.binding_limits import _passive as passive_suspension
 from backend.cost.estimate import SECONDS, check_affordable, duration, estimate, expected_time, memory, work
 from backend.ecu import drive, program, realtime, report
-from backend.jobs import work as jobs_work
-from backend.jobs.chunk import WaitingRun
-from backend.runs import bands, exports, pins
-from backend.runs import work as runs_work
+from backend.job_run import JobRun
+from backend.jobs.chunk_messages import Chunk
+from backend.jobs.compute_chunk import compute_chunk
+from backend.runs import bands, compute_run, exports, pins
 from sim_core.control import mpc as mpc_module
 from sim_core.errors import TooExpensiveError
 from sim_core.scenario import SCHEMA_VERSION, Actuator, Brake, Bump, Estimation, Mpc, Road, Scenario, Speed, Vehicle
@@ -39,7 +38,7 @@ ENDLESS = Scenario(
 EXPORT = exports.Export(
     strategies=["lv"], signals=["time"], points=None, file_format="csv", encoding="list", provenance={}
 )
-BACKEND = Path(runs_work.__file__).parents[1]
+BACKEND = Path(compute_run.__file__).parents[1]
 
 
 @pytest.mark.parametrize("strategy", ["speed_only", "passive"])
@@ -183,21 +182,29 @@ def test_a_run_with_too_many_steps_ends_before_it_begins(strategy: str) -> None:
     ids=["controller report", "drive by the clock", "own program", "export", "pinned series", "series over roads"],
 )
 def test_all_that_simulates_refuses_it(compute: Callable[[Path], object], tmp_path: Path) -> None:
-    """Runs, solve and links: `work.run`; batches, tunings, robustness and the paper: `run_chunk`; below."""
+    """Runs, solve and links: `compute_run`; batches, tunings, robustness and the paper: `compute_chunk`; below."""
     with pytest.raises(TooExpensiveError):
         compute(tmp_path / "file")
 
 
 def test_runs_and_jobs_store_the_refusal() -> None:
-    outcome = runs_work.run(ENDLESS, ["lv"], None)["lv"]
-    waiting = WaitingRun(position=0, changes="{}", strategy="lv", key="k")
-    [of_job] = jobs_work.run_chunk(ENDLESS.model_dump(mode="json"), SCHEMA_VERSION, [waiting], {}, 60)
-    for status, cacheable, summary in (
-        (outcome.status, outcome.cacheable, outcome.summary),
-        (of_job.status, of_job.cacheable, json.loads(of_job.summary)),
-    ):
-        assert (status, cacheable, summary["kind"]) == ("failed", True, "too-expensive")
-        assert "road.length" in summary["fields"]
+    outcome = compute_run.compute(ENDLESS, "lv", "k")
+    [of_job] = compute_chunk(
+        Chunk(
+            kind="sweep",
+            group="",
+            core_version="1",
+            schema_version=SCHEMA_VERSION,
+            base=ENDLESS.model_dump(mode="json"),
+            runs=[JobRun(0, "{}", "lv", "k")],
+            roads={},
+            budget=60,
+            timeout=60,
+        )
+    )
+    for each in (outcome, of_job):
+        assert (each.status, each.cacheable, each.summary["kind"]) == ("failed", True, "too-expensive")
+        assert "road.length" in each.summary["fields"]
 
 
 def test_nothing_simulates_past_the_check() -> None:
@@ -207,7 +214,7 @@ def test_nothing_simulates_past_the_check() -> None:
         for path in BACKEND.rglob("*.py")
         if "from sim_core.simulate import simulate" in path.read_text()
     }
-    assert takers == {"ecu/drive.py", "ecu/program.py", "ecu/realtime.py", "ecu/report.py", "paper/work.py"}
+    assert takers == {"ecu/drive.py", "ecu/program.py", "ecu/realtime.py", "ecu/report.py", "paper/paper_rows.py"}
 
 
 @pytest.mark.parametrize("factor", [0.0, 1e6])

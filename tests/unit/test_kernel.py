@@ -138,9 +138,7 @@ def test_a_law_is_followed_up_to_the_first_step_in_which_a_limit_binds(seed: int
         preview=ahead,
         strides=(ahead.shape[1], 1),
         sizes=forecast.sizes,
-        force_limit=force,
-        most_change=change,
-        most_force=actuator,
+        force_limits=np.array([force, change, actuator]),
         clips=clips,
     )
     loop = np.zeros((steps + 1, n + 2))

@@ -5,7 +5,6 @@ import sys
 import weakref
 from collections.abc import Callable
 from ctypes import ArgumentError
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -90,7 +89,7 @@ LAW = dict(
     gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 9)),
     limits=np.zeros((4, 19)), scale=np.ones(10), norms=np.zeros((4, 5)),
     preview=np.zeros((3, STEPS + 2)), strides=(STEPS + 2, 1), sizes=np.zeros((4, STEPS)),
-    force_limit=inf, most_change=inf, most_force=inf, clips=True,
+    force_limits=np.full(3, inf), clips=True,
 )
 RUN = dict(first=0, last=STEPS, loop=np.zeros((STEPS + 1, 10)))
 ONE = dict(step=0, state=np.zeros(8), command=np.zeros(2))
@@ -162,14 +161,6 @@ def test_no_drive_is_let_beyond_its_arrays() -> None:
 
 
 ROAD = np.zeros(50), binding.road_layout(-1.0, 0.1, binding.bump_numbers("cosine", 1, 2.0, 0.1, 0.5, 3.0, 2.5))
-AXLE = binding.AxleRecord(
-    position=np.linspace(0, 1, 9),
-    height=np.zeros(9),
-    load=np.zeros((3, 4)),
-    highest=np.zeros(4),
-    stiffness=1,
-    lowest=-1,
-)
 DISAGREEING: dict[str, Callable[[], object]] = {
     "recurrence, matrix": lambda: binding.recurrence(np.eye(4), np.zeros((5, 3))),
     "recurrence, no state": lambda: binding.recurrence(np.eye(3), np.zeros((0, 3))),
@@ -194,10 +185,12 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     "sections, beyond": lambda: sections(["value", "value"], ends=np.array([[0.0, 8.5]])),
     "power, axles": lambda: binding.power(np.zeros((1, 3, 4)), np.zeros((2, 3, 4)), np.zeros((1, 3, 4))),
     "power, both": lambda: binding.power(np.zeros((2, 3, 4)), np.zeros((2, 3, 4)), np.zeros((1, 3, 5))),
-    "kinks, record": lambda: kink_peaks(axle=replace(AXLE, position=np.linspace(0, 1, 8))),
+    "kinks, record": lambda: kink_peaks(position=np.zeros((2, 8)), height=np.zeros((2, 8))),
+    "kinks, heights": lambda: kink_peaks(height=np.zeros((2, 8))),
+    "kinks, highest": lambda: kink_peaks(highest=np.zeros((2, 3))),
     "kinks, endless": lambda: kink_peaks(kinks=np.array([1.0, 2.0])),
-    "kinks, nowhere": lambda: kink_peaks(axle=replace(AXLE, position=np.full(9, np.inf))),
-    "kinks, peaks": lambda: kink_peaks(peaks=np.zeros(2)),
+    "kinks, nowhere": lambda: kink_peaks(position=np.full((2, 9), np.inf)),
+    "kinks, peaks": lambda: kink_peaks(peaks=np.zeros((2, 2))),
     "kinks, beyond": lambda: kink_peaks(ends=np.array([[0.0, 9.0]])),
     "linear drive, no square": lambda: linear_drive(A=np.zeros((8, 9))),
     "linear drive, three forces": lambda: linear_drive(B=np.zeros((8, 3))),
@@ -233,11 +226,15 @@ def sections(integrands: list[str], **changed: Any) -> None:
 
 def kink_peaks(**changed: Any) -> None:
     right: dict[str, Any] = {
-        "axle": AXLE,
+        "position": np.zeros((2, 9)),
+        "height": np.zeros((2, 9)),
+        "loads": np.zeros((2, 3, 4)),
+        "highest": np.zeros((2, 4)),
+        "tyres": np.ones((2, 2)),
         "kinks": np.array([2.0, np.inf]),
         "ends": np.array([[0.0, 8.0]]),
         "rise": np.zeros(1),
-        "peaks": np.zeros(1),
+        "peaks": np.zeros((2, 1)),
     }
     binding.kink_peaks(*ROAD, **(right | changed))
 
@@ -252,9 +249,7 @@ def linear_drive(**changed: Any) -> None:
         preview=np.zeros((3, 8)),
         strides=(8, 1),
         sizes=np.zeros((4, 6)),
-        force_limit=np.inf,
-        most_change=np.inf,
-        most_force=np.inf,
+        force_limits=np.full(3, np.inf),
         clips=True,
     )
     right = {"A": np.eye(8), "B": np.zeros((8, 2)), "forcing": np.zeros((6, 8)), "loop": np.zeros((7, 10))}

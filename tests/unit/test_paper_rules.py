@@ -8,11 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from backend.analysis.intervals import change_with_interval, mean_with_interval
+from backend.intervals import change_with_interval, mean_with_interval
 from backend.paper import claims
 from backend.paper.attribution import FACTORS, VARIANTS, shares
 from backend.paper.claims import FIGURES, Verdict, judge, scenario_for, verdict
 from backend.paper.interpretations import DEFAULT, FAVOURABLE, INTERPRETATIONS, interpretation_of
+from backend.paper.paper_rows import compute_row
 from backend.paper.readings import OURS, READINGS
 from backend.paper.tables import ABSOLUTES, TABLES, cells
 from sim_core.catalogue import PAPER_SIGNALS
@@ -245,3 +246,10 @@ def test_shares_add_up_and_are_right_where_factors_multiply() -> None:
         assert item.speed == pytest.approx(100.0)
         assert item.preview == pytest.approx(100 * np.log(0.8) / np.log(0.5))
         assert item.speed + item.preview + item.switching == pytest.approx(100)
+
+
+def test_a_row_is_the_same_by_the_name_that_older_versions_stored() -> None:
+    scenario = Scenario.model_validate({"road": {"length": 120}})
+    row, older = (compute_row(scenario, name, "key") for name in ("passive", "paper.passive"))
+    assert (row.status, row.json) == (older.status, older.json)
+    assert row.status == "ok"

@@ -11,7 +11,7 @@ import pytest
 from pyarrow import parquet
 
 from backend.runs import exports, pins
-from backend.runs.series import ROWS, Stages, decimate, pack
+from backend.runs.series import ROWS, SamplingHints, decimate, pack
 from sim_core import __version__
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Bump, Road, Scenario, Speed
@@ -26,9 +26,9 @@ def pinned() -> dict[str, bytes]:
 
 
 @pytest.fixture(scope="module")
-def stages() -> dict[str, Stages]:
+def stages() -> dict[str, SamplingHints]:
     return {
-        name: Stages.of((span.stage, span.start_time, span.end_time) for span in simulate(SCENARIO, name).stages)
+        name: SamplingHints.of((span.stage, span.start_time, span.end_time) for span in simulate(SCENARIO, name).stages)
         for name in ("lv", "passive")
     }
 
@@ -39,7 +39,7 @@ def export(**change: Any) -> exports.Export:
     return exports.Export(**{**settings, "provenance": provenance, **change})
 
 
-def test_a_pin_is_every_sample_bit_for_bit(pinned: dict[str, bytes], stages: dict[str, Stages]) -> None:
+def test_a_pin_is_every_sample_bit_for_bit(pinned: dict[str, bytes], stages: dict[str, SamplingHints]) -> None:
     opened = pins.opened(pinned, stages, None)
     for name, array in opened.items():
         np.testing.assert_array_equal(array, pack(simulate(SCENARIO, name)))
@@ -69,7 +69,7 @@ def rewritten(content: bytes, columns: Mapping[str, str], units: Mapping[str, st
 
 
 @pytest.mark.parametrize("points", [None, 60])
-def test_another_catalogue_reads_what_it_knows(stages: dict[str, Stages], points: int | None) -> None:
+def test_another_catalogue_reads_what_it_knows(stages: dict[str, SamplingHints], points: int | None) -> None:
     """Columns in another order, one that today's core does not know, one missing, one in another unit."""
     signals = [key for key in reversed(SIGNALS) if key not in ("rear_force", "brake_pressure")]
     content = pins.make(SCENARIO, ["lv"])["lv"]

@@ -5,8 +5,8 @@ from typing import Any
 
 import pytest
 
-from backend.runs.links import preview
-from backend.runs.links.preview import Preview
+from backend.links import preview
+from backend.links.preview import Preview
 from sim_core.scenario import Scenario
 from tests.html import read
 

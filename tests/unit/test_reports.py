@@ -7,10 +7,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from backend.outcome import Outcome
+from backend.runs.compute_run import compute_run
 from backend.runs.reports import inputs, numbers
 from backend.runs.reports.caveats import caveats
 from backend.runs.reports.run import RunFacts, report
-from backend.runs.work import ComputedResult, run
 from sim_core.scenario import Scenario, dotted
 from sim_core.strategies import STRATEGIES
 from tests.html import check, read
@@ -95,13 +96,13 @@ def test_every_field_is_in_the_tables_and_what_differs_is_marked() -> None:
 
 
 @pytest.fixture(scope="module")
-def outcomes() -> dict[str, ComputedResult]:
+def outcomes() -> dict[str, Outcome]:
     """A smooth road with a bump a car jumps over: short, and with every caveat."""
     scenario = Scenario.model_validate({"road": {"length": 60, "bump": {"start": 40, "height": 0.15}}})
-    return run(scenario, ["lv", "passive"], 200)
+    return compute_run(scenario, {"lv": "a", "passive": "b"}, 200)
 
 
-def facts(outcomes: dict[str, ComputedResult], **more: Any) -> RunFacts:
+def facts(outcomes: dict[str, Outcome], **more: Any) -> RunFacts:
     entries = {name: {"status": "ok", "compute_ms": 1.0, **outcome.summary} for name, outcome in outcomes.items()}
     answer = {
         "id": "a-run",
@@ -122,7 +123,7 @@ def facts(outcomes: dict[str, ComputedResult], **more: Any) -> RunFacts:
     )
 
 
-def test_caveats_are_sentences_only_where_there_are_any(outcomes: dict[str, ComputedResult]) -> None:
+def test_caveats_are_sentences_only_where_there_are_any(outcomes: dict[str, Outcome]) -> None:
     entry = {"status": "ok", "arrival_speed_kmh": 41.26, "events": {}}
     vehicle = {"tyre_lift_off": False, "bump_stop_clearance": None}
     minute = {"airborne_ms": 0.9, "travel_exceeded_mm": 0.007, "target_reached": None}
@@ -162,7 +163,7 @@ def test_caveats_are_sentences_only_where_there_are_any(outcomes: dict[str, Comp
     assert f"for {airborne:.0f}\u00a0ms a tyre" in page
 
 
-def test_text_never_becomes_markup(outcomes: dict[str, ComputedResult]) -> None:
+def test_text_never_becomes_markup(outcomes: dict[str, Outcome]) -> None:
     scenario = Scenario().model_dump(mode="json")
     scenario["road"]["bump"]["shape"] = HOSTILE
     scenario["mpc"]["preview"] = HOSTILE
@@ -181,7 +182,7 @@ def test_text_never_becomes_markup(outcomes: dict[str, ComputedResult]) -> None:
     assert "{{7*7}}" in next(root.all("h1")).text
 
 
-def test_even_with_every_strategy_it_fits_into_a_mail(outcomes: dict[str, ComputedResult]) -> None:
+def test_even_with_every_strategy_it_fits_into_a_mail(outcomes: dict[str, Outcome]) -> None:
     assert outcomes["lv"].series is not None
     long = np.tile(outcomes["lv"].series, 40)
     all_of_them = dict.fromkeys(STRATEGIES, outcomes["lv"])

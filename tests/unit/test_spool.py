@@ -6,6 +6,7 @@ import io
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
@@ -15,10 +16,12 @@ import orjson
 import pytest
 
 from backend.errors import BusyError, CostLimitError, TooManyRequestsError
+from backend.gate import Gate
 from backend.http import spool
-from backend.http.spool import MAX_FILES_PER_CLIENT, MAX_IN_MEMORY, Spool, SpoolFile
+from backend.http.spool import MAX_IN_MEMORY, Spool, SpoolFile
 from backend.jobs.sweep.table import ColumnPages
 from backend.pieces import render_to, write_json
+from backend.settings import Settings
 from tests.servers import loops
 from tests.servers.process import HANG_TIMEOUT, ROOT
 
@@ -27,12 +30,21 @@ LONG = MAX_IN_MEMORY + 1
 OTHER = """
 import sys, time
 from pathlib import Path
+from backend.gate import Gate
 from backend.http.spool import Spool
-file = Spool(Path(sys.argv[1]), 10**9).file("one", 5)
+from backend.settings import Settings
+file = Spool(Path(sys.argv[1]), Gate(Settings())).file("one", 5)
 file.path.write_bytes(b"begun")
 print("there", flush=True)
 time.sleep(1000)
 """
+
+
+def gate(limit: float) -> Gate:
+    """With space for files of so many bytes."""
+    opened = Gate(Settings())
+    opened.quotas["long_answer_bytes"] = replace(opened.quotas["long_answer_bytes"], total=limit)
+    return opened
 
 
 async def told(content: bytes, path: Path | None) -> bytes:
@@ -62,14 +74,14 @@ def long_answer(spool: Spool, size: float = LONG, client: str = "one") -> SpoolF
 
 def test_a_short_answer_stays_in_memory(tmp_path: Path) -> None:
     folder = tmp_path / "spool"
-    assert rendering(Spool(folder, 100 * MEGABYTE), b"short", MAX_IN_MEMORY) == b"short"
+    assert rendering(Spool(folder, gate(100 * MEGABYTE)), b"short", MAX_IN_MEMORY) == b"short"
     assert not folder.exists()
 
 
 def test_a_long_one_lies_in_a_file_until_it_is_closed_or_forgotten(tmp_path: Path) -> None:
     folder = tmp_path / "spool"
     content = bytes(range(256)) * 4000
-    spool = Spool(folder, 100 * MEGABYTE)
+    spool = Spool(folder, gate(100 * MEGABYTE))
     for end in (lambda file: file.close(), lambda _: None):
         file = rendering(spool, content, LONG)
         assert isinstance(file, SpoolFile)
@@ -91,7 +103,7 @@ def test_a_second_attempt_leaves_nothing_of_the_first(tmp_path: Path) -> None:
 
 
 def test_the_sum_is_bounded_and_shared(tmp_path: Path) -> None:
-    spool = Spool(tmp_path, 100 * MEGABYTE)
+    spool = Spool(tmp_path, gate(100 * MEGABYTE))
     with pytest.raises(CostLimitError, match="30 MB would be needed, and the limit is 25 MB: ask for fewer"):
         long_answer(spool, 30 * MEGABYTE)
     held = [long_answer(spool, 25 * MEGABYTE) for _ in range(4)]
@@ -104,8 +116,8 @@ def test_the_sum_is_bounded_and_shared(tmp_path: Path) -> None:
 
 
 def test_too_many_files_are_refused(tmp_path: Path) -> None:
-    spool = Spool(tmp_path, 10_000 * MEGABYTE)
-    held = [long_answer(spool) for _ in range(MAX_FILES_PER_CLIENT)]
+    spool = Spool(tmp_path, gate(10_000 * MEGABYTE))
+    held = [long_answer(spool) for _ in range(int(gate(1).quotas["long_answers"].per_client))]
     with pytest.raises(TooManyRequestsError):
         long_answer(spool)
     del held
@@ -113,7 +125,7 @@ def test_too_many_files_are_refused(tmp_path: Path) -> None:
 
 
 def test_a_failure_leaves_nothing_and_a_full_disk_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    spooled = Spool(tmp_path, 100 * MEGABYTE)
+    spooled = Spool(tmp_path, gate(100 * MEGABYTE))
 
     async def fails(error: Exception) -> None:
         async def work(path: Path | None) -> bytes:
@@ -138,7 +150,7 @@ def test_a_failure_leaves_nothing_and_a_full_disk_is_said(tmp_path: Path, monkey
 
 
 def test_files_that_are_not_written_yet_count_on_the_disk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    size, spooled = 8 * MEGABYTE, Spool(tmp_path, 100 * MEGABYTE)
+    size, spooled = 8 * MEGABYTE, Spool(tmp_path, gate(100 * MEGABYTE))
     free = spool.LEAST_FREE + 1.5 * size
     monkeypatch.setattr(shutil, "disk_usage", lambda _: SimpleNamespace(free=free))
     first = spooled.file("one", size)
@@ -171,7 +183,7 @@ def test_a_file_that_a_starting_service_takes_for_a_dead_ones_is_given_up(
 
     real = fcntl.flock
     monkeypatch.setattr(fcntl, "flock", flock)
-    file = Spool(tmp_path, 100 * MEGABYTE).file("one", LONG)
+    file = Spool(tmp_path, gate(100 * MEGABYTE)).file("one", LONG)
     others[0].close()
     assert list(tmp_path.iterdir()) == [file.path]
     assert all(operation & fcntl.LOCK_NB for operation in locks), "the event loop does not wait"
@@ -181,7 +193,7 @@ def test_a_file_that_a_starting_service_takes_for_a_dead_ones_is_given_up(
 
 def test_advice_fits_the_file(tmp_path: Path) -> None:
     with pytest.raises(CostLimitError, match="limit is 25 MB: a shorter road"):
-        Spool(tmp_path, 100 * MEGABYTE).file("one", 30 * MEGABYTE, advice="a shorter road")
+        Spool(tmp_path, gate(100 * MEGABYTE)).file("one", 30 * MEGABYTE, advice="a shorter road")
 
 
 def test_what_a_killed_service_left_is_removed_and_nothing_else(tmp_path: Path) -> None:
@@ -190,7 +202,7 @@ def test_what_a_killed_service_left_is_removed_and_nothing_else(tmp_path: Path) 
         try:
             assert other.stdout is not None
             assert other.stdout.readline() == b"there\n"
-            spool = Spool(tmp_path, 100 * MEGABYTE)
+            spool = Spool(tmp_path, gate(100 * MEGABYTE))
             own = long_answer(spool)
             spool.clear()
             assert len(list(tmp_path.iterdir())) == 2, "both are in use"

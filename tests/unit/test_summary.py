@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from backend.analysis import summary
-from backend.analysis.summary import QUANTILES, Study
+from backend.jobs.sweep import summary
+from backend.jobs.sweep.summary import QUANTILES, Study
 
 FIGURE = "bump.body_acceleration.peak"
 

@@ -14,13 +14,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from backend.analysis import comparison, front, robustness
-from backend.analysis.measure import Aims, Failure
-from backend.analysis.objectives import StoredLimit, StoredObjective, UndefinedObjectiveError
-from backend.jobs.chunk import JobRow
-from backend.jobs.running_job import RunningJob
-from backend.jobs.tuning import space
+from backend.job_run import JobRow
+from backend.jobs.chunk_cutter import RunningJob
+from backend.jobs.sweep import robustness
+from backend.jobs.tuning import comparison, front, space
+from backend.jobs.tuning.measure import Aims, Failure
 from backend.jobs.tuning.models import TuningRequest
+from backend.jobs.tuning.objectives import StoredLimit, StoredObjective, UndefinedObjectiveError
 from backend.jobs.tuning.search import Search, ask
 from backend.store.trials import StoredTrial
 from sim_core.scenario import Scenario, dotted
@@ -227,7 +227,7 @@ def test_the_same_trials_lead_to_the_same_next_ones() -> None:
 
 
 def test_optuna_is_imported_for_a_tuning_only() -> None:
-    code = "import backend.app, backend.runs.work, backend.jobs.work, sys; sys.exit('optuna' in sys.modules)"
+    code = "import backend.app, backend.jobs.compute_chunk, sys; sys.exit('optuna' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 

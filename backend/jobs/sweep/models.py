@@ -5,9 +5,9 @@ from typing import Annotated, Literal, Self
 
 from pydantic import ConfigDict, Field
 
-from backend.analysis.models import Cell, StrategySummary
 from backend.jobs.models import Label
-from backend.jobs.sweep.sweeps import Sweep
+from backend.jobs.sweep.points import Sweep
+from backend.jobs.sweep.summary_models import Cell, StrategySummary
 from backend.json_types import JsonObject
 from backend.models import Answer, RequestModel, StrategyName
 from backend.store import StoredJob
@@ -17,19 +17,6 @@ from sim_core.scenario import Scenario, dotted
 
 class BatchRequest(RequestModel):
     """What to run: each point of the sweep under each strategy."""
-
-    model_config = ConfigDict(
-        json_schema_extra={
-            "examples": [
-                {"strategies": ["lv", "passive"], "sweep": {"grid": {"road.bump.height": [0.05, 0.1]}}},
-                {
-                    "strategies": ["lqr"],
-                    "sweep": {"latin_hypercube": {"ranges": {"speed.target_speed_kmh": [20, 40]}, "samples": 3}},
-                },
-                {"strategies": ["passive"], "sweep": {"list": [{"road.seed": 2}, {"road.seed": 3}]}, "dry_run": True},
-            ]
-        }
-    )
 
     scenario: Scenario = Scenario()
     strategies: list[StrategyName] = Field(min_length=1, max_length=32)

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Mapping, Sequence
 
-from backend.jobs.chunk import PlannedRun
+from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from sim_core.scenario import dotted
 from sim_core.strategies import STRATEGIES, reads, speed_plan
@@ -12,7 +12,7 @@ INITIAL, TARGET = "speed.initial_speed_kmh", "speed.target_speed_kmh"
 
 
 def notes(
-    base: JsonObject, points: Sequence[JsonObject], axes: Mapping[str, Sequence[str]], runs: Sequence[PlannedRun]
+    base: JsonObject, points: Sequence[JsonObject], axes: Mapping[str, Sequence[str]], runs: Sequence[JobRun]
 ) -> list[str]:
     """Sentences about a sweep; none where every run is one of its own.
 
@@ -28,13 +28,13 @@ def notes(
 
 
 def _unread(
-    names: Sequence[str], policies: Collection[str], axes: Mapping[str, Sequence[str]], runs: Sequence[PlannedRun]
+    names: Sequence[str], policies: Collection[str], axes: Mapping[str, Sequence[str]], runs: Sequence[JobRun]
 ) -> list[str]:
     said = []
     for name in names:
         read = [field for policy in policies for field in reads(STRATEGIES[name], policy)]
         unread = [axis for axis, linked in axes.items() if not any(_reads(read, each) for each in (axis, *linked))]
-        keys = [run.key for run in runs if run.strategy == name and run.key is not None]
+        keys = [run.key for run in runs if run.strategy == name and run.key]
         if unread and len(set(keys)) < len(keys):
             fields = _listed([_inside(dotted.field(axis).title) for axis in unread])
             results = len(set(keys))

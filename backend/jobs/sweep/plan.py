@@ -11,18 +11,16 @@ from pydantic import ValidationError
 from backend import digest
 from backend.cost.estimate import estimate
 from backend.ecu.drive import simulate
-from backend.jobs.chunk import PlannedRun, WaitingRun
+from backend.job_run import JobRun, PackedRuns
 from backend.jobs.sweep import notes
-from backend.jobs.sweep.sweeps import Sweep, axes, points
+from backend.jobs.sweep.points import Sweep, axes, points
 from backend.json_types import JsonObject
+from backend.scenario_at import NO_ROADS, contradiction, scenario_at
 from sim_core.errors import RidelabError
-from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
 from sim_core.scenario.measured import MeasuredRoad
-from sim_core.scenario.versions import restored
 
 PILOTS = 5  # runs tried to tell how long a batch takes
 PILOT_LIMIT = 1.0  # estimated cost [s] beyond which a run is not tried
-NO_ROADS: Mapping[str, MeasuredRoad] = {}
 NO_LENGTHS: Mapping[str | None, float] = {}
 PROFILE, LENGTH = "road.profile", "road.length"
 
@@ -35,46 +33,22 @@ class SweepPlan:
         fields: Dotted names of the fields that change.
         notes: What its runs do not depend on, in sentences.
         runs: A point's strategies side by side; one whose fields contradict each other has failed already.
+        total: How many there are.
+        contradictory: How many have failed already.
         cost: Estimated cost of all [s of one core].
         max_run_cost: The greatest of one run [s of one core].
     """
 
     fields: list[str]
     notes: list[str]
-    runs: list[PlannedRun]
+    runs: PackedRuns
+    total: int
+    contradictory: int
     cost: float
     max_run_cost: float
 
-    @property
-    def contradictory(self) -> int:
-        """How many runs have failed already."""
-        return sum(run.key is None for run in self.runs)
 
-
-def scenario_at(
-    base: JsonObject,
-    changes: JsonObject,
-    schema_version: int = SCHEMA_VERSION,
-    roads: Mapping[str, MeasuredRoad] = NO_ROADS,
-) -> Scenario:
-    """The scenario of one point, on its measured road where `roads` has it.
-
-    Fields have the names they had under that schema version.
-
-    Raises:
-        NewerScenarioError: A newer version of Ridelab stored it.
-        ValidationError: Its fields contradict each other.
-    """
-    changed = dotted.with_changes(base, changes)
-    current = schema_version == SCHEMA_VERSION
-    scenario = Scenario.model_validate(changed) if current else restored(changed, schema_version)
-    road = roads.get(scenario.road.profile or "")
-    return scenario if road is None else scenario.on(road)
-
-
-def rekeyed(
-    base: JsonObject, schema_version: int, runs: Iterable[WaitingRun]
-) -> dict[int, tuple[str | None, str | None]]:
+def rekeyed(base: JsonObject, schema_version: int, runs: Iterable[JobRun]) -> dict[int, tuple[str | None, str | None]]:
     """By position this core version's key of each run, or the reason why it has none."""
     keys: dict[int, tuple[str | None, str | None]] = {}
     for run in runs:
@@ -106,7 +80,7 @@ def plan(
         SweepError: The sweep has fields or values that cannot be used.
     """
     fields, changes_by_point = _points(base, sweep, lengths)
-    runs: list[PlannedRun] = []
+    runs: list[JobRun] = []
     cost = max_run_cost = 0.0
     for changes in changes_by_point:
         text = orjson.dumps(changes).decode()
@@ -115,14 +89,22 @@ def plan(
         except ValidationError as error:
             reason = contradiction(error)
             for name in strategies:
-                runs.append(PlannedRun(len(runs), text, name, None, reason))
+                runs.append(JobRun(len(runs), text, name, "", reason))
             continue
         for name in strategies:
             each = estimate(scenario, name)
             cost, max_run_cost = cost + each, max(max_run_cost, each)
-            runs.append(PlannedRun(len(runs), text, name, digest.result_key(scenario, name)))
+            runs.append(JobRun(len(runs), text, name, digest.result_key(scenario, name)))
     said = notes.notes(base, changes_by_point, axes(sweep, fields), runs)
-    return SweepPlan(fields=fields, notes=said, runs=runs, cost=cost, max_run_cost=max_run_cost)
+    return SweepPlan(
+        fields=fields,
+        notes=said,
+        runs=PackedRuns(runs),
+        total=len(runs),
+        contradictory=sum(not run.key for run in runs),
+        cost=cost,
+        max_run_cost=max_run_cost,
+    )
 
 
 def _points(base: JsonObject, sweep: Sweep, lengths: Mapping[str | None, float]) -> tuple[list[str], list[JsonObject]]:
@@ -132,13 +114,6 @@ def _points(base: JsonObject, sweep: Sweep, lengths: Mapping[str | None, float])
     return fields, [
         {LENGTH: lengths[changes[PROFILE]], **changes} if PROFILE in changes else changes for changes in every_point
     ]
-
-
-def contradiction(error: ValidationError) -> str:
-    """Why the fields of a point contradict each other, as its row's reason."""
-    first = error.errors(include_input=False, include_url=False)[0]
-    field = first.get("ctx", {}).get("field") or ".".join(map(str, first["loc"]))
-    return f"{field}: {first['msg']}" if field else str(first["msg"])
 
 
 def pilot(

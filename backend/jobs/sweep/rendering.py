@@ -8,7 +8,7 @@ import orjson
 import pyarrow as pa
 from pyarrow import csv
 
-from backend.jobs.chunk import JobRow
+from backend.job_run import JobRow
 from backend.json_types import JsonObject
 from sim_core.catalogue import METRICS
 

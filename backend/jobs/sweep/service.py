@@ -8,18 +8,18 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from backend.compute.workers import Workers
-from backend.errors import CHEAPER_RUN, ConflictError, CostLimitError, InvalidError
-from backend.http.admission import Admission
+from backend.errors import ConflictError, InvalidError
+from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile
-from backend.jobs.chunk import JobRow
+from backend.job_run import JobRow
 from backend.jobs.service import Jobs, request_hash
 from backend.jobs.sweep import plan, rendering, table
 from backend.jobs.sweep.models import Batch, Batches, BatchItem, BatchSummary, Estimate
+from backend.jobs.sweep.points import Sweep, SweepError, size
 from backend.jobs.sweep.summaries import Summaries
-from backend.jobs.sweep.sweeps import Sweep, SweepError, size
 from backend.jobs.sweep.table import Format
 from backend.json_types import JsonObject
-from backend.roads.service import Roads
+from backend.roads.service import MeasuredRoads
 from backend.runs.service import ordered
 from backend.settings import Settings
 from backend.store import Store, StoredJob
@@ -28,20 +28,20 @@ from backend.store.roads import measured_roads, swept_roads
 from sim_core.scenario import Road, Scenario
 from sim_core.scenario.measured import MeasuredRoad
 
-PAGE = 250  # rows read in one transaction
+ROWS_AT_ONCE = 250  # rows read in one transaction
 PLAN_COST = 0.0002  # of one run [s of one core]
 QUICK = 0.3  # what takes less needs no process in the background [s of one core]
 T = TypeVar("T")
 
 
-class Sweeps:
-    """The service of batches; its methods belong to the event loop.
+class BatchService:
+    """The service of batches.
 
     Args:
         store: The database.
         workers: Processes for interactive runs; they also do what is quick.
         background: Processes for longer planning and summaries, so that these delay no interactive run.
-        admission: What is accepted at once.
+        gate: What is accepted at once.
         settings: Of the service.
         roads: The measured ones.
         spool: For long tables.
@@ -53,26 +53,25 @@ class Sweeps:
         store: Store,
         workers: Workers,
         background: Workers,
-        admission: Admission,
+        gate: Gate,
         settings: Settings,
-        roads: Roads,
+        roads: MeasuredRoads,
         spool: Spool,
     ) -> None:
         self._spool = spool
-        self.jobs = Jobs("sweep", store=store, admission=admission, settings=settings)
+        self.jobs = Jobs("sweep", store=store, gate=gate, settings=settings)
         self._store = store
         self._workers = workers
         self._background = background
-        self._admission = admission
+        self._gate = gate
         self._roads = roads
         self._settings = settings
-        self._summaries = Summaries(rows=self.rows, call=self._call, admission=admission, roads=roads)
+        self._summaries = Summaries(rows=self.rows, call=self._call, gate=gate, roads=roads)
 
     async def estimate(self, scenario: Scenario, strategies: Iterable[str], sweep: Sweep, client: str) -> Estimate:
         """The size and the estimated time of that batch.
 
-        Raises:
-            ServiceError: As `create`.
+        It is refused where `create` refuses it.
         """
         names, given = ordered(strategies), scenario
         scenario = await self._roads.with_length(scenario)
@@ -81,15 +80,15 @@ class Sweeps:
         lengths = _lengths(given, roads)
         planned = await self._planned(base, names, sweep, lengths, client)
         cost = plan.PILOTS * len(names) * min(plan.PILOT_LIMIT, planned.max_run_cost)
-        with self._admission.background(client, cost):
+        with self._gate.hold(client, requests=1, background_cost=cost):
             seconds = await self._call(client, cost, plan.pilot, base, names, sweep, lengths, roads)
-        points = len(planned.runs) // len(names)
+        points = planned.total // len(names)
         if seconds is not None:
             seconds *= points / self._settings.batch_workers
             seconds *= 1 + await self._queued_cost(planned.cost) / planned.cost if planned.cost else 1
         return Estimate(
             points=points,
-            total=len(planned.runs),
+            total=planned.total,
             contradictory=planned.contradictory,
             notes=planned.notes,
             estimated_cost=planned.cost,
@@ -134,7 +133,7 @@ class Sweeps:
         if existing is not None:
             return existing
         lengths = _lengths(given, await self._named_roads(base, sent))
-        self._check_size(sweep, names)
+        self.jobs.check_runs(size(sweep) * len(names))
         await self.jobs.check_room()
         planned = await self._planned(base, names, sweep, lengths, client)
         job = StoredJob(
@@ -151,7 +150,7 @@ class Sweeps:
             },
             sweep=sent,
             estimated_cost=planned.cost,
-            total=len(planned.runs),
+            total=planned.total,
             failed=planned.contradictory,
             request_hash=hashed,
         )
@@ -171,7 +170,8 @@ class Sweeps:
         """Continue a cancelled batch; one that has not ended is returned unchanged.
 
         Raises:
-            NotFoundError, ForbiddenError: As `Jobs.owned`.
+            NotFoundError: There is none.
+            ForbiddenError: It belongs to another token.
             ConflictError: It is done.
         """
         job = await self.jobs.owned(job_id, owner)
@@ -193,7 +193,7 @@ class Sweeps:
         names = [*table.FIXED, *fields, *figures]
         size, call = table.TABLE_VALUE_BYTES * job.total * len(names), self._page_call(client)
         with (
-            self._admission.computing(client, rendering.ROW_COST * job.total),
+            self._gate.computing(client, rendering.ROW_COST * job.total),
             self._spool.reserved(client, size) as write,
             self._spool.scratch(client, size) as scratch,
         ):
@@ -228,13 +228,13 @@ class Sweeps:
             TemporaryError: Too much is being computed.
         """
         job, counted = await self.jobs.get(job_id), ExitStack()
-        counted.enter_context(self._admission.downloading(client, rendering.ROW_COST * job.total))
+        counted.enter_context(self._gate.hold(client, computing=1, cost=rendering.ROW_COST * job.total))
         return job, table.RENDERERS[file_format](job, self.rows(job.id), self._page_call(client)), counted
 
     async def rows(self, job_id: str) -> AsyncIterator[list[JobRow]]:
         """Its rows in order, page by page."""
         last = -1
-        while rows := await self._store.read(self._store.job_runs.rows, job_id, last, PAGE):
+        while rows := await self._store.read(self._store.job_runs.rows, job_id, last, ROWS_AT_ONCE):
             yield rows
             last = rows[-1].position
 
@@ -255,25 +255,16 @@ class Sweeps:
         lengths: Mapping[str | None, float],
         client: str,
     ) -> plan.SweepPlan:
-        self._check_size(sweep, names)
+        self.jobs.check_runs(size(sweep) * len(names))
         try:
             cost = PLAN_COST * size(sweep) * len(names)
-            with self._admission.background(client, cost):
+            with self._gate.hold(client, requests=1, background_cost=cost):
                 planned = await self._call(client, cost, plan.plan, base, names, sweep, lengths)
         except SweepError as error:
             raise InvalidError(
                 "The sweep has fields that cannot be used; errors names each.", errors=error.problems()
             ) from None
-        limit, each = self._settings.max_batch_cost, self._settings.max_request_cost
-        if planned.cost > limit:
-            raise _too_big(
-                f"The estimated cost of {planned.cost:.3g} s of computing is over the limit of {limit:g} s a batch"
-            )
-        if planned.max_run_cost > each:
-            raise _too_big(
-                f"One run's estimated cost of {planned.max_run_cost:.3g} s of computing is over the limit of "
-                f"{each:g} s; {CHEAPER_RUN}"
-            )
+        self.jobs.check_cost(planned.cost, planned.max_run_cost)
         return planned
 
     async def _call(self, client: str, cost: float, function: Callable[..., T], *args: Any) -> T:
@@ -283,12 +274,7 @@ class Sweeps:
 
     def _page_call(self, client: str) -> Callable[..., Awaitable[Any]]:
         """Runs a function of a page of rows in a worker, so that clients take turns page by page."""
-        return partial(self._workers.call, client=client, cost=rendering.ROW_COST * PAGE)
-
-    def _check_size(self, sweep: Sweep, names: Sequence[str]) -> None:
-        total, limit = size(sweep) * len(names), self._settings.max_batch_runs
-        if total > limit:
-            raise _too_big(f"{total:.6g} runs are over the limit of {limit} runs a batch")
+        return partial(self._workers.call, client=client, cost=rendering.ROW_COST * ROWS_AT_ONCE)
 
     async def _queued_cost(self, own: float) -> float:
         """Cost of other jobs' runs before a new job of that cost ends, as all share the processes [s of one core]."""
@@ -306,7 +292,3 @@ def _lengths(scenario: Scenario, roads: Mapping[str, MeasuredRoad]) -> dict[str 
 def _sent(sweep: Sweep) -> JsonObject:
     """The sweep as it was sent."""
     return sweep.model_dump(mode="json", by_alias=True, exclude_none=True)
-
-
-def _too_big(message: str) -> CostLimitError:
-    return CostLimitError(message, pointer="/sweep")

@@ -9,13 +9,13 @@ from typing import Any
 
 from cachetools import LRUCache
 
-from backend.analysis import reading, robustness
-from backend.compute.flights import Flights
+from backend.compute.shared_computations import SharedComputations
 from backend.errors import InvalidError
-from backend.http.admission import Admission
-from backend.jobs.chunk import JobRow
+from backend.gate import Gate
+from backend.job_run import JobRow
+from backend.jobs.sweep import batch_summary, robustness
 from backend.jobs.sweep.models import BatchSummary
-from backend.roads.service import Roads
+from backend.roads.service import MeasuredRoads
 from backend.store import StoredJob
 from backend.store.job import FINAL
 
@@ -40,12 +40,12 @@ class CachedSummary:
 
 
 class Summaries:
-    """Computes and caches summaries; its methods belong to the event loop.
+    """Computes and caches summaries.
 
     Args:
         rows: A batch's rows, page by page, by its id.
         call: Runs a function of that client and that cost [s of one core] in a process.
-        admission: What is accepted at once.
+        gate: What is accepted at once.
         roads: The measured roads.
     """
 
@@ -54,15 +54,15 @@ class Summaries:
         *,
         rows: Callable[[str], AsyncIterator[list[JobRow]]],
         call: Callable[..., Awaitable[Any]],
-        admission: Admission,
-        roads: Roads,
+        gate: Gate,
+        roads: MeasuredRoads,
     ) -> None:
         self._rows = rows
         self._call = call
-        self._admission = admission
+        self._gate = gate
         self._roads = roads
         self._cached: LRUCache[tuple[str, ...], CachedSummary] = LRUCache(CACHED)
-        self._flights: Flights[tuple[str | int, ...], BatchSummary] = Flights()
+        self._in_progress: SharedComputations[tuple[str | int, ...], BatchSummary] = SharedComputations()
 
     async def get(self, job: StoredJob, figures: Sequence[str], baseline: str | None, client: str) -> BatchSummary:
         """The summary of the batch's finished rows.
@@ -85,9 +85,9 @@ class Summaries:
         cost = COST * ended
         rows, call = self._rows(job.id), partial(self._call, client, cost)
         measured = await self._roads.named(job.road_ids)
-        with self._admission.background(client, cost):
-            answer = await self._flights.join(
-                (*key, ended), partial(reading.summarised, job, rows, call, figures, against, measured)
+        with self._gate.hold(client, requests=1, background_cost=cost):
+            answer = await self._in_progress.join(
+                (*key, ended), partial(batch_summary.summarised, job, rows, call, figures, against, measured)
             )
         until = clock() + REUSE * (time.perf_counter() - begin)
         self._cached[key] = CachedSummary(answer=answer, ended=ended, reusable_until=until)

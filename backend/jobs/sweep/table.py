@@ -12,7 +12,7 @@ import orjson
 import pyarrow as pa
 from pyarrow import csv, parquet
 
-from backend.jobs.chunk import JobRow
+from backend.job_run import JobRow
 from backend.jobs.sweep import rendering
 from backend.json_types import JsonObject
 from backend.pieces import render_to

@@ -6,9 +6,9 @@ from typing import Any, Literal, Self
 
 from pydantic import Field
 
-from backend.analysis import front
-from backend.analysis.measure import Aims
-from backend.analysis.models import Comparison, TunedValue
+from backend.jobs.tuning import front
+from backend.jobs.tuning.comparison_models import Comparison, TunedValue
+from backend.jobs.tuning.measure import Aims
 from backend.jobs.tuning.space import first_weights, ranges_of
 from backend.json_types import JsonObject
 from backend.models import Answer

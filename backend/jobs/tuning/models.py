@@ -2,15 +2,15 @@
 
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import AfterValidator, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
 
-from backend.analysis.objectives import NORMALISED
 from backend.jobs.models import Label
+from backend.jobs.tuning.objectives import NORMALISED
 from backend.jobs.tuning.space import LARGEST, STRATEGIES, default_search, searchable
 from backend.json_types import JsonObject
 from backend.models import MetricName, RequestModel, inconsistent
-from sim_core.catalogue import LIMITS_EXCEEDED, PAPER_METRICS, WINDOWS
+from sim_core.catalogue import WINDOWS
 from sim_core.scenario import Scenario, dotted
 from sim_core.scenario.parts import Preview
 
@@ -90,27 +90,6 @@ class Limit(RequestModel):
 
 class TuningRequest(RequestModel):
     """What to tune, for what, on which roads and cars."""
-
-    model_config = ConfigDict(
-        json_schema_extra={
-            "examples": [
-                {
-                    "strategy": "lv",
-                    "objectives": [{"kind": "paper"}],
-                    "limits": [{"figure": LIMITS_EXCEEDED[0], "at_most": 0}],
-                    "trials": 32,
-                },
-                {
-                    "strategy": "lqr",
-                    "objectives": [{"kind": "paper"}, {"kind": "figure", "figure": PAPER_METRICS[4]}],
-                    "search": {"lqr.weights.0": [0.1, 10], "lqr.weights.2": [0.1, 10]},
-                    "trials": 8,
-                    "population": 4,
-                    "dry_run": True,
-                },
-            ]
-        }
-    )
 
     scenario: Scenario = Scenario()
     strategy: Literal[tuple(STRATEGIES)] = Field("lv", json_schema_extra={"enum": list(STRATEGIES)})  # type: ignore[valid-type]  # from space.py

@@ -3,15 +3,15 @@
 import asyncio
 import math
 
-from backend.analysis.measure import Aims
 from backend.compute.workers import Workers
 from backend.cost.estimate import estimate
-from backend.errors import CHEAPER_RUN, ConflictError, CostLimitError, InvalidError
-from backend.http.admission import Admission
+from backend.errors import ConflictError, InvalidError
+from backend.gate import Gate
 from backend.jobs.service import Jobs, request_hash
 from backend.jobs.sweep import plan
-from backend.jobs.sweep.sweeps import Sweep
+from backend.jobs.sweep.points import Sweep
 from backend.jobs.tuning.answers import Trials, Tuning, TuningEstimate, TuningItem, Tunings
+from backend.jobs.tuning.measure import Aims
 from backend.jobs.tuning.models import TuningRequest
 from backend.jobs.tuning.space import first_weights, longest_run, ranges_of, road
 from backend.jobs.tuning.steps import first_progress
@@ -23,32 +23,32 @@ from sim_core.scenario import Scenario, dotted
 
 
 class TuningService:
-    """The service of tunings; its methods belong to the event loop."""
+    """The service of tunings."""
 
-    def __init__(self, *, store: Store, background: Workers, admission: Admission, settings: Settings) -> None:
-        self.jobs = Jobs("tuning", store=store, admission=admission, settings=settings)
+    def __init__(self, *, store: Store, background: Workers, gate: Gate, settings: Settings) -> None:
+        self.jobs = Jobs("tuning", store=store, gate=gate, settings=settings)
         self._store = store
         self._background = background
-        self._admission = admission
+        self._gate = gate
         self._settings = settings
 
     async def estimate(self, request: TuningRequest, client: str) -> TuningEstimate:
         """The size and the estimated time of that tuning.
 
-        Raises:
-            ServiceError: As `create`.
+        It is refused where `create` refuses it.
         """
         stored = request.stored()
-        runs, cost = self._workload(stored, request.trials)
+        runs, whole_cost = self._workload(stored, request.trials)
         first = first_weights(stored["scenario"], request.strategy, ranges_of(stored))
         points = [{**weights, **road(stored, seed)} for weights in first for seed in request.seeds]
         sweep = Sweep.model_validate({"list": points})
-        with self._admission.background(client, plan.PILOTS * estimate(request.scenario, request.strategy)):
+        cost = plan.PILOTS * estimate(request.scenario, request.strategy)
+        with self._gate.hold(client, requests=1, background_cost=cost):
             each = await self._background.call(plan.pilot, stored["scenario"], [request.strategy], sweep, client=client)
         return TuningEstimate(
             runs=runs,
             generations=math.ceil(request.trials / request.population),
-            estimated_cost=cost,
+            estimated_cost=whole_cost,
             estimated_seconds=None if each is None else each * runs / self._settings.batch_workers,
         )
 
@@ -104,7 +104,8 @@ class TuningService:
         """Continue a tuning, up to so many trials; one that has not ended is returned unchanged.
 
         Raises:
-            NotFoundError, ForbiddenError: As `Jobs.owned`.
+            NotFoundError: There is none.
+            ForbiddenError: It belongs to another token.
             ConflictError: It has not ended and other trials are asked for, or there is nothing left to do.
             InvalidError: It has more trials already.
             CostLimitError: It would be over a limit.
@@ -142,24 +143,10 @@ class TuningService:
         runs = trials * training + points * validation + passive
         each = estimate(scenario, request["strategy"])
         cost = (runs - passive) * each + passive * estimate(scenario, "passive")
-        settings = self._settings
-        if runs > settings.max_batch_runs:
-            raise _too_big(f"{runs} runs are over the limit of {settings.max_batch_runs} runs a tuning")
-        if cost > settings.max_batch_cost:
-            limit = f"the limit of {settings.max_batch_cost:g} s a tuning"
-            raise _too_big(f"The estimated cost of {cost:.3g} s of computing is over {limit}")
-        if each > settings.max_request_cost:
-            raise CostLimitError(
-                f"One run's estimated cost of {each:.3g} s of computing is over the limit of "
-                f"{settings.max_request_cost:g} s; {CHEAPER_RUN}",
-                pointer="/scenario",
-            )
+        self.jobs.check_runs(runs)
+        self.jobs.check_cost(cost, each)
         return runs, cost
 
 
 def _not_ended() -> ConflictError:
     return ConflictError("It has not ended: cancel it to change its number of trials.", kind="not-ended")
-
-
-def _too_big(message: str) -> CostLimitError:
-    return CostLimitError(message, pointer="/trials")

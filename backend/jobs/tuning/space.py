@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from backend.analysis import robustness
+from backend.jobs.sweep import robustness
 from backend.json_types import JsonObject
 from sim_core.scenario import Scenario, dotted
 

@@ -15,15 +15,15 @@ from typing import Any, Literal
 
 import orjson
 
-from backend.analysis import comparison, front
-from backend.analysis.measure import Aims, Failure, Measured, Roads
-from backend.analysis.models import Comparison
-from backend.analysis.objectives import UndefinedObjectiveError
 from backend.errors import ServiceError, TemporaryError
-from backend.jobs.chunk import JobRow
-from backend.jobs.job_tasks import JobFailedError
-from backend.jobs.sweep.service import Sweeps
-from backend.jobs.sweep.sweeps import Sweep
+from backend.job_run import JobRow
+from backend.jobs.job_drivers import JobFailedError
+from backend.jobs.sweep.points import Sweep
+from backend.jobs.sweep.service import BatchService
+from backend.jobs.tuning import comparison, front
+from backend.jobs.tuning.comparison_models import Comparison
+from backend.jobs.tuning.measure import Aims, Failure, Measured, RunsByRoad
+from backend.jobs.tuning.objectives import UndefinedObjectiveError
 from backend.jobs.tuning.space import Weights, first_weights, ranges_of, road, weights_at, weights_of
 from backend.json_types import JsonObject, Summary
 from backend.store import Store, StoredJob
@@ -37,15 +37,15 @@ from sim_core.scenario.versions import restored
 
 logger = logging.getLogger(__name__)
 
-LOOK = 1.0  # between two looks at a sweep, where nothing tells that one has ended [s]
+JOB_POLL_INTERVAL = 1.0  # between two looks at a sweep, where nothing tells that one has ended [s]
 CLIENT = "tuning"  # whose computing it counts as
 Step = Literal["search", "comparison"]
 
 
 class TuningSteps:
-    """Takes the steps; its methods belong to the event loop, Optuna to a thread of its own."""
+    """Takes the steps; Optuna has a thread of its own."""
 
-    def __init__(self, store: Store, sweeps: Sweeps) -> None:
+    def __init__(self, store: Store, sweeps: BatchService) -> None:
         self._store = store
         self._sweeps = sweeps
         self._asking = ThreadPoolExecutor(1, thread_name_prefix="tuner")
@@ -171,7 +171,7 @@ class TuningSteps:
 
     async def _measured(
         self, job: StoredJob, step: Step, sweep: StoredJob, aims: Aims, seeds: Sequence[int]
-    ) -> list[Roads] | None:
+    ) -> list[RunsByRoad] | None:
         """The metrics of each set of weights on each road; None where the tuning has ended meanwhile."""
         progress = _waiting_for(job, step, sweep)
         event = "state" if job.state != "running" or job.progress["step"] != step else None
@@ -183,7 +183,7 @@ class TuningSteps:
         if aims.needs_passive:
             passive = await self._passive(job)
         await self._wait_for(sweep)
-        measured: list[Roads] = []
+        measured: list[RunsByRoad] = []
         async for rows in self._sweeps.rows(sweep.id):
             values = await asyncio.to_thread(_measure, rows, aims, seeds, passive)
             for row, value in zip(rows, values, strict=True):
@@ -233,7 +233,7 @@ class TuningSteps:
                 now = await self._store.read(self._store.jobs.load, sweep.id)
                 if now is None or now.state in FINAL:
                     break
-                await changes.wait(LOOK)
+                await changes.wait(JOB_POLL_INTERVAL)
         if now is None or now.state == "cancelled":
             raise JobFailedError("One of its batches was cancelled")
         if now.state == "failed":

@@ -23,11 +23,12 @@ from markupsafe import Markup
 from backend.runs.reports import numbers
 from backend.runs.reports.keys import inside, label
 from backend.runs.reports.thinning import thinned
-from backend.settings import PAGE
+from backend.settings import BUILT_PAGE
 from sim_core.catalogue import STATISTICS, WINDOWS
 
 TEMPLATES = Path(__file__).parent / "templates"
-PLOTLY = PAGE / "report" / "plotly.js"  # with the traces that the lab draws; made with the page
+PLOTLY = BUILT_PAGE / "report" / "plotly.js"  # with the traces that the lab draws; made with the page
+COST = 0.1  # of a report [s of one core]
 COMPRESSION = 1  # the same as the service's other answers
 # One thread: a report is mostly compressing, which leaves the event loop alone; the next one waits.
 _thread = ThreadPoolExecutor(1, thread_name_prefix="report")

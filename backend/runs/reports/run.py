@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
-from backend.analysis.roads import one_road_resolution
 from backend.json_types import JsonObject
+from backend.outcome import Outcome
+from backend.over_roads import one_road_resolution
 from backend.runs import figures
 from backend.runs.reports import inputs
 from backend.runs.reports.caveats import caveats
@@ -25,7 +26,6 @@ from backend.runs.reports.numbers import (
     with_unit,
 )
 from backend.runs.reports.page import Report, render
-from backend.runs.work import ComputedResult
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import (
     COMFORT,
@@ -70,7 +70,7 @@ class RunFacts:
     created_at: datetime
     baseline: str
     against: JsonObject | None
-    outcomes: Mapping[str, ComputedResult]
+    outcomes: Mapping[str, Outcome]
     axis: str
     gone: str | None
 

@@ -6,7 +6,7 @@ from pydantic import AfterValidator, Field, ValidationInfo, field_validator
 from pydantic_core import PydanticCustomError
 
 from backend.models import Answer, MetricName, RequestModel, RoadCount, StrategyName, inconsistent
-from backend.runs.roads_models import Interval
+from backend.runs.over_roads import Interval
 from backend.runs.solve.limit_search import Axis
 from backend.unknown_names import unknown_name
 from sim_core.errors import RidelabError

@@ -4,13 +4,13 @@ from pydantic import ValidationError
 
 from backend.cost.estimate import estimate
 from backend.errors import ShortRoadError
-from backend.http.admission import Admission
-from backend.jobs.sweep.plan import contradiction, scenario_at
-from backend.roads.service import Roads
+from backend.gate import Gate
+from backend.roads.service import MeasuredRoads
 from backend.runs.service import Runs
 from backend.runs.solve.limit_search import MAX_VALUES, next_indices
 from backend.runs.solve.models import Solution, SolveRequest
 from backend.runs.solve.solution import Tried, bounds_of, solution
+from backend.scenario_at import contradiction, scenario_at
 from sim_core.catalogue import METRICS
 from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario
@@ -19,11 +19,11 @@ LENGTH = "road.length"
 
 
 class Solver:
-    """Finds the largest value of a field that keeps a limit; its methods belong to the event loop."""
+    """Finds the largest value of a field that keeps a limit."""
 
-    def __init__(self, *, runs: Runs, admission: Admission, roads: Roads) -> None:
+    def __init__(self, *, runs: Runs, gate: Gate, roads: MeasuredRoads) -> None:
         self._runs = runs
-        self._admission = admission
+        self._gate = gate
         self._roads = roads
 
     async def solve(self, request: SolveRequest, client: str) -> Solution:
@@ -40,9 +40,9 @@ class Solver:
         """
         request = request.model_copy(update={"scenario": await self._roads.with_length(request.scenario)})
         cost = _max_cost(request)
-        self._admission.check_cost(cost)
+        self._gate.check_cost(cost)
         tried: dict[int, Tried] = {}
-        with self._admission.computing(client, cost):
+        with self._gate.computing(client, cost):
             while indices := next_indices(request.axis, request.limit, bounds_of(tried)):
                 for index in indices:
                     tried[index] = await self._drive(request, index, client)

@@ -4,10 +4,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from math import inf, isfinite
 
-from backend.analysis.intervals import mean_with_interval
-from backend.analysis.roads import one_road_resolution
 from backend.errors import InvalidError, NoSolutionError, ServiceError
-from backend.runs.roads_models import Interval
+from backend.intervals import mean_with_interval
+from backend.over_roads import one_road_resolution
+from backend.runs.over_roads import Interval
 from backend.runs.solve import limit_search
 from backend.runs.solve.models import Solution, SolveRequest, TriedValue
 from sim_core import __version__ as CORE_VERSION

@@ -23,12 +23,16 @@ def serve(
     host: Annotated[str, typer.Option(help="Address to listen on.")] = "127.0.0.1",
     port: Annotated[int, typer.Option(help="Port to listen on, 0 for a free one.", min=0, max=65535)] = 8000,
     data_dir: DatabaseDir = None,
+    explain_limits: Annotated[
+        bool, options.flag("Print what clients may have open at once, and end.", "--explain-limits")
+    ] = False,
 ) -> None:
     """Serve the dashboard and the API until Ctrl-C or SIGTERM.
 
     The same as python -m backend; more settings are RIDELAB_* variables (docs/operations.md).
     """
-    command = server_command("--host", host, "--port", str(port), data_dir=data_dir)
+    explain = ["--explain-limits"] * explain_limits
+    command = server_command("--host", host, "--port", str(port), *explain, data_dir=data_dir)
     # The service takes this process's place: signals reach it, and what it spawns never passes through this command.
     os.execve(sys.executable, command, server_environment())  # noqa: S606  # no shell is wanted
 

@@ -90,9 +90,9 @@ class SolvedCar(VehicleModel):
                 seen = [law.preview.ravel()[i * kind + k * step :][:horizon] for i in range(3)]
                 state, previous = loop[k, :8], loop[k, self.size :]
                 wanted = law.gain @ np.concatenate([state, previous]) + law.preview_gain @ np.concatenate(seen)
-                change = np.clip(wanted, -law.force_limit, law.force_limit) - previous
-                command = previous + np.clip(change, -law.most_change, law.most_change)
-                command = np.clip(command, -law.most_force, law.most_force)
+                force, change, actuator = law.force_limits
+                command = previous + np.clip(np.clip(wanted, -force, force) - previous, -change, change)
+                command = np.clip(command, -actuator, actuator)
                 limited += bool(np.abs(command - wanted).max() > 1e-6)
                 loop[k + 1, self.size :] = command
                 self.advance(k, loop)

@@ -2,21 +2,21 @@
 
 from cachetools import LRUCache
 
-from backend.runs.work import ComputedResult
+from backend.outcome import Outcome
 
 
-class Memory:
+class ResultCache:
     """A cache that drops the least recently used result first; bounded in bytes."""
 
     def __init__(self, limit: int) -> None:
-        self._items: LRUCache[str, ComputedResult] = LRUCache(limit, getsizeof=lambda outcome: outcome.size)
+        self._items: LRUCache[str, Outcome] = LRUCache(limit, getsizeof=lambda outcome: outcome.size)
 
-    def get(self, key: str, points: int | None) -> ComputedResult | None:
+    def get(self, key: str, points: int | None) -> Outcome | None:
         """The result of that key if it has series of so many points (None: with any), marked as just used."""
         outcome = self._items.get(key)
         return outcome if outcome is not None and points in (None, outcome.points) else None
 
-    def put(self, key: str, outcome: ComputedResult) -> None:
+    def put(self, key: str, outcome: Outcome) -> None:
         """Cache a result, replacing one of the same key, unless only the old one has series.
 
         One larger than all that is allowed is not cached.

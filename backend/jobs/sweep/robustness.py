@@ -5,7 +5,7 @@ from dataclasses import asdict, dataclass
 
 import numpy as np
 
-from backend.analysis.models import RobustnessDefaults, UncertainRange
+from backend.jobs.sweep.summary_models import RobustnessDefaults, UncertainRange
 from backend.json_types import JsonObject
 from sim_core.catalogue import LIMITS_EXCEEDED, PAPER_METRICS
 from sim_core.scenario import dotted
@@ -67,7 +67,7 @@ def sweep(ranges: Mapping[str, Sequence[float]], samples: int, seed: int) -> Jso
     return {"latin_hypercube": {"ranges": {k: list(v) for k, v in ranges.items()}, "samples": samples, "seed": seed}}
 
 
-def read(strategy: str, fields: Sequence[str], scenario: JsonObject) -> list[str]:
+def fields_read(strategy: str, fields: Sequence[str], scenario: JsonObject) -> list[str]:
     """The fields that can change the strategy's result; preview errors only where it has preview."""
     if strategy not in KNOWN:  # another version's
         return list(fields)

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import orjson
 
-from backend.analysis import robustness, summary
-from backend.jobs.chunk import JobRow
+from backend.job_run import JobRow
+from backend.jobs.sweep import robustness, summary
 from backend.jobs.sweep.models import BatchSummary
-from backend.jobs.sweep.plan import scenario_at
 from backend.json_types import Summary
+from backend.scenario_at import scenario_at
 from backend.store import StoredJob
 from sim_core import __version__ as CORE_VERSION
 from sim_core.arrays import FloatArray
@@ -102,7 +102,7 @@ class _Gathered:
             reasons=self._reasons,
             figures=self._values,
             fields={name: [change.get(name) for change in changes] for name in fields},
-            read={name: robustness.read(name, fields, scenario) for name in names},
+            read={name: robustness.fields_read(name, fields, scenario) for name in names},
             damping=np.where(self._status == "ok", damping, np.nan),
             nominal={
                 name: {key: METRICS[key].of(result) for key in self._figures} for name, result in summaries.items()

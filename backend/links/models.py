@@ -16,7 +16,7 @@ from pydantic_core import PydanticCustomError
 from backend.jobs.sweep.models import Batch
 from backend.models import Answer, RequestModel, Run, StrategyName, inconsistent
 from backend.plain_text import PlainText
-from backend.runs.roads_models import RoadsRun
+from backend.runs.over_roads import RoadsRun
 from sim_core.catalogue import METRIC_SIGNALS, METRICS, RUN_FIGURES, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario
 from sim_core.strategies import STRATEGIES

@@ -13,10 +13,17 @@ import orjson
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
-from backend.analysis.models import FigureSummary, MarginSummary, Place, Sensitivity, StabilitySummary, StrategySummary
 from backend.ecu.drive import simulate
-from backend.jobs.sweep.plan import NO_ROADS, scenario_at
+from backend.jobs.sweep.summary_models import (
+    FigureSummary,
+    MarginSummary,
+    Place,
+    Sensitivity,
+    StabilitySummary,
+    StrategySummary,
+)
 from backend.json_types import JsonObject, Summary
+from backend.scenario_at import NO_ROADS, scenario_at
 from sim_core.arrays import FloatArray
 from sim_core.errors import RidelabError
 from sim_core.frequency.stability import least_damping

@@ -16,7 +16,7 @@ from backend.store.job import UNFINISHED, Kind
 logger = logging.getLogger(__name__)
 
 MAX_TASKS = 4  # beyond it no job is driven; the others wait in the order they were accepted
-PAUSE = 2.0  # after the database failed, or the service was full [s]
+PAUSE_AFTER_FAILURE = 2.0  # after the database failed, or the service was full [s]
 TRANSIENT = (SQLAlchemyError, OSError, TemporaryError, LeadershipLostError)
 UNFORESEEN = "It failed with an unforeseen error, which is in the service's log"
 
@@ -37,8 +37,8 @@ class Stepper(Protocol):
         """
 
 
-class JobTasks:
-    """A task for each job; its methods belong to the event loop.
+class JobDrivers:
+    """A task for each job.
 
     Args:
         store: The database.
@@ -77,10 +77,10 @@ class JobTasks:
             await work()
         except TRANSIENT as error:
             logger.warning("Job %s rests: %s", job_id, type(error).__name__)
-            await asyncio.sleep(PAUSE)
+            await asyncio.sleep(PAUSE_AFTER_FAILURE)
         except Exception:  # not even its failure could be noted: it is tried again
             logger.exception("Job %s rests", job_id)
-            await asyncio.sleep(PAUSE)
+            await asyncio.sleep(PAUSE_AFTER_FAILURE)
         finally:
             del self._tasks[job_id]
             self._ended.set()

@@ -1,89 +1,85 @@
 """The rows behind the paper page, each stored under what it depends on, computed by workers. No web here.
 
-A row is what one strategy gave on one road under some readings, or what a whole study gave on one road. It is a run of
-a job, named by a strategy that begins with `PREFIX`.
+A row is what one strategy gave on one road under some readings, or what a whole study gave on one road. A job of the
+kind `reproduction` computes it as one of its runs, named by the strategy or the study.
 """
 
+import time
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from functools import lru_cache
+from typing import Any
 
 import orjson
 
 from backend import digest
 from backend.ecu.drive import simulate
-from backend.jobs.chunk import PlannedRun
+from backend.job_run import JobRun
 from backend.json_types import JsonObject
+from backend.outcome import JSON_OPTIONS, Outcome, elapsed_ms
 from backend.paper.attribution import COMFORT_FIGURES, VARIANTS
 from backend.paper.claims import FIGURES, STRATEGIES, WINDOW, figures_by_window, figures_of, scenario_for
 from backend.paper.readings import changes_of
 from sim_core.catalogue import BUMP, PAPER_SIGNALS, PEAK
+from sim_core.errors import RidelabError
 from sim_core.scenario import Road, Scenario, Speed
 from sim_core.simulate import simulate as simulate_core
 
-PREFIX = "paper."
-ATTRIBUTION, SPEEDS = f"{PREFIX}attribution", f"{PREFIX}speeds"
+ATTRIBUTION, SPEEDS = "attribution", "speeds"  # studies
 ROAD_END = 110  # Eq. 3 [m]
 SPEEDS_KMH = tuple(range(10, 85, 5))  # of Figures 3-6, which the paper draws over speed
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class RowRequest:
-    """A row to get: its key, and the run of a job that computes it (`changes` is JSON text)."""
-
-    key: str
-    strategy: str
-    changes: str
-
-    def run(self, position: int) -> PlannedRun:
-        """The run that computes it."""
-        return PlannedRun(position, self.changes, self.strategy, self.key)
-
-
-def requests_under(choices: Mapping[str, str], roads: range) -> dict[str, tuple[RowRequest, ...]]:
+def requests_under(choices: Mapping[str, str], roads: range) -> dict[str, tuple[JobRun, ...]]:
     """By strategy the rows under these readings (reading -> choice), road by road."""
     # Where the RMS are taken changes no run.
     return _requests(tuple(sorted((name, choice) for name, choice in choices.items() if name != WINDOW)), roads)
 
 
 @lru_cache(256)
-def _requests(choices: tuple[tuple[str, str], ...], roads: range) -> dict[str, tuple[RowRequest, ...]]:
+def _requests(choices: tuple[tuple[str, str], ...], roads: range) -> dict[str, tuple[JobRun, ...]]:
     changes = [{**changes_of(dict(choices)), "road.seed": seed} for seed in roads]
     texts = [orjson.dumps(each).decode() for each in changes]
     scenarios = [scenario_for(dict(choices), seed) for seed in roads]
     return {
         name: tuple(
-            RowRequest(key=digest.figures_key(scenario, name), strategy=f"{PREFIX}{name}", changes=text)
+            JobRun(0, text, name, digest.paper_row_key(scenario, name))
             for scenario, text in zip(scenarios, texts, strict=True)
         )
         for name in STRATEGIES
     }
 
 
-def requests_of_study(study: str, roads: range) -> tuple[RowRequest, ...]:
+def requests_of_study(study: str, roads: range) -> tuple[JobRun, ...]:
     """The rows of ATTRIBUTION or SPEEDS, road by road."""
     return tuple(
-        RowRequest(
-            key=digest.derived_key(study, {"road": seed}),
-            strategy=study,
-            changes=orjson.dumps({"road.seed": seed}).decode(),
+        JobRun(
+            0, orjson.dumps({"road.seed": seed}).decode(), study, digest.derived_key(f"paper.{study}", {"road": seed})
         )
         for seed in roads
     )
 
 
-def compute(strategy: str, scenario: Scenario) -> JsonObject:
-    """The row of that run, as `{"row": …}`."""
-    if strategy == ATTRIBUTION:
+def compute_row(scenario: Scenario, name: str, key: str) -> Outcome:
+    """The row of that strategy or study, as `{"row": …}`."""
+    begin = time.perf_counter()
+    try:
+        json = orjson.dumps({"row": _row(scenario, name.removeprefix("paper."))}, option=JSON_OPTIONS)
+    except RidelabError as error:
+        return Outcome.refused(key, name, error, begin)
+    return Outcome(key=key, strategy=name, status="ok", json=json, compute_ms=elapsed_ms(begin))
+
+
+def _row(scenario: Scenario, name: str) -> Any:
+    if name == ATTRIBUTION:
         seed = scenario.road.seed
-        return {"row": {variant.id: _one(variant.scenario(seed), variant.strategy) for variant in VARIANTS}}
-    if strategy == SPEEDS:
-        return {"row": peaks_over_speed(scenario.road.seed)}
-    return {"row": figures_by_window(scenario, simulate(scenario, strategy.removeprefix(PREFIX)))}
+        return {variant.id: _one(variant.scenario(seed), variant.strategy) for variant in VARIANTS}
+    if name == SPEEDS:
+        return peaks_over_speed(scenario.road.seed)
+    return figures_by_window(scenario, simulate(scenario, name))
 
 
 def figures_by_strategy(
-    rows: JsonObject, requests: Mapping[str, Iterable[RowRequest]], window: str
+    rows: JsonObject, requests: Mapping[str, Iterable[JobRun]], window: str
 ) -> dict[str, dict[tuple[str, str, str], list[float]]]:
     """Values as `backend.paper.claims.judge` takes them, of the strategies that have every row.
 

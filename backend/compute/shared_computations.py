@@ -9,8 +9,8 @@ K = TypeVar("K")
 T = TypeVar("T")
 
 
-class Flights(Generic[K, T]):
-    """Computations by key, one perhaps under several keys; its methods belong to the event loop."""
+class SharedComputations(Generic[K, T]):
+    """Computations by key, one perhaps under several keys."""
 
     def __init__(self) -> None:
         self._by_key: dict[K, asyncio.Task[T]] = {}

@@ -7,8 +7,8 @@ from typing import Self
 import numpy as np
 import orjson
 
-from backend.analysis.objectives import StoredLimit, StoredObjective
-from backend.jobs.chunk import JobRow
+from backend.job_run import JobRow
+from backend.jobs.tuning.objectives import StoredLimit, StoredObjective
 from backend.jobs.tuning.space import Weights
 from backend.json_types import JsonObject, Summary
 from backend.store.trials import StoredTrial
@@ -24,7 +24,7 @@ class Failure:
     reason: str
 
 
-Roads = dict[int, Measured | Failure]  # the runs of a set of weights by road seed
+RunsByRoad = dict[int, Measured | Failure]  # the runs of a set of weights by road seed
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -82,7 +82,7 @@ class Aims:
         }
         return objectives | {key: float(metric.of(summary)) for key, metric in self.metrics.items()}
 
-    def trial(self, number: int, generation: int, weights: Weights, roads: Roads) -> StoredTrial:
+    def trial(self, number: int, generation: int, weights: Weights, roads: RunsByRoad) -> StoredTrial:
         """A set of weights by its runs: each objective over the roads, the largest of each limited figure.
 
         Args:

@@ -8,16 +8,17 @@ from typing import Any, Literal
 
 from backend import digest
 from backend.compute.workers import Workers
+from backend.cost.estimate import cost_of
 from backend.errors import InvalidError, NotFoundError
-from backend.http.admission import Admission, cost_of
+from backend.gate import Gate
 from backend.jobs.sweep.models import Batch
 from backend.json_types import JsonObject
-from backend.roads.service import Roads
+from backend.links import preview
+from backend.links.models import SLUG_PATTERN, CreatedLink, LinkView
+from backend.links.preview import Preview
+from backend.roads.service import MeasuredRoads
 from backend.runs import pins
-from backend.runs.answers import run_answer
-from backend.runs.links import preview
-from backend.runs.links.models import SLUG_PATTERN, CreatedLink, Link, LinkView
-from backend.runs.links.preview import Preview
+from backend.runs.answers import as_plain, run_answer
 from backend.runs.series import SAMPLE_BYTES, most_samples
 from backend.runs.service import Runs, upgraded_scenario
 from backend.store import Store, StoredJob, StoredLink, StoredRun
@@ -36,13 +37,13 @@ class _SharedRun:
 
 
 class Links:
-    """The one service of links; its methods belong to the event loop."""
+    """The one service of links."""
 
-    def __init__(self, *, store: Store, workers: Workers, runs: Runs, admission: Admission, roads: Roads) -> None:
+    def __init__(self, *, store: Store, workers: Workers, runs: Runs, gate: Gate, roads: MeasuredRoads) -> None:
         self._runs = runs
         self._store = store
         self._workers = workers
-        self._admission = admission
+        self._gate = gate
         self._roads = roads
 
     async def share_run(self, run_id: str, view: LinkView, client: str) -> CreatedLink:
@@ -57,7 +58,7 @@ class Links:
         places = [(run_id, "run_id"), *((pin.run, f"view/pins/{n}/run") for n, pin in enumerate(view.pins or []))]
         shared = [await self._shared(run, place, client) for run, place in places]
         missing = {key for each in shared for key in each.missing.values()}
-        self._admission.linking(client, links=len(shared), pinned=len(missing))
+        self._gate.linking(client, links=len(shared), pinned=len(missing))
         series = [await self._pin(each, client) for each in shared]
         for each, pinned in zip(shared[1:], series[1:], strict=True):
             await self._save_run(each.stored.id, LinkView(), pinned, client)
@@ -87,14 +88,14 @@ class Links:
             raise _unknown("batch_id", "There is no batch of this id")
         if view.x not in (None, *stored.request["fields"]):
             raise _unknown("view/x", f"This batch sweeps {', '.join(stored.request['fields'])}")
-        self._admission.linking(client)
+        self._gate.linking(client)
         slug = await self._save("batch", batch_id, view, {})
         if slug is None:
             raise _unknown("batch_id", "There is no batch of this id")
         return CreatedLink(slug=slug, url=url(slug), series_pinned=False)
 
-    async def get(self, slug: str, client: str) -> Link:
-        """The answer about a link.
+    async def get(self, slug: str, client: str) -> JsonObject:
+        """The answer about a link, of the shape of `Link`.
 
         Raises:
             NotFoundError: There is none.
@@ -105,7 +106,7 @@ class Links:
             raise NotFoundError("There is no link of this slug.")
         if link.kind == "batch":
             job = await self._job(link)
-            return _opened(link, job, job.request["scenario"], batch=_batch(job))
+            return _opened(link, job, job.request["scenario"], batch=_batch(job).model_dump())
         stored = await self._run(link)
         if stored.expired:
             again = await self._runs.stored(stored.id, client)
@@ -128,7 +129,7 @@ class Links:
         if run.expired:  # its numbers are computed for whoever opens the link, not for a preview
             answer = {"core_version": run.core_version, "scenario": run.scenario, "strategies": {}}
         else:
-            answer = run_answer(run).model_dump(mode="json")
+            answer = as_plain(run_answer(run))
         return preview.of_run(answer, link.view, run.created_at)
 
     async def _pin(self, shared: _SharedRun, client: str) -> dict[str, bytes]:
@@ -141,7 +142,7 @@ class Links:
             return {}
         scenario = await self._roads.on(scenario)
         cost = cost_of(scenario, missing)
-        with self._admission.computing(client, cost):
+        with self._gate.computing(client, cost):
             series = await self._workers.call(pins.make, scenario, list(missing), client=client, cost=cost)
         return {missing[name]: content for name, content in series.items()}
 
@@ -192,22 +193,24 @@ def _histories(stored: StoredRun) -> dict[str, str]:
     return {item.strategy: item.key for item in stored.shown}
 
 
-def _opened(link: StoredLink, shown: StoredRun | StoredJob, scenario: JsonObject, **content: Any) -> Link:
+def _opened(link: StoredLink, shown: StoredRun | StoredJob, scenario: JsonObject, **content: Any) -> JsonObject:
     finished_at = shown.finished_at if isinstance(shown, StoredJob) else None
-    empty = {"run": None, "batch": None, "series_pinned": False}
-    return Link(
-        slug=link.slug,
-        url=url(link.slug),
-        created_at=link.created_at,
-        kind=link.kind,
-        current_core_version=CORE_VERSION,
-        view=LinkView.model_construct(**link.view),  # as it was sent, perhaps with names of an older version
-        core_version=shown.core_version,
-        computed_at=finished_at or shown.created_at,
-        schema_version=shown.schema_version,
-        scenario=scenario,
-        **empty | content,
-    )
+    return {
+        "slug": link.slug,
+        "url": url(link.slug),
+        "created_at": link.created_at,
+        "kind": link.kind,
+        "core_version": shown.core_version,
+        "computed_at": finished_at or shown.created_at,
+        "current_core_version": CORE_VERSION,
+        "schema_version": shown.schema_version,
+        "scenario": scenario,
+        "view": link.view,  # as it was sent, perhaps with names of an older version
+        "run": None,
+        "batch": None,
+        "series_pinned": False,
+        **content,
+    }
 
 
 def _unknown(field: str, message: str) -> InvalidError:

@@ -3,10 +3,10 @@
 import math
 from collections.abc import Mapping, Sequence
 
-from backend.analysis import front
-from backend.analysis.intervals import change_with_interval, mean_with_interval
-from backend.analysis.measure import Aims, Failure, Measured, Roads, mean
-from backend.analysis.models import ComparedFigure, ComparedPoint, TunedChange, TunedFigures, Verdict
+from backend.intervals import change_with_interval, mean_with_interval
+from backend.jobs.tuning import front
+from backend.jobs.tuning.comparison_models import ComparedFigure, ComparedPoint, TunedChange, TunedFigures, Verdict
+from backend.jobs.tuning.measure import Aims, Failure, Measured, RunsByRoad, mean
 from backend.store.trials import StoredTrial
 
 PAPER, SCENARIO, KNEE = "paper", "scenario", "knee"
@@ -39,7 +39,7 @@ def columns(aims: Aims) -> list[ComparedFigure]:
 def compared(
     trials: Sequence[StoredTrial],
     roles: Mapping[int, list[str]],
-    measured: Mapping[int, Roads],
+    measured: Mapping[int, RunsByRoad],
     training: Sequence[int],
     fresh: Sequence[int],
     aims: Aims,
@@ -73,7 +73,9 @@ def compared(
     return points
 
 
-def _over(seeds: Sequence[int], ours: Roads, papers: Roads, aims: Aims, *, tuned: bool) -> dict[str, TunedFigures]:
+def _over(
+    seeds: Sequence[int], ours: RunsByRoad, papers: RunsByRoad, aims: Aims, *, tuned: bool
+) -> dict[str, TunedFigures]:
     """By key over the roads on which both sets of weights could be run."""
     both = _both(seeds, ours, papers)
     figures = {}
@@ -85,7 +87,7 @@ def _over(seeds: Sequence[int], ours: Roads, papers: Roads, aims: Aims, *, tuned
     return figures
 
 
-def _both(seeds: Sequence[int], ours: Roads, papers: Roads) -> list[tuple[Measured, Measured]]:
+def _both(seeds: Sequence[int], ours: RunsByRoad, papers: RunsByRoad) -> list[tuple[Measured, Measured]]:
     pairs = [(ours[seed], papers[seed]) for seed in seeds]
     return [(one, other) for one, other in pairs if not isinstance(one, Failure) and not isinstance(other, Failure)]
 
@@ -98,7 +100,7 @@ def _change(values: Sequence[float], base: Sequence[float]) -> TunedChange | Non
     return TunedChange(value=change.value, low=low, high=high)
 
 
-def _verdict(seeds: Sequence[int], ours: Roads, papers: Roads, objective: int) -> Verdict:
+def _verdict(seeds: Sequence[int], ours: RunsByRoad, papers: RunsByRoad, objective: int) -> Verdict:
     """Whether the objective's change is sure: its interval, or against zero that of the difference, leaves out 0."""
     key = f"objectives.{objective}"
     both = _both(seeds, ours, papers)

@@ -9,7 +9,7 @@ from contextvars import ContextVar
 from dataclasses import dataclass
 
 from backend.errors import BusyError, TooManyRequestsError
-from backend.http.limits import fair_share
+from backend.gate.quota import fair_share
 
 MIN_SMOOTHING = 0.1  # weight of the newest interval in the moving average
 MAX_RETRY_AFTER = 60  # [s]

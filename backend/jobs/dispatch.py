@@ -3,15 +3,17 @@
 import asyncio
 import logging
 from collections.abc import Coroutine, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import orjson
 from sqlalchemy.exc import DataError, IntegrityError, ProgrammingError, SQLAlchemyError
 
 from backend import metrics
 from backend.errors import CHEAPER_RUN
-from backend.jobs.chunk import Chunk, ChunkOutcome, ClusterLostError, ComputedRun, Trouble, WaitingRun
-from backend.jobs.running_job import RunningJob
+from backend.job_run import JobRun
+from backend.jobs.chunk_cutter import RunningJob
+from backend.jobs.chunk_messages import Chunk, ChunkOutcome, ClusterLostError, Computed, Trouble
+from backend.outcome import Outcome
 from backend.store import Store, StoredJob
 from backend.store.roads import PROFILE
 from sim_core import __version__ as CORE_VERSION
@@ -23,7 +25,7 @@ if TYPE_CHECKING:
 logger = logging.getLogger(__name__)
 
 CHUNK_BUDGET = 2.0  # a chunk is cut short after this, where its runs take longer than those before [s]
-PAUSE = 2.0  # after the database or the cluster failed [s]
+PAUSE_AFTER_FAILURE = 2.0  # after the database or the cluster failed [s]
 PERMANENT = (IntegrityError, DataError, ProgrammingError)  # what the database will never take
 REASONS: dict[Trouble, str] = {
     "lost": "The computation ended unexpectedly, twice",
@@ -32,8 +34,8 @@ REASONS: dict[Trouble, str] = {
 }
 
 
-class Chunks:
-    """Chunks being computed or stored; its methods belong to the event loop.
+class Dispatch:
+    """Chunks being computed or stored.
 
     Args:
         store: Of the service.
@@ -52,7 +54,7 @@ class Chunks:
         """Chunks being computed or waiting to be stored."""
         return len(self._computing) + len(self._committing)
 
-    def send(self, cluster: "Cluster", running: RunningJob, runs: list[WaitingRun]) -> None:
+    def send(self, cluster: "Cluster", running: RunningJob, runs: list[JobRun]) -> None:
         """Send these runs to the cluster, and store their results; a job's first goes before others' later ones."""
         priority = -running.open_chunks
         running.open_chunks += 1
@@ -77,7 +79,7 @@ class Chunks:
         await _cancel(self._computing)
         await _cancel(self._committing)
 
-    async def _compute(self, cluster: "Cluster", running: RunningJob, runs: list[WaitingRun], priority: int) -> None:
+    async def _compute(self, cluster: "Cluster", running: RunningJob, runs: list[JobRun], priority: int) -> None:
         committing = False
         try:
             chunk = await self._chunk(running, runs, priority)
@@ -96,16 +98,17 @@ class Chunks:
             if not committing:
                 self._end(running)
 
-    async def _chunk(self, running: RunningJob, runs: list[WaitingRun], priority: int) -> Chunk | None:
+    async def _chunk(self, running: RunningJob, runs: list[JobRun], priority: int) -> Chunk | None:
         """The chunk with its roads; None where the database has failed: its runs are sent again."""
         try:
             roads = await self._roads(running.job, runs)
         except (SQLAlchemyError, OSError) as error:
             logger.warning("A chunk's roads could not be read: %s", type(error).__name__)
             running.take_back(runs)
-            await asyncio.sleep(PAUSE)  # the database may be back by then
+            await asyncio.sleep(PAUSE_AFTER_FAILURE)  # the database may be back by then
             return None
         return Chunk(
+            kind=cast(Computed, running.job.kind),
             group=running.group,
             core_version=CORE_VERSION,
             schema_version=running.job.schema_version,
@@ -117,23 +120,23 @@ class Chunks:
             priority=priority,
         )
 
-    async def _roads(self, job: StoredJob, runs: Sequence[WaitingRun]) -> dict[str, MeasuredRoad]:
+    async def _roads(self, job: StoredJob, runs: Sequence[JobRun]) -> dict[str, MeasuredRoad]:
         """The measured roads that these runs name."""
         if not job.road_ids and not any(PROFILE in run.changes for run in runs):
             return {}
         named = {orjson.loads(run.changes).get(f"road.{PROFILE}") for run in runs} | job.road_ids
         return await self._store.read(self._store.roads.load, [each for each in named if each is not None])
 
-    async def _retry(self, running: RunningJob, runs: list[WaitingRun], outcome: ChunkOutcome) -> bool:
+    async def _retry(self, running: RunningJob, runs: list[JobRun], outcome: ChunkOutcome) -> bool:
         """Halve a chunk that failed until the run that makes it fail is alone; False for that run."""
         logger.warning("A chunk of %d runs could not be computed: %s %s", len(runs), outcome.trouble, outcome.detail)
         if outcome.trouble not in REASONS:  # not the chunk's fault
             running.take_back(runs)
-            await asyncio.sleep(PAUSE)
+            await asyncio.sleep(PAUSE_AFTER_FAILURE)
             return True
         return running.halve(runs) or (outcome.trouble == "lost" and running.try_again(runs))
 
-    async def _commit(self, running: RunningJob, computed: Sequence[ComputedRun], failures: Mapping[int, str]) -> None:
+    async def _commit(self, running: RunningJob, computed: Sequence[Outcome], failures: Mapping[int, str]) -> None:
         """Store a chunk's results, and wait for the database as long as it is away."""
         try:
             await self._save(running.job.id, computed, failures)
@@ -144,7 +147,7 @@ class Chunks:
         metrics.count_runs("batch", "ok", len(computed) - refused, fallbacks)
         metrics.count_runs("batch", "failed", refused + len(failures))
 
-    async def _save(self, job_id: str, computed: Sequence[ComputedRun], failures: Mapping[int, str]) -> None:
+    async def _save(self, job_id: str, computed: Sequence[Outcome], failures: Mapping[int, str]) -> None:
         while True:
             try:
                 await self._store.write(self._store.job_runs.save, job_id, computed, CORE_VERSION, failures)
@@ -155,7 +158,7 @@ class Chunks:
                 return
             except SQLAlchemyError as error:
                 logger.warning("A chunk waits for the database: %s", type(error).__name__)
-                await asyncio.sleep(PAUSE)
+                await asyncio.sleep(PAUSE_AFTER_FAILURE)
             else:
                 return
 
@@ -176,10 +179,10 @@ async def _outcome(cluster: "Cluster", chunk: Chunk) -> ChunkOutcome:
 
 
 def _split(
-    running: RunningJob, runs: Sequence[WaitingRun], computed: Sequence[ComputedRun]
-) -> tuple[list[ComputedRun], dict[int, str]]:
+    running: RunningJob, runs: Sequence[JobRun], computed: Sequence[Outcome]
+) -> tuple[list[Outcome], dict[int, str]]:
     """The results to store, and the reasons of runs without one; runs not begun are sent again."""
-    reasons = {run.key: str(orjson.loads(run.summary)["reason"]) for run in computed if not run.cacheable}
+    reasons = {run.key: str(run.summary["reason"]) for run in computed if not run.cacheable}
     done = {run.key for run in computed}
     left = [run for run in runs if run.key not in done]
     running.record_time(len(runs) - len(left), sum(run.compute_ms for run in computed) / 1000)

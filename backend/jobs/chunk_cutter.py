@@ -5,7 +5,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 
 from backend import digest
-from backend.jobs.chunk import WaitingRun
+from backend.job_run import JobRun
 from backend.store import Store, StoredJob
 
 CHUNK_SECONDS = 1.0  # a chunk is cut to take about so long
@@ -24,8 +24,8 @@ class RunningJob:
         job: The stored job as it was at the start.
         group: Cancels all its chunks together.
         position: Runs up to this one are computed or sent.
-        returned: Chunks to send again before new ones are cut.
-        open_chunks: Chunks sent and not yet stored.
+        returned: Dispatch to send again before new ones are cut.
+        open_chunks: Dispatch sent and not yet stored.
         exhausted: Whether the last look saw no waiting run behind `position`.
         last_send: Number of its last chunk among all chunks sent.
         run_seconds: Mean time of a run in the chunks so far [s].
@@ -35,14 +35,14 @@ class RunningJob:
     job: StoredJob
     group: str = field(default_factory=digest.random_id)
     position: int = -1
-    returned: list[list[WaitingRun]] = field(default_factory=list)
+    returned: list[list[JobRun]] = field(default_factory=list)
     open_chunks: int = 0
     exhausted: bool = False
     last_send: int = 0
     run_seconds: float | None = None
     strikes: Counter[str] = field(default_factory=Counter)
 
-    async def next_chunk(self, store: Store, max_chunks: int) -> list[WaitingRun]:
+    async def next_chunk(self, store: Store, max_chunks: int) -> list[JobRun]:
         """The next chunk, where all jobs have at most `max_chunks` open; empty where every run is sent or done."""
         if self.returned:
             return self.returned.pop(0)
@@ -56,11 +56,11 @@ class RunningJob:
                 return runs
         return []
 
-    def take_back(self, *chunks: list[WaitingRun]) -> None:
+    def take_back(self, *chunks: list[JobRun]) -> None:
         """Send these chunks again."""
         self.returned += [chunk for chunk in chunks if chunk]
 
-    def halve(self, runs: list[WaitingRun]) -> bool:
+    def halve(self, runs: list[JobRun]) -> bool:
         """Send a chunk that failed again as two halves; False where it is a single run."""
         keys = list(dict.fromkeys(run.key for run in runs))
         if len(keys) == 1:
@@ -69,7 +69,7 @@ class RunningJob:
         self.take_back([run for run in runs if run.key in first], [run for run in runs if run.key not in first])
         return True
 
-    def try_again(self, runs: list[WaitingRun]) -> bool:
+    def try_again(self, runs: list[JobRun]) -> bool:
         """Send a single run that lost its process again; False after `STRIKES` tries."""
         self.strikes[runs[0].key] += 1
         if self.strikes[runs[0].key] == STRIKES:

@@ -1,0 +1,46 @@
+"""The part of a run that a worker process computes: simulations and their decimated time histories.
+
+Nothing of the web is imported here, so that a worker starts quickly and stays small.
+"""
+
+import time
+from collections.abc import Mapping
+
+import orjson
+
+from backend.ecu.drive import simulate
+from backend.outcome import JSON_OPTIONS, Outcome, elapsed_ms
+from backend.runs.series import pack
+from sim_core.errors import RidelabError
+from sim_core.scenario import Scenario
+
+
+def compute_run(scenario: Scenario, keys: Mapping[str, str], points: int | None) -> dict[str, Outcome]:
+    """Simulate strategies one after the other, so that what they share is worked out once.
+
+    Args:
+        scenario: What to drive.
+        keys: Of the results, by strategy.
+        points: About how many samples of each time history to return; None is no series at all.
+    """
+    return {strategy: compute(scenario, strategy, key, points) for strategy, key in keys.items()}
+
+
+def compute(scenario: Scenario, strategy: str, key: str, points: int | None = None) -> Outcome:
+    """Simulate one strategy; arguments as of `compute_run`."""
+    begin = time.perf_counter()
+    try:
+        result = simulate(scenario, strategy)
+    except RidelabError as error:
+        return Outcome.refused(key, strategy, error, begin, points)
+    json = orjson.dumps(result.summary(), option=JSON_OPTIONS, default=dict)
+    return Outcome(
+        key=key,
+        strategy=strategy,
+        status="ok",
+        json=json,
+        compute_ms=elapsed_ms(begin),
+        fallbacks=float(result.events["qp_fallbacks"] or 0),
+        points=points,
+        series=None if points is None else pack(result, points),
+    )

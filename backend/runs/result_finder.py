@@ -1,0 +1,133 @@
+"""Gets each strategy's result from memory, the store, an equal computation in progress, or a worker."""
+
+import asyncio
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from backend import digest
+from backend.compute.shared_computations import SharedComputations
+from backend.compute.workers import Workers
+from backend.cost.estimate import estimate
+from backend.gate import Gate
+from backend.metrics import CACHE, count_runs
+from backend.outcome import Outcome
+from backend.roads.service import MeasuredRoads
+from backend.runs.compute_run import compute_run
+from backend.runs.result_cache import ResultCache
+from backend.store import Store
+from sim_core.scenario import Scenario
+
+Outcomes = dict[str, Outcome]  # by strategy
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Request:
+    """Who asks, for how many samples of the time histories (None for none), and each strategy's estimated cost [s]."""
+
+    client: str
+    points: int | None
+    costs: Mapping[str, float]
+
+
+class ResultFinder:
+    """Finds or computes results."""
+
+    def __init__(
+        self, *, store: Store, workers: Workers, memory: ResultCache, gate: Gate, roads: MeasuredRoads
+    ) -> None:
+        self._store = store
+        self._workers = workers
+        self._memory = memory
+        self._gate = gate
+        self._roads = roads
+        self._in_progress: SharedComputations[tuple[str, int | None], Outcomes] = SharedComputations()
+
+    async def get(self, scenario: Scenario, names: Sequence[str], client: str, *, points: int | None) -> Outcomes:
+        """Each strategy's result, with about `points` samples of its time histories or (None) without them.
+
+        Without them the store may have it; with them only memory or a worker.
+        """
+        (outcomes,) = await self.on_roads([scenario], names, client, points=points)
+        return outcomes
+
+    async def on_roads(
+        self, roads: Sequence[Scenario], names: Sequence[str], client: str, *, points: int | None
+    ) -> list[Outcomes]:
+        """Each strategy's result on each of several roads, which differ in their seed alone; idle workers share them.
+
+        Raises:
+            InvalidError: What is missing would be driven on a measured road that is not there, or too short.
+            TemporaryError: Too much is being computed.
+        """
+        keys = digest.result_keys(roads, names)
+        stored: Outcomes = {}
+        if points is None:
+            unknown = [key for each in keys for key in each.values() if self._memory.get(key, None) is None]
+            stored = await self._store.read(self._store.runs.load_results, unknown) if unknown else {}
+        found = [self._found(each, stored, points) for each in keys]
+        missing = [
+            {name: key for name, key in each.items() if name not in there}
+            for each, there in zip(keys, found, strict=True)
+        ]
+        costly = [name for each in missing for name in each]
+        CACHE.labels("hit").inc(sum(map(len, found)))
+        CACHE.labels("miss").inc(len(costly))
+        if costly:
+            roads = [await self._roads.on(road) for road in roads]
+            costs = {name: estimate(roads[0], name) for name in set(costly)}  # which no seed changes
+            request = _Request(client=client, points=points, costs=costs)
+            with self._gate.computing(client, sum(costs[name] for name in costly)):
+                computed = await self._compute_roads(roads, missing, request)
+            found = [there | new for there, new in zip(found, computed, strict=True)]
+        return [{name: each[name] for name in names} for each in found]
+
+    def _found(self, keys: Mapping[str, str], stored: Outcomes, points: int | None) -> Outcomes:
+        """The results of one road that are in memory or (by key) stored."""
+        outcomes = {name: stored.get(key) or self._memory.get(key, points) for name, key in keys.items()}
+        return {name: outcome for name, outcome in outcomes.items() if outcome is not None}
+
+    async def _compute_roads(
+        self, roads: Sequence[Scenario], missing: Sequence[Mapping[str, str]], request: _Request
+    ) -> list[Outcomes]:
+        """At most as many roads at once as there are workers, so that the client's other requests come in between."""
+        slots = asyncio.Semaphore(self._workers.count)
+
+        async def one(road: Scenario, keys: Mapping[str, str]) -> Outcomes:
+            async with slots:
+                found = self._found(keys, {}, request.points)  # by now another request may have computed it
+                rest = {name: key for name, key in keys.items() if name not in found}
+                return found | (await self._compute(road, rest, request) if rest else {})
+
+        tasks = [asyncio.create_task(one(road, names)) for road, names in zip(roads, missing, strict=True)]
+        try:
+            return await asyncio.gather(*tasks)
+        finally:
+            for task in tasks:
+                task.cancel()
+
+    async def _compute(self, scenario: Scenario, missing: Mapping[str, str], request: _Request) -> Outcomes:
+        """Join computations in progress; one worker computes the rest, so that shared work is done once."""
+        points = request.points
+
+        def running_task(key: str) -> asyncio.Task[Outcomes] | None:
+            return self._in_progress.find(lambda other: other[0] == key and points in (None, other[1]))
+
+        tasks = {name: task for name, key in missing.items() if (task := running_task(key))}
+        joined = set(tasks)
+        fresh = {name: key for name, key in missing.items() if name not in joined}
+        if fresh:
+            computing = self._compute_fresh(scenario, fresh, request)
+            tasks |= dict.fromkeys(fresh, self._in_progress.begin([(key, points) for key in fresh.values()], computing))
+        outcomes = await self._in_progress.wait(set(tasks.values()))
+        return {name: replace(outcomes[task][name], cached=name in joined) for name, task in tasks.items()}
+
+    async def _compute_fresh(self, scenario: Scenario, fresh: Mapping[str, str], request: _Request) -> Outcomes:
+        cost = sum(request.costs[name] for name in fresh)
+        outcomes = await self._workers.call(
+            compute_run, scenario, fresh, request.points, client=request.client, cost=cost
+        )
+        for outcome in outcomes.values():  # those without series too: until they are committed nothing else has them
+            count_runs("interactive", outcome.status, fallbacks=outcome.fallbacks)
+            if outcome.cacheable:
+                self._memory.put(outcome.key, replace(outcome, cached=True))
+        return outcomes
