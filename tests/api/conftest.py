@@ -78,7 +78,7 @@ def serve(settings: Settings) -> Iterator[Service]:
     app.state.store.migrate()
     server = LoopServer(server_config(app, settings))
     with listen("127.0.0.1", 0) as listener, pytest.MonkeyPatch.context() as patch:
-        patch.setattr(workers, "PATIENCE", HANG_TIMEOUT)  # on a busy machine one may take a minute to start
+        patch.setattr(workers, "WAIT_FOR_PROCESS", HANG_TIMEOUT)  # on a busy machine one may take a minute to start
         address = f"http://127.0.0.1:{listener.getsockname()[1]}"
         thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]})
         thread.start()

@@ -31,13 +31,11 @@ def test_an_edit_outlives_other_pages(dashboard: Dashboard) -> None:
     assert (dashboard.entry("Height").input_value(), dashboard.entry("Width").input_value()) == ("6", "4")
     expect(page.get_by_role("button", name="Redo")).to_be_enabled()
 
-    with dashboard.held("**/series?*"):
+    with page.expect_response("**/series?*"), dashboard.held("**/series?*"):
         with page.expect_request("**/series?*"):
             dashboard.type_into("Height", "7")
         go(page, "Tuner")
         expect(page).to_have_url(re.compile(r"/tuner\?run="))
-    with page.expect_response("**/series?*"):
-        pass
     page.go_back()
     dashboard.expect_curves()
     assert dashboard.entry("Height").input_value() == "7"
