@@ -79,7 +79,6 @@ class PredictiveController(Controller):
             RidelabError: The vehicle and weights admit no stabilising controller.
         """
         self._designs = self.designs(setup)
-        self._limit = setup.force_limit
         self._order = (self.solver, *(name for name in SOLVERS if name != self.solver))
         self._qps: dict[str, StageQp] = {}
 
@@ -107,9 +106,6 @@ class PredictiveController(Controller):
             if y is not None:
                 report.fallbacks += attempt
                 report.max_slack = max(report.max_slack, y.item(-2) / CENTI, y.item(-1) / CENTI)
-                return self._within_limit(y[:2] * KILO)
+                return y[:2] * KILO
         report.failures += 1
-        return self._within_limit(seen.previous_force)
-
-    def _within_limit(self, force: FloatArray) -> FloatArray:
-        return force.clip(-self._limit, self._limit)
+        return seen.previous_force

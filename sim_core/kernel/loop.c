@@ -69,7 +69,7 @@ static void look(const struct law *law, int step, const double *now, const doubl
 }
 
 /* Whether every row is within its limit. By Cauchy and Schwarz a row comes to no more than the norms of its parts times
-   the sizes of what they are on: most rows need no closer look. */
+   the sizes of what they are on: most rows need no closer look, and few of the others one beyond their first part. */
 static int holds(const struct law *law, int step)
 {
     int rows = (int)law->numbers->rows, steps = (int)law->numbers->steps;
@@ -81,9 +81,11 @@ static int holds(const struct law *law, int step)
     for (int i = 1; i < SIZES; i++)
         size[i] = law->sizes[step + (ptrdiff_t)steps * (i - 1)];
     for (int i = 0; i < rows; i++) {
-        const double *norms = law->norms + SIZES * i;
-        double most = norms[0] * size[0] + norms[1] * size[1] + norms[2] * size[2] + norms[3] * size[3] + norms[4] * size[4];
-        if (!(most <= WITHIN) && !(fabs(dot(law->limits + (ptrdiff_t)columns * i, law->known, columns)) <= WITHIN))
+        const double *norms = law->norms + SIZES * i, *row = law->limits + (ptrdiff_t)columns * i;
+        double on_preview = norms[1] * size[1] + norms[2] * size[2] + norms[3] * size[3] + norms[4] * size[4];
+        if (!(norms[0] * size[0] + on_preview <= WITHIN) &&
+            !(fabs(dot(row, law->known, INPUTS)) + on_preview <= WITHIN) &&
+            !(fabs(dot(row, law->known, columns)) <= WITHIN))
             return 0;
     }
     return 1;
