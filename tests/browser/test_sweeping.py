@@ -150,7 +150,7 @@ def test_a_latin_hypercube_is_started_once(dashboard: Dashboard) -> None:
     dialog = open_dialog(page)
     dialog.get_by_text("Latin hypercube").click()
     dialog.get_by_label("Samples").fill("7")
-    dialog.get_by_label("Seed").fill("3")
+    dialog.get_by_role("textbox", name="Seed").fill("3")
     expect(dialog.get_by_test_id("estimate")).to_contain_text("21 runs")
     keys: list[str | None] = []
 
