@@ -18,7 +18,7 @@ from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
 
-LEVEL = 1  # of zstd; 9 takes three times as long for 2 % (benchmarks/pins.py)
+LEVEL = 1  # of zstd; 9 takes three times as long for 2 % (docs/decisions/0007)
 
 
 def make(scenario: Scenario, strategies: Sequence[str]) -> dict[str, bytes]:
