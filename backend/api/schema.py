@@ -10,8 +10,8 @@ from pydantic import BaseModel, Field
 
 from backend.api import router
 from backend.json_types import JsonObject
+from backend.means_over_roads import one_road_resolution
 from backend.models import Answer, Figures
-from backend.over_roads import one_road_resolution
 from backend.runs import figures
 from sim_core import catalogue
 from sim_core.scenario import SCHEMA_VERSION, Scenario

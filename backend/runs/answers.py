@@ -12,8 +12,8 @@ import orjson
 from backend.errors import InvalidError
 from backend.intervals import Interval
 from backend.json_types import JsonObject
+from backend.means_over_roads import Changes, Comparison, Numbers, compare, numbers, paired_changes
 from backend.outcome import Outcome
-from backend.over_roads import Changes, Comparison, Numbers, compare, numbers, paired_changes
 from backend.store import StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario

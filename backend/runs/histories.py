@@ -15,8 +15,8 @@ from backend.cost.estimate import cost_of, estimate
 from backend.errors import CostLimitError, GoneError, InvalidError, RoadGoneError
 from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile, refused_where_full
+from backend.means_over_roads import seeded
 from backend.outcome import Outcome
-from backend.over_roads import seeded
 from backend.roads.service import MeasuredRoads
 from backend.runs import bands, exports, pins
 from backend.runs.result_finder import ResultFinder

@@ -21,9 +21,9 @@ from backend.errors import (
 from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile
 from backend.json_types import JsonObject
+from backend.means_over_roads import seeded
 from backend.metrics import CACHE
 from backend.outcome import Outcome
-from backend.over_roads import seeded
 from backend.roads.service import MeasuredRoads
 from backend.runs import exports, figures, series
 from backend.runs.answers import (

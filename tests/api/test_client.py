@@ -9,7 +9,7 @@ import httpx
 import numpy as np
 import pytest
 
-from backend.over_roads import seeded
+from backend.means_over_roads import seeded
 from ridelab import Batch, Interval, Ridelab, RidelabAPIError, RunResult
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Bump, Road, Scenario

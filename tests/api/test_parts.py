@@ -13,9 +13,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from backend import digest
+from backend.means_over_roads import seeded
 from backend.models import CachedFailure
 from backend.outcome import Outcome
-from backend.over_roads import seeded
 from backend.runs.result_cache import ResultCache
 from sim_core.scenario import Hil, Lqr, Mpc, Road, Scenario
 from sim_core.strategies import STRATEGIES

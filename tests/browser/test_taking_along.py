@@ -153,7 +153,12 @@ def test_every_plot_is_drawn_on_paper(dashboard: Dashboard, tmp_path: Path) -> N
     drawn = page.evaluate("window.printed")
     assert len(drawn) > 6
     assert min(drawn) == 3
+    # The car and the road, the paper's four signals, the tables, what the other panels show: none is lost or torn.
+    pages = re.findall(rb"/Type /Page\b", (tmp_path / "page.pdf").read_bytes())
+    assert len(pages) == 4
     page.emulate_media(media="print")
+    # A canvas would be printed over the plot.
+    expect(page.locator("[data-drawn] + canvas").filter(visible=True)).to_have_count(0)
     expect(page.get_by_role("button", name="Share")).to_be_hidden()
     expect(page.get_by_text(dashboard.run_id)).to_be_visible()
     page.emulate_media(media="screen")

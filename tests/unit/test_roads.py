@@ -4,7 +4,7 @@ from math import sqrt
 
 import pytest
 
-from backend.over_roads import Numbers, compare, one_road_resolution, paired_changes, seeded
+from backend.means_over_roads import Numbers, compare, one_road_resolution, paired_changes, seeded
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES

@@ -6,8 +6,8 @@ from datetime import datetime
 from typing import Any
 
 from backend.json_types import JsonObject
+from backend.means_over_roads import one_road_resolution
 from backend.outcome import Outcome
-from backend.over_roads import one_road_resolution
 from backend.runs import figures
 from backend.runs.reports import inputs
 from backend.runs.reports.caveats import caveats

@@ -6,7 +6,7 @@ from math import inf, isfinite
 
 from backend.errors import InvalidError, NoSolutionError, ServiceError
 from backend.intervals import mean_with_interval
-from backend.over_roads import one_road_resolution
+from backend.means_over_roads import one_road_resolution
 from backend.runs.over_roads import Interval
 from backend.runs.solve import limit_search
 from backend.runs.solve.models import Solution, SolveRequest, TriedValue
