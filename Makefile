@@ -7,7 +7,7 @@ HOST ?= 127.0.0.1
 PORT ?= 8000
 DATA ?= data
 # A file's tests share what they start; in the folders' order the last files are short, so both processes end together.
-PROCESSES := $(shell $(PYTHON) -c "import os; print(min(4, max(2, os.cpu_count() or 1)))")
+PROCESSES := $(if $(filter-out 1 2 3,$(shell nproc 2>/dev/null || echo 2)),4,2)
 PYTEST ?= --numprocesses $(PROCESSES) --dist loadfile --no-loadscope-reorder --durations 25
 INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --require-hashes -r
 MAKEFLAGS += --jobs=2  # packages and page, and both halves of the checks, side by side

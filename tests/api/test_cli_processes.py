@@ -15,6 +15,10 @@ import httpx
 import psutil
 import pytest
 
+from ridelab.cli.following import submit_job
+from ridelab.cli.service import Services
+from ridelab.client import Ridelab
+from ridelab.jobs import Batch
 from tests.api.cli import Cli, command, environment
 from tests.api.conftest import Service
 from tests.servers.process import HANG_TIMEOUT, request, wait_until
@@ -120,6 +124,25 @@ def test_ctrl_c_cancels_a_sweep_and_keeps_what_is_finished(client: httpx.Client,
     assert others == [f"Wrote {out}: all 80 rows, those that never ran with the status cancelled"]
     rows = [row["status"] for row in csv.DictReader(io.StringIO(out.read_text(encoding="utf-8")))]
     assert (rows.count("ok"), rows.count("cancelled")) == (batch["done"], 80 - batch["done"])
+
+
+def test_ctrl_c_while_a_sweep_is_submitted_cancels_it_and_its_results_can_still_be_taken(client: httpx.Client) -> None:
+    """The service has taken it, and its answer has not come yet."""
+    server = str(client.base_url).rstrip("/")
+    taken = []
+    with Ridelab(server) as ridelab, Services(server, None) as services:
+
+        def submit(key: str) -> Batch:
+            batch = ridelab.submit(LONG, ["suspension_only"], {"grid": {"road.seed": list(range(201, 281))}}, key)
+            taken.append(batch.id)
+            if len(taken) == 1:
+                raise KeyboardInterrupt
+            return batch
+
+        batch, code = submit_job(submit, services)
+        assert code == 130
+        assert taken == [batch.id, batch.id]
+        assert batch.state == "cancelled"
 
 
 @pytest.mark.usefixtures("no_service_left")

@@ -34,14 +34,18 @@ def detached_service(services: Services) -> Ridelab:
     return services.at()
 
 
-def submit_job(submit: Callable[[str], AnyJob], services: Services, *options: str) -> AnyJob:
-    """Submit a job. After an interruption the same idempotency key is sent again and gives its id."""
+def submit_job(submit: Callable[[str], AnyJob], services: Services, *options: str) -> tuple[AnyJob, int]:
+    """Submit a job. After an interruption the same idempotency key is sent again and gives its id.
+
+    Returns:
+        The job; and the exit code so far, as of `follow_to_end`.
+    """
     key = uuid.uuid4().hex
     try:
-        return submit(key)
+        return submit(key), 0
     except KeyboardInterrupt as interrupt:
         job = submit(key)
-        raise typer.Exit(_stopped(job, interrupt, resume_command(job, services, *options), ours=True)) from None
+        return job, _stopped(job, interrupt, resume_command(job, services, *options), ours=True)
 
 
 def follow_to_end(job: Job, services: Services, *options: str, ours: bool = True, timeout: float | None = None) -> int:

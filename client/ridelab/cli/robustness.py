@@ -51,8 +51,9 @@ def robustness(
     if not varied:
         raise InputError("Nothing is uncertain: every field is exact. Name one with --range FIELD=LOW:HIGH")
     sweep = {"latin_hypercube": {"ranges": varied, "samples": samples or usual["samples"], "seed": seed}}
-    batch = submit_job(lambda key: ridelab.submit(start, names, sweep, key, label or "Robustness study"), services)
-    code = follow_to_end(batch, services)
+    label = label or "Robustness study"
+    batch, code = submit_job(lambda key: ridelab.submit(start, names, sweep, key, label), services)
+    code = code or follow_to_end(batch, services)
     if batch.state != "failed":
         summary = batch.summary(baseline=baseline)
         print_json(summary) if as_json else _show(summary, varied, batch, services.names.label)

@@ -71,11 +71,11 @@ def sweep(
         following.show_estimate(ridelab.estimate(start, names, swept), "total", "points", as_json=as_json)
         return
     again = following.file_options(out, file_format)
-    batch = following.submit_job(lambda key: ridelab.submit(start, names, swept, key, label), services, *again)
+    batch, code = following.submit_job(lambda key: ridelab.submit(start, names, swept, key, label), services, *again)
     if detach:
         following.show_detached(batch, services, *again, as_json=as_json)
-        return
-    code = following.follow_to_end(batch, services, *again)
+        raise typer.Exit(code)
+    code = code or following.follow_to_end(batch, services, *again)
     if out is not None and kind is not None:
         _write(batch, kind, out, following.resume_command(batch, services, *again))
     elif code:

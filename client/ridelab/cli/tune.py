@@ -63,7 +63,7 @@ def tune(
     """
     ridelab = services.at() if not detach else following.detached_service(services)
     if resume is not None:
-        tuning = ridelab.get_tuning(resume)
+        tuning, code = ridelab.get_tuning(resume), 0
         if tuning.state != "done" or trials not in (None, tuning.total):  # else it is only shown
             tuning.resume(trials)
     else:
@@ -87,11 +87,11 @@ def tune(
         if dry_run:
             following.show_estimate(ridelab.estimate_tuning(request), "runs", "generations", as_json=as_json)
             return
-        tuning = following.submit_job(lambda key: ridelab.tune(request, key), services)
+        tuning, code = following.submit_job(lambda key: ridelab.tune(request, key), services)
     if detach:
         following.show_detached(tuning, services, as_json=as_json)
-        return
-    if code := following.follow_to_end(tuning, services):
+        raise typer.Exit(code)
+    if code := code or following.follow_to_end(tuning, services):
         note(f"To go on: {following.resume_command(tuning, services)}")
         raise typer.Exit(code)
     if tuning.state != "done":
