@@ -8,13 +8,8 @@ from fastapi import Query, Request, Response
 from backend.api import jobs, router
 from backend.api.deps import Client, service
 from backend.api.runs import MEDIA_TYPES
-from backend.errors import InvalidError
-from backend.http import problems
-from backend.http.answers import IMMUTABLE, Download, cancel_on_disconnect, content_answer, json_answer
-from backend.http.routing import ComputingRoute
-from backend.http.tokens import Caller
-from backend.jobs.sweep import robustness
-from backend.jobs.sweep.models import (
+from backend.batches import robustness
+from backend.batches.models import (
     Batch,
     Batches,
     BatchRequest,
@@ -23,8 +18,13 @@ from backend.jobs.sweep.models import (
     BatchTable,
     Estimate,
 )
-from backend.jobs.sweep.service import BatchService
-from backend.jobs.sweep.summary_models import RobustnessDefaults
+from backend.batches.service import BatchService
+from backend.batches.summary_models import RobustnessDefaults
+from backend.errors import InvalidError
+from backend.http import problems
+from backend.http.answers import IMMUTABLE, Download, cancel_on_disconnect, content_answer, json_answer
+from backend.http.routing import ComputingRoute
+from backend.http.tokens import Caller
 from sim_core.catalogue import METRICS, NUMBERS, PAPER_METRICS
 
 Service = Annotated[BatchService, service("sweeps")]

@@ -13,7 +13,7 @@ import numpy as np
 import pyarrow as pa
 from pyarrow import csv, parquet
 
-from backend.ecu.drive import simulate
+from backend.cost.affordable import simulate
 from backend.json_types import JsonObject
 from backend.pieces import render_to, write_json
 from backend.runs import pins
@@ -27,7 +27,7 @@ VALUE_BYTES = {"csv": 12.0, "json": 12.0, "parquet": 5.0}
 BASE64_BYTES = 16 / 3  # four bytes become 16/3 characters (RFC 4648, section 4)
 NAME_BYTES = 16  # of a strategy in each row of CSV [bytes]
 BYTE_COST = 2e-8  # of one byte [s of one core]
-pa.set_memory_pool(pa.system_memory_pool())  # the C library's: `processes.make_room` gives back what it keeps
+pa.set_memory_pool(pa.system_memory_pool())  # the C library's: `make_room` gives back what it keeps
 
 
 @dataclass(frozen=True, slots=True)

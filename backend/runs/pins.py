@@ -12,7 +12,7 @@ import numpy as np
 import pyarrow as pa
 from pyarrow import parquet
 
-from backend.ecu.drive import simulate
+from backend.cost.affordable import simulate
 from backend.runs.series import ROWS, SamplingHints, SeriesArray, decimate, pack
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import SIGNALS

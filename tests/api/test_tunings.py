@@ -7,7 +7,7 @@ import httpx
 import numpy as np
 import pytest
 
-from backend.jobs.tuning.space import road
+from backend.tunings.space import road
 from tests.api.tuning import FRESH, SCENARIO, SEEDS, begin, events, trials, wait_for
 
 SIGNALS = ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_tyre_load")
