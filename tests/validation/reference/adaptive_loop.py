@@ -103,7 +103,7 @@ class SolvedCar(VehicleModel):
         """As VehicleModel says."""
         state, command = loop[step, : self.size], loop[step + 1, self.size :]
         x, column = [*state[-self._states :].tolist(), *command.tolist()][:10], step - self._before
-        self._command = command.tolist()
+        self._command: list[float] = command.tolist()
         for j in range(self._fine):
             self._begin(step * self._fine + j)
             if column >= 0:
