@@ -12,7 +12,7 @@ import httpx
 import pytest
 
 from sim_core.strategies import STRATEGIES
-from tests.packaging.environments import Environment, built
+from tests.packaging.environments import ROOT, Environment, built
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
 
@@ -54,11 +54,13 @@ def address(server: Environment, tmp_path_factory: pytest.TempPathFactory) -> It
 
 def test_each_distribution_is_typed_and_only_the_cores_belongs_to_a_platform(wheels: dict[str, Path]) -> None:
     for name, package in (("ridelab-core", "sim_core"), ("ridelab", "ridelab"), ("ridelab-server", "backend")):
-        files = ZipFile(wheels[name]).namelist()
+        wheel = ZipFile(wheels[name])
+        files = wheel.namelist()
         assert f"{package}/py.typed" in files
         assert {file.split("/")[0] for file in files if ".dist-info/" not in file} == {package}
         assert f"{package}/setup.py" not in files, "what builds it is no part of it"
-        assert [file for file in files if file.endswith(".dist-info/licenses/LICENSE")]
+        (licence,) = [file for file in files if file.endswith(".dist-info/licenses/LICENSE")]
+        assert wheel.read(licence) == (ROOT / "LICENSE").read_bytes()
     tags = {name: path.stem.split("-")[2:] for name, path in wheels.items()}
     assert tags["ridelab"] == tags["ridelab-server"] == ["py3", "none", "any"]
     assert tags["ridelab-core"][:2] == ["py3", "none"], "its library needs no Python headers"
