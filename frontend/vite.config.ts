@@ -27,5 +27,5 @@ export default defineConfig({
     rolldownOptions: { output: { codeSplitting: { groups: [{ name: "first", tags: ["$initial"] }] } } },
   },
   // Files without a page share what they import: in a process of its own each would read half of the sources again.
-  test: { include: ["src/**/*.test.ts"], environment: "node", isolate: false, css: { include: [/\?raw$/] } },
+  test: { include: ["src/**/*.test.ts", "scripts/*.test.mjs"], environment: "node", isolate: false, css: { include: [/\?raw$/] } },
 });

@@ -4,7 +4,7 @@ import { ActionIcon, Button, Menu, Text } from "@mantine/core";
 import { useMutation, useQueryClient } from "@tanstack/react-query";
 import { Link } from "@tanstack/react-router";
 import { useState } from "react";
-import { IconDots } from "../icons";
+import { IconDots } from "../ui/icons";
 import { NameForm } from "../ui/NameForm";
 import { formatMinute } from "../units/dates";
 import { count, formatWhole } from "../units/format";

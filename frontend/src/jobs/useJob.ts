@@ -4,7 +4,7 @@ import { queryOptions, useMutation, useQuery, useQueryClient, type QueryClient }
 import { useEffect, useState } from "react";
 import { batches, tunings, type JobCalls } from "../api/jobs";
 import type { Batch, BatchItem, Tuning, TuningItem } from "../api/types";
-import { createLatest } from "../state/latest";
+import { createLatest } from "../lib/latest";
 import { follow, isFinal, type Handlers, type JobEvent } from "./follow";
 import { secondsLeft, withMark, type Mark } from "./pace";
 

@@ -3,7 +3,7 @@
 import { Button, Group, Popover, SegmentedControl, Stack, Text } from "@mantine/core";
 import { useMediaQuery } from "@mantine/hooks";
 import { useId, useState, type ReactNode } from "react";
-import { download } from "../ui/download";
+import { download } from "../lib/download";
 import { figureImage, FONT_SIZES, WIDTHS, type FontSize, type Width } from "./paperFigure";
 import type { FigureSource } from "./saved";
 

@@ -3,10 +3,10 @@
 import { useComputedColorScheme } from "@mantine/core";
 import { useCallback, useMemo } from "react";
 import type { FigureTemplate } from "../api/types";
-import type { Zoom } from "../state/address";
-import { useLabContext } from "../state/context";
-import type { Scene } from "../state/scene";
-import { layersOf } from "./layers";
+import type { Zoom } from "../lab/address";
+import { useLabContext } from "../lab/context";
+import type { Scene } from "../lab/resultView";
+import { layersOf } from "./curves";
 import { PALETTES } from "./palettes";
 import { PlotPanel } from "./PlotPanel";
 import classes from "./plots.module.css";

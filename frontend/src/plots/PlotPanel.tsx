@@ -3,13 +3,14 @@
 import { Box, Group } from "@mantine/core";
 import { useIntersection } from "@mantine/hooks";
 import { memo, useMemo } from "react";
-import type { FigureTemplate, SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
-import type { Axis, Zoom } from "../state/address";
-import { printing } from "../state/printing";
-import { useStore } from "../state/store";
-import { buildFigure, type Palette } from "./figure";
+import type { FigureTemplate } from "../api/types";
+import type { Zoom } from "../lab/address";
+import { printing } from "../lib/printing";
+import { useStore } from "../lib/store";
+import { buildFigure } from "./figure";
+import { type Curves } from "./curves";
+import { type Palette } from "./palettes";
 import { FigureButton } from "./FigureButton";
-import type { Layer } from "./layers";
 import { Overlay } from "./Overlay";
 import classes from "./plots.module.css";
 import type { Plotly } from "./plotly";
@@ -17,25 +18,6 @@ import { Readouts } from "./Readouts";
 import type { FigureSource } from "./saved";
 import { Surface } from "./Surface";
 import { Card } from "../ui/Card";
-
-/** What all panels draw, and nothing else of the scene: whatever else changes there, no curve is drawn anew. */
-export interface Curves {
-  readonly series: SeriesByStrategy;
-  readonly driven: SeriesByStrategy;
-  readonly layers?: readonly Layer[];
-  readonly summaries: Readonly<Record<StrategyId, Summary>>;
-  readonly strategies: readonly Strategy[];
-  readonly axis: Axis;
-  readonly range: Zoom;
-  readonly live: boolean;
-  /** `null` while it is a preview. */
-  readonly runId: string | null;
-  readonly coreVersion: string;
-  /** Over how many roads the curves are means. */
-  readonly roads?: number;
-  /** What the curves are differences to. */
-  readonly minus?: string;
-}
 
 interface Props {
   readonly plotly: Plotly | null;

@@ -3,7 +3,7 @@
 import { Box, useComputedColorScheme } from "@mantine/core";
 import { useMemo } from "react";
 import type { FigureTemplate } from "../api/types";
-import type { Scene } from "../state/scene";
+import type { Scene } from "../lab/resultView";
 import { Card } from "../ui/Card";
 import { buildFigure, MARGIN } from "./figure";
 import { Overlay } from "./Overlay";

@@ -1,6 +1,7 @@
 /** Draws a whole panel on a canvas, as plotly draws the same figure: what follows a slider, and what is there before plotly. */
 
-import type { Numbers, PanelFigure, PlotTrace } from "./plotly";
+import type { PanelFigure, PlotTrace } from "./plotly";
+import type { Numbers } from "../lib/samples";
 import type { Shape } from "./shapes";
 import { MARGIN } from "./figure";
 

@@ -1,6 +1,6 @@
 /** What every chart apart from the lab's panels has in common. */
 
-import type { Palette } from "./figure";
+import type { Palette } from "./palettes";
 import type { PlotLayout } from "./plotly";
 
 export function chartLayout(palette: Palette, { xaxis, yaxis, ...rest }: { readonly xaxis: object; readonly yaxis: object; readonly [name: string]: unknown }): PlotLayout {

@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
 import { maximumOf, minimumOf } from "../api/decode";
 import type { SeriesByStrategy } from "../api/types";
-import type { Axis } from "../state/address";
-import type { Scene } from "../state/scene";
-import type { FigureInput } from "./figure";
+import type { Axis } from "../lab/address";
+import type { Scene } from "../lab/resultView";
+import type { FigureInput } from "./curves";
 import { drawnOf } from "./differences";
 import { stageShapes } from "./shapes";
 

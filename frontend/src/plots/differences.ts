@@ -2,11 +2,11 @@
 
 import { isExtreme, type Series } from "../api/decode";
 import type { SeriesByStrategy, StrategyId, Summary } from "../api/types";
-import type { Axis, Zoom } from "../state/address";
-import { axisKey, type Scene } from "../state/scene";
-import type { FigureInput } from "./figure";
-import type { Numbers } from "./plotly";
-import { covering } from "./samples";
+import type { Axis, Zoom } from "../lab/address";
+import { axisKey, type Scene } from "../lab/resultView";
+import type { FigureInput } from "./curves";
+import type { Numbers } from "../lib/samples";
+import { covering } from "../lib/samples";
 
 const COORDINATES = ["time", "position"];
 

@@ -1,37 +1,12 @@
 /** Fills a figure template with series: what plotly draws in one panel. Pure, so that it can be tested and exported. */
 
 import { maximumOf, minimumOf } from "../api/decode";
-import type { FigureTemplate, SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
-import type { Axis, Zoom } from "../state/address";
-import type { Layer } from "./layers";
-import type { Numbers, PanelFigure, PlotTrace } from "./plotly";
-import { covering, extent } from "./samples";
+import type { Axis, Zoom } from "../lab/address";
+import type { FigureInput, Layer } from "./curves";
+import type { PanelFigure, PlotTrace } from "./plotly";
+import { covering, extent, type Numbers } from "../lib/samples";
 import { ticksFor } from "./ticks";
 import { airborneShapes, referenceShapes, referenceValues, stageShapes, type Shape } from "./shapes";
-
-export interface Palette {
-  readonly text: string;
-  readonly grid: string;
-  readonly zero: string;
-}
-
-export interface FigureInput {
-  readonly template: FigureTemplate;
-  readonly series: SeriesByStrategy;
-  /** What was driven, which shades the stages; `series` where that is no difference. */
-  readonly driven: SeriesByStrategy;
-  /** Curves of other variants, under those of `series`. */
-  readonly layers?: readonly Layer[];
-  readonly summaries: Readonly<Record<StrategyId, Summary>>;
-  /** In the order of drawing. */
-  readonly strategies: readonly Pick<Strategy, "id" | "colour">[];
-  readonly axis: Axis;
-  /** Range of the shared axis. */
-  readonly range: Zoom;
-  readonly palette: Palette;
-  /** At most about so many marks on the vertical axis. */
-  readonly yTicks?: number;
-}
 
 export const MARGIN = { l: 46, r: 10, t: 6, b: 22 } as const;
 

@@ -2,8 +2,8 @@
 
 import type { FigureTemplate } from "../api/types";
 import { axisSignal, axisUnit, buildFigure, overRoads } from "./figure";
+import { type Curves } from "./curves";
 import { ON_PAPER } from "./palettes";
-import type { Curves } from "./PlotPanel";
 
 /** On one line, and nothing of it a formula to a spreadsheet, whichever sign separates its cells. */
 const harmless = (text: string) => text.replace(/[\p{Cc}\u2028\u2029]+/gu, " ").replace(/(^|[,;])(\s*)(?=[=+\-@])/g, "$1$2'");

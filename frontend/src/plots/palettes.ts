@@ -1,6 +1,10 @@
 /** What plots draw their axes with, by colour scheme. */
 
-import type { Palette } from "./figure";
+export interface Palette {
+  readonly text: string;
+  readonly grid: string;
+  readonly zero: string;
+}
 
 export const PALETTES: Readonly<Record<"light" | "dark", Palette>> = {
   light: { text: "#4a555b", grid: "rgba(120, 135, 142, 0.2)", zero: "rgba(120, 135, 142, 0.55)" },

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { FigureTemplate, Strategy } from "../api/types";
 import { cell, figureCsv } from "./figureCsv";
 import { paperFigure, sized } from "./paperFigure";
-import type { Curves } from "./PlotPanel";
+import type { Curves } from "./curves";
 
 const template: FigureTemplate = {
   data: [{ name: "LV, control", meta: { strategy: "lv", signal: "load" }, line: { color: "#1C5FDF" } }],

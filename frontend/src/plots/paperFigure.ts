@@ -2,8 +2,8 @@
 
 import type { FigureTemplate } from "../api/types";
 import { axisSignal, buildFigure, overRoads } from "./figure";
+import { type Curves } from "./curves";
 import { ON_PAPER } from "./palettes";
-import type { Curves } from "./PlotPanel";
 import { asText, loadPlotly, withPlainNames, type PlotLayout, type PlotTrace } from "./plotly";
 import type { PaperFigure, PaperSize } from "./saved";
 

@@ -1,9 +1,8 @@
 /** plotly.js, loaded once and late, and the few types of it this page uses. */
 
 import type { MadeTrace } from "../api/types";
-import { createStore } from "../state/store";
-
-export type Numbers = Float32Array;
+import type { Numbers } from "../lib/samples";
+import { createStore } from "../lib/store";
 
 export interface PlotTrace {
   readonly type: "scatter";
@@ -158,8 +157,11 @@ export const plotlyState = { get: state.get, subscribe: state.subscribe };
 
 let loading: Promise<Plotly> | null = null;
 
+/** Its own types leave out what we freeze. */
+const bundle = () => import("./bundle") as unknown as Promise<{ readonly default: Plotly }>;
+
 /** Loads it once; after a failure the next call tries again. */
-export function loadPlotly(load: () => Promise<{ readonly default: Plotly }> = () => import("./bundle")): Promise<Plotly> {
+export function loadPlotly(load = bundle): Promise<Plotly> {
   loading ??= load().then(
     ({ default: plotly }) => {
       state.set((before) => ({ ...before, plotly, failed: false }));

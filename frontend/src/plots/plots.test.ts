@@ -2,13 +2,14 @@ import { describe, expect, it, vi } from "vitest";
 import { maximumOf, minimumOf } from "../api/decode";
 import type { FigureTemplate, Summary } from "../api/types";
 import { drawOnCanvas } from "./canvas";
-import { buildFigure, MARGIN, type FigureInput } from "./figure";
+import { buildFigure, MARGIN } from "./figure";
+import { type FigureInput } from "./curves";
 import { loadPlotly, plotlyState, type Plotly } from "./plotly";
 import { ticksFor } from "./ticks";
 import { keepsRange } from "./painter";
 import { stageShapes } from "./shapes";
 import CASE from "../../../tests/data/stage_shapes.json";
-import { covering, extent, stretchesBelow, valueAt } from "./samples";
+import { covering, extent, stretchesBelow, valueAt } from "../lib/samples";
 
 const X = new Float32Array([0, 1, 2, 3, 4]);
 const LOAD = new Float32Array([0, -6000, -7000, 2000, 0]);

@@ -2,10 +2,10 @@
 
 import type { FigureMeta, StrategyId, Summary } from "../api/types";
 import { minimumOf, type Series } from "../api/decode";
-import type { Axis } from "../state/address";
-import type { FigureInput } from "./figure";
-import { axisKey } from "../state/scene";
-import { stretchesBelow } from "./samples";
+import type { Axis } from "../lab/address";
+import type { FigureInput } from "./curves";
+import { axisKey } from "../lab/resultView";
+import { stretchesBelow } from "../lib/samples";
 
 export type Shape = Readonly<Record<string, unknown>>;
 

@@ -1,9 +1,9 @@
 import { QueryClient } from "@tanstack/react-query";
 import { expect, it } from "vitest";
 import type { FigureTemplate, OverRoads } from "../api/types";
-import { figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../state/queries";
-import type { Scene } from "../state/scene";
-import type { Shown } from "../state/shown";
+import { figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../server/queries";
+import type { Scene } from "../lab/resultView";
+import type { Shown } from "../lab/result";
 import { curvesFrom, layeredFrom } from "./useDetail";
 
 const numbers = (...values: number[]) => new Float32Array(values);

@@ -3,10 +3,10 @@
 import { useQueries, useQuery, type QueryClient } from "@tanstack/react-query";
 import { useCallback, useMemo } from "react";
 import type { FigureTemplate, SeriesByStrategy } from "../api/types";
-import { allSamplesQuery, DETAIL_POINTS, figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../state/queries";
-import { axisKey, type Scene } from "../state/scene";
-import { roadsOf, type Shown } from "../state/shown";
-import { covering } from "./samples";
+import { allSamplesQuery, DETAIL_POINTS, figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../server/queries";
+import { axisKey, type Scene } from "../lab/resultView";
+import { roadsOf, type Shown } from "../lab/result";
+import { covering } from "../lib/samples";
 
 /** Fewer samples of a curve in the range shown are too coarse for a screen. */
 const LEAST_SAMPLES = 200;

@@ -2,8 +2,8 @@
 
 import { UnstyledButton } from "@mantine/core";
 import { Fragment, useState, type HTMLAttributes, type ReactNode } from "react";
-import { IconArrowsSort, IconSortAscending, IconSortDescending } from "../icons";
-import { inOrder, type Order } from "./order";
+import { IconArrowsSort, IconSortAscending, IconSortDescending } from "./icons";
+import { inOrder, type Order } from "../lib/order";
 import classes from "./table.module.css";
 import ui from "./ui.module.css";
 

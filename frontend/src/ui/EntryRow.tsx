@@ -2,7 +2,7 @@
 
 import { ActionIcon, Box, Group } from "@mantine/core";
 import type { ReactNode } from "react";
-import { IconX } from "../icons";
+import { IconX } from "./icons";
 import { Fault } from "./Fault";
 import ui from "./ui.module.css";
 
