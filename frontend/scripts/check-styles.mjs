@@ -13,6 +13,8 @@ const built = (ending) =>
 const [used, styled] = [built(".js"), built(".css")];
 const folder = "node_modules/@mantine/core/styles";
 const missing = readdirSync(folder).filter(
-  (name) => name.endsWith(".layer.css") && [...classes(readFileSync(`${folder}/${name}`, "utf8"))].some((each) => used.has(each) && !styled.has(each)),
+  (name) =>
+    name.endsWith(".layer.css") &&
+    [...classes(readFileSync(`${folder}/${name}`, "utf8"))].some((each) => used.has(each) && !styled.has(each)),
 );
 if (missing.length > 0) throw new Error(`src/app/mantine.css lacks ${missing.join(", ")}`);

@@ -33,7 +33,12 @@ test.each([
 
 test("a circle of files is found, and one of folders that no file is in", async () => {
   expect(await broken({ "src/lib/a.js": ["./b"], "src/lib/b.js": ["./a"] })).toEqual(["no-circle-of-files"]);
-  const folders = { "src/lab/a.js": ["../server/b"], "src/server/b.js": [], "src/server/c.js": ["../lab/d"], "src/lab/d.js": [] };
+  const folders = {
+    "src/lab/a.js": ["../server/b"],
+    "src/server/b.js": [],
+    "src/server/c.js": ["../lab/d"],
+    "src/lab/d.js": [],
+  };
   expect(await broken(folders)).toEqual(["no-circle-of-folders"]);
 });
 

@@ -11,14 +11,21 @@ export function HeaderEnd() {
   const isDark = useComputedColorScheme("light") === "dark";
   const next = isDark ? "light" : "dark";
   const name = useQuery({ ...query("/login", {}), staleTime: Infinity }).data?.name ?? null;
-  const logOut = useMutation({ mutationFn: () => ask("delete", "/login", {}), onSuccess: () => window.location.reload() });
+  const logOut = useMutation({
+    mutationFn: () => ask("delete", "/login", {}),
+    onSuccess: () => window.location.reload(),
+  });
   return (
     <>
       <IconButton label={`Use ${next} colours`} onClick={() => setColorScheme(next)}>
         {isDark ? <IconSun size={18} stroke={1.7} /> : <IconMoon size={18} stroke={1.7} />}
       </IconButton>
       {name !== null && (
-        <IconButton label={logOut.error?.message ?? `Log out ${name}`} disabled={logOut.isPending} onClick={() => logOut.mutate()}>
+        <IconButton
+          label={logOut.error?.message ?? `Log out ${name}`}
+          disabled={logOut.isPending}
+          onClick={() => logOut.mutate()}
+        >
           <IconLogout size={18} stroke={1.7} />
         </IconButton>
       )}

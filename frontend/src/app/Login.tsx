@@ -13,9 +13,14 @@ export function Login() {
     onSuccess: () => window.location.reload(),
   });
   return (
-    <Blank title="Ridelab asks for a token" text="This service requires a token. The browser then stores a cookie for 90 days.">
-      <Stack component="form"
-        gap="0.6rem" w="min(20rem, 100%)"
+    <Blank
+      title="Ridelab asks for a token"
+      text="This service requires a token. The browser then stores a cookie for 90 days."
+    >
+      <Stack
+        component="form"
+        gap="0.6rem"
+        w="min(20rem, 100%)"
         onSubmit={(event) => {
           event.preventDefault();
           login.mutate();

@@ -46,7 +46,12 @@ export function Nav() {
         <ul className={classes.links}>
           {entries.map(({ label, link, ...entry }) => (
             <li key={label}>
-              <Link {...link} className={classes.link} aria-current={entry.section === section ? "page" : undefined} activeProps={{}}>
+              <Link
+                {...link}
+                className={classes.link}
+                aria-current={entry.section === section ? "page" : undefined}
+                activeProps={{}}
+              >
                 {label}
               </Link>
             </li>

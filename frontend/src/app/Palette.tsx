@@ -21,13 +21,18 @@ const actionOf = (command: Command, index: number, choose: (command: Command) =>
 
 /** One that has two keys stands there once. */
 const isFirst = (command: Command, index: number, all: readonly Command[]) =>
-  all.findIndex(({ group, label, description }) => group === command.group && label === command.label && description === command.description) === index;
+  all.findIndex(
+    ({ group, label, description }) =>
+      group === command.group && label === command.label && description === command.description,
+  ) === index;
 
 /** Every word of the query somewhere in a command's texts; without a query everything but the many fields. */
 function found(all: readonly Command[], query: string): readonly Command[] {
   const words = query.toLowerCase().split(/\s+/).filter(Boolean);
   if (words.length === 0) return all.filter(({ group }) => group !== "Fields");
-  const matching = all.filter(({ label, description = "", group }) => words.every((word) => `${label} ${description} ${group}`.toLowerCase().includes(word)));
+  const matching = all.filter(({ label, description = "", group }) =>
+    words.every((word) => `${label} ${description} ${group}`.toLowerCase().includes(word)),
+  );
   const begins = ({ label }: Command) => label.toLowerCase().startsWith(words[0] ?? "");
   return [...matching.filter(begins), ...matching.filter((command) => !begins(command))].slice(0, MOST);
 }
@@ -40,7 +45,12 @@ export function Palette({ onClose }: { readonly onClose: () => void }) {
   const [focused] = useState(() => document.activeElement);
   useEffect(open, [open]);
   const shown = found(all, query);
-  const actions = GROUPS.map((group) => ({ group, actions: shown.filter((command) => command.group === group).map((command) => actionOf(command, all.indexOf(command), setChosen)) }));
+  const actions = GROUPS.map((group) => ({
+    group,
+    actions: shown
+      .filter((command) => command.group === group)
+      .map((command) => actionOf(command, all.indexOf(command), setChosen)),
+  }));
   return (
     <Spotlight
       store={store}

@@ -53,7 +53,10 @@ export function Shell() {
 export function PageNotFound() {
   return (
     <Box component="main" p="1rem">
-      <Blank title="There is no page at this address" text="The address may be incomplete. The navigation above leads to every page.">
+      <Blank
+        title="There is no page at this address"
+        text="The address may be incomplete. The navigation above leads to every page."
+      >
         <Button renderRoot={(props) => <Link to="/" {...props} />}>Go to the lab</Button>
       </Blank>
     </Box>
@@ -64,7 +67,10 @@ export function PageNotFound() {
 export function PageFailed({ error }: { readonly error: unknown }) {
   return (
     <Box component="main" p="1rem" role="alert">
-      <Blank title="This page has failed" text={`${error instanceof Error ? error.message : "Something went wrong"}. What was computed is stored at this address; loading it again shows it.`}>
+      <Blank
+        title="This page has failed"
+        text={`${error instanceof Error ? error.message : "Something went wrong"}. What was computed is stored at this address; loading it again shows it.`}
+      >
         <Button onClick={() => window.location.reload()}>Load again</Button>
       </Blank>
     </Box>

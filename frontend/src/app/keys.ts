@@ -7,7 +7,12 @@ export function isPressed(event: Pressed, keys: string): boolean {
   const key = parts.at(-1) === "Space" ? " " : (parts.at(-1) ?? "").toLowerCase();
   // Where a sign needs Shift is the keyboard's affair.
   const isShifted = /^[a-z ]$/.test(key) ? event.shiftKey === parts.includes("shift") : true;
-  return event.key.toLowerCase() === key && (event.ctrlKey || event.metaKey) === parts.includes("mod") && !event.altKey && isShifted;
+  return (
+    event.key.toLowerCase() === key &&
+    (event.ctrlKey || event.metaKey) === parts.includes("mod") &&
+    !event.altKey &&
+    isShifted
+  );
 }
 
 const NO_TEXT = ["range", "checkbox", "radio", "button", "submit", "file"];
@@ -17,16 +22,20 @@ const takesText = (target: EventTarget | null): target is HTMLInputElement | HTM
 
 /** What Space does something to by itself. */
 const takesKeys = (target: EventTarget | null) =>
-  takesText(target) || (target instanceof Element && target.closest("select, button, a, summary, [contenteditable], input:not([type=range])") !== null);
+  takesText(target) ||
+  (target instanceof Element &&
+    target.closest("select, button, a, summary, [contenteditable], input:not([type=range])") !== null);
 
 /** Another window is open over the page; the form may be one itself. */
-const isApart = (target: EventTarget | null) => target instanceof Element && target.closest("[role=dialog]") !== null && target.closest("[data-scenario]") === null;
+const isApart = (target: EventTarget | null) =>
+  target instanceof Element && target.closest("[role=dialog]") !== null && target.closest("[data-scenario]") === null;
 
 /** Follows what is typed: whether an input holds text that is not a value yet. */
 export function watchTyping() {
   let typed: { readonly input: EventTarget; readonly before: string } | null = null;
   const begin = ({ target, inputType }: InputEvent) => {
-    if (inputType !== "insertLineBreak" && takesText(target) && typed?.input !== target) typed = { input: target, before: target.value };
+    if (inputType !== "insertLineBreak" && takesText(target) && typed?.input !== target)
+      typed = { input: target, before: target.value };
   };
   const end = () => {
     typed = null;
@@ -38,7 +47,8 @@ export function watchTyping() {
   document.addEventListener("keydown", onKey, true);
   document.addEventListener("focusout", end, true);
   return {
-    isTyping: (target: EventTarget | null) => takesText(target) && typed?.input === target && typed.before !== target.value,
+    isTyping: (target: EventTarget | null) =>
+      takesText(target) && typed?.input === target && typed.before !== target.value,
     stop: () => {
       document.removeEventListener("beforeinput", begin, true);
       document.removeEventListener("keydown", onKey, true);

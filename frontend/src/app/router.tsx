@@ -19,7 +19,8 @@ const shared = createRoute({ getParentRoute: () => lab, path: "/s/$id", validate
 const sweep = createRoute({
   getParentRoute: () => root,
   path: "/b/$id",
-  validateSearch: (raw: Record<string, unknown>) => pick(raw, "plot", "x", "y", "hide", "strategy", "against", "at", "versus"),
+  validateSearch: (raw: Record<string, unknown>) =>
+    pick(raw, "plot", "x", "y", "hide", "strategy", "against", "at", "versus"),
   component: lazyRouteComponent(() => import("../pages/sweep/SweepPage"), "SweepPage"),
 });
 const sweeps = createRoute({
@@ -65,7 +66,17 @@ const ecu = createRoute({
   component: lazyRouteComponent(() => import("../pages/ecu/EcuPage"), "EcuPage"),
 });
 
-const routeTree = root.addChildren([lab.addChildren([start, run, shared]), sweep, sweeps, paper, tuner, tuning, robustness, study, ecu]);
+const routeTree = root.addChildren([
+  lab.addChildren([start, run, shared]),
+  sweep,
+  sweeps,
+  paper,
+  tuner,
+  tuning,
+  robustness,
+  study,
+  ecu,
+]);
 
 export const createAppRouter = () =>
   createRouter({

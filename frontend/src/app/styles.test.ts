@@ -15,7 +15,11 @@ function selectorsOf(text: string): readonly string[] {
 
 // A sheet is loaded with its page and stays: what it says of no class of its own, it says of every page after it.
 it("A module's styles are of its own classes alone", () => {
-  const unscoped = Object.entries(sheets).flatMap(([file, text]) => selectorsOf(text).filter((selector) => !/\.[a-z]/i.test(selector)).map((selector) => `${file}: ${selector}`));
+  const unscoped = Object.entries(sheets).flatMap(([file, text]) =>
+    selectorsOf(text)
+      .filter((selector) => !/\.[a-z]/i.test(selector))
+      .map((selector) => `${file}: ${selector}`),
+  );
   expect(Object.keys(sheets).length).toBeGreaterThan(20);
   expect(unscoped).toEqual([]);
 });

@@ -1,7 +1,16 @@
 import { createTheme, Menu, type MantineColorsTuple } from "@mantine/core";
 
 const petrol: MantineColorsTuple = [
-  "#e3f5f5", "#cde9e9", "#9dd3d3", "#6abcbd", "#42a9aa", "#289d9e", "#159798", "#008484", "#007677", "#00696b",
+  "#e3f5f5",
+  "#cde9e9",
+  "#9dd3d3",
+  "#6abcbd",
+  "#42a9aa",
+  "#289d9e",
+  "#159798",
+  "#008484",
+  "#007677",
+  "#00696b",
 ];
 
 export const theme = createTheme({

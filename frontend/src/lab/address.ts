@@ -29,7 +29,14 @@ export interface Address {
   readonly from?: string;
 }
 
-export const DEFAULT_VIEW: View = { axis: "distance", baseline: "passive", hidden: [], zoom: null, against: "baseline", differences: false };
+export const DEFAULT_VIEW: View = {
+  axis: "distance",
+  baseline: "passive",
+  hidden: [],
+  zoom: null,
+  against: "baseline",
+  differences: false,
+};
 
 type Raw = Readonly<Record<string, unknown>>;
 
@@ -37,14 +44,18 @@ type Raw = Readonly<Record<string, unknown>>;
 export const parseSearch = (search: string): Raw => Object.fromEntries(new URLSearchParams(search));
 
 export function stringifySearch(search: Raw): string {
-  const query = new URLSearchParams(Object.entries(search).flatMap(([name, value]) => (typeof value === "string" ? [[name, value]] : [])));
+  const query = new URLSearchParams(
+    Object.entries(search).flatMap(([name, value]) => (typeof value === "string" ? [[name, value]] : [])),
+  );
   const text = query.toString().replace(/%2C/g, ",").replace(/%7E/g, "~").replace(/%2F/g, "/");
   return text === "" ? "" : `?${text}`;
 }
 
 /** Those of the names that the search part has a text for. */
 export const pick = <Name extends string>(search: Raw, ...names: readonly Name[]) =>
-  Object.fromEntries(names.flatMap((name) => (typeof search[name] === "string" && search[name] !== "" ? [[name, search[name]]] : []))) as Partial<Record<Name, string>>;
+  Object.fromEntries(
+    names.flatMap((name) => (typeof search[name] === "string" && search[name] !== "" ? [[name, search[name]]] : [])),
+  ) as Partial<Record<Name, string>>;
 
 export type LabSearch = Partial<Record<"axis" | "baseline" | "hide" | "zoom" | "against" | "plots" | "from", string>>;
 
@@ -60,7 +71,8 @@ export const listOf = (text: string | undefined): readonly string[] => text?.spl
 const RUN = /^[\w-]{22}$/;
 
 /** In an address stand a pin's run, or `before`; nothing is the baseline. */
-const parseAgainst = (text = ""): Against => (text === "before" ? text : RUN.test(text) ? againstPin(text) : "baseline");
+const parseAgainst = (text = ""): Against =>
+  text === "before" ? text : RUN.test(text) ? againstPin(text) : "baseline";
 
 export const viewOf = ({ axis, baseline, hide, zoom, against, plots }: LabSearch): View => ({
   axis: axis === "time" ? "time" : "distance",

@@ -18,7 +18,13 @@ interface LabContextValue {
 
 const LabContext = createContext<LabContextValue | null>(null);
 
-export function LabContextProvider({ value, children }: { readonly value: LabContextValue; readonly children: ReactNode }) {
+export function LabContextProvider({
+  value,
+  children,
+}: {
+  readonly value: LabContextValue;
+  readonly children: ReactNode;
+}) {
   return <LabContext value={value}>{children}</LabContext>;
 }
 

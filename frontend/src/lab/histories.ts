@@ -18,10 +18,20 @@ const computedOf = ({ strategies }: Pick<Run, "strategies">): readonly StrategyI
 
 const NOTHING_COMPUTED = "None of its strategies could be computed.";
 
-type FetchSeries = (id: string, strategies: readonly StrategyId[], points: number, signal: AbortSignal) => Promise<SeriesByStrategy>;
+type FetchSeries = (
+  id: string,
+  strategies: readonly StrategyId[],
+  points: number,
+  signal: AbortSignal,
+) => Promise<SeriesByStrategy>;
 
 /** From the cache, or fetched under the caller's signal: whoever asks for something else stops this as well. */
-export async function historiesOf(run: Run, queries: QueryClient, fetchSeries: FetchSeries, signal: AbortSignal): Promise<Histories> {
+export async function historiesOf(
+  run: Run,
+  queries: QueryClient,
+  fetchSeries: FetchSeries,
+  signal: AbortSignal,
+): Promise<Histories> {
   const ids = computedOf(run);
   if (ids.length === 0) return { series: {}, missing: NOTHING_COMPUTED };
   const key = seriesKey(run.id, ids, OVERVIEW_POINTS);

@@ -11,9 +11,17 @@ const PAPER: Scenario = { height: 0.1 };
 const LOW: Scenario = { height: 0.06 };
 const OPENING = ["lv", "lqr", "passive"];
 
-const summary = { status: "ok", compute_ms: 1, cached: false, metrics: {}, comfort: {}, events: {} } as unknown as Summary;
+const summary = {
+  status: "ok",
+  compute_ms: 1,
+  cached: false,
+  metrics: {},
+  comfort: {},
+  events: {},
+} as unknown as Summary;
 const byStrategy = <T>(ids: readonly StrategyId[], value: T) => Object.fromEntries(ids.map((id) => [id, value]));
-const idOf = (scenario: Scenario, ids: readonly StrategyId[], roads = 1) => [JSON.stringify(scenario), ...ids, ...(roads > 1 ? [roads] : [])].join(" ");
+const idOf = (scenario: Scenario, ids: readonly StrategyId[], roads = 1) =>
+  [JSON.stringify(scenario), ...ids, ...(roads > 1 ? [roads] : [])].join(" ");
 
 function runOf(scenario: Scenario, ids: readonly StrategyId[], roads = 1): Run {
   const over = roads > 1 ? { roads, baseline: "passive", changes: {}, estimates: {} } : null;
@@ -50,12 +58,17 @@ function harness() {
       held[kind].push({ answer: () => resolve(value), signal });
     });
   const api: LabApi = {
-    createRun: (scenario, ids, signal, over) => hold("runs", runOf("height" in scenario ? scenario : PAPER, ids, over?.roads ?? 1), signal),
+    createRun: (scenario, ids, signal, over) =>
+      hold("runs", runOf("height" in scenario ? scenario : PAPER, ids, over?.roads ?? 1), signal),
     run: (id, signal) => hold("runs", runOf(id === "low" ? LOW : PAPER, OPENING), signal),
     series: (_id, ids, _points, signal) => hold<SeriesByStrategy>("series", byStrategy(ids, {}), signal),
     link: () => Promise.reject(new Error("no link here")),
     live: ({ scenario = {}, strategies }, signal) =>
-      hold<LiveAnswer>("live", { core_version: "1", scenario, strategies: byStrategy(strategies, { ...summary, cached: false, series: {} }) }, signal),
+      hold<LiveAnswer>(
+        "live",
+        { core_version: "1", scenario, strategies: byStrategy(strategies, { ...summary, cached: false, series: {} }) },
+        signal,
+      ),
   };
   const router = fakeRouter();
   const lab = createLab({ api, router, queries: new QueryClient() });
@@ -72,7 +85,11 @@ function harness() {
   const agree = () => {
     const { shown, strategies } = lab.get();
     const { runId, view } = router.get();
-    return { run: shown?.runId === runId, strategies: Object.keys(shown?.summaries ?? {}).filter((id) => !view.hidden.includes(id)), selected: strategies };
+    return {
+      run: shown?.runId === runId,
+      strategies: Object.keys(shown?.summaries ?? {}).filter((id) => !view.hidden.includes(id)),
+      selected: strategies,
+    };
   };
   const start = async () => {
     lab.open(router.get());

@@ -104,7 +104,8 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
       const computed = shown?.source === "exact" ? Object.keys(shown.summaries) : [];
       const strategies = shared ? ids.filter((strategy) => computed.includes(strategy)) : ids;
       patch({ strategies });
-      const answered = shown !== null && drag === null && answers(shown, { scenario: history?.present, roads, strategies });
+      const answered =
+        shown !== null && drag === null && answers(shown, { scenario: history?.present, roads, strategies });
       if (shared || answered) hideOthers(strategies, computed);
       else submit("push");
     },

@@ -36,13 +36,17 @@ export function startsAnew(router: RegisteredRouter): boolean {
 }
 
 const isSame = (one: Address, other: Address) =>
-  one.runId === other.runId && one.slug === other.slug && stringifySearch(searchOf(one.view)) === stringifySearch(searchOf(other.view));
+  one.runId === other.runId &&
+  one.slug === other.slug &&
+  stringifySearch(searchOf(one.view)) === stringifySearch(searchOf(other.view));
 
 /** The lab with that address. */
 export function labLink({ runId, slug, view, from }: Address) {
   if (slug !== null) return linkOptions({ to: "/s/$id", params: { id: slug } });
   const search = searchOf(view);
-  return runId === null ? linkOptions({ to: "/", search }) : linkOptions({ to: "/r/$id", params: { id: runId }, search: from === undefined ? search : { ...search, from } });
+  return runId === null
+    ? linkOptions({ to: "/", search })
+    : linkOptions({ to: "/r/$id", params: { id: runId }, search: from === undefined ? search : { ...search, from } });
 }
 
 /** What the address bar names of the lab, `null` on another page. */
@@ -51,7 +55,8 @@ function readAddress(router: RegisteredRouter): Address | null {
   const [, { id = null }, route] = router.getMatchedRoutes(pathname);
   const { from, ...view } = readLabSearch(search);
   if (route?.id === "/lab/") return { ...START, view: viewOf(view) };
-  if (route?.id === "/lab/r/$id") return { runId: id, slug: null, view: viewOf(view), ...(from !== undefined && { from }) };
+  if (route?.id === "/lab/r/$id")
+    return { runId: id, slug: null, view: viewOf(view), ...(from !== undefined && { from }) };
   return route?.id === "/lab/s/$id" ? { ...START, slug: id } : null;
 }
 
@@ -97,7 +102,12 @@ export function createLabRouter(router: RegisteredRouter, opening = DEFAULT_VIEW
     showRun: (runId, view, mode) => {
       const isSameRun = runId === current().runId;
       pending = null;
-      store.set(({ from, view: before }) => ({ runId, slug: null, view: { ...before, ...view }, ...(from !== undefined && { from }) }));
+      store.set(({ from, view: before }) => ({
+        runId,
+        slug: null,
+        view: { ...before, ...view },
+        ...(from !== undefined && { from }),
+      }));
       write(store.get(), isSameRun || mode === "replace");
     },
     clearFrom: () => store.set(({ runId, slug, view }) => ({ runId, slug, view })),

@@ -18,7 +18,10 @@ export interface Rejected {
   readonly message: string;
 }
 
-export type Failure = { readonly kind: "notFound" } | { readonly kind: "unreachable" } | { readonly kind: "failed"; readonly message: string };
+export type Failure =
+  | { readonly kind: "notFound" }
+  | { readonly kind: "unreachable" }
+  | { readonly kind: "failed"; readonly message: string };
 
 export interface LabState {
   readonly history: History<Scenario> | null;

@@ -41,7 +41,10 @@ export function createLive({ store, grace, api, router, form }: Parts) {
   const { request, cancel } = createLatest<LiveRequest, LiveAnswer>({
     run: ({ scenario }, signal) => {
       grace.start();
-      return api.live({ scenario, strategies: store.get().strategies, signals: form().signals, points: points() }, signal);
+      return api.live(
+        { scenario, strategies: store.get().strategies, signals: form().signals, points: points() },
+        signal,
+      );
     },
     onAnswer: (answer, { scenario, startedAt }) => {
       grace.stop();
@@ -52,7 +55,11 @@ export function createLive({ store, grace, api, router, form }: Parts) {
     onError: (error) => {
       // While dragging, an overloaded or silent server only means no new curves; the release asks again.
       grace.stop();
-      patch({ busy: false, stale: true, ...(error instanceof ApiProblem && !isTransient(error) ? refusal(error, form().group) : {}) });
+      patch({
+        busy: false,
+        stale: true,
+        ...(error instanceof ApiProblem && !isTransient(error) ? refusal(error, form().group) : {}),
+      });
     },
   });
   return { request: (scenario: Scenario) => request({ scenario, startedAt: performance.now() }), cancel };

@@ -15,7 +15,10 @@ describe("pinned variants", () => {
     pins.add({ name: "Hard", run: "b" });
     pins.rename("a", "  Softer ");
     pins.rename("b", " ");
-    expect(createPins(storage).get()).toEqual([{ name: "Softer", run: "a" }, { name: "Hard", run: "b" }]);
+    expect(createPins(storage).get()).toEqual([
+      { name: "Softer", run: "a" },
+      { name: "Hard", run: "b" },
+    ]);
     pins.remove("a");
     expect(createPins(storage).get()).toEqual([{ name: "Hard", run: "b" }]);
   });
@@ -26,14 +29,22 @@ describe("pinned variants", () => {
     one.add({ name: "Soft", run: "a" });
     other.add({ name: "Hard", run: "b" });
     one.refresh();
-    expect(one.get()).toEqual([{ name: "Soft", run: "a" }, { name: "Hard", run: "b" }]);
+    expect(one.get()).toEqual([
+      { name: "Soft", run: "a" },
+      { name: "Hard", run: "b" },
+    ]);
     one.remove("a");
     other.rename("b", "Harder");
     expect(createPins(storage).get()).toEqual([{ name: "Harder", run: "b" }]);
   });
 
   it("stay until the tab is closed where the storage is full", () => {
-    const full = { getItem: () => null, setItem: () => { throw new DOMException("full", "QuotaExceededError"); } } as unknown as Storage;
+    const full = {
+      getItem: () => null,
+      setItem: () => {
+        throw new DOMException("full", "QuotaExceededError");
+      },
+    } as unknown as Storage;
     const pins = createPins(full);
     pins.add({ name: "Soft", run: "a" });
     pins.add({ name: "Hard", run: "b" });
@@ -48,12 +59,17 @@ describe("pinned variants", () => {
 
   it("ignore what cannot be read, and need no storage", () => {
     expect(createPins(fakeStorage("{")).get()).toEqual([]);
-    expect(createPins(fakeStorage('[{"name": "x"}, {"name": "y", "run": "b"}]')).get()).toEqual([{ name: "y", run: "b" }]);
+    expect(createPins(fakeStorage('[{"name": "x"}, {"name": "y", "run": "b"}]')).get()).toEqual([
+      { name: "y", run: "b" },
+    ]);
     expect(createPins(null).get()).toEqual([]);
   });
 
   it("are called by what differs from the paper, else by a number", () => {
-    const pins = [{ name: "Bump height 0.1 → 0.2 m", run: "a" }, { name: "Variant 1", run: "b" }];
+    const pins = [
+      { name: "Bump height 0.1 → 0.2 m", run: "a" },
+      { name: "Variant 1", run: "b" },
+    ];
     expect(defaultName("Target speed 22.5 → 15 km/h", pins)).toBe("Target speed 22.5 → 15 km/h");
     expect(defaultName("Bump height 0.1 → 0.2 m", pins)).toBe("Variant 2");
     expect(defaultName("", [])).toBe("Variant 1");

@@ -21,7 +21,12 @@ export const MOST_PINS = 8;
 const KEY = "ridelab-pins";
 
 const isPin = (value: unknown): value is Pin =>
-  typeof value === "object" && value !== null && "name" in value && typeof value.name === "string" && "run" in value && typeof value.run === "string";
+  typeof value === "object" &&
+  value !== null &&
+  "name" in value &&
+  typeof value.name === "string" &&
+  "run" in value &&
+  typeof value.run === "string";
 
 function parse(text: string | null): readonly Pin[] {
   try {
@@ -61,7 +66,8 @@ export function createPins(storage: Storage | null): Pins {
     get: store.get,
     subscribe: store.subscribe,
     refresh,
-    add: (pin) => change((pins) => (pins.length < MOST_PINS && pins.every(({ run }) => run !== pin.run) ? [...pins, pin] : pins)),
+    add: (pin) =>
+      change((pins) => (pins.length < MOST_PINS && pins.every(({ run }) => run !== pin.run) ? [...pins, pin] : pins)),
     rename: (run, name) => {
       const trimmed = name.trim().slice(0, LONGEST_NAME);
       if (trimmed !== "") change((pins) => pins.map((pin) => (pin.run === run ? { run, name: trimmed } : pin)));
@@ -75,6 +81,8 @@ export function defaultName(differs: string, pins: readonly Pin[]): string {
   const taken = (name: string) => pins.some((pin) => pin.name === name);
   const name = differs.slice(0, LONGEST_NAME);
   if (name !== "" && !taken(name)) return name;
-  const free = Array.from({ length: MOST_PINS + 1 }, (_, index) => `Variant ${index + 1}`).find((candidate) => !taken(candidate));
+  const free = Array.from({ length: MOST_PINS + 1 }, (_, index) => `Variant ${index + 1}`).find(
+    (candidate) => !taken(candidate),
+  );
   return free ?? "Variant";
 }

@@ -26,7 +26,8 @@ function browser(path: string, late = false) {
   const entries = [path];
   let at = 0;
   const listeners = new Set<Listener>();
-  const tell = (type: string, state: object) => listeners.forEach((listener) => listener({ location: { state }, action: { type } }));
+  const tell = (type: string, state: object) =>
+    listeners.forEach((listener) => listener({ location: { state }, action: { type } }));
   const href = () => entries[at] ?? "";
   const change = ({ to, params, search = {}, replace = false, state = {} }: Navigation) => {
     if (!replace) entries.splice(++at);
@@ -42,7 +43,11 @@ function browser(path: string, late = false) {
     parseLocation: () => ({ pathname: href().split("?")[0], search: parseSearch(href().split("?")[1] ?? "") }),
     getMatchedRoutes: (pathname: string) => {
       const [, page = "", id] = pathname.split("/");
-      return [null, id === undefined ? {} : { id }, { id: page === "" ? "/lab/" : page === "r" ? "/lab/r/$id" : pathname }];
+      return [
+        null,
+        id === undefined ? {} : { id },
+        { id: page === "" ? "/lab/" : page === "r" ? "/lab/r/$id" : pathname },
+      ];
     },
     navigate,
   } as unknown as AppRouter;
@@ -54,7 +59,14 @@ function browser(path: string, late = false) {
   return { entries, href, follow, back, pages };
 }
 
-const summary = { status: "ok", compute_ms: 1, cached: false, metrics: {}, comfort: {}, events: {} } as unknown as Summary;
+const summary = {
+  status: "ok",
+  compute_ms: 1,
+  cached: false,
+  metrics: {},
+  comfort: {},
+  events: {},
+} as unknown as Summary;
 const byStrategy = <T>(ids: readonly StrategyId[], value: T) => Object.fromEntries(ids.map((id) => [id, value]));
 const runOf = (scenario: Scenario, ids: readonly StrategyId[]): Run => ({
   id: `h${JSON.stringify(scenario.height ?? 1)}`,
@@ -73,15 +85,24 @@ function harness(path: string, initial: Partial<LabState> = {}, late = false) {
       held.push(() => resolve(value));
     });
   const api: LabApi = {
-    createRun: (scenario, ids, signal) => (Number(scenario.height) < 0 ? Promise.reject(new ApiProblem(422, "refused", [])) : hold(runOf("height" in scenario ? scenario : { height: 1 }, ids), signal)),
-    run: (id, signal) => (id > "h90" ? Promise.reject(new ApiProblem(404, "none", [])) : hold(runOf({ height: Number(id.slice(1)) }, OPENING), signal)),
+    createRun: (scenario, ids, signal) =>
+      Number(scenario.height) < 0
+        ? Promise.reject(new ApiProblem(422, "refused", []))
+        : hold(runOf("height" in scenario ? scenario : { height: 1 }, ids), signal),
+    run: (id, signal) =>
+      id > "h90"
+        ? Promise.reject(new ApiProblem(404, "none", []))
+        : hold(runOf({ height: Number(id.slice(1)) }, OPENING), signal),
     series: (_id, ids) => Promise.resolve(byStrategy(ids, {})),
     live: () => new Promise(() => undefined),
     link: () => Promise.reject(new Error("no link here")),
   };
   const { pages, ...page } = browser(path, late);
   const router = createLabRouter(pages);
-  const lab = createLab({ api, router, queries: new QueryClient({ defaultOptions: { queries: { gcTime: 0 } } }) }, initial);
+  const lab = createLab(
+    { api, router, queries: new QueryClient({ defaultOptions: { queries: { gcTime: 0 } } }) },
+    initial,
+  );
   router.onNavigate(lab.navigate);
   const respond = async () => {
     held.at(-1)?.();
@@ -169,7 +190,10 @@ it("A run of the same scenario that is opened is no step to undo", async () => {
   const { history } = lab.get();
   follow("/r/h1?axis=time");
   await respondToAll();
-  expect(lab.get()).toMatchObject({ shown: { runId: "h1" }, history: { past: [], present: { height: 1 }, future: [{ height: 2 }] } });
+  expect(lab.get()).toMatchObject({
+    shown: { runId: "h1" },
+    history: { past: [], present: { height: 1 }, future: [{ height: 2 }] },
+  });
   lab.commit({ height: 1 });
   expect(lab.get().history).toEqual(history);
 });

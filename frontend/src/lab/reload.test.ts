@@ -10,18 +10,23 @@ import type { Shown } from "./result";
 import { createStore } from "../lib/store";
 
 const [PAPER, LOW, HIGH]: readonly Scenario[] = [{ height: 1 }, { height: 2 }, { height: 3 }];
-const resultOf = (runId: string, scenario: Scenario | undefined) => ({ source: "exact", runId, scenario, over: null }) as unknown as Shown;
+const resultOf = (runId: string, scenario: Scenario | undefined) =>
+  ({ source: "exact", runId, scenario, over: null }) as unknown as Shown;
 
 beforeEach(() => {
   const texts = new Map<string, string>();
-  vi.stubGlobal("sessionStorage", { getItem: (name: string) => texts.get(name) ?? null, setItem: (name: string, text: string) => texts.set(name, text) });
+  vi.stubGlobal("sessionStorage", {
+    getItem: (name: string) => texts.get(name) ?? null,
+    setItem: (name: string, text: string) => texts.set(name, text),
+  });
 });
 afterEach(() => {
   vi.unstubAllGlobals();
 });
 
 const router = createStore({ runId: null, slug: null, view: DEFAULT_VIEW });
-const labWith = (state: Partial<LabState>) => createLab({ api: {} as never, router: router as never, queries: new QueryClient() }, state);
+const labWith = (state: Partial<LabState>) =>
+  createLab({ api: {} as never, router: router as never, queries: new QueryClient() }, state);
 
 /** A lab that has shown and stored this. */
 function left(state: Partial<LabState>) {
@@ -51,12 +56,21 @@ it("What is stored of a tab is bounded, and nothing of a link", () => {
   patch({ history: begin<Scenario>({ height: 1000 }), exact: resultOf("L", { height: 1000 }), shared: {} as Link });
   const stored = restoreTab({ runId: "R", scenario: null })?.history;
   expect([stored?.past.length, stored?.future.length]).toEqual([50, 50]);
-  expect([stored?.past.at(-1), stored?.present, stored?.future[0]]).toEqual([{ height: 73 }, { height: 74 }, { height: 75 }]);
+  expect([stored?.past.at(-1), stored?.present, stored?.future[0]]).toEqual([
+    { height: 73 },
+    { height: 74 },
+    { height: 75 },
+  ]);
   expect(restoreTab({ runId: "L", scenario: null })).toBeNull();
 });
 
 it("What cannot be read is no tab's", () => {
-  for (const text of ["{", "3", '{"run": "R", "before": null, "history": {"past": [1], "present": {}, "future": []}}', '{"run": "R", "history": {}}']) {
+  for (const text of [
+    "{",
+    "3",
+    '{"run": "R", "before": null, "history": {"past": [1], "present": {}, "future": []}}',
+    '{"run": "R", "history": {}}',
+  ]) {
     sessionStorage.setItem("ridelab-tab", text);
     expect(restoreTab({ runId: "R", scenario: null })).toBeNull();
   }
@@ -65,7 +79,9 @@ it("What cannot be read is no tab's", () => {
 it("The run before the last edit is asked for once, when the run that was shown is there", async () => {
   const store = createStore(labWith({}).get());
   const compareWith = vi.fn();
-  restoreBefore({ ...store, compareWith }, { run: "R2", before: "R1", history: HISTORY }, (run) => Promise.resolve(resultOf(run, PAPER)));
+  restoreBefore({ ...store, compareWith }, { run: "R2", before: "R1", history: HISTORY }, (run) =>
+    Promise.resolve(resultOf(run, PAPER)),
+  );
   store.set((state) => ({ ...state, busy: true }));
   await Promise.resolve();
   expect(compareWith).not.toHaveBeenCalled();
@@ -80,5 +96,7 @@ it("It is what changes are against again, unless there is another one, or anothe
     lab.compareWith(LOW ?? {}, resultOf("R1", PAPER));
     return lab.get().before?.runId;
   };
-  expect([compared({}), compared({ before: resultOf("R8", HIGH) }), compared({ exact: resultOf("R3", HIGH) })]).toEqual(["R1", "R8", undefined]);
+  expect([compared({}), compared({ before: resultOf("R8", HIGH) }), compared({ exact: resultOf("R3", HIGH) })]).toEqual(
+    ["R1", "R8", undefined],
+  );
 });

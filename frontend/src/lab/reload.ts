@@ -22,12 +22,17 @@ export interface StoredTab {
 const TEMPLATE: StoredTab = { run: "", before: null, history: { past: [{}], present: {}, future: [{}] } };
 
 /** What was stored of this tab, where it is of the run at its address, or of the scenario (then its present) that the lab opens with; else `null`. */
-export function restoreTab(opens: { readonly runId: string | null; readonly scenario: Scenario | null }): StoredTab | null {
+export function restoreTab(opens: {
+  readonly runId: string | null;
+  readonly scenario: Scenario | null;
+}): StoredTab | null {
   const tab = readStored(NAME, "sessionStorage");
   if (!isLike(TEMPLATE, tab)) return null;
   const { runId, scenario } = opens;
   if (runId !== null) return runId === tab.run ? tab : null;
-  return scenario !== null && sameValue(scenario, tab.history.present) ? { ...tab, history: { ...tab.history, present: scenario } } : null;
+  return scenario !== null && sameValue(scenario, tab.history.present)
+    ? { ...tab, history: { ...tab.history, present: scenario } }
+    : null;
 }
 
 export function storeTab(lab: Pick<Lab, "get" | "subscribe">): void {
@@ -48,7 +53,11 @@ export function storeTab(lab: Pick<Lab, "get" | "subscribe">): void {
 }
 
 /** Asks for the run before the last edit, once the run that was shown is there again. */
-export function restoreBefore(lab: Pick<Lab, "get" | "subscribe" | "compareWith">, { before }: StoredTab, load: (run: string) => Promise<Shown>): void {
+export function restoreBefore(
+  lab: Pick<Lab, "get" | "subscribe" | "compareWith">,
+  { before }: StoredTab,
+  load: (run: string) => Promise<Shown>,
+): void {
   if (before === null) return;
   const stop = lab.subscribe(() => {
     const { exact } = lab.get();

@@ -74,7 +74,11 @@ export function createRequests(store: Store<LabState>, { api, router, queries }:
         const hidden = Object.keys(run.strategies).filter((strategy) => !selected.includes(strategy));
         if (history === null) router.clearFrom();
         router.showRun(run.id, { hidden }, mode);
-        patch({ ...resultsAfterEdit(store.get(), fromRun(run, histories, performance.now() - startedAt, false)), drag: null, shared: null });
+        patch({
+          ...resultsAfterEdit(store.get(), fromRun(run, histories, performance.now() - startedAt, false)),
+          drag: null,
+          shared: null,
+        });
       },
       again: () => submit(mode),
     });
@@ -91,7 +95,8 @@ export function createRequests(store: Store<LabState>, { api, router, queries }:
         if (!isCurrent()) return;
         const { history } = store.get();
         router.confirmNavigation();
-        if (run.over && router.get().view.baseline === DEFAULT_VIEW.baseline) router.setView({ baseline: run.over.baseline });
+        if (run.over && router.get().view.baseline === DEFAULT_VIEW.baseline)
+          router.setView({ baseline: run.over.baseline });
         patch({
           ...resultsAfterOpening(store.get(), fromRun(run, histories, performance.now() - startedAt, true)),
           roads: run.over?.roads ?? 1,
@@ -123,7 +128,17 @@ export function createRequests(store: Store<LabState>, { api, router, queries }:
         cursor.set(view.axis, at);
         const shown = link.run && histories ? fromRun(link.run, histories, performance.now() - startedAt, true) : null;
         const roads = link.run?.over?.roads ?? 1;
-        patch({ shared: link, history: begin(link.scenario), strategies, roads, rejected: {}, drag: null, shown, exact: shown, before: null });
+        patch({
+          shared: link,
+          history: begin(link.scenario),
+          strategies,
+          roads,
+          rejected: {},
+          drag: null,
+          shown,
+          exact: shown,
+          before: null,
+        });
       },
       again: () => openLink(slug),
       giveUp: leaveLink,

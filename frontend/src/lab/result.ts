@@ -2,7 +2,16 @@
 
 import { decodeSeries } from "../api/decode";
 import { sameValue } from "../scenario/path";
-import type { Failure, LiveAnswer, OverRoads, Run, Scenario, SeriesByStrategy, StrategyId, Summary } from "../api/types";
+import type {
+  Failure,
+  LiveAnswer,
+  OverRoads,
+  Run,
+  Scenario,
+  SeriesByStrategy,
+  StrategyId,
+  Summary,
+} from "../api/types";
 import type { History } from "./history";
 
 export interface Timing {
@@ -111,13 +120,22 @@ export function resultsAfterOpening({ exact, before }: Results, next: Shown): Re
 }
 
 /** The state before the edit that is shown, one under way included. */
-export const beforeEdit = ({ shown, exact, before }: Results): Shown | null => (shown?.source === "live" ? exact : before);
+export const beforeEdit = ({ shown, exact, before }: Results): Shown | null =>
+  shown?.source === "live" ? exact : before;
 
 /** Whether the last step led back from this result: it can be done again. */
-export const isUndone = ({ scenario }: Shown, history: History<Scenario> | null): boolean => history?.future.some((undone) => sameValue(undone, scenario)) ?? false;
+export const isUndone = ({ scenario }: Shown, history: History<Scenario> | null): boolean =>
+  history?.future.some((undone) => sameValue(undone, scenario)) ?? false;
 
 /** Whether a result answers this question, for some of its strategies. */
-export function answers(shown: Shown, question: { readonly scenario: Scenario | undefined; readonly roads: number; readonly strategies: readonly StrategyId[] }): boolean {
+export function answers(
+  shown: Shown,
+  question: {
+    readonly scenario: Scenario | undefined;
+    readonly roads: number;
+    readonly strategies: readonly StrategyId[];
+  },
+): boolean {
   const { source, scenario, summaries } = shown;
   return (
     source === "exact" &&

@@ -65,9 +65,17 @@ export function partShown(
 }
 
 /** Where the one chosen is not of the run, the last that is on. */
-export const baselineOf = ({ summaries, ids }: Pick<PartShown, "summaries" | "ids">, chosen: StrategyId): StrategyId | null => (chosen in summaries ? chosen : (ids.at(-1) ?? null));
+export const baselineOf = (
+  { summaries, ids }: Pick<PartShown, "summaries" | "ids">,
+  chosen: StrategyId,
+): StrategyId | null => (chosen in summaries ? chosen : (ids.at(-1) ?? null));
 
-export function withBaseline(part: PartShown, { baseline, against, differences }: Pick<View, "baseline" | "against" | "differences">, compared: Compared, paired: Paired = {}): Scene {
+export function withBaseline(
+  part: PartShown,
+  { baseline, against, differences }: Pick<View, "baseline" | "against" | "differences">,
+  compared: Compared,
+  paired: Paired = {},
+): Scene {
   return {
     ...part,
     baseline: baselineOf(part, baseline),
@@ -89,7 +97,9 @@ const [BEFORE, BEHIND] = [0.6, 0.9];
 function bumpRange(summaries: Scene["summaries"], ids: readonly StrategyId[], axis: Axis, whole: Zoom): Zoom | null {
   const spans = ids.flatMap((id) => summaries[id]?.stages.find(({ stage }) => stage === "bump") ?? []);
   if (spans.length === 0) return null;
-  const ends = spans.map((span) => (axis === "distance" ? [span.start_position, span.end_position] : [span.start_time, span.end_time]));
+  const ends = spans.map((span) =>
+    axis === "distance" ? [span.start_position, span.end_position] : [span.start_time, span.end_time],
+  );
   const low = Math.min(...ends.map(([start = 0]) => start));
   const high = Math.max(...ends.map(([, end = 0]) => end));
   return [Math.max(whole[0], low - BEFORE * (high - low)), Math.min(whole[1], high + BEHIND * (high - low))];

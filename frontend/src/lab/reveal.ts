@@ -10,6 +10,8 @@ export const revealed = createStore<Pointer | null>(null);
 export function focusField(pointer: Pointer): void {
   const element = document.querySelector<HTMLElement>(`[data-pointer="${pointer}"]`);
   element?.scrollIntoView({ block: "nearest" });
-  const entry = element?.matches("input") ? element : element?.querySelector<HTMLElement>("input:not([type=hidden]), select");
+  const entry = element?.matches("input")
+    ? element
+    : element?.querySelector<HTMLElement>("input:not([type=hidden]), select");
   entry?.focus({ preventScroll: true });
 }

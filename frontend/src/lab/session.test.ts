@@ -12,11 +12,15 @@ import { createStore } from "../lib/store";
 const LOW: Scenario = { height: 0.06 };
 const REFUSED: Scenario = { height: -1 };
 const THEIRS: Scenario = { height: 0.2 };
-const exactOf = (scenario: Scenario, opened = false) => ({ source: "exact", scenario, over: null, timing: { opened } }) as unknown as Shown;
+const exactOf = (scenario: Scenario, opened = false) =>
+  ({ source: "exact", scenario, over: null, timing: { opened } }) as unknown as Shown;
 
 beforeEach(() => {
   const texts = new Map<string, string>();
-  vi.stubGlobal("localStorage", { getItem: (name: string) => texts.get(name) ?? null, setItem: (name: string, text: string) => texts.set(name, text) });
+  vi.stubGlobal("localStorage", {
+    getItem: (name: string) => texts.get(name) ?? null,
+    setItem: (name: string, text: string) => texts.set(name, text),
+  });
 });
 afterEach(() => {
   vi.unstubAllGlobals();

@@ -45,7 +45,10 @@ export function restoreSession(): RestoredSession | null {
   const value = readStored(NAME);
   if (!isStoredSession(value)) return null;
   const { version = 1, scenario, strategies, roads, search } = value;
-  return { lab: { history: begin(upgraded(scenario, version)), strategies, roads }, view: viewOf(readLabSearch(parseSearch(search))) };
+  return {
+    lab: { history: begin(upgraded(scenario, version)), strategies, roads },
+    view: viewOf(readLabSearch(parseSearch(search))),
+  };
 }
 
 export function storeSession(lab: Pick<Lab, "get" | "subscribe">, router: Pick<Router, "get" | "subscribe">): void {
@@ -65,7 +68,13 @@ export function storeSession(lab: Pick<Lab, "get" | "subscribe">, router: Pick<R
     const parts = [scenario, strategies, roads, view];
     if (parts.every((part, index) => part === written[index])) return;
     written = parts;
-    const session: StoredSession = { version: SCHEMA_VERSION, scenario, strategies, roads, search: stringifySearch(searchOf({ ...view, hidden: [] })) };
+    const session: StoredSession = {
+      version: SCHEMA_VERSION,
+      scenario,
+      strategies,
+      roads,
+      search: stringifySearch(searchOf({ ...view, hidden: [] })),
+    };
     writeStored(NAME, session);
   };
   lab.subscribe(write);

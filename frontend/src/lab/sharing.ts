@@ -57,7 +57,9 @@ export function viewToShare(scene: Scene, at: number | null): SharedView {
     axis,
     zoom: range === whole ? null : [...range],
     cursor: at,
-    ...(pins.length > 0 ? { pins: pins.flatMap(({ name, shown: { runId } }) => (runId === null ? [] : [{ name, run: runId }])) } : {}),
+    ...(pins.length > 0
+      ? { pins: pins.flatMap(({ name, shown: { runId } }) => (runId === null ? [] : [{ name, run: runId }])) }
+      : {}),
     ...comparisonToShare(scene),
   };
 }

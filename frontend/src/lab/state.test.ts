@@ -25,7 +25,14 @@ describe("the address", () => {
   });
 
   it("carries the view there and back", () => {
-    const view = { axis: "time", baseline: "lqr", hidden: ["passive", "lv"], zoom: [98.5, 112], against: "before", differences: true } as const;
+    const view = {
+      axis: "time",
+      baseline: "lqr",
+      hidden: ["passive", "lv"],
+      zoom: [98.5, 112],
+      against: "before",
+      differences: true,
+    } as const;
     expect(there(view)).toBe("?axis=time&baseline=lqr&hide=passive,lv&zoom=98.5~112&against=before&plots=differences");
     expect(back(there(view))).toEqual(view);
     const pinned = { ...DEFAULT_VIEW, against: againstPin("9l2MI3odkPqmWr5qapN1vZ") };

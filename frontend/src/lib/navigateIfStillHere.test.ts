@@ -4,7 +4,12 @@ import { fromHere } from "./navigateIfStillHere";
 function browser() {
   const at = (href: string) => ({ href, pathname: href.split("?")[0] ?? "" });
   const opened: unknown[] = [];
-  return { opened, latestLocation: at("/b/7?sort=speed"), navigate: (address: unknown) => opened.push(address), leave: at };
+  return {
+    opened,
+    latestLocation: at("/b/7?sort=speed"),
+    navigate: (address: unknown) => opened.push(address),
+    leave: at,
+  };
 }
 
 it("An answer opens its page where the reader has stayed, also with another search part", () => {

@@ -42,7 +42,11 @@ export function extent(values: Numbers): readonly [number, number] | null {
 }
 
 /** Stretches of x where `values` lies below `limit`. */
-export function stretchesBelow(samples: Numbers, values: Numbers, limit: number): readonly (readonly [number, number])[] {
+export function stretchesBelow(
+  samples: Numbers,
+  values: Numbers,
+  limit: number,
+): readonly (readonly [number, number])[] {
   const spans: (readonly [number, number])[] = [];
   let start: number | null = null;
   for (let i = 0; i < samples.length; i++) {

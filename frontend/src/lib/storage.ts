@@ -34,7 +34,16 @@ export function writeStored(name: string, value: unknown, kept: Kept = "localSto
 /** Whether a stored value has the template's shape: a list is of what its first item is, or of texts; of several items it has as many. */
 export function isLike<T>(template: T, value: unknown): value is T {
   if (template === null) return value === null || typeof value === "string";
-  if (Array.isArray(template)) return Array.isArray(value) && (template.length < 2 || value.length === template.length) && value.every((item) => isLike<unknown>(template.length > 0 ? template[0] : "", item));
+  if (Array.isArray(template))
+    return (
+      Array.isArray(value) &&
+      (template.length < 2 || value.length === template.length) &&
+      value.every((item) => isLike<unknown>(template.length > 0 ? template[0] : "", item))
+    );
   if (typeof template !== "object") return typeof value === typeof template;
-  return typeof value === "object" && value !== null && Object.entries(template).every(([key, part]) => isLike(part, (value as Readonly<Record<string, unknown>>)[key]));
+  return (
+    typeof value === "object" &&
+    value !== null &&
+    Object.entries(template).every(([key, part]) => isLike(part, (value as Readonly<Record<string, unknown>>)[key]))
+  );
 }

@@ -25,9 +25,15 @@ interface Form<Texts> {
 
 const keyOf = (name: string) => `ridelab-draft-${name.replace(" ", "-")}`;
 
-export function restoreDraft<Texts>({ name, of = "", restore }: Pick<Form<Texts>, "name" | "of" | "restore">): Texts | null {
+export function restoreDraft<Texts>({
+  name,
+  of = "",
+  restore,
+}: Pick<Form<Texts>, "name" | "of" | "restore">): Texts | null {
   const stored = readStored(keyOf(name));
-  return typeof stored === "object" && stored !== null && "of" in stored && stored.of === of && "draft" in stored ? restore(stored.draft) : null;
+  return typeof stored === "object" && stored !== null && "of" in stored && stored.of === of && "draft" in stored
+    ? restore(stored.draft)
+    : null;
 }
 
 export function useDraft<Texts>({ name, of = "", initial, restore }: Form<Texts>): Draft<Texts> {

@@ -44,13 +44,17 @@ export const PlotPanel = memo(function PlotPanel({ plotly, template, curves, pal
   const { meta } = template.layout;
   const { series, strategies, axis, range, live, minus } = curves;
   // Off screen nothing is computed: during a drag only what somebody sees is drawn anew.
-  const figure = useMemo(() => (inViewport ? buildFigure({ template, palette, ...curves }) : null), [inViewport, template, curves, palette]);
+  const figure = useMemo(
+    () => (inViewport ? buildFigure({ template, palette, ...curves }) : null),
+    [inViewport, template, curves, palette],
+  );
   const drawn = strategies.map(({ label }) => label).join(", ");
   return (
     <Card ref={viewRef} className={classes.panel ?? ""} aria-label={`${meta.title}, curves`} data-figure={meta.signal}>
       <Group component="header" gap="0.5rem" wrap="nowrap" mih="2rem" p="0 0.7rem 0 0.8rem">
         <Box component="h2" flex="1 0 auto" m={0} fz="0.8125rem" fw={600} lh="1.3" className={classes.title ?? ""}>
-          {meta.title} <Box component="span" fw={400} c="dimmed">
+          {meta.title}{" "}
+          <Box component="span" fw={400} c="dimmed">
             {meta.unit}
             {minus !== undefined && `, less ${minus}`}
           </Box>

@@ -3,7 +3,10 @@
 import type { Palette } from "./palettes";
 import type { PlotLayout } from "./plotly";
 
-export function chartLayout(palette: Palette, { xaxis, yaxis, ...rest }: { readonly xaxis: object; readonly yaxis: object; readonly [name: string]: unknown }): PlotLayout {
+export function chartLayout(
+  palette: Palette,
+  { xaxis, yaxis, ...rest }: { readonly xaxis: object; readonly yaxis: object; readonly [name: string]: unknown },
+): PlotLayout {
   const axis = { color: palette.text, gridcolor: palette.grid, zeroline: false, automargin: true };
   return {
     font: { family: "inherit", color: palette.text, size: 12 },

@@ -23,10 +23,17 @@ export const PIN_WIDTH = 1.2;
 export const pinDash = (index: number): string => PIN_DASHES[index % PIN_DASHES.length] ?? "2,2";
 
 export function layersOf({ shown, before, pins }: Pick<Scene, "shown" | "before" | "pins">): readonly Layer[] {
-  const ghost = before ? [{ name: before.name, series: before.shown.series, line: { width: BEFORE_WIDTH }, opacity: 0.65 }] : [];
+  const ghost = before
+    ? [{ name: before.name, series: before.shown.series, line: { width: BEFORE_WIDTH }, opacity: 0.65 }]
+    : [];
   // A pinned result that is what is shown has no curves beside those.
   const others = pins.filter((pin) => pin.shown.runId === null || pin.shown.runId !== shown.runId);
-  const pinned = others.map(({ name, shown: { series }, index = 0 }) => ({ name, series, line: { width: PIN_WIDTH, dash: pinDash(index) }, opacity: 0.8 }));
+  const pinned = others.map(({ name, shown: { series }, index = 0 }) => ({
+    name,
+    series,
+    line: { width: PIN_WIDTH, dash: pinDash(index) },
+    opacity: 0.8,
+  }));
   return [...ghost, ...pinned];
 }
 

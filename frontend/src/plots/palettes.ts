@@ -12,4 +12,8 @@ export const PALETTES: Readonly<Record<"light" | "dark", Palette>> = {
 };
 
 /** What is printed or stands in a paper. */
-export const ON_PAPER: Palette = { text: "#333c41", grid: "rgba(120, 135, 142, 0.25)", zero: "rgba(120, 135, 142, 0.6)" };
+export const ON_PAPER: Palette = {
+  text: "#333c41",
+  grid: "rgba(120, 135, 142, 0.25)",
+  zero: "rgba(120, 135, 142, 0.6)",
+};

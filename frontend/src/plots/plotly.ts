@@ -106,7 +106,8 @@ export interface PanelFigure extends PlotFigure {
 export const asText = (text: string): string => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
 
 /** The names are texts. */
-export const withPlainNames = (data: readonly PlotTrace[]): readonly PlotTrace[] => data.map((trace) => (trace.name === undefined ? trace : { ...trace, name: asText(trace.name) }));
+export const withPlainNames = (data: readonly PlotTrace[]): readonly PlotTrace[] =>
+  data.map((trace) => (trace.name === undefined ? trace : { ...trace, name: asText(trace.name) }));
 
 interface ImageOptions {
   readonly format: "png" | "svg";
@@ -123,7 +124,10 @@ export interface Plotly {
     config: Readonly<Record<string, unknown>>,
   ) => Promise<unknown>;
   readonly purge: (element: HTMLElement) => void;
-  readonly toImage: (figure: { readonly data: readonly AnyTrace[]; readonly layout: PlotLayout }, options: ImageOptions) => Promise<string>;
+  readonly toImage: (
+    figure: { readonly data: readonly AnyTrace[]; readonly layout: PlotLayout },
+    options: ImageOptions,
+  ) => Promise<string>;
 }
 
 interface DrawnAxis {
@@ -134,7 +138,10 @@ interface DrawnAxis {
 /** An element plotly has drawn in. */
 export interface PlotElement extends HTMLElement {
   readonly on: {
-    (event: "plotly_click", handler: (event: { readonly points: readonly { readonly customdata: number }[] }) => void): void;
+    (
+      event: "plotly_click",
+      handler: (event: { readonly points: readonly { readonly customdata: number }[] }) => void,
+    ): void;
     (event: "plotly_relayout", handler: () => void): void;
   };
   /** As drawn, with what somebody has zoomed to; there once something is drawn. */

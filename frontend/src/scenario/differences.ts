@@ -5,7 +5,17 @@ import { formatExact, prettyUnit } from "../units/format";
 import { roadName } from "./roadName";
 import { inShownUnit } from "./limits";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
-import { fieldsOf, optionOf, optionTitle, type Field, type Member, type NumberField, type ChoiceField, type DataField, type TextField } from "./schema";
+import {
+  fieldsOf,
+  optionOf,
+  optionTitle,
+  type Field,
+  type Member,
+  type NumberField,
+  type ChoiceField,
+  type DataField,
+  type TextField,
+} from "./schema";
 
 /** A field somebody changes by itself: the entries of a vector count one by one. */
 export type Leaf = NumberField | ChoiceField | TextField | DataField;
@@ -57,14 +67,22 @@ function shown(value: JsonValue | undefined, leaf: Leaf): string {
   if (value === null || value === undefined || value === "") return "none";
   if (leaf.kind === "data") return "own";
   if (leaf.kind === "choice") return optionTitle(optionOf(value)).toLowerCase();
-  return typeof value === "number" && leaf.kind === "number" ? formatExact(inShownUnit(leaf, value), "1") : typeof value === "string" ? roadName(value) : JSON.stringify(value);
+  return typeof value === "number" && leaf.kind === "number"
+    ? formatExact(inShownUnit(leaf, value), "1")
+    : typeof value === "string"
+      ? roadName(value)
+      : JSON.stringify(value);
 }
 
 /** Every field with a name that says on its own which one it is: `Bump height`. */
 export function namedLeaves(form: Member, group = ""): readonly { readonly leaf: Leaf; readonly name: string }[] {
-  if (form.kind === "group") return form.members.flatMap((member) => namedLeaves(member, form.pointer === "/" ? "" : form.title));
+  if (form.kind === "group")
+    return form.members.flatMap((member) => namedLeaves(member, form.pointer === "/" ? "" : form.title));
   const name = named(group, form.title);
-  return leavesOf(form).map((leaf) => ({ leaf, name: form.kind === "vector" ? `${name}, ${lowered(leaf.title)}` : name }));
+  return leavesOf(form).map((leaf) => ({
+    leaf,
+    name: form.kind === "vector" ? `${name}, ${lowered(leaf.title)}` : name,
+  }));
 }
 
 /** What two scenarios differ in, in the form's order, by the form's names and units. */
@@ -72,7 +90,8 @@ export function changedFields(form: Member, from: Scenario, to: Scenario): reado
   return namedLeaves(form).flatMap(({ leaf, name }): readonly FieldChange[] => {
     const [one, other] = [getAt(from, leaf.pointer), getAt(to, leaf.pointer)];
     if (sameValue(one, other)) return [];
-    const unit = leaf.kind === "number" && typeof other === "number" ? `\u00a0${prettyUnit(leaf.shown.unit)}`.trimEnd() : "";
+    const unit =
+      leaf.kind === "number" && typeof other === "number" ? `\u00a0${prettyUnit(leaf.shown.unit)}`.trimEnd() : "";
     const [before, after] = [shown(one, leaf), shown(other, leaf)];
     return [{ pointer: leaf.pointer, name, change: `${before} → ${before === after ? "another" : after}${unit}` }];
   });

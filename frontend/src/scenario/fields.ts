@@ -14,12 +14,23 @@ export interface SweepField {
 }
 
 /** Fields that are often swept as one: their title, and the fields, of which the first is swept. */
-export const TOGETHER = [{ title: "Speed at the bump", names: ["speed.initial_speed_kmh", "speed.target_speed_kmh"] }] as const;
+export const TOGETHER = [
+  { title: "Speed at the bump", names: ["speed.initial_speed_kmh", "speed.target_speed_kmh"] },
+] as const;
 
 /** Those that can take a swept field's value: numbers in the same unit, of the same part of the scenario. */
-export function linkable({ field: { name, leaf } }: { readonly field: SweepField }, free: readonly SweepField[]): readonly SweepField[] {
+export function linkable(
+  { field: { name, leaf } }: { readonly field: SweepField },
+  free: readonly SweepField[],
+): readonly SweepField[] {
   const part = name.slice(0, name.lastIndexOf("."));
-  return free.filter((other) => leaf.kind === "number" && other.leaf.kind === "number" && other.leaf.unit === leaf.unit && other.name.startsWith(`${part}.`));
+  return free.filter(
+    (other) =>
+      leaf.kind === "number" &&
+      other.leaf.kind === "number" &&
+      other.leaf.unit === leaf.unit &&
+      other.name.startsWith(`${part}.`),
+  );
 }
 
 export const dotted = (pointer: Pointer) => pointer.slice(1).replace(/\//g, ".");
@@ -40,7 +51,12 @@ function below(member: Member, sections: readonly string[]): readonly SweepField
     case "group":
       return member.members.flatMap((inner) => below(inner, [...sections, member.title]));
     case "vector":
-      return member.items.map((leaf) => ({ name: dotted(leaf.pointer), title: `${member.title}: ${leaf.title}`, section, leaf }));
+      return member.items.map((leaf) => ({
+        name: dotted(leaf.pointer),
+        title: `${member.title}: ${leaf.title}`,
+        section,
+        leaf,
+      }));
     case "text":
     case "data":
       return [];

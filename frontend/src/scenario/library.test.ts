@@ -30,16 +30,28 @@ describe("one's own library", () => {
     library.save("scenario", " Soft: 2 ", SOFT);
     library.save("vehicle", "Van", { body_mass: 900 });
     library.save("scenario", "Soft: 2", HARD);
-    expect(open(storage).get()).toMatchObject([{ kind: "scenario", name: "Soft: 2", value: HARD }, { kind: "vehicle", name: "Van" }]);
+    expect(open(storage).get()).toMatchObject([
+      { kind: "scenario", name: "Soft: 2", value: HARD },
+      { kind: "vehicle", name: "Van" },
+    ]);
   });
 
   it("opens what core 0.3.0 stored with the filter it had, and what it stores itself as it is", () => {
     const storage = fakeStorage();
     const kalman = { estimation: { kind: "kalman" } };
-    storage.setItem("ridelab-library:scenario:Old", JSON.stringify({ value: kalman, saved: new Date(0).toISOString() }));
+    storage.setItem(
+      "ridelab-library:scenario:Old",
+      JSON.stringify({ value: kalman, saved: new Date(0).toISOString() }),
+    );
     open(storage).save("scenario", "New", kalman);
     const had = { estimation: { kind: "kalman", knows_preview: false } };
-    expect(Object.fromEntries(open(storage).get().map(({ name, value }) => [name, value]))).toEqual({ Old: had, New: kalman });
+    expect(
+      Object.fromEntries(
+        open(storage)
+          .get()
+          .map(({ name, value }) => [name, value]),
+      ),
+    ).toEqual({ Old: had, New: kalman });
     const library = open(storage);
     const [, old] = library.get();
     if (!old) throw new Error("not read");
@@ -70,7 +82,10 @@ describe("one's own library", () => {
     library.remove(a);
     library.save("scenario", "A", HARD);
     library.restore(a);
-    expect(library.get()).toMatchObject([{ name: "A", value: HARD }, { name: "A (2)", value: SOFT }]);
+    expect(library.get()).toMatchObject([
+      { name: "A", value: HARD },
+      { name: "A (2)", value: SOFT },
+    ]);
   });
 
   it("adds a file's content once, and never over another's", () => {
@@ -92,9 +107,15 @@ describe("one's own library", () => {
   });
 
   it("says so where the browser keeps nothing, and ignores what it cannot read", () => {
-    for (const storage of [null, fakeStorage({ full: true })]) expect(() => open(storage).save("scenario", "A", SOFT)).toThrow("export it as a file");
+    for (const storage of [null, fakeStorage({ full: true })])
+      expect(() => open(storage).save("scenario", "A", SOFT)).toThrow("export it as a file");
     const storage = fakeStorage();
-    for (const [key, text] of [["scenario:A", "{"], ["scenario:B", '{"value": 3, "saved": ""}'], ["colour:C", '{"value": {}, "saved": ""}']]) storage.setItem(`ridelab-library:${key ?? ""}`, text ?? "");
+    for (const [key, text] of [
+      ["scenario:A", "{"],
+      ["scenario:B", '{"value": 3, "saved": ""}'],
+      ["colour:C", '{"value": {}, "saved": ""}'],
+    ])
+      storage.setItem(`ridelab-library:${key ?? ""}`, text ?? "");
     expect(open(storage).get()).toEqual([]);
   });
 });

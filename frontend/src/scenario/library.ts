@@ -60,13 +60,18 @@ function readItem(key: string, text: string | null): readonly Item[] {
 
 /** The newest first. */
 function readAll(storage: Storage | null): readonly Item[] {
-  const keys = Array.from({ length: storage?.length ?? 0 }, (_, index) => storage?.key(index) ?? "").filter((key) => key.startsWith(PREFIX));
+  const keys = Array.from({ length: storage?.length ?? 0 }, (_, index) => storage?.key(index) ?? "").filter((key) =>
+    key.startsWith(PREFIX),
+  );
   const items = keys.flatMap((key) => readItem(key, storage?.getItem(key) ?? null));
   return items.sort((one, other) => other.saved.localeCompare(one.saved));
 }
 
 /** `now` gives the time of saving. */
-export function createLibrary(storage: Storage | null, now: () => string = () => new Date().toISOString()): Library & { readonly refresh: () => void } {
+export function createLibrary(
+  storage: Storage | null,
+  now: () => string = () => new Date().toISOString(),
+): Library & { readonly refresh: () => void } {
   const store = createStore(readAll(storage));
   const refresh = () => store.set(readAll(storage));
   const write = (item: Item) => {

@@ -4,7 +4,8 @@ import { formatExact, formatInput } from "../units/format";
 import { parseQuantity } from "../units/quantity";
 import type { NumberField } from "./schema";
 
-export type ParsedValue = { readonly ok: true; readonly value: number } | { readonly ok: false; readonly message: string };
+export type ParsedValue =
+  { readonly ok: true; readonly value: number } | { readonly ok: false; readonly message: string };
 
 /** Reads and checks a typed value against the field's own limits; the server checks what involves other fields. */
 export function parseTyped(field: NumberField, text: string): ParsedValue {
@@ -35,7 +36,8 @@ export const inShownUnit = ({ shown }: NumberField, value: number) => rounded(va
 export const typedText = (field: NumberField, value: number) => formatInput(inShownUnit(field, value));
 
 /** A field's value with all its digits and its unit. */
-export const valueText = (field: NumberField, value: number) => formatExact(inShownUnit(field, value), field.shown.unit);
+export const valueText = (field: NumberField, value: number) =>
+  formatExact(inShownUnit(field, value), field.shown.unit);
 
 /** The largest of 1, 2, 5 × 10ⁿ that is not above `value`. */
 function roundDown(value: number): number {

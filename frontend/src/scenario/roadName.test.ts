@@ -8,7 +8,8 @@ const PROFILE = { kind: "text", pointer: "/road/profile", title: "Profile", desc
 const WITH_ROADS: Form = { ...FORM, members: [...FORM.members, PROFILE] };
 const NONE = standardScenario(WITH_ROADS);
 const on = (id: string) => setAt(NONE, "/road/profile", id);
-const changes = (from: typeof NONE, to: typeof NONE) => changedFields(WITH_ROADS, from, to).map(({ name, change }) => `${name} ${change}`);
+const changes = (from: typeof NONE, to: typeof NONE) =>
+  changedFields(WITH_ROADS, from, to).map(({ name, change }) => `${name} ${change}`);
 
 it("a list names a measured road in words, never by its id", () => {
   expect(changes(NONE, on("A".repeat(22)))).toEqual(["Profile none → a measured road"]);

@@ -1,5 +1,13 @@
 import { describe, expect, it } from "vitest";
-import { changedFields, changedPointers, changesText, completed, leavesOf, resetMember, standardScenario } from "./differences";
+import {
+  changedFields,
+  changedPointers,
+  changesText,
+  completed,
+  leavesOf,
+  resetMember,
+  standardScenario,
+} from "./differences";
 import { fieldFor, errorsByField } from "./errors";
 import { FORM } from "./form.fixture";
 import { matching, sections } from "../features/editor/layout";
@@ -29,7 +37,14 @@ describe("the form from the schema", () => {
   });
 
   it("takes titles, units, limits and defaults from the schema", () => {
-    expect(numberField("/road/bump/height")).toMatchObject({ title: "Height", unit: "m", minimum: -1, maximum: 1, soft: [-0.15, 0.2], standard: 0.1 });
+    expect(numberField("/road/bump/height")).toMatchObject({
+      title: "Height",
+      unit: "m",
+      minimum: -1,
+      maximum: 1,
+      soft: [-0.15, 0.2],
+      standard: 0.1,
+    });
     expect(numberField("/mpc/weights/1")).toMatchObject({ title: "Pitch", minimum: 0, maximum: 1000, standard: 1 });
     expect(numberField("/mpc/lag")).toMatchObject({ nullable: true, minimum: 0.5, standard: null });
     expect(numberField("/road/seed").integer).toBe(true);
@@ -44,9 +59,17 @@ describe("the form from the schema", () => {
 });
 
 describe("data without a control", () => {
-  const rules = { anyOf: [{ type: "array", items: { type: "object" } }, { type: "null" }], default: null, title: "Rules" };
+  const rules = {
+    anyOf: [{ type: "array", items: { type: "object" } }, { type: "null" }],
+    default: null,
+    title: "Rules",
+  };
   const inputs = { anyOf: [{ $ref: "#/$defs/Inputs" }, { type: "null" }], default: null, title: "Input sets" };
-  const form = readSchema({ $defs: { Inputs: { type: "object", properties: {} } }, type: "object", properties: { rules, inputs } });
+  const form = readSchema({
+    $defs: { Inputs: { type: "object", properties: {} } },
+    type: "object",
+    properties: { rules, inputs },
+  });
   const own = { rules: [{ if: { distance: "O" }, then: "V" }], inputs: null };
 
   it("is a field that is kept, counted as a change and reset", () => {
@@ -58,7 +81,10 @@ describe("data without a control", () => {
 });
 
 describe("a search over all fields", () => {
-  const found = (text: string) => sections(FORM).flatMap((section) => matching(section, text) ?? []).flatMap(({ members }) => members.flatMap((member) => leavesOf(member).map(({ pointer }) => pointer)));
+  const found = (text: string) =>
+    sections(FORM)
+      .flatMap((section) => matching(section, text) ?? [])
+      .flatMap(({ members }) => members.flatMap((member) => leavesOf(member).map(({ pointer }) => pointer)));
 
   it("finds by title, by part and by dotted name, every word", () => {
     expect(found("height")).toEqual(["/road/bump/height"]);
@@ -96,7 +122,10 @@ describe("difference between two scenarios", () => {
     const other = setAt(setAt(setAt(paper, "/road/bump/height", 0.12), "/mpc/lag", 8), "/mpc/weights/1", 2);
     const changes = changedFields(FORM, paper, setAt(other, "/road/bump/shape", "flat_top"));
     expect(changes.map(({ name, change }) => `${name} ${change}`)).toEqual([
-      "Bump shape cosine → flat top", "Bump height 10 → 12\u00a0cm", "MPC bandwidth none → 8\u00a0Hz", "MPC cruise, pitch 1 → 2",
+      "Bump shape cosine → flat top",
+      "Bump height 10 → 12\u00a0cm",
+      "MPC bandwidth none → 8\u00a0Hz",
+      "MPC cruise, pitch 1 → 2",
     ]);
     expect(changesText(changes, 2)).toBe("Bump shape cosine → flat top, Bump height 10 → 12\u00a0cm, 2 more");
     expect(changesText(changes, 3).endsWith("pitch 1 → 2")).toBe(true);
@@ -142,13 +171,22 @@ describe("typed values", () => {
 
 it("values are typed and read in the unit they are shown in", () => {
   const height = numberField("/road/bump/height");
-  expect([typedText(height, 0.07), valueText(height, -0.06), typedText(numberField("/road/seed"), 3)]).toEqual(["7", "−6\u00a0cm", "3"]);
+  expect([typedText(height, 0.07), valueText(height, -0.06), typedText(numberField("/road/seed"), 3)]).toEqual([
+    "7",
+    "−6\u00a0cm",
+    "3",
+  ]);
 });
 
 describe("steps by arrow keys", () => {
   it("are the slider's, and end at the hard limits", () => {
     const height = numberField("/road/bump/height");
-    expect([stepped(height, 0.1, 1), stepped(height, 0.1, -10), stepped(height, 0.999, 10), stepped(height, 0.25, 1)]).toEqual([0.102, 0.08, 1, 0.252]);
+    expect([
+      stepped(height, 0.1, 1),
+      stepped(height, 0.1, -10),
+      stepped(height, 0.999, 10),
+      stepped(height, 0.25, 1),
+    ]).toEqual([0.102, 0.08, 1, 0.252]);
     expect(stepped(numberField("/mpc/force_weight"), 1e-9, 1)).toBe(1.1e-9);
     expect(stepped(numberField("/road/seed"), 1, 1)).toBe(2);
   });

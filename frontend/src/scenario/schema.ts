@@ -44,7 +44,8 @@ export interface DataField extends Base {
 
 export const optionOf = (value: JsonValue | undefined) => (typeof value === "boolean" ? String(value) : text(value));
 
-export const optionValue = (field: ChoiceField, option: string): string | boolean => (field.onOff ? option === "true" : option);
+export const optionValue = (field: ChoiceField, option: string): string | boolean =>
+  field.onOff ? option === "true" : option;
 
 export function optionTitle(option: string): string {
   if (option === "true") return "On";
@@ -107,7 +108,13 @@ class Reader {
       const member = isObject(raw) ? this.#member(raw, child(pointer, name), name, standard) : null;
       return member ? [member] : [];
     });
-    return { kind: "group", pointer: pointer === "" ? "/" : pointer, title, description: text(node.description), members };
+    return {
+      kind: "group",
+      pointer: pointer === "" ? "/" : pointer,
+      title,
+      description: text(node.description),
+      members,
+    };
   }
 
   #member(raw: JsonObject, pointer: Pointer, name: string, parent: JsonValue): Member | null {
@@ -121,12 +128,14 @@ class Reader {
       standard,
     };
     if (isObject(node.properties)) return this.group(node, pointer, base.title, standard);
-    if (Array.isArray(node.enum)) return { ...base, kind: "choice", options: list(node.enum).map(String), onOff: false };
+    if (Array.isArray(node.enum))
+      return { ...base, kind: "choice", options: list(node.enum).map(String), onOff: false };
     if (node.type === "boolean") return { ...base, kind: "choice", options: ["false", "true"], onOff: true };
     if (Array.isArray(node.prefixItems)) return this.#vector(node, base);
     const variants = list(node.anyOf).filter(isObject);
     if (variants.some((variant) => variant.type === "string" && !variant.enum)) return { ...base, kind: "text" };
-    if (variants.some((variant) => variant.type === "array" || text(variant.$ref) !== "")) return { ...base, kind: "data" };
+    if (variants.some((variant) => variant.type === "array" || text(variant.$ref) !== ""))
+      return { ...base, kind: "data" };
     return this.#number(node, base);
   }
 

@@ -17,4 +17,7 @@ export function upgraded(scenario: JsonObject, version: number): JsonObject {
 }
 
 /** Whether a program wrote the scenario, with every field that there was: a person writes what differs from the paper. */
-export const isWrittenOut = (scenario: JsonObject) => ["kind", "acceleration_noise", "deflection_noise", "pitch_rate_noise"].every((name) => getAt(scenario, `/estimation/${name}`) !== undefined);
+export const isWrittenOut = (scenario: JsonObject) =>
+  ["kind", "acceleration_noise", "deflection_noise", "pitch_rate_noise"].every(
+    (name) => getAt(scenario, `/estimation/${name}`) !== undefined,
+  );

@@ -21,7 +21,9 @@ const paper = standardScenario(FORM);
 
 it("A saved scenario takes the paper's value for a field that is newer, and loses one that is gone", () => {
   const saved: JsonObject = { road: { bump: { height: 0.2 }, colour: 3 }, mpc: { lag: 5 } };
-  expect(withItem({}, { kind: "scenario", value: saved }, FORM)).toEqual(setAt(setAt(paper, "/road/bump/height", 0.2), "/mpc/lag", 5));
+  expect(withItem({}, { kind: "scenario", value: saved }, FORM)).toEqual(
+    setAt(setAt(paper, "/road/bump/height", 0.2), "/mpc/lag", 5),
+  );
 });
 
 it("A saved road is driven to its end; the rest of the scenario stays", () => {

@@ -14,13 +14,16 @@ export interface Figure {
 }
 
 /** `Body acceleration, peak, bump`: the whole name, where its group does not stand above it. */
-export const fullName = ({ label, group }: Figure) => (group.includes(",") ? `${label}, ${group.replace(/^\p{Lu}(?=\p{Ll})/u, (first) => first.toLowerCase())}` : label);
+export const fullName = ({ label, group }: Figure) =>
+  group.includes(",") ? `${label}, ${group.replace(/^\p{Lu}(?=\p{Ll})/u, (first) => first.toLowerCase())}` : label;
 
 /** Figures to choose from, by group. */
 export const optionsOf = (figures: readonly Figure[]) =>
   [...new Set(figures.map(({ group }) => group))].map((group) => ({
     group,
-    items: figures.filter((figure) => figure.group === group).map((figure) => ({ value: figure.key, label: fullName(figure) })),
+    items: figures
+      .filter((figure) => figure.group === group)
+      .map((figure) => ({ value: figure.key, label: fullName(figure) })),
   }));
 
 type Templates = Readonly<Record<string, FigureTemplate>>;

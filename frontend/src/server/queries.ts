@@ -23,7 +23,11 @@ export const schemaQuery = queryOptions({
 });
 export const presetsQuery = { ...query("/presets", {}), ...FOR_EVER };
 /** A measured road; it never changes. */
-export const roadQuery = (id: string) => ({ ...query("/roads/{id}", { path: { id }, query: { points: 2 } }), enabled: id !== "", ...FOR_EVER });
+export const roadQuery = (id: string) => ({
+  ...query("/roads/{id}", { path: { id }, query: { points: 2 } }),
+  enabled: id !== "",
+  ...FOR_EVER,
+});
 export const vehiclesQuery = { ...query("/vehicles", {}), ...FOR_EVER };
 export const strategiesQuery = { ...query("/strategies", {}), ...FOR_EVER };
 export const catalogueQuery = { ...query("/catalogue", {}), ...FOR_EVER };
@@ -39,26 +43,44 @@ export const runKey = (id: string) => ["run", id] as const;
 /** A shared result; it never changes, apart from the version of the server that shows it. */
 export const linkKey = (slug: string) => ["link", slug] as const;
 
-export const seriesKey = (id: string, strategies: readonly StrategyId[], points: number) => ["series", id, points, strategies] as const;
+export const seriesKey = (id: string, strategies: readonly StrategyId[], points: number) =>
+  ["series", id, points, strategies] as const;
 
 /** What a run over several roads changes, paired by road: against another run, or one of its strategies. */
-export const changesQuery = (id: string, refersTo: { readonly against: string } | { readonly baseline: StrategyId }) => ({ ...query("/runs/{id}/changes", { path: { id }, query: refersTo }), staleTime: Infinity });
+export const changesQuery = (
+  id: string,
+  refersTo: { readonly against: string } | { readonly baseline: StrategyId },
+) => ({ ...query("/runs/{id}/changes", { path: { id }, query: refersTo }), staleTime: Infinity });
 
 /** Time histories of a run, with signals means and extremes of these over its roads; runs are immutable, so an answer never grows stale. */
-export function seriesQuery(id: string, strategies: readonly StrategyId[], points: number, overRoads: readonly string[] | null = null) {
+export function seriesQuery(
+  id: string,
+  strategies: readonly StrategyId[],
+  points: number,
+  overRoads: readonly string[] | null = null,
+) {
   return queryOptions({
     queryKey: [...seriesKey(id, strategies, points), ...(overRoads ?? [])],
-    queryFn: ({ signal }) => (overRoads ? api.bands(id, strategies, overRoads, points, signal) : api.series(id, strategies, points, signal)),
+    queryFn: ({ signal }) =>
+      overRoads ? api.bands(id, strategies, overRoads, points, signal) : api.series(id, strategies, points, signal),
     staleTime: Infinity,
     gcTime: 5 * 60_000,
   });
 }
 
 /** Every sample of some signals of a run, or of their means over its roads; far more than a screen shows, so it is not kept for long. */
-export function allSamplesQuery(id: string, strategies: readonly StrategyId[], signals: readonly string[], overRoads: boolean) {
+export function allSamplesQuery(
+  id: string,
+  strategies: readonly StrategyId[],
+  signals: readonly string[],
+  overRoads: boolean,
+) {
   return queryOptions({
     queryKey: ["all samples", id, strategies, signals, overRoads],
-    queryFn: ({ signal }) => (overRoads ? api.bands(id, strategies, signals, ALL_POINTS, signal) : api.series(id, strategies, ALL_POINTS, signal, signals)),
+    queryFn: ({ signal }) =>
+      overRoads
+        ? api.bands(id, strategies, signals, ALL_POINTS, signal)
+        : api.series(id, strategies, ALL_POINTS, signal, signals),
     staleTime: Infinity,
     gcTime: 30_000,
   });

@@ -15,10 +15,14 @@ export function useCatalogues() {
   const { data: templates, error: noTemplates } = useQuery(figuresQuery);
   /** `null` until all are there. */
   const catalogues = useMemo(
-    () => (form && strategies && catalogue && templates ? { form, strategies, catalogue, figures: figuresOf(catalogue, templates) } : null),
+    () =>
+      form && strategies && catalogue && templates
+        ? { form, strategies, catalogue, figures: figuresOf(catalogue, templates) }
+        : null,
     [form, strategies, catalogue, templates],
   );
-  const fault = [noForm, noStrategies, noCatalogue, noTemplates].find((error) => error !== null && !isTransient(error)) ?? null;
+  const fault =
+    [noForm, noStrategies, noCatalogue, noTemplates].find((error) => error !== null && !isTransient(error)) ?? null;
   return { catalogues, fault };
 }
 

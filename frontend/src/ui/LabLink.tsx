@@ -12,7 +12,13 @@ interface Props {
 
 export function LabLink({ run, size = "xs", children }: Props) {
   return (
-    <Anchor {...{ size }} underline="always" renderRoot={(props) => (run === undefined ? <Link to="/" {...props} /> : <Link to="/r/$id" params={{ id: run }} {...props} />)}>
+    <Anchor
+      {...{ size }}
+      underline="always"
+      renderRoot={(props) =>
+        run === undefined ? <Link to="/" {...props} /> : <Link to="/r/$id" params={{ id: run }} {...props} />
+      }
+    >
       {children}
     </Anchor>
   );

@@ -41,12 +41,19 @@ export function Page({ title, heading, above, lead, tools, what, instead, faults
       )}
       <main className={ui.main}>
         {above}
-        {heading !== undefined && <Box component="h1" m={0} fz="1.25rem" fw={680}>{heading}</Box>}
+        {heading !== undefined && (
+          <Box component="h1" m={0} fz="1.25rem" fw={680}>
+            {heading}
+          </Box>
+        )}
         {lead !== undefined && <Text className={ui.lead ?? ""}>{lead}</Text>}
         {!fault ? (
           (children ?? <Loading label={`Loading the ${what}`} heights={heights} />)
         ) : instead !== undefined && isNotFound(fault) ? (
-          <Blank title={`There is no ${what} at this address`} text={`The address may be incomplete, or the ${what} was made on another server.`}>
+          <Blank
+            title={`There is no ${what} at this address`}
+            text={`The address may be incomplete, or the ${what} was made on another server.`}
+          >
             {instead}
           </Blank>
         ) : (

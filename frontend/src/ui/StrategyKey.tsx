@@ -14,7 +14,12 @@ const DASHES: Readonly<Record<string, string>> = {
 };
 
 export function StrategyKey({ strategy }: { readonly strategy: Pick<Strategy, "colour" | "dash"> }) {
-  return <LineKey colour={strategy.colour} dash={DASHES[strategy.dash] ?? strategy.dash.replaceAll("px", "").replaceAll(",", " ")} />;
+  return (
+    <LineKey
+      colour={strategy.colour}
+      dash={DASHES[strategy.dash] ?? strategy.dash.replaceAll("px", "").replaceAll(",", " ")}
+    />
+  );
 }
 
 export function StrategyName({ strategy }: { readonly strategy: Pick<Strategy, "colour" | "dash" | "label"> }) {

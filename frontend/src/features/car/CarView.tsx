@@ -71,7 +71,13 @@ export function CarView({ scene }: { readonly scene: Scene }) {
         </Tooltip>
         <Scrubber scene={scene} />
         <Options>
-          <NativeSelect size="xs" aria-label="Playing speed" data={SPEEDS} value={speed} onChange={(event) => setSpeed(event.currentTarget.value)} />
+          <NativeSelect
+            size="xs"
+            aria-label="Playing speed"
+            data={SPEEDS}
+            value={speed}
+            onChange={(event) => setSpeed(event.currentTarget.value)}
+          />
           <NativeSelect
             size="xs"
             aria-label="Exaggeration of heights"
@@ -79,7 +85,13 @@ export function CarView({ scene }: { readonly scene: Scene }) {
             value={exaggeration}
             onChange={(event) => setExaggeration(event.currentTarget.value)}
           />
-          <NativeSelect size="xs" aria-label="Car shown" data={names} value={first.id} onChange={(event) => setFollowed(event.currentTarget.value)} />
+          <NativeSelect
+            size="xs"
+            aria-label="Car shown"
+            data={names}
+            value={first.id}
+            onChange={(event) => setFollowed(event.currentTarget.value)}
+          />
           <NativeSelect
             size="xs"
             aria-label="Second car"

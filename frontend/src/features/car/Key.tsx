@@ -16,7 +16,16 @@ export function Key({ scene, width, exaggeration }: Props) {
   const size = dimensionsOf(scene.shown.scenario, { front: null, rear: null });
   const length = scaleOf(width, exaggeration, size).newton * size.forceLimit;
   return (
-    <Group component="span" gap="0.35rem" wrap="nowrap" pos="absolute" bottom="0.2rem" right="0.8rem" fz="xs" c="dimmed">
+    <Group
+      component="span"
+      gap="0.35rem"
+      wrap="nowrap"
+      pos="absolute"
+      bottom="0.2rem"
+      right="0.8rem"
+      fz="xs"
+      c="dimmed"
+    >
       heights × {exaggeration} · force {formatExact(size.forceLimit / 1000, "kN")} =
       <svg width={length} height={8} aria-hidden>
         <g transform="translate(0 4) rotate(90)">

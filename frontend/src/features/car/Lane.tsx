@@ -38,14 +38,28 @@ export function Lane({ scene, strategy, width, exaggeration }: Props) {
   return (
     <div className={classes.lane}>
       <Caption strategy={strategy} pose={pose} />
-      <svg width={width} height={HEIGHT} role="img" aria-label={`${strategy.label} at ${formatNumber(pose.position, 4)} m`}>
+      <svg
+        width={width}
+        height={HEIGHT}
+        role="img"
+        aria-label={`${strategy.label} at ${formatNumber(pose.position, 4)} m`}
+      >
         <g transform={`translate(0 ${shiftInto(car, scale)})`}>
           <g transform={`translate(${scale.frontX - pose.position * metre} ${GROUND})`}>
             <Road scene={scene} strategy={strategy} wheelbase={size.wheelbase} metre={metre} rise={rise} />
           </g>
           {others.map(({ id, colour }) => {
             const other = poseOf(scene, id, at);
-            return other && <Ghost key={id} car={drawnCar(other, size, scale, other.position - pose.position)} path={path} colour={colour} />;
+            return (
+              other && (
+                <Ghost
+                  key={id}
+                  car={drawnCar(other, size, scale, other.position - pose.position)}
+                  path={path}
+                  colour={colour}
+                />
+              )
+            );
           })}
           <g style={{ color: strategy.colour }}>
             <Body car={car} path={path} windows={windows} cg={cg} />
@@ -89,7 +103,11 @@ function Caption({ strategy, pose }: { readonly strategy: Strategy; readonly pos
       <span className={classes.numbers}>
         {formatNumber(toKmh(pose.speed))} km/h · {pose.position.toFixed(1)} m · {pose.time.toFixed(2)} s
       </span>
-      {airborne && <Box component="span" fw={600} c="var(--danger)">{airborne}</Box>}
+      {airborne && (
+        <Box component="span" fw={600} c="var(--danger)">
+          {airborne}
+        </Box>
+      )}
     </Group>
   );
 }
@@ -108,7 +126,10 @@ function Road({ scene, strategy, wheelbase, metre, rise }: RoadProps) {
     const [start, end] = [profile[0]?.[0] ?? 0, profile.at(-1)?.[0] ?? 0];
     return (
       <>
-        <polygon points={`${start * metre},${3 * HEIGHT} ${points} ${end * metre},${3 * HEIGHT}`} className={classes.earth} />
+        <polygon
+          points={`${start * metre},${3 * HEIGHT} ${points} ${end * metre},${3 * HEIGHT}`}
+          className={classes.earth}
+        />
         <polyline points={points} className={classes.road} />
       </>
     );

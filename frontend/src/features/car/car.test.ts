@@ -5,13 +5,21 @@ import { metres, metresPerSecond, newtons, seconds } from "../../units/brands";
 
 const f = (...values: number[]) => new Float32Array(values);
 const series = {
-  time: f(0, 1), position: f(0, 10), speed: f(10, 10),
-  front_road: f(0, 0.1), rear_road: f(0, 0.02), front_tyre_load: f(0, 2680), rear_tyre_load: f(0, -5000),
-  front_deflection: f(0, -0.03), rear_deflection: f(0, 0.01), front_force: f(0, -5000),
+  time: f(0, 1),
+  position: f(0, 10),
+  speed: f(10, 10),
+  front_road: f(0, 0.1),
+  rear_road: f(0, 0.02),
+  front_tyre_load: f(0, 2680),
+  rear_tyre_load: f(0, -5000),
+  front_deflection: f(0, -0.03),
+  rear_deflection: f(0, 0.01),
+  front_force: f(0, -5000),
 };
 const scenario = {
   vehicle: { front_tyre_stiffness: 268_000, rear_tyre_stiffness: 250_000, cg_to_front: 1, cg_to_rear: 2 },
-  brake: { wheel_radius: 0.3 }, mpc: { force_limit: 5000 },
+  brake: { wheel_radius: 0.3 },
+  mpc: { force_limit: 5000 },
 };
 
 describe("the car's pose", () => {
@@ -34,17 +42,31 @@ describe("the car's pose", () => {
   });
 
   it("takes the road behind the start from the rear axle", () => {
-    expect(roadProfile(series, metres(3))).toEqual([[-3, 0], [0, 0], [10, expect.closeTo(0.1) as number]]);
+    expect(roadProfile(series, metres(3))).toEqual([
+      [-3, 0],
+      [0, 0],
+      [10, expect.closeTo(0.1) as number],
+    ]);
   });
 });
 
 describe("the drawn car", () => {
   const car = dimensionsOf(scenario, { front: 5360, rear: 5000 }); // both tyres are 20 mm shorter than without load
   const scale = scaleOf(920, 5, car); // 40 px a metre, 200 px a metre of height
-  const axle = (road: number, wheel: number, body: number, force = 0) =>
-    ({ road: metres(road), wheel: metres(wheel), body: metres(body), force: newtons(force), airborne: false });
-  const pose = (front: CarPose["front"], rear = axle(0, 0, 0)): CarPose =>
-    ({ time: seconds(0), position: metres(0), speed: metresPerSecond(10), front, rear });
+  const axle = (road: number, wheel: number, body: number, force = 0) => ({
+    road: metres(road),
+    wheel: metres(wheel),
+    body: metres(body),
+    force: newtons(force),
+    airborne: false,
+  });
+  const pose = (front: CarPose["front"], rear = axle(0, 0, 0)): CarPose => ({
+    time: seconds(0),
+    position: metres(0),
+    speed: metresPerSecond(10),
+    front,
+    rear,
+  });
   const front = (...values: Parameters<typeof axle>) => drawnCar(pose(axle(...values)), car, scale).front;
 
   it("stands level on round tyres, a wheelbase apart", () => {

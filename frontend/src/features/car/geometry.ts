@@ -4,7 +4,18 @@ import type { Scenario, Series } from "./inputs";
 import { valueAt } from "../../lib/samples";
 import type { Axis } from "../../lab/address";
 import { axisKey } from "../../lab/resultView";
-import { metres, metresPerSecond, newtons, newtonsPerMetre, springTravel, type Metres, type MetresPerSecond, type Newtons, type Seconds, seconds } from "../../units/brands";
+import {
+  metres,
+  metresPerSecond,
+  newtons,
+  newtonsPerMetre,
+  springTravel,
+  type Metres,
+  type MetresPerSecond,
+  type Newtons,
+  type Seconds,
+  seconds,
+} from "../../units/brands";
 import { numberAt } from "./inputs";
 
 export interface Axle {
@@ -50,9 +61,21 @@ export function poseAt(series: Series, axis: Axis, at: number, scenario: Scenari
     const wheel = metres(road - springTravel(newtons(load), stiffness));
     const limit = loads[end];
     const airborne = limit !== null && load <= -limit * FLOAT32;
-    return { road: metres(road), wheel, body: metres(wheel + deflection), force: newtons(read(`${end}_force`) ?? 0), airborne };
+    return {
+      road: metres(road),
+      wheel,
+      body: metres(wheel + deflection),
+      force: newtons(read(`${end}_force`) ?? 0),
+      airborne,
+    };
   };
-  const [time, position, speed, front, rear] = [read("time"), read("position"), read("speed"), axle("front"), axle("rear")];
+  const [time, position, speed, front, rear] = [
+    read("time"),
+    read("position"),
+    read("speed"),
+    axle("front"),
+    axle("rear"),
+  ];
   if (time === null || position === null || speed === null || !front || !rear) return null;
   return { time: seconds(time), position: metres(position), speed: metresPerSecond(speed), front, rear };
 }

@@ -16,7 +16,10 @@ export function Wheel({ axle: { x, hub, tyre, airborne }, radius, rolled }: Whee
   const rim = radius * 0.58;
   return (
     <g transform={`translate(${x} ${hub})`} data-airborne={airborne || undefined} className={classes.wheel}>
-      <path d={`M ${-radius} 0 A ${radius} ${radius} 0 0 1 ${radius} 0 A ${radius} ${tyre} 0 0 1 ${-radius} 0 Z`} className={classes.tyre} />
+      <path
+        d={`M ${-radius} 0 A ${radius} ${radius} 0 0 1 ${radius} 0 A ${radius} ${tyre} 0 0 1 ${-radius} 0 Z`}
+        className={classes.tyre}
+      />
       <circle r={rim} className={classes.rim} />
       <g transform={`rotate(${((rolled * 180) / Math.PI) % 360})`} className={classes.spoke}>
         <path d={`M ${-rim} 0 H ${rim} M 0 ${-rim} V ${rim}`} />
@@ -34,7 +37,10 @@ export function Strut({ axle: { x, hub, mount } }: { readonly axle: DrawnAxle })
   const top = Math.min(mount, hub - 5);
   const middle = (hub + top) / 2;
   const step = (hub - top) / (COILS + 1);
-  const coils = Array.from({ length: COILS }, (_, i) => `L ${-APART + (i % 2 === 0 ? HALF : -HALF)} ${top + (i + 1) * step}`);
+  const coils = Array.from(
+    { length: COILS },
+    (_, i) => `L ${-APART + (i % 2 === 0 ? HALF : -HALF)} ${top + (i + 1) * step}`,
+  );
   const spring = `M ${-APART} ${top} ${coils.join(" ")} L ${-APART} ${hub}`;
   // The piston hangs from the body in a cylinder on the wheel.
   const cylinder = Math.max(middle - 3, top + 1);
@@ -103,6 +109,21 @@ const Shell = memo(function Shell({ path, windows, x, y }: ShellProps) {
 });
 
 /** Another strategy's body, as a thin line in its colour. */
-export function Ghost({ car: { rear, tilt }, path, colour }: { readonly car: DrawnCar; readonly path: string; readonly colour: string }) {
-  return <path transform={`translate(${rear.x} ${rear.floor}) rotate(${tilt})`} d={path} stroke={colour} className={classes.ghost} />;
+export function Ghost({
+  car: { rear, tilt },
+  path,
+  colour,
+}: {
+  readonly car: DrawnCar;
+  readonly path: string;
+  readonly colour: string;
+}) {
+  return (
+    <path
+      transform={`translate(${rear.x} ${rear.floor}) rotate(${tilt})`}
+      d={path}
+      stroke={colour}
+      className={classes.ghost}
+    />
+  );
 }

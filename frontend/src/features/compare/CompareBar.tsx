@@ -41,7 +41,8 @@ function AgainstSelect({ scene: { strategies, pins, before, against, baseline } 
     ...(before ? [{ value: "before" satisfies Against, label: `B${before.name.slice(1)}` }] : []),
     ...pins.map((pin) => ({ value: againstVariant(pin), label: pin.name })),
   ];
-  const selected = against === null ? `${STRATEGY}${baseline}` : against === before ? "before" : againstVariant(against);
+  const selected =
+    against === null ? `${STRATEGY}${baseline}` : against === before ? "before" : againstVariant(against);
   return (
     <label className={classes.choice}>
       Change against
@@ -49,7 +50,11 @@ function AgainstSelect({ scene: { strategies, pins, before, against, baseline } 
         size="xs"
         value={selected}
         onChange={({ currentTarget: { value } }) =>
-          router.setView(value.startsWith(STRATEGY) ? { baseline: value.slice(STRATEGY.length), against: "baseline" } : { against: value as Against })
+          router.setView(
+            value.startsWith(STRATEGY)
+              ? { baseline: value.slice(STRATEGY.length), against: "baseline" }
+              : { against: value as Against },
+          )
         }
       >
         <optgroup label="Another strategy">
@@ -82,7 +87,9 @@ function Differences({ scene: { shown, before, against } }: { readonly scene: Sc
   const all = changes.map(({ name, change }) => `${name} ${change}`).join("\n");
   return (
     <Box component="p" flex="1 1 12rem" miw={0} m={0} fz="xs" c="dimmed" title={all} data-testid="differences">
-      {other === null ? "\u00a0" : `${other === before ? "Changed" : `Against ${other.name}`}: ${changesText(changes) || "the same scenario"}${unlike === null ? "" : `; that is ${unlike}, so no change is shown`}`}
+      {other === null
+        ? "\u00a0"
+        : `${other === before ? "Changed" : `Against ${other.name}`}: ${changesText(changes) || "the same scenario"}${unlike === null ? "" : `; that is ${unlike}, so no change is shown`}`}
     </Box>
   );
 }

@@ -25,7 +25,15 @@ export function PinList() {
         </li>
       )}
       {pins.map((pin, index) => (
-        <li key={pin.run}>{readOnly ? <span className={classes.pin}><PinName pin={pin} index={index} /></span> : <PinMenu pin={pin} index={index} />}</li>
+        <li key={pin.run}>
+          {readOnly ? (
+            <span className={classes.pin}>
+              <PinName pin={pin} index={index} />
+            </span>
+          ) : (
+            <PinMenu pin={pin} index={index} />
+          )}
+        </li>
       ))}
     </ul>
   );
@@ -74,7 +82,12 @@ function PinMenu({ pin, index }: Props) {
   return (
     <Menu position="bottom-start" width={260} withinPortal trapFocus>
       <Menu.Target>
-        <button type="button" className={classes.pin} data-missing={pin.missing !== null || undefined} title={pin.missing === null ? pin.name : `${pin.name}: ${pin.missing}`}>
+        <button
+          type="button"
+          className={classes.pin}
+          data-missing={pin.missing !== null || undefined}
+          title={pin.missing === null ? pin.name : `${pin.name}: ${pin.missing}`}
+        >
           <PinName pin={pin} index={index} />
           <IconChevronDown size={13} aria-hidden />
         </button>
@@ -92,7 +105,9 @@ function PinMenu({ pin, index }: Props) {
             if (event.key === "Enter") rename(event.currentTarget.value);
           }}
         />
-        {pin.missing !== null && !pin.isGone && <Menu.Item onClick={() => void queries.refetchQueries({ queryKey: pinnedKey(pin.run) })}>Try again</Menu.Item>}
+        {pin.missing !== null && !pin.isGone && (
+          <Menu.Item onClick={() => void queries.refetchQueries({ queryKey: pinnedKey(pin.run) })}>Try again</Menu.Item>
+        )}
         <Menu.Item disabled={pin.isGone} onClick={() => open()({ id: pin.run })}>
           Open
         </Menu.Item>

@@ -18,7 +18,12 @@ export function SpeedSelect() {
   const readOnly = useReadOnly();
   const policy = useFromScenario((scenario) => getAt(scenario, POLICY));
   return (
-    <Tooltip label="At equal speed, the remaining difference comes from the suspension" multiline w={240} openDelay={500}>
+    <Tooltip
+      label="At equal speed, the remaining difference comes from the suspension"
+      multiline
+      w={240}
+      openDelay={500}
+    >
       <label className={classes.choice}>
         Who slows down
         <NativeSelect

@@ -36,11 +36,20 @@ async function pinnedRun(id: string, roads: number | null, queries: QueryClient,
 
 export function missingText(error: Error | null): string {
   if (error === null) return "loading";
-  return isNotFound(error) ? "no longer stored on the server" : error instanceof Unreachable ? "the server does not answer" : `could not be loaded: ${error.message}`;
+  return isNotFound(error)
+    ? "no longer stored on the server"
+    : error instanceof Unreachable
+      ? "the server does not answer"
+      : `could not be loaded: ${error.message}`;
 }
 
 /** The pinned run with its time histories. */
-export async function loadPinned(id: string, roads: number | null, queries: QueryClient, signal: AbortSignal): Promise<Shown> {
+export async function loadPinned(
+  id: string,
+  roads: number | null,
+  queries: QueryClient,
+  signal: AbortSignal,
+): Promise<Shown> {
   const run = await pinnedRun(id, roads, queries, signal);
   return fromRun(run, await historiesOf(run, queries, api.series, signal), 0, true);
 }

@@ -22,15 +22,33 @@ export function BumpDrawing({ members }: { readonly members: readonly Member[] }
   const height = shown && getAt(shown.scenario, "/road/bump/height");
   const isCoarse = drawn === null && height !== 0 && strategy !== "";
   const run = shown?.runId ?? "";
-  const fine = useQuery({ ...seriesQuery(run, [strategy], DETAIL_POINTS), enabled: isCoarse && run !== "" }).data?.[strategy];
+  const fine = useQuery({ ...seriesQuery(run, [strategy], DETAIL_POINTS), enabled: isCoarse && run !== "" }).data?.[
+    strategy
+  ];
   const sketch = isCoarse && shown && fine ? bumpSketch(shown.scenario, fine) : drawn;
 
-  const field = (name: string) => members.find((member): member is NumberField => member.kind === "number" && member.pointer === `/road/bump/${name}`);
+  const field = (name: string) =>
+    members.find(
+      (member): member is NumberField => member.kind === "number" && member.pointer === `/road/bump/${name}`,
+    );
   const [heightField, widthField] = [field("height"), field("width")];
   if (!heightField || !widthField) return null; // the form is searched for something else
-  if (sketch) return <Drawing sketch={sketch} height={valueText(heightField, sketch.height)} width={valueText(widthField, sketch.width)} />;
+  if (sketch)
+    return (
+      <Drawing
+        sketch={sketch}
+        height={valueText(heightField, sketch.height)}
+        width={valueText(widthField, sketch.width)}
+      />
+    );
   if (height !== 0) return <div style={{ height: FLOOR }} />; // on its way
-  return <Text className={classes.note}>{getAt(shown?.scenario, "/road/profile") ? "No bump is added to the measured road." : "Height 0: there is no bump."}</Text>;
+  return (
+    <Text className={classes.note}>
+      {getAt(shown?.scenario, "/road/profile")
+        ? "No bump is added to the measured road."
+        : "Height 0: there is no bump."}
+    </Text>
+  );
 }
 
 interface Props {
@@ -51,14 +69,27 @@ function Drawing({ sketch: { points, ...bump }, height, width }: Props) {
   const outline = points.map(([distance, z]) => `${x(distance).toFixed(1)},${y(z).toFixed(1)}`).join(" ");
   const [left, right, beside] = [x(0), x(bump.width), x(0) - 7];
   const scale = factor === 1 ? "to scale" : `heights × ${factor}`;
-  const several = bump.count === 1 ? "" : bump.drawn === bump.count ? `${bump.count} bumps, ` : `first ${bump.drawn} of ${bump.count} bumps, `;
+  const several =
+    bump.count === 1
+      ? ""
+      : bump.drawn === bump.count
+        ? `${bump.count} bumps, `
+        : `first ${bump.drawn} of ${bump.count} bumps, `;
   return (
     <div ref={ref} className={classes.sketch} style={{ height: FLOOR }}>
       {pixels > 0 && (
-        <svg width={pixels} height={FLOOR} role="img" aria-label={`Bump of height ${height} and width ${width}, ${several}${scale}`}>
+        <svg
+          width={pixels}
+          height={FLOOR}
+          role="img"
+          aria-label={`Bump of height ${height} and width ${width}, ${several}${scale}`}
+        >
           <polygon points={`${x(from)},${FLOOR} ${outline} ${x(to)},${FLOOR}`} className={classes.sketchRoad} />
           <polyline points={outline} className={classes.sketchOutline} />
-          <path d={`M ${beside - 3} ${y(0)} h 6 M ${beside} ${y(0)} V ${y(bump.height)} m -3 0 h 6`} className={classes.sketchSize} />
+          <path
+            d={`M ${beside - 3} ${y(0)} h 6 M ${beside} ${y(0)} V ${y(bump.height)} m -3 0 h 6`}
+            className={classes.sketchSize}
+          />
           <text x={beside - 5} y={(y(0) + y(bump.height)) / 2} dominantBaseline="middle" textAnchor="end">
             {height}
           </text>

@@ -28,7 +28,10 @@ export function Editor({ form }: { readonly form: Group }) {
 
   const [search, setSearch] = useState("");
   const searching = search.trim() !== "";
-  const found = useMemo(() => (searching ? all.flatMap((section) => matching(section, search) ?? []) : all), [all, search, searching]);
+  const found = useMemo(
+    () => (searching ? all.flatMap((section) => matching(section, search) ?? []) : all),
+    [all, search, searching],
+  );
   const sought = useStore(revealed);
   const itsSection = sought && all.find((section) => contains(section, [sought]))?.key;
   if (itsSection && !opened.includes(itsSection)) setOpened([...opened, itsSection]);
@@ -48,7 +51,9 @@ export function Editor({ form }: { readonly form: Group }) {
     <div className={classes.editor} data-scenario data-read-only={readOnly || undefined}>
       <div className={classes.summary}>
         <Text size="sm" c="dimmed">
-          {changed === 0 ? "The paper’s scenario" : `${changed} ${changed === 1 ? "value differs" : "values differ"} from the paper`}
+          {changed === 0
+            ? "The paper’s scenario"
+            : `${changed} ${changed === 1 ? "value differs" : "values differ"} from the paper`}
         </Text>
         {!readOnly && (
           <Button
@@ -78,9 +83,15 @@ export function Editor({ form }: { readonly form: Group }) {
           if (event.key === "Escape") setSearch("");
         }}
       />
-      {found.length === 0 && <Text p="0.3rem 1rem" fz="0.8125rem" c="dimmed">No field has this name.</Text>}
+      {found.length === 0 && (
+        <Text p="0.3rem 1rem" fz="0.8125rem" c="dimmed">
+          No field has this name.
+        </Text>
+      )}
       {refused.general.length > 0 && (
-        <Fault px="md" pb="xs">{refused.general.join(". ")}</Fault>
+        <Fault px="md" pb="xs">
+          {refused.general.join(". ")}
+        </Fault>
       )}
       <Accordion
         multiple
@@ -89,11 +100,20 @@ export function Editor({ form }: { readonly form: Group }) {
         order={2}
         value={[...new Set([...opened, ...forced])]}
         onChange={(next) => !searching && setOpened(next)}
-        classNames={{ item: classes.item ?? "", control: classes.control ?? "", label: classes.controlLabel ?? "", content: classes.content ?? "" }}
+        classNames={{
+          item: classes.item ?? "",
+          control: classes.control ?? "",
+          label: classes.controlLabel ?? "",
+          content: classes.content ?? "",
+        }}
         transitionDuration={0}
       >
         {found.map((section) => (
-          <SectionItem key={section.key} section={section} isOpen={opened.includes(section.key) || forced.includes(section.key)} />
+          <SectionItem
+            key={section.key}
+            section={section}
+            isOpen={opened.includes(section.key) || forced.includes(section.key)}
+          />
         ))}
       </Accordion>
     </div>
@@ -101,7 +121,9 @@ export function Editor({ form }: { readonly form: Group }) {
 }
 
 function contains(section: Section, pointers: readonly Pointer[]): boolean {
-  return pointers.some((pointer) => section.members.some((member) => pointer === member.pointer || pointer.startsWith(`${member.pointer}/`)));
+  return pointers.some((pointer) =>
+    section.members.some((member) => pointer === member.pointer || pointer.startsWith(`${member.pointer}/`)),
+  );
 }
 
 interface ItemProps {
@@ -110,11 +132,15 @@ interface ItemProps {
 }
 
 const SectionItem = memo(function SectionItem({ section, isOpen }: ItemProps) {
-  const changed = useFromScenario((scenario) => section.members.flatMap((member) => changedPointers(scenario, member)).length);
+  const changed = useFromScenario(
+    (scenario) => section.members.flatMap((member) => changedPointers(scenario, member)).length,
+  );
   return (
     <Accordion.Item value={section.key}>
       <Accordion.Control>
-        <Box component="span" fw={600} fz="sm">{section.title}</Box>
+        <Box component="span" fw={600} fz="sm">
+          {section.title}
+        </Box>
         {changed > 0 && (
           <Badge size="sm" variant="light" className={classes.badge ?? ""}>
             {changed} changed
@@ -122,7 +148,9 @@ const SectionItem = memo(function SectionItem({ section, isOpen }: ItemProps) {
         )}
       </Accordion.Control>
       <Accordion.Panel>
-        {isOpen && section.key === VEHICLE && <VehicleChoice group={{ ...section, kind: "group", pointer: section.key }} />}
+        {isOpen && section.key === VEHICLE && (
+          <VehicleChoice group={{ ...section, kind: "group", pointer: section.key }} />
+        )}
         {isOpen && section.key === BUMP && <BumpDrawing members={section.members} />}
         {isOpen && <Members members={section.members} />}
       </Accordion.Panel>

@@ -24,7 +24,12 @@ interface Props {
 export function FieldFrame({ id, field, leaf: { changed, error }, standard, aside, children }: Props) {
   const { pointer, title, description } = field;
   return (
-    <div className={classes.field} data-pointer={pointer} data-changed={changed || undefined} data-error={error !== undefined || undefined}>
+    <div
+      className={classes.field}
+      data-pointer={pointer}
+      data-changed={changed || undefined}
+      data-error={error !== undefined || undefined}
+    >
       <Group gap="0.25rem" wrap={aside === undefined ? "nowrap" : "wrap"} mih={30}>
         <label className={classes.label} htmlFor={id} id={`${id}-label`}>
           {title}
@@ -41,10 +46,24 @@ export function FieldFrame({ id, field, leaf: { changed, error }, standard, asid
 }
 
 // Help and reset are as they were while a slider moves: half of what a field costs to draw.
-export const Help = memo(function Help({ id, title, text }: { readonly id: string; readonly title: string; readonly text: string }) {
+export const Help = memo(function Help({
+  id,
+  title,
+  text,
+}: {
+  readonly id: string;
+  readonly title: string;
+  readonly text: string;
+}) {
   return (
     <Tooltip label={text} multiline w={240} withArrow events={{ hover: true, focus: true, touch: true }}>
-      <ActionIcon className={classes.help} variant="transparent" size={18} aria-label={`About ${title}: ${text}`} id={`${id}-help`}>
+      <ActionIcon
+        className={classes.help}
+        variant="transparent"
+        size={18}
+        aria-label={`About ${title}: ${text}`}
+        id={`${id}-help`}
+      >
         <IconInfoCircle size={14} stroke={1.6} />
       </ActionIcon>
     </Tooltip>

@@ -30,7 +30,9 @@ function MemberControl({ member }: { readonly member: Member }) {
     case "group":
       return (
         <Stack gap="0.6rem" pt="0.4rem">
-          <Text fz="xs" fw={600} c="dimmed">{member.title}</Text>
+          <Text fz="xs" fw={600} c="dimmed">
+            {member.title}
+          </Text>
           <Members members={member.members} />
         </Stack>
       );

@@ -61,7 +61,9 @@ export function NumberEntry({ id, field, leaf, label, withUnit = true, disabled 
       error={leaf.error !== undefined}
       {...(label === undefined ? {} : { "aria-label": label })}
       {...(leaf.error === undefined ? {} : { "aria-describedby": `${id}-error` })}
-      {...(withUnit && unit !== "" ? { rightSection: <span className={classes.unit}>{unit}</span>, rightSectionWidth: 52 } : {})}
+      {...(withUnit && unit !== ""
+        ? { rightSection: <span className={classes.unit}>{unit}</span>, rightSectionWidth: 52 }
+        : {})}
       rightSectionPointerEvents="none"
       onChange={(event) => setDraft(event.currentTarget.value)}
       onFocus={(event) => event.currentTarget.select()}

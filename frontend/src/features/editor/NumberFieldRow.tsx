@@ -37,7 +37,13 @@ export function NumberFieldRow({ field, leaf, withSlider = true }: Props) {
               onChange={(event) => leaf.commit(event.currentTarget.checked ? typicalValue(field) : null)}
             />
           )}
-          {isOff ? <Box component="span" w={118} pr={10} fz="xs" lh="30px" ta="right" c="dimmed">{OFF}</Box> : <NumberEntry id={id} field={field} leaf={leaf} />}
+          {isOff ? (
+            <Box component="span" w={118} pr={10} fz="xs" lh="30px" ta="right" c="dimmed">
+              {OFF}
+            </Box>
+          ) : (
+            <NumberEntry id={id} field={field} leaf={leaf} />
+          )}
         </>
       }
     >

@@ -24,7 +24,8 @@ export function NumberSlider({ field, leaf, label }: Props) {
   const value = typeof leaf.value === "number" ? clamp(leaf.value) : scale.minimum;
   const standard = typeof field.standard === "number" ? scale.toSlider(field.standard) : null;
   const marked = standard !== null && standard >= scale.minimum && standard <= scale.maximum;
-  const spoken = typeof leaf.value === "number" ? formatWithUnit(inShownUnit(field, leaf.value), field.shown.unit, 4) : "";
+  const spoken =
+    typeof leaf.value === "number" ? formatWithUnit(inShownUnit(field, leaf.value), field.shown.unit, 4) : "";
 
   return (
     <div onKeyDownCapture={() => (byKey.current = true)} onPointerDownCapture={() => (byKey.current = false)}>

@@ -27,7 +27,10 @@ export function RoadClassRow({ field, leaf }: { readonly field: NumberField; rea
   const id = useId();
   const roughness = typeof leaf.value === "number" ? leaf.value : 0;
   const roadClass = roughness === 0 ? SMOOTH : (exactClass(roughness)?.letter ?? "");
-  const options = [{ value: SMOOTH, label: "0" }, ...ROAD_CLASSES.map(({ letter }) => ({ value: letter, label: letter }))];
+  const options = [
+    { value: SMOOTH, label: "0" },
+    ...ROAD_CLASSES.map(({ letter }) => ({ value: letter, label: letter })),
+  ];
   return (
     <FieldFrame
       {...{ id, field, leaf }}

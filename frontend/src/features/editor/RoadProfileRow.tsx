@@ -23,8 +23,12 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
   const own = useItems("road");
   const id = typeof leaf.value === "string" ? leaf.value : "";
   const road = useQuery(roadQuery(id)).data;
-  const found = road?.bumps.map(({ start, width, height }) => `${(1000 * height).toFixed(0)} mm at ${start} m over ${width} m`) ?? [];
-  const saved = own.flatMap(({ name, value }) => (typeof value.id === "string" ? [{ value: value.id, label: name }] : []));
+  const found =
+    road?.bumps.map(({ start, width, height }) => `${(1000 * height).toFixed(0)} mm at ${start} m over ${width} m`) ??
+    [];
+  const saved = own.flatMap(({ name, value }) =>
+    typeof value.id === "string" ? [{ value: value.id, label: name }] : [],
+  );
   const name = `profile-${field.pointer}`;
 
   const choose = (chosen: string) => {
@@ -41,7 +45,13 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
       aside={
         <>
           {road && (
-            <Button component="a" size="compact-xs" variant="default" href={address("/roads/{id}", { path: { id }, query: { format: "csv" } })} download={`ridelab-road-${id}.csv`}>
+            <Button
+              component="a"
+              size="compact-xs"
+              variant="default"
+              href={address("/roads/{id}", { path: { id }, query: { format: "csv" } })}
+              download={`ridelab-road-${id}.csv`}
+            >
               Save CSV
             </Button>
           )}
@@ -55,7 +65,13 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
           id={name}
           value={id}
           disabled={leaf.readOnly}
-          data={[NONE, ...(id === "" || saved.some(({ value }) => value === id) ? [] : [{ value: id, label: "A measured road, not in the library" }]), ...(saved.length > 0 ? [{ group: "Your measured roads", items: saved }] : [])]}
+          data={[
+            NONE,
+            ...(id === "" || saved.some(({ value }) => value === id)
+              ? []
+              : [{ value: id, label: "A measured road, not in the library" }]),
+            ...(saved.length > 0 ? [{ group: "Your measured roads", items: saved }] : []),
+          ]}
           onChange={(event) => choose(event.currentTarget.value)}
         />
       )}

@@ -34,7 +34,8 @@ export function VehicleChoice({ group }: { readonly group: Group }) {
     const next = choice && whole(choice.vehicle);
     if (next !== undefined && !sameValue(next, vehicle)) edit.commit(setAt(edit.newest(), group.pointer, next));
   };
-  const save = () => void exportItem({ kind: "vehicle", name: chosen?.label ?? "Own vehicle", value: vehicle as JsonObject });
+  const save = () =>
+    void exportItem({ kind: "vehicle", name: chosen?.label ?? "Own vehicle", value: vehicle as JsonObject });
 
   return (
     <div className={classes.vehicle}>

@@ -47,7 +47,9 @@ function MatrixRow({ vector }: { readonly vector: VectorField }) {
           {vector.description !== "" && <Help id={id} title={vector.title} text={vector.description} />}
           <ResetButton
             field={vector}
-            standard={vector.items.map(({ standard }) => (typeof standard === "number" ? formatInput(standard) : "–")).join(", ")}
+            standard={vector.items
+              .map(({ standard }) => (typeof standard === "number" ? formatInput(standard) : "–"))
+              .join(", ")}
             changed={changed}
           />
         </Group>

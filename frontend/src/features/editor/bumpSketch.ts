@@ -28,14 +28,23 @@ export function bumpSketch(scenario: Scenario, { position, front_road: road }: S
     const value = getAt(scenario, `/road/bump/${name}`);
     return typeof value === "number" ? value : 0;
   };
-  const [start, width, height, count, spacing] = ["start", "width", "height", "count", "spacing"].map(read) as [number, number, number, number, number];
+  const [start, width, height, count, spacing] = ["start", "width", "height", "count", "spacing"].map(read) as [
+    number,
+    number,
+    number,
+    number,
+    number,
+  ];
   if (height === 0 || !position || !road) return null;
   const drawn = Math.min(count, MOST_DRAWN);
   const length = (drawn - 1) * spacing + width;
   const [from, to] = covering(position, start - MARGIN * length, start + (1 + MARGIN) * length);
   if (to - from < LEAST_SAMPLES * drawn) return null;
   const ground = valueAt(position, road, start) ?? 0;
-  const points = Array.from(position.slice(from, to), (x, index) => [x - start, (road[from + index] ?? ground) - ground] as const);
+  const points = Array.from(
+    position.slice(from, to),
+    (x, index) => [x - start, (road[from + index] ?? ground) - ground] as const,
+  );
   return { points, width, height, drawn, count };
 }
 

@@ -1,7 +1,16 @@
 /** Data, pictures and commands of what is shown. */
 
 import { Button, Menu, Modal, Text, Textarea } from "@mantine/core";
-import { IconBrandPython, IconCheck, IconCpu, IconDownload, IconFileText, IconPhoto, IconTerminal2, IconWorldUpload } from "../../ui/icons";
+import {
+  IconBrandPython,
+  IconCheck,
+  IconCpu,
+  IconDownload,
+  IconFileText,
+  IconPhoto,
+  IconTerminal2,
+  IconWorldUpload,
+} from "../../ui/icons";
 import { useMutation, useQuery, useQueryClient } from "@tanstack/react-query";
 import { useState } from "react";
 import { address } from "../../api/http";
@@ -54,7 +63,10 @@ export function ExportMenu() {
   const picture = useMutation({
     mutationFn: async (format: "png" | "svg") => {
       if (!shown || !figures || !strategies) return;
-      download(await plotsImage(client, figures, makeScene(shown, strategies, selected, view, compared), format), `ridelab-${runId ?? "live"}.${format}`);
+      download(
+        await plotsImage(client, figures, makeScene(shown, strategies, selected, view, compared), format),
+        `ridelab-${runId ?? "live"}.${format}`,
+      );
     },
   });
   const saveReport = () => {
@@ -62,7 +74,10 @@ export function ExportMenu() {
     const { baseline, against } = makeScene(shown, strategies, selected, view, compared);
     const run = against && whyNotCompared(shown, against.shown) === null ? against.shown.runId : null;
     const refersTo = { baseline: run === null ? baseline : null, against: run };
-    download(address("/runs/{id}/report.html", { path: { id: runId }, query: { x: axisKey(view.axis), ...refersTo } }), `ridelab-${runId}.html`);
+    download(
+      address("/runs/{id}/report.html", { path: { id: runId }, query: { x: axisKey(view.axis), ...refersTo } }),
+      `ridelab-${runId}.html`,
+    );
   };
   const copyAs = (write: (request: CopyRequest) => string) => {
     if (!form) return;
@@ -74,7 +89,12 @@ export function ExportMenu() {
 
   useCommands([
     ...(runId === null ? [] : [{ group: "Lab", label: "Export HTML report", run: saveReport } as const]),
-    ...(shown?.missing === null ? FIGURES.map(({ format, label }) => ({ group: "Lab", label: `Export plots: ${label}`, run: () => picture.mutate(format) }) as const) : []),
+    ...(shown?.missing === null
+      ? FIGURES.map(
+          ({ format, label }) =>
+            ({ group: "Lab", label: `Export plots: ${label}`, run: () => picture.mutate(format) }) as const,
+        )
+      : []),
     { group: "Lab", label: "Export controller (C)", run: saveController },
     ...COPIES.map(({ label, write }) => ({ group: "Lab", label, run: () => copyAs(write) }) as const),
   ]);
@@ -105,10 +125,17 @@ export function ExportMenu() {
                 {FORMATS.map(({ format, label: name }) => (
                   <Menu.Item
                     key={format}
-                    w="auto" px="0.6rem" fw={600}
+                    w="auto"
+                    px="0.6rem"
+                    fw={600}
                     aria-label={`${label} as ${name}`}
                     disabled={runId === null || shown?.missing !== null}
-                    onClick={() => download(address("/runs/{id}/series", { path: { id: runId ?? "" }, query: { strategy: id, format } }), `ridelab-${runId ?? ""}-${id}.${format}`)}
+                    onClick={() =>
+                      download(
+                        address("/runs/{id}/series", { path: { id: runId ?? "" }, query: { strategy: id, format } }),
+                        `ridelab-${runId ?? ""}-${id}.${format}`,
+                      )
+                    }
                   >
                     {name}
                   </Menu.Item>
@@ -116,16 +143,17 @@ export function ExportMenu() {
               </div>
             ))}
           <Menu.Label>Everything in one file</Menu.Label>
-          <Menu.Item
-            leftSection={<IconFileText size={16} />}
-            disabled={runId === null}
-            onClick={saveReport}
-          >
+          <Menu.Item leftSection={<IconFileText size={16} />} disabled={runId === null} onClick={saveReport}>
             HTML report
           </Menu.Item>
           <Menu.Label>Plots as shown</Menu.Label>
           {FIGURES.map(({ format, label }) => (
-            <Menu.Item key={format} leftSection={<IconPhoto size={16} />} disabled={shown?.missing !== null} onClick={() => picture.mutate(format)}>
+            <Menu.Item
+              key={format}
+              leftSection={<IconPhoto size={16} />}
+              disabled={shown?.missing !== null}
+              onClick={() => picture.mutate(format)}
+            >
               {label}
             </Menu.Item>
           ))}
@@ -141,13 +169,29 @@ export function ExportMenu() {
           ))}
         </Menu.Dropdown>
       </Menu>
-      <Modal opened={unsaved !== null} onClose={reset} title="The controller could not be exported" closeButtonProps={{ "aria-label": "Close" }}>
+      <Modal
+        opened={unsaved !== null}
+        onClose={reset}
+        title="The controller could not be exported"
+        closeButtonProps={{ "aria-label": "Close" }}
+      >
         <Text size="sm">{unsaved?.message}</Text>
       </Modal>
-      <Modal opened={picture.isError} onClose={picture.reset} title="The plots could not be saved" closeButtonProps={{ "aria-label": "Close" }}>
+      <Modal
+        opened={picture.isError}
+        onClose={picture.reset}
+        title="The plots could not be saved"
+        closeButtonProps={{ "aria-label": "Close" }}
+      >
         <Text size="sm">{picture.error && explain(picture.error)}</Text>
       </Modal>
-      <Modal opened={refused !== null} onClose={() => setRefused(null)} title="Select the address and copy it" size="lg" closeButtonProps={{ "aria-label": "Close" }}>
+      <Modal
+        opened={refused !== null}
+        onClose={() => setRefused(null)}
+        title="Select the address and copy it"
+        size="lg"
+        closeButtonProps={{ "aria-label": "Close" }}
+      >
         <Textarea
           readOnly
           autosize

@@ -6,13 +6,22 @@ import { asCommand, asCurl, asPython, changedPart } from "./copyAs";
 
 const PAPER = standardScenario(FORM);
 const CHANGED = setAt(setAt(setAt(PAPER, "/road/bump/height", -0.06), "/mpc/weights/1", 3), "/mpc/lag", 20);
-const copyRequest = (scenario = CHANGED) => ({ origin: "http://h:8000", form: FORM, scenario, strategies: ["lv", "lqr"], over: null });
+const copyRequest = (scenario = CHANGED) => ({
+  origin: "http://h:8000",
+  form: FORM,
+  scenario,
+  strategies: ["lv", "lqr"],
+  over: null,
+});
 const OVER = { roads: 10, baseline: "lqr" };
 
 describe("what is written out", () => {
   it("is what differs from the paper, weights whole", () => {
     expect(changedPart(PAPER, FORM)).toEqual({});
-    expect(changedPart(CHANGED, FORM)).toEqual({ road: { bump: { height: -0.06 } }, mpc: { lag: 20, weights: [8, 3] } });
+    expect(changedPart(CHANGED, FORM)).toEqual({
+      road: { bump: { height: -0.06 } },
+      mpc: { lag: 20, weights: [8, 3] },
+    });
   });
 });
 
@@ -20,7 +29,10 @@ describe("curl", () => {
   it("sends the API's own body", () => {
     const command = asCurl(copyRequest());
     expect(command).toMatch(/^curl -sS http:\/\/h:8000\/api\/v1\/runs -H 'content-type: application\/json' -d '/);
-    expect(JSON.parse(/-d '(.*)'$/.exec(command)?.[1] ?? "")).toEqual({ scenario: changedPart(CHANGED, FORM), strategies: ["lv", "lqr"] });
+    expect(JSON.parse(/-d '(.*)'$/.exec(command)?.[1] ?? "")).toEqual({
+      scenario: changedPart(CHANGED, FORM),
+      strategies: ["lv", "lqr"],
+    });
   });
 
   it("is quoted for a shell", () => {
@@ -60,7 +72,11 @@ with Ridelab("http://h:8000") as ridelab:
   });
 
   it("writes nothing as None, and breaks long lines", () => {
-    const long = setAt(setAt(setAt(setAt(CHANGED, "/mpc/force_weight", 2e-9), "/road/seed", 7), "/road/bump/shape", "flat_top"), "/mpc/lag", 5);
+    const long = setAt(
+      setAt(setAt(setAt(CHANGED, "/mpc/force_weight", 2e-9), "/road/seed", 7), "/road/bump/shape", "flat_top"),
+      "/mpc/lag",
+      5,
+    );
     expect(asPython(copyRequest(long))).toContain(`scenario = {
     "road": {"seed": 7, "bump": {"shape": "flat_top", "height": -0.06}},
     "mpc": {"lag": 5, "force_weight": 2e-9, "weights": [8, 3]},

@@ -17,14 +17,17 @@ export interface CopyRequest {
 }
 
 /** Without a baseline that is hidden: the service then takes its own. */
-const roadsOf = ({ over, strategies }: CopyRequest) => over && { roads: over.roads, ...(strategies.includes(over.baseline) && { baseline: over.baseline }) };
+const roadsOf = ({ over, strategies }: CopyRequest) =>
+  over && { roads: over.roads, ...(strategies.includes(over.baseline) && { baseline: over.baseline }) };
 
 /** The part of a scenario that is not the paper's; weights come whole. */
 export function changedPart(scenario: Scenario, form: Group): JsonObject {
   return fieldsOf(form).reduce<Scenario>((part, field) => {
     const leaves = field.kind === "vector" ? field.items : [field];
     const value = getAt(scenario, field.pointer);
-    return value !== undefined && leaves.some((leaf) => isChanged(scenario, leaf)) ? setAt(part, field.pointer, value) : part;
+    return value !== undefined && leaves.some((leaf) => isChanged(scenario, leaf))
+      ? setAt(part, field.pointer, value)
+      : part;
   }, {});
 }
 
@@ -47,8 +50,17 @@ export function asCommand(request: CopyRequest): string {
     if (value === undefined || !isChanged(scenario, leaf)) return [];
     return [`--set ${word(`${dotted(leaf.pointer)}=${typeof value === "string" ? value : JSON.stringify(value)}`)}`];
   });
-  const roads = [...(over ? [`--roads ${over.roads}`] : []), ...(over?.baseline ? [`--baseline ${word(over.baseline)}`] : [])];
-  return ["ridelab run", ...changes, `--strategy ${word(strategies.join(","))}`, ...roads, `--server ${word(origin)}`].join(" ");
+  const roads = [
+    ...(over ? [`--roads ${over.roads}`] : []),
+    ...(over?.baseline ? [`--baseline ${word(over.baseline)}`] : []),
+  ];
+  return [
+    "ridelab run",
+    ...changes,
+    `--strategy ${word(strategies.join(","))}`,
+    ...roads,
+    `--server ${word(origin)}`,
+  ].join(" ");
 }
 
 const INDENT = "    ";

@@ -30,7 +30,15 @@ interface Props<Estimate extends Cost> {
 const time = ({ estimated_seconds: seconds, estimated_cost: cost }: Cost) =>
   seconds === null ? `about ${formatDuration(cost)} of one processor core` : `about ${formatDuration(seconds)}`;
 
-export function StartFoot<Estimate extends Cost>({ submission: { estimate, pending, errors, general, starting, start }, draft, amount, notes, className = ui.foot, inForm = false, children }: Props<Estimate>) {
+export function StartFoot<Estimate extends Cost>({
+  submission: { estimate, pending, errors, general, starting, start },
+  draft,
+  amount,
+  notes,
+  className = ui.foot,
+  inForm = false,
+  children,
+}: Props<Estimate>) {
   const wrong = [...new Set([...general, ...Object.values(errors)])];
   const otherwise = wrong.length > 0 ? `It cannot start: ${wrong.join(". ")}` : pending ? "Estimating…" : "\u00a0";
   return (
@@ -49,7 +57,11 @@ export function StartFoot<Estimate extends Cost>({ submission: { estimate, pendi
       <Group gap="xs" wrap="nowrap" ml="auto">
         <ResetDraft isEdited={draft.isEdited} onReset={draft.reset} />
         {children}
-        <Button disabled={estimate === undefined} loading={starting} {...(inForm ? { type: "submit" } : { onClick: start })}>
+        <Button
+          disabled={estimate === undefined}
+          loading={starting}
+          {...(inForm ? { type: "submit" } : { onClick: start })}
+        >
           Start
         </Button>
       </Group>

@@ -16,14 +16,23 @@ export type FieldNameOf = (parts: readonly string[]) => string | null;
 
 const unescape = (part: string) => part.replace(/~1/g, "/").replace(/~0/g, "~");
 
-export function problemsByField(errors: readonly FieldError[], fieldNameOf: FieldNameOf, fallback: string): ProblemsByField {
+export function problemsByField(
+  errors: readonly FieldError[],
+  fieldNameOf: FieldNameOf,
+  fallback: string,
+): ProblemsByField {
   const fields: Record<string, string> = {};
   const general: string[] = [];
   for (const { pointer, message } of errors) {
     const parts = pointer.split("/").slice(1).map(unescape);
     const name = fieldNameOf(parts);
     if (name !== null) fields[name] ??= message;
-    else general.push(parts[0] === "scenario" && parts.length > 1 ? `The scenario’s ${parts.slice(1).join(".")}: ${message}` : message);
+    else
+      general.push(
+        parts[0] === "scenario" && parts.length > 1
+          ? `The scenario’s ${parts.slice(1).join(".")}: ${message}`
+          : message,
+      );
   }
   return { fields, general: errors.length === 0 ? [fallback] : [...new Set(general)] };
 }

@@ -81,7 +81,8 @@ export function useSubmission<Body, Estimate>(submission: Submission<Body, Estim
     starting: started.isPending,
     start: () => {
       const { body, onSubmitted } = submission;
-      if (body !== null && shown !== undefined && !started.isPending) started.mutate({ body, onSubmitted }, { onSuccess: fromHere(router).go });
+      if (body !== null && shown !== undefined && !started.isPending)
+        started.mutate({ body, onSubmitted }, { onSuccess: fromHere(router).go });
     },
   };
 }

@@ -50,7 +50,17 @@ export function ItemRow({ item, form, open, remove, isRenamed, onRenamed }: Prop
       </button>
       <Menu position="bottom-end" width={160}>
         <Menu.Target>
-          <ActionIcon ref={menu} autoFocus={isRenamed} variant="subtle" color="gray" size={28} pos="absolute" top="0.3rem" right="0.2rem" aria-label={`Rename, export or delete ${name}`}>
+          <ActionIcon
+            ref={menu}
+            autoFocus={isRenamed}
+            variant="subtle"
+            color="gray"
+            size={28}
+            pos="absolute"
+            top="0.3rem"
+            right="0.2rem"
+            aria-label={`Rename, export or delete ${name}`}
+          >
             <IconDots size={16} />
           </ActionIcon>
         </Menu.Target>
@@ -89,5 +99,16 @@ function Rename({ item, onRenamed, onClose }: RenameProps) {
       setWrong(error instanceof Error ? error.message : String(error));
     }
   };
-  return <NameForm name={item.name} label="New name" action="Rename" longest={LONGEST_NAME} className={classes.rename} error={wrong} onSave={rename} onClose={onClose} />;
+  return (
+    <NameForm
+      name={item.name}
+      label="New name"
+      action="Rename"
+      longest={LONGEST_NAME}
+      className={classes.rename}
+      error={wrong}
+      onSave={rename}
+      onClose={onClose}
+    />
+  );
 }

@@ -27,7 +27,12 @@ export function LibraryButton({ presets }: { readonly presets: readonly Preset[]
   const own: readonly Command[] = [
     { group: "Lab", label: "Library: save, open, import and export", keys: "mod+S", run: () => dialog.set("scenario") },
     { group: "Lab", label: "Save the vehicle in the library", run: () => dialog.set("vehicle") },
-    ...items.map((item): Command => ({ group: "Library", label: item.name, description: `Own ${item.kind}`, run: () => open(item) })),
+    ...items.map((item): Command => ({
+      group: "Library",
+      label: item.name,
+      description: `Own ${item.kind}`,
+      run: () => open(item),
+    })),
   ];
   useCommands(form && !readOnly ? own : []);
   return (

@@ -42,7 +42,8 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
           Import files
         </OpenFiles>
         <Text className={classes.text}>
-          Scenarios and vehicles as JSON, measured roads as CSV; or drop them anywhere on the lab. This browser keeps the library: export what others need.
+          Scenarios and vehicles as JSON, measured roads as CSV; or drop them anywhere on the lab. This browser keeps
+          the library: export what others need.
         </Text>
       </div>
       {deleted && (
@@ -58,7 +59,9 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
       <OwnItems title="Your scenarios" kind="scenario" {...{ form, open, remove }} />
       <OwnItems title="Your vehicles" kind="vehicle" {...{ form, open, remove }} />
       <OwnItems title="Your measured roads" kind="road" {...{ form, open, remove }} />
-      <Box component="h3" m="1rem 0 0.3rem" fz="sm" fw={650}>Presets</Box>
+      <Box component="h3" m="1rem 0 0.3rem" fz="sm" fw={650}>
+        Presets
+      </Box>
       <ul className={classes.list} aria-label="Presets">
         {presets.map(({ id, label, description, scenario }) => (
           <li key={id} className={classes.entry}>
@@ -87,7 +90,9 @@ function OwnItems({ title, kind, ...row }: ListProps) {
   if (items.length === 0) return null;
   return (
     <>
-      <Box component="h3" m="1rem 0 0.3rem" fz="sm" fw={650}>{title}</Box>
+      <Box component="h3" m="1rem 0 0.3rem" fz="sm" fw={650}>
+        {title}
+      </Box>
       <ul className={classes.list} aria-label={title}>
         {items.map((item) => (
           <ItemRow key={item.name} item={item} isRenamed={item.name === renamed} onRenamed={setRenamed} {...row} />

@@ -23,7 +23,13 @@ export function OpenFiles({ children, name, wanted, size = "compact-xs" }: Props
     void open(files, wanted);
   };
   return (
-    <FileButton multiple resetRef={reset} accept=".json,.csv,.txt,application/json,text/csv" inputProps={{ "aria-label": name }} onChange={choose}>
+    <FileButton
+      multiple
+      resetRef={reset}
+      accept=".json,.csv,.txt,application/json,text/csv"
+      inputProps={{ "aria-label": name }}
+      onChange={choose}
+    >
       {(props) => (
         <Button {...props} size={size} variant="default">
           {children}

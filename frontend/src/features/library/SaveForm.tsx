@@ -80,7 +80,9 @@ export function SaveForm({ form, kind: first, onSaved }: Props) {
         Export
       </Button>
       <Text className={classes.text} role="status">
-        {replaced ? `Replaces the ${kind} that was saved under this name on ${formatMinute(replaced.saved)}.` : "\u00a0"}
+        {replaced
+          ? `Replaces the ${kind} that was saved under this name on ${formatMinute(replaced.saved)}.`
+          : "\u00a0"}
       </Text>
       {wrong !== null && <Fault>{wrong}</Fault>}
     </form>

@@ -27,10 +27,13 @@ const isGroup = (value: JsonValue | undefined) => typeof value === "object" && v
 /** `null` where the value is right by itself. */
 function wrong(leaf: Leaf, value: JsonValue | undefined): string | null {
   if (leaf.kind === "number") return wrongNumber(leaf, value);
-  if (leaf.kind === "text") return typeof value === "string" && /^\w[\w-]{21}$/.test(value) ? null : "Needs the id of a measured road";
+  if (leaf.kind === "text")
+    return typeof value === "string" && /^\w[\w-]{21}$/.test(value) ? null : "Needs the id of a measured road";
   if (leaf.kind === "data") return null;
   if (leaf.onOff) return typeof value === "boolean" ? null : "Must be true or false";
-  return leaf.options.includes(value as string) ? null : `Must be one of ${leaf.options.map((option) => `${optionTitle(option)} (${option})`).join(", ")}`;
+  return leaf.options.includes(value as string)
+    ? null
+    : `Must be one of ${leaf.options.map((option) => `${optionTitle(option)} (${option})`).join(", ")}`;
 }
 
 function wrongNumber(field: NumberField, value: JsonValue | undefined): string | null {

@@ -11,8 +11,15 @@ const written = (item: Exported, road: string | null = null) => fileOf(item, 2, 
 it("Scenarios, runs, vehicles and roads are told apart by their content", () => {
   const scenario = { road: { bump: { height: 0.12 } }, vehicle: { body_mass: 5 } };
   expect(read(JSON.stringify(scenario))).toEqual({ kind: "scenario", value: scenario, label: null, road: null });
-  expect(read(JSON.stringify({ id: "r", scenario, strategies: {} }), "run.txt")).toMatchObject({ kind: "scenario", value: scenario });
-  expect(read('{"label": "Van", "vehicle": {"body_mass": 5}}')).toEqual({ kind: "vehicle", value: { body_mass: 5 }, label: "Van" });
+  expect(read(JSON.stringify({ id: "r", scenario, strategies: {} }), "run.txt")).toMatchObject({
+    kind: "scenario",
+    value: scenario,
+  });
+  expect(read('{"label": "Van", "vehicle": {"body_mass": 5}}')).toEqual({
+    kind: "vehicle",
+    value: { body_mass: 5 },
+    label: "Van",
+  });
   const csv = "distance [m];height [mm]\r\n0;0\r\n5;12\r\n";
   expect(read(csv, "street.csv")).toEqual({ kind: "road", csv });
   const commented = `# Measured in May\n\n${csv}`;
@@ -28,7 +35,12 @@ it("What core 0.3.0 wrote opens with the filter it had, what a person wrote is t
   expect(read(JSON.stringify(scenario))).toMatchObject(had);
   const typed = { road: {}, estimation: { kind: "kalman" } };
   expect(read(JSON.stringify(typed))).toMatchObject({ value: typed });
-  expect(read(written({ kind: "scenario", name: "s", value: scenario }).text)).toEqual({ kind: "scenario", value: scenario, label: "s", road: null });
+  expect(read(written({ kind: "scenario", name: "s", value: scenario }).text)).toEqual({
+    kind: "scenario",
+    value: scenario,
+    label: "s",
+    road: null,
+  });
   expect(read('{"schema_version": 1, "vehicle": {"body_mass": 5}}')).toMatchObject({ kind: "vehicle" });
 });
 
@@ -36,7 +48,12 @@ it("What is exported is read again", () => {
   const vehicle = written({ kind: "vehicle", name: "Van: 887/2 kg", value: { body_mass: 5 } });
   expect(vehicle.name).toBe("Van_ 887_2 kg.json");
   expect(read(vehicle.text)).toEqual({ kind: "vehicle", value: { body_mass: 5 }, label: "Van: 887/2 kg" });
-  expect(read(written({ kind: "scenario", name: "s", value: { road: {} } }).text)).toEqual({ kind: "scenario", value: { road: {} }, label: "s", road: null });
+  expect(read(written({ kind: "scenario", name: "s", value: { road: {} } }).text)).toEqual({
+    kind: "scenario",
+    value: { road: {} },
+    label: "s",
+    road: null,
+  });
 });
 
 it("A scenario goes with the content of its measured road, and a road is its CSV", () => {
@@ -54,7 +71,9 @@ it("A scenario goes with the content of its measured road, and a road is its CSV
 
 it("A file of a newer version is refused, one of an older version and one without are read", () => {
   const file = (version: unknown) => JSON.stringify({ schema_version: version, scenario: { road: {} } });
-  expect(() => read(file(3))).toThrow("This file comes from a newer version of Ridelab: it has schema version 3, and this Ridelab reads up to 2.");
+  expect(() => read(file(3))).toThrow(
+    "This file comes from a newer version of Ridelab: it has schema version 3, and this Ridelab reads up to 2.",
+  );
   expect(() => read(file("new"))).toThrow("is not a number");
   expect(read(file(1))).toMatchObject({ kind: "scenario" });
   expect(read(written({ kind: "vehicle", name: "v", value: {} }).text)).toMatchObject({ kind: "vehicle" });

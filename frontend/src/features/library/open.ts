@@ -43,7 +43,11 @@ export function useExportItem(): (item: Exported) => Promise<void> {
       await saveItem(item, queries);
     } catch (error) {
       dialog.set(null);
-      notice.set({ lines: [`The ${item.kind} “${item.name}” is not exported: ${problemText(error)}`], isWrong: true, scenario: edit.newest() });
+      notice.set({
+        lines: [`The ${item.kind} “${item.name}” is not exported: ${problemText(error)}`],
+        isWrong: true,
+        scenario: edit.newest(),
+      });
     }
   };
 }

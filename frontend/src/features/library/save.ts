@@ -9,7 +9,8 @@ import { fileOf, roadOf, type Exported } from "./files";
 export async function saveItem(item: Exported, queries: QueryClient): Promise<void> {
   const { version } = await queries.query({ ...schemaQuery, staleTime: "static" });
   const id = roadOf(item);
-  const road = id === null ? null : await (await askFile("get", "/roads/{id}", { path: { id }, query: { format: "csv" } })).text();
+  const road =
+    id === null ? null : await (await askFile("get", "/roads/{id}", { path: { id }, query: { format: "csv" } })).text();
   const { name, type, text } = fileOf(item, version, road);
   const address = URL.createObjectURL(new Blob([text], { type }));
   download(address, name);

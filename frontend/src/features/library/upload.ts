@@ -32,13 +32,21 @@ const MEBIBYTE = 1024 * 1024;
 const [LONGEST, LONGEST_ROAD] = [6 * MEBIBYTE, 4 * MEBIBYTE];
 
 /** Opens the files in `newest()`, and adds them to the library; `wanted` is the part to take from a file that has more. */
-export async function openAll(files: readonly File[], newest: () => Scenario, queries: QueryClient, wanted?: Kind): Promise<Outcome> {
+export async function openAll(
+  files: readonly File[],
+  newest: () => Scenario,
+  queries: QueryClient,
+  wanted?: Kind,
+): Promise<Outcome> {
   const [form, presets, vehicles] = await Promise.all([
     queries.query({ ...schemaQuery, staleTime: "static" }),
     queries.query({ ...presetsQuery, staleTime: "static" }),
     queries.query({ ...vehiclesQuery, staleTime: "static" }),
   ]);
-  const known = [...presets.map(({ scenario }) => scenario), ...vehicles.map(({ vehicle }) => completed(form, { vehicle }).vehicle)];
+  const known = [
+    ...presets.map(({ scenario }) => scenario),
+    ...vehicles.map(({ vehicle }) => completed(form, { vehicle }).vehicle),
+  ];
   const wrong: string[] = [];
   const opened: Opened[] = [];
   for (const file of files) {
@@ -51,7 +59,11 @@ export async function openAll(files: readonly File[], newest: () => Scenario, qu
   // A vehicle and a road belong into the scenario that came with them.
   opened.sort((one, other) => KINDS.indexOf(one.kind) - KINDS.indexOf(other.kind));
   const scenario = opened.reduce((before, content) => withItem(before, content, form), newest());
-  return { scenario, lines: [...wrong, ...opened.flatMap((content) => [addToLibrary(content, known), ...content.warnings])], isWrong: wrong.length > 0 };
+  return {
+    scenario,
+    lines: [...wrong, ...opened.flatMap((content) => [addToLibrary(content, known), ...content.warnings])],
+    isWrong: wrong.length > 0,
+  };
 }
 
 /** The content of a file as the server understands it: complete, in SI units, and within every limit. */
@@ -63,10 +75,16 @@ async function upload(file: File, form: Form, wanted: Kind | undefined): Promise
     const { warnings, ...road } = await uploadRoad(content.csv);
     return { kind: "road", name: stem, value: road as unknown as JsonObject, warnings };
   }
-  if (wanted === "vehicle" && content.kind === "scenario" && !("vehicle" in content.value)) throw new Error("This file has no vehicle");
+  if (wanted === "vehicle" && content.kind === "scenario" && !("vehicle" in content.value))
+    throw new Error("This file has no vehicle");
   const { scenario, warnings } = await checked(content, form);
   const kind = wanted === "vehicle" ? wanted : content.kind;
-  return { kind, name: content.label ?? stem, value: kind === "vehicle" ? (scenario.vehicle as JsonObject) : scenario, warnings };
+  return {
+    kind,
+    name: content.label ?? stem,
+    value: kind === "vehicle" ? (scenario.vehicle as JsonObject) : scenario,
+    warnings,
+  };
 }
 
 async function uploadRoad(csv: string) {
@@ -76,9 +94,17 @@ async function uploadRoad(csv: string) {
 
 type Checked = Exclude<Content, { readonly kind: "road" }>;
 
-async function checked(content: Checked, form: Form): Promise<{ readonly scenario: Scenario; readonly warnings: readonly string[] }> {
+async function checked(
+  content: Checked,
+  form: Form,
+): Promise<{ readonly scenario: Scenario; readonly warnings: readonly string[] }> {
   const road = content.kind === "scenario" && content.road !== null ? await uploadRoad(content.road) : null;
-  const sent = content.kind === "vehicle" ? { vehicle: content.value } : road ? setAt(content.value, "/road/profile", road.id) : content.value;
+  const sent =
+    content.kind === "vehicle"
+      ? { vehicle: content.value }
+      : road
+        ? setAt(content.value, "/road/profile", road.id)
+        : content.value;
   try {
     const { scenario } = await api.createRun(sent, [DEFAULT_VIEW.baseline]);
     return { scenario, warnings: road?.warnings ?? [] };

@@ -29,9 +29,17 @@ describe("what differs from the paper", () => {
   });
 
   it("names a measured road", () => {
-    const profile = { kind: "text", pointer: "/road/profile", title: "Profile", description: "", standard: null } as const;
+    const profile = {
+      kind: "text",
+      pointer: "/road/profile",
+      title: "Profile",
+      description: "",
+      standard: null,
+    } as const;
     const form = { ...FORM, members: [...FORM.members, profile] };
-    expect(otherThanPaper(setAt(paper, "/road/profile", "A".repeat(22)), form)).toBe("Other than the paper: Profile a measured road.");
+    expect(otherThanPaper(setAt(paper, "/road/profile", "A".repeat(22)), form)).toBe(
+      "Other than the paper: Profile a measured road.",
+    );
   });
 
   it("leaves out what is swept", () => {

@@ -20,7 +20,12 @@ export function readOrigin(search: Readonly<Record<string, unknown>>): Origin {
 }
 
 const runQuery = (id: string | undefined) =>
-  queryOptions({ queryKey: runKey(id ?? ""), queryFn: ({ signal }) => api.run(id ?? "", signal), enabled: id !== undefined, staleTime: Infinity });
+  queryOptions({
+    queryKey: runKey(id ?? ""),
+    queryFn: ({ signal }) => api.run(id ?? "", signal),
+    enabled: id !== undefined,
+    staleTime: Infinity,
+  });
 
 const NOT_SAVED = new ApiProblem(404, "The library of this browser has no such scenario: choose another", []);
 
@@ -42,7 +47,11 @@ export function usePageScenario(): PageScenario {
   const preset = presets.data?.find(({ id }) => id === origin.preset) ?? presets.data?.[0];
   const own = useItems("scenario").find(({ name }) => name === origin.own);
   const [scenario, error] =
-    origin.run !== undefined ? [run.data?.scenario, run.error] : origin.own !== undefined ? [own?.value, own ? null : NOT_SAVED] : [preset?.scenario, presets.error];
+    origin.run !== undefined
+      ? [run.data?.scenario, run.error]
+      : origin.own !== undefined
+        ? [own?.value, own ? null : NOT_SAVED]
+        : [preset?.scenario, presets.error];
   return {
     origin: origin.run !== undefined || origin.own !== undefined || !preset ? origin : { preset: preset.id },
     scenario,

@@ -65,7 +65,13 @@ export function DifferencesCard({ then, now, strategies, catalogue, figures, onC
   );
 }
 
-function DifferencesTable({ differences, strategies }: { readonly differences: readonly Difference[]; readonly strategies: readonly Strategy[] }) {
+function DifferencesTable({
+  differences,
+  strategies,
+}: {
+  readonly differences: readonly Difference[];
+  readonly strategies: readonly Strategy[];
+}) {
   return (
     <DataTable
       label="Differences by metric"

@@ -23,7 +23,12 @@ export function LinkField({ url }: { readonly url: string }) {
       onFocus={(event) => event.currentTarget.select()}
       rightSection={
         <Tooltip label={copied ? "Copied" : "Copy"}>
-          <ActionIcon size={24} variant="subtle" aria-label={copied ? "Copied" : "Copy the address"} onClick={() => copy(url)}>
+          <ActionIcon
+            size={24}
+            variant="subtle"
+            aria-label={copied ? "Copied" : "Copy the address"}
+            onClick={() => copy(url)}
+          >
             {copied ? <IconCheck size={15} /> : <IconCopy size={15} />}
           </ActionIcon>
         </Tooltip>

@@ -11,12 +11,14 @@ import { makeScene } from "../../lab/resultView";
 import { viewToShare } from "../../lab/sharing";
 import { ShareLink } from "./ShareLink";
 
-const OPENS = "It opens this scenario with these results, strategies, comparison, zoom, cursor and pins, for anyone who has the link. It is read-only.";
+const OPENS =
+  "It opens this scenario with these results, strategies, comparison, zoom, cursor and pins, for anyone who has the link. It is read-only.";
 
 function obstacleOf({ failure, shown, stale, refused }: LabState): string | null {
   if (failure?.kind === "unreachable") return "The server does not answer";
   if (failure?.kind === "notFound") return "There is no result here";
-  if (failure || Object.keys(refused.fields).length + refused.general.length > 0) return "These values could not be run";
+  if (failure || Object.keys(refused.fields).length + refused.general.length > 0)
+    return "These values could not be run";
   if (shown?.source !== "exact" || stale) return "There is no result of these values yet";
   return null;
 }

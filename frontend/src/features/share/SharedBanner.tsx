@@ -26,7 +26,9 @@ export function SharedBanner(props: Props) {
   const failed = useLab((state) => state.failure !== null && state.failure.kind !== "unreachable");
   if (shared?.run) return <Banner key={shared.slug} link={shared} run={shared.run} {...props} />;
   // Its place is kept while the link is being opened.
-  return slug !== null && !failed ? <div className={classes.banner} aria-busy aria-label="Opening the shared result" /> : null;
+  return slug !== null && !failed ? (
+    <div className={classes.banner} aria-busy aria-label="Opening the shared result" />
+  ) : null;
 }
 
 function Banner({ link, run, strategies, catalogue, figures }: Props & { readonly link: Link; readonly run: Run }) {
@@ -47,13 +49,21 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
           <Button size="xs" leftSection={<IconCopy size={15} />} onClick={openCopy}>
             Open a copy to edit
           </Button>
-          <Button size="xs" variant="default" leftSection={<IconRefresh size={15} />} loading={again.isPending} onClick={() => again.mutate()}>
+          <Button
+            size="xs"
+            variant="default"
+            leftSection={<IconRefresh size={15} />}
+            loading={again.isPending}
+            onClick={() => again.mutate()}
+          >
             Run again on this version
           </Button>
         </div>
       </SharedNote>
       {again.isError && (
-        <Fault size="sm" className={classes.problem ?? ""}>It could not be run again: {again.error.message}</Fault>
+        <Fault size="sm" className={classes.problem ?? ""}>
+          It could not be run again: {again.error.message}
+        </Fault>
       )}
       {again.data && catalogue && figures && (
         <DifferencesCard {...{ strategies, catalogue, figures }} then={run} now={again.data} onClose={again.reset} />

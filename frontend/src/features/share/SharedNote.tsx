@@ -7,7 +7,15 @@ import { IconLock } from "../../ui/icons";
 import { formatDay } from "../../units/dates";
 import classes from "./share.module.css";
 
-export function SharedNote({ link, what, children }: { readonly link: Link; readonly what: "result" | "sweep"; readonly children?: ReactNode }) {
+export function SharedNote({
+  link,
+  what,
+  children,
+}: {
+  readonly link: Link;
+  readonly what: "result" | "sweep";
+  readonly children?: ReactNode;
+}) {
   return (
     <section className={classes.banner} aria-label="Shared result">
       <IconLock size={17} stroke={1.7} aria-hidden />

@@ -2,7 +2,14 @@ import { describe, expect, it } from "vitest";
 import type { Catalogue, Run, Summary } from "../../api/types";
 import { compareRuns } from "./differences";
 
-const quantity = (key: string, label: string, unit = "1") => ({ key, label, unit, symbol: "", description: "", notable: 0 });
+const quantity = (key: string, label: string, unit = "1") => ({
+  key,
+  label,
+  unit,
+  symbol: "",
+  description: "",
+  notable: 0,
+});
 const CATALOGUE: Catalogue = {
   signals: [quantity("body_acceleration", "Body acceleration", "m/s^2")],
   metric_signals: ["body_acceleration"],
@@ -17,12 +24,23 @@ const CATALOGUE: Catalogue = {
 };
 
 const summary = (peak: number, reached: boolean, weighted = 1): Summary => ({
-  status: "ok", compute_ms: 1, travel_time: 12, arrival_speed_kmh: 22, reference: {}, stages: [],
+  status: "ok",
+  compute_ms: 1,
+  travel_time: 12,
+  arrival_speed_kmh: 22,
+  reference: {},
+  stages: [],
   metrics: { bump: { body_acceleration: { rms: 1, peak } } },
   comfort: { weighted_rms: weighted },
   events: { target_reached: reached },
 });
-const run = (strategies: Run["strategies"]): Run => ({ id: "x", core_version: "1", scenario: {}, strategies, over: null });
+const run = (strategies: Run["strategies"]): Run => ({
+  id: "x",
+  core_version: "1",
+  scenario: {},
+  strategies,
+  over: null,
+});
 
 describe("the same scenario computed twice", () => {
   it("has no differences where all is equal", () => {
@@ -31,7 +49,12 @@ describe("the same scenario computed twice", () => {
   });
 
   it("lists what changed, the largest first, and what is no number before all", () => {
-    const { differences } = compareRuns(run({ lv: summary(2, true, 1) }), run({ lv: summary(1, false, 1.1) }), CATALOGUE, {});
+    const { differences } = compareRuns(
+      run({ lv: summary(2, true, 1) }),
+      run({ lv: summary(1, false, 1.1) }),
+      CATALOGUE,
+      {},
+    );
     expect(differences.map(({ metric, then, now }) => [metric, then, now])).toEqual([
       ["Target speed reached", true, false],
       ["Body acceleration: Peak, bump", 2, 1],
@@ -40,7 +63,12 @@ describe("the same scenario computed twice", () => {
   });
 
   it("leaves room for rounding", () => {
-    const { differences } = compareRuns(run({ lv: summary(0, true, 1) }), run({ lv: summary(1e-17, true, 1 + 1e-7) }), CATALOGUE, {});
+    const { differences } = compareRuns(
+      run({ lv: summary(0, true, 1) }),
+      run({ lv: summary(1e-17, true, 1 + 1e-7) }),
+      CATALOGUE,
+      {},
+    );
     expect(differences).toEqual([]);
   });
 

@@ -41,7 +41,12 @@ function figuresOf(summary: Summary, catalogue: Catalogue, templates: Figures): 
       const { unit, scale } = shownUnit(signal, templates, catalogue);
       return Object.entries(statistics).map(([statistic, value]): Named => {
         const place = `${name(catalogue.statistics, statistic)}, ${name(catalogue.windows, window).toLowerCase()}`;
-        return { metric: `${name(catalogue.signals, signal)}: ${place}`, unit, value: typeof value === "number" ? value * scale : null, scale };
+        return {
+          metric: `${name(catalogue.signals, signal)}: ${place}`,
+          unit,
+          value: typeof value === "number" ? value * scale : null,
+          scale,
+        };
       });
     }),
   );

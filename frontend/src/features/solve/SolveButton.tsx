@@ -23,7 +23,14 @@ export const SolveButton = memo(function SolveButton({ metric, label }: Props) {
   return (
     <>
       <Tooltip label="How fast may it go so that this stays below a limit?" withArrow>
-        <ActionIcon className={classes.button} size={20} variant="subtle" aria-label={`How fast may it go: ${label}`} disabled={catalogues === null} onClick={open}>
+        <ActionIcon
+          className={classes.button}
+          size={20}
+          variant="subtle"
+          aria-label={`How fast may it go: ${label}`}
+          disabled={catalogues === null}
+          onClick={open}
+        >
           <IconGauge size={14} stroke={1.7} />
         </ActionIcon>
       </Tooltip>

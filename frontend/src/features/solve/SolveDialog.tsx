@@ -61,7 +61,9 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
   const figure = figures.find(({ key }) => key === draft.metric);
   const leaf = field?.leaf.kind === "number" ? field.leaf : null;
   const { question, wrong } = leaf && figure ? readDraft(draft, leaf, figure) : { question: null, wrong: {} };
-  const search = useMutation({ mutationFn: (body: Question) => ask("post", "/solve", { body: { scenario, ...body } }) });
+  const search = useMutation({
+    mutationFn: (body: Question) => ask("post", "/solve", { body: { scenario, ...body } }),
+  });
   const patch = (change: Partial<SolveDraft>) => {
     search.reset();
     setAsked(false);
@@ -69,7 +71,10 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
   };
   /** The speed that the other strategy meets the bump at, where it is asked for the speed. */
   const withSpeedOf = (id: string) => {
-    const [before, after] = [draft.strategy, id].map((strategy) => speedField(byId(strategy), scenario)) as [string, string];
+    const [before, after] = [draft.strategy, id].map((strategy) => speedField(byId(strategy), scenario)) as [
+      string,
+      string,
+    ];
     return draft.field === before ? otherField(draft, rangeOf(fields, before), rangeOf(fields, after)) : {};
   };
   const find = () => {
@@ -77,26 +82,68 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
     if (question) search.mutate(question);
   };
   const entry = (key: "from" | "to" | "limit" | "roads", label: string, unit: string) => (
-    <Entry className={sweep.end} value={draft[key]} error={asked || draft[key] !== "" ? wrong[key] : undefined} {...{ label, unit }} onType={(text) => patch({ [key]: text })} />
+    <Entry
+      className={sweep.end}
+      value={draft[key]}
+      error={asked || draft[key] !== "" ? wrong[key] : undefined}
+      {...{ label, unit }}
+      onType={(text) => patch({ [key]: text })}
+    />
   );
   const unit = leaf?.shown.unit ?? "1";
   return (
-    <Modal opened onClose={onClose} title="How large may it be?" size="lg" closeButtonProps={{ "aria-label": "Close" }} classNames={{ title: sweep.title ?? "", body: sweep.body ?? "" }}>
+    <Modal
+      opened
+      onClose={onClose}
+      title="How large may it be?"
+      size="lg"
+      closeButtonProps={{ "aria-label": "Close" }}
+      classNames={{ title: sweep.title ?? "", body: sweep.body ?? "" }}
+    >
       <Text size="sm" c="dimmed">
-        The largest value in a range that keeps a metric at or below a limit, over several roads with its 95 % interval. Everything else stays as in the form.
+        The largest value in a range that keeps a metric at or below a limit, over several roads with its 95 % interval.
+        Everything else stays as in the form.
       </Text>
       <Group gap="xs" align="flex-start">
-        <Select size="xs" label="Field" searchable allowDeselect={false} data={bySection(fields)} value={draft.field} onChange={(name) => name !== null && patch(rangeOf(fields, name))} />
+        <Select
+          size="xs"
+          label="Field"
+          searchable
+          allowDeselect={false}
+          data={bySection(fields)}
+          value={draft.field}
+          onChange={(name) => name !== null && patch(rangeOf(fields, name))}
+        />
         {entry("from", "From", unit)}
         {entry("to", "To", unit)}
       </Group>
       <Group gap="xs" align="flex-start">
-        <Select size="xs" label="Strategy" allowDeselect={false} data={labelled(strategies)} value={draft.strategy} onChange={(id) => id !== null && patch({ strategy: id, ...withSpeedOf(id) })} />
-        <Select size="xs" label="Metric" w={250} searchable allowDeselect={false} data={optionsOf(figures)} value={draft.metric} onChange={(key) => key !== null && patch({ metric: key, limit: "" })} />
+        <Select
+          size="xs"
+          label="Strategy"
+          allowDeselect={false}
+          data={labelled(strategies)}
+          value={draft.strategy}
+          onChange={(id) => id !== null && patch({ strategy: id, ...withSpeedOf(id) })}
+        />
+        <Select
+          size="xs"
+          label="Metric"
+          w={250}
+          searchable
+          allowDeselect={false}
+          data={optionsOf(figures)}
+          value={draft.metric}
+          onChange={(key) => key !== null && patch({ metric: key, limit: "" })}
+        />
         {entry("limit", "At most", figure?.unit ?? "1")}
         {entry("roads", "Roads", "1")}
       </Group>
-      {search.error && <Fault>{leaf && isNoSolution(search.error) ? noSolution(leaf, search.variables.range) : explain(search.error)}</Fault>}
+      {search.error && (
+        <Fault>
+          {leaf && isNoSolution(search.error) ? noSolution(leaf, search.variables.range) : explain(search.error)}
+        </Fault>
+      )}
       {search.data && field && figure && <Answer {...{ field, figure, onClose }} solution={search.data} />}
       <Group justify="flex-end" gap="xs">
         <Button variant="default" onClick={onClose}>
@@ -120,7 +167,9 @@ function rangeOf(fields: readonly SweepField[], name: string): Range {
 const bySection = (fields: readonly SweepField[]) =>
   [...new Set(fields.map(({ section }) => section))].map((section) => ({
     group: section,
-    items: fields.filter((field) => field.section === section).map(({ name, title }) => ({ value: name, label: title })),
+    items: fields
+      .filter((field) => field.section === section)
+      .map(({ name, title }) => ({ value: name, label: title })),
   }));
 
 interface AnswerProps {
@@ -136,7 +185,8 @@ function Answer({ solution, field, figure, onClose }: AnswerProps) {
   const [, above] = solution.bracket;
   const isWhole = above === solution.value;
   const isExact = solution.resolved_value === solution.value;
-  const text = (value: number) => (field.leaf.kind === "number" ? valueText(field.leaf, value) : formatExact(value, solution.unit));
+  const text = (value: number) =>
+    field.leaf.kind === "number" ? valueText(field.leaf, value) : formatExact(value, solution.unit);
   const take = () => {
     edit.commit(setAt(edit.newest(), pointerOf(field.name), solution.value));
     onClose();
@@ -145,7 +195,9 @@ function Answer({ solution, field, figure, onClose }: AnswerProps) {
     <div role="status">
       <Group gap="sm">
         <Text fw={600}>
-          {isWhole ? `The limit holds at ${text(solution.value)}, the top of the range; the largest value may lie beyond` : `${field.title} at most ${isExact ? "" : "about "}${text(solution.resolved_value)}`}
+          {isWhole
+            ? `The limit holds at ${text(solution.value)}, the top of the range; the largest value may lie beyond`
+            : `${field.title} at most ${isExact ? "" : "about "}${text(solution.resolved_value)}`}
         </Text>
         {!readOnly && (
           <Button size="compact-sm" variant="light" onClick={take}>
@@ -154,7 +206,8 @@ function Answer({ solution, field, figure, onClose }: AnswerProps) {
         )}
       </Group>
       <Text size="sm">
-        {fullName(figure)}: {formatResult(solution.metric_value * figure.scale)} {prettyUnit(figure.unit)} at {text(solution.value)}
+        {fullName(figure)}: {formatResult(solution.metric_value * figure.scale)} {prettyUnit(figure.unit)} at{" "}
+        {text(solution.value)}
         {solution.interval ? ", the upper end of its interval" : ""}.{" "}
         {isWhole ? "" : `${text(above)} does not keep the limit.`}
       </Text>

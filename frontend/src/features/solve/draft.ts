@@ -57,8 +57,19 @@ export function readDraft(draft: SolveDraft, field: NumberField, figure: Figure)
   if (from.ok && to.ok && from.value >= to.value) wrong.from = "Has to be less than To";
   if (draft.limit.trim() === "") wrong.limit = unit === "" ? "Enter the limit" : `Enter the limit in ${unit}`;
   else if (!limit.ok) wrong.limit = limit.message;
-  if (!Number.isInteger(roads) || roads < 1 || roads > MOST_ROADS) wrong.roads = `A whole number from 1 to ${MOST_ROADS}`;
+  if (!Number.isInteger(roads) || roads < 1 || roads > MOST_ROADS)
+    wrong.roads = `A whole number from 1 to ${MOST_ROADS}`;
   if (!from.ok || !to.ok || !limit.ok || Object.keys(wrong).length > 0) return { question: null, wrong };
   const { strategy, metric } = draft;
-  return { question: { field: draft.field, strategy, metric, range: [from.value, to.value], limit: Number((limit.value / figure.scale).toPrecision(12)), roads }, wrong };
+  return {
+    question: {
+      field: draft.field,
+      strategy,
+      metric,
+      range: [from.value, to.value],
+      limit: Number((limit.value / figure.scale).toPrecision(12)),
+      roads,
+    },
+    wrong,
+  };
 }

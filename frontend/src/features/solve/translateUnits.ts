@@ -18,6 +18,9 @@ function inUnit(text: string, from: string, to: string, scale: number): string {
   if (from === "1") return text;
   const escaped = from.replace(/[.*+?^${}()|[\]\\]/g, String.raw`\$&`);
   const shown = (number: string) => formatInput(Number((Number(number) * scale).toPrecision(6)));
-  return text.replace(new RegExp(`(${NUMBER})( to (${NUMBER}))? ${escaped}(?![\\w^/·])`, "g"), (_, first: string, more: string | undefined, last: string) =>
-    `${shown(first)}${more === undefined ? "" : ` to ${shown(last)}`}\u00a0${prettyUnit(to)}`);
+  return text.replace(
+    new RegExp(`(${NUMBER})( to (${NUMBER}))? ${escaped}(?![\\w^/·])`, "g"),
+    (_, first: string, more: string | undefined, last: string) =>
+      `${shown(first)}${more === undefined ? "" : ` to ${shown(last)}`}\u00a0${prettyUnit(to)}`,
+  );
 }

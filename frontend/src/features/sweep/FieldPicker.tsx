@@ -30,22 +30,33 @@ export function FieldPicker({ fields, numbersOnly, error, onPick }: Props) {
       nothingFoundMessage="No field of that name"
       // The label is what is searched: it holds the section and both names.
       data={[
-        { group: "Together", items: together.map(({ title, draft }) => ({ value: title, label: `${title}: ${namesOf(draft)}` })) },
+        {
+          group: "Together",
+          items: together.map(({ title, draft }) => ({ value: title, label: `${title}: ${namesOf(draft)}` })),
+        },
         ...sections.map((section) => ({
           group: section,
-          items: offered.filter((field) => field.section === section).map(({ name, title }) => ({ value: name, label: `${title} ${name} ${section}` })),
+          items: offered
+            .filter((field) => field.section === section)
+            .map(({ name, title }) => ({ value: name, label: `${title} ${name} ${section}` })),
         })),
       ].filter(({ items }) => items.length > 0)}
       renderOption={({ option }) => {
         const field = offered.find(({ name }) => name === option.value);
         return field ? <Option field={field} /> : option.label;
       }}
-      onPick={(name) => onPick([...offered.filter((field) => field.name === name).map(draftField), ...together.filter(({ title }) => title === name).map(({ draft }) => draft)])}
+      onPick={(name) =>
+        onPick([
+          ...offered.filter((field) => field.name === name).map(draftField),
+          ...together.filter(({ title }) => title === name).map(({ draft }) => draft),
+        ])
+      }
     />
   );
 }
 
-const namesOf = ({ field, linked }: FieldDraft) => [field, ...linked].map(({ title }) => title.toLowerCase()).join(" = ");
+const namesOf = ({ field, linked }: FieldDraft) =>
+  [field, ...linked].map(({ title }) => title.toLowerCase()).join(" = ");
 
 function Option({ field: { title, name, leaf } }: { readonly field: SweepField }) {
   const unit = leaf.kind === "number" ? prettyUnit(leaf.shown.unit) : "";

@@ -15,7 +15,13 @@ interface Props {
 export function StrategyChoice({ strategies, selected, error, onChange }: Props) {
   const inOrder = (ids: readonly StrategyId[]) => strategies.map(({ id }) => id).filter((id) => ids.includes(id));
   return (
-    <Checkbox.Group label="Strategies" size="xs" value={[...selected]} error={error} onChange={(ids) => onChange(inOrder(ids))}>
+    <Checkbox.Group
+      label="Strategies"
+      size="xs"
+      value={[...selected]}
+      error={error}
+      onChange={(ids) => onChange(inOrder(ids))}
+    >
       <Group gap="0.5rem 1.2rem" align="stretch" mt="0.4rem">
         {strategies.map((strategy) => (
           <Checkbox

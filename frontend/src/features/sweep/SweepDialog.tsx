@@ -34,21 +34,38 @@ export function SweepDialog({ form: schema, strategies, onClose }: Props) {
   const narrow = useMediaQuery("(max-width: 47.99em)", false, { getInitialValueInEffect: false });
   const form = useDraft<SweepDraft>({
     name: "sweep",
-    initial: () => ({ method: "grid", fields: fields.filter(({ name }) => name === FIRST_FIELD).map(draftField), samples: "200", seed: "0", strategies: selected }),
+    initial: () => ({
+      method: "grid",
+      fields: fields.filter(({ name }) => name === FIRST_FIELD).map(draftField),
+      samples: "200",
+      seed: "0",
+      strategies: selected,
+    }),
     restore: (stored) => restoreSweep(stored, fields),
   });
   const { draft, setDraft } = form;
   const patch = (change: Partial<SweepDraft>) => setDraft({ ...draft, ...change });
   const patchField = (name: string, change: Partial<FieldDraft>) =>
     patch({ fields: draft.fields.map((each) => (each.field.name === name ? { ...each, ...change } : each)) });
-  const free = fields.filter((field) => !draft.fields.some((each) => each.field === field || each.linked.includes(field)));
+  const free = fields.filter(
+    (field) => !draft.fields.some((each) => each.field === field || each.linked.includes(field)),
+  );
   const submission = useSweep(draft, scenario, form.forget);
   const { errors, general } = submission;
 
   return (
-    <Modal opened onClose={onClose} title="Sweep" size="xl" fullScreen={narrow} closeButtonProps={{ "aria-label": "Close" }} classNames={{ title: classes.title ?? "", body: classes.body ?? "" }}>
+    <Modal
+      opened
+      onClose={onClose}
+      title="Sweep"
+      size="xl"
+      fullScreen={narrow}
+      closeButtonProps={{ "aria-label": "Close" }}
+      classNames={{ title: classes.title ?? "", body: classes.body ?? "" }}
+    >
       <Text size="sm" c="dimmed">
-        Runs many variants of the scenario in the form, each with every strategy selected here. Fields that are not swept keep their values.
+        Runs many variants of the scenario in the form, each with every strategy selected here. Fields that are not
+        swept keep their values.
       </Text>
       <Group gap="sm">
         <SegmentedControl
@@ -62,7 +79,9 @@ export function SweepDialog({ form: schema, strategies, onClose }: Props) {
           onChange={(method) => patch({ method })}
         />
         <Text size="xs" c="dimmed">
-          {draft.method === "grid" ? "Every combination of the values." : "Random points, evenly spread over the ranges."}
+          {draft.method === "grid"
+            ? "Every combination of the values."
+            : "Random points, evenly spread over the ranges."}
         </Text>
       </Group>
       <Stack gap="0.6rem">
@@ -86,8 +105,22 @@ export function SweepDialog({ form: schema, strategies, onClose }: Props) {
       </Stack>
       {draft.method === "hypercube" && (
         <Group gap="md" align="flex-start">
-          <Entry w={120} label="Samples" inputMode="numeric" value={draft.samples} error={errors.samples} onType={(samples) => patch({ samples })} />
-          <Entry w={120} label="Seed" inputMode="numeric" value={draft.seed} error={errors.seed} onType={(seed) => patch({ seed })} />
+          <Entry
+            w={120}
+            label="Samples"
+            inputMode="numeric"
+            value={draft.samples}
+            error={errors.samples}
+            onType={(samples) => patch({ samples })}
+          />
+          <Entry
+            w={120}
+            label="Seed"
+            inputMode="numeric"
+            value={draft.seed}
+            error={errors.seed}
+            onType={(seed) => patch({ seed })}
+          />
         </Group>
       )}
       <StrategyChoice
@@ -101,7 +134,12 @@ export function SweepDialog({ form: schema, strategies, onClose }: Props) {
         <summary>Earlier sweeps</summary>
         <SweepList strategies={strategies} />
       </details>
-      <StartFoot {...{ submission, draft: form }} className={classes.footer} amount={amountOf(draft.strategies.length)} notes={notesOf}>
+      <StartFoot
+        {...{ submission, draft: form }}
+        className={classes.footer}
+        amount={amountOf(draft.strategies.length)}
+        notes={notesOf}
+      >
         <Button variant="default" onClick={onClose}>
           Cancel
         </Button>

@@ -37,11 +37,14 @@ export function BatchState({ batch, form, connected, left, readOnly }: Props) {
   );
   return (
     <JobState kind={BATCH} job={batch} {...{ counts, connected, readOnly }} resume={goOn}>
-      {resume.isError && (
-        <Fault>It could not be resumed: {resume.error.message}</Fault>
-      )}
+      {resume.isError && <Fault>It could not be resumed: {resume.error.message}</Fault>}
       <Text size="xs" c="dimmed">
-        {facts(batch)}. {otherThanPaper(batch.scenario, form, batch.fields.map(({ name }) => name))}
+        {facts(batch)}.{" "}
+        {otherThanPaper(
+          batch.scenario,
+          form,
+          batch.fields.map(({ name }) => name),
+        )}
       </Text>
       {batch.notes.length > 0 && (
         <Box component="ul" m={0} pl="1.1rem" fz="xs" c="dimmed" data-testid="batch-notes">
@@ -69,12 +72,21 @@ function Counts({ batch, ended }: { readonly batch: Batch; readonly ended: boole
   );
 }
 
-function facts({ created_at: created, started_at: started, finished_at: finished, strategies, total, core_version: version }: Batch): string {
+function facts({
+  created_at: created,
+  started_at: started,
+  finished_at: finished,
+  strategies,
+  total,
+  core_version: version,
+}: Batch): string {
   const points = total / Math.max(1, strategies.length);
   const parts = [
     `${count(points, "point")} × ${count(strategies.length, "strategy", "strategies")}`,
     `submitted ${formatMinute(created)}`,
-    ...(started !== null && finished !== null ? [`took ${formatDuration((Date.parse(finished) - Date.parse(started)) / 1000)}`] : []),
+    ...(started !== null && finished !== null
+      ? [`took ${formatDuration((Date.parse(finished) - Date.parse(started)) / 1000)}`]
+      : []),
     `core ${version}`,
   ];
   return parts.join(" · ");

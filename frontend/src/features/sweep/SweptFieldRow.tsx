@@ -71,7 +71,9 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
           inputMode="text"
           label={unit === "" ? "Values" : `Values [${unit}]`}
           aria-label={`${name}, values`}
-          placeholder={spread(field, ...field.soft, 3).map((value) => typedText(field, value)).join(", ")}
+          placeholder={spread(field, ...field.soft, 3)
+            .map((value) => typedText(field, value))
+            .join(", ")}
           value={draft.list}
           onType={(list) => onChange({ list })}
         />
@@ -80,9 +82,20 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
           {end("from", "From")}
           {end("to", "To")}
           {method === "grid" && (
-            <Entry className={classes.count} inputMode="numeric" label="Values" aria-label={`${name}, number of values`} value={draft.count} onType={(count) => onChange({ count })} />
+            <Entry
+              className={classes.count}
+              inputMode="numeric"
+              label="Values"
+              aria-label={`${name}, number of values`}
+              value={draft.count}
+              onType={(count) => onChange({ count })}
+            />
           )}
-          {method === "grid" && byRatio(field) && <Text pb="0.4rem" fz="xs" c="dimmed">equal ratios</Text>}
+          {method === "grid" && byRatio(field) && (
+            <Text pb="0.4rem" fz="xs" c="dimmed">
+              equal ratios
+            </Text>
+          )}
         </>
       )}
     </Group>
@@ -95,7 +108,8 @@ function Links({ draft: { field, linked }, linkable, onChange }: Pick<Props, "dr
   return (
     <MultiSelect
       size="xs"
-      maw="24rem" mt="0.4rem"
+      maw="24rem"
+      mt="0.4rem"
       aria-label={`${field.title}, also sets`}
       placeholder={linked.length === 0 ? "Also sets the same value of …" : ""}
       data={offered.map(({ name, title }) => ({ value: name, label: title }))}

@@ -15,6 +15,8 @@ export function axesOf(fields: Batch["fields"]): readonly AxisOf[] {
     .map(({ name, title, unit }) => ({
       name,
       unit,
-      title: [title, ...fields.filter((each) => each.linked_to === name).map((each) => each.title.toLowerCase())].join(" = "),
+      title: [title, ...fields.filter((each) => each.linked_to === name).map((each) => each.title.toLowerCase())].join(
+        " = ",
+      ),
     }));
 }

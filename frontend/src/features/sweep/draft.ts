@@ -32,7 +32,8 @@ export interface SweepDraft {
 }
 
 /** Errors by dotted name, or by `samples`, `seed`, `strategies`, `fields`. */
-export type ParsedDraft = { readonly ok: true; readonly sweep: Sweep } | { readonly ok: false; readonly errors: DraftErrors };
+export type ParsedDraft =
+  { readonly ok: true; readonly sweep: Sweep } | { readonly ok: false; readonly errors: DraftErrors };
 
 const DEFAULT_COUNT = 5;
 const MOST_VALUES = 10_000;
@@ -63,7 +64,16 @@ export function restoreSweep(stored: unknown, fields: readonly SweepField[]): Sw
   const { samples, seed, strategies } = stored;
   return {
     method: stored.method === "hypercube" ? "hypercube" : "grid",
-    fields: stored.fields.flatMap((each) => [find(each.field)].flat().map((match): FieldDraft => ({ ...each, field: match, by: each.by === "list" ? "list" : "steps", linked: each.linked.flatMap(find) }))),
+    fields: stored.fields.flatMap((each) =>
+      [find(each.field)]
+        .flat()
+        .map((match): FieldDraft => ({
+          ...each,
+          field: match,
+          by: each.by === "list" ? "list" : "steps",
+          linked: each.linked.flatMap(find),
+        })),
+    ),
     samples,
     seed,
     strategies,
@@ -76,7 +86,9 @@ export const byRatio = ({ soft: [low, high] }: NumberField) => low > 0 && high /
 export function spread(field: NumberField, from: number, to: number, count: number): readonly number[] {
   const ratio = byRatio(field) && from > 0 && to > 0;
   const at = (part: number) => (ratio ? from * (to / from) ** part : from + (to - from) * part);
-  const values = Array.from({ length: count }, (_, index) => Number(at(count === 1 ? 0 : index / (count - 1)).toPrecision(8)));
+  const values = Array.from({ length: count }, (_, index) =>
+    Number(at(count === 1 ? 0 : index / (count - 1)).toPrecision(8)),
+  );
   return field.integer ? [...new Set(values.map(Math.round))] : values;
 }
 
@@ -111,7 +123,10 @@ function gridValues(draft: FieldDraft): readonly (number | string | boolean)[] {
     return leaf.options.filter((option) => draft.options.includes(option)).map((option) => optionValue(leaf, option));
   }
   if (draft.by === "list") {
-    const texts = draft.list.split(/[;,\n]|\s+(?=[+\-−.\d])/).map((text) => text.trim()).filter((text) => text !== "");
+    const texts = draft.list
+      .split(/[;,\n]|\s+(?=[+\-−.\d])/)
+      .map((text) => text.trim())
+      .filter((text) => text !== "");
     if (texts.length === 0) throw new FieldError("Needs at least one value");
     return texts.map((text) => typed(leaf, text, text));
   }
@@ -134,7 +149,9 @@ export function readDraft(draft: SweepDraft): ParsedDraft {
   };
   if (draft.fields.length === 0) errors.fields = "Add a field to sweep";
   if (draft.strategies.length === 0) errors.strategies = "Choose at least one strategy";
-  const links = draft.fields.filter(({ linked }) => linked.length > 0).map(({ field, linked }) => [field.name, linked.map(({ name }) => name)] as const);
+  const links = draft.fields
+    .filter(({ linked }) => linked.length > 0)
+    .map(({ field, linked }) => [field.name, linked.map(({ name }) => name)] as const);
   const sweep = {
     ...(draft.method === "grid" ? grid(draft, attempt) : hypercube(draft, attempt)),
     ...(links.length > 0 ? { linked: Object.fromEntries(links) } : {}),
@@ -145,13 +162,18 @@ export function readDraft(draft: SweepDraft): ParsedDraft {
 type Attempt = <T>(name: string, read: () => T) => T | undefined;
 
 function grid({ fields }: SweepDraft, attempt: Attempt): Sweep {
-  return { grid: Object.fromEntries(fields.map((draft) => [draft.field.name, attempt(draft.field.name, () => gridValues(draft)) ?? []])) };
+  return {
+    grid: Object.fromEntries(
+      fields.map((draft) => [draft.field.name, attempt(draft.field.name, () => gridValues(draft)) ?? []]),
+    ),
+  };
 }
 
 function hypercube({ fields, samples, seed }: SweepDraft, attempt: Attempt): Sweep {
   const ranges = fields.map(({ field, ...draft }) => {
     const range = attempt(field.name, () => {
-      if (field.leaf.kind === "choice") throw new FieldError("A Latin hypercube needs numbers: sweep this one in a grid");
+      if (field.leaf.kind === "choice")
+        throw new FieldError("A Latin hypercube needs numbers: sweep this one in a grid");
       return rangeOf(field.leaf, { field, ...draft });
     });
     return [field.name, [...(range ?? [])]] as const;

@@ -15,7 +15,13 @@ export const tableQuery = (batch: Batch | undefined, figures: readonly string[])
   queryOptions({
     // A table of the final state is another one than those before it.
     queryKey: ["batch table", batch?.id ?? "", batch !== undefined && isFinal(batch), figures],
-    queryFn: ({ signal }) => ask("get", "/batches/{id}/table", { path: { id: batch?.id ?? "" }, query: { figures: figures.join(",") } }, signal),
+    queryFn: ({ signal }) =>
+      ask(
+        "get",
+        "/batches/{id}/table",
+        { path: { id: batch?.id ?? "" }, query: { figures: figures.join(",") } },
+        signal,
+      ),
     enabled: batch !== undefined && figures.length > 0,
     staleTime: Infinity,
     gcTime: 5 * 60_000,

@@ -16,9 +16,17 @@ const number = (name: string) => {
   if (leaf.kind !== "number") throw new Error(name);
   return leaf;
 };
-const drafted = (name: string, change: Partial<FieldDraft> = {}): FieldDraft => ({ ...draftField(field(name)), ...change });
+const drafted = (name: string, change: Partial<FieldDraft> = {}): FieldDraft => ({
+  ...draftField(field(name)),
+  ...change,
+});
 const draft = (change: Partial<SweepDraft>): SweepDraft => ({
-  method: "grid", fields: [], samples: "100", seed: "0", strategies: ["lv"], ...change,
+  method: "grid",
+  fields: [],
+  samples: "100",
+  seed: "0",
+  strategies: ["lv"],
+  ...change,
 });
 
 describe("the fields a sweep can name", () => {
@@ -68,7 +76,8 @@ describe("what is sent", () => {
   });
 
   it("reads lists as people type them", () => {
-    const list = (text: string) => readDraft(draft({ fields: [drafted("road.bump.height", { by: "list", list: text })] }));
+    const list = (text: string) =>
+      readDraft(draft({ fields: [drafted("road.bump.height", { by: "list", list: text })] }));
     for (const text of ["5 10", "5,10", "5, 10", "5;10", "5\n10,", "5 cm, 100mm", "5 cm 0.1 m"]) {
       expect(list(text), text).toEqual({ ok: true, sweep: { grid: { "road.bump.height": [0.05, 0.1] } } });
     }
@@ -78,7 +87,13 @@ describe("what is sent", () => {
     const fields = [drafted("road.bump.height"), drafted("mpc.weights.0")];
     expect(readDraft(draft({ method: "hypercube", fields, samples: "500", seed: "7" }))).toEqual({
       ok: true,
-      sweep: { latin_hypercube: { ranges: { "road.bump.height": [-0.15, 0.2], "mpc.weights.0": [0, 10] }, samples: 500, seed: 7 } },
+      sweep: {
+        latin_hypercube: {
+          ranges: { "road.bump.height": [-0.15, 0.2], "mpc.weights.0": [0, 10] },
+          samples: 500,
+          seed: 7,
+        },
+      },
     });
   });
 
@@ -101,9 +116,14 @@ describe("what is sent", () => {
         "road.bump.shape": "Choose at least one",
       },
     });
-    expect(readDraft(draft({ method: "hypercube", fields: [drafted("road.bump.shape")], samples: "1.5" }))).toMatchObject({
+    expect(
+      readDraft(draft({ method: "hypercube", fields: [drafted("road.bump.shape")], samples: "1.5" })),
+    ).toMatchObject({
       ok: false,
-      errors: { "road.bump.shape": expect.stringContaining("grid") as string, samples: expect.stringContaining("whole") as string },
+      errors: {
+        "road.bump.shape": expect.stringContaining("grid") as string,
+        samples: expect.stringContaining("whole") as string,
+      },
     });
   });
 });

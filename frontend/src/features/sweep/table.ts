@@ -37,10 +37,23 @@ const asAxisValue = (value: Cell): number | string | null =>
   typeof value === "number" || typeof value === "string" ? value : Array.isArray(value) ? value.join(", ") : null;
 
 /** What a plot shows: for each strategy the rows that have both values, in ascending x. */
-export function pointsOf(columns: Columns, strategies: readonly StrategyId[], x: string, y: string, scale: number, xScale = 1): readonly Points[] {
+export function pointsOf(
+  columns: Columns,
+  strategies: readonly StrategyId[],
+  x: string,
+  y: string,
+  scale: number,
+  xScale = 1,
+): readonly Points[] {
   return strategies.map((strategy) => {
     const rows = inOrder(
-      rowsOf(columns, (row) => cell(columns, "strategy", row) === strategy && typeof cell(columns, y, row) === "number" && asAxisValue(cell(columns, x, row)) !== null),
+      rowsOf(
+        columns,
+        (row) =>
+          cell(columns, "strategy", row) === strategy &&
+          typeof cell(columns, y, row) === "number" &&
+          asAxisValue(cell(columns, x, row)) !== null,
+      ),
       (row) => cell(columns, x, row),
     );
     return {

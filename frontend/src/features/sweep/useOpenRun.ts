@@ -13,4 +13,5 @@ export interface RunAtValues {
 
 export type Opening = RunInLab<RunAtValues>;
 
-export const useOpenRun = ({ scenario, strategies }: Batch): Opening => useRunInLab(({ at }) => api.createRun(withFields(scenario, at), strategies));
+export const useOpenRun = ({ scenario, strategies }: Batch): Opening =>
+  useRunInLab(({ at }) => api.createRun(withFields(scenario, at), strategies));

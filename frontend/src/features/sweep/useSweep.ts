@@ -19,11 +19,22 @@ export function useSweep(draft: SweepDraft, scenario: Scenario, onSubmitted: () 
     fieldNameOf: sweepFieldName(draft.fields.map(({ field }) => field.name)),
     estimate: (body, signal) => ask("post", "/batches", { body: { ...body, dry_run: true } }, signal),
     onSubmitted,
-    submit: async (body, keyOf) => ({ to: BATCH.page, params: { id: (await ask("post", "/batches", { body, ...withKey(keyOf(body)) })).id } }),
+    submit: async (body, keyOf) => ({
+      to: BATCH.page,
+      params: { id: (await ask("post", "/batches", { body, ...withKey(keyOf(body)) })).id },
+    }),
   });
 }
 
-export const amountOf = (strategies: number) => ({ total, points }: Estimate) => `${count(total, "run")} (${count(points, "point")} × ${count(strategies, "strategy", "strategies")})`;
+export const amountOf =
+  (strategies: number) =>
+  ({ total, points }: Estimate) =>
+    `${count(total, "run")} (${count(points, "point")} × ${count(strategies, "strategy", "strategies")})`;
 
 export const notesOf = ({ notes, contradictory, total }: Estimate): readonly string[] =>
-  contradictory === 0 ? notes : [...notes, `In ${contradictory === total ? "all" : count(contradictory, "run")} of them values contradict each other: these runs fail and say why`];
+  contradictory === 0
+    ? notes
+    : [
+        ...notes,
+        `In ${contradictory === total ? "all" : count(contradictory, "run")} of them values contradict each other: these runs fail and say why`,
+      ];

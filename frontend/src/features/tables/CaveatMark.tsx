@@ -5,7 +5,13 @@ import { IconAlertTriangle } from "../../ui/icons";
 import type { Caveat } from "./caveats";
 import classes from "./tables.module.css";
 
-export function CaveatMark({ caveats, short = false }: { readonly caveats: readonly Caveat[]; readonly short?: boolean }) {
+export function CaveatMark({
+  caveats,
+  short = false,
+}: {
+  readonly caveats: readonly Caveat[];
+  readonly short?: boolean;
+}) {
   if (caveats.length === 0) return null;
   const text = caveats.map((caveat) => caveat.text).join(", ");
   const meaning = caveats.map((caveat) => (

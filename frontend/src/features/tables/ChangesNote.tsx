@@ -8,9 +8,12 @@ import type { Scene } from "../../lab/resultView";
 function textOf({ shown, against }: Scene): string {
   const { over, scenario } = shown;
   const isMeasured = typeof getAt(scenario, "/road/profile") === "string"; // then there is no other road like it
-  if (over === null) return `One road: a change without an arrow is zero or within one road’s luck${isMeasured ? "" : "; choose several roads"}.`;
+  if (over === null)
+    return `One road: a change without an arrow is zero or within one road’s luck${isMeasured ? "" : "; choose several roads"}.`;
   const isPaired = against === null || whyNotCompared(shown, against.shown) === null;
-  return isPaired ? "Changes are paired by road, with their 95 % interval; one whose interval includes zero has no arrow." : "\u00a0";
+  return isPaired
+    ? "Changes are paired by road, with their 95 % interval; one whose interval includes zero has no arrow."
+    : "\u00a0";
 }
 
 export function ChangesNote({ scene }: { readonly scene: Scene }) {

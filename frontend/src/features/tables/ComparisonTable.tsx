@@ -39,7 +39,8 @@ export function headingOf({ window, statistic }: WindowView, catalogue: Catalogu
   return `${name(catalogue.statistics, statistic)}, ${name(catalogue.windows, window).toLowerCase()}`;
 }
 
-export const labelOf = (signal: string, catalogue: Catalogue) => catalogue.signals.find(({ key }) => key === signal)?.label ?? signal;
+export const labelOf = (signal: string, catalogue: Catalogue) =>
+  catalogue.signals.find(({ key }) => key === signal)?.label ?? signal;
 
 export function ComparisonTable({ caption, ...props }: Props) {
   const groups = entryGroups(props.scene);
@@ -55,7 +56,10 @@ export function ComparisonTable({ caption, ...props }: Props) {
         attributes: { "data-pinned": name ?? undefined },
       }))}
       rowKey={({ key }) => key}
-      rowAttributes={(entry) => ({ "data-baseline": entry.isBaseline || undefined, [entry.shown === props.scene.shown ? "data-strategy" : "data-pinned-strategy"]: entry.strategy.id })}
+      rowAttributes={(entry) => ({
+        "data-baseline": entry.isBaseline || undefined,
+        [entry.shown === props.scene.shown ? "data-strategy" : "data-pinned-strategy"]: entry.strategy.id,
+      })}
     />
   );
 }
@@ -75,7 +79,15 @@ function columnsOf({ scene, catalogue, figures, signals }: ComparisonProps): rea
       };
     }),
   );
-  return [{ key: "strategy", head: "Strategy", text: true, cell: (entry) => <EntryHead entry={entry} catalogue={catalogue} /> }, ...results];
+  return [
+    {
+      key: "strategy",
+      head: "Strategy",
+      text: true,
+      cell: (entry) => <EntryHead entry={entry} catalogue={catalogue} />,
+    },
+    ...results,
+  ];
 }
 
 interface UnitProps {
@@ -87,7 +99,11 @@ interface UnitProps {
 export function UnitAndSolve({ unit, metric: { window, signal, statistic }, catalogue }: UnitProps) {
   return (
     <>
-      {prettyUnit(unit)} <SolveButton metric={`${window}.${signal}.${statistic}`} label={`${labelOf(signal, catalogue)}, ${window.replace("_", " ")}`} />
+      {prettyUnit(unit)}{" "}
+      <SolveButton
+        metric={`${window}.${signal}.${statistic}`}
+        label={`${labelOf(signal, catalogue)}, ${window.replace("_", " ")}`}
+      />
     </>
   );
 }

@@ -32,7 +32,9 @@ export function EntryHead({ entry: { strategy, summary, isBaseline }, catalogue,
         {strategy.label}
       </button>
       <span className={classes.entryFacts}>
-        <span title="Speed at which the front axle meets the bump">{typeof speed === "number" ? `${formatFixed(speed, speed < 99.95 ? 1 : 0)}\u00a0km/h` : "–"}</span>
+        <span title="Speed at which the front axle meets the bump">
+          {typeof speed === "number" ? `${formatFixed(speed, speed < 99.95 ? 1 : 0)}\u00a0km/h` : "–"}
+        </span>
         {isBaseline && <span>baseline</span>}
         <CaveatMark caveats={caveatsOf(summary?.events, catalogue)} />
       </span>

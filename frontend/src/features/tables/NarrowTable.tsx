@@ -34,7 +34,11 @@ export function NarrowTable({ scene, catalogue, figures, signals, view: { window
             <>
               {labelOf(signal, catalogue)}{" "}
               <span className={ui.dim}>
-                <UnitAndSolve unit={shownUnit(signal, figures, catalogue).unit} metric={metricOf(signal)} catalogue={catalogue} />
+                <UnitAndSolve
+                  unit={shownUnit(signal, figures, catalogue).unit}
+                  metric={metricOf(signal)}
+                  catalogue={catalogue}
+                />
               </span>
             </>
           ),
@@ -43,8 +47,17 @@ export function NarrowTable({ scene, catalogue, figures, signals, view: { window
           entryGroups(scene),
           (entry) => <EntryHead entry={entry} catalogue={catalogue} upright />,
           (entry) => ({
-            attributes: (signal) => ({ ...cellAttributes(entry, metricOf(signal)), "data-baseline": entry.isBaseline || undefined }),
-            cell: (signal) => <ResultCell {...{ scene, entry }} metric={metricOf(signal)} scale={shownUnit(signal, figures, catalogue).scale} />,
+            attributes: (signal) => ({
+              ...cellAttributes(entry, metricOf(signal)),
+              "data-baseline": entry.isBaseline || undefined,
+            }),
+            cell: (signal) => (
+              <ResultCell
+                {...{ scene, entry }}
+                metric={metricOf(signal)}
+                scale={shownUnit(signal, figures, catalogue).scale}
+              />
+            ),
           }),
         ),
       ]}

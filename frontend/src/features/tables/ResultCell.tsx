@@ -17,11 +17,18 @@ interface Props {
 export function ResultCell({ scene, entry, metric, scale }: Props) {
   return (
     <>
-      <Estimated value={valueAt(entry.summary, metric)} interval={intervalAt(entry.shown, entry.strategy.id, metric)} scale={scale} />
+      <Estimated
+        value={valueAt(entry.summary, metric)}
+        interval={intervalAt(entry.shown, entry.strategy.id, metric)}
+        scale={scale}
+      />
       <ChangeText change={changeOf(scene, entry, metric, scale)} />
     </>
   );
 }
 
 /** What a cell is called and its unrounded value, for whoever looks for it. */
-export const cellAttributes = ({ summary }: Entry, metric: WindowMetric) => ({ "data-cell": `${metric.window}.${metric.signal}.${metric.statistic}`, "data-value": valueAt(summary, metric) ?? "" });
+export const cellAttributes = ({ summary }: Entry, metric: WindowMetric) => ({
+  "data-cell": `${metric.window}.${metric.signal}.${metric.statistic}`,
+  "data-value": valueAt(summary, metric) ?? "",
+});

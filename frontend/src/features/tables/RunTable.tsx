@@ -26,7 +26,11 @@ interface Row {
 function rows(catalogue: Catalogue): readonly Row[] {
   return [
     ...catalogue.comfort.map((quantity) => ({ quantity, metric: { comfort: quantity.key }, judged: true })),
-    ...catalogue.run_figures.map((quantity) => ({ quantity, metric: { run: quantity.key }, judged: quantity.key === "travel_time" })),
+    ...catalogue.run_figures.map((quantity) => ({
+      quantity,
+      metric: { run: quantity.key },
+      judged: quantity.key === "travel_time",
+    })),
     ...catalogue.events.map((quantity) => ({ quantity, metric: null, judged: false })),
   ];
 }
@@ -34,7 +38,9 @@ function rows(catalogue: Catalogue): readonly Row[] {
 function show(value: Value): string {
   if (typeof value === "boolean") return value ? "yes" : "no";
   if (typeof value !== "number") return "–";
-  return Number.isInteger(value) ? formatNumber(value, Math.max(1, String(Math.abs(value)).length)) : formatResult(value);
+  return Number.isInteger(value)
+    ? formatNumber(value, Math.max(1, String(Math.abs(value)).length))
+    : formatResult(value);
 }
 
 export function RunTable({ scene, catalogue }: { readonly scene: Scene; readonly catalogue: Catalogue }) {
@@ -68,12 +74,24 @@ export function RunTable({ scene, catalogue }: { readonly scene: Scene; readonly
   );
 }
 
-function RunCell({ scene, entry, row: { quantity, metric, judged } }: { readonly scene: Scene; readonly entry: Entry; readonly row: Row }) {
+function RunCell({
+  scene,
+  entry,
+  row: { quantity, metric, judged },
+}: {
+  readonly scene: Scene;
+  readonly entry: Entry;
+  readonly row: Row;
+}) {
   const interval = metric ? intervalAt(entry.shown, entry.strategy.id, metric) : undefined;
   const value = metric ? valueAt(entry.summary, metric) : entry.summary?.events[quantity.key];
   return (
     <>
-      {interval ? <Estimated value={interval.mean} interval={interval} scale={1} /> : <span className={classes.value}>{show(value)}</span>}
+      {interval ? (
+        <Estimated value={interval.mean} interval={interval} scale={1} />
+      ) : (
+        <span className={classes.value}>{show(value)}</span>
+      )}
       {judged && metric && !entry.isBaseline && <ChangeText change={changeOf(scene, entry, metric)} />}
     </>
   );

@@ -31,7 +31,11 @@ export function Tables({ scene, catalogue, figures }: Props) {
   const compare = (signals: readonly SignalKey[], caption: string, of = "") =>
     narrow ? (
       VIEWS.map((view) => (
-        <NarrowTable key={view.window} {...{ scene, catalogue, figures, signals, view }} heading={`${headingOf(view, catalogue)}${of}`} />
+        <NarrowTable
+          key={view.window}
+          {...{ scene, catalogue, figures, signals, view }}
+          heading={`${headingOf(view, catalogue)}${of}`}
+        />
       ))
     ) : (
       <ComparisonTable {...{ scene, catalogue, figures, signals, caption }} />

@@ -15,7 +15,8 @@ export interface Caveat {
 
 type Wording = (value: number | boolean, quantity: Pick<Quantity, "unit" | "notable">) => string | null;
 
-const amount = (value: number, unit: string) => `${formatInput(value < 10 ? Number(value.toPrecision(2)) : Math.round(value))}\u00a0${prettyUnit(unit)}`;
+const amount = (value: number, unit: string) =>
+  `${formatInput(value < 10 ? Number(value.toPrecision(2)) : Math.round(value))}\u00a0${prettyUnit(unit)}`;
 
 /** In words from the size on that the catalogue says; `null` below it. */
 const notable =

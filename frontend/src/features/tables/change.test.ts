@@ -3,7 +3,11 @@ import { changeAgainst, formatPercent, pairedChange } from "./change";
 
 describe("change against the baseline", () => {
   it("is in percent, lower is better", () => {
-    expect(changeAgainst(0.63, 1.12)).toEqual({ percent: expect.closeTo(-43.75) as number, half: 0, verdict: "better" });
+    expect(changeAgainst(0.63, 1.12)).toEqual({
+      percent: expect.closeTo(-43.75) as number,
+      half: 0,
+      verdict: "better",
+    });
     expect(changeAgainst(0.46, 0.44).verdict).toBe("worse");
     expect(changeAgainst(1, 1)).toEqual({ percent: 0, half: 0, verdict: "same" });
   });
@@ -15,7 +19,12 @@ describe("change against the baseline", () => {
   });
 
   it("is luck where one road resolves no less", () => {
-    expect([1.1, 1.2, 0.9, 1].map((value) => changeAgainst(value, 1, { luck: 15 }).verdict)).toEqual(["luck", "worse", "luck", "same"]);
+    expect([1.1, 1.2, 0.9, 1].map((value) => changeAgainst(value, 1, { luck: 15 }).verdict)).toEqual([
+      "luck",
+      "worse",
+      "luck",
+      "same",
+    ]);
   });
 
   it("does not exist against nothing or zero", () => {
@@ -25,7 +34,12 @@ describe("change against the baseline", () => {
   });
 
   it("shows its sign unless it is nothing", () => {
-    expect([-43.75, 4.55, 0, 160.2].map((percent) => formatPercent(percent))).toEqual(["−43.8\u2009%", "+4.5\u2009%", "0.0\u2009%", "+160\u2009%"]);
+    expect([-43.75, 4.55, 0, 160.2].map((percent) => formatPercent(percent))).toEqual([
+      "−43.8\u2009%",
+      "+4.5\u2009%",
+      "0.0\u2009%",
+      "+160\u2009%",
+    ]);
   });
 });
 

@@ -28,8 +28,13 @@ interface OnOneRoad {
  * Every compared figure is one where lower is better. A change against a zero baseline does not exist, and between two
  * that are shown by the same digits none is better.
  */
-export function changeAgainst(value: number | null | undefined, baseline: number | null | undefined, { scale = 1, luck = 0 }: OnOneRoad = {}): Change {
-  if (typeof value !== "number" || typeof baseline !== "number" || isNothing(baseline)) return { percent: null, half: 0, verdict: "none" };
+export function changeAgainst(
+  value: number | null | undefined,
+  baseline: number | null | undefined,
+  { scale = 1, luck = 0 }: OnOneRoad = {},
+): Change {
+  if (typeof value !== "number" || typeof baseline !== "number" || isNothing(baseline))
+    return { percent: null, half: 0, verdict: "none" };
   const percent = ((value - baseline) / Math.abs(baseline)) * 100;
   const change = (verdict: Verdict): Change => ({ percent, half: 0, verdict });
   if (Math.abs(percent) < NOTHING) return { ...change("same"), percent: 0 };

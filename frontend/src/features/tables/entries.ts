@@ -55,11 +55,15 @@ export function changeOf(scene: Scene, entry: Entry, metric: MetricPath, scale =
   const { strategy, shown, summary } = entry;
   const { over, runId } = shown;
   if (over && !("run" in metric)) {
-    const changes = scene.against === null && over.baseline === scene.baseline ? over.changes : scene.paired[runId ?? ""];
+    const changes =
+      scene.against === null && over.baseline === scene.baseline ? over.changes : scene.paired[runId ?? ""];
     const change = pairedAt(changes, strategy.id, metric);
     return changes === undefined ? null : change ? pairedChange(change) : NONE;
   }
-  return changeAgainst(valueAt(summary, metric), valueAt(base.summary, metric), { scale, luck: luckOf(base.pair, metric) });
+  return changeAgainst(valueAt(summary, metric), valueAt(base.summary, metric), {
+    scale,
+    luck: luckOf(base.pair, metric),
+  });
 }
 
 interface Base {

@@ -9,10 +9,7 @@ export interface WindowMetric {
   readonly statistic: "rms" | "peak";
 }
 
-export type MetricPath =
-  | WindowMetric
-  | { readonly comfort: string }
-  | { readonly run: string };
+export type MetricPath = WindowMetric | { readonly comfort: string } | { readonly run: string };
 
 export function valueAt(summary: Summary | undefined, metric: MetricPath): number | null | undefined {
   if ("comfort" in metric) return summary?.comfort[metric.comfort];
@@ -29,7 +26,11 @@ export function intervalAt({ over }: Shown, strategy: StrategyId, metric: Metric
 }
 
 /** The paired change: `null` against zero, undefined where there is none. */
-export function pairedAt(changes: OverRoads["changes"] | undefined, strategy: StrategyId, metric: MetricPath): Interval | null | undefined {
+export function pairedAt(
+  changes: OverRoads["changes"] | undefined,
+  strategy: StrategyId,
+  metric: MetricPath,
+): Interval | null | undefined {
   const own = changes?.[strategy];
   if ("run" in metric) return undefined;
   if ("comfort" in metric) return own?.comfort[metric.comfort];

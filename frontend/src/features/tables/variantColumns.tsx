@@ -6,7 +6,11 @@ import { CURRENT, type Entry, type EntryGroup } from "./entries";
 
 type Parts<Row> = Omit<Column<Row>, "key" | "group" | "head" | "text">;
 
-export function variantColumns<Row>(groups: readonly EntryGroup[], headOf: (entry: Entry) => ReactNode, partsOf: (entry: Entry) => Parts<Row>): readonly Column<Row>[] {
+export function variantColumns<Row>(
+  groups: readonly EntryGroup[],
+  headOf: (entry: Entry) => ReactNode,
+  partsOf: (entry: Entry) => Parts<Row>,
+): readonly Column<Row>[] {
   return groups.flatMap(({ name, entries }) => {
     // Each an element of its own: variants of the same name stay two.
     const group = groups.length > 1 ? <>{name ?? CURRENT}</> : undefined;

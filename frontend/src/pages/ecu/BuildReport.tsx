@@ -21,7 +21,12 @@ interface Props {
 }
 
 const reportQuery = (scenario: Scenario, enabled: boolean) =>
-  queryOptions({ queryKey: ["controller report", scenario], queryFn: ({ signal }) => ask("post", "/controller/report", { body: { scenario } }, signal), staleTime: Infinity, enabled });
+  queryOptions({
+    queryKey: ["controller report", scenario],
+    queryFn: ({ signal }) => ask("post", "/controller/report", { body: { scenario } }, signal),
+    staleTime: Infinity,
+    enabled,
+  });
 
 export function BuildReport({ scenario, catalogue }: Props) {
   const [requested, setRequested] = useState<Scenario | null>(null);
@@ -34,7 +39,12 @@ export function BuildReport({ scenario, catalogue }: Props) {
       tools={
         <>
           {!report.data && (
-            <Button size="xs" variant="default" loading={report.isFetching} onClick={() => (requested === scenario ? void report.refetch() : setRequested(scenario))}>
+            <Button
+              size="xs"
+              variant="default"
+              loading={report.isFetching}
+              onClick={() => (requested === scenario ? void report.refetch() : setRequested(scenario))}
+            >
               Build and measure
             </Button>
           )}
@@ -51,9 +61,7 @@ export function BuildReport({ scenario, catalogue }: Props) {
               : "Compiles the controller for a Cortex-M3 at 72 MHz without floating-point hardware (64 KB RAM, 512 KB flash), counts what a step costs, and does the same with shorter horizons."}
           </Text>
           {report.isFetching && <Skeleton height={180} radius={6} />}
-          {report.isError && !report.isFetching && (
-            <Fault>{report.error.message}</Fault>
-          )}
+          {report.isError && !report.isFetching && <Fault>{report.error.message}</Fault>}
         </Stack>
       )}
     </Card>
@@ -84,11 +92,20 @@ function Report({ report, catalogue }: { readonly report: ControllerReport; read
         rowAttributes={({ fits }) => ({ "data-fits": fits })}
         columns={[...costColumns(report), ...(all ? changeColumns(catalogue) : lossColumns(catalogue))]}
       />
-      <Switch size="xs" px="0.9rem" py="xs" label="All eight figures" checked={all} onChange={(event) => setAll(event.currentTarget.checked)} />
+      <Switch
+        size="xs"
+        px="0.9rem"
+        py="xs"
+        label="All eight figures"
+        checked={all}
+        onChange={(event) => setAll(event.currentTarget.checked)}
+      />
       <Text size="xs" c="dimmed" className={ui.note ?? ""}>
-        The last columns: the change to LV in the simulation. Where fewer limits are checked than in the scenario’s own, they are the first move’s forces and every third deflection of the horizon.{" "}
-        {part.name}. Memory from the linked program, {formatWhole(part.stack)} bytes of stack. The program counts its own multiplications with addition; one costs {formatNumber(cycles)} cycles there
-        (±{formatNumber(100 * spread, 2)}&nbsp;%), measured in an emulator that counts cycles as the processor’s manual does.
+        The last columns: the change to LV in the simulation. Where fewer limits are checked than in the scenario’s own,
+        they are the first move’s forces and every third deflection of the horizon. {part.name}. Memory from the linked
+        program, {formatWhole(part.stack)} bytes of stack. The program counts its own multiplications with addition; one
+        costs {formatNumber(cycles)} cycles there (±{formatNumber(100 * spread, 2)}&nbsp;%), measured in an emulator
+        that counts cycles as the processor’s manual does.
       </Text>
     </>
   );
@@ -120,35 +137,51 @@ function costColumns({ part, rows, sample_time: step }: ControllerReport): reado
         </>
       ),
     },
-    { key: "flash", head: "Flash", detail: `of ${kilobytes(part.flash)}`, cell: (row) => kilobytes(row.code + row.constants) },
-    { key: "ram", head: "RAM with stack", detail: `of ${kilobytes(part.ram)}`, cell: (row) => kilobytes(row.variables + part.stack) },
-    { key: "operations", head: "Operations a step", detail: "least to most", cell: (row) => formatEnds(row.operations, formatWhole) },
-    { key: "time", head: "Time a step", detail: `of ${formatTime(step)}`, cell: (row) => formatEnds(row.time, formatTime) },
+    {
+      key: "flash",
+      head: "Flash",
+      detail: `of ${kilobytes(part.flash)}`,
+      cell: (row) => kilobytes(row.code + row.constants),
+    },
+    {
+      key: "ram",
+      head: "RAM with stack",
+      detail: `of ${kilobytes(part.ram)}`,
+      cell: (row) => kilobytes(row.variables + part.stack),
+    },
+    {
+      key: "operations",
+      head: "Operations a step",
+      detail: "least to most",
+      cell: (row) => formatEnds(row.operations, formatWhole),
+    },
+    {
+      key: "time",
+      head: "Time a step",
+      detail: `of ${formatTime(step)}`,
+      cell: (row) => formatEnds(row.time, formatTime),
+    },
     { key: "fits", head: "Fits", cell: (row) => <Fits fits={row.fits} reasons={row.reasons} /> },
   ];
 }
 
 const changeColumns = (catalogue: Catalogue) =>
   VIEWS.flatMap((view) =>
-    catalogue.paper_signals.map(
-      (signal): Column<Row> => ({
-        key: `${view.window} ${signal}`,
-        group: headingOf(view, catalogue),
-        head: labelOf(signal, catalogue),
-        cell: ({ changes }) => shownChange(changes[view.window]?.[signal]),
-      }),
-    ),
+    catalogue.paper_signals.map((signal): Column<Row> => ({
+      key: `${view.window} ${signal}`,
+      group: headingOf(view, catalogue),
+      head: labelOf(signal, catalogue),
+      cell: ({ changes }) => shownChange(changes[view.window]?.[signal]),
+    })),
   );
 
 const lossColumns = (catalogue: Catalogue) =>
-  VIEWS.map(
-    (view): Column<Row> => ({
-      key: view.window,
-      head: headingOf(view, catalogue),
-      detail: "largest increase",
-      cell: ({ changes }) => <Loss changes={changes[view.window] ?? {}} catalogue={catalogue} />,
-    }),
-  );
+  VIEWS.map((view): Column<Row> => ({
+    key: view.window,
+    head: headingOf(view, catalogue),
+    detail: "largest increase",
+    cell: ({ changes }) => <Loss changes={changes[view.window] ?? {}} catalogue={catalogue} />,
+  }));
 
 const shownChange = (change: number | null | undefined) => (typeof change === "number" ? formatPercent(change) : "–");
 
@@ -163,7 +196,13 @@ function Fits({ fits, reasons }: { readonly fits: boolean; readonly reasons: rea
 }
 
 /** The largest increase, and of what. */
-function Loss({ changes, catalogue }: { readonly changes: Readonly<Record<string, number | null>>; readonly catalogue: Catalogue }) {
+function Loss({
+  changes,
+  catalogue,
+}: {
+  readonly changes: Readonly<Record<string, number | null>>;
+  readonly catalogue: Catalogue;
+}) {
   const changed = Object.entries(changes).flatMap(([signal, change]) => (change === null ? [] : [{ signal, change }]));
   const worst = changed.toSorted((a, b) => b.change - a.change)[0];
   if (!worst) return <>–</>;

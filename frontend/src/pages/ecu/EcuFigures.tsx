@@ -29,7 +29,10 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
   const palette = PALETTES[useComputedColorScheme("light")];
   const [axis, setAxis] = useState<Axis>("time");
   const [zoom, setZoom] = useState<Zoom | null>(null);
-  const ids = useMemo(() => Object.entries(run.strategies).flatMap(([id, { status }]) => (status === "ok" ? [id] : [])), [run]);
+  const ids = useMemo(
+    () => Object.entries(run.strategies).flatMap(([id, { status }]) => (status === "ok" ? [id] : [])),
+    [run],
+  );
   const drawn = strategies.filter(({ id }) => ids.includes(id));
   const series = useQuery(seriesQuery(run.id, ids, DETAIL_POINTS));
   const scene = useMemo(() => {
@@ -37,7 +40,17 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
     const shown = fromRun(run, { series: series.data, missing: null }, 0, true);
     return makeScene(shown, strategies, ids, { ...DEFAULT_VIEW, baseline: "lv", axis, zoom: zoom ?? "whole" });
   }, [run, series.data, strategies, ids, axis, zoom]);
-  const curves = useMemo(() => scene && { ...scene, driven: scene.series, live: false, runId: scene.shown.runId, coreVersion: scene.shown.coreVersion }, [scene]);
+  const curves = useMemo(
+    () =>
+      scene && {
+        ...scene,
+        driven: scene.series,
+        live: false,
+        runId: scene.shown.runId,
+        coreVersion: scene.shown.coreVersion,
+      },
+    [scene],
+  );
   const templates = useMemo(() => templatesOf(catalogue, figures), [catalogue, figures]);
   return (
     <section className={classes.part} aria-label="Time histories" data-stale={stale || undefined}>
@@ -62,17 +75,17 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
           }}
         />
       </Group>
-      {series.isError && (
-        <Fault size="sm">The time histories could not be read: {series.error.message}</Fault>
-      )}
+      {series.isError && <Fault size="sm">The time histories could not be read: {series.error.message}</Fault>}
       <div className={classes.figures}>
-        {curves ? (
-          templates.map((template) => (
-            <PlotPanel key={template.layout.meta.signal} {...{ plotly, template, curves, palette }} onZoom={setZoom} />
-          ))
-        ) : (
-          templates.map(({ layout }) => <Box key={layout.meta.signal} h={210} className={ui.card ?? ""} />)
-        )}
+        {curves
+          ? templates.map((template) => (
+              <PlotPanel
+                key={template.layout.meta.signal}
+                {...{ plotly, template, curves, palette }}
+                onZoom={setZoom}
+              />
+            ))
+          : templates.map(({ layout }) => <Box key={layout.meta.signal} h={210} className={ui.card ?? ""} />)}
       </div>
     </section>
   );
@@ -84,6 +97,13 @@ const ORDER: readonly string[] = ["lqr", "lv", "lv_hil"];
 function templatesOf(catalogue: Catalogue, figures: Props["figures"]): readonly FigureTemplate[] {
   return catalogue.paper_signals.flatMap((signal) => {
     const template = Object.values(figures).find(({ layout }) => layout.meta.signal === signal);
-    return template ? [{ ...template, data: template.data.toSorted((a, b) => ORDER.indexOf(a.meta.strategy) - ORDER.indexOf(b.meta.strategy)) }] : [];
+    return template
+      ? [
+          {
+            ...template,
+            data: template.data.toSorted((a, b) => ORDER.indexOf(a.meta.strategy) - ORDER.indexOf(b.meta.strategy)),
+          },
+        ]
+      : [];
   });
 }

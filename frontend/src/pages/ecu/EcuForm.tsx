@@ -23,12 +23,22 @@ export function HilForm({ form, ...props }: Props) {
   if (!group) return null;
   return (
     <div className={classes.settings} role="group" aria-label="Between the ECU and the car">
-      {fieldsOf(group).map((field) => (field.kind === "number" || field.kind === "choice") && <Setting key={field.pointer} field={field} {...props} />)}
+      {fieldsOf(group).map(
+        (field) =>
+          (field.kind === "number" || field.kind === "choice") && (
+            <Setting key={field.pointer} field={field} {...props} />
+          ),
+      )}
     </div>
   );
 }
 
-function Setting({ field, scenario, errors, onChange }: Omit<Props, "form"> & { readonly field: NumberField | ChoiceField }) {
+function Setting({
+  field,
+  scenario,
+  errors,
+  onChange,
+}: Omit<Props, "form"> & { readonly field: NumberField | ChoiceField }) {
   const [rejected, setRejected] = useState<Rejected | undefined>();
   const value = getAt(scenario, field.pointer);
   const commit = (next: JsonValue) => {
@@ -47,5 +57,9 @@ function Setting({ field, scenario, errors, onChange }: Omit<Props, "form"> & { 
     reject: setRejected,
     accept: () => setRejected(undefined),
   };
-  return field.kind === "number" ? <NumberFieldRow {...{ field, leaf }} withSlider={false} /> : <ChoiceFieldRow {...{ field, leaf }} />;
+  return field.kind === "number" ? (
+    <NumberFieldRow {...{ field, leaf }} withSlider={false} />
+  ) : (
+    <ChoiceFieldRow {...{ field, leaf }} />
+  );
 }

@@ -35,7 +35,9 @@ export function EcuPage() {
 
   const refused = useMemo(() => {
     if (!error || isTransient(error) || !schema.data) return NO_ERRORS;
-    return error instanceof ApiProblem ? errorsByField(schema.data, error.errors, error.message) : { fields: {}, general: [error.message] };
+    return error instanceof ApiProblem
+      ? errorsByField(schema.data, error.errors, error.message)
+      : { fields: {}, general: [error.message] };
   }, [error, schema.data]);
   const coloured = useSchemeColours(strategies.data);
   const shown = useMemo(() => STRATEGIES.flatMap((id) => coloured?.find((each) => each.id === id) ?? []), [coloured]);
@@ -43,16 +45,28 @@ export function EcuPage() {
   const colour = shown.find(({ id }) => id === "lv_hil")?.colour ?? "currentColor";
   const lead = (
     <>
-      LV control’s MPC, written out as C for this scenario (float32, a fixed number of iterations), drives the simulated car: sensors and
-      commands through converters, every command a step late. <strong>This is software in the loop with the ECU’s code, not a bench</strong>: no ECU, wire or actuator takes part.
+      LV control’s MPC, written out as C for this scenario (float32, a fixed number of iterations), drives the simulated
+      car: sensors and commands through converters, every command a step late.{" "}
+      <strong>This is software in the loop with the ECU’s code, not a bench</strong>: no ECU, wire or actuator takes
+      part.
     </>
   );
 
   return (
-    <Page title="ECU" heading="The controller as an ECU’s program" what="page" lead={lead} faults={[schema, strategies, catalogue, figures].map(({ error: fault }) => fault)}>
+    <Page
+      title="ECU"
+      heading="The controller as an ECU’s program"
+      what="page"
+      lead={lead}
+      faults={[schema, strategies, catalogue, figures].map(({ error: fault }) => fault)}
+    >
       <Card className={`${ui.part}`} aria-label="Scenario and loop">
         <ScenarioChoice source={{ ...source, choose }} form={schema.data} />
-        {schema.data && scenario ? <HilForm form={schema.data} scenario={scenario} errors={refused.fields} onChange={change} /> : <Skeleton height={58} />}
+        {schema.data && scenario ? (
+          <HilForm form={schema.data} scenario={scenario} errors={refused.fields} onChange={change} />
+        ) : (
+          <Skeleton height={58} />
+        )}
         <Problems messages={[...refused.general, ...elsewhere(refused.fields)]} />
         <ExportController scenario={source.scenario} />
       </Card>
@@ -72,7 +86,12 @@ export function EcuPage() {
       {source.scenario && catalogue.data && (
         <>
           <BuildReport scenario={source.scenario} catalogue={catalogue.data} />
-          <RealTime scenario={source.scenario} catalogue={catalogue.data} seconds={summaries.lv_hil?.travel_time ?? undefined} colour={colour} />
+          <RealTime
+            scenario={source.scenario}
+            catalogue={catalogue.data}
+            seconds={summaries.lv_hil?.travel_time ?? undefined}
+            colour={colour}
+          />
         </>
       )}
     </Page>
@@ -81,7 +100,9 @@ export function EcuPage() {
 
 /** Errors at fields this page has no entry for. */
 const elsewhere = (fields: Readonly<Record<string, string>>) =>
-  Object.entries(fields).flatMap(([pointer, message]) => (pointer.startsWith("/hil/") ? [] : [`The scenario’s ${pointer.slice(1).replace(/\//g, ".")}: ${message}`]));
+  Object.entries(fields).flatMap(([pointer, message]) =>
+    pointer.startsWith("/hil/") ? [] : [`The scenario’s ${pointer.slice(1).replace(/\//g, ".")}: ${message}`],
+  );
 
 function split(all: NonNullable<ReturnType<typeof useEcuRun>["run"]>["strategies"]) {
   const summaries: Record<string, Summary> = {};

@@ -38,7 +38,12 @@ export function EcuTable({ summaries, strategies, catalogue, figures, stale }: P
       tools={
         <>
           {judged.length > 0 && (
-            <Text size="sm" fw={650} data-testid="hil-count" className={(reached === judged.length ? ui.good : ui.warning) ?? ""}>
+            <Text
+              size="sm"
+              fw={650}
+              data-testid="hil-count"
+              className={(reached === judged.length ? ui.good : ui.warning) ?? ""}
+            >
               {reached} of {judged.length} within ±{RULE_PERCENT}&nbsp;%
             </Text>
           )}
@@ -47,20 +52,33 @@ export function EcuTable({ summaries, strategies, catalogue, figures, stale }: P
     >
       <DataTable
         label="Figures, in the ECU and in the simulation"
-        groups={VIEWS.map((view) => ({ key: view.window, title: headingOf(view, catalogue), rows: rows.filter((row) => row.view === view) }))}
+        groups={VIEWS.map((view) => ({
+          key: view.window,
+          title: headingOf(view, catalogue),
+          rows: rows.filter((row) => row.view === view),
+        }))}
         rowKey={({ key }) => key}
         rowAttributes={({ key }) => ({ "data-cell": key })}
         columns={columnsOf(strategies, catalogue, figures)}
       />
       <Text size="xs" c="dimmed" className={ui.note ?? ""}>
-        The rule of Tables 9 and 10: each change within ±{RULE_PERCENT}&nbsp;% of the simulation. Over many roads and beside what they print: <Anchor size="xs" underline="always" renderRoot={(props) => <Link to="/paper" {...props} />}>the paper page</Anchor>.
+        The rule of Tables 9 and 10: each change within ±{RULE_PERCENT}&nbsp;% of the simulation. Over many roads and
+        beside what they print:{" "}
+        <Anchor size="xs" underline="always" renderRoot={(props) => <Link to="/paper" {...props} />}>
+          the paper page
+        </Anchor>
+        .
       </Text>
       <EcuEvents summary={summaries.lv_hil} catalogue={catalogue} />
     </Card>
   );
 }
 
-function columnsOf(strategies: readonly Strategy[], catalogue: Catalogue, figures: Props["figures"]): readonly Column<HilRow>[] {
+function columnsOf(
+  strategies: readonly Strategy[],
+  catalogue: Catalogue,
+  figures: Props["figures"],
+): readonly Column<HilRow>[] {
   const valueOf = (row: HilRow, id: string) => ({ lv: row.lv, lv_hil: row.hil, lqr: row.lqr })[id];
   return [
     {
@@ -69,24 +87,29 @@ function columnsOf(strategies: readonly Strategy[], catalogue: Catalogue, figure
       text: true,
       cell: ({ signal }) => (
         <>
-          {labelOf(signal, catalogue)} <span className={ui.dim}>{prettyUnit(shownUnit(signal, figures, catalogue).unit)}</span>
+          {labelOf(signal, catalogue)}{" "}
+          <span className={ui.dim}>{prettyUnit(shownUnit(signal, figures, catalogue).unit)}</span>
         </>
       ),
     },
-    ...strategies.map(
-      (strategy): Column<HilRow> => ({
-        key: strategy.id,
-        head: <StrategyName strategy={strategy} />,
-        headAttributes: { style: { width: "19%" } },
-        attributes: (row) => ({ "data-value": valueOf(row, strategy.id) ?? "" }),
-        cell: (row) => (
-          <>
-            <span className={tables.value}>{formatShown(valueOf(row, strategy.id), shownUnit(row.signal, figures, catalogue).scale)}</span>
-            {strategy.id === "lv" ? <span className={tables.change}>&nbsp;</span> : <ChangeMark value={valueOf(row, strategy.id)} baseline={row.lv} />}
-          </>
-        ),
-      }),
-    ),
+    ...strategies.map((strategy): Column<HilRow> => ({
+      key: strategy.id,
+      head: <StrategyName strategy={strategy} />,
+      headAttributes: { style: { width: "19%" } },
+      attributes: (row) => ({ "data-value": valueOf(row, strategy.id) ?? "" }),
+      cell: (row) => (
+        <>
+          <span className={tables.value}>
+            {formatShown(valueOf(row, strategy.id), shownUnit(row.signal, figures, catalogue).scale)}
+          </span>
+          {strategy.id === "lv" ? (
+            <span className={tables.change}>&nbsp;</span>
+          ) : (
+            <ChangeMark value={valueOf(row, strategy.id)} baseline={row.lv} />
+          )}
+        </>
+      ),
+    })),
     {
       key: "within",
       head: <>Within ±{RULE_PERCENT}&nbsp;%</>,
@@ -96,7 +119,8 @@ function columnsOf(strategies: readonly Strategy[], catalogue: Catalogue, figure
   ];
 }
 
-const formatShown = (value: number | undefined, scale: number) => (value === undefined ? "–" : formatResult(value * scale));
+const formatShown = (value: number | undefined, scale: number) =>
+  value === undefined ? "–" : formatResult(value * scale);
 
 function Verdict({ row: { within, change } }: { readonly row: HilRow }) {
   if (within === null || change === null) return <span className={tables.change}>–</span>;
@@ -109,11 +133,14 @@ function Verdict({ row: { within, change } }: { readonly row: HilRow }) {
 }
 
 /** Whole numbers stay whole. */
-const shownEvent = (value: number | boolean | null | undefined) => (typeof value !== "number" ? String(value) : Number.isInteger(value) ? formatWhole(value) : formatResult(value));
+const shownEvent = (value: number | boolean | null | undefined) =>
+  typeof value !== "number" ? String(value) : Number.isInteger(value) ? formatWhole(value) : formatResult(value);
 
 /** What the loop itself met: held commands, unfinished iterations, clipped values. */
 function EcuEvents({ summary, catalogue }: { readonly summary: Summary | undefined; readonly catalogue: Catalogue }) {
-  const events = catalogue.events.filter(({ key }) => key.startsWith("ecu_") && summary?.events[key] !== undefined && summary.events[key] !== null);
+  const events = catalogue.events.filter(
+    ({ key }) => key.startsWith("ecu_") && summary?.events[key] !== undefined && summary.events[key] !== null,
+  );
   if (!summary || events.length === 0) return null;
   return (
     <dl className={`${ui.facts} ${ui.note}`} aria-label="What the loop met">

@@ -29,7 +29,9 @@ interface Props {
 }
 
 export function RealTime({ scenario, catalogue, seconds, colour }: Props) {
-  const drive = useMutation({ mutationFn: (wanted: Scenario) => ask("post", "/controller/realtime", { body: { scenario: wanted } }) });
+  const drive = useMutation({
+    mutationFn: (wanted: Scenario) => ask("post", "/controller/realtime", { body: { scenario: wanted } }),
+  });
   const report = drive.data;
   const other = drive.isSuccess && drive.variables !== scenario;
   return (
@@ -45,13 +47,18 @@ export function RealTime({ scenario, catalogue, seconds, colour }: Props) {
     >
       <Stack gap="xs" px="0.9rem" pb="sm">
         <Text size="sm" c="dimmed">
-          The same program, a frame every control step by the clock; an answer after the next frame’s time is a missed deadline, and the actuators hold the last command. It takes as long as
-          the drive{seconds === undefined ? "" : `, about ${formatNumber(seconds, 2)} s`}. An ordinary operating system wakes both sides, not a real-time one: the figures are the server’s at that
-          moment, not an ECU’s.
+          The same program, a frame every control step by the clock; an answer after the next frame’s time is a missed
+          deadline, and the actuators hold the last command. It takes as long as the drive
+          {seconds === undefined ? "" : `, about ${formatNumber(seconds, 2)} s`}. An ordinary operating system wakes
+          both sides, not a real-time one: the figures are the server’s at that moment, not an ECU’s.
         </Text>
         {drive.isPending && <Waiting seconds={seconds} />}
         {drive.isError && (
-          <Fault>{isTransient(drive.error) ? `The server has no room for a drive by the clock just now: ${drive.error.message}` : drive.error.message}</Fault>
+          <Fault>
+            {isTransient(drive.error)
+              ? `The server has no room for a drive by the clock just now: ${drive.error.message}`
+              : drive.error.message}
+          </Fault>
         )}
         {other && (
           <Text size="xs" className={ui.warning ?? ""} role="status">
@@ -80,7 +87,12 @@ function Waiting({ seconds }: { readonly seconds: number | undefined }) {
   return (
     <Stack gap={5}>
       <Progress.Root size={8} transitionDuration={TICK_MS}>
-        <Progress.Section value={whole === undefined ? 100 : Math.min(99, (100 * passed) / whole)} animated={whole === undefined || passed > whole} color="var(--accent)" aria-label="Driven" />
+        <Progress.Section
+          value={whole === undefined ? 100 : Math.min(99, (100 * passed) / whole)}
+          animated={whole === undefined || passed > whole}
+          color="var(--accent)"
+          aria-label="Driven"
+        />
       </Progress.Root>
       <Text size="xs" c="dimmed">
         {formatWhole(Math.round(passed))}
@@ -113,7 +125,15 @@ const MEANING: Readonly<Record<Kind, string>> = {
   computing: "What the program itself took, by its own clock.",
 };
 
-function Report({ report, catalogue, colour }: { readonly report: RealtimeReport; readonly catalogue: Catalogue; readonly colour: string }) {
+function Report({
+  report,
+  catalogue,
+  colour,
+}: {
+  readonly report: RealtimeReport;
+  readonly catalogue: Catalogue;
+  readonly colour: string;
+}) {
   const { data: strategies } = useQuery(strategiesQuery);
   const lightColour = strategies?.find(({ id }) => id === "lv_hil")?.colour ?? colour;
   const palette = PALETTES[useComputedColorScheme("light")];
@@ -121,7 +141,10 @@ function Report({ report, catalogue, colour }: { readonly report: RealtimeReport
   const label = KINDS.find(({ value }) => value === kind)?.label ?? "";
   const spread = report[kind];
   const host = useRef<HTMLDivElement>(null);
-  const figure = useMemo(() => (spread ? histogramFigure(spread, report.deadline, { palette, colour }) : null), [spread, report.deadline, palette, colour]);
+  const figure = useMemo(
+    () => (spread ? histogramFigure(spread, report.deadline, { palette, colour }) : null),
+    [spread, report.deadline, palette, colour],
+  );
   return (
     <>
       <DataTable
@@ -133,7 +156,8 @@ function Report({ report, catalogue, colour }: { readonly report: RealtimeReport
             key: "kind",
             head: (
               <span className={report.misses === 0 ? ui.good : ui.warning} data-testid="misses">
-                {report.misses === 0 ? "No deadline missed" : `${count(report.misses, "deadline")} missed`} in {count(report.steps, "step")}
+                {report.misses === 0 ? "No deadline missed" : `${count(report.misses, "deadline")} missed`} in{" "}
+                {count(report.steps, "step")}
               </span>
             ),
             text: true,
@@ -143,7 +167,11 @@ function Report({ report, catalogue, colour }: { readonly report: RealtimeReport
               </>
             ),
           },
-          ...TIMES.map(([key, head]) => ({ key, head, cell: ({ value }: (typeof KINDS)[number]) => shownTime(report[value]?.[key]) })),
+          ...TIMES.map(([key, head]) => ({
+            key,
+            head,
+            cell: ({ value }: (typeof KINDS)[number]) => shownTime(report[value]?.[key]),
+          })),
         ]}
       />
       <Box px="0.9rem" pt="xs">
@@ -154,12 +182,25 @@ function Report({ report, catalogue, colour }: { readonly report: RealtimeReport
               title={`Histogram of ${label.toLowerCase()}`}
               file={`ridelab-real-time-${kind}`}
               hostRef={host}
-              draw={() => ({ figure: histogramFigure(spread, report.deadline, { palette: ON_PAPER, colour: lightColour, title: label }), legend: [], table: histogramTable(spread) })}
+              draw={() => ({
+                figure: histogramFigure(spread, report.deadline, {
+                  palette: ON_PAPER,
+                  colour: lightColour,
+                  title: label,
+                }),
+                legend: [],
+                table: histogramTable(spread),
+              })}
             />
           )}
         </Group>
         {figure ? (
-          <Chart hostRef={host} figure={figure} height={230} label={`Histogram of ${kind.replace("_", "-")} over ${report.steps} steps; its figures stand in the table above`} />
+          <Chart
+            hostRef={host}
+            figure={figure}
+            height={230}
+            label={`Histogram of ${kind.replace("_", "-")} over ${report.steps} steps; its figures stand in the table above`}
+          />
         ) : (
           <Text size="sm" c="dimmed">
             There is nothing to count: no answer came in time.

@@ -23,7 +23,15 @@ it("the largest loss is the largest rise, over both windows", () => {
 });
 
 it("a histogram has a bar a bin over the logarithm of time, and the deadline", () => {
-  const spread = { mean: 0, deviation: 0, median: 0, percentile_99: 0, most: 0, edges: [1e-6, 1e-4, 1e-2], counts: [3, 5] };
+  const spread = {
+    mean: 0,
+    deviation: 0,
+    median: 0,
+    percentile_99: 0,
+    most: 0,
+    edges: [1e-6, 1e-4, 1e-2],
+    counts: [3, 5],
+  };
   const { data, layout } = histogramFigure(spread, 1e-2, { palette: { text: "", grid: "", zero: "" }, colour: "red" });
   expect(data[0]?.x).toEqual([-5, -3]);
   expect(data[0]?.y).toEqual([3, 5]);

@@ -13,7 +13,10 @@ export function formatTime(seconds: number): string {
 }
 
 /** `2.4 – 3.1`, and once where both ends read the same. */
-export function formatEnds({ least, most }: { readonly least: number; readonly most: number }, format: (value: number) => string): string {
+export function formatEnds(
+  { least, most }: { readonly least: number; readonly most: number },
+  format: (value: number) => string,
+): string {
   const [low, high] = [format(least), format(most)];
   return low === high ? low : `${low} – ${high}`;
 }

@@ -22,7 +22,9 @@ describe("the ±8 % rule", () => {
     [1.0801, false],
     [0.9199, false],
   ])("a ratio of %d is within: %s", (ratio, within) => {
-    expect(rowsOf({ paper_signals: ["a"] }, { lv: summary(100, 100), lv_hil: summary(100 * ratio, 100) })[0]?.within).toBe(within);
+    expect(
+      rowsOf({ paper_signals: ["a"] }, { lv: summary(100, 100), lv_hil: summary(100 * ratio, 100) })[0]?.within,
+    ).toBe(within);
   });
 
   it("says nothing where there is nothing to compare", () => {

@@ -28,7 +28,16 @@ export function rowsOf(catalogue: Pick<Catalogue, "paper_signals">, summaries: S
       const of = (strategy: string) => summaries[strategy]?.metrics[view.window]?.[signal]?.[view.statistic];
       const [lv, hil, lqr] = [of("lv"), of("lv_hil"), of("lqr")];
       const { percent } = changeAgainst(hil, lv);
-      return { key: `${view.window}.${signal}.${view.statistic}`, signal, view, lv, hil, lqr, change: percent, within: percent === null ? null : Math.abs(percent) <= RULE_PERCENT };
+      return {
+        key: `${view.window}.${signal}.${view.statistic}`,
+        signal,
+        view,
+        lv,
+        hil,
+        lqr,
+        change: percent,
+        within: percent === null ? null : Math.abs(percent) <= RULE_PERCENT,
+      };
     }),
   );
 }

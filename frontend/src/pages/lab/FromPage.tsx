@@ -27,7 +27,12 @@ export function FromPage() {
   );
 }
 
-const NAMES: Readonly<Record<string, string>> = { b: "sweep", robustness: "study", tuner: "tuning", paper: "the paper" };
+const NAMES: Readonly<Record<string, string>> = {
+  b: "sweep",
+  robustness: "study",
+  tuner: "tuning",
+  paper: "the paper",
+};
 
 function Back({ from }: { readonly from: string }) {
   const [path = "", search = ""] = from.split("?");
@@ -36,7 +41,11 @@ function Back({ from }: { readonly from: string }) {
   const name = [NAMES[page], ...(sweep ? [`“${sweep.label ?? titleOf(sweep.fields)}”`] : [])].join(" ");
   return (
     <Text size="xs">
-      <Anchor size="xs" underline="always" renderRoot={(props) => <Link to={path} search={parseSearch(search)} {...props} />}>
+      <Anchor
+        size="xs"
+        underline="always"
+        renderRoot={(props) => <Link to={path} search={parseSearch(search)} {...props} />}
+      >
         From {name}
       </Anchor>
     </Text>

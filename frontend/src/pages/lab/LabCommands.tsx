@@ -24,7 +24,12 @@ export function LabCommands({ form, presets, strategies }: Props) {
     { group: "Lab", label: "Redo", keys: "mod+shift+Z", run: lab.redo },
     { group: "Lab", label: "Redo", keys: "mod+Y", run: lab.redo },
     { group: "Lab", label: "Open the paper’s scenario", run: lab.openPaper },
-    ...presets.map(({ label, description, scenario }): Command => ({ group: "Presets", label, description, run: () => lab.commit(scenario) })),
+    ...presets.map(({ label, description, scenario }): Command => ({
+      group: "Presets",
+      label,
+      description,
+      run: () => lab.commit(scenario),
+    })),
   ];
   useCommands([
     ...(isReadOnly ? [] : edits),
@@ -34,7 +39,12 @@ export function LabCommands({ form, presets, strategies }: Props) {
       description,
       run: () => toggle(id),
     })),
-    ...(form ? sweepFields(form) : []).map(({ title, section, leaf }): Command => ({ group: "Fields", label: title, description: section, run: () => revealed.set(leaf.pointer) })),
+    ...(form ? sweepFields(form) : []).map(({ title, section, leaf }): Command => ({
+      group: "Fields",
+      label: title,
+      description: section,
+      run: () => revealed.set(leaf.pointer),
+    })),
   ]);
   return null;
 }

@@ -53,7 +53,11 @@ export function LabMain({ strategies, catalogue, figures, fault }: Props) {
         hasBump={scene !== null && scene.bump !== null}
       />
       <StatusLine position="page" />
-      {fault === undefined ? <Results {...{ strategies, catalogue, figures, scene }} /> : <CouldNotLoad message={fault} />}
+      {fault === undefined ? (
+        <Results {...{ strategies, catalogue, figures, scene }} />
+      ) : (
+        <CouldNotLoad message={fault} />
+      )}
     </main>
   );
 }

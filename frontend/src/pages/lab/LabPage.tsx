@@ -57,7 +57,9 @@ function LabContent() {
     lab.configure(schema.data, [...new Set([...drawn, ...CAR_SIGNALS])]);
   }, [lab, schema.data, figures.data]);
 
-  const failedQuery = [schema, presets, strategies, catalogue, figures].find(({ error }) => error !== null && !isTransient(error));
+  const failedQuery = [schema, presets, strategies, catalogue, figures].find(
+    ({ error }) => error !== null && !isTransient(error),
+  );
 
   return (
     <>
@@ -68,7 +70,12 @@ function LabContent() {
       <PrintedTitle />
       <div className={classes.body}>
         <EditorPane form={schema.data} />
-        <LabMain strategies={coloured} catalogue={catalogue.data} figures={figures.data} fault={failedQuery?.error?.message} />
+        <LabMain
+          strategies={coloured}
+          catalogue={catalogue.data}
+          figures={figures.data}
+          fault={failedQuery?.error?.message}
+        />
       </div>
       <DropFiles />
       <ShellSlot name="notices">

@@ -14,7 +14,9 @@ import { StatusLine } from "./StatusLine";
 
 export function LabTools({ presets }: { readonly presets: readonly Preset[] }) {
   const { lab } = useLabContext();
-  const canUndo = useLab((state) => state.shared === null && (hasRejected(state) || (state.history?.past.length ?? 0) > 0));
+  const canUndo = useLab(
+    (state) => state.shared === null && (hasRejected(state) || (state.history?.past.length ?? 0) > 0),
+  );
   const canRedo = useLab((state) => state.shared === null && (state.history?.future.length ?? 0) > 0);
   return (
     <>

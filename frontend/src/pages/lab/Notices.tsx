@@ -19,7 +19,9 @@ export function Notices({ strategies }: { readonly strategies: readonly Strategy
       {busy && <SlowNotice />}
       {refused && shown && (
         <div className={ui.notice} role="status">
-          <Text size="sm">The plots show the last scenario that could be run; the value to change is marked in the form.</Text>
+          <Text size="sm">
+            The plots show the last scenario that could be run; the value to change is marked in the form.
+          </Text>
           <Button size="compact-xs" variant="default" onClick={lab.undo}>
             Undo
           </Button>

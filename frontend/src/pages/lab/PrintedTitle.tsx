@@ -6,7 +6,10 @@ import { pageTitle } from "./title";
 import classes from "../../ui/shell.module.css";
 
 export function PrintedTitle() {
-  const source = useLab(({ shown }) => shown && `core ${shown.coreVersion}${shown.runId === null ? ", a live preview" : `, run ${shown.runId}`}`);
+  const source = useLab(
+    ({ shown }) =>
+      shown && `core ${shown.coreVersion}${shown.runId === null ? ", a live preview" : `, run ${shown.runId}`}`,
+  );
   const title = useFromScenario(pageTitle);
   useDocumentTitle(title);
   if (source === null) return null;

@@ -34,7 +34,8 @@ export function Results({ strategies, catalogue, figures, scene }: Props) {
   if (failure?.kind === "notFound") return <NotFound />;
   if (none) return <NothingChosen suggestion={strategies.map(({ id }) => id)} />;
   if (failure?.kind === "failed" && !shown) return <CouldNotLoad message={failure.message} onRetry={lab.openPaper} />;
-  if (refused && !shown) return <CouldNotLoad what="scenario" message={refused} onRetry={lab.openPaper} retry="Open the paper’s scenario" />;
+  if (refused && !shown)
+    return <CouldNotLoad what="scenario" message={refused} onRetry={lab.openPaper} retry="Open the paper’s scenario" />;
   if (!scene || !catalogue || !figures || scene.ids.length === 0) return <Loading />;
   return (
     <div
@@ -95,9 +96,13 @@ export function NothingChosen({ suggestion }: { readonly suggestion: readonly st
 
 export function NotFound() {
   const { lab, router } = useLabContext();
-  const [title, text] = router.get().slug === null
-    ? ["There is no run at this address", "The link may be incomplete, or the run was made on another server."]
-    : ["There is no shared result at this address", "The link may be incomplete, or it was made on another server. Ask the sender for the complete address."];
+  const [title, text] =
+    router.get().slug === null
+      ? ["There is no run at this address", "The link may be incomplete, or the run was made on another server."]
+      : [
+          "There is no shared result at this address",
+          "The link may be incomplete, or it was made on another server. Ask the sender for the complete address.",
+        ];
   return (
     <Blank title={title} text={text}>
       <Button onClick={lab.openPaper}>Open the paper’s scenario</Button>
@@ -107,9 +112,7 @@ export function NotFound() {
 
 /** In place of the car and the plots. */
 export function NoHistories({ reason }: { readonly reason: string }) {
-  return (
-    <Blank title="This result has no time histories" text={`${reason} The tables are as they were computed.`} />
-  );
+  return <Blank title="This result has no time histories" text={`${reason} The tables are as they were computed.`} />;
 }
 
 /** The results' places before there are any: the same heights, so that nothing jumps. */

@@ -21,7 +21,9 @@ export function RoadsNote({ scene }: { readonly scene: Scene }) {
       ) : (
         <>
           Mean of {over.roads} roads ± 95 % interval.{" "}
-          {hasMeans ? `Curves: ${differences ? "differences of the means" : "mean and range"}. Car, road and events: ${first}.` : `Curves, car and events are of the first road only, ${first}; the table is of all roads.`}
+          {hasMeans
+            ? `Curves: ${differences ? "differences of the means" : "mean and range"}. Car, road and events: ${first}.`
+            : `Curves, car and events are of the first road only, ${first}; the table is of all roads.`}
         </>
       )}
     </Text>

@@ -11,7 +11,12 @@ export function RoadsSelect() {
   const readOnly = useReadOnly();
   const choices = CHOICES.includes(roads) ? CHOICES : [...CHOICES, roads].sort((a, b) => a - b);
   return (
-    <Tooltip label="Peaks on one road are partly random; several roads give a mean with a 95 % interval" multiline w={240} openDelay={500}>
+    <Tooltip
+      label="Peaks on one road are partly random; several roads give a mean with a 95 % interval"
+      multiline
+      w={240}
+      openDelay={500}
+    >
       <NativeSelect
         size="xs"
         aria-label="Roads"

@@ -41,7 +41,8 @@ export function StageLegend({ scene, catalogue, meta }: Props) {
       ))}
       {hasBand && (
         <span>
-          <span className={classes.fill} data-stage="band" /> range: minimum to maximum of {scene.shown.over?.roads} roads
+          <span className={classes.fill} data-stage="band" /> range: minimum to maximum of {scene.shown.over?.roads}{" "}
+          roads
         </span>
       )}
       {(airborne || hasBand) && (

@@ -10,7 +10,10 @@ const ms = (value: number) => `${value < 9.5 ? value.toFixed(1) : value.toFixed(
 function describe({ source, timing }: Shown): string {
   const { cached, computed, computeMs, roundTripMs, opened } = timing;
   if (opened) return `Stored result, opened in ${ms(roundTripMs)}`;
-  const parts = [cached > 0 ? `${cached} from store` : "", computed > 0 ? `${computed} computed in ${ms(computeMs)}` : ""];
+  const parts = [
+    cached > 0 ? `${cached} from store` : "",
+    computed > 0 ? `${computed} computed in ${ms(computeMs)}` : "",
+  ];
   return `${source === "live" ? "Live" : "Exact"}: ${parts.filter(Boolean).join(", ")} · ${ms(roundTripMs)} in all`;
 }
 

@@ -9,7 +9,11 @@ import { StrategyKey } from "../../ui/StrategyKey";
 import bar from "../../ui/toolbar.module.css";
 import { useSelected } from "./useSelected";
 
-export const StrategyChoice = memo(function StrategyChoice({ strategies }: { readonly strategies: readonly Strategy[] }) {
+export const StrategyChoice = memo(function StrategyChoice({
+  strategies,
+}: {
+  readonly strategies: readonly Strategy[];
+}) {
   const { selected, toggle } = useSelected(strategies);
   // A shared result has what it has: other strategies would be a new run.
   const summaries = useLab((state) => (state.shared ? state.shown?.summaries : undefined));
@@ -36,7 +40,13 @@ export const StrategyChoice = memo(function StrategyChoice({ strategies }: { rea
       </div>
       <Menu position="bottom-start" width={300}>
         <Menu.Target>
-          <Button size="xs" variant="default" className={bar.more ?? ""} rightSection={<IconChevronDown size={14} />} disabled={strategies.length === 0}>
+          <Button
+            size="xs"
+            variant="default"
+            className={bar.more ?? ""}
+            rightSection={<IconChevronDown size={14} />}
+            disabled={strategies.length === 0}
+          >
             Strategies
           </Button>
         </Menu.Target>

@@ -43,7 +43,13 @@ export const Toolbar = memo(function Toolbar({ strategies, part, hasBump }: Prop
         />
         <Button.Group>
           <ZoomButton label="Bump" tip="Zoom to the bump" zoom={null} shown={part === "bump"} disabled={!hasBump} />
-          <ZoomButton label="Whole run" tip="Show the whole run (or double click a plot)" zoom="whole" shown={part === "whole"} disabled={part === null} />
+          <ZoomButton
+            label="Whole run"
+            tip="Show the whole run (or double click a plot)"
+            zoom="whole"
+            shown={part === "whole"}
+            disabled={part === null}
+          />
         </Button.Group>
       </div>
     </div>
@@ -52,7 +58,9 @@ export const Toolbar = memo(function Toolbar({ strategies, part, hasBump }: Prop
 
 /** For what stays in view below it; the more strategies are on, the more rows it has. */
 function publishHeight(toolbar: HTMLElement): () => void {
-  const observer = new ResizeObserver(() => document.documentElement.style.setProperty("--toolbar", `${toolbar.offsetHeight}px`));
+  const observer = new ResizeObserver(() =>
+    document.documentElement.style.setProperty("--toolbar", `${toolbar.offsetHeight}px`),
+  );
   observer.observe(toolbar);
   return () => observer.disconnect();
 }
@@ -69,7 +77,13 @@ function ZoomButton({ label, tip, zoom, shown, disabled }: ZoomProps) {
   const { router } = useLabContext();
   return (
     <Tooltip label={tip} openDelay={500}>
-      <Button size="xs" variant={shown ? "light" : "default"} aria-pressed={shown} disabled={disabled} onClick={() => router.setView({ zoom })}>
+      <Button
+        size="xs"
+        variant={shown ? "light" : "default"}
+        aria-pressed={shown}
+        disabled={disabled}
+        onClick={() => router.setView({ zoom })}
+      >
         {label}
       </Button>
     </Tooltip>

@@ -44,7 +44,11 @@ export function Contents({ paper }: { readonly paper: Paper | undefined }) {
                 {title}: {reached} of {paper.complete ? total : paper.cells.length}
               </Box>
             ))}
-          {paper.unavailable && <Box component="span" display="block" fz="xs" c="dimmed">{paper.unavailable.cells} not available here</Box>}
+          {paper.unavailable && (
+            <Box component="span" display="block" fz="xs" c="dimmed">
+              {paper.unavailable.cells} not available here
+            </Box>
+          )}
           <VerdictBar counts={paper.counts} total={countedOf(paper, paper.counts)} />
         </div>
       )}

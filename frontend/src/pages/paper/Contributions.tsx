@@ -24,7 +24,18 @@ const HEIGHT = 1900;
 export function Contributions({ choices, words, enabled }: Props) {
   const { data, error, refetch } = useQuery({ ...attributionQuery(choices), enabled });
   if (error && !data) return <Fault message={error.message} onRetry={() => void refetch()} />;
-  if (!data) return <Waiting key={String(enabled)} what={enabled ? "Running every combination of controller, speed, preview and weights" : "Waiting for the runs of the tables"} height={HEIGHT} />;
+  if (!data)
+    return (
+      <Waiting
+        key={String(enabled)}
+        what={
+          enabled
+            ? "Running every combination of controller, speed, preview and weights"
+            : "Waiting for the runs of the tables"
+        }
+        height={HEIGHT}
+      />
+    );
   return (
     <>
       <ul className={classes.sentences} data-testid="sentences">
@@ -34,17 +45,20 @@ export function Contributions({ choices, words, enabled }: Props) {
       </ul>
       <h3 className={classes.subtitle}>Shares of LV’s gain</h3>
       <Text className={classes.text}>
-        From an MPC with equal weights, without preview, at constant speed to LV control; {data.seeds} roads, Ridelab’s readings. The three can be added in six
-        orders; each share is its average over them, of the logarithm of the mean (Shapley values), so the three make 100 %. A negative share makes the figure
-        worse.
+        From an MPC with equal weights, without preview, at constant speed to LV control; {data.seeds} roads, Ridelab’s
+        readings. The three can be added in six orders; each share is its average over them, of the logarithm of the
+        mean (Shapley values), so the three make 100 %. A negative share makes the figure worse.
       </Text>
       <ShareBars shares={data.shares} words={words} />
       <h3 className={classes.subtitle}>Every combination</h3>
-      <Text className={classes.text}>Means over the same {data.seeds} roads. Slowing down helps comfort; the travel time says what it costs.</Text>
+      <Text className={classes.text}>
+        Means over the same {data.seeds} roads. Slowing down helps comfort; the travel time says what it costs.
+      </Text>
       <FairTable rows={data.rows} words={words} />
       <h3 className={classes.subtitle}>At equal speed</h3>
       <Text className={classes.text}>
-        Change of the first against the second, with its 95 % interval: ▼ better, ▲ worse, ≈ where the interval holds zero.
+        Change of the first against the second, with its 95 % interval: ▼ better, ▲ worse, ≈ where the interval holds
+        zero.
       </Text>
       <EqualSpeed pairs={data.equal_speed} words={words} />
     </>

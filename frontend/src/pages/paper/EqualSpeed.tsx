@@ -30,14 +30,12 @@ export function EqualSpeed({ pairs, words }: Props) {
       rowKey={({ label }) => label}
       columns={[
         { key: "pair", head: "At the same speed plan", text: true, cell: ({ label }) => typeset(label) },
-        ...first.cells.map(
-          (metric, index): Column<Pair> => ({
-            key: metricKey(metric),
-            group: words.view(metric),
-            head: words.signal(metric.signal),
-            cell: ({ cells }) => cells[index] && <Sure cell={cells[index]} />,
-          }),
-        ),
+        ...first.cells.map((metric, index): Column<Pair> => ({
+          key: metricKey(metric),
+          group: words.view(metric),
+          head: words.signal(metric.signal),
+          cell: ({ cells }) => cells[index] && <Sure cell={cells[index]} />,
+        })),
       ]}
     />
   );

@@ -48,7 +48,9 @@ export function FairTable({ rows, words }: Props) {
           onChange={setShown}
         />
         <Text size="sm" role="status">
-          {listed.length === rows.length ? count(rows.length, "combination") : `${listed.length} of ${count(rows.length, "combination")}`}
+          {listed.length === rows.length
+            ? count(rows.length, "combination")
+            : `${listed.length} of ${count(rows.length, "combination")}`}
         </Text>
       </div>
       <DataTable
@@ -65,31 +67,46 @@ export function FairTable({ rows, words }: Props) {
   );
 }
 
-function columnsOf(metrics: Combination["metrics"], withIntervals: boolean, words: Words): readonly Column<Combination>[] {
+function columnsOf(
+  metrics: Combination["metrics"],
+  withIntervals: boolean,
+  words: Words,
+): readonly Column<Combination>[] {
   return [
-    ...FILTERS.map(
-      ({ name, label }, index): Column<Combination> => ({
-        key: name,
-        head: label,
-        text: true,
-        sort: (row) => rankOf(row, name),
-        attributes: () => ({ style: { whiteSpace: "nowrap" } }),
-        cell: (row) => (
-          <>
-            {partOf(row, name)}
-            {index === 0 && row.is !== null && <Box component="span" display="block" fz="0.71875rem" fw={600} c="var(--accent)">{words.strategy(row.is)}</Box>}
-          </>
-        ),
-      }),
-    ),
-    { key: "travel_time", head: words.figure("travel_time"), sort: ({ travel_time: time }) => time, cell: ({ travel_time: time }) => formatFixed(time, 1) },
+    ...FILTERS.map(({ name, label }, index): Column<Combination> => ({
+      key: name,
+      head: label,
+      text: true,
+      sort: (row) => rankOf(row, name),
+      attributes: () => ({ style: { whiteSpace: "nowrap" } }),
+      cell: (row) => (
+        <>
+          {partOf(row, name)}
+          {index === 0 && row.is !== null && (
+            <Box component="span" display="block" fz="0.71875rem" fw={600} c="var(--accent)">
+              {words.strategy(row.is)}
+            </Box>
+          )}
+        </>
+      ),
+    })),
+    {
+      key: "travel_time",
+      head: words.figure("travel_time"),
+      sort: ({ travel_time: time }) => time,
+      cell: ({ travel_time: time }) => formatFixed(time, 1),
+    },
     {
       key: COMFORT,
       head: words.figure(COMFORT),
       sort: ({ comfort }) => comfort[COMFORT]?.value,
       cell({ comfort }) {
         const value = comfort[COMFORT];
-        return value ? <Value text={formatResult(value.value)} interval={withIntervals && { ...value, scale: 1 }} /> : "–";
+        return value ? (
+          <Value text={formatResult(value.value)} interval={withIntervals && { ...value, scale: 1 }} />
+        ) : (
+          "–"
+        );
       },
     },
     ...metrics.map((column, index): Column<Combination> => {
@@ -103,14 +120,25 @@ function columnsOf(metrics: Combination["metrics"], withIntervals: boolean, word
         cell({ metrics: own }) {
           const metric = own[index];
           if (!metric) return "–";
-          return <Value text={withIntervals ? formatResult(metric.value * scale) : formatPercent(metric.change_vs_passive)} interval={withIntervals && { ...metric, scale }} />;
+          return (
+            <Value
+              text={withIntervals ? formatResult(metric.value * scale) : formatPercent(metric.change_vs_passive)}
+              interval={withIntervals && { ...metric, scale }}
+            />
+          );
         },
       };
     }),
   ];
 }
 
-function Value({ text, interval }: { readonly text: string; readonly interval: false | { readonly low: number; readonly high: number; readonly scale: number } }) {
+function Value({
+  text,
+  interval,
+}: {
+  readonly text: string;
+  readonly interval: false | { readonly low: number; readonly high: number; readonly scale: number };
+}) {
   return (
     <>
       {text}

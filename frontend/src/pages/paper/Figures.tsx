@@ -24,7 +24,11 @@ const PRINTED_WIDTH = 490;
 
 export function Figures({ choices }: { readonly choices: Choices }) {
   // One after the other: the server works on one of them at a time.
-  const { isPending: busy } = useQuery({ ...attributionQuery(choices), enabled: false, notifyOnChangeProps: ["isPending"] });
+  const { isPending: busy } = useQuery({
+    ...attributionQuery(choices),
+    enabled: false,
+    notifyOnChangeProps: ["isPending"],
+  });
   const { data, error, refetch } = useQuery({ ...paperFiguresQuery(choices), enabled: !busy });
   const scheme = useComputedColorScheme("light");
   const [range, setRange] = useState<"whole" | "bump">("whole");
@@ -33,8 +37,8 @@ export function Figures({ choices }: { readonly choices: Choices }) {
   return (
     <>
       <Text className={paper.text}>
-        Numbered as in the paper, with Ridelab’s readings; the paper’s Figures 1, 2, 7, 9 and 18 are sketches. Drag over a figure to look closer, double click
-        for all of it.
+        Numbered as in the paper, with Ridelab’s readings; the paper’s Figures 1, 2, 7, 9 and 18 are sketches. Drag over
+        a figure to look closer, double click for all of it.
       </Text>
       <SegmentedControl
         size="xs"
@@ -64,25 +68,43 @@ interface PanelProps {
 
 const Panel = memo(function Panel({ figure: { number, title, caption, figure }, scheme, bumpOnly }: PanelProps) {
   const { ref, visible, printed } = useVisible();
-  const shown = useMemo(() => (visible ? drawn(figure, { palette: PALETTES[scheme], scheme, bumpOnly }) : null), [visible, figure, scheme, bumpOnly]);
+  const shown = useMemo(
+    () => (visible ? drawn(figure, { palette: PALETTES[scheme], scheme, bumpOnly }) : null),
+    [visible, figure, scheme, bumpOnly],
+  );
   const legend = useMemo(() => legendOf(figure), [figure]);
   const host = useRef<HTMLDivElement>(null);
   return (
-    <figure ref={ref} className={`${ui.card} ${classes.panel}`} id={`figure-${number}`} data-drawn={visible || undefined}>
+    <figure
+      ref={ref}
+      className={`${ui.card} ${classes.panel}`}
+      id={`figure-${number}`}
+      data-drawn={visible || undefined}
+    >
       <Box component="figcaption" p="0.6rem 0.9rem 0.3rem">
         <Box component="h3" m={0} fz="0.8125rem" fw={600} lh="1.35">
-          <Box component="span" mr="0.3rem" fw={700} c="var(--accent)">Figure {number}</Box> {title}
+          <Box component="span" mr="0.3rem" fw={700} c="var(--accent)">
+            Figure {number}
+          </Box>{" "}
+          {title}
           <ChartButton
             title={`Figure ${number}: ${title}`}
             file={`ridelab-paper-figure-${number}`}
             hostRef={host}
-            draw={() => ({ figure: withNamedShapes(drawn(figure, { palette: ON_PAPER, scheme: "light", bumpOnly })), legend: legend.map(({ name }) => name) })}
+            draw={() => ({
+              figure: withNamedShapes(drawn(figure, { palette: ON_PAPER, scheme: "light", bumpOnly })),
+              legend: legend.map(({ name }) => name),
+            })}
           />
         </Box>
         <ul className={classes.legend}>
           {legend.map(({ name, colour, dash, fill }) => (
             <li key={name}>
-              {fill === null ? <StrategyKey strategy={{ colour, dash }} /> : <span className={classes.fill} style={{ background: fill }} aria-hidden />}
+              {fill === null ? (
+                <StrategyKey strategy={{ colour, dash }} />
+              ) : (
+                <span className={classes.fill} style={{ background: fill }} aria-hidden />
+              )}
               {name}
             </li>
           ))}
@@ -97,7 +119,9 @@ const Panel = memo(function Panel({ figure: { number, title, caption, figure }, 
           label={`Figure ${number}: ${title}; ${legend.map(({ name }) => name).join(", ")}`}
         />
       </div>
-      <Box component="p" m={0} p="0.3rem 0.9rem 0" fz="xs" lh="1.4" c="dimmed">{typeset(caption)}</Box>
+      <Box component="p" m={0} p="0.3rem 0.9rem 0" fz="xs" lh="1.4" c="dimmed">
+        {typeset(caption)}
+      </Box>
     </figure>
   );
 });

@@ -26,7 +26,10 @@ export function Interpretations({ paper, choices, onChoose }: Props) {
       attributes={{ "data-testid": "interpretations" }}
       rows={paper.interpretations}
       rowKey={({ id }) => id}
-      rowAttributes={({ id }) => ({ "data-interpretation": id, "aria-current": id === paper.interpretation || undefined })}
+      rowAttributes={({ id }) => ({
+        "data-interpretation": id,
+        "aria-current": id === paper.interpretation || undefined,
+      })}
       columns={columnsOf(paper, (id) => onChoose(withSet(choices, paper.readings, id)))}
     />
   );
@@ -47,15 +50,33 @@ function columnsOf(paper: Paper, onShow: (id: string) => void): readonly Column<
     },
     { key: "reached", head: "Reached", cell: (item) => <Of reached={item.reached} total={item.total} /> },
     { key: "simulated", head: "Simulated changes", cell: ({ simulated }) => <Of {...simulated} /> },
-    { key: "ecu", head: <>On the ECU, by ±8&nbsp;%</>, cell: ({ ecu }) => (paper.complete && ecu.total === 0 ? "not available" : <Of {...ecu} />) },
-    { key: "within", head: "Within ±10 points", cell: ({ agreement }) => <Of reached={agreement.within} total={agreement.cells} /> },
-    { key: "interval", head: "In our interval", cell: ({ agreement }) => <Of reached={agreement.in_interval} total={agreement.cells} /> },
+    {
+      key: "ecu",
+      head: <>On the ECU, by ±8&nbsp;%</>,
+      cell: ({ ecu }) => (paper.complete && ecu.total === 0 ? "not available" : <Of {...ecu} />),
+    },
+    {
+      key: "within",
+      head: "Within ±10 points",
+      cell: ({ agreement }) => <Of reached={agreement.within} total={agreement.cells} />,
+    },
+    {
+      key: "interval",
+      head: "In our interval",
+      cell: ({ agreement }) => <Of reached={agreement.in_interval} total={agreement.cells} />,
+    },
     {
       key: "show",
       head: <span className="visually-hidden">Show it</span>,
       unprinted: true,
       cell: ({ id, title }) => (
-        <Button size="compact-xs" variant="default" disabled={id === paper.interpretation} aria-label={`Show ${title}`} onClick={() => onShow(id)}>
+        <Button
+          size="compact-xs"
+          variant="default"
+          disabled={id === paper.interpretation}
+          aria-label={`Show ${title}`}
+          onClick={() => onShow(id)}
+        >
           {id === paper.interpretation ? "Shown" : "Show"}
         </Button>
       ),

@@ -58,7 +58,9 @@ export function PaperPage() {
         <Contents paper={paper} />
         <Box component="main" miw={0} aria-busy={waiting || paper?.complete === false}>
           <Box component="header" pt="1.1rem">
-            <Box component="h1" m="0 0 0.2rem" fz="1.5rem" fw={700} lts="-0.01em">The paper, checked</Box>
+            <Box component="h1" m="0 0 0.2rem" fz="1.5rem" fw={700} lts="-0.01em">
+              The paper, checked
+            </Box>
             <Text className={classes.text}>
               Meng, Kong, Ding, Liu and Wang,{" "}
               <Anchor href={`https://doi.org/${DOI}`} size="sm">
@@ -67,7 +69,14 @@ export function PaperPage() {
               : every change it prints, run here again.
             </Text>
           </Box>
-          {fault && <PageFault fault={fault} choices={choices} onReset={() => choose(NONE_CHOSEN)} onRetry={() => void refetch()} />}
+          {fault && (
+            <PageFault
+              fault={fault}
+              choices={choices}
+              onReset={() => choose(NONE_CHOSEN)}
+              onRetry={() => void refetch()}
+            />
+          )}
           {ready ? (
             <Sections {...{ paper, words, choices, waiting, choose }} />
           ) : (
@@ -105,7 +114,14 @@ function Sections({ paper, words, choices, waiting, choose }: SectionsProps) {
   };
   const follows: readonly SectionId[] = ["count", "tables"];
   return SECTIONS.map(({ id, title }) => (
-    <section key={id} id={id} className={classes.section} aria-labelledby={`${id}-title`} data-section data-stale={(waiting && follows.includes(id)) || undefined}>
+    <section
+      key={id}
+      id={id}
+      className={classes.section}
+      aria-labelledby={`${id}-title`}
+      data-section
+      data-stale={(waiting && follows.includes(id)) || undefined}
+    >
       <h2 id={`${id}-title`} className={classes.heading}>
         {title}
       </h2>
@@ -125,7 +141,14 @@ function PageFault({ fault, choices, onReset, onRetry }: PageFaultProps) {
   const unknown = fault instanceof ApiProblem && fault.status === 422;
   return (
     <>
-      <Fault message={unknown ? "This address names an interpretation, a reading or a choice that this server does not know." : fault.message} onRetry={onRetry} />
+      <Fault
+        message={
+          unknown
+            ? "This address names an interpretation, a reading or a choice that this server does not know."
+            : fault.message
+        }
+        onRetry={onRetry}
+      />
       {Object.keys(choices).length > 0 && (
         <Button size="xs" variant="default" mt="0.6rem" onClick={onReset}>
           Show Ridelab’s own interpretation

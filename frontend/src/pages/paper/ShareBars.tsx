@@ -35,19 +35,22 @@ export function ShareBars({ shares, words }: Props) {
           ),
         },
         { key: "whole", head: "Whole change", cell: ({ total_change: change }) => <b>{formatPercent(change)}</b> },
-        ...PARTS.map(
-          ({ part, label }): Column<Share> => ({
-            key: part,
-            head: (
-              <span className={ui.named}>
-                <span className={classes.swatch} data-part={part} aria-hidden />
-                {label}
-              </span>
-            ),
-            cell: (share) => `${formatFixed(share[part], 0)} %`,
-          }),
-        ),
-        { key: "bar", head: <Ends scale={scale} />, headAttributes: { className: classes.track }, cell: (share) => <Bar share={share} scale={scale} /> },
+        ...PARTS.map(({ part, label }): Column<Share> => ({
+          key: part,
+          head: (
+            <span className={ui.named}>
+              <span className={classes.swatch} data-part={part} aria-hidden />
+              {label}
+            </span>
+          ),
+          cell: (share) => `${formatFixed(share[part], 0)} %`,
+        })),
+        {
+          key: "bar",
+          head: <Ends scale={scale} />,
+          headAttributes: { className: classes.track },
+          cell: (share) => <Bar share={share} scale={scale} />,
+        },
       ]}
     />
   );
@@ -77,7 +80,12 @@ function Bar({ share, scale }: Scaled & { readonly share: Share }) {
   return (
     <Box pos="relative" h="1rem" role="img" aria-label={text}>
       {segmentsOf(share).map(({ part, from, to }) => (
-        <span key={part} className={classes.segment} data-part={part} style={{ left: offsetOf(from, scale), width: `calc(${offsetOf(to, scale)} - ${offsetOf(from, scale)})` }} />
+        <span
+          key={part}
+          className={classes.segment}
+          data-part={part}
+          style={{ left: offsetOf(from, scale), width: `calc(${offsetOf(to, scale)} - ${offsetOf(from, scale)})` }}
+        />
       ))}
       {[0, 100].map((value) => (
         <span key={value} className={classes.line} style={{ left: offsetOf(value, scale) }} />

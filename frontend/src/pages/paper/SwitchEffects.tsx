@@ -34,7 +34,11 @@ export function SwitchEffects({ paper: { readings, complete }, choices, onChoose
   if (!data) {
     return (
       <div ref={ref} data-unprinted>
-        <Waiting key={String(visible && complete)} what={complete ? "Turning each switch by itself" : "Waiting for the runs of the tables"} height={24 + 40 * expected} />
+        <Waiting
+          key={String(visible && complete)}
+          what={complete ? "Turning each switch by itself" : "Waiting for the runs of the tables"}
+          height={24 + 40 * expected}
+        />
       </div>
     );
   }
@@ -104,7 +108,12 @@ function columnsOf(onTry: (row: Row) => void): readonly Column<Row>[] {
       head: <span className="visually-hidden">Try it</span>,
       unprinted: true,
       cell: (row) => (
-        <Button size="compact-xs" variant="default" aria-label={`Try ${row.title}: ${row.label}`} onClick={() => onTry(row)}>
+        <Button
+          size="compact-xs"
+          variant="default"
+          aria-label={`Try ${row.title}: ${row.label}`}
+          onClick={() => onTry(row)}
+        >
           Try
         </Button>
       ),

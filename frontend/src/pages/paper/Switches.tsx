@@ -30,7 +30,9 @@ export function Switches({ paper, choices, waiting, onChoose }: Props) {
     <>
       <div className={classes.state} role="status">
         <Text size="sm" fw={600}>
-          {waiting ? "Counting under these interpretations…" : `Of ${count(countedOf(paper, paper.counts), "cell")}${soFar(paper)}:`}
+          {waiting
+            ? "Counting under these interpretations…"
+            : `Of ${count(countedOf(paper, paper.counts), "cell")}${soFar(paper)}:`}
         </Text>
         <span data-stale={waiting || undefined}>
           <VerdictCountList counts={paper.counts} />
@@ -42,7 +44,9 @@ export function Switches({ paper, choices, waiting, onChoose }: Props) {
           disabled={changed.length === 0}
           onClick={() => onChoose(withoutChoices(choices, readings))}
         >
-          {changed.length === 0 ? `All as in the ${set?.title.toLowerCase() ?? "named"} set` : `Reset ${count(changed.length, "switch", "switches")}`}
+          {changed.length === 0
+            ? `All as in the ${set?.title.toLowerCase() ?? "named"} set`
+            : `Reset ${count(changed.length, "switch", "switches")}`}
         </Button>
       </div>
       <div className={classes.grid}>
@@ -58,7 +62,11 @@ export function Switches({ paper, choices, waiting, onChoose }: Props) {
   );
 }
 
-function choiceOf({ id, choices: offered, chosen }: PaperReading, choices: Choices, set: PaperInterpretation | undefined): string {
+function choiceOf(
+  { id, choices: offered, chosen }: PaperReading,
+  choices: Choices,
+  set: PaperInterpretation | undefined,
+): string {
   const requested = choices[id] ?? set?.choices[id];
   return offered.find((choice) => choice.id === requested)?.id ?? chosen;
 }
@@ -97,7 +105,11 @@ function Switch({ reading, set, onChange }: SwitchProps) {
         data={reading.choices.map((choice) => ({ value: choice.id, label: typeset(choice.label) }))}
         onChange={onChange}
       />
-      {chosen && <Box component="p" m={0} fz="xs" lh="1.4">{sourceOf(chosen.source)}</Box>}
+      {chosen && (
+        <Box component="p" m={0} fz="xs" lh="1.4">
+          {sourceOf(chosen.source)}
+        </Box>
+      )}
     </div>
   );
 }

@@ -23,9 +23,10 @@ export function Tables({ paper, words }: Props) {
   return (
     <>
       <Text className={classes.text}>
-        The paper’s columns are as printed; ours are means over {paper.seeds} roads, changes with their 95 % interval in percentage points. A{" "}
-        <span className={tables.misprintWord}>misprint</span> is a printed change that does not follow from the absolutes printed beside it; the verdict is taken
-        against the one that does. The absolutes are not the measure: the parameters the paper prints do not give its own passive car (
+        The paper’s columns are as printed; ours are means over {paper.seeds} roads, changes with their 95 % interval in
+        percentage points. A <span className={tables.misprintWord}>misprint</span> is a printed change that does not
+        follow from the absolutes printed beside it; the verdict is taken against the one that does. The absolutes are
+        not the measure: the parameters the paper prints do not give its own passive car (
         <Anchor href="#errata" size="sm">
           errata
         </Anchor>
@@ -36,7 +37,13 @@ export function Tables({ paper, words }: Props) {
         .
       </Text>
       {paper.tables.map((table) => (
-        <Table key={table.number} table={table} cells={paper.cells.filter((cell) => cell.table === table.number)} words={words} reason={paper.unavailable?.reason} />
+        <Table
+          key={table.number}
+          table={table}
+          cells={paper.cells.filter((cell) => cell.table === table.number)}
+          words={words}
+          reason={paper.unavailable?.reason}
+        />
       ))}
     </>
   );
@@ -54,7 +61,8 @@ function Table({ table, cells, words, reason }: TableProps) {
   return (
     <div className={tables.tableBlock} id={`table-${table.number}`}>
       <h3 className={classes.subtitle}>
-        Table {table.number} <Text span inherit fw={400} c="dimmed" ml="0.4rem">
+        Table {table.number}{" "}
+        <Text span inherit fw={400} c="dimmed" ml="0.4rem">
           {table.title}
         </Text>
       </h3>
@@ -63,7 +71,14 @@ function Table({ table, cells, words, reason }: TableProps) {
         card
         attributes={{ "data-table": table.number }}
         columns={columnsOf(cells[0], words)}
-        groups={table.columns.map(({ strategy, against }) => groupOf(words.strategy(strategy), words.strategy(against), cells.filter((cell) => cell.strategy === strategy && cell.against === against), reason))}
+        groups={table.columns.map(({ strategy, against }) =>
+          groupOf(
+            words.strategy(strategy),
+            words.strategy(against),
+            cells.filter((cell) => cell.strategy === strategy && cell.against === against),
+            reason,
+          ),
+        )}
         rowKey={(cell) => cellId(cell)}
         rowAttributes={(cell) => ({ id: cellId(cell), "data-verdict": cell.verdict })}
       />
@@ -72,7 +87,12 @@ function Table({ table, cells, words, reason }: TableProps) {
 }
 
 /** A strategy against another: its columns have their names. */
-function groupOf(strategy: string, against: string, rows: readonly PaperCell[], reason: string | undefined): RowGroup<PaperCell> {
+function groupOf(
+  strategy: string,
+  against: string,
+  rows: readonly PaperCell[],
+  reason: string | undefined,
+): RowGroup<PaperCell> {
   const heads = [strategy, against, "Change"];
   return {
     key: `${strategy} ${against}`,
@@ -84,16 +104,26 @@ function groupOf(strategy: string, against: string, rows: readonly PaperCell[], 
     ),
     heads: [...heads, ...heads, "", ""],
     rows,
-    ...(reason !== undefined && rows.some(({ verdict }) => verdict === "unavailable") && { note: <>{typeset(reason)}.</> }),
+    ...(reason !== undefined &&
+      rows.some(({ verdict }) => verdict === "unavailable") && { note: <>{typeset(reason)}.</> }),
   };
 }
 
 function columnsOf(first: PaperCell | undefined, words: Words): readonly Column<PaperCell>[] {
-  const shown = (value: number | null, { signal }: PaperCell) => (value === null ? "–" : formatResult(value * words.unit(signal).scale));
-  const [paper, here] = [{ group: "Paper", head: "" }, { group: "Here", head: "" }];
+  const shown = (value: number | null, { signal }: PaperCell) =>
+    value === null ? "–" : formatResult(value * words.unit(signal).scale);
+  const [paper, here] = [
+    { group: "Paper", head: "" },
+    { group: "Here", head: "" },
+  ];
   const verdict = { text: true, attributes: () => ({ style: { minWidth: "9.6rem" } }) };
   return [
-    { key: "signal", head: first ? words.view(first) : "", text: true, cell: (cell) => <Signal cell={cell} words={words} /> },
+    {
+      key: "signal",
+      head: first ? words.view(first) : "",
+      text: true,
+      cell: (cell) => <Signal cell={cell} words={words} />,
+    },
     { ...paper, key: "paper value", cell: (cell) => printedValue(cell.paper_value, words.unit(cell.signal).scale) },
     { ...paper, key: "paper base", cell: (cell) => printedValue(cell.paper_base, words.unit(cell.signal).scale) },
     { ...paper, key: "paper change", cell: (cell) => <PrintedChange cell={cell} /> },
@@ -139,7 +169,11 @@ function Without({ without }: { readonly without: PaperCell["without_preview"] }
     <>
       <VerdictMark verdict={without.verdict} certain={without.certain} />
       {/* A line that is pending has its height. */}
-      <span className={ui.under}>{without.our_change !== null && without.ci !== null ? `${formatPercent(without.our_change)} ${spreadOf(without.our_change, without.ci)}` : "\u00a0"}</span>
+      <span className={ui.under}>
+        {without.our_change !== null && without.ci !== null
+          ? `${formatPercent(without.our_change)} ${spreadOf(without.our_change, without.ci)}`
+          : "\u00a0"}
+      </span>
     </>
   );
 }
@@ -159,7 +193,8 @@ function PrintedChange({ cell: { paper_change: printed, misprint } }: { readonly
     <span className={tables.misprint}>
       <s>{printedChange(misprint.printed)}</s>
       <span className={tables.misprintMark}>
-        <IconAlertTriangle size={12} stroke={2} aria-hidden className={ui.inline} /> misprint: {printedChange(misprint.follows)} follows
+        <IconAlertTriangle size={12} stroke={2} aria-hidden className={ui.inline} /> misprint:{" "}
+        {printedChange(misprint.follows)} follows
       </span>
     </span>
   );

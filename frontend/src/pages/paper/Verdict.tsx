@@ -6,7 +6,13 @@ import type { PaperJudgement, VerdictCounts } from "../../api/types";
 import classes from "./verdict.module.css";
 import { countsInWords, totalOf, VERDICTS, wordOf } from "./verdicts";
 
-const ICONS = { reached: IconCheck, smaller: IconArrowDownRight, contradicts: IconX, unavailable: IconMinus, pending: IconDots } as const;
+const ICONS = {
+  reached: IconCheck,
+  smaller: IconArrowDownRight,
+  contradicts: IconX,
+  unavailable: IconMinus,
+  pending: IconDots,
+} as const;
 
 /** `certain`: the whole interval would get it. */
 export function VerdictMark({ verdict, certain }: Pick<PaperJudgement, "verdict" | "certain">) {
@@ -16,7 +22,18 @@ export function VerdictMark({ verdict, certain }: Pick<PaperJudgement, "verdict"
       <Icon size={14} stroke={2.6} aria-hidden />
       <span>
         {wordOf(verdict)}
-        {certain === false && <Box component="span" fz="0.6875rem" fw={400} c="dimmed" title="A part of the 95 % interval would get another verdict"> uncertain</Box>}
+        {certain === false && (
+          <Box
+            component="span"
+            fz="0.6875rem"
+            fw={400}
+            c="dimmed"
+            title="A part of the 95 % interval would get another verdict"
+          >
+            {" "}
+            uncertain
+          </Box>
+        )}
       </span>
     </span>
   );

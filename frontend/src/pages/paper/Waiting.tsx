@@ -28,7 +28,8 @@ export function Waiting({ what, height }: WaitingProps) {
             {what} …
           </Text>
           <Text size="xs" c="dimmed">
-            {seconds >= TELL_AFTER_S ? `${seconds} s so far. ` : ""}The first time takes up to a minute; after that it is stored.
+            {seconds >= TELL_AFTER_S ? `${seconds} s so far. ` : ""}The first time takes up to a minute; after that it
+            is stored.
           </Text>
         </div>
       </div>

@@ -30,9 +30,12 @@ const set = (id: string, preview: string): PaperInterpretation => ({
 const SETS = [set("default", "lookahead"), set("favourable", "none")];
 
 describe("the chosen readings", () => {
-  it.each(["", "?preview=none", "?preview=none&seeds=40", "?interpretation=favourable"])("stand in the address: %s", (search) => {
-    expect(stringifySearch(readChoices(parseSearch(search)))).toBe(search);
-  });
+  it.each(["", "?preview=none", "?preview=none&seeds=40", "?interpretation=favourable"])(
+    "stand in the address: %s",
+    (search) => {
+      expect(stringifySearch(readChoices(parseSearch(search)))).toBe(search);
+    },
+  );
 
   it("leave no trace where their named set has them", () => {
     const chosen = withChoice({ seeds: "40" }, "preview", "none", "lookahead");
@@ -46,7 +49,10 @@ describe("the chosen readings", () => {
   });
 
   it("are all those of a named set once it is chosen", () => {
-    expect(withSet({ seeds: "40", preview: "none" }, [READING], "favourable")).toEqual({ seeds: "40", interpretation: "favourable" });
+    expect(withSet({ seeds: "40", preview: "none" }, [READING], "favourable")).toEqual({
+      seeds: "40",
+      interpretation: "favourable",
+    });
     expect(withSet({ interpretation: "favourable", preview: "none" }, [READING], "default")).toEqual({});
   });
 

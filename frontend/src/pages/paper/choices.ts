@@ -11,7 +11,9 @@ export const NONE_CHOSEN: Choices = {};
 
 /** They have names of the server's: all there is in the address. */
 export const readChoices = (search: Readonly<Record<string, unknown>>): Choices =>
-  Object.fromEntries(Object.entries(search).flatMap(([name, value]) => (typeof value === "string" ? [[name, value]] : [])));
+  Object.fromEntries(
+    Object.entries(search).flatMap(([name, value]) => (typeof value === "string" ? [[name, value]] : [])),
+  );
 
 const DEFAULT = "default";
 
@@ -20,7 +22,8 @@ export const setOf = (choices: Choices, interpretations: readonly PaperInterpret
   interpretations.find(({ id }) => id === (choices.interpretation ?? DEFAULT));
 
 /** Where a reading stands in a named set. */
-export const standardOf = ({ id, chosen }: Pick<PaperReading, "id" | "chosen">, set: PaperInterpretation | undefined) => set?.choices[id] ?? chosen;
+export const standardOf = ({ id, chosen }: Pick<PaperReading, "id" | "chosen">, set: PaperInterpretation | undefined) =>
+  set?.choices[id] ?? chosen;
 
 /** The choices with one made anew: that of the named set leaves no trace. */
 export function withChoice(choices: Choices, id: string, choice: string, standard: string): Choices {
@@ -29,7 +32,8 @@ export function withChoice(choices: Choices, id: string, choice: string, standar
 }
 
 /** Every reading as its named set has it; the rest of the address stays. */
-export const withoutChoices = (choices: Choices, readings: readonly PaperReading[]) => without(choices, (name) => readings.some(({ id }) => id === name));
+export const withoutChoices = (choices: Choices, readings: readonly PaperReading[]) =>
+  without(choices, (name) => readings.some(({ id }) => id === name));
 
 /** Every reading as that named set has it. */
 export function withSet(choices: Choices, readings: readonly PaperReading[], name: string): Choices {
@@ -37,11 +41,15 @@ export function withSet(choices: Choices, readings: readonly PaperReading[], nam
   return name === DEFAULT ? others : { ...others, interpretation: name };
 }
 
-const without = (choices: Choices, left: (name: string) => boolean): Choices => Object.fromEntries(Object.entries(choices).filter(([name]) => !left(name)));
+const without = (choices: Choices, left: (name: string) => boolean): Choices =>
+  Object.fromEntries(Object.entries(choices).filter(([name]) => !left(name)));
 
 export function useChoices() {
   const search = useSearch({ from: "/paper" });
   const navigate = useNavigate();
-  const choose = useCallback((next: Choices) => void navigate({ to: ".", search: next, resetScroll: false }), [navigate]);
+  const choose = useCallback(
+    (next: Choices) => void navigate({ to: ".", search: next, resetScroll: false }),
+    [navigate],
+  );
   return [search, choose] as const;
 }

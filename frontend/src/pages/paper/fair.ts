@@ -16,11 +16,46 @@ export const ANY = "any";
 export const NO_FILTER: Filter = { controller: ANY, speed: ANY, preview: ANY, weights: ANY };
 
 /** What there is to choose among, in words; `null` in a row means there is nothing to choose. */
-export const FILTERS: readonly { readonly name: FilterName; readonly label: string; readonly options: readonly (readonly [value: string, label: string])[] }[] = [
-  { name: "controller", label: "Controller", options: [["mpc", "MPC"], ["lqr", "LQR"], ["passive", "Passive"]] },
-  { name: "speed", label: "Speed", options: [["constant", "Constant"], ["planned", "Planned"]] },
-  { name: "preview", label: "Preview", options: [["none", "None"], ["wheelbase", "Front axle’s"], ["lookahead", "Road ahead"]] },
-  { name: "weights", label: "Weights", options: [["equal", "Equal"], ["comfort", "Cruise’s"], ["switched", "Switched"]] },
+export const FILTERS: readonly {
+  readonly name: FilterName;
+  readonly label: string;
+  readonly options: readonly (readonly [value: string, label: string])[];
+}[] = [
+  {
+    name: "controller",
+    label: "Controller",
+    options: [
+      ["mpc", "MPC"],
+      ["lqr", "LQR"],
+      ["passive", "Passive"],
+    ],
+  },
+  {
+    name: "speed",
+    label: "Speed",
+    options: [
+      ["constant", "Constant"],
+      ["planned", "Planned"],
+    ],
+  },
+  {
+    name: "preview",
+    label: "Preview",
+    options: [
+      ["none", "None"],
+      ["wheelbase", "Front axle’s"],
+      ["lookahead", "Road ahead"],
+    ],
+  },
+  {
+    name: "weights",
+    label: "Weights",
+    options: [
+      ["equal", "Equal"],
+      ["comfort", "Cruise’s"],
+      ["switched", "Switched"],
+    ],
+  },
 ];
 
 /** A part of a combination in words. */
@@ -32,8 +67,12 @@ export function partOf(row: Combination, name: FilterName): string {
 export const filtered = (rows: readonly Combination[], filter: Filter) =>
   rows.filter((row) => FILTERS.every(({ name }) => filter[name] === ANY || row[name] === filter[name]));
 
-export const metricKey = ({ window, signal, statistic }: Pick<Combination["metrics"][number], "window" | "signal" | "statistic">) =>
-  `${window}.${signal}.${statistic}`;
+export const metricKey = ({
+  window,
+  signal,
+  statistic,
+}: Pick<Combination["metrics"][number], "window" | "signal" | "statistic">) => `${window}.${signal}.${statistic}`;
 
 /** Options stand in a meaningful order; what has none comes first. */
-export const rankOf = (row: Combination, name: FilterName) => FILTERS.find((filter) => filter.name === name)?.options.findIndex(([value]) => value === row[name]);
+export const rankOf = (row: Combination, name: FilterName) =>
+  FILTERS.find((filter) => filter.name === name)?.options.findIndex(([value]) => value === row[name]);

@@ -23,7 +23,11 @@ export interface Words {
 
 type Labelled = readonly { readonly key: string; readonly label: string; readonly unit: string }[];
 
-function wordsOf(catalogue: Catalogue, strategies: readonly Strategy[], templates: Readonly<Record<string, FigureTemplate>>): Words {
+function wordsOf(
+  catalogue: Catalogue,
+  strategies: readonly Strategy[],
+  templates: Readonly<Record<string, FigureTemplate>>,
+): Words {
   const label = (list: Labelled, key: string) => list.find((entry) => entry.key === key)?.label ?? key;
   return {
     strategies,
@@ -47,7 +51,10 @@ export function useWords() {
   const strategies = useQuery(strategiesQuery);
   const templates = useQuery(figuresQuery);
   const words = useMemo(
-    () => (catalogue.data && strategies.data && templates.data ? wordsOf(catalogue.data, strategies.data, templates.data) : null),
+    () =>
+      catalogue.data && strategies.data && templates.data
+        ? wordsOf(catalogue.data, strategies.data, templates.data)
+        : null,
     [catalogue.data, strategies.data, templates.data],
   );
   return { words, error: catalogue.error ?? strategies.error ?? templates.error };

@@ -4,11 +4,22 @@ import { printedChange, printedValue, spreadOf, typeset } from "./numbers";
 describe("the paper's numbers", () => {
   it("are as printed, also in another unit", () => {
     expect([0.83, 12.6, 5, 1.12].map((value) => printedValue(value, 1))).toEqual(["0.83", "12.6", "5.00", "1.12"]);
-    expect([22245, 955.8, 968, 1356].map((value) => printedValue(value, 1e-3))).toEqual(["22.245", "0.9558", "0.968", "1.356"]);
+    expect([22245, 955.8, 968, 1356].map((value) => printedValue(value, 1e-3))).toEqual([
+      "22.245",
+      "0.9558",
+      "0.968",
+      "1.356",
+    ]);
   });
 
   it("keep every digit of a change and its sign", () => {
-    expect([-25.9, -7.54, 8.45, -44, 1.75].map(printedChange)).toEqual(["−25.9\u2009%", "−7.54\u2009%", "+8.45\u2009%", "−44.0\u2009%", "+1.75\u2009%"]);
+    expect([-25.9, -7.54, 8.45, -44, 1.75].map(printedChange)).toEqual([
+      "−25.9\u2009%",
+      "−7.54\u2009%",
+      "+8.45\u2009%",
+      "−44.0\u2009%",
+      "+1.75\u2009%",
+    ]);
   });
 });
 

@@ -30,5 +30,7 @@ type Ends = readonly number[];
 export function spreadOf(value: number, [low = NaN, high = NaN]: Ends): string {
   const [below, above] = [value - low, high - value];
   if (!Number.isFinite(below + above)) return "";
-  return Math.abs(below - above) < 0.05 ? `±\u2009${formatFixed(above, 1)}` : `${formatFixed(low, 1)} to ${formatFixed(high, 1)}`;
+  return Math.abs(below - above) < 0.05
+    ? `±\u2009${formatFixed(above, 1)}`
+    : `${formatFixed(low, 1)} to ${formatFixed(high, 1)}`;
 }

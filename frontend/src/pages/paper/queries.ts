@@ -12,24 +12,37 @@ const untilComplete = ({ state }: { readonly state: { readonly data?: { readonly
   state.data?.complete === false && AGAIN_AFTER;
 
 /** Only the roads concern what the switches do not. */
-export const roadsOf = ({ seeds, first_seed }: Choices): Choices => ({ ...(seeds !== undefined && { seeds }), ...(first_seed !== undefined && { first_seed }) });
+export const roadsOf = ({ seeds, first_seed }: Choices): Choices => ({
+  ...(seeds !== undefined && { seeds }),
+  ...(first_seed !== undefined && { first_seed }),
+});
 
 export const paperQuery = (choices: Choices) => ({
   ...query("/paper", { query: { ...choices, partial: true } }),
   placeholderData: keepPreviousData,
   refetchInterval: untilComplete,
   ...FOR_EVER,
-  staleTime: ({ state }: { readonly state: { readonly data?: { readonly unavailable: unknown } | undefined } }) => (state.data?.unavailable ? 0 : Infinity),
+  staleTime: ({ state }: { readonly state: { readonly data?: { readonly unavailable: unknown } | undefined } }) =>
+    state.data?.unavailable ? 0 : Infinity,
 });
 
-export const effectsQuery = (choices: Choices) => ({ ...query("/paper/readings", { query: roadsOf(choices) }), refetchInterval: untilComplete, ...FOR_EVER });
+export const effectsQuery = (choices: Choices) => ({
+  ...query("/paper/readings", { query: roadsOf(choices) }),
+  refetchInterval: untilComplete,
+  ...FOR_EVER,
+});
 
-export const attributionQuery = (choices: Choices) => ({ ...query("/paper/attribution", { query: roadsOf(choices) }), ...FOR_EVER });
+export const attributionQuery = (choices: Choices) => ({
+  ...query("/paper/attribution", { query: roadsOf(choices) }),
+  ...FOR_EVER,
+});
 
 export const paperFiguresQuery = (choices: Choices) =>
   queryOptions({
     queryKey: ["paper figures", roadsOf(choices)],
     // plotly's own JSON, which the API's description leaves open
-    queryFn: async ({ signal }) => (await ask("get", "/paper/figures", { query: roadsOf(choices) }, signal)).figures as unknown as readonly PaperFigure[],
+    queryFn: async ({ signal }) =>
+      (await ask("get", "/paper/figures", { query: roadsOf(choices) }, signal))
+        .figures as unknown as readonly PaperFigure[],
     ...FOR_EVER,
   });

@@ -27,7 +27,9 @@ describe("a figure the server has made", () => {
       ["Bump", "blue"],
       ["Static load", null],
     ]);
-    expect(legendOf(OVER_SPEED)).toEqual([{ name: "95 % interval", colour: "currentColor", dash: "solid", fill: "pink" }]);
+    expect(legendOf(OVER_SPEED)).toEqual([
+      { name: "95 % interval", colour: "currentColor", dash: "solid", fill: "pink" },
+    ]);
   });
 
   it("can be shown around the bump only, where there is one", () => {

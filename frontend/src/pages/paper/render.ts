@@ -38,7 +38,12 @@ export function drawn(figure: MadeFigure, { palette, scheme, bumpOnly }: Look): 
       plot_bgcolor: "rgba(0,0,0,0)",
       showlegend: false,
       hovermode: "x unified",
-      hoverlabel: { bgcolor: SURFACES[scheme], bordercolor: palette.zero, font: { color: palette.text, size: 12 }, namelength: -1 },
+      hoverlabel: {
+        bgcolor: SURFACES[scheme],
+        bordercolor: palette.zero,
+        font: { color: palette.text, size: 12 },
+        namelength: -1,
+      },
       dragmode: "zoom",
       xaxis: { ...layout.xaxis, ...axis, ...titled(layout.xaxis), ...(bump && { range: bump }) },
       yaxis: { ...layout.yaxis, ...axis, ...titled(layout.yaxis) },
@@ -47,7 +52,8 @@ export function drawn(figure: MadeFigure, { palette, scheme, bumpOnly }: Look): 
   };
 }
 
-const titled = (axis: JsonObject | undefined) => (isObject(axis?.title) ? { title: { ...axis.title, standoff: 6, font: { size: 12 } } } : {});
+const titled = (axis: JsonObject | undefined) =>
+  isObject(axis?.title) ? { title: { ...axis.title, standoff: 6, font: { size: 12 } } } : {};
 
 function shapesOf({ layout: { shapes } }: MadeFigure): readonly JsonObject[] {
   return Array.isArray(shapes) ? (shapes as readonly JsonObject[]) : [];
@@ -58,7 +64,9 @@ const [BEFORE, AFTER] = [8, 15];
 
 /** From a little before the bump's stage to a little after; `null` where the figure has none. */
 export function bumpRange(figure: MadeFigure): readonly [number, number] | null {
-  const bump = shapesOf(figure).find(({ name, x0, x1 }) => name === BUMP && typeof x0 === "number" && typeof x1 === "number");
+  const bump = shapesOf(figure).find(
+    ({ name, x0, x1 }) => name === BUMP && typeof x0 === "number" && typeof x1 === "number",
+  );
   return bump ? [Number(bump.x0) - BEFORE, Number(bump.x1) + AFTER] : null;
 }
 
@@ -73,16 +81,26 @@ export interface LegendEntry {
 /** Curves first, then what stands behind them: stages, bands, reference lines. */
 export const legendOf = (figure: MadeFigure): readonly LegendEntry[] => [
   ...figure.data.map((trace) => entryOf(trace.name, trace, typeof trace.fill === "string" && trace.fill !== "none")),
-  ...shapesOf(figure).flatMap((shape) => (typeof shape.name === "string" ? [entryOf(shape.name, shape, shape.type === "rect")] : [])),
+  ...shapesOf(figure).flatMap((shape) =>
+    typeof shape.name === "string" ? [entryOf(shape.name, shape, shape.type === "rect")] : [],
+  ),
 ];
 
 function entryOf(name: string, { line, fillcolor }: JsonObject, isArea: boolean): LegendEntry {
   const { color, dash } = isObject(line) ? line : {};
-  return { name, colour: text(color, "currentColor"), dash: text(dash, "solid"), fill: isArea ? text(fillcolor, "currentColor") : null };
+  return {
+    name,
+    colour: text(color, "currentColor"),
+    dash: text(dash, "solid"),
+    fill: isArea ? text(fillcolor, "currentColor") : null,
+  };
 }
 
 /** With stages, bands and reference lines in its own legend: on paper there is no other one. */
 export const withNamedShapes = ({ data, layout }: ChartFigure): ChartFigure => ({
   data,
-  layout: { ...layout, shapes: layout.shapes.map((shape) => ({ ...shape, showlegend: typeof shape.name === "string" })) },
+  layout: {
+    ...layout,
+    shapes: layout.shapes.map((shape) => ({ ...shape, showlegend: typeof shape.name === "string" })),
+  },
 });

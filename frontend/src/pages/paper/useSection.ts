@@ -14,7 +14,14 @@ export function useSection(ids: readonly string[]): number {
       frame = 0;
       const tops = ids.map((id) => document.getElementById(id)?.getBoundingClientRect().top ?? Infinity);
       const atEnd = window.innerHeight + window.scrollY >= document.documentElement.scrollHeight - 2;
-      setSection(atEnd && window.scrollY > 0 ? ids.length - 1 : Math.max(0, tops.findLastIndex((top) => top < REACHED)));
+      setSection(
+        atEnd && window.scrollY > 0
+          ? ids.length - 1
+          : Math.max(
+              0,
+              tops.findLastIndex((top) => top < REACHED),
+            ),
+      );
     };
     const onScroll = () => {
       if (frame === 0) frame = requestAnimationFrame(look);

@@ -80,12 +80,20 @@ it("counts the verdicts an interval leaves open", () => {
 
 it("takes what is pending neither for missed nor for uncertain", () => {
   const cell: PaperCell = { ...CELL, ...UNAVAILABLE, verdict: "pending", our_value: null, our_base: null };
-  expect([uncertain({ ...paper("lookahead", 0, 0), cells: [cell] }), isMissed(cell), wordOf(cell.verdict)]).toEqual([0, false, "pending"]);
+  expect([uncertain({ ...paper("lookahead", 0, 0), cells: [cell] }), isMissed(cell), wordOf(cell.verdict)]).toEqual([
+    0,
+    false,
+    "pending",
+  ]);
 });
 
 it("takes what is not available neither for missed nor for uncertain", () => {
   const cell: PaperCell = { ...CELL, ...UNAVAILABLE, our_value: null, without_preview: UNAVAILABLE };
-  const found: Paper = { ...paper("lookahead", 28, 12), cells: [cell], unavailable: { cells: 1, reason: "There is no C compiler" } };
+  const found: Paper = {
+    ...paper("lookahead", 28, 12),
+    cells: [cell],
+    unavailable: { cells: 1, reason: "There is no C compiler" },
+  };
   expect([uncertain(found), isMissed(cell), wordOf(cell.verdict)]).toEqual([0, false, "not available"]);
   expect(previewSentence(found)).toContain("Without it 0 verdicts change.");
 });

@@ -24,12 +24,11 @@ export function Leads({ summary, strategies, figures, onBaseline }: Props) {
     <Card
       aria-label="Who keeps the lead"
       title={`Where ${baseline.label} is better`}
-      tools={
-        <Choice aria-label="Baseline" value={summary.baseline} data={labelled(strategies)} onPick={onBaseline} />
-      }
+      tools={<Choice aria-label="Baseline" value={summary.baseline} data={labelled(strategies)} onPick={onBaseline} />}
     >
       <Text size="xs" c="dimmed" className={ui.note ?? ""}>
-        Share of the points at which {baseline.label} has the lower value; below, how much higher the other strategy is: in the scenario itself, then the median and the range of 90 % of the points.
+        Share of the points at which {baseline.label} has the lower value; below, how much higher the other strategy is:
+        in the scenario itself, then the median and the range of 90 % of the points.
       </Text>
       <DataTable
         label="Leads"
@@ -38,15 +37,13 @@ export function Leads({ summary, strategies, figures, onBaseline }: Props) {
         rowAttributes={({ id }) => ({ "data-strategy": id })}
         columns={[
           { key: "strategy", head: "Against", text: true, cell: (strategy) => <StrategyName strategy={strategy} /> },
-          ...figures.map(
-            ({ key, label, group }): Column<Strategy> => ({
-              key,
-              head: label,
-              group,
-              attributes: () => ({ "data-cell": key }),
-              cell: ({ id }) => <Lead summary={summary} margin={summary.strategies[id]?.figures[key]?.margin} />,
-            }),
-          ),
+          ...figures.map(({ key, label, group }): Column<Strategy> => ({
+            key,
+            head: label,
+            group,
+            attributes: () => ({ "data-cell": key }),
+            cell: ({ id }) => <Lead summary={summary} margin={summary.strategies[id]?.figures[key]?.margin} />,
+          })),
         ]}
       />
     </Card>
@@ -55,7 +52,8 @@ export function Leads({ summary, strategies, figures, onBaseline }: Props) {
 
 const whole = (share: number) => `${Math.round(100 * share)}\u2009%`;
 
-const plain = (percent: number | null) => (percent === null ? "–" : formatPercent(Math.round(percent)).replace(".0", ""));
+const plain = (percent: number | null) =>
+  percent === null ? "–" : formatPercent(Math.round(percent)).replace(".0", "");
 
 function Lead({ summary, margin }: { readonly summary: BatchSummary; readonly margin: Margin | null | undefined }) {
   // The margin is the other strategy's: where that is worse, the baseline is better.
@@ -63,7 +61,9 @@ function Lead({ summary, margin }: { readonly summary: BatchSummary; readonly ma
   const { worse, better } = margin;
   return (
     <>
-      <Box component="span" display="block" fw={650}>{whole(worse)}</Box>
+      <Box component="span" display="block" fw={650}>
+        {whole(worse)}
+      </Box>
       <span className={classes.shareBar} aria-hidden data-behind={worse < better || undefined}>
         <span style={{ width: `${100 * worse}%` }} />
       </span>

@@ -15,21 +15,30 @@ import type { StudyParts } from "./props";
 type Props = Pick<StudyParts, "summary" | "strategies" | "opening">;
 
 export function Limits({ summary, strategies, opening }: Props) {
-  const reasons = strategies.flatMap(({ id, label }) => Object.entries(summary.strategies[id]?.reasons ?? {}).map(([reason, times]) => ({ label, reason, times })));
+  const reasons = strategies.flatMap(({ id, label }) =>
+    Object.entries(summary.strategies[id]?.reasons ?? {}).map(([reason, times]) => ({ label, reason, times })),
+  );
   const rows = strategies.flatMap((strategy): Row[] => {
     const results = summary.strategies[strategy.id];
     return results ? [{ strategy, results }] : [];
   });
   return (
     <Card aria-label="Limits and stability" title="Limits and stability">
-      <DataTable label="Limits" rows={rows} rowKey={({ strategy }) => strategy.id} rowAttributes={({ strategy }) => ({ "data-strategy": strategy.id })} columns={columnsOf(summary, opening)} />
+      <DataTable
+        label="Limits"
+        rows={rows}
+        rowKey={({ strategy }) => strategy.id}
+        rowAttributes={({ strategy }) => ({ "data-strategy": strategy.id })}
+        columns={columnsOf(summary, opening)}
+      />
       {reasons.map(({ label, reason, times: count }) => (
         <Text key={`${label} ${reason}`} size="xs" className={`${ui.error ?? ""} ${ui.note ?? ""}`}>
           {label}, {formatWhole(count)} failed: {reason}
         </Text>
       ))}
       <Text size="xs" c="dimmed" className={ui.note ?? ""}>
-        Of the loop’s modes near rest, where no limit binds: 1 does not oscillate, 0 oscillates for ever, below 0 is unstable. Preview is not fed back, so no error of it can make a loop unstable.
+        Of the loop’s modes near rest, where no limit binds: 1 does not oscillate, 0 oscillates for ever, below 0 is
+        unstable. Preview is not fed back, so no error of it can make a loop unstable.
       </Text>
     </Card>
   );
@@ -53,19 +62,48 @@ function columnsOf(summary: BatchSummary, opening: Opening): readonly Column<Row
       key: "nominal",
       head: "nominal",
       span: ({ results }) => (results.stability.known === 0 ? 4 : 1),
-      cell: ({ results: { stability } }) => (stability.known === 0 ? <span className={ui.dim}>not judged: this controller is no linear law</span> : shown(stability.nominal)),
+      cell: ({ results: { stability } }) =>
+        stability.known === 0 ? (
+          <span className={ui.dim}>not judged: this controller is no linear law</span>
+        ) : (
+          shown(stability.nominal)
+        ),
     },
-    { ...damping, key: "median", head: "median", cell: ({ results }) => shown(quantile(summary, results.stability, 50)) },
+    {
+      ...damping,
+      key: "median",
+      head: "median",
+      cell: ({ results }) => shown(quantile(summary, results.stability, 50)),
+    },
     {
       ...damping,
       key: "lowest",
       head: "lowest",
-      cell: ({ strategy, results: { stability } }) => <RunButton run={stability.lowest} text={shown(stability.lowest?.value ?? null)} what={`${strategy.label}: least damping`} opening={opening} />,
+      cell: ({ strategy, results: { stability } }) => (
+        <RunButton
+          run={stability.lowest}
+          text={shown(stability.lowest?.value ?? null)}
+          what={`${strategy.label}: least damping`}
+          opening={opening}
+        />
+      ),
     },
-    { ...damping, key: "unstable", head: "unstable at", attributes: ({ results }) => bad(results.stability.unstable), cell: ({ results: { stability } }) => times(stability.unstable, stability.known) },
+    {
+      ...damping,
+      key: "unstable",
+      head: "unstable at",
+      attributes: ({ results }) => bad(results.stability.unstable),
+      cell: ({ results: { stability } }) => times(stability.unstable, stability.known),
+    },
     ...eventColumns(TRAVEL, "Travel over the limit", "mm", opening),
     ...eventColumns(AIRBORNE, "A tyre airborne", "ms", opening),
-    { key: "failed", group: "Runs", head: "failed", attributes: ({ results }) => bad(results.failed), cell: ({ results }) => formatWhole(results.failed) },
+    {
+      key: "failed",
+      group: "Runs",
+      head: "failed",
+      attributes: ({ results }) => bad(results.failed),
+      cell: ({ results }) => formatWhole(results.failed),
+    },
   ];
 }
 
@@ -87,7 +125,14 @@ function eventColumns(event: string, group: string, unit: string, opening: Openi
       cell({ strategy, results: { figures } }) {
         const { above_zero: happens = 0, highest = null } = figures[event] ?? {};
         if (happens === 0 || !highest) return "–";
-        return <RunButton run={highest} text={`${formatResult(highest.value)}\u00a0${unit}`} what={`${strategy.label}: ${group.toLowerCase()}`} opening={opening} />;
+        return (
+          <RunButton
+            run={highest}
+            text={`${formatResult(highest.value)}\u00a0${unit}`}
+            what={`${strategy.label}: ${group.toLowerCase()}`}
+            opening={opening}
+          />
+        );
       },
     },
   ];

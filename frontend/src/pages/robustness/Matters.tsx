@@ -34,7 +34,14 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
       title="Which uncertainty matters"
       tools={
         <>
-          <SegmentedControl size="xs" aria-label="Strategy" className={classes.segments ?? ""} value={strategy.id} data={labelled(strategies)} onChange={setStrategyId} />
+          <SegmentedControl
+            size="xs"
+            aria-label="Strategy"
+            className={classes.segments ?? ""}
+            value={strategy.id}
+            data={labelled(strategies)}
+            onChange={setStrategyId}
+          />
           {strategy.id !== summary.baseline && (
             <SegmentedControl
               size="xs"
@@ -52,22 +59,35 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
       }
     >
       <Text size="xs" c="dimmed" className={ui.note ?? ""}>
-        How much of a figure’s variation one field alone explains, in % of the ranks’ variance (Kruskal–Wallis), and Spearman’s rank correlation: + means that more of the field is worse. A field without a number is
-        no more than chance makes (p ≥ 0.001). Fields the strategy does not read are left out.
+        How much of a figure’s variation one field alone explains, in % of the ranks’ variance (Kruskal–Wallis), and
+        Spearman’s rank correlation: + means that more of the field is worse. A field without a number is no more than
+        chance makes (p ≥ 0.001). Fields the strategy does not read are left out.
       </Text>
       {rows.length === 0 ? (
         <Text size="sm" c="dimmed" className={ui.note ?? ""}>
           Too few points have run, or nothing that varies reaches this strategy.
         </Text>
       ) : (
-        <DataTable label="What matters" rows={rows} rowKey={({ field }) => field} rowAttributes={({ field }) => ({ "data-field": field })} columns={columnsOf(batch, figures, margins)} />
+        <DataTable
+          label="What matters"
+          rows={rows}
+          rowKey={({ field }) => field}
+          rowAttributes={({ field }) => ({ "data-field": field })}
+          columns={columnsOf(batch, figures, margins)}
+        />
       )}
     </Card>
   );
 }
 
-function sensitivitiesOf({ figures: results, stability }: StrategySummary, figures: readonly Figure[], margins: boolean): Readonly<Record<string, readonly Sensitivity[]>> {
-  const own = figures.map(({ key }) => [key, (margins ? results[key]?.margin?.sensitivity : results[key]?.sensitivity) ?? []] as const);
+function sensitivitiesOf(
+  { figures: results, stability }: StrategySummary,
+  figures: readonly Figure[],
+  margins: boolean,
+): Readonly<Record<string, readonly Sensitivity[]>> {
+  const own = figures.map(
+    ({ key }) => [key, (margins ? results[key]?.margin?.sensitivity : results[key]?.sensitivity) ?? []] as const,
+  );
   return Object.fromEntries(margins ? own : [...own, [STABILITY, stability.sensitivity] as const]);
 }
 
@@ -80,13 +100,19 @@ function columnsOf(batch: Batch, figures: readonly Figure[], margins: boolean): 
     cell: ({ cells }) => <Share sensitivity={cells[key]} />,
   });
   return [
-    { key: "field", head: "Field", text: true, cell: ({ field }) => <span className={classes.fieldName}>{nameOf(field, batch.fields)}</span> },
+    {
+      key: "field",
+      head: "Field",
+      text: true,
+      cell: ({ field }) => <span className={classes.fieldName}>{nameOf(field, batch.fields)}</span>,
+    },
     ...figures.map(({ key, label, group }) => sensitivity(key, label, group)),
     ...(margins ? [] : [sensitivity(STABILITY, "Least damping")]),
   ];
 }
 
-const shareOf = (sensitivity: Sensitivity | undefined) => (sensitivity && matters(sensitivity) ? Math.round(100 * sensitivity.effect) : undefined);
+const shareOf = (sensitivity: Sensitivity | undefined) =>
+  sensitivity && matters(sensitivity) ? Math.round(100 * sensitivity.effect) : undefined;
 
 function shadeOf(sensitivity: Sensitivity | undefined): string | undefined {
   const share = shareOf(sensitivity);
@@ -99,7 +125,11 @@ function Share({ sensitivity }: { readonly sensitivity: Sensitivity | undefined 
   return (
     <>
       <b>{share < 1 ? "<1" : share}&#8239;%</b>
-      <Box component="span" display="block" fz="xs">{`${sensitivity.spearman < 0 ? "" : "+"}${formatFixed(sensitivity.spearman, 2)}`}</Box>
+      <Box
+        component="span"
+        display="block"
+        fz="xs"
+      >{`${sensitivity.spearman < 0 ? "" : "+"}${formatFixed(sensitivity.spearman, 2)}`}</Box>
     </>
   );
 }

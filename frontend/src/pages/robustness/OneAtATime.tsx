@@ -34,7 +34,10 @@ const REFRESH_MS = 2_000;
 
 export function OneByOne({ id, ...rest }: Props) {
   // Its end is asked for: the page's one stream of events is the study's.
-  const { data: batch, error } = useQuery({ ...jobQuery(BATCH, id), refetchInterval: ({ state: { data } }) => data !== undefined && !isFinal(data) && REFRESH_MS });
+  const { data: batch, error } = useQuery({
+    ...jobQuery(BATCH, id),
+    refetchInterval: ({ state: { data } }) => data !== undefined && !isFinal(data) && REFRESH_MS,
+  });
   if (error) return <Message text={`Each field alone could not be read: ${error.message}`} />;
   if (!batch) return null;
   if (!isOneByOne(batch)) return <Message text="The sweep that this address names does not vary each field alone." />;
@@ -72,9 +75,16 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
       shown,
       figure,
       shown.bars.map(({ field }) => nameOf(field.name, [field])),
-      shown.bars.map(({ field, low, high }) => [low ? fieldText(field.name, low.at) : "", high ? fieldText(field.name, high.at) : ""]),
+      shown.bars.map(({ field, low, high }) => [
+        low ? fieldText(field.name, low.at) : "",
+        high ? fieldText(field.name, high.at) : "",
+      ]),
     );
-  const explanation = table.isError ? `The rows could not be read: ${table.error.message}` : isFinal(batch) && table.data ? "This metric has no value for the scenario itself." : "Loading these runs…";
+  const explanation = table.isError
+    ? `The rows could not be read: ${table.error.message}`
+    : isFinal(batch) && table.data
+      ? "This metric has no value for the scenario itself."
+      : "Loading these runs…";
   return (
     <Card
       aria-label="Each field alone"
@@ -82,16 +92,30 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
       tools={
         <>
           <Choice aria-label="Strategy alone" value={strategyId} data={labelled(strategies)} onPick={setStrategy} />
-          <Choice aria-label="Metric alone" value={figure.key} data={offered.map((each) => ({ value: each.key, label: fullName(each) }))} onPick={setFigure} />
-          {tornado && <ChartButton title={`Each field alone: ${fullName(figure)}`} file={`ridelab-${batch.id}-fields-${figure.key}`} draw={() => drawOnPaper(tornado)} />}
+          <Choice
+            aria-label="Metric alone"
+            value={figure.key}
+            data={offered.map((each) => ({ value: each.key, label: fullName(each) }))}
+            onPick={setFigure}
+          />
+          {tornado && (
+            <ChartButton
+              title={`Each field alone: ${fullName(figure)}`}
+              file={`ridelab-${batch.id}-fields-${figure.key}`}
+              draw={() => drawOnPaper(tornado)}
+            />
+          )}
         </>
       }
     >
       <Text size="xs" c="dimmed" className={ui.note ?? ""}>
-        One field at its lowest and its highest value, all others as in the scenario. A bar to the right is worse. A click opens the run.
+        One field at its lowest and its highest value, all others as in the scenario. A bar to the right is worse. A
+        click opens the run.
       </Text>
       {opening.error !== null && (
-        <Fault size="sm" className={ui.note ?? ""}>This run could not be opened: {opening.error}</Fault>
+        <Fault size="sm" className={ui.note ?? ""}>
+          This run could not be opened: {opening.error}
+        </Fault>
       )}
       {tornado ? (
         <Bars {...{ tornado, figure, opening, batch }} />
@@ -142,8 +166,16 @@ interface BarRowProps extends Omit<BarsProps, "tornado"> {
 }
 
 function BarRow({ bar: { field, low, high }, nominal, offset, figure, opening, batch }: BarRowProps) {
-  const ends = ([["low", low], ["high", high]] as const).flatMap(([side, end]) => (end ? [{ side, end }] : []));
-  const change = ({ value }: End) => (nominal === 0 ? `${formatResult(value * figure.scale)} ${prettyUnit(figure.unit)}` : formatPercent(100 * (value / nominal - 1)));
+  const ends = (
+    [
+      ["low", low],
+      ["high", high],
+    ] as const
+  ).flatMap(([side, end]) => (end ? [{ side, end }] : []));
+  const change = ({ value }: End) =>
+    nominal === 0
+      ? `${formatResult(value * figure.scale)} ${prettyUnit(figure.unit)}`
+      : formatPercent(100 * (value / nominal - 1));
   const fieldText = useFieldText();
   const placeText = (end: End) => fieldText(field.name, end.at);
   return (
@@ -154,7 +186,7 @@ function BarRow({ bar: { field, low, high }, nominal, offset, figure, opening, b
         {ends.map(({ side, end }) => {
           const [from, to] = [offset(Math.min(nominal, end.value)), offset(Math.max(nominal, end.value))];
           const left = end.value < nominal;
-          const run = (end.row - (end.row % batch.strategies.length));
+          const run = end.row - (end.row % batch.strategies.length);
           return (
             <button
               key={side}

@@ -77,7 +77,8 @@ const PERCENTS = { Median: 50, "5 %": 5, "95 %": 95 };
 
 function columnsOf({ summary, shownGroup, against, opening }: Context): readonly Column<Row>[] {
   const group = shownGroup;
-  const value = (number: number | null, { figure }: Row) => (number === null ? "–" : formatResult(number * figure.scale));
+  const value = (number: number | null, { figure }: Row) =>
+    number === null ? "–" : formatResult(number * figure.scale);
   const change = (percent: number, margin: Margin | null) => {
     const at = margin && quantile(summary, margin, percent);
     return typeof at === "number" ? formatPercent(at) : margin ? "–" : "";
@@ -97,12 +98,20 @@ function columnsOf({ summary, shownGroup, against, opening }: Context): readonly
       group,
       head: "Worst case",
       cell: (row) => (
-        <RunButton run={row.results.highest} text={value(row.results.highest?.value ?? null, row)} what={`${row.strategy.label}, ${row.figure.label}: worst case`} opening={opening} />
+        <RunButton
+          run={row.results.highest}
+          text={value(row.results.highest?.value ?? null, row)}
+          what={`${row.strategy.label}, ${row.figure.label}: worst case`}
+          opening={opening}
+        />
       ),
     },
-    ...Object.entries(PERCENTS).map(
-      ([head, percent]): Column<Row> => ({ key: `change ${head}`, group: `Change against ${against} at the same point`, head, cell: ({ results }) => change(percent, results.margin) }),
-    ),
+    ...Object.entries(PERCENTS).map(([head, percent]): Column<Row> => ({
+      key: `change ${head}`,
+      group: `Change against ${against} at the same point`,
+      head,
+      cell: ({ results }) => change(percent, results.margin),
+    })),
   ];
 }
 

@@ -61,19 +61,38 @@ export function StudyForm({ defaults, strategies, form, scenario, head, existing
               range={range}
               scenario={scenario}
               error={range.on ? errors[range.field.name] : undefined}
-              onChange={(change) => patch({ ranges: draft.ranges.map((each) => (each === range ? { ...each, ...change } : each)) })}
+              onChange={(change) =>
+                patch({ ranges: draft.ranges.map((each) => (each === range ? { ...each, ...change } : each)) })
+              }
             />
           ))}
         </div>
-        {errors.fields !== undefined && (
-          <Fault>{errors.fields}</Fault>
-        )}
+        {errors.fields !== undefined && <Fault>{errors.fields}</Fault>}
       </div>
       <div className={ui.part}>
-        <StrategyChoice strategies={strategies} selected={draft.strategies} error={errors.strategies} onChange={(ids) => patch({ strategies: ids })} />
+        <StrategyChoice
+          strategies={strategies}
+          selected={draft.strategies}
+          error={errors.strategies}
+          onChange={(ids) => patch({ strategies: ids })}
+        />
         <div className={rows.numbers}>
-          <Entry label="Samples" description="Random cars from a Latin hypercube" inputMode="numeric" value={draft.samples} error={errors.samples} onType={(samples) => patch({ samples })} />
-          <Entry label="Seed" description="Same seed, same cars" inputMode="numeric" value={draft.seed} error={errors.seed} onType={(seed) => patch({ seed })} />
+          <Entry
+            label="Samples"
+            description="Random cars from a Latin hypercube"
+            inputMode="numeric"
+            value={draft.samples}
+            error={errors.samples}
+            onType={(samples) => patch({ samples })}
+          />
+          <Entry
+            label="Seed"
+            description="Same seed, same cars"
+            inputMode="numeric"
+            value={draft.seed}
+            error={errors.seed}
+            onType={(seed) => patch({ seed })}
+          />
         </div>
         <Checkbox
           size="xs"
@@ -117,7 +136,9 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
         label={
           <>
             <span className={rows.rangeTitle}>{titleOf(field.name, field.title)}</span>
-            <Box component="span" display="block" fz="xs" lh="1.25" c="dimmed">{why}</Box>
+            <Box component="span" display="block" fz="xs" lh="1.25" c="dimmed">
+              {why}
+            </Box>
           </>
         }
       />
@@ -127,15 +148,17 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
             {end("from", from)}
             <span aria-hidden>–</span>
             {end("to", to)}
-            <Box component="span" w="1.6rem" fz="xs" c="dimmed">{unit}</Box>
+            <Box component="span" w="1.6rem" fz="xs" c="dimmed">
+              {unit}
+            </Box>
           </>
         ) : (
-          <Box component="span" fz="0.8125rem" c="dimmed">{exactText(field, scenario)}</Box>
+          <Box component="span" fz="0.8125rem" c="dimmed">
+            {exactText(field, scenario)}
+          </Box>
         )}
       </div>
-      {error !== undefined && (
-        <Fault id={`${id}-error`}>{error}</Fault>
-      )}
+      {error !== undefined && <Fault id={`${id}-error`}>{error}</Fault>}
     </div>
   );
 }

@@ -24,15 +24,33 @@ export function StudyPage() {
   const [changing, { toggle }] = useDisclosure(false);
 
   const strategies = catalogues?.strategies;
-  const studied = useMemo(() => strategies?.filter(({ id }) => batch?.strategies.some((each) => each === id)) ?? [], [strategies, batch?.strategies]);
+  const studied = useMemo(
+    () => strategies?.filter(({ id }) => batch?.strategies.some((each) => each === id)) ?? [],
+    [strategies, batch?.strategies],
+  );
   const tools = (
     <>
       {batch && defaults.data && (
-        <Button size="xs" variant="default" aria-expanded={changing} aria-label="Change it" classNames={compact} leftSection={<IconAdjustments size={15} />} onClick={toggle}>
+        <Button
+          size="xs"
+          variant="default"
+          aria-expanded={changing}
+          aria-label="Change it"
+          classNames={compact}
+          leftSection={<IconAdjustments size={15} />}
+          onClick={toggle}
+        >
           Change it
         </Button>
       )}
-      <Button size="xs" variant="default" aria-label="New study" classNames={compact} leftSection={<IconPlus size={15} />} renderRoot={(props) => <Link to="/robustness" {...props} />}>
+      <Button
+        size="xs"
+        variant="default"
+        aria-label="New study"
+        classNames={compact}
+        leftSection={<IconPlus size={15} />}
+        renderRoot={(props) => <Link to="/robustness" {...props} />}
+      >
         New study
       </Button>
     </>
@@ -59,7 +77,10 @@ export function StudyPage() {
               existing={batch}
               head={
                 <Text size="sm">
-                  The scenario of this study. <Text span c="dimmed">{otherThanPaper(batch.scenario, catalogues.form)}</Text>
+                  The scenario of this study.{" "}
+                  <Text span c="dimmed">
+                    {otherThanPaper(batch.scenario, catalogues.form)}
+                  </Text>
                 </Text>
               }
             />

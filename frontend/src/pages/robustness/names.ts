@@ -30,7 +30,9 @@ export const nameOf = (field: string, fields: Batch["fields"] = []): string =>
 /** A field's value in the unit the form shows it in. */
 export function fieldText(form: Group | undefined, name: string, value: Cell): string {
   const leaf = form && sweepFields(form).find((each) => each.name === name)?.leaf;
-  return leaf?.kind === "number" && typeof value === "number" ? showCell(inShownUnit(leaf, value), leaf.shown.unit) : showCell(value);
+  return leaf?.kind === "number" && typeof value === "number"
+    ? showCell(inShownUnit(leaf, value), leaf.shown.unit)
+    : showCell(value);
 }
 
 export function useFieldText(): (name: string, value: Cell) => string {

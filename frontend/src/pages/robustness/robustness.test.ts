@@ -19,7 +19,11 @@ const DEFAULTS: RobustnessDefaults = {
 const batchOf = (sweep: object) => ({ strategies: ["lqr"], sweep, fields: [] }) as unknown as Batch;
 
 it("a field's value is told in the unit its form has", () => {
-  expect(["road.bump.height", "road.seed", "nobody.knows"].map((name) => fieldText(FORM, name, 0.07))).toEqual(["7\u00a0cm", "0.07", "0.07"]);
+  expect(["road.bump.height", "road.seed", "nobody.knows"].map((name) => fieldText(FORM, name, 0.07))).toEqual([
+    "7\u00a0cm",
+    "0.07",
+    "0.07",
+  ]);
 });
 
 describe("a study", () => {
@@ -32,7 +36,9 @@ describe("a study", () => {
     expect(readStudy(draft)).toEqual({
       ok: true,
       sweeps: {
-        cube: { latin_hypercube: { ranges: { "road.bump.height": [0.05, 0.15], "road.seed": [1, 9] }, samples: 200, seed: 0 } },
+        cube: {
+          latin_hypercube: { ranges: { "road.bump.height": [0.05, 0.15], "road.seed": [1, 9] }, samples: 200, seed: 0 },
+        },
         // A seed has no ends.
         oneByOne: { list: [{}, { "road.bump.height": 0.05 }, { "road.bump.height": 0.15 }] },
       },
@@ -40,7 +46,11 @@ describe("a study", () => {
   });
 
   it("begins from one that was made, with fields nobody proposed", () => {
-    const draft = draftStudy(DEFAULTS, FORM, batchOf({ latin_hypercube: { ranges: { "road.seed": [3, 9], "mpc.lag": [2, 9] }, samples: 50, seed: 4 } }));
+    const draft = draftStudy(
+      DEFAULTS,
+      FORM,
+      batchOf({ latin_hypercube: { ranges: { "road.seed": [3, 9], "mpc.lag": [2, 9] }, samples: 50, seed: 4 } }),
+    );
     expect(draft.ranges.map(({ field, from, on }) => [field.name, from, on])).toEqual([
       ["road.bump.height", "5", false],
       ["road.seed", "3", true],
@@ -60,7 +70,10 @@ describe("a study", () => {
       ok: false,
       errors: { "road.bump.height": "From has to be less than to", "road.seed": "From: must be a whole number" },
     });
-    expect(change({ samples: "19" })).toMatchObject({ ok: false, errors: { samples: expect.stringContaining("at least 20") as string } });
+    expect(change({ samples: "19" })).toMatchObject({
+      ok: false,
+      errors: { samples: expect.stringContaining("at least 20") as string },
+    });
     expect(change({ oneByOne: false })).toMatchObject({ ok: true, sweeps: { oneByOne: null } });
   });
 });
@@ -97,7 +110,12 @@ describe("each field alone", () => {
 });
 
 describe("the summary", () => {
-  const sensitivities = (field: string, effect: number, chance = 0): Sensitivity => ({ field, effect, p_value: chance, spearman: -0.5 });
+  const sensitivities = (field: string, effect: number, chance = 0): Sensitivity => ({
+    field,
+    effect,
+    p_value: chance,
+    spearman: -0.5,
+  });
 
   it("has its quantiles by percentage", () => {
     expect(quantile({ quantiles: [0, 50, 100] }, { quantiles: [1, 2, 3] }, 50)).toBe(2);

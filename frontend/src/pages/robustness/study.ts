@@ -33,7 +33,8 @@ export interface Sweeps {
   readonly oneByOne: Sweep | null;
 }
 
-export type ParsedDraft = { readonly ok: true; readonly sweeps: Sweeps } | { readonly ok: false; readonly errors: DraftErrors };
+export type ParsedDraft =
+  { readonly ok: true; readonly sweeps: Sweeps } | { readonly ok: false; readonly errors: DraftErrors };
 
 /** As it was sent: the server takes nothing else. */
 export const sweepOf = ({ sweep }: Pick<Batch, "sweep">) => sweep as Sweep;
@@ -42,7 +43,12 @@ export const sweepOf = ({ sweep }: Pick<Batch, "sweep">) => sweep as Sweep;
 export function draftStudy(defaults: RobustnessDefaults, form: Group, existing?: Batch): StudyDraft {
   const fields = sweepFields(form);
   const cube = existing && sweepOf(existing).latin_hypercube;
-  const proposed = defaults.ranges.map(({ field, low, high, why }) => ({ name: field, why, ends: cube ? cube.ranges[field] : [low, high], usual: [low, high] }));
+  const proposed = defaults.ranges.map(({ field, low, high, why }) => ({
+    name: field,
+    why,
+    ends: cube ? cube.ranges[field] : [low, high],
+    usual: [low, high],
+  }));
   const others = Object.entries(cube?.ranges ?? {})
     .filter(([name]) => !proposed.some((each) => each.name === name))
     .map(([name, ends]) => ({ name, why: "", ends, usual: ends }));
@@ -80,9 +86,16 @@ export function readStudy({ ranges, samples, seed, strategies, oneByOne }: Study
   const parsed = readDraft({ method: "hypercube", fields, samples, seed, strategies });
   if (!parsed.ok) {
     const { fields: none, ...errors } = parsed.errors;
-    return { ok: false, errors: { ...errors, ...(none === undefined ? {} : { fields: "Nothing is uncertain: switch on at least one field" }) } };
+    return {
+      ok: false,
+      errors: {
+        ...errors,
+        ...(none === undefined ? {} : { fields: "Nothing is uncertain: switch on at least one field" }),
+      },
+    };
   }
-  if (Number(samples) < LEAST_SAMPLES) return { ok: false, errors: { samples: `Samples: at least ${LEAST_SAMPLES}, for quantiles to mean anything` } };
+  if (Number(samples) < LEAST_SAMPLES)
+    return { ok: false, errors: { samples: `Samples: at least ${LEAST_SAMPLES}, for quantiles to mean anything` } };
   return { ok: true, sweeps: { cube: parsed.sweep, oneByOne: oneByOne ? alone(parsed.sweep) : null } };
 }
 

@@ -20,7 +20,13 @@ export const summaryQuery = (batch: Batch, figures: readonly string[], baseline:
   queryOptions({
     // A summary of the final state is another one than those before it.
     queryKey: ["batch summary", batch.id, isFinal(batch), figures, baseline],
-    queryFn: ({ signal }) => ask("get", "/batches/{id}/summary", { path: { id: batch.id }, query: { figures: figures.join(","), baseline } }, signal),
+    queryFn: ({ signal }) =>
+      ask(
+        "get",
+        "/batches/{id}/summary",
+        { path: { id: batch.id }, query: { figures: figures.join(","), baseline } },
+        signal,
+      ),
     enabled: batch.done > 0 || isFinal(batch),
     staleTime: Infinity,
     gcTime: 5 * 60_000,
@@ -29,7 +35,11 @@ export const summaryQuery = (batch: Batch, figures: readonly string[], baseline:
   });
 
 /** The value at that percentage; `null` where there is none. */
-export function quantile(summary: Pick<BatchSummary, "quantiles">, { quantiles }: Pick<FigureSummary, "quantiles">, percent: number): number | null {
+export function quantile(
+  summary: Pick<BatchSummary, "quantiles">,
+  { quantiles }: Pick<FigureSummary, "quantiles">,
+  percent: number,
+): number | null {
   return quantiles?.[summary.quantiles.indexOf(percent)] ?? null;
 }
 
@@ -51,7 +61,9 @@ export function ranked(sensitivities: Readonly<Record<string, readonly Sensitivi
   return names
     .map((field): Ranked => {
       const cells = Object.fromEntries(
-        Object.entries(sensitivities).flatMap(([figure, list]) => list.filter((each) => each.field === field).map((each) => [figure, each] as const)),
+        Object.entries(sensitivities).flatMap(([figure, list]) =>
+          list.filter((each) => each.field === field).map((each) => [figure, each] as const),
+        ),
       );
       return { field, cells, most: Math.max(...Object.values(cells).map(({ effect }) => effect)) };
     })

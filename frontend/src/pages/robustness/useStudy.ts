@@ -13,7 +13,10 @@ export function useStudy(draft: StudyDraft, scenario: Scenario | undefined, onSu
   const parsed = useMemo(() => readStudy(draft), [draft]);
   return useSubmission({
     kind: "batch",
-    body: parsed.ok && scenario ? { scenario, strategies: draft.strategies, sweep: parsed.sweeps.cube, label: STUDY_LABEL } : null,
+    body:
+      parsed.ok && scenario
+        ? { scenario, strategies: draft.strategies, sweep: parsed.sweeps.cube, label: STUDY_LABEL }
+        : null,
     errors: parsed.ok ? null : parsed.errors,
     fieldNameOf: sweepFieldName(draft.ranges.map(({ field }) => field.name)),
     estimate: (body, signal) => ask("post", "/batches", { body: { ...body, dry_run: true } }, signal),

@@ -59,7 +59,10 @@ export function DotLayer({ host, drawing, dots, width, height, textOf, onOpen, o
     let pressed: readonly [number, number] | null = null;
     const find = (event: PointerEvent) => {
       const box = element.getBoundingClientRect();
-      return drawn.current && nearest(drawn.current.located, drawn.current.axes, event.clientX - box.left, event.clientY - box.top, REACH_PX);
+      return (
+        drawn.current &&
+        nearest(drawn.current.located, drawn.current.axes, event.clientX - box.left, event.clientY - box.top, REACH_PX)
+      );
     };
     const move = (event: PointerEvent) => setHit(event.buttons === 0 ? find(event) : null);
     const leave = () => setHit(null);
@@ -90,7 +93,12 @@ export function DotLayer({ host, drawing, dots, width, height, textOf, onOpen, o
     <>
       <canvas ref={canvas} className={classes.dots} aria-hidden />
       {hit && row !== undefined && (
-        <div className={classes.tip} data-left={hit.x > width / 2 || undefined} style={{ left: hit.x, top: hit.y }} aria-hidden>
+        <div
+          className={classes.tip}
+          data-left={hit.x > width / 2 || undefined}
+          style={{ left: hit.x, top: hit.y }}
+          aria-hidden
+        >
           <span className={classes.tipRing} style={{ borderColor: hit.dots.colour }} />
           <span className={classes.tipText} data-testid="tip">
             {textOf(row).map((line) => (

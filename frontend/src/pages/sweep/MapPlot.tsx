@@ -30,12 +30,29 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
       ...(against === null ? [] : [`${formatResult(value)} % against ${otherLabel}`]),
     ];
     const title = fullName(y);
-    const input = { grid, x, y: other, title, unit: mapUnit, difference: against !== null, threshold, textOf: cellText };
-    return { drawn: mapFigure({ ...input, palette: PALETTES[scheme], scheme }), onPaper: () => mapFigure({ ...input, palette: ON_PAPER, scheme: "light" }) };
+    const input = {
+      grid,
+      x,
+      y: other,
+      title,
+      unit: mapUnit,
+      difference: against !== null,
+      threshold,
+      textOf: cellText,
+    };
+    return {
+      drawn: mapFigure({ ...input, palette: PALETTES[scheme], scheme }),
+      onPaper: () => mapFigure({ ...input, palette: ON_PAPER, scheme: "light" }),
+    };
   }, [grid, x, other, y, mapUnit, against, otherLabel, threshold, textOf, scheme]);
   const host = useRef<HTMLDivElement>(null);
 
-  if (!grid || !other || !figure) return <Text p="3rem 1rem" fz="sm" ta="center" c="dimmed">A map needs finished runs at two or more values of both fields.</Text>;
+  if (!grid || !other || !figure)
+    return (
+      <Text p="3rem 1rem" fz="sm" ta="center" c="dimmed">
+        A map needs finished runs at two or more values of both fields.
+      </Text>
+    );
   const name = `${fullName(y)}${against === null ? "" : `, change against ${otherLabel}`}, ${labelOf(strategy)}`;
   const { computed, gaps, below } = shareBelow(grid, threshold ?? Infinity);
   const limit = formatExact(threshold ?? 0, mapUnit);
@@ -51,14 +68,26 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
   return (
     <>
       <div onPointerEnter={() => setPointed(true)} onPointerLeave={() => setPointed(false)}>
-        <Chart hostRef={host} figure={drawn} height={height} label={`${name} over ${x.title} and ${other.title}. ${sentence} Every value stands in the table below.`} onPoint={onOpen} />
+        <Chart
+          hostRef={host}
+          figure={drawn}
+          height={height}
+          label={`${name} over ${x.title} and ${other.title}. ${sentence} Every value stands in the table below.`}
+          onPoint={onOpen}
+        />
       </div>
       <Group gap="0" align="flex-start" justify="space-between" wrap="nowrap" pr="0.7rem">
         <Text size="xs" p="0.2rem 0.9rem 0.6rem" c="dimmed" data-testid="map-note">
           {colours}. {sentence}
-          {gaps > 0 && ` ${count(gaps, "gap")} without a value.`} A click on a cell opens its run; drag to zoom, double click for all.
+          {gaps > 0 && ` ${count(gaps, "gap")} without a value.`} A click on a cell opens its run; drag to zoom, double
+          click for all.
         </Text>
-        <ChartButton title={name} file={`ridelab-${batch.id}-${y.key}-${strategy}`} hostRef={host} draw={() => ({ figure: onPaper(), legend: [], colours })} />
+        <ChartButton
+          title={name}
+          file={`ridelab-${batch.id}-${y.key}-${strategy}`}
+          hostRef={host}
+          draw={() => ({ figure: onPaper(), legend: [], colours })}
+        />
       </Group>
     </>
   );

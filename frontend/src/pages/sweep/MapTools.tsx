@@ -15,7 +15,12 @@ export function MapTools({ strategies, shown, onView }: Props) {
   const options = labelled(strategies);
   return (
     <>
-      <Choice label="Strategy" value={strategy} data={options} onPick={(id) => onView({ strategy: id, against: against ?? NONE, threshold: null })} />
+      <Choice
+        label="Strategy"
+        value={strategy}
+        data={options}
+        onPick={(id) => onView({ strategy: id, against: against ?? NONE, threshold: null })}
+      />
       <Choice
         label="Change against"
         value={against ?? NONE}

@@ -28,7 +28,8 @@ export function PlotTools({ axes, strategies, markers, figures, shown, view, onV
     <Select
       size="xs"
       label={label}
-      flex="0 1 24rem" miw="12rem"
+      flex="0 1 24rem"
+      miw="12rem"
       searchable
       allowDeselect={false}
       value={figure.key}
@@ -39,11 +40,22 @@ export function PlotTools({ axes, strategies, markers, figures, shown, view, onV
   );
   return (
     <Group gap="0.5rem 0.8rem" align="flex-end" p="0.6rem 0.9rem 0.3rem">
-      <SegmentedControl size="xs" aria-label="Plot" value={kind} data={[...offered]} onChange={(plot) => onView({ plot })} />
+      <SegmentedControl
+        size="xs"
+        aria-label="Plot"
+        value={kind}
+        data={[...offered]}
+        onChange={(plot) => onView({ plot })}
+      />
       {kind === "trade_off"
         ? metric("Metric across", shown.versus, (versus) => onView({ versus }))
         : axes.length > 1 && (
-            <Choice label="Over" value={shown.x.name} data={axes.map(({ name, title, unit }) => ({ value: name, label: titleWithUnit(title, unit) }))} onPick={(x) => onView({ x })} />
+            <Choice
+              label="Over"
+              value={shown.x.name}
+              data={axes.map(({ name, title, unit }) => ({ value: name, label: titleWithUnit(title, unit) }))}
+              onPick={(x) => onView({ x })}
+            />
           )}
       {metric(kind === "trade_off" ? "Metric up" : "Metric", shown.y, (y) => onView({ y, threshold: null }))}
       {kind === "map" ? (
@@ -58,7 +70,11 @@ export function PlotTools({ axes, strategies, markers, figures, shown, view, onV
                 type="button"
                 className={bar.chip}
                 aria-pressed={on}
-                onClick={() => onView({ hidden: on ? [...view.hidden, strategy.id] : view.hidden.filter((id) => id !== strategy.id) })}
+                onClick={() =>
+                  onView({
+                    hidden: on ? [...view.hidden, strategy.id] : view.hidden.filter((id) => id !== strategy.id),
+                  })
+                }
               >
                 <MarkerKey strategy={strategy} symbol={markers[strategy.id]} />
                 {strategy.label}

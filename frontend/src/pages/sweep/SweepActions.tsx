@@ -24,13 +24,24 @@ export function BatchActions({ batch, view }: Props) {
   return (
     <>
       <ShareLink
-        make={() => (batch ? ask("post", "/links", { body: { batch_id: batch.id, view: toShare(batch, view) } }) : Promise.reject(new Error("there is no sweep")))}
+        make={() =>
+          batch
+            ? ask("post", "/links", { body: { batch_id: batch.id, view: toShare(batch, view) } })
+            : Promise.reject(new Error("there is no sweep"))
+        }
         obstacle={batch ? null : "There is no sweep to share yet"}
         opens="It opens this sweep with its plot as it is here, for anyone who has the link. It is read-only."
       />
       <Menu position="bottom-end" width={260}>
         <Menu.Target>
-          <Button size="xs" variant="default" aria-label="Export" classNames={compact} leftSection={<IconDownload size={15} />} disabled={!batch}>
+          <Button
+            size="xs"
+            variant="default"
+            aria-label="Export"
+            classNames={compact}
+            leftSection={<IconDownload size={15} />}
+            disabled={!batch}
+          >
             Export
           </Button>
         </Menu.Target>
@@ -40,7 +51,13 @@ export function BatchActions({ batch, view }: Props) {
             <Menu.Item
               key={format}
               leftSection={<Icon size={16} />}
-              onClick={() => batch && download(address("/batches/{id}/results", { path: { id: batch.id }, query: { format } }), `ridelab-batch-${batch.id}.${format}`)}
+              onClick={() =>
+                batch &&
+                download(
+                  address("/batches/{id}/results", { path: { id: batch.id }, query: { format } }),
+                  `ridelab-batch-${batch.id}.${format}`,
+                )
+              }
             >
               {label}
             </Menu.Item>
@@ -53,6 +70,10 @@ export function BatchActions({ batch, view }: Props) {
 
 /** How it is looked at, without what the page itself chooses. */
 function toShare({ fields, strategies }: Batch, { x, hidden, ...view }: BatchView): SharedView {
-  const shown = { ...view, x: x ?? fields[0]?.name ?? null, hidden: hidden.filter((id) => strategies.some((each) => each === id)) };
+  const shown = {
+    ...view,
+    x: x ?? fields[0]?.name ?? null,
+    hidden: hidden.filter((id) => strategies.some((each) => each === id)),
+  };
   return Object.fromEntries(Object.entries(shown).filter(([, value]) => value !== null));
 }

@@ -40,7 +40,10 @@ function Sweep({ id, view, onView, link }: Props) {
   const { catalogues, fault: catalogueFault } = useCatalogues();
   const title = batch && (batch.label ?? `Sweep of ${titleOf(batch.fields)}`);
   const strategies = catalogues?.strategies;
-  const swept = useMemo(() => strategies?.filter(({ id: strategy }) => batch?.strategies.some((each) => each === strategy)) ?? [], [strategies, batch?.strategies]);
+  const swept = useMemo(
+    () => strategies?.filter(({ id: strategy }) => batch?.strategies.some((each) => each === strategy)) ?? [],
+    [strategies, batch?.strategies],
+  );
   const markers = useMemo(() => markersOf(strategies ?? []), [strategies]);
   return (
     <Page

@@ -11,16 +11,35 @@ import type { SweepParts } from "./props";
 
 const HEIGHT = 400;
 
-export function BatchPlot({ batch, columns, catalogue, strategies, markers, figures, shown, view, best, onView, onOpen }: SweepParts) {
+export function BatchPlot({
+  batch,
+  columns,
+  catalogue,
+  strategies,
+  markers,
+  figures,
+  shown,
+  view,
+  best,
+  onView,
+  onOpen,
+}: SweepParts) {
   const visible = useMemo(() => strategies.filter(({ id }) => !view.hidden.includes(id)), [strategies, view.hidden]);
   const { fields } = batch;
   const { y } = shown;
-  const textOf = useCallback((row: number) => describeRow(row, { columns, fields, strategies, y, catalogue }), [columns, fields, strategies, y, catalogue]);
+  const textOf = useCallback(
+    (row: number) => describeRow(row, { columns, fields, strategies, y, catalogue }),
+    [columns, fields, strategies, y, catalogue],
+  );
   const common = { batch, columns, strategies, shown, textOf, onOpen, height: HEIGHT };
   return (
     <Card aria-label="Plot">
       <PlotTools axes={axesOf(fields)} {...{ strategies, markers, figures, shown, view, onView }} />
-      {shown.kind === "map" ? <MapPlot {...common} /> : <PointsPlot key={shown.kind} {...common} {...{ catalogue, visible, markers, best }} />}
+      {shown.kind === "map" ? (
+        <MapPlot {...common} />
+      ) : (
+        <PointsPlot key={shown.kind} {...common} {...{ catalogue, visible, markers, best }} />
+      )}
     </Card>
   );
 }

@@ -16,7 +16,10 @@ import { Fault } from "../../ui/Fault";
 import ui from "../../ui/ui.module.css";
 import type { SweepParts } from "./props";
 
-interface Props extends Pick<SweepParts, "batch" | "catalogue" | "strategies" | "markers" | "figures" | "view" | "onView"> {
+interface Props extends Pick<
+  SweepParts,
+  "batch" | "catalogue" | "strategies" | "markers" | "figures" | "view" | "onView"
+> {
   readonly form: Group;
 }
 
@@ -27,10 +30,16 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
   const { fields: storedFields, sweep } = stored;
   const fields = useMemo(() => shownFields(storedFields, form), [storedFields, form]);
   const batch = useMemo(() => ({ ...stored, fields }), [stored, fields]);
-  const shown = useMemo(() => shownPlot({ fields, sweep }, strategies, figures, view), [fields, sweep, strategies, figures, view]);
+  const shown = useMemo(
+    () => shownPlot({ fields, sweep }, strategies, figures, view),
+    [fields, sweep, strategies, figures, view],
+  );
   const y = shown?.y;
   const plotted = shown && [shown.y.key, ...(shown.kind === "trade_off" ? [shown.versus.key] : [])].join(" ");
-  const keys = useMemo(() => [...new Set([...(plotted?.split(" ") ?? []), ...paperFigures(catalogue)])], [catalogue, plotted]);
+  const keys = useMemo(
+    () => [...new Set([...(plotted?.split(" ") ?? []), ...paperFigures(catalogue)])],
+    [catalogue, plotted],
+  );
   const requested = useMemo(() => [...new Set([...keys, ...CAVEAT_COLUMNS])], [keys]);
   const table = useQuery({ ...tableQuery(batch, requested), placeholderData: keepPreviousData });
   const fetched = table.data?.columns ?? NOTHING;
@@ -47,13 +56,20 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
   const best = useMemo(() => {
     if (!y) return null;
     const ids = visible.map(({ id }) => id);
-    return lowest(columns, rowsOf(columns, (row) => ids.includes(String(columns.strategy?.[row]))), y.key);
+    return lowest(
+      columns,
+      rowsOf(columns, (row) => ids.includes(String(columns.strategy?.[row]))),
+      y.key,
+    );
   }, [columns, visible, y]);
 
   const opening = useOpenRun(batch);
   const open = (row: number) => {
     const values = batch.fields.map(({ name }) => [name, cell(fetched, name, row)] as const);
-    opening.open({ run: row, at: Object.fromEntries(values.flatMap(([name, value]) => (value === undefined ? [] : [[name, value]]))) });
+    opening.open({
+      run: row,
+      at: Object.fromEntries(values.flatMap(([name, value]) => (value === undefined ? [] : [[name, value]]))),
+    });
   };
   const listed = useMemo(
     () => keys.flatMap((key) => figures.find((figure) => figure.key === key) ?? []),
@@ -63,11 +79,12 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
   if (!shown) return null;
   return (
     <div className={ui.stack} data-testid="batch-results" data-rows={columns.run?.length ?? 0}>
-      {table.isError && (
-        <Fault size="sm">The rows could not be read: {table.error.message}</Fault>
-      )}
+      {table.isError && <Fault size="sm">The rows could not be read: {table.error.message}</Fault>}
       {opening.error !== null && <Fault size="sm">This run could not be opened: {opening.error}</Fault>}
-      <BatchPlot {...{ batch, columns, catalogue, strategies, markers, figures, shown, view, best, onView }} onOpen={open} />
+      <BatchPlot
+        {...{ batch, columns, catalogue, strategies, markers, figures, shown, view, best, onView }}
+        onOpen={open}
+      />
       <BatchRows
         {...{ batch, columns, catalogue, strategies, markers, best }}
         loading={table.isPending}

@@ -15,7 +15,10 @@ import ui from "../../ui/ui.module.css";
 import { CaveatMark } from "../../features/tables/CaveatMark";
 import type { SweepParts } from "./props";
 
-interface Props extends Pick<SweepParts, "batch" | "columns" | "catalogue" | "strategies" | "markers" | "figures" | "best" | "onOpen"> {
+interface Props extends Pick<
+  SweepParts,
+  "batch" | "columns" | "catalogue" | "strategies" | "markers" | "figures" | "best" | "onOpen"
+> {
   readonly loading: boolean;
   /** The row whose run is being opened. */
   readonly opening: number | null;
@@ -28,7 +31,10 @@ export function BatchRows(props: Props) {
   const [failedOnly, setFailedOnly] = useState(false);
   const [page, setPage] = useState(1);
 
-  const rows = useMemo(() => rowsOf(columns, (row) => !failedOnly || statusOf(columns, row) === "failed"), [columns, failedOnly]);
+  const rows = useMemo(
+    () => rowsOf(columns, (row) => !failedOnly || statusOf(columns, row) === "failed"),
+    [columns, failedOnly],
+  );
   const pages = Math.max(1, Math.ceil(rows.length / PAGE));
   const current = Math.min(page, pages);
 
@@ -63,7 +69,11 @@ export function BatchRows(props: Props) {
         label={`Runs of the sweep, a page of ${PAGE}`}
         rows={rows}
         rowKey={(row) => row}
-        rowAttributes={(row) => ({ "data-best": row === best || undefined, "data-status": statusOf(columns, row), "data-run": runOf(columns, row) })}
+        rowAttributes={(row) => ({
+          "data-best": row === best || undefined,
+          "data-status": statusOf(columns, row),
+          "data-run": runOf(columns, row),
+        })}
         columns={columnsOf(props)}
         order={BY_RUN}
         attributes={{ "data-dense": true }}
@@ -86,20 +96,31 @@ function columnsOf(props: Props): readonly Column<number>[] {
   const ran = (row: number) => statusOf(columns, row) === "ok";
   return [
     { key: "run", head: "Run", sort: sort("run"), cell: (row) => <Run {...props} row={row} /> },
-    ...batch.fields.map(({ name, title, unit }): Column<number> => ({ key: name, head: title, detail: prettyUnit(unit), sort: sort(name), cell: (row) => showCell(cell(columns, name, row)) })),
-    { key: "strategy", head: "Strategy", text: true, sort: (row) => strategies.find(({ id }) => id === cell(columns, "strategy", row))?.label, cell: (row) => <Driven {...props} row={row} /> },
-    ...figures.map(
-      ({ key, label, group, unit, scale }, index): Column<number> => ({
-        key,
-        head: label,
-        group,
-        detail: prettyUnit(unit),
-        sort: sort(key),
-        span: (row) => (ran(row) || index > 0 ? 1 : figures.length),
-        attributes: (row) => ({ "data-text": !ran(row) || undefined }),
-        cell: (row) => (ran(row) ? showFigure(cell(columns, key, row), scale) : <Unfinished columns={columns} row={row} />),
-      }),
-    ),
+    ...batch.fields.map(({ name, title, unit }): Column<number> => ({
+      key: name,
+      head: title,
+      detail: prettyUnit(unit),
+      sort: sort(name),
+      cell: (row) => showCell(cell(columns, name, row)),
+    })),
+    {
+      key: "strategy",
+      head: "Strategy",
+      text: true,
+      sort: (row) => strategies.find(({ id }) => id === cell(columns, "strategy", row))?.label,
+      cell: (row) => <Driven {...props} row={row} />,
+    },
+    ...figures.map(({ key, label, group, unit, scale }, index): Column<number> => ({
+      key,
+      head: label,
+      group,
+      detail: prettyUnit(unit),
+      sort: sort(key),
+      span: (row) => (ran(row) || index > 0 ? 1 : figures.length),
+      attributes: (row) => ({ "data-text": !ran(row) || undefined }),
+      cell: (row) =>
+        ran(row) ? showFigure(cell(columns, key, row), scale) : <Unfinished columns={columns} row={row} />,
+    })),
   ];
 }
 
@@ -118,7 +139,13 @@ function Run({ columns, row, best, opening, onOpen }: CellProps) {
       )}
       {run}
       <Tooltip label="Open in the dashboard" openDelay={400}>
-        <ActionIcon size={24} variant="subtle" loading={row === opening} aria-label={`Open run ${run} in the dashboard`} onClick={() => onOpen(row)}>
+        <ActionIcon
+          size={24}
+          variant="subtle"
+          loading={row === opening}
+          aria-label={`Open run ${run} in the dashboard`}
+          onClick={() => onOpen(row)}
+        >
           <IconExternalLink size={14} />
         </ActionIcon>
       </Tooltip>
@@ -141,7 +168,12 @@ function Driven({ columns, catalogue, strategies, markers, row }: CellProps) {
 function Unfinished({ columns, row }: Pick<CellProps, "columns" | "row">) {
   const [status, reason] = [statusOf(columns, row), cell(columns, "reason", row)];
   return (
-    <Box component="span" display="inline-block" maw="min(44rem, 60vw)" c={status === "failed" ? "var(--danger)" : "dimmed"}>
+    <Box
+      component="span"
+      display="inline-block"
+      maw="min(44rem, 60vw)"
+      c={status === "failed" ? "var(--danger)" : "dimmed"}
+    >
       {status}
       {typeof reason === "string" && `: ${reason}`}
     </Box>

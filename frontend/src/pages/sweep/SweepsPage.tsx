@@ -10,7 +10,8 @@ export function SweepsPage() {
   const { data: strategies, error } = useQuery(strategiesQuery);
   const lead = (
     <>
-      Many variants of one scenario, each under the same strategies. <LabLink size="sm">The lab</LabLink> starts one over the scenario it shows: “Sweep…”, at its top.
+      Many variants of one scenario, each under the same strategies. <LabLink size="sm">The lab</LabLink> starts one
+      over the scenario it shows: “Sweep…”, at its top.
     </>
   );
   return (

@@ -16,7 +16,8 @@ export interface Axes {
   readonly yaxis: DrawnAxis;
 }
 
-const isDrawnAxis = (axis: Partial<DrawnAxis> | undefined) => typeof axis?._offset === "number" && typeof axis._length === "number" && typeof axis.d2p === "function";
+const isDrawnAxis = (axis: Partial<DrawnAxis> | undefined) =>
+  typeof axis?._offset === "number" && typeof axis._length === "number" && typeof axis.d2p === "function";
 
 /** The axes plotly has drawn in an element. They are no part of its documented interface: `null` where a version of it has others. */
 export function drawnAxes(element: HTMLElement): Axes | null {
@@ -91,7 +92,13 @@ export function clearDots(canvas: HTMLCanvasElement): void {
   canvas.getContext("2d")?.clearRect(0, 0, canvas.width, canvas.height);
 }
 
-export function drawDots(canvas: HTMLCanvasElement, located: readonly LocatedDots[], { xaxis, yaxis }: Axes, width: number, height: number): void {
+export function drawDots(
+  canvas: HTMLCanvasElement,
+  located: readonly LocatedDots[],
+  { xaxis, yaxis }: Axes,
+  width: number,
+  height: number,
+): void {
   const ratio = window.devicePixelRatio;
   canvas.width = Math.round(width * ratio);
   canvas.height = Math.round(height * ratio);
@@ -104,7 +111,11 @@ export function drawDots(canvas: HTMLCanvasElement, located: readonly LocatedDot
     const [full, hollow] = [stamp(dots, false, ratio), stamp(dots, true, ratio)];
     const shift = full.width / 2;
     for (let index = 0; index < x.length; index++) {
-      context.drawImage(dots.hollow[index] === true ? hollow : full, (x[index] ?? 0) * ratio - shift, (y[index] ?? 0) * ratio - shift);
+      context.drawImage(
+        dots.hollow[index] === true ? hollow : full,
+        (x[index] ?? 0) * ratio - shift,
+        (y[index] ?? 0) * ratio - shift,
+      );
     }
   }
 }

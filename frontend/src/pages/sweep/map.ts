@@ -30,7 +30,11 @@ const LEAST_FILLED = 0.2;
 const isAxisValue = (value: unknown): value is AxisValue => typeof value === "number" || typeof value === "string";
 
 const sorted = (values: Iterable<AxisValue>): readonly AxisValue[] =>
-  [...new Set(values)].sort((a, b) => (typeof a === "number" && typeof b === "number" ? a - b : String(a).localeCompare(String(b), "en", { numeric: true })));
+  [...new Set(values)].sort((a, b) =>
+    typeof a === "number" && typeof b === "number"
+      ? a - b
+      : String(a).localeCompare(String(b), "en", { numeric: true }),
+  );
 
 const cellKey = (x: unknown, y: unknown) => JSON.stringify([x, y]);
 
@@ -72,5 +76,9 @@ export interface Share {
 export function shareBelow({ values }: MapGrid, threshold: number): Share {
   const all = values.flat();
   const computed = all.filter((value) => value !== null);
-  return { below: computed.filter((value) => value <= threshold).length, computed: computed.length, gaps: all.length - computed.length };
+  return {
+    below: computed.filter((value) => value <= threshold).length,
+    computed: computed.length,
+    gaps: all.length - computed.length,
+  };
 }

@@ -26,8 +26,20 @@ interface Input {
 
 /** Less is better: blue is less than the other, orange is more; the middle is the page's ground. */
 const DIVERGING = {
-  light: [[0, "#0b4fc4"], [0.25, "#7ba7ef"], [0.5, "#f1f3f4"], [0.75, "#f0a35e"], [1, "#b34700"]],
-  dark: [[0, "#5b93ff"], [0.25, "#3a5f9e"], [0.5, "#24292c"], [0.75, "#96571e"], [1, "#ff8a2a"]],
+  light: [
+    [0, "#0b4fc4"],
+    [0.25, "#7ba7ef"],
+    [0.5, "#f1f3f4"],
+    [0.75, "#f0a35e"],
+    [1, "#b34700"],
+  ],
+  dark: [
+    [0, "#5b93ff"],
+    [0.25, "#3a5f9e"],
+    [0.5, "#24292c"],
+    [0.75, "#96571e"],
+    [1, "#ff8a2a"],
+  ],
 } as const;
 /** Beyond this change [%] all is one colour. */
 const MOST_CHANGE = 100;
@@ -42,7 +54,12 @@ function colours({ grid, difference, scheme }: Input) {
 }
 
 function line({ grid, threshold, unit }: Input): readonly GridTrace[] {
-  if (threshold === null || grid.xs.some((value) => typeof value === "string") || grid.ys.some((value) => typeof value === "string")) return [];
+  if (
+    threshold === null ||
+    grid.xs.some((value) => typeof value === "string") ||
+    grid.ys.some((value) => typeof value === "string")
+  )
+    return [];
   const common = {
     type: "contour",
     x: grid.xs,
@@ -66,7 +83,11 @@ export function mapFigure(input: Input): { readonly data: readonly GridTrace[]; 
   const axis = (field: AxisOf, values: readonly AxisValue[]) => ({
     title: { text: titleWithUnit(field.title, field.unit) },
     showgrid: false,
-    ...(isSpreadByRatio(values) ? { type: "log", exponentformat: "power" } : values.some((value) => typeof value === "string") ? { type: "category" } : {}),
+    ...(isSpreadByRatio(values)
+      ? { type: "log", exponentformat: "power" }
+      : values.some((value) => typeof value === "string")
+        ? { type: "category" }
+        : {}),
   });
   const cells: GridTrace = {
     type: "heatmap",
@@ -75,13 +96,20 @@ export function mapFigure(input: Input): { readonly data: readonly GridTrace[]; 
     y: grid.ys.map(named),
     z: grid.values,
     customdata: grid.rows,
-    text: grid.values.map((values, i) => values.map((value, j) => (value === null ? "" : textOf(grid.rows[i]?.[j] ?? 0, value).join("<br>")))),
+    text: grid.values.map((values, i) =>
+      values.map((value, j) => (value === null ? "" : textOf(grid.rows[i]?.[j] ?? 0, value).join("<br>"))),
+    ),
     hovertemplate: "%{text}<extra></extra>",
     hoverongaps: false,
     xgap: 1,
     ygap: 1,
     ...colours(input),
-    colorbar: { title: { text: unit === "%" ? "change [%]" : titleWithUnit("", unit).trim(), side: "right" }, thickness: 14, outlinewidth: 0, tickcolor: palette.grid },
+    colorbar: {
+      title: { text: unit === "%" ? "change [%]" : titleWithUnit("", unit).trim(), side: "right" },
+      thickness: 14,
+      outlinewidth: 0,
+      tickcolor: palette.grid,
+    },
   };
   return {
     data: [cells, ...line(input)],

@@ -69,10 +69,12 @@ export function isSpreadByRatio(values: readonly (number | string)[]): boolean {
 }
 
 /** Decades have a line each, and are written as powers. */
-const scaleOf = (points: readonly Points[]) => (isSpreadByRatio(points.flatMap(({ x }) => x)) ? { type: "log", dtick: 1, exponentformat: "power" } : { exponentformat: "power" });
+const scaleOf = (points: readonly Points[]) =>
+  isSpreadByRatio(points.flatMap(({ x }) => x))
+    ? { type: "log", dtick: 1, exponentformat: "power" }
+    : { exponentformat: "power" };
 
 const named = (value: number | string) => (typeof value === "string" ? humanise(value) : value);
-
 
 const strategyOf = (strategies: readonly Strategy[], id: string) => strategies.find((strategy) => strategy.id === id);
 const symbolOf = (markers: Markers, id: string) => markers[id] ?? "circle";
@@ -119,7 +121,9 @@ function joints({ lines, strategies, curves }: Input): readonly LineTrace[] {
 
 /** Names in the order of x, in whichever order lines and points name them. */
 function categories(points: readonly Points[]) {
-  const names = [...new Set(points.flatMap(({ x }) => x.filter((place) => typeof place === "string")))].sort((a, b) => a.localeCompare(b, "en", { numeric: true }));
+  const names = [...new Set(points.flatMap(({ x }) => x.filter((place) => typeof place === "string")))].sort((a, b) =>
+    a.localeCompare(b, "en", { numeric: true }),
+  );
   return names.length === 0 ? {} : { categoryorder: "array", categoryarray: names.map(named) };
 }
 
@@ -128,11 +132,24 @@ function frame(points: readonly Points[]): readonly PointTrace[] {
   const lows = points.flatMap(({ y }) => (y.length > 0 ? [y.reduce((low, value) => Math.min(low, value))] : []));
   const highs = points.flatMap(({ y }) => (y.length > 0 ? [y.reduce((high, value) => Math.max(high, value))] : []));
   // Rows are in ascending x: the ends are the first and the last.
-  const places = points.flatMap(({ x }) => (typeof x[0] === "string" ? [...new Set(x)] : [x[0], x.at(-1)])).filter((place) => place !== undefined);
+  const places = points
+    .flatMap(({ x }) => (typeof x[0] === "string" ? [...new Set(x)] : [x[0], x.at(-1)]))
+    .filter((place) => place !== undefined);
   const [low, high] = [Math.min(...lows), Math.max(...highs)];
   const x = [...places, ...places].map(named);
   const y = [...places.map(() => low), ...places.map(() => high)];
-  return [{ type: "scatter", mode: "markers", name: "", x, y, customdata: [], marker: { opacity: 0, size: SIZE }, hoverinfo: "skip" }];
+  return [
+    {
+      type: "scatter",
+      mode: "markers",
+      name: "",
+      x,
+      y,
+      customdata: [],
+      marker: { opacity: 0, size: SIZE },
+      hoverinfo: "skip",
+    },
+  ];
 }
 
 /** Labels this near to each other [part of the y axis] would be one upon the other. */
@@ -158,10 +175,23 @@ function endLabels({ lines, labelOf, curves }: Input): readonly EndLabel[] {
 
 /** The staircase over the front's members. */
 function staircase({ points, ringed, palette }: Input): readonly LineTrace[] {
-  const places = new Map(points.flatMap(({ rows, x, y }) => rows.map((row, index) => [row, [x[index] ?? 0, y[index] ?? 0]] as const)));
+  const places = new Map(
+    points.flatMap(({ rows, x, y }) => rows.map((row, index) => [row, [x[index] ?? 0, y[index] ?? 0]] as const)),
+  );
   const members = ringed.flatMap((row) => (places.has(row) ? [places.get(row) ?? [0, 0]] : []));
   const [xs, ys] = [members.map(([x = 0]) => x), members.map(([, y = 0]) => y)];
-  return [{ type: "scatter", mode: "lines", name: "Front", x: xs, y: ys, line: { color: palette.text, width: 1.5, shape: "hv" }, opacity: 1, hoverinfo: "skip" }];
+  return [
+    {
+      type: "scatter",
+      mode: "lines",
+      name: "Front",
+      x: xs,
+      y: ys,
+      line: { color: palette.text, width: 1.5, shape: "hv" },
+      opacity: 1,
+      hoverinfo: "skip",
+    },
+  ];
 }
 
 export function scatterFigure(input: Input): ScatterFigure {
@@ -169,12 +199,28 @@ export function scatterFigure(input: Input): ScatterFigure {
   const count = points.reduce((sum, { rows }) => sum + rows.length, 0);
   const many = count > most;
   const data = many ? frame(points) : traces(input);
-  const marker = { color: palette.text, size: SIZE + (front ? 6 : 9), symbol: "circle-open", line: { width: 2, color: palette.text } };
+  const marker = {
+    color: palette.text,
+    size: SIZE + (front ? 6 : 9),
+    symbol: "circle-open",
+    line: { width: 2, color: palette.text },
+  };
   const ring = points.flatMap(({ rows, x: xs, y: ys }): PointTrace[] =>
     rows.flatMap((row, index): PointTrace[] => {
       const [atX, atY] = [xs[index], ys[index]];
       if (!ringed.includes(row) || atX === undefined || atY === undefined) return [];
-      return [{ type: "scatter", mode: "markers", name: "Lowest", x: [named(atX)], y: [atY], customdata: [row], marker, hoverinfo: "skip" }];
+      return [
+        {
+          type: "scatter",
+          mode: "markers",
+          name: "Lowest",
+          x: [named(atX)],
+          y: [atY],
+          customdata: [row],
+          marker,
+          hoverinfo: "skip",
+        },
+      ];
     }),
   );
   const labels = many ? [] : endLabels(input);
@@ -205,7 +251,12 @@ export function scatterFigure(input: Input): ScatterFigure {
       // Somebody's zoom stays while rows arrive.
       uirevision: `${x.name} ${y.key}`,
       xaxis: { title: { text: titleWithUnit(x.title, x.unit) }, ...scaleOf(points), ...categories(points) },
-      yaxis: { title: { text: titleWithUnit(fullName(y), y.unit) }, zeroline: true, zerolinecolor: palette.zero, rangemode: "tozero" },
+      yaxis: {
+        title: { text: titleWithUnit(fullName(y), y.unit) },
+        zeroline: true,
+        zerolinecolor: palette.zero,
+        rangemode: "tozero",
+      },
     }),
   };
 }

@@ -10,7 +10,11 @@ type Fields = Batch["fields"];
 
 function leavesByName(fields: Fields, form: Group): ReadonlyMap<string, NumberField> {
   const names = new Set(fields.map(({ name }) => name));
-  return new Map(sweepFields(form).flatMap(({ name, leaf }) => (leaf.kind === "number" && names.has(name) ? [[name, leaf] as const] : [])));
+  return new Map(
+    sweepFields(form).flatMap(({ name, leaf }) =>
+      leaf.kind === "number" && names.has(name) ? [[name, leaf] as const] : [],
+    ),
+  );
 }
 
 export function shownFields(fields: Fields, form: Group): Fields {
@@ -21,7 +25,9 @@ export function shownFields(fields: Fields, form: Group): Fields {
 export function shownColumns(columns: Columns, fields: Fields, form: Group): Columns {
   const scaled = [...leavesByName(fields, form)].flatMap(([name, leaf]) => {
     const values = leaf.shown.scale === 1 ? undefined : columns[name];
-    return values ? [[name, values.map((value) => (typeof value === "number" ? inShownUnit(leaf, value) : value))] as const] : [];
+    return values
+      ? [[name, values.map((value) => (typeof value === "number" ? inShownUnit(leaf, value) : value))] as const]
+      : [];
   });
   return scaled.length === 0 ? columns : { ...columns, ...Object.fromEntries(scaled) };
 }

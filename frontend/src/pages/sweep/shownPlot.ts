@@ -24,7 +24,12 @@ export interface ShownPlot {
 const PASSIVE = "passive";
 const TRADED = "travel_time";
 
-export function shownPlot(batch: Pick<Batch, "fields" | "sweep">, strategies: readonly Strategy[], figures: readonly Figure[], view: BatchView): ShownPlot | null {
+export function shownPlot(
+  batch: Pick<Batch, "fields" | "sweep">,
+  strategies: readonly Strategy[],
+  figures: readonly Figure[],
+  view: BatchView,
+): ShownPlot | null {
   const axes = axesOf(batch.fields);
   const find = (key: string | null) => figures.find((figure) => figure.key === key);
   const x = axes.find(({ name }) => name === view.x) ?? axes[0];

@@ -45,35 +45,66 @@ describe("rows", () => {
 
 describe("points that differ in x only", () => {
   const columns: Columns = {
-    run: [0, 1, 2, 3, 4], strategy: Array<string>(5).fill("lv"), height: [1, 1, 2, 2, 3], speed: [15, 25, 15, 25, 35], peak: [5, 6, 7, 8, 9],
+    run: [0, 1, 2, 3, 4],
+    strategy: Array<string>(5).fill("lv"),
+    height: [1, 1, 2, 2, 3],
+    speed: [15, 25, 15, 25, 35],
+    peak: [5, 6, 7, 8, 9],
   };
 
   it("are a line for each combination of the others, a point alone is none", () => {
     const points = pointsOf(columns, ["lv"], "height", "peak", 1);
     expect(linesOf(columns, points, ["speed"])).toEqual([
-      { strategy: "lv", x: [1, 2, null, 1, 2, null], y: [5, 7, null, 6, 8, null], ends: [{ x: 2, y: 7, row: 2 }, { x: 2, y: 8, row: 3 }] },
+      {
+        strategy: "lv",
+        x: [1, 2, null, 1, 2, null],
+        y: [5, 7, null, 6, 8, null],
+        ends: [
+          { x: 2, y: 7, row: 2 },
+          { x: 2, y: 8, row: 3 },
+        ],
+      },
     ]);
     expect(linesOf(columns, points, [])[0]?.x).toEqual([1, 1, 2, 2, 3, null]);
   });
 
   it("are no lines where there would be a tangle", () => {
     const many = Array.from({ length: 100 }, (_, index) => index);
-    const tangle: Columns = { run: many, strategy: many.map(() => "lv"), height: many.map((row) => row % 2), speed: many.map((row) => row - (row % 2)), peak: many };
+    const tangle: Columns = {
+      run: many,
+      strategy: many.map(() => "lv"),
+      height: many.map((row) => row % 2),
+      speed: many.map((row) => row - (row % 2)),
+      peak: many,
+    };
     expect(linesOf(tangle, pointsOf(tangle, ["lv"], "height", "peak", 1), ["speed"])).toEqual([]);
   });
 });
 
 describe("a strategy's marker", () => {
   it("is its own, whatever is swept", () => {
-    expect(markersOf([{ id: "lv" }, { id: "lqr" }, { id: "passive" }])).toEqual({ lv: "circle", lqr: "diamond", passive: "square" });
+    expect(markersOf([{ id: "lv" }, { id: "lqr" }, { id: "passive" }])).toEqual({
+      lv: "circle",
+      lqr: "diamond",
+      passive: "square",
+    });
   });
 });
 
 describe("how a sweep is looked at", () => {
   it("is in the address, and short for the usual view", () => {
     const usual = viewOf({});
-    expect(stringifySearch(searchOf({ ...usual, x: "road.bump.width", y: "travel_time", hidden: ["lqr", "passive"] }))).toBe("?x=road.bump.width&y=travel_time&hide=lqr,passive");
-    const view = { ...usual, plot: "map", strategy: "lv", against: "none", threshold: -10, versus: "travel_time" } as const;
+    expect(
+      stringifySearch(searchOf({ ...usual, x: "road.bump.width", y: "travel_time", hidden: ["lqr", "passive"] })),
+    ).toBe("?x=road.bump.width&y=travel_time&hide=lqr,passive");
+    const view = {
+      ...usual,
+      plot: "map",
+      strategy: "lv",
+      against: "none",
+      threshold: -10,
+      versus: "travel_time",
+    } as const;
     expect(stringifySearch(searchOf(view))).toBe("?plot=map&strategy=lv&against=none&at=-10&versus=travel_time");
     expect(viewOf(searchOf(view))).toEqual(view);
     expect(searchOf(usual)).toEqual({});
@@ -88,17 +119,48 @@ describe("how a sweep is looked at", () => {
 
 describe("a plot of many points", () => {
   const strategies = [
-    { id: "lv", label: "LV control", description: "", colour: "#00f", dark_colour: "#00f", dash: "solid", reads: [], one_road_resolution: {} },
-    { id: "passive", label: "Passive", description: "", colour: "#555", dark_colour: "#555", dash: "dot", reads: [], one_road_resolution: {} },
+    {
+      id: "lv",
+      label: "LV control",
+      description: "",
+      colour: "#00f",
+      dark_colour: "#00f",
+      dash: "solid",
+      reads: [],
+      one_road_resolution: {},
+    },
+    {
+      id: "passive",
+      label: "Passive",
+      description: "",
+      colour: "#555",
+      dark_colour: "#555",
+      dash: "dot",
+      reads: [],
+      one_road_resolution: {},
+    },
   ];
   const x = { name: "road.bump.height", title: "Height", unit: "m", linked_to: null };
   const y = { key: "peak", label: "Body acceleration", group: "Peak, bump", unit: "m/s^2", scale: 1 };
   const palette = { text: "#000", grid: "#ccc", zero: "#999" };
   const points = (count: number) => {
     const list = Array.from({ length: count }, (_, index) => index + 1);
-    return [{ strategy: "lv", rows: list, x: list.map((value) => value / count), y: list.map((value) => (value * 7) % 11) }];
+    return [
+      { strategy: "lv", rows: list, x: list.map((value) => value / count), y: list.map((value) => (value * 7) % 11) },
+    ];
   };
-  const rest = { strategies, markers: markersOf(strategies), x, y, lines: [], curves: false, labelOf: (row: number) => `run ${row}`, isHollow: (row: number) => row === 2, textOf: (row: number) => [`run ${row}`, "Height"], palette };
+  const rest = {
+    strategies,
+    markers: markersOf(strategies),
+    x,
+    y,
+    lines: [],
+    curves: false,
+    labelOf: (row: number) => `run ${row}`,
+    isHollow: (row: number) => row === 2,
+    textOf: (row: number) => [`run ${row}`, "Height"],
+    palette,
+  };
   const figure = (count: number) => scatterFigure({ ...rest, points: points(count), ringed: [11] });
 
   it("is plotly's own while there are few", () => {
@@ -108,7 +170,10 @@ describe("a plot of many points", () => {
 
   it("draws airborne runs hollow, and says where a point is", () => {
     const [trace] = figure(3).data;
-    expect(trace).toMatchObject({ marker: { symbol: ["circle", "circle-open", "circle"] }, text: expect.arrayContaining(["run 1<br>Height"]) as unknown });
+    expect(trace).toMatchObject({
+      marker: { symbol: ["circle", "circle-open", "circle"] },
+      text: expect.arrayContaining(["run 1<br>Height"]) as unknown,
+    });
     expect(figure(MANY + 1).dots[0]?.hollow.slice(0, 3)).toEqual([false, true, false]);
   });
 
@@ -116,7 +181,10 @@ describe("a plot of many points", () => {
     const { data, dots, count } = figure(MANY + 1);
     expect([count, dots.map(({ rows }) => rows.length)]).toEqual([MANY + 1, [MANY + 1]]);
     const [frame] = data;
-    expect([Math.min(...(frame?.x ?? []).map(Number)), Math.max(...(frame?.x ?? []).map(Number))]).toEqual([1 / (MANY + 1), 1]);
+    expect([Math.min(...(frame?.x ?? []).map(Number)), Math.max(...(frame?.x ?? []).map(Number))]).toEqual([
+      1 / (MANY + 1),
+      1,
+    ]);
     expect([Math.min(...(frame?.y ?? []).map(Number)), Math.max(...(frame?.y ?? []).map(Number))]).toEqual([0, 10]);
   });
 
@@ -132,7 +200,13 @@ describe("a plot of many points", () => {
     const axis = { _offset: 0, _length: 100, d2p: Number };
     const host = (layout: object) => ({ _fullLayout: layout }) as unknown as HTMLElement;
     expect(drawnAxes(host({ xaxis: axis, yaxis: axis }))).toEqual({ xaxis: axis, yaxis: axis });
-    for (const other of [{}, { xaxis: axis }, { xaxis: axis, yaxis: { ...axis, d2p: undefined } }, { xaxis: { ...axis, _offset: undefined }, yaxis: axis }]) expect(drawnAxes(host(other))).toBeNull();
+    for (const other of [
+      {},
+      { xaxis: axis },
+      { xaxis: axis, yaxis: { ...axis, d2p: undefined } },
+      { xaxis: { ...axis, _offset: undefined }, yaxis: axis },
+    ])
+      expect(drawnAxes(host(other))).toBeNull();
     expect(drawnAxes({} as HTMLElement)).toBeNull();
   });
 
@@ -140,7 +214,10 @@ describe("a plot of many points", () => {
     const axis = (_offset: number) => ({ _offset, _length: 100, d2p: (value: number | string) => Number(value) * 10 });
     const axes = { xaxis: axis(50), yaxis: axis(0) };
     const { dots } = figure(MANY + 1);
-    const located = locate(dots.map((each) => ({ ...each, rows: [7, 8, 9], x: [1, 2, 20], y: [1, 1, 1] })), axes);
+    const located = locate(
+      dots.map((each) => ({ ...each, rows: [7, 8, 9], x: [1, 2, 20], y: [1, 1, 1] })),
+      axes,
+    );
     expect([...(located[0]?.x ?? [])]).toEqual([60, 70, 250]);
     expect(nearest(located, axes, 68, 12, 12)?.index).toBe(1);
     expect(nearest(located, axes, 68, 40, 12)).toBeNull();

@@ -32,12 +32,23 @@ export interface BatchView {
 /** Compared with nothing; without a line. */
 export const NONE = "none";
 
-export type BatchSearch = Partial<Record<"plot" | "x" | "y" | "hide" | "strategy" | "against" | "at" | "versus", string>>;
+export type BatchSearch = Partial<
+  Record<"plot" | "x" | "y" | "hide" | "strategy" | "against" | "at" | "versus", string>
+>;
 type Change = (part: Partial<BatchView>) => void;
 
 const kindOf = (text: string | null | undefined): PlotKind | null => PLOT_KINDS.find((kind) => kind === text) ?? null;
 
-export function viewOf({ plot, x, y, hide, strategy, against, at, versus }: Readonly<Record<keyof BatchSearch, string | null | undefined>> | BatchSearch): BatchView {
+export function viewOf({
+  plot,
+  x,
+  y,
+  hide,
+  strategy,
+  against,
+  at,
+  versus,
+}: Readonly<Record<keyof BatchSearch, string | null | undefined>> | BatchSearch): BatchView {
   const threshold = at === NONE ? NONE : parseFloat(at ?? "");
   return {
     plot: kindOf(plot),
@@ -65,10 +76,22 @@ export const searchOf = ({ plot, x, y, hidden, strategy, against, threshold, ver
 export function useBatchView(): readonly [BatchView, Change] {
   const view = viewOf(useSearch({ from: "/b/$id" }));
   const navigate = useNavigate();
-  return [view, (part) => void navigate({ to: ".", search: searchOf({ ...view, ...part }), replace: true, resetScroll: false })];
+  return [
+    view,
+    (part) => void navigate({ to: ".", search: searchOf({ ...view, ...part }), replace: true, resetScroll: false }),
+  ];
 }
 
-export function useSharedView({ plot, x, y, hidden, strategy, against, threshold, versus }: SharedView): readonly [BatchView, Change] {
+export function useSharedView({
+  plot,
+  x,
+  y,
+  hidden,
+  strategy,
+  against,
+  threshold,
+  versus,
+}: SharedView): readonly [BatchView, Change] {
   const stated = { plot, x, y, hide: hidden?.join(","), strategy, against, at: threshold?.toString(), versus };
   const [view, setView] = useState(() => viewOf(stated));
   return [view, (part) => setView((before) => ({ ...before, ...part }))];

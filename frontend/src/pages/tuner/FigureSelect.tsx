@@ -14,6 +14,17 @@ interface Props {
 }
 
 export function FigureSelect({ figures, first = [], ...props }: Props) {
-  const data = [...(first.length > 0 ? [{ group: "Sums over the passive car’s", items: [...first] }] : []), ...optionsOf(figures)];
-  return <Finder className={classes.select ?? ""} placeholder="Name of a metric…" nothingFoundMessage="No metric of that name" data={data} {...props} />;
+  const data = [
+    ...(first.length > 0 ? [{ group: "Sums over the passive car’s", items: [...first] }] : []),
+    ...optionsOf(figures),
+  ];
+  return (
+    <Finder
+      className={classes.select ?? ""}
+      placeholder="Name of a metric…"
+      nothingFoundMessage="No metric of that name"
+      data={data}
+      {...props}
+    />
+  );
 }

@@ -40,7 +40,9 @@ export function LimitRows({ limits, figures, errors, onChange }: Props) {
                   value={atMost}
                   unit={figure?.unit}
                   error={error !== undefined}
-                  onType={(text) => onChange(limits.map((each) => (each.figure === name ? { ...each, atMost: text } : each)))}
+                  onType={(text) =>
+                    onChange(limits.map((each) => (each.figure === name ? { ...each, atMost: text } : each)))
+                  }
                 />
               </>
             }

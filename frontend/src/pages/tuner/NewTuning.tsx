@@ -38,7 +38,11 @@ const QUANTILES = [
 ];
 
 export function NewTuning({ form, catalogue, strategies, figures, source }: Props) {
-  const stored = useDraft<TuningDraft>({ name: "tuning", initial: () => firstDraft(form), restore: (texts) => restoreTuning(texts, form) });
+  const stored = useDraft<TuningDraft>({
+    name: "tuning",
+    initial: () => firstDraft(form),
+    restore: (texts) => restoreTuning(texts, form),
+  });
   const { draft, setDraft } = stored;
   const patch = (change: Partial<TuningDraft>) => setDraft({ ...draft, ...change });
   const tunable = useMemo(() => tunableOf(form, draft.strategy), [form, draft.strategy]);
@@ -46,8 +50,19 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
   const submission = useNewTuning(draft, numbers, figures, source.scenario, stored.forget);
   const { errors, general } = submission;
   const { preview } = tunable;
-  const entry = (key: "seeds" | "validationSeeds" | "trials" | "population" | "seed", label: string, description: string, field: string = key) => (
-    <Entry {...{ label, description }} inputMode="text" value={draft[key]} error={errors[field]} onType={(text) => patch({ [key]: text })} />
+  const entry = (
+    key: "seeds" | "validationSeeds" | "trials" | "population" | "seed",
+    label: string,
+    description: string,
+    field: string = key,
+  ) => (
+    <Entry
+      {...{ label, description }}
+      inputMode="text"
+      value={draft[key]}
+      error={errors[field]}
+      onType={(text) => patch({ [key]: text })}
+    />
   );
   return (
     <form
@@ -72,7 +87,12 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
         </Input.Wrapper>
       </Part>
       <Part title="Minimise">
-        <ObjectiveRows objectives={draft.objectives} windows={catalogue.windows} {...{ figures, errors }} onChange={(objectives) => patch({ objectives })} />
+        <ObjectiveRows
+          objectives={draft.objectives}
+          windows={catalogue.windows}
+          {...{ figures, errors }}
+          onChange={(objectives) => patch({ objectives })}
+        />
       </Part>
       <Part title="Within limits" detail="on every training road">
         <LimitRows limits={draft.limits} {...{ figures, errors }} onChange={(limits) => patch({ limits })} />
@@ -110,7 +130,14 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
           checked={draft.uncertain}
           onChange={(event) => patch({ uncertain: event.currentTarget.checked })}
         />
-        <Choice maw="24rem" label="Judge by" value={draft.quantile} error={errors.quantile} data={QUANTILES} onPick={(quantile) => patch({ quantile })} />
+        <Choice
+          maw="24rem"
+          label="Judge by"
+          value={draft.quantile}
+          error={errors.quantile}
+          data={QUANTILES}
+          onPick={(quantile) => patch({ quantile })}
+        />
         <div className={classes.entries}>
           {entry("seeds", "Training roads", "Seeds, such as 1-4, 7")}
           {entry("validationSeeds", "Validation roads", "None of the training roads", "fresh_seeds")}
@@ -119,13 +146,28 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
           {entry("seed", "Search seed", "Same seed, same trials")}
         </div>
       </Part>
-      <Problems messages={[...general, ...(errors.strategy === undefined ? [] : [errors.strategy])]} m="0 0.9rem 0.6rem" />
-      <StartFoot inForm {...{ submission, draft: stored }} amount={({ runs, generations }) => `${count(runs, "run")} in ${count(generations, "generation")}`} />
+      <Problems
+        messages={[...general, ...(errors.strategy === undefined ? [] : [errors.strategy])]}
+        m="0 0.9rem 0.6rem"
+      />
+      <StartFoot
+        inForm
+        {...{ submission, draft: stored }}
+        amount={({ runs, generations }) => `${count(runs, "run")} in ${count(generations, "generation")}`}
+      />
     </form>
   );
 }
 
-function Part({ title, detail, children }: { readonly title: string; readonly detail?: string; readonly children: React.ReactNode }) {
+function Part({
+  title,
+  detail,
+  children,
+}: {
+  readonly title: string;
+  readonly detail?: string;
+  readonly children: React.ReactNode;
+}) {
   return (
     <section className={ui.part} aria-label={title}>
       <h2 className={ui.heading}>

@@ -21,13 +21,22 @@ interface Props {
 }
 
 const SUMS: readonly { readonly value: Kind; readonly label: string; readonly text: string }[] = [
-  { value: "paper", label: "The paper’s sum (Eq. 16): RMS", text: "q1·(a/aₚ)² + q2·(r/rₚ)² + q3·(F/Fₚ)², RMS over the passive car’s" },
-  { value: "peaks", label: "The same sum of peaks", text: "q1·(a/aₚ)² + q2·(r/rₚ)² + q3·(F/Fₚ)², peaks over the passive car’s" },
+  {
+    value: "paper",
+    label: "The paper’s sum (Eq. 16): RMS",
+    text: "q1·(a/aₚ)² + q2·(r/rₚ)² + q3·(F/Fₚ)², RMS over the passive car’s",
+  },
+  {
+    value: "peaks",
+    label: "The same sum of peaks",
+    text: "q1·(a/aₚ)² + q2·(r/rₚ)² + q3·(F/Fₚ)², peaks over the passive car’s",
+  },
 ];
 const Q = ["q1, body", "q2, pitch", "q3, tyres"] as const;
 
 export function ObjectiveRows({ objectives, figures, windows, errors, onChange }: Props) {
-  const patch = (key: number, change: Partial<ObjectiveDraft>) => onChange(objectives.map((each) => (each.key === key ? { ...each, ...change } : each)));
+  const patch = (key: number, change: Partial<ObjectiveDraft>) =>
+    onChange(objectives.map((each) => (each.key === key ? { ...each, ...change } : each)));
   const add = (value: string) => {
     const key = 1 + Math.max(-1, ...objectives.map((each) => each.key));
     const kind = SUMS.find((sum) => sum.value === value)?.value;
@@ -39,7 +48,12 @@ export function ObjectiveRows({ objectives, figures, windows, errors, onChange }
       {objectives.map((objective, index) => {
         const { key, kind, q, window, figure: name } = objective;
         const figure = figures.find((each) => each.key === name);
-        const title = kind === "figure" ? (figure ? fullName(figure) : (name ?? "")) : (SUMS.find(({ value }) => value === kind)?.label ?? "");
+        const title =
+          kind === "figure"
+            ? figure
+              ? fullName(figure)
+              : (name ?? "")
+            : (SUMS.find(({ value }) => value === kind)?.label ?? "");
         const error = errors[`objectives.${index}`];
         return (
           <EntryRow
@@ -47,7 +61,13 @@ export function ObjectiveRows({ objectives, figures, windows, errors, onChange }
             title={title}
             error={error}
             onRemove={() => onChange(objectives.filter((each) => each.key !== key))}
-            beside={<span className={ui.dim}>{kind === "figure" ? `mean over the roads${figure && prettyUnit(figure.unit) ? ` [${prettyUnit(figure.unit)}]` : ""}` : SUMS.find(({ value }) => value === kind)?.text}</span>}
+            beside={
+              <span className={ui.dim}>
+                {kind === "figure"
+                  ? `mean over the roads${figure && prettyUnit(figure.unit) ? ` [${prettyUnit(figure.unit)}]` : ""}`
+                  : SUMS.find(({ value }) => value === kind)?.text}
+              </span>
+            }
           >
             {kind !== "figure" && (
               <Group gap="0.4rem 0.7rem" align="flex-end" mt="0.3rem">
@@ -63,7 +83,12 @@ export function ObjectiveRows({ objectives, figures, windows, errors, onChange }
                     }}
                   />
                 ))}
-                <Choice label="Over" value={window} data={windows.map((each) => ({ value: each.key, label: each.label }))} onPick={(next) => patch(key, { window: next })} />
+                <Choice
+                  label="Over"
+                  value={window}
+                  data={windows.map((each) => ({ value: each.key, label: each.label }))}
+                  onPick={(next) => patch(key, { window: next })}
+                />
               </Group>
             )}
           </EntryRow>
@@ -71,7 +96,9 @@ export function ObjectiveRows({ objectives, figures, windows, errors, onChange }
       })}
       {objectives.length < MOST_OBJECTIVES && (
         <FigureSelect
-          label={objectives.length === 0 ? "Add an objective" : "Add another objective: the answer is then a Pareto front"}
+          label={
+            objectives.length === 0 ? "Add an objective" : "Add another objective: the answer is then a Pareto front"
+          }
           figures={figures.filter(({ key }) => !usedFigures.includes(key))}
           first={SUMS}
           error={errors.objectives}

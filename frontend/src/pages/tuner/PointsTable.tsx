@@ -42,15 +42,13 @@ export function PointsTable({ tuning, objectives, limits, tunable, points, load 
               </>
             ),
           },
-          ...points.map(
-            (point): Column<Row> => ({
-              key: String(point.trial.number),
-              head: <PointHead point={point} load={load} />,
-              headAttributes: { "data-trial": point.trial.number },
-              attributes: ({ attributes }) => attributes?.(point) ?? {},
-              cell: ({ cell }) => cell(point),
-            }),
-          ),
+          ...points.map((point): Column<Row> => ({
+            key: String(point.trial.number),
+            head: <PointHead point={point} load={load} />,
+            headAttributes: { "data-trial": point.trial.number },
+            attributes: ({ attributes }) => attributes?.(point) ?? {},
+            cell: ({ cell }) => cell(point),
+          })),
         ]}
       />
     </Card>
@@ -62,7 +60,13 @@ function PointHead({ point: { trial, names }, load }: { readonly point: Point; r
     <Stack gap={3} align="flex-end">
       <b>{names.join(", ")}</b>
       <span className={ui.dim}>trial {trial.number}</span>
-      <Button size="compact-xs" variant="default" loading={load.opening?.number === trial.number} aria-label={`Load in lab: ${names.join(", ")}`} onClick={() => load.open(trial)}>
+      <Button
+        size="compact-xs"
+        variant="default"
+        loading={load.opening?.number === trial.number}
+        aria-label={`Load in lab: ${names.join(", ")}`}
+        onClick={() => load.open(trial)}
+      >
         Load in lab
       </Button>
     </Stack>
@@ -70,56 +74,67 @@ function PointHead({ point: { trial, names }, load }: { readonly point: Point; r
 }
 
 const objectiveRows = (objectives: readonly Shown[], tuning: Tuning) =>
-  objectives.map(
-    ({ label, unit, scale }, index): Row => ({
-      label,
-      unit,
-      attributes: ({ trial }) => ({ "data-cell": `objectives.${index}`, "data-value": trial.values?.[index] ?? "" }),
-      cell: ({ trial, isPaper }) => (
-        <>
-          <span className={tables.value}>{trial.values ? formatResult((trial.values[index] ?? NaN) * scale, 4) : "–"}</span>
-          {isPaper ? <span className={tables.change}>&nbsp;</span> : <ChangeMark value={trial.values?.[index]} baseline={tuning.paper?.values?.[index]} />}
-        </>
-      ),
-    }),
-  );
+  objectives.map(({ label, unit, scale }, index): Row => ({
+    label,
+    unit,
+    attributes: ({ trial }) => ({ "data-cell": `objectives.${index}`, "data-value": trial.values?.[index] ?? "" }),
+    cell: ({ trial, isPaper }) => (
+      <>
+        <span className={tables.value}>
+          {trial.values ? formatResult((trial.values[index] ?? NaN) * scale, 4) : "–"}
+        </span>
+        {isPaper ? (
+          <span className={tables.change}>&nbsp;</span>
+        ) : (
+          <ChangeMark value={trial.values?.[index]} baseline={tuning.paper?.values?.[index]} />
+        )}
+      </>
+    ),
+  }));
 
 const limitRows = (limits: readonly Shown[], tuning: Tuning) =>
-  limits.map(
-    ({ label, unit, scale }, index): Row => ({
-      label: `${label}, largest`,
-      unit,
-      cell({ trial }) {
-        const value = trial.limits?.[index];
-        return <LimitValue value={value === undefined ? "–" : formatResult(value * scale)} over={value !== undefined && value > (tuning.limits[index]?.at_most ?? Infinity)} />;
-      },
-    }),
-  );
+  limits.map(({ label, unit, scale }, index): Row => ({
+    label: `${label}, largest`,
+    unit,
+    cell({ trial }) {
+      const value = trial.limits?.[index];
+      return (
+        <LimitValue
+          value={value === undefined ? "–" : formatResult(value * scale)}
+          over={value !== undefined && value > (tuning.limits[index]?.at_most ?? Infinity)}
+        />
+      );
+    },
+  }));
 
 function weightRows(tunable: Tunable, points: readonly Point[]): readonly Row[] {
   return [
-    ...tunable.triples.map(
-      ({ pointer, title, items }): Row => ({
-        label: title,
-        unit: items.map((item) => item.title.toLowerCase()).join(" · "),
-        attributes: () => ({ "data-weights": dotted(pointer) }),
-        cell: ({ trial }) => items.map((item) => shownWeight(weightAt(trial.weights, dotted(item.pointer)), item)).join(" · "),
-      }),
-    ),
-    ...singlesIn(tunable, points[0]?.trial.weights ?? {}).map(
-      ({ name, title, field }): Row => ({ label: title, unit: "1", cell: ({ trial }) => shownWeight(weightAt(trial.weights, name), field) }),
-    ),
+    ...tunable.triples.map(({ pointer, title, items }): Row => ({
+      label: title,
+      unit: items.map((item) => item.title.toLowerCase()).join(" · "),
+      attributes: () => ({ "data-weights": dotted(pointer) }),
+      cell: ({ trial }) =>
+        items.map((item) => shownWeight(weightAt(trial.weights, dotted(item.pointer)), item)).join(" · "),
+    })),
+    ...singlesIn(tunable, points[0]?.trial.weights ?? {}).map(({ name, title, field }): Row => ({
+      label: title,
+      unit: "1",
+      cell: ({ trial }) => shownWeight(weightAt(trial.weights, name), field),
+    })),
   ];
 }
 
-const shownWeight = (value: number | string | undefined, field: Single["field"]) => (value === undefined ? "–" : formatValue(value, field));
+const shownWeight = (value: number | string | undefined, field: Single["field"]) =>
+  value === undefined ? "–" : formatValue(value, field);
 
 /** A limited figure, and whether it is over its limit. */
 export function LimitValue({ value, over }: { readonly value: string; readonly over: boolean }) {
   return (
     <span className={over ? ui.error : undefined}>
       <span className={tables.value}>{value}</span>
-      <span className={over ? `${tables.change} ${ui.error}` : tables.change}>{over ? "over the limit" : "\u00a0"}</span>
+      <span className={over ? `${tables.change} ${ui.error}` : tables.change}>
+        {over ? "over the limit" : "\u00a0"}
+      </span>
     </span>
   );
 }

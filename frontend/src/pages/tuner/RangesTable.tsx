@@ -24,7 +24,9 @@ export function RangesTable({ tunable, fields, scenario, ranges, errors, onChang
   const rows = [...new Set(fields.map(({ row }) => row))];
   const titles = tunable.triples[0]?.items.map(({ title }) => title) ?? [];
   const wrong = fields.find(({ name }) => errors[`search.${name}`] !== undefined);
-  const message = wrong ? `${wrong.row}${wrong.single ? "" : `, ${wrong.field.title}`}: ${errors[`search.${wrong.name}`] ?? ""}` : errors.search;
+  const message = wrong
+    ? `${wrong.row}${wrong.single ? "" : `, ${wrong.field.title}`}: ${errors[`search.${wrong.name}`] ?? ""}`
+    : errors.search;
   return (
     <>
       <div className={classes.ranges}>
@@ -36,7 +38,9 @@ export function RangesTable({ tunable, fields, scenario, ranges, errors, onChang
         ))}
         {rows.map((row) => (
           <div key={row} className={classes.rangeRow} role="group" aria-label={row}>
-            <Box component="span" fz="0.8125rem" fw={550}>{row}</Box>
+            <Box component="span" fz="0.8125rem" fw={550}>
+              {row}
+            </Box>
             {fields
               .filter((each) => each.row === row)
               .map((each) => (
@@ -53,9 +57,7 @@ export function RangesTable({ tunable, fields, scenario, ranges, errors, onChang
           </div>
         ))}
       </div>
-      {message !== undefined && (
-        <Fault>{message}</Fault>
-      )}
+      {message !== undefined && <Fault>{message}</Fault>}
     </>
   );
 }
@@ -74,7 +76,13 @@ interface RangeProps {
 function Range({ label, title, range, own, wrong, onChange }: RangeProps) {
   if (!range) return null;
   const end = (key: "from" | "to") => (
-    <Entry className={classes.rangeEnd} aria-label={`${label}, ${key}`} value={range[key]} error={wrong} onType={(text) => onChange({ [key]: text })} />
+    <Entry
+      className={classes.rangeEnd}
+      aria-label={`${label}, ${key}`}
+      value={range[key]}
+      error={wrong}
+      onType={(text) => onChange({ [key]: text })}
+    />
   );
   return (
     <div className={classes.range}>
@@ -82,7 +90,12 @@ function Range({ label, title, range, own, wrong, onChange }: RangeProps) {
         {title}
       </span>
       <Group component="span" gap="0.4rem" wrap="nowrap" mih={30}>
-        <Checkbox size="xs" aria-label={`Tune ${label}`} checked={range.on} onChange={(event) => onChange({ on: event.currentTarget.checked })} />
+        <Checkbox
+          size="xs"
+          aria-label={`Tune ${label}`}
+          checked={range.on}
+          onChange={(event) => onChange({ on: event.currentTarget.checked })}
+        />
         {range.on ? (
           <>
             {end("from")}

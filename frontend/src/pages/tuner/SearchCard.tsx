@@ -34,7 +34,9 @@ const LEGEND = ["Over a limit", "Trials", "Front", "Best so far"];
 const namedOf = (points: readonly Point[]) =>
   points.flatMap(({ trial, names }) => {
     const name = names.find((each) => !each.startsWith("Best"));
-    return name !== undefined && trial.values !== null ? [{ trial, name: trial.feasible ? name : `${name}, over a limit` }] : [];
+    return name !== undefined && trial.values !== null
+      ? [{ trial, name: trial.feasible ? name : `${name}, over a limit` }]
+      : [];
   });
 
 export function SearchCard({ tuning, objectives, points, trials, fault, colour, picked, onPick }: Props) {
@@ -60,7 +62,11 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
     <Choice
       label={which === "x" ? "Across" : "Up"}
       value={String(which === "x" ? x : y)}
-      data={objectives.map(({ label }, index) => ({ value: String(index), label, disabled: index === (which === "x" ? y : x) }))}
+      data={objectives.map(({ label }, index) => ({
+        value: String(index),
+        label,
+        disabled: index === (which === "x" ? y : x),
+      }))}
       onPick={(value) => setAxes(which === "x" ? [Number(value), y] : [x, Number(value)])}
     />
   );
@@ -78,7 +84,16 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
               {axis("y")}
             </Group>
           )}
-          {tuning.paper !== null && <Box ml="auto"><ChartButton title={title} file={`ridelab-${tuning.id}-${several ? "front" : "history"}`} hostRef={host} draw={drawOnPaper} /></Box>}
+          {tuning.paper !== null && (
+            <Box ml="auto">
+              <ChartButton
+                title={title}
+                file={`ridelab-${tuning.id}-${several ? "front" : "history"}`}
+                hostRef={host}
+                draw={drawOnPaper}
+              />
+            </Box>
+          )}
         </>
       }
     >
@@ -89,21 +104,36 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
       ) : (
         <Chart hostRef={host} figure={figure} height={HEIGHT} label={describe(tuning, objectives)} onPoint={onPick} />
       )}
-      {fault && (
-        <Fault className={ui.note ?? ""}>The single trials could not be read: {fault.message}</Fault>
-      )}
+      {fault && <Fault className={ui.note ?? ""}>The single trials could not be read: {fault.message}</Fault>}
       <Text size="xs" c="dimmed" className={ui.note ?? ""}>
-        {several ? "Large points: the Pareto front. Small ones: the other trials. " : "Points: the trials. Line: the best so far. "}
+        {several
+          ? "Large points: the Pareto front. Small ones: the other trials. "
+          : "Points: the trials. Line: the best so far. "}
         {tuning.limits.length > 0 && "Crosses: over a limit. "}A click on a point shows its weights.
-        {figure.beyond > 0 && ` ${count(figure.beyond, "worse trial")} ${figure.beyond === 1 ? "lies" : "lie"} beyond the axes.`}
+        {figure.beyond > 0 &&
+          ` ${count(figure.beyond, "worse trial")} ${figure.beyond === 1 ? "lies" : "lie"} beyond the axes.`}
       </Text>
       {several && tuning.history.length > 1 && tuning.history.some(({ hypervolume }) => hypervolume !== null) && (
         <details className={classes.more}>
           <summary>How the front grew</summary>
-          <ChartButton title="How the front grew" file={`ridelab-${tuning.id}-growth`} hostRef={growth} draw={() => ({ figure: volumeFigure(tuning.history, { palette: ON_PAPER, colour: light }), legend: ["Front"] })} />
-          <Chart hostRef={growth} figure={volume} height={180} label="Share of the box under the paper’s weights that the front dominates, over the trials" />
+          <ChartButton
+            title="How the front grew"
+            file={`ridelab-${tuning.id}-growth`}
+            hostRef={growth}
+            draw={() => ({
+              figure: volumeFigure(tuning.history, { palette: ON_PAPER, colour: light }),
+              legend: ["Front"],
+            })}
+          />
+          <Chart
+            hostRef={growth}
+            figure={volume}
+            height={180}
+            label="Share of the box under the paper’s weights that the front dominates, over the trials"
+          />
           <Text size="xs" c="dimmed" className={ui.note ?? ""}>
-            The part of the box between zero and the paper’s weights that the front dominates: it flattens when more trials find little more.
+            The part of the box between zero and the paper’s weights that the front dominates: it flattens when more
+            trials find little more.
           </Text>
         </details>
       )}
@@ -113,7 +143,8 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
 
 function describe({ front, paper, history }: Tuning, objectives: readonly Shown[]): string {
   const names = objectives.map(({ label }) => label).join(" against ");
-  if (objectives.length > 1) return `${names}: ${front.length} points on the Pareto front. They can be chosen by “Weights of trial”.`;
+  if (objectives.length > 1)
+    return `${names}: ${front.length} points on the Pareto front. They can be chosen by “Weights of trial”.`;
   const best = history.at(-1)?.best[0];
   const scale = objectives[0]?.scale ?? 1;
   return `${names} over the trials: the paper’s weights ${formatResult((paper?.values?.[0] ?? NaN) * scale, 4)}, best ${typeof best === "number" ? formatResult(best * scale, 4) : "none yet"}`;

@@ -56,11 +56,23 @@ export function TuningPage() {
 }
 
 function TuningResults({ tuning, form, strategies, figures }: { readonly tuning: Tuning } & Catalogues) {
-  const objectives = useMemo(() => tuning.objectives.map((each) => ofObjective(each, figures)), [tuning.objectives, figures]);
+  const objectives = useMemo(
+    () => tuning.objectives.map((each) => ofObjective(each, figures)),
+    [tuning.objectives, figures],
+  );
   const limits = useMemo(() => tuning.limits.map((each) => ofLimit(each, figures)), [tuning.limits, figures]);
   const tunable = useMemo(() => tunableOf(form, tuning.strategy), [form, tuning.strategy]);
-  const points = useMemo(() => pointsOf(tuning, objectives.map(({ label }) => label)), [tuning, objectives]);
-  const load = useRunInLab(({ weights }: Trial) => api.createRun(withFields(tuning.scenario, weights), [...new Set([tuning.strategy, ...BESIDE])]));
+  const points = useMemo(
+    () =>
+      pointsOf(
+        tuning,
+        objectives.map(({ label }) => label),
+      ),
+    [tuning, objectives],
+  );
+  const load = useRunInLab(({ weights }: Trial) =>
+    api.createRun(withFields(tuning.scenario, weights), [...new Set([tuning.strategy, ...BESIDE])]),
+  );
   const colour = strategies.find(({ id }) => id === tuning.strategy)?.colour ?? "currentColor";
   const warning = warningOf(tuning);
   return (
@@ -70,9 +82,7 @@ function TuningResults({ tuning, form, strategies, figures }: { readonly tuning:
           {warning}
         </Text>
       )}
-      {load.error !== null && (
-        <Fault size="sm">These weights could not be loaded: {load.error}</Fault>
-      )}
+      {load.error !== null && <Fault size="sm">These weights could not be loaded: {load.error}</Fault>}
       <TuningPlot {...{ tuning, objectives, limits, tunable, points, colour, load }} />
       {points.length > 0 && <PointsTable {...{ tuning, objectives, limits, tunable, points, load }} />}
       <ValidationTable {...{ tuning, objectives, figures }} />
@@ -84,5 +94,7 @@ function warningOf({ paper, trials }: Tuning): string | null {
   if (paper === null) return null;
   if (trials.feasible === 0) return "No trial so far is within the limits on every training road.";
   if (paper.status === "failed") return "The paper’s weights could not be driven: there is nothing to compare with.";
-  return paper.feasible ? null : "The paper’s own weights are over a limit on the training roads: weights within the limits may give larger objectives.";
+  return paper.feasible
+    ? null
+    : "The paper’s own weights are over a limit on the training roads: weights within the limits may give larger objectives.";
 }

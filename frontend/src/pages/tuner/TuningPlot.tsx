@@ -23,14 +23,29 @@ export function TuningPlot({ tuning, objectives, limits, tunable, points, colour
   const trials = useQuery({ ...trialsQuery(tuning), enabled: tuning.paper !== null });
   const all = trials.data?.trials ?? NO_TRIALS;
   const opening = points.find(({ names }) => names.includes("Balanced")) ?? points.at(-1);
-  const picked = all.find(({ number }) => number === selectedNumber) ?? points.find(({ trial }) => trial.number === selectedNumber)?.trial ?? opening?.trial ?? null;
+  const picked =
+    all.find(({ number }) => number === selectedNumber) ??
+    points.find(({ trial }) => trial.number === selectedNumber)?.trial ??
+    opening?.trial ??
+    null;
   return (
     <div className={results.plotRow}>
-      <SearchCard {...{ tuning, objectives, points, colour }} trials={all} fault={trials.error} picked={picked?.number ?? null} onPick={setSelectedNumber} />
+      <SearchCard
+        {...{ tuning, objectives, points, colour }}
+        trials={all}
+        fault={trials.error}
+        picked={picked?.number ?? null}
+        onPick={setSelectedNumber}
+      />
       {picked && (
         <Card aria-label="Selected point" data-trial={picked.number}>
           <Stack gap="sm" p="0.8rem 0.9rem">
-            <Choice label="Weights of trial" value={String(picked.number)} data={options(points, tuning.front, picked)} onPick={(value) => setSelectedNumber(Number(value))} />
+            <Choice
+              label="Weights of trial"
+              value={String(picked.number)}
+              data={options(points, tuning.front, picked)}
+              onPick={(value) => setSelectedNumber(Number(value))}
+            />
             <Values {...{ tuning, objectives, limits }} trial={picked} />
             <WeightsOf weights={picked.weights} beside={tuning.paper?.weights} tunable={tunable} />
             {picked.number !== tuning.paper?.number && (
@@ -49,12 +64,23 @@ export function TuningPlot({ tuning, objectives, limits, tunable, points, colour
 }
 
 function options(points: readonly Point[], front: readonly Trial[], picked: Trial) {
-  const named = points.map(({ trial, names }) => ({ value: String(trial.number), label: `${trial.number}: ${names.join(", ")}` }));
-  const others = [...front, picked].filter(({ number }, index, all) => !points.some(({ trial }) => trial.number === number) && all.findIndex((each) => each.number === number) === index);
+  const named = points.map(({ trial, names }) => ({
+    value: String(trial.number),
+    label: `${trial.number}: ${names.join(", ")}`,
+  }));
+  const others = [...front, picked].filter(
+    ({ number }, index, all) =>
+      !points.some(({ trial }) => trial.number === number) && all.findIndex((each) => each.number === number) === index,
+  );
   return [...named, ...others.map(({ number }) => ({ value: String(number), label: `${number}` }))];
 }
 
-function Values({ tuning, objectives, limits, trial }: Pick<TuningParts, "tuning" | "objectives" | "limits"> & { readonly trial: Trial }) {
+function Values({
+  tuning,
+  objectives,
+  limits,
+  trial,
+}: Pick<TuningParts, "tuning" | "objectives" | "limits"> & { readonly trial: Trial }) {
   return (
     <dl className={results.values}>
       {objectives.map(({ label, unit, scale }, index) => (
@@ -62,7 +88,9 @@ function Values({ tuning, objectives, limits, trial }: Pick<TuningParts, "tuning
           <dt>{label}</dt>
           <dd>
             {trial.values ? `${formatResult((trial.values[index] ?? NaN) * scale, 4)} ${prettyUnit(unit)}` : "–"}{" "}
-            {trial.number !== tuning.paper?.number && <ChangeMark value={trial.values?.[index]} baseline={tuning.paper?.values?.[index]} />}
+            {trial.number !== tuning.paper?.number && (
+              <ChangeMark value={trial.values?.[index]} baseline={tuning.paper?.values?.[index]} />
+            )}
           </dd>
         </div>
       ))}

@@ -59,11 +59,17 @@ const WITHIN_MS = 1000;
 
 /** How far the present generation is. */
 function Within({ tuning, comparing }: { readonly tuning: Tuning; readonly comparing: boolean }) {
-  const { data } = useQuery({ ...jobQuery(BATCH, tuning.batch ?? ""), enabled: tuning.batch !== null, refetchInterval: WITHIN_MS });
+  const { data } = useQuery({
+    ...jobQuery(BATCH, tuning.batch ?? ""),
+    enabled: tuning.batch !== null,
+    refetchInterval: WITHIN_MS,
+  });
   const finished = data ? data.done + data.failed : 0;
   return (
     <Text size="xs" c="dimmed" data-testid="tuning-within">
-      {data ? `${comparing ? "Comparison" : `Generation ${tuning.generation + 1}`}: ${formatWhole(finished)} of ${count(data.total, "run")}` : "\u00a0"}
+      {data
+        ? `${comparing ? "Comparison" : `Generation ${tuning.generation + 1}`}: ${formatWhole(finished)} of ${count(data.total, "run")}`
+        : "\u00a0"}
     </Text>
   );
 }
@@ -74,7 +80,9 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
   const [trials, setTrials] = useState(String(tuning.state === "done" ? 2 * total : total));
   const requested = parseInput(trials);
   const wrong = requested === null || !Number.isInteger(requested) || requested < least;
-  const resume = useJobCall(TUNING, tuning.id, (number: number) => ask("post", "/tunings/{id}/resume", { path: { id: tuning.id }, query: { trials: number } }));
+  const resume = useJobCall(TUNING, tuning.id, (number: number) =>
+    ask("post", "/tunings/{id}/resume", { path: { id: tuning.id }, query: { trials: number } }),
+  );
   return (
     <Group
       component="form"
@@ -84,7 +92,15 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
         if (!wrong) resume.mutate(requested);
       }}
     >
-      <Entry className={classes.short} aria-label="Trials in all" inputMode="numeric" value={trials} unit="trials" error={wrong} onType={setTrials} />
+      <Entry
+        className={classes.short}
+        aria-label="Trials in all"
+        inputMode="numeric"
+        value={trials}
+        unit="trials"
+        error={wrong}
+        onType={setTrials}
+      />
       <Button type="submit" size="xs" variant="default" disabled={wrong} loading={resume.isPending}>
         {tuning.state === "done" ? "Continue search" : "Resume"}
       </Button>
@@ -99,7 +115,19 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
 }
 
 function Facts({ tuning, form, strategies, figures }: Pick<Props, "tuning" | "form" | "strategies" | "figures">) {
-  const { scenario, search, previews, uncertain, quantile, seeds, fresh_seeds: validation, limits, objectives, started_at: started, finished_at: finished } = tuning;
+  const {
+    scenario,
+    search,
+    previews,
+    uncertain,
+    quantile,
+    seeds,
+    fresh_seeds: validation,
+    limits,
+    objectives,
+    started_at: started,
+    finished_at: finished,
+  } = tuning;
   const own = (name: string) => name.replace(/\.\d+$/, "");
   const limit = limits.map((each) => {
     const { label, unit, scale } = ofLimit(each, figures);
@@ -107,13 +135,47 @@ function Facts({ tuning, form, strategies, figures }: Pick<Props, "tuning" | "fo
   });
   const facts: readonly (readonly [string, string])[] = [
     ["Strategy", strategies.find(({ id }) => id === tuning.strategy)?.label ?? tuning.strategy],
-    ["Minimised", objectives.map((each) => ofObjective(each, figures).label + (each.kind !== "figure" && each.q.some((q) => q !== 1) ? ` (q ${each.q.join(", ")})` : "")).join("; ")],
+    [
+      "Minimised",
+      objectives
+        .map(
+          (each) =>
+            ofObjective(each, figures).label +
+            (each.kind !== "figure" && each.q.some((q) => q !== 1) ? ` (q ${each.q.join(", ")})` : ""),
+        )
+        .join("; "),
+    ],
     ...(limit.length > 0 ? [["Within", limit.join("; ")] as const] : []),
-    ["Searched", [count(Object.keys(search).length, "number"), ...(previews ? [`preview ${previews.map(optionTitle).join(", ")}`] : [])].join("; ")],
-    ["Roads", `training ${formatSeeds(seeds)}; validation ${formatSeeds(validation)}${uncertain ? "; car, sensors and actuators uncertain" : ""}`],
-    ...(quantile === null ? [] : [["Judged by", quantile === 1 ? "the worst training road" : `the ${formatExact(100 * quantile, "%")} quantile over the training roads`] as const]),
+    [
+      "Searched",
+      [
+        count(Object.keys(search).length, "number"),
+        ...(previews ? [`preview ${previews.map(optionTitle).join(", ")}`] : []),
+      ].join("; "),
+    ],
+    [
+      "Roads",
+      `training ${formatSeeds(seeds)}; validation ${formatSeeds(validation)}${uncertain ? "; car, sensors and actuators uncertain" : ""}`,
+    ],
+    ...(quantile === null
+      ? []
+      : [
+          [
+            "Judged by",
+            quantile === 1
+              ? "the worst training road"
+              : `the ${formatExact(100 * quantile, "%")} quantile over the training roads`,
+          ] as const,
+        ]),
     ["Scenario", otherThanPaper(scenario, form, Object.keys(search).map(own))],
-    ["Submitted", [formatMinute(tuning.created_at), ...(started && finished ? [`took ${formatDuration((Date.parse(finished) - Date.parse(started)) / 1000)}`] : []), `core ${tuning.core_version}`].join(" · ")],
+    [
+      "Submitted",
+      [
+        formatMinute(tuning.created_at),
+        ...(started && finished ? [`took ${formatDuration((Date.parse(finished) - Date.parse(started)) / 1000)}`] : []),
+        `core ${tuning.core_version}`,
+      ].join(" · "),
+    ],
   ];
   return (
     <dl className={ui.facts}>

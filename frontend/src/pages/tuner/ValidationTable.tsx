@@ -22,7 +22,13 @@ interface Props extends Pick<TuningParts, "tuning" | "objectives"> {
   readonly figures: readonly Figure[];
 }
 
-const SIGN: Readonly<Record<Keeps, typeof IconCheck>> = { keeps: IconCheck, shrinks: IconAlertTriangle, unclear: IconAlertTriangle, worse: IconAlertTriangle, none: IconEqual };
+const SIGN: Readonly<Record<Keeps, typeof IconCheck>> = {
+  keeps: IconCheck,
+  shrinks: IconAlertTriangle,
+  unclear: IconAlertTriangle,
+  worse: IconAlertTriangle,
+  none: IconEqual,
+};
 
 export function ValidationTable({ tuning, objectives, figures }: Props) {
   const { comparison } = tuning;
@@ -43,7 +49,10 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
   const labels = objectives.map(({ label }) => label);
   const gains = gainsOf(comparison, objectives.length);
   return (
-    <Card aria-label="Validation roads" title={`Validation: ${tuning.seeds.length} training and ${tuning.fresh_seeds.length} validation roads`}>
+    <Card
+      aria-label="Validation roads"
+      title={`Validation: ${tuning.seeds.length} training and ${tuning.fresh_seeds.length} validation roads`}
+    >
       <ul className={results.gains}>
         {gains.map((gain) => (
           <GainLine key={gain.objective} gain={gain} label={labels.length > 1 ? (labels[gain.objective] ?? "") : ""} />
@@ -76,11 +85,14 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
               </>
             ),
           },
-          ...comparison.points.flatMap((point) => columnsOf(point, `${point.roles.map((role) => roleName(role, labels)).join(", ")} · trial ${point.trial}`)),
+          ...comparison.points.flatMap((point) =>
+            columnsOf(point, `${point.roles.map((role) => roleName(role, labels)).join(", ")} · trial ${point.trial}`),
+          ),
         ]}
       />
       <Text size="xs" c="dimmed" className={ui.note ?? ""}>
-        Means over the roads; the change against the paper’s weights with its 95 % interval, paired road by road. An arrow stands only where the interval does not hold zero.
+        Means over the roads; the change against the paper’s weights with its 95 % interval, paired road by road. An
+        arrow stands only where the interval does not hold zero.
       </Text>
     </Card>
   );
@@ -108,26 +120,30 @@ interface Row extends Shown {
 
 function rowOf(key: string, tuning: Tuning, figures: readonly Figure[]): Row {
   const isLimit = key.startsWith("limits.");
-  return { ...ofKey(key, tuning, figures), key, isLimit, most: isLimit ? tuning.limits[Number(key.slice("limits.".length))]?.at_most : undefined };
+  return {
+    ...ofKey(key, tuning, figures),
+    key,
+    isLimit,
+    most: isLimit ? tuning.limits[Number(key.slice("limits.".length))]?.at_most : undefined,
+  };
 }
 
 const ROADS = { training: "training", fresh: "validation" } as const;
 
 const columnsOf = (point: ComparedPoint, group: string) =>
-  (["training", "fresh"] as const).map(
-    (roads): Column<Row> => ({
-      key: `${point.trial} ${roads}`,
-      group,
-      head: ROADS[roads],
-      headAttributes: { "data-trial": point.trial },
-      attributes: ({ key }) => ({ "data-trial": point.trial, "data-value": point[roads][key]?.mean ?? "" }),
-      cell: ({ key, scale, most }) => <Value figure={point[roads][key]} {...{ scale, most }} />,
-    }),
-  );
+  (["training", "fresh"] as const).map((roads): Column<Row> => ({
+    key: `${point.trial} ${roads}`,
+    group,
+    head: ROADS[roads],
+    headAttributes: { "data-trial": point.trial },
+    attributes: ({ key }) => ({ "data-trial": point.trial, "data-value": point[roads][key]?.mean ?? "" }),
+    cell: ({ key, scale, most }) => <Value figure={point[roads][key]} {...{ scale, most }} />,
+  }));
 
 function Value({ figure, scale, most }: { readonly figure: TunedFigure | undefined } & Pick<Row, "scale" | "most">) {
   if (!figure) return "–";
-  if (most !== undefined) return <LimitValue value={formatResult(figure.worst * scale, 3)} over={figure.worst > most} />;
+  if (most !== undefined)
+    return <LimitValue value={formatResult(figure.worst * scale, 3)} over={figure.worst > most} />;
   return (
     <>
       <span className={tables.value}>{formatResult(figure.mean * scale, 3)}</span>
@@ -147,7 +163,11 @@ function ChangeOf({ figure: { change } }: { readonly figure: TunedFigure }) {
         {formatPercent(value)}
         <span className="visually-hidden">, {verdict === "same" ? "unclear" : verdict}</span>
       </span>
-      <span className={ui.under}>{low === null || high === null ? "one road" : `${formatPercent(low).replace(/\u2009%$/, "")} to ${formatPercent(high)}`}</span>
+      <span className={ui.under}>
+        {low === null || high === null
+          ? "one road"
+          : `${formatPercent(low).replace(/\u2009%$/, "")} to ${formatPercent(high)}`}
+      </span>
     </>
   );
 }

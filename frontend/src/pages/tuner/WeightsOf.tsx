@@ -21,7 +21,10 @@ interface Row {
 export function WeightsOf({ weights, beside, tunable }: Props) {
   const { triples } = tunable;
   const rows: readonly Row[] = [
-    ...triples.map(({ title, items }) => ({ title, items: items.map((field) => ({ name: dotted(field.pointer), field })) })),
+    ...triples.map(({ title, items }) => ({
+      title,
+      items: items.map((field) => ({ name: dotted(field.pointer), field })),
+    })),
     ...singlesIn(tunable, weights).map(({ name, title, field }) => ({ title, items: [{ name, field }] })),
   ];
   return (
@@ -32,17 +35,15 @@ export function WeightsOf({ weights, beside, tunable }: Props) {
       rowKey={({ title }) => title}
       columns={[
         { key: "stage", head: "", text: true, cell: ({ title }) => title },
-        ...(triples[0]?.items ?? []).map(
-          ({ title }, index): Column<Row> => ({
-            key: title,
-            head: title,
-            attributes({ items }) {
-              const item = items[index];
-              return item ? { "data-weight": item.name, "data-value": weightAt(weights, item.name) ?? "" } : {};
-            },
-            cell: ({ items }) => items[index] && <Weight {...items[index]} {...{ weights, beside }} />,
-          }),
-        ),
+        ...(triples[0]?.items ?? []).map(({ title }, index): Column<Row> => ({
+          key: title,
+          head: title,
+          attributes({ items }) {
+            const item = items[index];
+            return item ? { "data-weight": item.name, "data-value": weightAt(weights, item.name) ?? "" } : {};
+          },
+          cell: ({ items }) => items[index] && <Weight {...items[index]} {...{ weights, beside }} />,
+        })),
       ]}
     />
   );

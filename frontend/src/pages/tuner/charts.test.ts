@@ -5,7 +5,16 @@ import { frontFigure, historyFigure, rangeOf } from "./charts";
 const palette = { text: "#000", grid: "#111", zero: "#222" };
 const shown = { label: "Load", unit: "kN", scale: 1e-3 };
 const plain = { label: "Sum", unit: "1", scale: 1 };
-const trial = (number: number, values: number[] | null, feasible = true): Trial => ({ number, generation: 0, weights: {}, status: values ? "ok" : "failed", reason: null, feasible, values, limits: null });
+const trial = (number: number, values: number[] | null, feasible = true): Trial => ({
+  number,
+  generation: 0,
+  weights: {},
+  status: values ? "ok" : "failed",
+  reason: null,
+  feasible,
+  values,
+  limits: null,
+});
 
 describe("an axis", () => {
   it("shows all that matters and not what is far worse", () => {
@@ -23,8 +32,24 @@ describe("an axis", () => {
 });
 
 describe("the front", () => {
-  const trials = [trial(0, [2, 4000]), trial(1, [1, 6000]), trial(2, [3, 3000]), trial(3, null), trial(4, [0.5, 1000], false)];
-  const figure = frontFigure({ trials, front: [trials[2], trials[0], trials[1]].filter((each) => each !== undefined), named: [], picked: 1, x: 0, y: 1, objectives: [plain, shown], palette, colour: "red" });
+  const trials = [
+    trial(0, [2, 4000]),
+    trial(1, [1, 6000]),
+    trial(2, [3, 3000]),
+    trial(3, null),
+    trial(4, [0.5, 1000], false),
+  ];
+  const figure = frontFigure({
+    trials,
+    front: [trials[2], trials[0], trials[1]].filter((each) => each !== undefined),
+    named: [],
+    picked: 1,
+    x: 0,
+    y: 1,
+    objectives: [plain, shown],
+    palette,
+    colour: "red",
+  });
   const trace = (name: string) => figure.data.filter((each) => each.name === name);
 
   it("is joined in the order of its first objective, in shown units", () => {

@@ -51,12 +51,19 @@ export interface FrontInput extends Input {
 }
 
 function textOf(trial: Trial, objectives: readonly Shown[], name?: string): string {
-  const values = objectives.map((shown, index) => `${shown.label}: ${formatResult(valueOf(trial, index, shown), 4)} ${prettyUnit(shown.unit)}`.trim());
+  const values = objectives.map((shown, index) =>
+    `${shown.label}: ${formatResult(valueOf(trial, index, shown), 4)} ${prettyUnit(shown.unit)}`.trim(),
+  );
   return [name ?? `Trial ${trial.number}`, ...values, ...(trial.feasible ? [] : ["over a limit"])].join("<br>");
 }
 
 /** Trials as points by two of their values: all that ran, a ring around the selected one, and what makes points of others. */
-function pointsBy({ trials, picked, palette }: Input, objectives: readonly Shown[], x: (trial: Trial) => number, y: (trial: Trial) => number) {
+function pointsBy(
+  { trials, picked, palette }: Input,
+  objectives: readonly Shown[],
+  x: (trial: Trial) => number,
+  y: (trial: Trial) => number,
+) {
   const points = (name: string, some: readonly Trial[], marker: object, names: readonly string[] = []): PointTrace => ({
     type: "scatter",
     mode: "markers",
@@ -75,16 +82,34 @@ function pointsBy({ trials, picked, palette }: Input, objectives: readonly Shown
     driven,
     ringed,
     all: [
-      points("Over a limit", driven.filter(({ feasible }) => !feasible), { size: 6, symbol: "x-thin-open", opacity: 0.5 }),
-      points("Trials", driven.filter(({ feasible }) => feasible), { size: 5, opacity: 0.35 }),
+      points(
+        "Over a limit",
+        driven.filter(({ feasible }) => !feasible),
+        { size: 6, symbol: "x-thin-open", opacity: 0.5 },
+      ),
+      points(
+        "Trials",
+        driven.filter(({ feasible }) => feasible),
+        { size: 5, opacity: 0.35 },
+      ),
     ],
-    ring: ringed.length > 0 ? [points("Picked", ringed, { size: 18, symbol: "circle-open", line: { width: 2, color: palette.text } })] : [],
+    ring:
+      ringed.length > 0
+        ? [points("Picked", ringed, { size: 18, symbol: "circle-open", line: { width: 2, color: palette.text } })]
+        : [],
   };
 }
 
 /** A staircase. */
 const steps = (name: string, x: readonly number[], y: readonly number[], color: string, width: number): LineTrace => ({
-  type: "scatter", mode: "lines", name, opacity: 1, hoverinfo: "skip", x, y, line: { color, width, shape: "hv" },
+  type: "scatter",
+  mode: "lines",
+  name,
+  opacity: 1,
+  hoverinfo: "skip",
+  x,
+  y,
+  line: { color, width, shape: "hv" },
 });
 
 export function frontFigure(input: FrontInput): SearchFigure {
@@ -95,7 +120,8 @@ export function frontFigure(input: FrontInput): SearchFigure {
   const { points, driven, ringed, all, ring } = pointsBy(input, objectives, across, up);
   const sorted = [...front].sort((a, b) => across(a) - across(b));
   const must = [...front, ...named.map(({ trial }) => trial), ...ringed];
-  const range = (along: typeof up) => rangeOf(must.map(along).filter(Number.isFinite), driven.map(along).filter(Number.isFinite));
+  const range = (along: typeof up) =>
+    rangeOf(must.map(along).filter(Number.isFinite), driven.map(along).filter(Number.isFinite));
   const [rangeX, rangeY] = [range(across), range(up)];
   return {
     beyond: driven.filter((trial) => across(trial) > rangeX[1] || up(trial) > rangeY[1]).length,
@@ -104,7 +130,12 @@ export function frontFigure(input: FrontInput): SearchFigure {
       // With three objectives the front is a surface: its points in this plane are not joined.
       ...(objectives.length === 2 ? [steps("Front", sorted.map(across), sorted.map(up), colour, 1.5)] : []),
       points("Front", sorted, { color: colour, size: 9, symbol: "circle", line: { width: 0.75, color: palette.text } }),
-      points("Named", named.map(({ trial }) => trial), { size: 11, symbol: named.map(({ name }) => symbolOf(name)) }, named.map(({ name }) => name)),
+      points(
+        "Named",
+        named.map(({ trial }) => trial),
+        { size: 11, symbol: named.map(({ name }) => symbolOf(name)) },
+        named.map(({ name }) => name),
+      ),
       ...ring,
     ],
     layout: chartLayout(palette, {
@@ -112,14 +143,22 @@ export function frontFigure(input: FrontInput): SearchFigure {
       yaxis: { title: { text: axisTitle(shownY) }, range: rangeY },
       uirevision: `${x} ${y}`, // somebody's zoom stays while trials arrive
       annotations: named.map(({ trial, name }) => ({
-        text: name, x: across(trial), y: up(trial), xanchor: "left", yanchor: "bottom", xshift: 6, yshift: 3,
-        showarrow: false, font: { size: 11, color: palette.text },
+        text: name,
+        x: across(trial),
+        y: up(trial),
+        xanchor: "left",
+        yanchor: "bottom",
+        xshift: 6,
+        yshift: 3,
+        showarrow: false,
+        font: { size: 11, color: palette.text },
       })),
     }),
   };
 }
 
-const symbolOf = (name: string) => (name.startsWith("The paper") ? "square" : name.startsWith("The scenario") ? "triangle-up" : "diamond");
+const symbolOf = (name: string) =>
+  name.startsWith("The paper") ? "square" : name.startsWith("The scenario") ? "triangle-up" : "diamond";
 
 /** A plot, and how many points lie beyond its axes as it opens. */
 export interface SearchFigure extends ChartFigure {
@@ -132,7 +171,10 @@ export interface HistoryInput extends Input {
 }
 
 /** Each trial that was better than all before it, and the last one. */
-function bestSoFar(driven: readonly Trial[], shown: Shown): readonly { readonly number: number; readonly value: number }[] {
+function bestSoFar(
+  driven: readonly Trial[],
+  shown: Shown,
+): readonly { readonly number: number; readonly value: number }[] {
   let least = Infinity;
   const better = driven.flatMap((trial) => {
     const value = valueOf(trial, 0, shown);
@@ -156,16 +198,47 @@ export function historyFigure(input: HistoryInput): SearchFigure {
   const range = must.length > 0 ? rangeOf(must, values) : null;
   return {
     beyond: range ? values.filter((value) => value > range[1]).length : 0,
-    data: [...all, steps("Best so far", best.map(({ number }) => number), best.map(({ value }) => value), colour, 2.5), ...ring],
+    data: [
+      ...all,
+      steps(
+        "Best so far",
+        best.map(({ number }) => number),
+        best.map(({ value }) => value),
+        colour,
+        2.5,
+      ),
+      ...ring,
+    ],
     layout: chartLayout(palette, {
       xaxis: { title: { text: "Trial" }, rangemode: "tozero" },
       yaxis: { title: { text: axisTitle(shown) }, ...(range ? { range } : {}) },
       uirevision: "history",
       shapes: Number.isFinite(reference)
-        ? [{ type: "line", xref: "paper", x0: 0, x1: 1, y0: reference, y1: reference, line: { color: palette.text, width: 1, dash: "dash" } }]
+        ? [
+            {
+              type: "line",
+              xref: "paper",
+              x0: 0,
+              x1: 1,
+              y0: reference,
+              y1: reference,
+              line: { color: palette.text, width: 1, dash: "dash" },
+            },
+          ]
         : [],
       annotations: Number.isFinite(reference)
-        ? [{ text: "The paper’s weights", xref: "paper", x: 1, y: reference, xanchor: "right", yanchor: "bottom", showarrow: false, font: { size: 11, color: palette.text } }]
+        ? [
+            {
+              text: "The paper’s weights",
+              xref: "paper",
+              x: 1,
+              y: reference,
+              xanchor: "right",
+              yanchor: "bottom",
+              showarrow: false,
+              font: { size: 11, color: palette.text },
+            },
+          ]
         : [],
     }),
   };
@@ -173,9 +246,22 @@ export function historyFigure(input: HistoryInput): SearchFigure {
 
 /** Several objectives: how much of the box under the paper's weights the front has taken. */
 export function volumeFigure(history: readonly Generation[], { palette, colour }: Look): ChartFigure {
-  const driven = history.flatMap(({ trials, hypervolume }) => (hypervolume === null ? [] : [{ trials, hypervolume: 100 * hypervolume }]));
+  const driven = history.flatMap(({ trials, hypervolume }) =>
+    hypervolume === null ? [] : [{ trials, hypervolume: 100 * hypervolume }],
+  );
   return {
-    data: [steps("Front", driven.map(({ trials }) => trials), driven.map(({ hypervolume }) => hypervolume), colour, 2)],
-    layout: chartLayout(palette, { xaxis: { title: { text: "Trial" }, rangemode: "tozero" }, yaxis: { title: { text: "Dominated [%]" }, rangemode: "tozero" } }),
+    data: [
+      steps(
+        "Front",
+        driven.map(({ trials }) => trials),
+        driven.map(({ hypervolume }) => hypervolume),
+        colour,
+        2,
+      ),
+    ],
+    layout: chartLayout(palette, {
+      xaxis: { title: { text: "Trial" }, rangemode: "tozero" },
+      yaxis: { title: { text: "Dominated [%]" }, rangemode: "tozero" },
+    }),
   };
 }

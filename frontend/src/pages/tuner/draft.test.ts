@@ -13,7 +13,19 @@ const weight = { type: "number", minimum: 0, maximum: 1000 };
 const FORM = readSchema({
   properties: {
     lqr: { properties: { weights: { title: "Weights", prefixItems: [weight, weight, weight], soft_range: [0, 10] } } },
-    mpc: { properties: { expected_noise: { title: "Expected preview noise", type: "number", minimum: 0, maximum: 0.1, unit: "m", shown_unit: "mm", soft_range: [0, 0.005] } } },
+    mpc: {
+      properties: {
+        expected_noise: {
+          title: "Expected preview noise",
+          type: "number",
+          minimum: 0,
+          maximum: 0.1,
+          unit: "m",
+          shown_unit: "mm",
+          soft_range: [0, 0.005],
+        },
+      },
+    },
   },
 });
 const NUMBERS = numberFields(tunableOf(FORM, "lqr"));
@@ -63,9 +75,13 @@ describe("a draft of a tuning", () => {
     expect(rangesFor(FORM, "lqr")["mpc.expected_noise"]).toEqual({ on: false, from: "0.05", to: "5" });
     const parsed = read({ ranges: { "mpc.expected_noise": { on: true, from: "0.5", to: "0,2 cm" } } });
     expect(parsed.ok && parsed.body.search).toEqual({ "mpc.expected_noise": [0.0005, 0.002] });
-    expect(errorsOf({ ranges: { "mpc.expected_noise": { on: true, from: "1", to: "101" } } })).toEqual({ "search.mpc.expected_noise": "Must be above 0 and at most 100\u00a0mm" });
+    expect(errorsOf({ ranges: { "mpc.expected_noise": { on: true, from: "1", to: "101" } } })).toEqual({
+      "search.mpc.expected_noise": "Must be above 0 and at most 100\u00a0mm",
+    });
     const noise = NUMBERS.find(({ name }) => name === "mpc.expected_noise");
-    expect(noise && [noise.row, ownText({ mpc: { expected_noise: 0.003 } }, noise), formatValue(0.0025, noise.field)]).toEqual(["Expected preview noise [mm]", "3\u00a0mm", "2.5"]);
+    expect(
+      noise && [noise.row, ownText({ mpc: { expected_noise: 0.003 } }, noise), formatValue(0.0025, noise.field)],
+    ).toEqual(["Expected preview noise [mm]", "3\u00a0mm", "2.5"]);
   });
 
   it.each<[Partial<TuningDraft>, string]>([
@@ -114,6 +130,8 @@ describe("a trial's weights", () => {
 
   it("go into a scenario as they are", () => {
     const scenario = { mpc: { stage_weights: { bump: [0, 0, 0], brake: [9, 9, 9] }, deflection_weight: 0 } };
-    expect(withFields(scenario, weights)).toEqual({ mpc: { stage_weights: { bump: [1, 2, 3], brake: [9, 9, 9] }, deflection_weight: 4 } });
+    expect(withFields(scenario, weights)).toEqual({
+      mpc: { stage_weights: { bump: [1, 2, 3], brake: [9, 9, 9] }, deflection_weight: 4 },
+    });
   });
 });

@@ -54,13 +54,15 @@ export interface TuningDraft {
 }
 
 /** Errors by field: `objectives.0`, `limits.1`, `search.mpc.stage_weights.bump.0`, `seeds`, `trials`, … */
-export type ParsedDraft = { readonly ok: true; readonly body: TuningChoice } | { readonly ok: false; readonly errors: DraftErrors };
+export type ParsedDraft =
+  { readonly ok: true; readonly body: TuningChoice } | { readonly ok: false; readonly errors: DraftErrors };
 
 const PLAIN = ["previews", "quantile", "seeds", "fresh_seeds", "trials", "population", "seed", "strategy"];
 
 export const tuningFieldName: FieldNameOf = ([root, second]) => {
   if (root === undefined) return null;
-  if (root === "objectives" || root === "limits" || root === "search") return second === undefined ? root : `${root}.${second}`;
+  if (root === "objectives" || root === "limits" || root === "search")
+    return second === undefined ? root : `${root}.${second}`;
   return PLAIN.includes(root) ? root : null;
 };
 
@@ -73,13 +75,22 @@ const MOST_TRIALS = 5000;
 const MOST_POPULATION = 256;
 const RANGE = ["0.05", "50"] as const;
 
-export const objectiveOf = (key: number, kind: Kind, figure: string | null = null): ObjectiveDraft => ({ key, kind, q: ["1", "1", "1"], window: WINDOW_OF[kind], figure });
+export const objectiveOf = (key: number, kind: Kind, figure: string | null = null): ObjectiveDraft => ({
+  key,
+  kind,
+  q: ["1", "1", "1"],
+  window: WINDOW_OF[kind],
+  figure,
+});
 
 export function rangesFor(form: Group, strategy: StrategyId): Readonly<Record<string, RangeDraft>> {
   return Object.fromEntries(
     numberFields(tunableOf(form, strategy)).map(({ name, single, field }) => {
       const { soft } = field;
-      const [from, to] = single && !name.endsWith("deflection_weight") ? [typedText(field, soft[0] || soft[1] / 100), typedText(field, soft[1])] : RANGE;
+      const [from, to] =
+        single && !name.endsWith("deflection_weight")
+          ? [typedText(field, soft[0] || soft[1] / 100), typedText(field, soft[1])]
+          : RANGE;
       return [name, { on: !single, from, to }];
     }),
   );
@@ -130,14 +141,21 @@ function objectives({ objectives: drafts }: TuningDraft, put: Put): NonNullable<
   if (drafts.length === 0) put("objectives", "Add an objective");
   return drafts.map(({ kind, q, window, figure }, index) => {
     if (kind === "figure") return { kind, figure };
-    const coefficients = q.map((text) => number(text, 0, 1000, () => put(`objectives.${index}`, "Each coefficient is a number from 0 to 1000")));
-    if (coefficients.every((value) => value === 0)) put(`objectives.${index}`, "At least one coefficient must be greater than 0");
+    const coefficients = q.map((text) =>
+      number(text, 0, 1000, () => put(`objectives.${index}`, "Each coefficient is a number from 0 to 1000")),
+    );
+    if (coefficients.every((value) => value === 0))
+      put(`objectives.${index}`, "At least one coefficient must be greater than 0");
     const [first = 0, second = 0, third = 0] = coefficients;
     return { kind, q: [first, second, third], window };
   });
 }
 
-function limits({ limits: drafts }: TuningDraft, figures: readonly Figure[], put: Put): NonNullable<TuningChoice["limits"]> {
+function limits(
+  { limits: drafts }: TuningDraft,
+  figures: readonly Figure[],
+  put: Put,
+): NonNullable<TuningChoice["limits"]> {
   return drafts.map(({ figure, atMost }, index) => {
     const { unit, scale } = figures.find(({ key }) => key === figure) ?? { unit: "1", scale: 1 };
     const limit = parseQuantity(atMost, unit);
@@ -146,7 +164,11 @@ function limits({ limits: drafts }: TuningDraft, figures: readonly Figure[], put
   });
 }
 
-function search({ ranges }: TuningDraft, numbers: readonly TunableNumber[], put: Put): NonNullable<TuningChoice["search"]> {
+function search(
+  { ranges }: TuningDraft,
+  numbers: readonly TunableNumber[],
+  put: Put,
+): NonNullable<TuningChoice["search"]> {
   const searched = numbers.flatMap(({ name, field }) => {
     const range = ranges[name];
     return range?.on ? [{ name, field, range }] : [];
@@ -174,12 +196,17 @@ function roads(text: string, field: string, least: number, put: Put): readonly n
 }
 
 /** What is sent, or what has to be changed first. */
-export function readDraft(draft: TuningDraft, numbers: readonly TunableNumber[], figures: readonly Figure[]): ParsedDraft {
+export function readDraft(
+  draft: TuningDraft,
+  numbers: readonly TunableNumber[],
+  figures: readonly Figure[],
+): ParsedDraft {
   const errors: Record<string, string> = {};
   const put: Put = (field, message) => void (errors[field] ??= message);
   const seeds = roads(draft.seeds, "seeds", 1, put);
   const validation = roads(draft.validationSeeds, "fresh_seeds", 2, put);
-  if (validation.some((seed) => seeds.includes(seed))) put("fresh_seeds", "A validation road must not be a training road");
+  if (validation.some((seed) => seeds.includes(seed)))
+    put("fresh_seeds", "A validation road must not be a training road");
   const body: TuningChoice = {
     strategy: draft.strategy,
     objectives: objectives(draft, put),

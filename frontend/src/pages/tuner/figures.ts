@@ -24,7 +24,11 @@ export function ofLimit({ figure, label, unit }: Limit, figures: readonly Figure
 }
 
 /** A column of the comparison: `objectives.0`, `limits.1`, or a figure's name. */
-export function ofKey(key: string, { objectives, limits }: Pick<Tuning, "objectives" | "limits">, figures: readonly Figure[]): Shown {
+export function ofKey(
+  key: string,
+  { objectives, limits }: Pick<Tuning, "objectives" | "limits">,
+  figures: readonly Figure[],
+): Shown {
   const [, list, index] = /^(objectives|limits)\.(\d+)$/.exec(key) ?? [];
   const objective = list === "objectives" ? objectives[Number(index)] : undefined;
   const limit = list === "limits" ? limits[Number(index)] : undefined;

@@ -2,14 +2,28 @@ import { describe, expect, it } from "vitest";
 import type { ComparedPoint } from "../../api/types";
 import { gainsOf } from "./gain";
 
-const point = (training: number, validation: number, verdict: "better" | "worse" | "unclear", roles = ["best.0"]): ComparedPoint => ({
+const point = (
+  training: number,
+  validation: number,
+  verdict: "better" | "worse" | "unclear",
+  roles = ["best.0"],
+): ComparedPoint => ({
   trial: 7,
   roles,
   weights: {},
   failures: [],
   verdict: [verdict],
-  training: { "objectives.0": { mean: 1, quantile: null, worst: 1, change: { value: training, low: null, high: null } } },
-  fresh: { "objectives.0": { mean: 1, quantile: null, worst: 1, change: { value: validation, low: validation - 1, high: validation + 1 } } },
+  training: {
+    "objectives.0": { mean: 1, quantile: null, worst: 1, change: { value: training, low: null, high: null } },
+  },
+  fresh: {
+    "objectives.0": {
+      mean: 1,
+      quantile: null,
+      worst: 1,
+      change: { value: validation, low: validation - 1, high: validation + 1 },
+    },
+  },
 });
 const paper: ComparedPoint = { ...point(0, 0, "unclear", ["paper"]), trial: 0, verdict: null };
 const gains = (best: ComparedPoint) => gainsOf({ batch: "b", figures: [], points: [paper, best] }, 1);
@@ -30,7 +44,11 @@ describe("a gain on validation roads", () => {
   });
 
   it("is none where the paper's weights are the best themselves", () => {
-    expect(gainsOf({ batch: "b", figures: [], points: [{ ...paper, roles: ["paper", "best.0"] }] }, 1).map(({ keeps }) => keeps)).toEqual(["none"]);
+    expect(
+      gainsOf({ batch: "b", figures: [], points: [{ ...paper, roles: ["paper", "best.0"] }] }, 1).map(
+        ({ keeps }) => keeps,
+      ),
+    ).toEqual(["none"]);
   });
 
   it("says nothing of what was not compared", () => {

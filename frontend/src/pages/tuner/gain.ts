@@ -24,7 +24,8 @@ function keepsOf(training: number, validation: number, verdict: string | undefin
   return validation / training < MOSTLY ? "shrinks" : "keeps";
 }
 
-const interval = (low: number | null, high: number | null) => (low === null || high === null ? "" : ` (${formatPercent(low)} to ${formatPercent(high)})`);
+const interval = (low: number | null, high: number | null) =>
+  low === null || high === null ? "" : ` (${formatPercent(low)} to ${formatPercent(high)})`;
 
 const ENDING: Readonly<Record<Keeps, string>> = {
   keeps: "the gain holds",
@@ -35,7 +36,13 @@ const ENDING: Readonly<Record<Keeps, string>> = {
 };
 
 function gainOf(point: ComparedPoint, objective: number): Gain | null {
-  if (point.roles.includes("paper")) return { trial: point.trial, objective, keeps: "none", text: "No weights that were tried are better than the paper’s on the training roads." };
+  if (point.roles.includes("paper"))
+    return {
+      trial: point.trial,
+      objective,
+      keeps: "none",
+      text: "No weights that were tried are better than the paper’s on the training roads.",
+    };
   const key = `objectives.${objective}`;
   const [training, validation] = [point.training[key]?.change, point.fresh[key]?.change];
   if (!training || !validation) return null;

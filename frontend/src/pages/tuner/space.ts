@@ -2,7 +2,14 @@
 
 import type { Scenario, StrategyId, Weights } from "../../api/types";
 import { getAt, type Pointer } from "../../scenario/path";
-import { findMember, optionTitle, type ChoiceField, type Group, type NumberField, type VectorField } from "../../scenario/schema";
+import {
+  findMember,
+  optionTitle,
+  type ChoiceField,
+  type Group,
+  type NumberField,
+  type VectorField,
+} from "../../scenario/schema";
 import { dotted, pointerOf } from "../../scenario/fields";
 import { typedText, valueText } from "../../scenario/limits";
 import { titleWithUnit } from "../../units/format";
@@ -15,12 +22,19 @@ interface Space {
 }
 
 const TIMING: readonly Pointer[] = ["/mpc/expected_offset", "/mpc/expected_noise", "/mpc/sample_time"];
-const MPC: Pick<Space, "others" | "preview"> = { others: ["/mpc/deflection_weight", "/mpc/prediction_horizon", ...TIMING], preview: "/mpc/preview" };
+const MPC: Pick<Space, "others" | "preview"> = {
+  others: ["/mpc/deflection_weight", "/mpc/prediction_horizon", ...TIMING],
+  preview: "/mpc/preview",
+};
 
 const SPACES: Readonly<Record<StrategyId, Space>> = {
   lv: { triples: ["/mpc/stage_weights/cruise", "/mpc/stage_weights/brake", "/mpc/stage_weights/bump"], ...MPC },
   suspension_only: { triples: ["/mpc/road_weights/rough", "/mpc/road_weights/bump"], ...MPC },
-  lqr: { triples: ["/lqr/weights"], others: ["/lqr/deflection_weight", "/lqr/preview_horizon", ...TIMING], preview: "/lqr/preview" },
+  lqr: {
+    triples: ["/lqr/weights"],
+    others: ["/lqr/deflection_weight", "/lqr/preview_horizon", ...TIMING],
+    preview: "/lqr/preview",
+  },
 };
 
 export const TUNABLE: readonly StrategyId[] = Object.keys(SPACES);
@@ -62,10 +76,23 @@ export interface TunableNumber {
 
 /** The triples' weights first. */
 export function numberFields({ triples, others }: Tunable): readonly TunableNumber[] {
-  const searched = (field: NumberField): NumberField => (field.minimum > 0 ? field : { ...field, minimum: 0, exclusiveMinimum: true });
+  const searched = (field: NumberField): NumberField =>
+    field.minimum > 0 ? field : { ...field, minimum: 0, exclusiveMinimum: true };
   return [
-    ...triples.flatMap((triple) => triple.items.map((field) => ({ name: dotted(field.pointer), row: triple.title, field: searched(field), single: false }))),
-    ...others.map((field) => ({ name: dotted(field.pointer), row: titleOf(field), field: searched(field), single: true })),
+    ...triples.flatMap((triple) =>
+      triple.items.map((field) => ({
+        name: dotted(field.pointer),
+        row: triple.title,
+        field: searched(field),
+        single: false,
+      })),
+    ),
+    ...others.map((field) => ({
+      name: dotted(field.pointer),
+      row: titleOf(field),
+      field: searched(field),
+      single: true,
+    })),
   ];
 }
 

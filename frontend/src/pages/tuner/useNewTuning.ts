@@ -10,7 +10,13 @@ import { useSubmission } from "../../features/jobForm/useJobForm";
 import { readDraft, tuningFieldName, type TuningDraft } from "./draft";
 import type { TunableNumber } from "./space";
 
-export function useNewTuning(draft: TuningDraft, numbers: readonly TunableNumber[], figures: readonly Figure[], scenario: Scenario | undefined, onSubmitted: () => void) {
+export function useNewTuning(
+  draft: TuningDraft,
+  numbers: readonly TunableNumber[],
+  figures: readonly Figure[],
+  scenario: Scenario | undefined,
+  onSubmitted: () => void,
+) {
   const parsed = useMemo(() => readDraft(draft, numbers, figures), [draft, numbers, figures]);
   return useSubmission({
     kind: "tuning",
@@ -19,6 +25,9 @@ export function useNewTuning(draft: TuningDraft, numbers: readonly TunableNumber
     fieldNameOf: tuningFieldName,
     estimate: (body, signal) => ask("post", "/tunings", { body: { ...body, dry_run: true } }, signal),
     onSubmitted,
-    submit: async (body, keyOf) => ({ to: TUNING.page, params: { id: (await ask("post", "/tunings", { body, ...withKey(keyOf(body)) })).id } }),
+    submit: async (body, keyOf) => ({
+      to: TUNING.page,
+      params: { id: (await ask("post", "/tunings", { body, ...withKey(keyOf(body)) })).id },
+    }),
   });
 }

@@ -5,6 +5,10 @@ import { useCatalogues, type Catalogues } from "../../server/useCatalogues";
 
 export function useNumericCatalogues(): ReturnType<typeof useCatalogues> {
   const { catalogues, fault } = useCatalogues();
-  const numeric = useMemo((): Catalogues | null => catalogues && { ...catalogues, figures: catalogues.figures.filter(({ key }) => key !== "events.target_reached") }, [catalogues]);
+  const numeric = useMemo(
+    (): Catalogues | null =>
+      catalogues && { ...catalogues, figures: catalogues.figures.filter(({ key }) => key !== "events.target_reached") },
+    [catalogues],
+  );
   return { catalogues: numeric, fault };
 }
