@@ -1,12 +1,11 @@
-"""Pages of a batch's rows as columns, and those as Arrow and CSV. Runs in a worker: no web here."""
+"""Pages of a batch's rows as columns, JSON and CSV. Runs in a worker: no web here."""
 
+import csv
 import io
 from collections.abc import Iterable, Sequence
 from typing import Any
 
 import orjson
-import pyarrow as pa
-from pyarrow import csv
 
 from backend.job_run import JobRow
 from backend.json_types import JsonObject
@@ -42,28 +41,22 @@ def as_json(rows: Sequence[JobRow]) -> bytes:
     return b",".join(map(_json_row, rows))
 
 
-def as_arrow(rows: Sequence[JobRow], batch_id: str, names: Sequence[str], schema: pa.Schema) -> pa.Table:
-    """Some rows as a table of that schema: the fixed columns, the swept fields `names`, every metric and the batch."""
-    table = columns(rows, names, METRICS)
-    table["batch"] = [batch_id] * len(rows)
-    arrays = []
-    for field, values in zip(schema, table.values(), strict=True):
-        if field.type == pa.string():
-            values = [item if item is None or isinstance(item, str) else orjson.dumps(item).decode() for item in values]
-        arrays.append(pa.array(values, field.type))
-    return pa.Table.from_arrays(arrays, schema=schema)
+def as_csv(rows: Sequence[JobRow], batch_id: str, names: Sequence[str]) -> bytes:
+    """Some rows as lines of CSV: the fixed columns, the swept fields `names`, every metric and the batch."""
+    table = [[_cell(value) for value in values] for values in whole(rows, batch_id, names).values()]
+    sink = io.StringIO()
+    csv.writer(sink, lineterminator="\n").writerows(zip(*table, strict=True))
+    return sink.getvalue().encode()
 
 
-def as_csv(rows: Sequence[JobRow], batch_id: str, names: Sequence[str], schema: pa.Schema) -> bytes:
-    """The same as lines of CSV, without a header."""
-    return csv_of(as_arrow(rows, batch_id, names, schema), csv.WriteOptions(include_header=False))
+def whole(rows: Sequence[JobRow], batch_id: str, names: Sequence[str]) -> dict[str, list[Any]]:
+    """All columns of a file."""
+    return {**columns(rows, names, METRICS), "batch": [batch_id] * len(rows)}
 
 
-def csv_of(table: pa.Table, options: csv.WriteOptions) -> bytes:
-    """A table as CSV."""
-    sink = io.BytesIO()
-    csv.write_csv(table, sink, options)
-    return sink.getvalue()
+def _cell(value: Any) -> Any:
+    """Text and numbers as they are, true, false and lists as in JSON, nothing as an empty cell."""
+    return orjson.dumps(value).decode() if isinstance(value, bool | list | dict) else value
 
 
 def _reason(row: JobRow, summary: JsonObject) -> str | None:

@@ -12,9 +12,9 @@ from backend.batches.kind import SWEEP
 from backend.batches.models import Batch, Batches, BatchItem, BatchSummary, Estimate
 from backend.batches.points import Sweep, SweepError, size
 from backend.batches.summaries import Summaries
-from backend.batches.table import Format
 from backend.compute.workers import Workers
 from backend.errors import ConflictError, InvalidError
+from backend.file_formats import FormatName
 from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile
 from backend.job_run import JobRow
@@ -220,7 +220,7 @@ class BatchService:
         return await self._summaries.get(await self.jobs.get(job_id), figures, baseline, client)
 
     async def results(
-        self, job_id: str, file_format: Format, client: str
+        self, job_id: str, file_format: FormatName, client: str
     ) -> tuple[StoredJob, AsyncIterator[bytes], ExitStack]:
         """The batch, its rows in that format piece by piece, and what counts them as open until it is closed.
 

@@ -1,18 +1,15 @@
 """Batches as tables: a row for each run, units in the header, built page by page so that memory stays flat."""
 
-import asyncio
-import io
 import itertools
 from collections.abc import AsyncIterator, Awaitable, Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from typing import IO, Any, Literal
+from typing import IO, Any
 
 import orjson
-import pyarrow as pa
-from pyarrow import csv, parquet
 
 from backend.batches import rendering
+from backend.file_formats import FormatName
 from backend.job_run import JobRow
 from backend.json_types import JsonObject
 from backend.pieces import render_to
@@ -20,7 +17,6 @@ from backend.store import StoredJob
 from sim_core.catalogue import METRICS
 from sim_core.scenario import dotted
 
-Format = Literal["json", "csv", "parquet"]
 Pages = AsyncIterator[list[JobRow]]
 Call = Callable[..., Awaitable[Any]]  # runs a function in a worker
 
@@ -54,26 +50,28 @@ async def as_json(batch: StoredJob, pages: Pages, call: Call) -> AsyncIterator[b
 
 async def as_csv(batch: StoredJob, pages: Pages, call: Call) -> AsyncIterator[bytes]:
     """A header with units, then a line for each run, as spreadsheets read it."""
-    schema = _schema(batch)
-    options = csv.WriteOptions(include_header=True, quoting_header="none")
-    yield rendering.csv_of(schema.empty_table(), options)
+    fields = batch.request["fields"]
+    yield ",".join(column_names(batch).values()).encode() + b"\n"
     async for rows in pages:
-        yield await call(rendering.as_csv, rows, batch.id, batch.request["fields"], schema.remove_metadata())
+        yield await call(rendering.as_csv, rows, batch.id, fields)
 
 
 async def as_parquet(batch: StoredJob, pages: Pages, call: Call) -> AsyncIterator[bytes]:
-    """The table as Parquet, a row group for each page; units are field metadata, the provenance is the file's."""
-    schema, sink = _schema(batch), _Drain()
-    writer = parquet.ParquetWriter(sink, schema, compression="zstd")
-    async for rows in pages:
-        page = await call(rendering.as_arrow, rows, batch.id, batch.request["fields"], schema.remove_metadata())
-        await asyncio.to_thread(writer.write_table, page)
-        yield sink.drained()
-    writer.close()
-    yield sink.drained()
+    """The table as Parquet."""
+    from backend.batches.parquet import pieces
+
+    async for piece in pieces(batch, column_names(batch), units(batch), pages, call):
+        yield piece
 
 
-RENDERERS: Mapping[Format, Callable[[StoredJob, Pages, Call], AsyncIterator[bytes]]] = {
+def column_names(batch: StoredJob) -> dict[str, str]:
+    """The columns of a file by key, each with the name it has there: `road.length [m]`."""
+    unit_of = units(batch)
+    keys = (*FIXED, *batch.request["fields"], *METRICS, "batch")
+    return {key: f"{key} [{unit_of[key]}]" if key in unit_of else key for key in keys}
+
+
+RENDERERS: Mapping[FormatName, Callable[[StoredJob, Pages, Call], AsyncIterator[bytes]]] = {
     "json": as_json,
     "csv": as_csv,
     "parquet": as_parquet,
@@ -112,53 +110,3 @@ class ColumnPages:
                 file.write((b"," if number else b"") + self._file.read(ends[column + 1] - ends[column]))
             file.write(b"]")
         file.write(b"}}")
-
-
-class _Drain(io.RawIOBase):
-    """A file that is written once from front to back and read out while it grows."""
-
-    def __init__(self) -> None:
-        self._buffer = bytearray()
-        self._position = 0
-
-    def writable(self) -> bool:
-        return True
-
-    def write(self, data: Any) -> int:
-        piece = bytes(data)
-        self._buffer += piece
-        self._position += len(piece)
-        return len(piece)
-
-    def tell(self) -> int:
-        return self._position
-
-    def drained(self) -> bytes:
-        piece, self._buffer = bytes(self._buffer), bytearray()
-        return piece
-
-
-def _schema(batch: StoredJob) -> pa.Schema:
-    types = {"run": pa.int64(), **{name: _field_type(name) for name in batch.request["fields"]}}
-    types |= {key: pa.bool_() if metric.flag else pa.float64() for key, metric in METRICS.items()}
-    unit_of = units(batch)
-    fields = [
-        pa.field(
-            f"{name} [{unit_of[name]}]" if name in unit_of else name,
-            types.get(name, pa.string()),
-            metadata={"key": name, **({"unit": unit_of[name]} if name in unit_of else {})},
-        )
-        for name in (*FIXED, *batch.request["fields"], *METRICS, "batch")
-    ]
-    provenance = {
-        "ridelab.batch": batch.id,
-        "ridelab.core_version": batch.core_version,
-        "ridelab.scenario": orjson.dumps(batch.scenario),
-        "ridelab.sweep": orjson.dumps(batch.sweep),
-    }
-    return pa.schema(fields, metadata=provenance)
-
-
-def _field_type(name: str) -> pa.DataType:
-    kind = dotted.fields()[name].kind if name in dotted.fields() else None
-    return {"number": pa.float64(), "integer": pa.int64(), "switch": pa.bool_()}.get(str(kind), pa.string())

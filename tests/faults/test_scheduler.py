@@ -69,6 +69,8 @@ class Misbehaving:
         return 2
 
     async def compute(self, chunk: Chunk) -> ChunkOutcome:
+        if not self.connected:
+            raise ExecutorLostError("gone")
         type(self).chunks = [*self.chunks, chunk]
         await asyncio.sleep(self.delay)
         try:
@@ -294,7 +296,7 @@ def test_results_wait_for_a_database_that_is_away(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, reads_fail: bool
 ) -> None:
     """Where reads fail too the lead is lost."""
-    fails, away = threading.Semaphore(6), threading.Event()
+    fails, away = threading.Semaphore(40), threading.Event()
 
     def unreliable(save: Callable[..., None]) -> Callable[..., None]:
         def saving(*args: Any) -> None:
