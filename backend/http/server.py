@@ -112,7 +112,7 @@ class GuardedProtocol(H11Protocol):
     @property
     def reader(self) -> str:
         """The client that reads."""
-        # Before the first request uvicorn has no scope, whatever its types say. The scope's client is the one behind a proxy.
+        # No scope before the first request, whatever uvicorn says; its client is the one behind a proxy.
         client = self.scope["client"] if self.scope else self.client  # type: ignore[redundant-expr]
         return client_key(client[0]) if client else ""
 
