@@ -175,7 +175,9 @@ def test_without_its_extras_the_server_says_what_to_install(server: Environment,
     assert "RIDELAB_DASK_SCHEDULER needs Dask: pip install 'ridelab-server[cluster]'" in run.stderr
     grid = {"strategies": ["passive"], "sweep": {"grid": {"road.seed": [1, 2]}}}
     batch = httpx.post(f"{address}/api/v1/batches", json=grid, timeout=HANG_TIMEOUT).json()["id"]
-    sentence = "There is no Parquet here: whoever runs this service installs it by pip install 'ridelab-server[parquet]'"
+    sentence = (
+        "There is no Parquet here: whoever runs this service installs it by pip install 'ridelab-server[parquet]'"
+    )
     answer = httpx.get(f"{address}/api/v1/batches/{batch}/results?format=parquet", timeout=HANG_TIMEOUT)
     assert answer.status_code == 422
     (error,) = answer.json()["errors"]
@@ -183,4 +185,6 @@ def test_without_its_extras_the_server_says_what_to_install(server: Environment,
     export = server.run("ridelab", "export", batch, "--out", "rows.parquet", RIDELAB_SERVER=address)
     assert export.returncode == 2
     assert sentence in " ".join(export.stderr.split())
-    assert "\n" in server.run("ridelab", "export", batch, "--out", "-", "--format", "csv", RIDELAB_SERVER=address).stdout
+    assert (
+        "\n" in server.run("ridelab", "export", batch, "--out", "-", "--format", "csv", RIDELAB_SERVER=address).stdout
+    )
