@@ -15,6 +15,8 @@ from sim_core.strategies import STRATEGIES
 from tests.packaging.environments import ROOT, Environment, built
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
+PARQUET = "pip install 'ridelab-server[parquet]'"
+
 
 @pytest.fixture(scope="module")
 def wheels(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:

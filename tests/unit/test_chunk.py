@@ -12,6 +12,7 @@ from backend.compute.compute_chunk import compute_chunk
 from backend.job_run import JobRun, PackedRuns
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
+from backend.runs.compute_run import compute
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
 
@@ -26,7 +27,7 @@ def waiting(*heights: float, strategy: str = "passive") -> list[JobRun]:
 def computed(runs: list[JobRun], base: JsonObject = BASE, budget: float = 60) -> list[Outcome]:
     return compute_chunk(
         Chunk(
-            compute=compute_run.compute,
+            compute=compute,
             group="",
             core_version=CORE_VERSION,
             schema_version=1,
