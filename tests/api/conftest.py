@@ -7,7 +7,7 @@ import socket
 import threading
 from collections.abc import Callable, Coroutine, Iterator
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, partial
 from pathlib import Path
 from typing import Any, TypeVar
@@ -23,7 +23,8 @@ from backend.compute import workers
 from backend.http.server import server_config
 from backend.settings import Settings
 from backend.store import Store
-from tests.api.cli import Cli
+from sim_core.scenario import Scenario
+from tests.client.cli import Cli
 from tests.servers.process import HANG_TIMEOUT, wait_until
 from tests.servers.reproduction import store_in
 
@@ -146,6 +147,35 @@ def run(service: Service) -> Any:
     response = service.run(["passive", "lv", "lqr"], {"road": ROAD})
     assert response.status_code == 200, response.text
     return response.json()
+
+
+@pytest.fixture
+def worker_calls(service: Service, monkeypatch: pytest.MonkeyPatch) -> list[tuple[Any, ...]]:
+    """What the workers are asked for during the test: function and arguments of each call, cost at the end."""
+    calls, call = list[tuple[Any, ...]](), service.app.state.workers.call
+
+    async def noted(function: Any, *arguments: Any, **queued: Any) -> Any:
+        calls.append((function, *arguments, queued.get("cost", 0.0)))
+        return await call(function, *arguments, **queued)
+
+    monkeypatch.setattr(service.app.state.workers, "call", noted)
+    return calls
+
+
+@pytest.fixture
+def lqr_fails(service: Service, monkeypatch: pytest.MonkeyPatch) -> int:
+    """During the test no run of LQR succeeds on the road of the seed that this gives."""
+    call, seed = service.app.state.workers.call, 72
+
+    async def refused(function: Any, scenario: Scenario, *arguments: Any, **queued: Any) -> Any:
+        outcomes = await call(function, scenario, *arguments, **queued)
+        if isinstance(outcomes, dict) and "lqr" in outcomes and scenario.road.seed == seed:
+            reason = b'{"reason":"no controller"}'
+            outcomes["lqr"] = replace(outcomes["lqr"], status="failed", json=reason, compute_ms=1.0, series=None)
+        return outcomes
+
+    monkeypatch.setattr(service.app.state.workers, "call", refused)
+    return seed
 
 
 @pytest.fixture

@@ -154,11 +154,12 @@ def test_a_latin_hypercube_is_spread_over_its_ranges_and_the_same_for_a_seed(cli
 
 
 def test_a_list_takes_points_as_they_are_and_fills_what_they_leave_out(client: httpx.Client) -> None:
-    sweep = {"list": [{"road.bump.height": 0.03}, {"lqr.weights": [2, 1, 1]}, {}]}
+    sweep = {"list": [{"road.bump.height": 0.03}, {"lqr.weights": [2, 1, 1]}, {"road.roughness": "C"}]}
     batch = wait_for(client, submit(client, sweep, strategies=["lqr"]).json()["id"])
     runs = rows(client, batch["id"])
     assert [row["road.bump.height"] for row in runs] == [0.03, 0.1, 0.1]
     assert [row["lqr.weights"] for row in runs] == [[1, 1, 1], [2, 1, 1], [1, 1, 1]]
+    assert [row["road.roughness"] for row in runs] == [64e-6, 64e-6, 256e-6], "a class of ISO 8608 has a number"
 
 
 def test_points_that_contradict_themselves_are_failed_rows_with_a_reason(client: httpx.Client) -> None:

@@ -19,8 +19,8 @@ from ridelab.cli.following import submit_job
 from ridelab.cli.service import Services
 from ridelab.client import Ridelab
 from ridelab.jobs import Batch
-from tests.api.cli import Cli, command, environment
 from tests.api.conftest import Service
+from tests.client.cli import Cli, command, environment
 from tests.servers.process import HANG_TIMEOUT, request, wait_until
 
 # Half a second of one core each, so that a sweep of them is still running when it is interrupted.

@@ -174,20 +174,13 @@ def test_a_run_with_very_many_samples_is_shared_without_them(service: Any, clien
 
 
 def test_pinned_histories_are_the_computed_ones_to_the_byte(
-    service: Any, client: httpx.Client, fresh: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+    client: httpx.Client, fresh: dict[str, Any], worker_calls: list[tuple[Any, ...]]
 ) -> None:
     computed = histories(client, fresh["id"])
     share(client, fresh["id"])
-    used = []
-    original = service.app.state.workers.call
-
-    async def noted(function: Any, *arguments: Any, **queued: Any) -> Any:
-        used.append(function)
-        return await original(function, *arguments, **queued)
-
-    monkeypatch.setattr(service.app.state.workers, "call", noted)
+    worker_calls.clear()
     assert histories(client, fresh["id"]) == computed
-    assert set(used) == {exports.render_pinned, pins.opened}, "none was computed again"
+    assert {call[0] for call in worker_calls} == {exports.render_pinned, pins.opened}, "none was computed again"
 
 
 def test_what_it_is_compared_with_is_kept_as_well(

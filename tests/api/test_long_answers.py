@@ -122,7 +122,7 @@ def test_no_room_is_said(
 
 
 def test_space_is_reserved_before_anything_is_computed(
-    service: Any, client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+    service: Any, client: httpx.Client, worker_calls: list[tuple[Any, ...]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(spool, "MAX_IN_MEMORY", 0)
     body = {"scenario": {"road": {"length": 131.9}}, "strategies": ["passive"], "roads": 2}
@@ -131,13 +131,7 @@ def test_space_is_reserved_before_anything_is_computed(
     batch = client.post("/api/v1/batches", json=body).json()["id"]
     wait_until(lambda: client.get(f"/api/v1/batches/{batch}").json()["state"] == "done", "the batch is done")
     files = service.app.state.runs._histories._spool
-    calls, original = [], service.app.state.workers.call
-
-    async def counted(function: Any, *arguments: Any, **queued: Any) -> Any:
-        calls.append((function, queued.get("cost", 0.0)))
-        return await original(function, *arguments, **queued)
-
-    monkeypatch.setattr(service.app.state.workers, "call", counted)
+    worker_calls.clear()
     with monkeypatch.context() as limited:
         size = bands.Band.most_nbytes(Scenario.model_validate(run["scenario"]), "passive")
         limited.setattr(files, "_longest", 1.1 * size)  # the band's own file fits
@@ -146,9 +140,9 @@ def test_space_is_reserved_before_anything_is_computed(
         quotas = service.app.state.gate.quotas
         limited.setitem(quotas, "long_answers", replace(quotas["long_answers"], per_client=1))  # no second one
         assert client.get(f"/api/v1/batches/{batch}/table?figures=travel_time").status_code == 429
-    assert not calls
+    assert not worker_calls
     assert client.get(f"/api/v1/runs/{run['id']}/bands").status_code == 200
-    ((function, cost),) = calls[-1:]
+    function, *_, cost = worker_calls[-1]
     assert function is bands.render
     assert cost > 0, "what takes long does not count as short"
 

@@ -8,8 +8,8 @@ import pytest
 
 from backend.ecu.build import NO_COMPILER, NO_CROSS_COMPILER
 from backend.settings import Settings
-from tests.api.cli import Cli
 from tests.api.conftest import Service, serve
+from tests.client.cli import Cli
 from tests.servers.compilers import Bare
 
 SMALL: dict[str, Any] = {

@@ -8,8 +8,8 @@ import pytest
 
 from backend.paper import models
 from backend.settings import Settings
-from tests.api.cli import Cli
 from tests.api.conftest import Service, serve
+from tests.client.cli import Cli
 from tests.html import check, read
 from tests.servers.reproduction import store_without_ecu
 

@@ -70,6 +70,7 @@ def test_any_bytes_are_a_value_or_an_error(body: bytes) -> None:
     [
         (scenario('{"road": {"seed": 1, "seed": 2}}'), ""),
         (scenario('{"road": {"length": "150"}}'), "/scenario/road/length"),
+        (scenario('{"road": {"roughness": "I"}}'), "/scenario/road/roughness"),
         (scenario('{"road": {"length": ' + "9" * 308 + "}}"), "/scenario/road/length"),
         (scenario('{"road": {"bump": {"my colour": 1}}}'), "/scenario/road/bump"),
         (scenario('{"road": {"bump": {"start": 149}}}'), "/scenario/road/bump/start"),

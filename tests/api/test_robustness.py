@@ -1,6 +1,5 @@
 """A batch's summary and the robustness command, over HTTP: against the exported rows, and what is refused."""
 
-import json
 import statistics
 from typing import Any
 
@@ -10,7 +9,6 @@ import pytest
 from backend.jobs.sweep.models import BatchSummary
 from backend.jobs.sweep.robustness import FIGURES, UNCERTAINTIES
 from backend.jobs.sweep.summary_models import RobustnessDefaults
-from ridelab.cli.app import run as command
 from sim_core.scenario import dotted
 from tests.servers.batches import wait_for
 
@@ -138,38 +136,3 @@ def test_the_defaults_are_ranges_that_a_batch_takes(client: httpx.Client) -> Non
     body = {"scenario": BASE, "strategies": usual["strategies"], "sweep": sweep, "dry_run": True}
     estimate = client.post("/api/v1/batches", json=body).json()
     assert (estimate["points"], estimate["contradictory"]) == (usual["samples"], 0)
-
-
-def test_the_command_prints_the_summary_the_service_gives(
-    client: httpx.Client, capsys: pytest.CaptureFixture[str]
-) -> None:
-    server = str(client.base_url).rstrip("/")
-    options = ["--server", server, "--samples", "12", "--strategy", "lv,passive", "--exact", "road.seed"]
-    options += ["--range", "mismatch.damping=0.5:1.5", "--set", "road.length=92", "--set", "road.bump.start=70"]
-    assert command(["robustness", *options, "--json"]) == 0
-    summary = json.loads(capsys.readouterr().out)
-    ranges = client.get(f"/api/v1/batches/{summary['batch']}").json()["sweep"]["latin_hypercube"]["ranges"]
-    assert ranges["mismatch.damping"] == [0.5, 1.5]
-    assert len(ranges) == len(UNCERTAINTIES) - 1
-    assert summary == client.get(f"/api/v1/batches/{summary['batch']}/summary").json()
-
-    assert command(["robustness", *options]) == 0
-    printed = capsys.readouterr().out
-    median = summary["strategies"]["lv"]["figures"][PEAK]["quantiles"][3]
-    assert f"{median:.4g}" in printed.split(PEAK)[1].split("\n\n")[0]
-    assert "unstable" in printed
-
-
-@pytest.mark.parametrize(
-    ("options", "said"),
-    [
-        (["--exact", ",".join(each.field for each in UNCERTAINTIES)], "Nothing is uncertain: every field is exact"),
-        (["--exact", "road.bump.height"], "--exact: road.bump.height is not varied"),
-        (["--baseline", "groundhook"], "--baseline: groundhook is not among the strategies"),
-    ],
-)
-def test_a_study_of_nothing_is_refused(
-    client: httpx.Client, capsys: pytest.CaptureFixture[str], options: list[str], said: str
-) -> None:
-    assert command(["robustness", "--server", str(client.base_url).rstrip("/"), *options]) == 2
-    assert said in capsys.readouterr().err

@@ -11,6 +11,7 @@ from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGN
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
+from tests.api.conftest import Service
 
 heights = itertools.count(1)
 
@@ -131,31 +132,10 @@ def test_live_takes_points_and_signals(service: Any, run: dict[str, Any]) -> Non
     assert len(entry["series"]["time"]["bdata"]) > fewer
 
 
-def test_a_refused_strategy_fails_alone_and_says_why(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_refused_strategy_fails_alone_and_says_why(service: Service, lqr_fails: int) -> None:
     """A failure is a deterministic result like any other: stored, with its reason, beside those that succeeded."""
-    from backend.outcome import Outcome
-
-    workers = service.app.state.workers
-    original = workers.call
-
-    async def refused(
-        function: Any, scenario: Scenario, keys: dict[str, str], points: int | None, **queued: Any
-    ) -> Any:
-        outcomes = await original(function, scenario, keys, points, **queued)
-        outcomes["lqr"] = Outcome(
-            key=keys["lqr"],
-            strategy="lqr",
-            status="failed",
-            json=b'{"reason":"no controller"}',
-            compute_ms=1.0,
-            points=points,
-        )
-        return outcomes
-
-    monkeypatch.setattr(workers, "call", refused)
-    scenario = {"road": {"length": 131.9}}
+    scenario = {"road": {"length": 131.9, "seed": lqr_fails}}
     answer = service.run(["lqr", "passive"], scenario).json()
-    monkeypatch.undo()
     CreatedRun.model_validate(answer)
     assert answer["strategies"]["lqr"] == {
         "status": "failed",

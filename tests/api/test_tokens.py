@@ -2,7 +2,7 @@
 
 import re
 import time
-from collections.abc import Awaitable, Callable, Iterator
+from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 
@@ -25,12 +25,12 @@ from tests.api import tuning
 from tests.api.conftest import Service, serve
 from tests.api.test_problems import check
 from tests.servers import loops
+from tests.servers.loops import ask
 from tests.servers.process import HANG_TIMEOUT
 
 ANN, BEN = "ann-0123456789abcdef", "ben/+~.0123456789=="
 LINES = f"# who may\n\nann {ANN}\n  ben\t{BEN}  \n"
 API = "/api/v1/strategies"
-Ask = Callable[[httpx.AsyncClient], Awaitable[httpx.Response]]
 
 
 @pytest.fixture
@@ -52,15 +52,6 @@ def app(tmp_path: Path, file: Path) -> FastAPI:
         return caller
 
     return app
-
-
-def ask(app: FastAPI, method: str, path: str, *, scheme: str = "http", **more: object) -> httpx.Response:
-    async def answer() -> httpx.Response:
-        transport = httpx.ASGITransport(app)
-        async with httpx.AsyncClient(transport=transport, base_url=f"{scheme}://lab.example") as client:
-            return await client.request(method, path, **more)  # type: ignore[arg-type]  # passed on as they came
-
-    return loops.run(answer)
 
 
 def bearer(token: str) -> dict[str, str]:
@@ -94,7 +85,7 @@ def test_a_link_shows_nothing_of_what_it_opens(app: FastAPI) -> None:
 @pytest.mark.parametrize("scheme", ["http", "https"])
 def test_the_page_logs_in_once_and_keeps_a_cookie(app: FastAPI, scheme: str) -> None:
     check(ask(app, "POST", "/api/v1/login", json={"token": "wrong"}), 401, "token-required")
-    logged_in = ask(app, "POST", "/api/v1/login", scheme=scheme, json={"token": ANN})
+    logged_in = ask(app, "POST", f"{scheme}://lab.example/api/v1/login", json={"token": ANN})
     assert logged_in.status_code == 204
     cookie = logged_in.headers["set-cookie"]
     assert cookie.startswith(f"{COOKIE}=")
