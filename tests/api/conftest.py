@@ -9,7 +9,6 @@ from collections.abc import Callable, Coroutine, Iterator
 from contextlib import closing
 from dataclasses import dataclass, replace
 from functools import cache, partial
-from pathlib import Path
 from typing import Any, TypeVar
 
 import httpx
@@ -24,13 +23,14 @@ from backend.http.server import server_config
 from backend.settings import Settings
 from backend.store import Store
 from sim_core.scenario import Scenario
-from tests.client.cli import Cli
+from tests.servers.postgres import Postgres
 from tests.servers.process import HANG_TIMEOUT, wait_until
 from tests.servers.reproduction import store_in
 
 T = TypeVar("T")
 # Kinds of problems that any request may meet; they belong to no operation.
 BEFORE_ANY_ROUTE = ("address-too-long", "connections", "cross-site", "headers-too-long", "other-host", "two-lengths")
+TOKENS = {"ann": "ann-0123456789abcdef", "ben": "ben/+~.0123456789==", "o" * 64: "of-the-longest-name"}
 ROAD = {"length": 130, "bump": {"start": 90}}  # not the paper's, so that stored paper runs never matter here
 
 
@@ -126,6 +126,18 @@ def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
 
 
 @pytest.fixture(scope="session")
+def with_tokens(
+    postgres: Postgres, migrated_postgres: str, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[Service]:
+    """One on PostgreSQL for whoever has a token: TOKENS, by name."""
+    folder = tmp_path_factory.mktemp("guarded")
+    file = folder / "tokens"
+    file.write_text("".join(f"{name} {token}\n" for name, token in TOKENS.items()))
+    settings = {"workers": 1, "batch_workers": 1, "tokens_file": file, "data_dir": folder}
+    yield from serve(Settings.model_validate({**settings, "database_url": postgres.new_database(migrated_postgres)}))
+
+
+@pytest.fixture(scope="session")
 def reproduced(service: Service) -> None:
     """The service has the paper's reproduction stored."""
     store_in(service.app.state.store)
@@ -176,27 +188,6 @@ def lqr_fails(service: Service, monkeypatch: pytest.MonkeyPatch) -> int:
 
     monkeypatch.setattr(service.app.state.workers, "call", refused)
     return seed
-
-
-@pytest.fixture
-def cli(
-    client: httpx.Client,
-    capfdbinary: pytest.CaptureFixture[bytes],
-    monkeypatch: pytest.MonkeyPatch,
-    tmp_path_factory: pytest.TempPathFactory,
-) -> Cli:
-    """The command, with the tests' service."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.getbasetemp()))
-    monkeypatch.setenv("RIDELAB_SERVER", str(client.base_url))
-    return Cli(capfdbinary)
-
-
-@pytest.fixture
-def scenario(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
-    """The test module's SCENARIO as a file."""
-    path = tmp_path / "scenario.json"
-    path.write_text(json.dumps(request.module.SCENARIO), encoding="utf-8")
-    return path
 
 
 @pytest.fixture

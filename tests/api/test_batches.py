@@ -132,19 +132,19 @@ def test_events_tell_everything_once_and_replay_after_a_number(client: httpx.Cli
     assert events(client, batch["id"], headers={"Last-Event-ID": "what\u00a0ever".encode()}) == heard
 
 
-def test_a_latin_hypercube_is_spread_over_its_ranges_and_the_same_for_a_seed(client: httpx.Client) -> None:
+def test_a_latin_hypercube_is_spread_over_its_ranges_and_the_same_for_a_seed() -> None:
     ranges: dict[str, list[float]] = {
         "road.bump.height": [0.02, 0.1],
         "mpc.prediction_horizon": [22, 26],
         "mpc.stage_weights.bump.2": [1, 9],
     }
-    sweep = {"latin_hypercube": {"ranges": ranges, "samples": 20, "seed": 5}}
-    batches = [wait_for(client, submit(client, sweep, strategies=["speed_only"]).json()["id"]) for _ in range(2)]
-    first, second = (rows(client, batch["id"]) for batch in batches)
-    for one, other in zip(first, second, strict=True):
-        assert {name: one[name] for name in ranges} == {name: other[name] for name in ranges}
+    cube = {"latin_hypercube": {"ranges": ranges, "samples": 20, "seed": 5}}
+    sweep, base = sweep_points.Sweep.model_validate(cube), Scenario().model_dump(mode="json")
+    names, points = sweep_points.points(sweep, base)
+    assert names == list(ranges)
+    assert sweep_points.points(sweep, base) == (names, points)
     for name, (low, high) in ranges.items():
-        values = [row[name] for row in first]
+        values = [dotted.value(dotted.with_changes(base, point), name) for point in points]
         assert all(low <= value <= high for value in values)
         if name != "mpc.prediction_horizon":
             width = (high - low) / 20

@@ -2,7 +2,6 @@
 
 import json
 import socket
-import time
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -178,23 +177,3 @@ def test_who_takes_nothing_or_hangs_up_keeps_no_file(
         wait_until(lambda: not files(folder), "its file is gone")
         if not hangs_up:
             assert len(rest(connection)) < 1_000_000
-
-
-def test_a_slow_reader_gets_all(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(GuardedProtocol, "WRITE_TIMEOUT", 1.0)
-    monkeypatch.setattr(spool, "MAX_IN_MEMORY", 0)
-    run = service.run(["passive"], {"road": {"length": 400}}).json()["id"]
-    path = f"/api/v1/runs/{run}/series?format=csv"
-    whole = service.client.get(path).content
-    with impatient(service.app) as (address, _), socket.socket() as connection:
-        connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
-        connection.settimeout(HANG_TIMEOUT)
-        connection.connect(address)
-        connection.sendall(f"GET {path} HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n".encode())
-        received, end = b"", time.monotonic() + 2  # longer than nothing may be taken
-        while time.monotonic() < end:
-            received += connection.recv(2000)
-            time.sleep(0.02)
-        received += rest(connection)
-    assert received.endswith(whole[-1000:])
-    assert len(received) > len(whole)

@@ -17,7 +17,7 @@ from backend.jobs.retention import Retention
 from backend.settings import Settings
 from backend.store import Store, StoredLink, retention
 from sim_core.scenario.measured import MeasuredRoad
-from tests.api.conftest import serve
+from tests.api.conftest import Service
 from tests.api.test_job_store import BATCH, computed, purge, rows
 from tests.api.test_store import outcomes, save
 from tests.servers import loops
@@ -238,17 +238,17 @@ def test_the_oldest_goes_first_where_all_is_too_large(store: Store) -> None:
     assert "labelled-3" in store.runs.load_results(["labelled-3"])
 
 
-def test_a_run_whose_results_were_removed_is_computed_again_and_says_its_version(tmp_path: Path) -> None:
+def test_a_run_whose_results_were_removed_is_computed_again_and_says_its_version(service: Service) -> None:
     body = {"scenario": {"road": {"length": 12, "bump": {"start": 5, "width": 2}}}, "strategies": ["passive", "lqr"]}
-    for service in serve(Settings(data_dir=tmp_path, workers=1, batch_workers=1, retention_days=0.001)):
-        first = service.client.post("/api/v1/runs", json=body).json()
-        with service.app.state.store.writing() as connection:
-            connection.execute(update(results).values(created_at=LONG_AGO))
-        loops.run(Retention(service.app.state.store, service.app.state.settings, service.app.state.store.write).apply)
-        assert service.app.state.store.runs.load(first["id"]).expired
-        assert 'ridelab_removed_total{what="results"}' in service.client.get("/metrics").text
-        again = service.client.get(f"/api/v1/runs/{first['id']}").json()
-        assert again["core_version"] == first["core_version"]
-        for name, strategy in again["strategies"].items():
-            assert strategy["metrics"] == first["strategies"][name]["metrics"]
-        assert not service.app.state.store.runs.load(first["id"]).expired
+    first, store = service.client.post("/api/v1/runs", json=body).json(), service.app.state.store
+    keys = [result.key for result in store.runs.load(first["id"]).results]
+    with store.writing() as connection:
+        connection.execute(update(results).where(results.c.key.in_(keys)).values(created_at=LONG_AGO))
+    apply(store, retention_days=30)
+    assert store.runs.load(first["id"]).expired
+    assert 'ridelab_removed_total{what="results"}' in service.client.get("/metrics").text
+    again = service.client.get(f"/api/v1/runs/{first['id']}").json()
+    assert again["core_version"] == first["core_version"]
+    for name, strategy in again["strategies"].items():
+        assert strategy["metrics"] == first["strategies"][name]["metrics"]
+    assert not store.runs.load(first["id"]).expired

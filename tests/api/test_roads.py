@@ -279,9 +279,10 @@ def test_bands_are_mean_and_extremes_of_the_single_runs(
     assert kept.sum() == len(few["mean"]["time"]) < len(kept) / 4
     for part, over in (("mean", np.mean), ("minimum", np.min), ("maximum", np.max)):
         for key, values in whole[part].items():
-            drives = np.array([single[key] for single in singles], dtype=np.float32).astype(np.float64)
-            np.testing.assert_allclose(values, over(drives, axis=0), rtol=1e-7)  # float32's half digit
-            np.testing.assert_array_equal(few[part][key], np.array(values)[kept])
+            drives = np.array([each[key] for each in singles], dtype=np.float32).astype(np.float64)
+            single = np.array(values, dtype=np.float32)
+            np.testing.assert_allclose(single, over(drives, axis=0), rtol=1e-7)  # float32's half digit
+            np.testing.assert_array_equal(np.array(few[part][key], dtype=np.float32), single[kept])
             assert (min(few[part][key]), max(few[part][key])) == (min(values), max(values))
             assert key not in common or np.ptp(drives, axis=0).max() == 0
     one = post(service, scenario=scenario, strategies=["lqr"]).json()["id"]

@@ -1,10 +1,8 @@
 """The largest value that keeps a limit, over HTTP, by the client and at the command line: known answers."""
 
-import asyncio
 import itertools
 import json
 import math
-import threading
 from typing import Any
 
 import httpx
@@ -12,7 +10,6 @@ import pytest
 
 from backend.intervals import mean_with_interval
 from backend.runs.solve.models import Solution, SolveRequest
-from tests.servers.process import HANG_TIMEOUT, wait_until
 
 PEAK = "bump.body_acceleration.peak"
 SMOOTH = {"road": {"roughness": 0, "length": 118}}
@@ -198,25 +195,6 @@ def test_the_cost_of_all_that_may_be_tried_is_limited_before_anything_is_driven(
     assert response.status_code == 422
     assert response.json()["type"].endswith(":cost-limit")
     assert not worker_calls
-
-
-def test_nothing_more_is_driven_once_the_client_is_gone(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    drives, begun, called_off = itertools.count(1), threading.Event(), threading.Event()
-
-    async def never(*_: Any, **__: Any) -> Any:
-        next(drives)
-        begun.set()
-        try:
-            await asyncio.Event().wait()
-        finally:
-            called_off.set()
-
-    monkeypatch.setattr(service.app.state.workers, "call", never)
-    with service.begun("POST", "/api/v1/solve", {**HEIGHT, "range": [0.031, 0.2], "limit": 4}):
-        assert begun.wait(HANG_TIMEOUT)
-    assert called_off.wait(HANG_TIMEOUT)
-    wait_until(lambda: service.app.state.gate.load["requests"] == 0, "it is over")
-    assert next(drives) == 2, "the first drive was the last"
 
 
 def test_every_field_that_takes_a_number_is_offered() -> None:

@@ -22,13 +22,13 @@ from backend.settings import Settings, SettingsError
 from backend.store import Store
 from backend.token_file import read_tokens
 from tests.api import tuning
-from tests.api.conftest import Service, serve
+from tests.api.conftest import TOKENS, Service
 from tests.api.test_problems import check
 from tests.servers import loops
 from tests.servers.loops import ask
 from tests.servers.process import HANG_TIMEOUT
 
-ANN, BEN = "ann-0123456789abcdef", "ben/+~.0123456789=="
+ANN, BEN = TOKENS["ann"], TOKENS["ben"]
 LINES = f"# who may\n\nann {ANN}\n  ben\t{BEN}  \n"
 API = "/api/v1/strategies"
 
@@ -219,16 +219,6 @@ SUBMITTED = {
     "batches": {"scenario": {}, "strategies": ["passive"], "sweep": {"grid": {"road.seed": [1, 2]}}},
     "tunings": tuning.REQUEST,
 }
-
-
-@pytest.fixture(scope="module")
-def with_tokens(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
-    """A service with two tokens."""
-    folder = tmp_path_factory.mktemp("guarded")
-    file = folder / "tokens"
-    file.write_text(LINES)
-    limits = {"workers": 1, "batch_workers": 1, "tokens_file": file}
-    yield from serve(Settings.model_validate({"data_dir": folder, **limits}))
 
 
 @pytest.fixture(scope="module")

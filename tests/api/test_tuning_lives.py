@@ -24,14 +24,6 @@ HARD = {
 }
 
 
-@pytest.fixture(scope="module")
-def tuning(client: httpx.Client) -> dict[str, Any]:
-    """A finished one of two objectives."""
-    finished = wait_for(client, begin(client, "the-first")["id"])
-    assert finished["state"] == "done", finished["reason"]
-    return finished
-
-
 def test_one_that_is_done_goes_on_with_more_trials(client: httpx.Client) -> None:
     short = wait_for(client, begin(client, trials=8)["id"])
     path = f"/api/v1/tunings/{short['id']}/resume"
@@ -41,7 +33,7 @@ def test_one_that_is_done_goes_on_with_more_trials(client: httpx.Client) -> None
     assert client.post(path, params={"trials": 24}).json()["comparison"] is None
     longer = wait_for(client, short["id"])
     assert (longer["state"], longer["trials"]["done"]) == ("done", 24)
-    whole = wait_for(client, begin(client, "the-first")["id"])
+    whole = wait_for(client, begin(client, "the-one-read")["id"])
     assert trials(client, short["id"]) == trials(client, whole["id"]), "as if it had been asked for at once"
     assert longer["comparison"]["points"] == whole["comparison"]["points"]
 
