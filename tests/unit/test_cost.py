@@ -27,7 +27,7 @@ from sim_core.errors import TooExpensiveError
 from sim_core.scenario import SCHEMA_VERSION, Actuator, Brake, Bump, Estimation, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
-from tests.events import event
+from tests.results import event
 
 AT_LIMITS = Scenario(road=Road(bump=Bump(height=0.14)), mpc=Mpc(solver="osqp", deflection_limit=0.03, force_limit=1500))
 ENDLESS = Scenario(

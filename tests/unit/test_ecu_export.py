@@ -28,7 +28,7 @@ from sim_core.scenario import Bump, Hil, Mpc, Road, Scenario, Speed
 from sim_core.simulate import simulate
 from sim_core.strategies.calibration import ecu_calibration
 from sim_core.strategies.lv_hil import LvHil
-from tests.events import event
+from tests.results import event
 
 SMALL = Scenario(
     road=Road(length=40, bump=Bump(start=20, width=3, height=0.09)),

@@ -188,3 +188,5 @@ def test_a_residual_is_the_largest_violation() -> None:
         problem.f[:], problem.b[:] = f, b
         assert problem.residual(y, multipliers) == pytest.approx(max(worst), rel=1e-9)
     assert largest == set(range(5))
+    problem.f[0] = np.nan
+    assert not problem.residual(y, multipliers) < np.inf

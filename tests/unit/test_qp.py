@@ -7,7 +7,7 @@ from sim_core.arrays import FloatArray
 from sim_core.control.qp import SOLVERS, TOLERANCE, QpProblem, QpShape, QpSolver
 from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario
 from sim_core.simulate import simulate
-from tests.events import event
+from tests.results import event
 
 
 def _problem(shape: QpShape, f: FloatArray, b: FloatArray) -> QpProblem:
@@ -34,19 +34,6 @@ def test_solvers_agree_and_their_multipliers_prove_it(name: str) -> None:
         assert answers[name] is not None
         for other in answers.values():
             assert other == pytest.approx(answers[name], abs=1e-7)
-
-
-def test_residual_sees_every_kind_of_wrong_answer() -> None:
-    shape = QpShape(H=np.eye(2), A=np.array([[1.0, 1.0]]), low=np.full(2, -1.0), high=np.full(2, 1.0))
-    f = np.array([-3.0, 0.0])
-    problem, tight = _problem(shape, f, np.array([10.0])), _problem(shape, f, np.array([0.5]))
-    right, force = np.array([1.0, 0.0]), np.array([2.0, 0.0, 0.0])
-    assert problem.residual(right, force) <= TOLERANCE
-    assert problem.residual(right, np.zeros(3)) > TOLERANCE  # not stationary
-    assert problem.residual(np.array([3.0, 0.0]), np.zeros(3)) > TOLERANCE  # outside the box
-    assert tight.residual(right, force) > TOLERANCE  # breaks the row
-    assert problem.residual(np.array([0.0, 0.0]), np.array([3.0, 0.0, 0.0])) > TOLERANCE  # gap
-    assert not problem.residual(np.array([np.nan, 0.0]), force) <= TOLERANCE
 
 
 def test_a_tenth_of_a_newton_off_is_no_answer(monkeypatch: pytest.MonkeyPatch) -> None:

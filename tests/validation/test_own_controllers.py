@@ -11,13 +11,12 @@ import pytest
 
 import sim_core
 from sim_core import Controller, LinearLaw, Seen, Setup, check_controller, option, scenario_field, simulate
-from sim_core.control.cost import stage_cost
 from sim_core.errors import RidelabError
 from sim_core.road.profile import profile
-from sim_core.scenario import Actuator, Bump, Estimation, Lqr, Mismatch, Mpc, Road, Scenario, Vehicle
+from sim_core.scenario import Actuator, Bump, Estimation, Mismatch, Mpc, Road, Scenario, Vehicle
 from sim_core.simulate import prepare
 from sim_core.strategies import STRATEGIES, reads
-from sim_core.vehicle.half_car import discrete, half_car
+from sim_core.vehicle.half_car import half_car
 
 FILES = sorted(
     file
@@ -319,42 +318,6 @@ def test_a_law_that_does_not_fit_its_preview_is_refused() -> None:
     for shapes in ({"gain": np.zeros((2, 4))}, {"gain": np.zeros((2, 10)), "limits": np.zeros((3, 11))}):
         with pytest.raises(RidelabError, match="shape"):
             LinearLaw(**shapes)
-
-
-def test_an_lqr_by_the_textbook_is_ours() -> None:
-    """Its gain by iterating the Riccati equation, its force step by step."""
-
-    class Textbook(Controller):
-        """LQR without preview."""
-
-        id, label = "textbook", "Textbook"
-
-        def start(self, setup: Setup) -> None:
-            step, kilo = discrete(setup.vehicle, setup.sample_time), 1000
-            terms = sim_core.CostTerms(
-                vehicle=setup.vehicle,
-                speed=setup.initial_speed,
-                sample_time=setup.sample_time,
-                weights=(1.0, 1.0, 1.0),
-                deflection_weight=SHORT.lqr.deflection_weight,
-                deflection_limit=setup.deflection_limit,
-                force_weight=SHORT.mpc.force_weight,
-            )
-            S = stage_cost(terms)
-            A, B = step.A, step.B * kilo
-            Q, R, N = S[:8, :8], S[8:10, 8:10], S[:8, 8:10]
-            P = Q.copy()
-            for _ in range(20_000):
-                K = np.linalg.solve(R + B.T @ P @ B, B.T @ P @ A + N.T)
-                P = Q + A.T @ P @ A - (A.T @ P @ B + N) @ K
-            self._gain = -K * kilo
-
-        def force(self, seen: Seen) -> Any:
-            return self._gain @ seen.state
-
-    scenario = SHORT.model_copy(update={"lqr": Lqr(preview="none", weights=(1.0, 1.0, 1.0))})
-    ours, theirs = simulate(scenario, "lqr"), simulate(scenario, Textbook)
-    np.testing.assert_allclose(theirs.series["front_force"], ours.series["front_force"], rtol=1e-6, atol=1e-6)
 
 
 def test_the_believed_car_is_told_not_the_real_one() -> None:

@@ -1,4 +1,4 @@
-"""Metrics and comfort from a run's series by their definitions: trapezoids in time, Wk in the frequency domain."""
+"""The weighting Wk of ISO 2631-1 in the frequency domain."""
 
 from typing import Any
 
@@ -6,33 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.fft import next_fast_len
 
-from sim_core.result import StrategyResult
-from sim_core.scenario import Scenario
-
 Array = NDArray[np.floating[Any]]
-Mask = NDArray[np.bool]
-
-
-def window(result: StrategyResult, low: float, high: float) -> Mask:
-    """Mask of the samples with the front axle from `low` to `high` [m]."""
-    x = result.series["position"]
-    return (x >= low) & (x <= high)
-
-
-def windows(scenario: Scenario, result: StrategyResult) -> dict[str, Mask]:
-    """The paper's two windows and the whole run."""
-    bump, car = scenario.road.bump, scenario.vehicle
-    end = bump.start + (bump.count - 1) * bump.spacing + bump.width + car.cg_to_front + car.cg_to_rear
-    return {
-        "rough_road": window(result, 0, bump.start - 1e-9),  # the sample at the bump is the bump's
-        "bump": window(result, bump.start, end),
-        "whole": window(result, 0, scenario.road.length),
-    }
-
-
-def rms(time: Array, values: Array) -> float:
-    """Root of the time mean of the square."""
-    return float(np.sqrt(np.trapezoid(values**2, time) / (time[-1] - time[0])))
 
 
 def wk(frequency: Array) -> Array:
