@@ -52,7 +52,7 @@ class Prepared:
         answer = self.answers.get(name)
         if answer is not None:
             content = answer(body) if callable(answer) else answer
-            return httpx.Response(200, **{"content" if isinstance(content, bytes) else "json": content})
+            return httpx.Response(200, content=content if isinstance(content, bytes) else json.dumps(content))
         if path.split("/")[1] in STORED:
             return httpx.Response(404, json={"status": 404, "detail": "There is none of this id.", "errors": []})
         sent = {"content": request.content, "headers": {"Content-Type": "application/json"}} if is_json else {}

@@ -47,7 +47,7 @@ def test_a_saved_run_over_several_roads_is_compared_with_as_many(
 
 
 def test_a_run_can_be_named_in_every_way(cli: Cli, prepared: Prepared, tmp_path: Path) -> None:
-    link = {"slug": SLUG, "url": f"/s/{SLUG}", "kind": "run", "created_at": "", "core_version": "1", "batch": None}
+    link: Any = {"slug": SLUG, "url": f"/s/{SLUG}", "kind": "run", "created_at": "", "core_version": "1", "batch": None}
     link |= {"current_core_version": "1", "scenario": SHORT, "view": {}, "series_pinned": True}
     prepared.answers[f"GET /links/{SLUG}"] = {**link, "run": prepared.answers[f"GET /runs/{RUN}"]}
     saved, address = tmp_path / "saved.json", f"{ADDRESS}/r/{RUN}"
@@ -296,7 +296,7 @@ def test_a_librarys_file_is_driven_with_its_road(cli: Cli, prepared: Prepared, t
     """Where the scenario names a road that the service does not have, the file's own is sent to it."""
     prepared.answers["POST /roads"] = {"id": RUN}
     file = tmp_path / "street.json"
-    there = {"road": {**SHORT["road"], "profile": "A" * 22}, "estimation": {"kind": "kalman"}}
+    there = {"road": {"profile": "A" * 22}, "estimation": {"kind": "kalman"}}
     file.write_text(json.dumps({"schema_version": 1, "label": "Street", "scenario": there, "measured_road": "a,b"}))
     cli("run", file, "-s", "passive")
     assert prepared.bodies("POST /roads") == [b"a,b"]
