@@ -16,6 +16,7 @@ from backend.runs import bands
 from backend.runs.series import most_samples, ordered_signals
 from sim_core.scenario import Scenario
 from tests.api.test_hostile_connections import impatient, rest
+from tests.servers.batches import computed
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
 
@@ -81,14 +82,9 @@ def test_a_long_one_is_compressed_and_asked_for_by_its_head(
     assert int(head.headers["content-length"]) == len(plain.content)
 
 
-def test_a_batchs_table_is_the_same(service: Any, client: httpx.Client, monkeypatch: pytest.MonkeyPatch) -> None:
-    body = {
-        "scenario": {"road": {"length": 131.7}},
-        "strategies": ["passive"],
-        "sweep": {"grid": {"road.bump.height": [0.05, 0.06]}},
-    }
-    batch = client.post("/api/v1/batches", json=body).json()["id"]
-    wait_until(lambda: client.get(f"/api/v1/batches/{batch}").json()["state"] == "done", "the batch is done")
+def test_a_batchs_table_is_the_same(client: httpx.Client, monkeypatch: pytest.MonkeyPatch) -> None:
+    scenario, sweep = {"road": {"length": 131.7}}, {"grid": {"road.bump.height": [0.05, 0.06]}}
+    batch = computed(client, scenario=scenario, strategies=["passive"], sweep=sweep)["id"]
     short, long = both(client, monkeypatch, f"/batches/{batch}/table", figures="travel_time")
     assert short.content == long.content
     assert json.loads(long.content)["columns"]["run"] == [0, 1]
@@ -126,9 +122,8 @@ def test_space_is_reserved_before_anything_is_computed(
     monkeypatch.setattr(spool, "MAX_IN_MEMORY", 0)
     body = {"scenario": {"road": {"length": 131.9}}, "strategies": ["passive"], "roads": 2}
     run = client.post("/api/v1/runs", json=body).json()
-    body = {"scenario": body["scenario"], "strategies": ["passive"], "sweep": {"list": [{"road.seed": 1}]}}
-    batch = client.post("/api/v1/batches", json=body).json()["id"]
-    wait_until(lambda: client.get(f"/api/v1/batches/{batch}").json()["state"] == "done", "the batch is done")
+    sweep = {"list": [{"road.seed": 1}]}
+    batch = computed(client, scenario=body["scenario"], strategies=["passive"], sweep=sweep)["id"]
     files = service.app.state.runs._histories._spool
     worker_calls.clear()
     with monkeypatch.context() as limited:

@@ -18,7 +18,8 @@ from backend.runs.result_cache import ResultCache
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
 from tests.api.conftest import Service
-from tests.servers.process import wait_until
+from tests.servers.batches import computed
+from tests.servers.batches import rows as rows_of
 
 HEAD = "distance [m],height [mm]\n"
 X = np.arange(0, 140, 0.1)
@@ -98,14 +99,12 @@ def test_a_batch_drives_several_roads(client: httpx.Client, scenario: dict[str, 
     sweep = {"grid": {"road.profile": [sent["id"], None], "speed.target_speed_kmh": [20, 30]}}
     body = {"scenario": scenario, "strategies": ["passive", "speed_only"], "sweep": sweep}
     assert client.post("/api/v1/batches", json={**body, "dry_run": True}).json()["estimated_seconds"] > 0
-    batch = client.post("/api/v1/batches", json=body).json()
-    path = f"/api/v1/batches/{batch['id']}"
-    wait_until(lambda: client.get(path).json()["state"] == "done", "the batch is done")
-    rows = client.get(f"{path}/results").json()["rows"]
+    batch = computed(client, **body)["id"]
+    rows = rows_of(client, batch)
     assert [row["status"] for row in rows] == ["ok"] * 8
     peaks = {row["road.profile"]: row["metrics"]["bump"]["body_acceleration"]["peak"] for row in rows}
     assert peaks[sent["id"]] > 3 * peaks[None], "the hump is in the profile"
-    nominal = client.get(f"{path}/summary").json()["strategies"]["passive"]
+    nominal = client.get(f"/api/v1/batches/{batch}/summary").json()["strategies"]["passive"]
     assert nominal["figures"]["bump.body_acceleration.peak"]["nominal"] > 0
 
 
@@ -138,11 +137,8 @@ def test_a_scenario_without_a_length_ends_with_its_road(service: Service, client
     assert beyond.json()["errors"][0]["pointer"] == "/scenario/road/bump/start"
 
     def travel_times(base: dict[str, Any], sweep: dict[str, Any]) -> list[float | None]:
-        body = {"scenario": base, "strategies": ["passive"], "sweep": sweep}
-        batch = client.post("/api/v1/batches", json=body).json()
-        path = f"/api/v1/batches/{batch['id']}"
-        wait_until(lambda: client.get(path).json()["state"] == "done", "the batch is done")
-        rows = client.get(f"{path}/results").json()["rows"]
+        batch = computed(client, scenario=base, strategies=["passive"], sweep=sweep)
+        rows = rows_of(client, batch["id"])
         return [row["travel_time"] if row["status"] == "ok" else None for row in rows]
 
     speed = 50 / 3.6

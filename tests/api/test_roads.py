@@ -181,24 +181,6 @@ def test_more_roads_compute_only_what_is_new(service: Any, three: dict[str, Any]
         assert entry["compute_ms"] == pytest.approx(before[name] + last[name]["compute_ms"])
 
 
-@pytest.mark.parametrize(
-    ("more", "pointer", "says"),
-    [
-        ({"roads": 0}, "/roads", "greater"),
-        ({"roads": 51}, "/roads", "50"),
-        ({"roads": 2, "baseline": "lv"}, "/baseline", "lqr, passive"),
-        ({"baseline": "lv"}, "/baseline", "lqr, passive"),
-        ({"roads": 2, "scenario": {"road": {"seed": 2**32 - 1}}}, "/roads", "seed"),
-    ],
-)
-def test_what_cannot_be_is_refused_where_it_stands(service: Any, more: dict[str, Any], pointer: str, says: str) -> None:
-    response = post(service, **{"strategies": ["lqr", "passive"], **more})
-    assert response.status_code == 422
-    (error,) = response.json()["errors"]
-    assert error["pointer"] == pointer
-    assert says in error["message"]
-
-
 def test_the_cost_is_that_of_all_roads(service: Any) -> None:
     body = {"scenario": {"road": {"length": 1000}}, "strategies": ["lv_hil"]}
     response = post(service, **body, roads=50)

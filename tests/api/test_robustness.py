@@ -1,4 +1,4 @@
-"""A batch's summary and the robustness command, over HTTP: against the exported rows, and what is refused."""
+"""A batch's summary over HTTP: against the exported rows, and what is refused."""
 
 import statistics
 from typing import Any
@@ -10,7 +10,7 @@ from backend.jobs.sweep.models import BatchSummary
 from backend.jobs.sweep.robustness import FIGURES, UNCERTAINTIES
 from backend.jobs.sweep.summary_models import RobustnessDefaults
 from sim_core.scenario import dotted
-from tests.servers.batches import wait_for
+from tests.servers.batches import computed
 
 # Nobody else's, so that nothing is stored yet; short, so that it is quick.
 BASE: dict[str, Any] = {"road": {"length": 92, "bump": {"start": 70}}, "speed": {"detection_distance": 50}}
@@ -29,10 +29,8 @@ POINTS = [
 
 @pytest.fixture(scope="module")
 def batch(client: httpx.Client) -> str:
-    body = {"scenario": BASE, "strategies": ["passive", "lqr", "lv"], "sweep": {"list": POINTS}}
-    answer = client.post("/api/v1/batches", json=body)
-    assert answer.status_code == 202, answer.text
-    ended = wait_for(client, answer.json()["id"])
+    sweep = {"list": POINTS}
+    ended = computed(client, scenario=BASE, strategies=["passive", "lqr", "lv"], sweep=sweep)
     assert (ended["state"], ended["failed"]) == ("done", 24)
     return str(ended["id"])
 
@@ -94,12 +92,12 @@ def test_the_nominal_values_are_those_of_the_batchs_own_scenario(client: httpx.C
 
 def test_a_running_batch_is_summarised_by_its_finished_runs(client: httpx.Client) -> None:
     body = {"scenario": {**BASE, "road": {**BASE["road"], "seed": 77}}, "strategies": ["passive"]}
-    sweep = {"latin_hypercube": {"ranges": {"mismatch.body_mass": [0.8, 1.2]}, "samples": 400}}
+    sweep = {"latin_hypercube": {"ranges": {"mismatch.body_mass": [0.8, 1.2]}, "samples": 100}}
     batch = client.post("/api/v1/batches", json={**body, "sweep": sweep}).json()["id"]
     summary = read(client, batch)
     of = summary["strategies"]["passive"]
     assert summary["baseline"] == "passive"
-    assert of["ok"] + of["unfinished"] == 400
+    assert of["ok"] + of["unfinished"] == 100
     assert of["figures"][PEAK]["n"] == of["ok"]
     client.post(f"/api/v1/batches/{batch}/cancel")
 

@@ -5,6 +5,7 @@ from typing import Any
 
 import pytest
 
+from backend.digest import run_id
 from backend.models import CreatedRun, LiveRun, Run
 from sim_core import __version__
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STATISTICS, WINDOWS
@@ -103,6 +104,8 @@ def test_live_answers_series_and_stores_nothing(service: Any, client: Any, fresh
     answer = first.json()
     LiveRun.model_validate(answer)
     assert set(answer) == {"core_version", "scenario", "strategies"}
+    identifier = run_id(Scenario.model_validate(answer["scenario"]), ["lv", "passive"])
+    assert client.get(f"/api/v1/runs/{identifier}").status_code == 404
     for entry in answer["strategies"].values():
         assert entry["cached"] is False
         assert list(entry["series"]) == list(SIGNALS)
@@ -112,24 +115,6 @@ def test_live_answers_series_and_stores_nothing(service: Any, client: Any, fresh
     for name, entry in posted["strategies"].items():
         assert entry["metrics"] == answer["strategies"][name]["metrics"]
         assert entry["compute_ms"] == answer["strategies"][name]["compute_ms"]
-
-
-def test_a_live_run_is_no_stored_run(service: Any, client: Any, fresh: dict[str, Any]) -> None:
-    from backend.digest import run_id
-
-    answer = service.live(["passive"], fresh).json()
-    assert (
-        client.get(f"/api/v1/runs/{run_id(Scenario.model_validate(answer['scenario']), ['passive'])}").status_code
-        == 404
-    )
-
-
-def test_live_takes_points_and_signals(service: Any, run: dict[str, Any]) -> None:
-    entry = service.live(["passive"], run["scenario"], points=50, signals=["speed"]).json()["strategies"]["passive"]
-    assert list(entry["series"]) == ["time", "position", "speed"]
-    fewer = len(entry["series"]["time"]["bdata"])
-    entry = service.live(["passive"], run["scenario"], points=2000).json()["strategies"]["passive"]
-    assert len(entry["series"]["time"]["bdata"]) > fewer
 
 
 def test_a_refused_strategy_fails_alone_and_says_why(service: Service, lqr_fails: int) -> None:
