@@ -27,7 +27,7 @@ def test_one_that_is_done_goes_on_with_more_trials(client: httpx.Client) -> None
     assert client.post(path, params={"trials": 24}).json()["comparison"] is None
     longer = wait_for(client, short["id"])
     assert (longer["state"], longer["trials"]["done"]) == ("done", 24)
-    whole = wait_for(client, begin(client, "the-one-read")["id"])
+    whole = wait_for(client, begin(client, "as-asked-at-once")["id"])
     assert trials(client, short["id"]) == trials(client, whole["id"]), "as if it had been asked for at once"
     assert longer["comparison"]["points"] == whole["comparison"]["points"]
 
