@@ -63,6 +63,8 @@ class ClosedLoop:
             if law is None:
                 limited += sum(self._step(k, loop) for k in range(segment.first, segment.last))
                 continue
+            if not isinstance(law, LinearLaw):
+                raise RidelabError(f"{self._controller.label}: linear_law gives a LinearLaw or None")
             if law not in prepared:
                 arrays = law_arrays(law, self._forecast, self._limits, clips=clips)
                 prepared[law] = self._car.follow_law(arrays, loop)
@@ -140,19 +142,21 @@ def checked_force(controller: Controller, force: object, step: int) -> FloatArra
         RidelabError: They are not two finite numbers.
     """
     try:
-        asked = np.array(force, dtype=np.float64)
-    except (TypeError, ValueError):
-        asked = np.empty(0)
-    if asked.shape != (FORCES,):
-        came = (
-            "None" if force is None else f"an array of the shape {np.shape(asked)}" if asked.size else "something else"
-        )
-        raise RidelabError(
-            f"{controller.label}: force gives two numbers, front and rear; in step {step} it gave {came}"
-        )
-    if not all(map(isfinite, asked.tolist())):
-        raise RidelabError(f"{controller.label}: force gave a value that is not finite in control step {step}")
-    return asked
+        given = np.asarray(force)
+    except ValueError:  # rows of different lengths
+        given = np.asarray(None)
+    numbers = given.dtype.kind in "biuf"
+    if numbers and given.shape == (FORCES,):
+        if not all(map(isfinite, given.tolist())):
+            raise RidelabError(f"{controller.label}: force gave a value that is not finite in control step {step}")
+        return given.astype(np.float64)
+    if force is None:
+        came = "None"
+    elif numbers:
+        came = f"an array of the shape {given.shape}"
+    else:
+        came = f"an object of type {type(force).__name__} that does not hold real numbers"
+    raise RidelabError(f"{controller.label}: force gives two numbers, front and rear; in step {step} it gave {came}")
 
 
 def read_only(array: FloatArray) -> FloatArray:

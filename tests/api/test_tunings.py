@@ -148,7 +148,11 @@ def test_each_strategy_has_weights_of_its_own(client: httpx.Client, asked: dict[
 
 
 def test_on_uncertain_cars_each_road_has_its_own_and_a_quantile_is_minimised(client: httpx.Client) -> None:
-    uncertain = {"search": {"mpc.prediction_horizon": [20, 40]}, "previews": ["none", "obstacle"], "uncertain": True}
+    uncertain: dict[str, Any] = {
+        "search": {"mpc.prediction_horizon": [20, 40]},
+        "previews": ["none", "obstacle"],
+        "uncertain": True,
+    }
     drawn = wait_for(client, begin(client, strategy="lv", quantile=1, **uncertain, **(SHORT | {"seeds": [1, 2]}))["id"])
     assert (drawn["state"], drawn["uncertain"], drawn["quantile"]) == ("done", True, 1), drawn["reason"]
     paper, *others = trials(client, drawn["id"])
