@@ -26,14 +26,15 @@ ADDRESS = "http://ridelab.test"
 RUN, SLUG = "r" * 22, "s" * 22
 SHORT = {"road": {"length": 61, "bump": {"start": 45}}, "speed": {"detection_distance": 40}}
 STORED = ("runs", "batches", "tunings", "links")
-Answer = dict[str, Any] | bytes | Callable[[Any], dict[str, Any]]
+Answer = dict[str, Any] | bytes | httpx.Response | Callable[[Any], dict[str, Any]]
 
 
 class Prepared:
     """Stands for a service.
 
     Attributes:
-        answers: By method and path below /api/v1, such as `POST /runs`: JSON, bytes, or a function of the body.
+        answers: By method and path below /api/v1, such as `POST /runs`: JSON, bytes, a response, or a function of the
+            body.
             What is stored and not among them is not there; names, vehicles and data sheets come from an application
             that was not started.
         asked: Method with path, and body, of each request so far.
@@ -50,6 +51,8 @@ class Prepared:
         body = json.loads(request.content) if is_json else request.content
         self.asked.append((name, body))
         answer = self.answers.get(name)
+        if isinstance(answer, httpx.Response):
+            return answer
         if answer is not None:
             content = answer(body) if callable(answer) else answer
             return httpx.Response(200, content=content if isinstance(content, bytes) else json.dumps(content))

@@ -8,6 +8,7 @@ import subprocess
 from pathlib import Path
 from typing import Any
 
+import httpx
 import pytest
 
 from backend.http.openapi import EXAMPLES
@@ -200,6 +201,28 @@ def test_what_a_tuning_is_asked_for(cli: Cli, prepared: Prepared) -> None:
         "seeds": [1, 2],
         "fresh_seeds": [11, 12, 13],
     }
+
+
+def test_a_tuning_that_is_done_is_shown_again_or_goes_on(cli: Cli, prepared: Prepared) -> None:
+    best = {"number": 3, "weights": {"lqr.weights": [2, 1, 1]}}
+    tuning = prepared.job("tuning", best=[best], knee=None, scenario=SHORT)
+    job: Any = prepared.answers[f"GET /tunings/{tuning}"]
+    prepared.answers[f"POST /tunings/{tuning}/resume"] = job
+    assert json.loads(cli("tune", "--resume", tuning, "--json", "--out", "tuned.json")) == job
+    assert json.loads(Path("tuned.json").read_text()) == {**SHORT, "lqr": {"weights": [2, 1, 1]}}
+    assert not prepared.bodies(f"POST /tunings/{tuning}/resume"), "nothing is computed"
+    cli("tune", "--resume", tuning, "--json", "--trials", "12")
+    assert len(prepared.bodies(f"POST /tunings/{tuning}/resume")) == 1
+
+
+def test_where_nothing_keeps_the_limits_the_exit_code_is_1(cli: Cli, prepared: Prepared) -> None:
+    tuning = prepared.job("tuning", best=[None], knee=None)
+    cli("tune", "--json", code=1)
+    assert f"tuning {tuning}: done" in cli.error
+    problem = {"type": "urn:problem-type:ridelab:no-solution", "status": 422, "detail": "No value.", "errors": []}
+    prepared.answers["POST /solve"] = httpx.Response(422, json=problem)
+    cli("solve", "--field", "road.bump.height=0.1:0.2", "--limit", f"{PEAK}=4", "-s", "lv", code=1)
+    assert cli.error == "No value.\n"
 
 
 def test_a_robustness_study_is_a_sweep_of_what_is_uncertain(cli: Cli, prepared: Prepared) -> None:
