@@ -9,7 +9,7 @@
 #include "loop.h"
 #include "road.h"
 
-enum { AXLES = 2, SIGNALS = 5, MEASURED = 4 };
+enum { SIGNALS = 5, MEASURED = 4 };
 enum { TRAVEL = 0, TYRE = 2, BODY = 4, WHEEL = 6, FORCE = 8, NUMBERS = 10 }; /* places in a state, two numbers each */
 enum { MOST_EVENTS = 4 };          /* that a step ends at; both axles' dampers may turn again and again around rest */
 enum { PARTS = 8 };                /* of a fine step in which a tyre lifts off or lands */
@@ -57,7 +57,7 @@ struct nonlinear_car {
     int states; /* 8, or 10 with a lagging actuator's */
     const struct vehicle *vehicle;
     const struct estimator *estimator; /* NULL: none */
-    const double *known;               /* its input, 8 numbers a control step */
+    const double *estimator_input;     /* 8 numbers a control step */
     struct road road;                  /* without samples: straight within a fine step */
     const double *position;            /* of both axles at every fine instant, 2 x (steps fine + 1) [m] */
     const double *within;              /* 4 a fine step: both roads' means above their chords, then moments [m] */
@@ -467,7 +467,7 @@ static void advance_nonlinear(struct car *car, int step, const double *now, cons
     if (me->estimator) {
         double y[MEASURED], braking = me->disturbance[(ptrdiff_t)DISTURBANCES * (first + me->fine) - 1];
         measure(me->vehicle, &x, command, braking, y);
-        estimate(me->estimator, y, command, me->known + (ptrdiff_t)STATE * step, now, next);
+        estimate(me->estimator, y, command, me->estimator_input + (ptrdiff_t)STATE * step, now, next);
     }
 }
 
@@ -481,14 +481,14 @@ void ridelab_measure(const struct nonlinear_car *me, const double *now, const do
 /* The state is an estimator's where it `estimates`, then the car's; the road has no samples where it is straight within
    a fine step. The others as the struct has them. */
 void ridelab_prepare_nonlinear_car(struct nonlinear_car *me, const struct vehicle *vehicle, int states, int estimates,
-                                   const struct estimator *estimator, const double *known, int samples,
+                                   const struct estimator *estimator, const double *estimator_input, int samples,
                                    const double *roughness, const struct layout *layout, const double *position,
                                    const double *within, const double *disturbance, int steps, int fine, int substeps,
                                    double time, double *table, int columns)
 {
     _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a car is prepared in memory of that size");
     *me = (struct nonlinear_car){
-        {advance_nonlinear, states + (estimates ? STATE : 0)}, states, vehicle, estimates ? estimator : NULL, known,
+        {advance_nonlinear, states + (estimates ? STATE : 0)}, states, vehicle, estimates ? estimator : NULL, estimator_input,
         {roughness, samples, *layout}, position, within, disturbance, steps, fine, substeps, time, table, columns, 0,
         {{.time = 0}}};
 }

@@ -13,6 +13,7 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.control.controller import Controller
+from sim_core.control.qp import Qp
 from sim_core.control.seen import RunInputs, Seen
 from sim_core.errors import RidelabError
 from sim_core.kernel.prepared import FollowLaw, LawArrays, limit_force
@@ -64,7 +65,8 @@ class ClosedLoop:
                 limited += sum(self._step(k, loop) for k in range(segment.first, segment.last))
                 continue
             if law not in prepared:
-                arrays = law_arrays(law, self._forecast, self._limits, clips=clips)
+                qp = self._controller.qp(segment.stage)
+                arrays = law_arrays(law, self._forecast, self._limits, clips=clips, qp=qp)
                 prepared[law] = self._car.follow_law(arrays, loop)
             follow, k = prepared[law], segment.first
             while k < segment.last:
@@ -87,7 +89,9 @@ class ClosedLoop:
         return limited or self._controller.report.limited_steps > counted
 
 
-def law_arrays(law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, clips: bool) -> LawArrays:
+def law_arrays(
+    law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, clips: bool, qp: Qp | None = None
+) -> LawArrays:
     """A law with all that decides where it holds.
 
     Args:
@@ -95,6 +99,7 @@ def law_arrays(law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, 
         forecast: What its controller previews.
         force_limits: As `limit_force` has them.
         clips: Whether a force beyond the limit is clipped, or not decided by the law.
+        qp: What decides where a limit binds.
 
     Raises:
         RidelabError: It is a law for another horizon.
@@ -117,6 +122,7 @@ def law_arrays(law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, 
         sizes=forecast.sizes,
         force_limits=force_limits,
         clips=clips,
+        qp=None if qp is None else (qp.design.in_c, qp.run.in_c),
     )
 
 
