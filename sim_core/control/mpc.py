@@ -7,7 +7,7 @@ from sim_core.control.controller import Controller, scenario_field, undefined
 from sim_core.control.mpc_design import MpcDesign, design
 from sim_core.control.qp import SOLVERS, Qp, Qps
 from sim_core.control.seen import Seen, Setup
-from sim_core.errors import TooExpensiveError
+from sim_core.errors import RidelabError, TooExpensiveError
 from sim_core.scenario import Weights
 from sim_core.vehicle.model import LinearLaw
 
@@ -34,6 +34,7 @@ class PredictiveController(Controller):
     force_weight: float = scenario_field("mpc.force_weight")
     force_change_weight: float = scenario_field("mpc.force_change_weight")
     solver: str = scenario_field("mpc.solver")
+    _qps: Qps | None = None  # of the present run
 
     def weights(self, stage: str) -> Weights:
         """Of body acceleration, pitch acceleration and tyre load in a driving stage.
@@ -64,8 +65,9 @@ class PredictiveController(Controller):
 
     def end(self) -> None:
         """Report what the QPs took."""
-        self.report.solves = self._qps.solves + self.report.failures
-        self.report.max_slack = self._qps.most_slack
+        if self._qps is not None:  # else it did not start
+            self.report.solves = self._qps.solves + self.report.failures
+            self.report.max_slack = self._qps.most_slack
 
     def linear_law(self, stage: str) -> LinearLaw | None:
         """The stage's unconstrained optimum."""
@@ -73,20 +75,24 @@ class PredictiveController(Controller):
 
     def qp(self, stage: str) -> Qp | None:
         """The stage's, where C solves it."""
-        return Qp(self._designs[stage].qp, self._qps) if self.solver == "daqp" else None
+        return Qp(self._designs[stage].qp, self._qps) if self._qps and self.solver == "daqp" else None
 
     def force(self, seen: Seen) -> FloatArray | None:
         """The first forces of the constrained optimum.
 
         Raises:
             TooExpensiveError: The run's QPs have taken all that one run's may.
+            RidelabError: No run has started.
         """
-        if self._qps.exhausted:
+        qps = self._qps
+        if qps is None:
+            raise RidelabError(f"{type(self).__name__} has to be started before it is asked")
+        if qps.exhausted:
             faster = () if self.solver == "daqp" else ("mpc.solver",)
             raise TooExpensiveError("The run's QPs take too many iterations", fields=(*faster, *_COSTLY_FIELDS))
         inputs = np.concatenate([seen.state, seen.previous_force, seen.disturbances.ravel()])
         for name in (self.solver, *(name for name in SOLVERS if name != self.solver)):
-            force = self._qps.solve(self._designs[seen.stage].qp, name, inputs)
+            force = qps.solve(self._designs[seen.stage].qp, name, inputs)
             if force is not None:
                 self.report.fallbacks += name != self.solver
                 return force

@@ -70,15 +70,17 @@ class QpDesign:
     def __post_init__(self) -> None:
         """Prepare what C reads."""
         values, inputs = self.by_inputs.shape
+        columns, axles = np.ascontiguousarray(self.A.T), self.axles
+        columns.flags.writeable = axles.flags.writeable = False
         matrices = QpMatrices(
             H=self.H,
-            columns=np.ascontiguousarray(self.A.T),
+            columns=columns,
             low=self.low,
             high=self.high,
             by_inputs=self.by_inputs,
             optimum=self.optimum,
             bounds=self.bounds,
-            axles=self.axles,
+            axles=axles,
             gram=self.gram,
             slack_price=self.slack_price,
             slack_yield=self.slack_yield,

@@ -38,7 +38,9 @@ int ridelab_limit_force(const double *limits, const double *wanted, const double
 void ridelab_add_columns(const double (*restrict columns)[10], const double *restrict factors, int count,
                          double *restrict sum)
 {
-    for (int column = 0; column < count; column++)
+    for (int i = 0; i < 10; i++)
+        sum[i] = columns[0][i] * factors[0];
+    for (int column = 1; column < count; column++)
         for (int i = 0; i < 10; i++)
             sum[i] += columns[column][i] * factors[column];
 }

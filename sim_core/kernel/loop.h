@@ -65,7 +65,7 @@ static inline double dot(const double *a, const double *b, int count)
     return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
 
-/* Add columns of ten numbers, each times its factor. */
+/* The sum of columns of ten numbers, each times its factor. */
 void ridelab_add_columns(const double (*columns)[10], const double *factors, int count, double *sum);
 
 /* Bytes that are enough for a law or a car of any kind. */
