@@ -23,5 +23,8 @@ export default tseslint.config(
     languageOptions: { globals: { document: "readonly", localStorage: "readonly", matchMedia: "readonly" } },
     rules: { "no-unused-vars": ["error", { caughtErrors: "none" }] },
   },
-  { files: ["scripts/*.mjs"], languageOptions: { globals: { console: "readonly", fetch: "readonly", process: "readonly", URL: "readonly" } } },
+  {
+    files: ["scripts/*.mjs"],
+    languageOptions: { globals: { console: "readonly", fetch: "readonly", process: "readonly", URL: "readonly" } },
+  },
 );

@@ -7,14 +7,17 @@ const backend = process.env.RIDELAB_BACKEND ?? "http://127.0.0.1:8000";
 // plotly.js describes every attribute for its documentation, 0.2 MB of text; its own builds leave the texts out too.
 const withoutDescriptions = {
   name: "plotly-without-descriptions",
-  transform: (code: string, id: string) => (/plotly\.js[\\/]src[\\/]/.test(id) ? { code: code.replace(DESCRIPTION, ""), map: null } : null),
+  transform: (code: string, id: string) =>
+    /plotly\.js[\\/]src[\\/]/.test(id) ? { code: code.replace(DESCRIPTION, ""), map: null } : null,
 };
 const DESCRIPTION = /\s*description: (?:'.*'|\[[\s\S]*?\]\.join\([\s\S]*?\)),?$/gm;
 
 export default defineConfig({
   plugins: [react(), withoutDescriptions],
   // plotly.js names the styles of its maps, which are not in our bundle.
-  resolve: { alias: { "maplibre-gl/dist/maplibre-gl.css": fileURLToPath(new URL("src/plots/no-maps.css", import.meta.url)) } },
+  resolve: {
+    alias: { "maplibre-gl/dist/maplibre-gl.css": fileURLToPath(new URL("src/plots/no-maps.css", import.meta.url)) },
+  },
   define: { global: "globalThis" }, // plotly.js's parts were written for node's name of it
   server: { proxy: { "/api": backend, "/healthz": backend, "/readyz": backend } },
   build: {
@@ -27,5 +30,10 @@ export default defineConfig({
     rolldownOptions: { output: { codeSplitting: { groups: [{ name: "first", tags: ["$initial"] }] } } },
   },
   // Files without a page share what they import: in a process of its own each would read half of the sources again.
-  test: { include: ["src/**/*.test.ts"], environment: "node", isolate: false, css: { include: [/\?raw$/] } },
+  test: {
+    include: ["src/**/*.test.ts", "scripts/*.test.mjs"],
+    environment: "node",
+    isolate: false,
+    css: { include: [/\?raw$/] },
+  },
 });

@@ -47,7 +47,7 @@ DOCS_SCRIPT = """SwaggerUIBundle({
 });
 """
 
-# As frontend/src/router.tsx has them.
+# As frontend/src/app/router.tsx has them.
 PAGES = (
     "/",
     "/r/{id}",

@@ -3,23 +3,25 @@
 import asyncio
 import contextlib
 import logging
-import secrets
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from datetime import datetime
 from functools import partial
-from typing import Any, ParamSpec, TypeVar
+from typing import ParamSpec, TypeVar
 
 from alembic import command
 from alembic.config import Config
 from alembic.migration import MigrationContext
 from alembic.script import ScriptDirectory
-from sqlalchemy import URL, Connection, Engine, ExceptionContext, Table, create_engine, event, inspect, make_url, select
+from sqlalchemy import Connection, ExceptionContext, Table, event, inspect, make_url, select
 from sqlalchemy.dialects import postgresql, sqlite
-from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
+from sqlalchemy.exc import DBAPIError, OperationalError
 
+from backend.db.clock import Now
 from backend.db.commits import Commits
+from backend.db.server import ReadOnlyError, SilentServerError, is_silent, server_engine
 from backend.db.sqlite import (
     COMMIT_TIMEOUT,
     LOCK_TIMEOUT,
@@ -43,19 +45,10 @@ T = TypeVar("T")
 READERS = 4  # threads
 SERVER_WRITERS = 2  # PostgreSQL locks rows, not the database: a batch of 100,000 runs keeps no other writer waiting
 START_TIMEOUT = 30.0  # a start waits so long for another one's migration, or for a backup [s]
-APPLICATION = "ridelab-"  # a service's connections to a PostgreSQL server have this and a random part as their name
 DAMAGED = (
     "The database is damaged: stop the service, put a backup in its place and start again "
     "(docs/operations.md, Backup and restore)"
 )
-CONNECT_TIMEOUT = 5  # to a PostgreSQL server [s]
-USER_TIMEOUT = 12_000  # for which what was sent to it may stay unacknowledged (TCP_USER_TIMEOUT, RFC 5482) [ms]
-# A server that hears nothing from a client for so long frees what that client held, its advisory locks too.
-KEEPALIVES = {"tcp_keepalives_idle": 8, "tcp_keepalives_interval": 3, "tcp_keepalives_count": 3}
-
-
-class ReadOnlyError(SQLAlchemyError):
-    """The PostgreSQL server is a standby, or set to be read only."""
 
 
 class Database:
@@ -69,7 +62,7 @@ class Database:
         parsed = make_url(url)
         self._file = database_file(parsed)
         self._is_sqlite = parsed.get_backend_name() == "sqlite"
-        self.engine = sqlite_engine(parsed, self._file) if self._is_sqlite else _server_engine(parsed)
+        self.engine = sqlite_engine(parsed, self._file) if self._is_sqlite else server_engine(parsed)
         self._reads = _RetryingThreads("read", READERS)
         self._writes = _RetryingThreads("write", 1 if self._is_sqlite else SERVER_WRITERS)
         event.listen(self.engine, "handle_error", self._note_damage)
@@ -101,16 +94,25 @@ class Database:
         return await self._writes.run(partial(method, *args, **kwargs), self._is_read_by_us)
 
     @contextlib.contextmanager
-    def reading(self) -> Iterator[Connection]:
-        """A short transaction that reads. Rows are processed after its end, for which SQLite's writers wait."""
+    def reading(self, *, large: bool = False) -> Iterator[Connection]:
+        """A transaction that reads, a large one perhaps all rows of a table.
+
+        Rows are processed after its end, for which SQLite's writers wait.
+        """
         if self._file is not None:
             self._file.check()
-        with self.engine.connect() as connection:
+        with self.engine.connect().execution_options(large=large) as connection:
             self._readers[connection] = time.monotonic()
             try:
                 yield connection
             finally:
                 del self._readers[connection]
+
+    def now(self) -> datetime:
+        """The time by the database's clock."""
+        with self.reading() as connection:
+            time_there: datetime = connection.execute(select(Now())).scalar_one()
+        return time_there
 
     def guarded(self, check: Callable[[Connection], None], method: Callable[[], T]) -> T:
         """Call the method, and at the beginning of each of its transactions that write `check`, which may raise."""
@@ -122,7 +124,7 @@ class Database:
 
     @contextlib.contextmanager
     def writing(self, *, large: bool = False) -> Iterator[Connection]:
-        """A transaction that commits at the end of its block; a large one need not fit into memory."""
+        """A transaction that commits at the end of its block; a large one may last and need not fit into memory."""
         if self._file is not None:
             self._file.check()
         with self.engine.connect().execution_options(lock_timeout=LOCK_TIMEOUT, large=large) as connection:
@@ -220,11 +222,15 @@ class Database:
 
 
 class _RetryingThreads:
-    """Threads for one kind of transaction, which retry while SQLite is locked."""
+    """Threads for one kind of transaction, which retry while SQLite is locked.
+
+    What queued behind one that waited in vain fails with it: else each would wait as long, one after the other.
+    """
 
     def __init__(self, name: str, threads: int) -> None:
         self._threads = ThreadPoolExecutor(threads, thread_name_prefix=f"store-{name}")
         self._timed_out_at = 0.0
+        self._timed_out: type[DatabaseLockedError | SilentServerError] = DatabaseLockedError
 
     async def run(self, method: Callable[[], T], locked_by_us: Callable[[float], bool]) -> T:
         """Call the method, and retry while SQLite is locked.
@@ -235,6 +241,7 @@ class _RetryingThreads:
 
         Raises:
             DatabaseLockedError: Another program has held a lock for longer than `LOCK_TIMEOUT`.
+            SilentServerError: One before it got no answer.
         """
         submitted = time.monotonic()
         return await asyncio.get_running_loop().run_in_executor(
@@ -247,17 +254,19 @@ class _RetryingThreads:
 
     def _call(self, method: Callable[[], T], locked_by_us: Callable[[float], bool], submitted: float) -> T:
         end = time.monotonic() + LOCK_TIMEOUT
-        while submitted > self._timed_out_at:  # else it queued behind one that timed out at the same lock
+        while submitted > self._timed_out_at:
             begun = time.monotonic()
             try:
                 return method()
             except OperationalError as error:
+                if is_silent(error):
+                    self._timed_out, self._timed_out_at = SilentServerError, time.monotonic()
                 if not is_locked(error):
                     raise
                 if time.monotonic() > end and not locked_by_us(begun):
-                    self._timed_out_at = time.monotonic()
+                    self._timed_out, self._timed_out_at = DatabaseLockedError, time.monotonic()
             time.sleep(COMMIT_TIMEOUT / 2)  # readers may begin
-        raise DatabaseLockedError
+        raise self._timed_out
 
 
 def insert_new(connection: Connection, table: Table, rows: Sequence[dict[str, object]]) -> None:
@@ -269,21 +278,3 @@ def insert_new(connection: Connection, table: Table, rows: Sequence[dict[str, ob
     ordered = sorted(rows, key=lambda row: [row[name] for name in key])
     insert = postgresql.insert if connection.dialect.name == "postgresql" else sqlite.insert
     connection.execute(insert(table).on_conflict_do_nothing(), ordered)
-
-
-def _server_engine(url: URL) -> Engine:
-    own = {
-        "connect_timeout": CONNECT_TIMEOUT,
-        "tcp_user_timeout": USER_TIMEOUT,
-        "application_name": f"{APPLICATION}{secrets.token_hex(8)}",
-    }
-    engine = create_engine(url, pool_pre_ping=True, connect_args=own)
-    event.listen(engine, "connect", _set_up_server)
-    return engine
-
-
-def _set_up_server(connection: Any, _: object) -> None:
-    with connection.cursor() as cursor:
-        for name, value in KEEPALIVES.items():
-            cursor.execute(f"SET {name} = {value}")
-    connection.commit()

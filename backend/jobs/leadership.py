@@ -18,7 +18,7 @@ from filelock import FileLock, Timeout
 from sqlalchemy import Connection, text
 from sqlalchemy.exc import SQLAlchemyError
 
-from backend.db.database import APPLICATION
+from backend.db.server import APPLICATION
 from backend.store import Store
 
 logger = logging.getLogger(__name__)

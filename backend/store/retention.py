@@ -49,7 +49,7 @@ class RetentionStore:
         size of results, pinned time histories, rows of jobs and measured roads, and its own overhead is extra.
         """
         columns = (results.c.summary, pinned_series.c.content, job_runs.c.changes, jobs.c.sweep, roads.c.content)
-        with self._database.reading() as connection:
+        with self._database.reading(large=True) as connection:
             if connection.dialect.name == "sqlite":
                 pages, free, each = (
                     connection.exec_driver_sql(f"PRAGMA {name}").scalar_one()

@@ -3,8 +3,11 @@
 import { readFile, writeFile } from "node:fs/promises";
 import openapiTS, { astToString } from "openapi-typescript";
 
-const [source = "http://127.0.0.1:8000/openapi.json", target = new URL("../src/api/schema.gen.ts", import.meta.url)] = process.argv.slice(2);
-const description = JSON.parse(source.startsWith("http") ? await (await fetch(source)).text() : await readFile(source, "utf8"));
+const [source = "http://127.0.0.1:8000/openapi.json", target = new URL("../src/api/schema.gen.ts", import.meta.url)] =
+  process.argv.slice(2);
+const description = JSON.parse(
+  source.startsWith("http") ? await (await fetch(source)).text() : await readFile(source, "utf8"),
+);
 
 const BASE = "/api/v1";
 const JSON_OBJECT = { $ref: "#/components/schemas/JsonObject" };
@@ -15,7 +18,8 @@ const LISTED = ["strategy", "window", "previews"];
 const LONG_LIST = 9;
 const UNTYPED = ["propertyNames", "default", "examples", "description", "title", "format", "example"];
 
-const mapped = (object, change) => Object.fromEntries(Object.entries(object).map(([key, value]) => [key, change(value, key)]));
+const mapped = (object, change) =>
+  Object.fromEntries(Object.entries(object).map(([key, value]) => [key, change(value, key)]));
 
 /** A schema as the page reads it: a strategy or a field of a scenario added to the core needs no new page. */
 function simplified(schema, name) {
@@ -24,19 +28,29 @@ function simplified(schema, name) {
   if (PLAIN.test(schema.$ref) || schema.additionalProperties === true) return JSON_OBJECT;
   if (schema.enum && (LISTED.includes(name) || schema.enum.length >= LONG_LIST)) return { type: "string" };
   const kept = Object.entries(schema).filter(([key]) => !UNTYPED.includes(key));
-  return Object.fromEntries(kept.map(([key, value]) => [key, key === "properties" ? mapped(value, simplified) : simplified(value, name)]));
+  return Object.fromEntries(
+    kept.map(([key, value]) => [key, key === "properties" ? mapped(value, simplified) : simplified(value, name)]),
+  );
 }
 
 /** Without refusals: the page reads them all in one place. */
 function simplifiedOperation({ operationId, parameters = [], requestBody, responses }) {
   return {
     operationId,
-    parameters: parameters.map(({ name, in: place, required, schema }) => ({ name, in: place, required, schema: simplified(schema) })),
-    ...(requestBody && { requestBody: { required: true, content: simplified(requestBody.content) } }),
-    responses: mapped(Object.fromEntries(Object.entries(responses).filter(([status]) => status.startsWith("2"))), ({ content }) => ({
-      description: "",
-      ...(content && { content: simplified(content) }),
+    parameters: parameters.map(({ name, in: place, required, schema }) => ({
+      name,
+      in: place,
+      required,
+      schema: simplified(schema),
     })),
+    ...(requestBody && { requestBody: { required: true, content: simplified(requestBody.content) } }),
+    responses: mapped(
+      Object.fromEntries(Object.entries(responses).filter(([status]) => status.startsWith("2"))),
+      ({ content }) => ({
+        description: "",
+        ...(content && { content: simplified(content) }),
+      }),
+    ),
   };
 }
 
@@ -55,14 +69,23 @@ function reached(paths, all) {
 }
 
 const served = Object.entries(description.paths).filter(([path]) => path.startsWith(BASE));
-const paths = Object.fromEntries(served.map(([path, operations]) => [path.slice(BASE.length), mapped(operations, simplifiedOperation)]));
+const paths = Object.fromEntries(
+  served.map(([path, operations]) => [path.slice(BASE.length), mapped(operations, simplifiedOperation)]),
+);
 const schemas = reached(paths, {
   ...mapped(description.components.schemas, simplified),
   JsonObject: { type: "object" },
 });
 const { openapi, info } = description;
 const inject = 'import type { JsonObject } from "./json";\n';
-const options = { alphabetize: true, immutable: true, defaultNonNullable: false, rootTypes: true, rootTypesNoSchemaPrefix: true, inject };
+const options = {
+  alphabetize: true,
+  immutable: true,
+  defaultNonNullable: false,
+  rootTypes: true,
+  rootTypesNoSchemaPrefix: true,
+  inject,
+};
 const types = astToString(await openapiTS({ openapi, info, paths, components: { schemas } }, options))
   .replace(/^ +readonly JsonObject: .*\n|^export type (webhooks|\$defs|JsonObject) = .*\n/gm, "")
   .replace(/components\["schemas"\]\["JsonObject"\]/g, "JsonObject")

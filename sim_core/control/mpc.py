@@ -15,8 +15,9 @@ _COSTLY_FIELDS = "mpc.control_horizon", "mpc.prediction_horizon", "mpc.sample_ti
 
 
 class PredictiveController(Controller):
-    """MPC over what is previewed: the law where it holds, else a QP, verified; else the other solver; else hold.
+    """MPC with preview: a linear law while no limit binds, else a QP (docs/physics.md, "MPC").
 
+    A QP's answer is verified. Where it fails the other solver is asked, and where both fail the previous force is held.
     A subclass gives the weights of each driving stage.
 
     Example:
@@ -74,11 +75,12 @@ class PredictiveController(Controller):
         return self._designs[stage].law
 
     def qp(self, stage: str) -> Qp | None:
-        """The stage's, where C solves it."""
-        return Qp(self._designs[stage].qp, self._qps) if self._qps and self.solver == "daqp" else None
+        """The stage's, where C solves it: none if a subclass decides these steps by a `force` of its own."""
+        in_c = self.solver == "daqp" and type(self).force is PredictiveController.force
+        return Qp(self._designs[stage].qp, self._qps) if self._qps and in_c else None
 
     def force(self, seen: Seen) -> FloatArray | None:
-        """The first forces of the constrained optimum.
+        """The first forces of the constrained optimum (2,) [N].
 
         Raises:
             TooExpensiveError: The run's QPs have taken all that one run's may.

@@ -21,7 +21,7 @@ def _with_unaided_filter(scenario: dict[str, Any]) -> dict[str, Any]:
     return {**scenario, "estimation": {"knows_preview": False, **scenario.get("estimation", {})}}
 
 
-# Version -> the step from it to the next one. The page (frontend/src/editor/versions.ts) and the command line
+# Version -> the step from it to the next one. The page (frontend/src/scenario/versions.ts) and the command line
 # (client/ridelab/cli/targets.py) take the same steps with what they have stored.
 STEPS: Mapping[int, Step] = {1: _with_unaided_filter}
 

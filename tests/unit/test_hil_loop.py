@@ -16,7 +16,7 @@ from sim_core.result import StrategyResult
 from sim_core.scenario import Actuator, Bump, Hil, Mpc, Road, Scenario, Speed
 from sim_core.simulate import simulate
 from sim_core.strategies.lv_hil import LvHil
-from tests.events import event
+from tests.results import event
 
 SHORT = Scenario(
     road=Road(length=12, bump=Bump(start=4, width=3, height=0.05)),

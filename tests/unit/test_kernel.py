@@ -27,7 +27,7 @@ INTEGRAL_OF = {  # over one fine step from a to b
 
 def test_where_it_is_not_built_or_of_other_sources_it_says_what_to_do(tmp_path: Path) -> None:
     built = Path(library.__file__).with_name("libridelab.so.1")
-    assert load(built, library.DIGEST)
+    load(built, library.DIGEST)  # an ImportError otherwise
     for file, expected in [(tmp_path / "libridelab.so.1", None), (built, "of other sources")]:
         with pytest.raises(ImportError, match="make setup"):
             load(file, expected)
@@ -190,3 +190,5 @@ def test_a_residual_is_the_largest_violation() -> None:
         violation = QpMemory(np.zeros(4), f, b, y, multipliers).residual(matrices)
         assert violation == pytest.approx(max(worst), rel=1e-9)
     assert largest == set(range(5))
+    f[0] = np.nan
+    assert not QpMemory(np.zeros(4), f, b, y, multipliers).residual(matrices) < np.inf

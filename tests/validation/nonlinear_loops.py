@@ -8,10 +8,10 @@ from numpy.random import Generator, default_rng
 
 from sim_core.errors import RidelabError
 from sim_core.frequency.stability import least_damping
-from sim_core.result import StrategyResult
 from sim_core.scenario import Actuator, Bump, Estimation, Mismatch, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.parts import Preview
 from sim_core.simulate import simulate
+from tests.results import metrics
 from tests.validation.reference.adaptive_loop import solved
 
 RMS, PEAK = 0.01, 0.02  # what the metrics of such a loop may be off by
@@ -86,10 +86,14 @@ def stable_loops() -> Iterator[tuple[int, Scenario]]:
             yield seed, scenario
 
 
-def errors(scenario: Scenario) -> dict[str, float]:
+def errors(scenario: Scenario, strategy: str = "lv") -> dict[str, float]:
     """How far each metric is from that of the solver's loop, relative."""
-    ours, theirs = _metrics(simulate(scenario, "lv")), _metrics(solved(scenario, "lv"))
-    return {key: ours[key] / value - 1 for key, value in theirs.items() if abs(value) > 1e-9}
+    ours, theirs = metrics(simulate(scenario, strategy)), metrics(solved(scenario, strategy))
+    return {
+        key: ours[key] / value - 1
+        for key, value in theirs.items()
+        if abs(value) > 1e-9 and not key.startswith("comfort")
+    }
 
 
 def worst(errors: dict[str, float]) -> tuple[float, float]:
@@ -97,15 +101,6 @@ def worst(errors: dict[str, float]) -> tuple[float, float]:
     peaks = [abs(error) for key, error in errors.items() if key.endswith("peak")]
     others = [abs(error) for key, error in errors.items() if not key.endswith("peak")]
     return max(others), max(peaks)
-
-
-def _metrics(result: StrategyResult) -> dict[str, float]:
-    return {
-        f"{window}.{signal}.{statistic}": value
-        for window, signals in result.metrics.items()
-        for signal, statistics in signals.items()
-        for statistic, value in statistics.items()
-    }
 
 
 def _between(draw: Generator, low: float, high: float) -> float:

@@ -8,7 +8,7 @@ import pytest
 from sim_core.scenario import Actuator, Bump, Lqr, Mpc, Preview, Road, Scenario, Speed
 from sim_core.scenario.presets import preset
 from sim_core.simulate import simulate
-from tests.events import event
+from tests.results import event
 from tests.validation.reference.loop import drive
 from tests.validation.reference.vehicle import OUTPUTS
 
@@ -112,26 +112,27 @@ def test_limits_horizons_and_actuators(name: str) -> None:
         assert limited > 10
 
 
-@pytest.mark.parametrize("horizon", [1, 5, 30])
-@pytest.mark.parametrize("travel", [3.0, 0.5])
-def test_mpc_without_extras_is_lqr_at_any_horizon(horizon: int, travel: float) -> None:
-    """Nc = Np, no move weight, no limit, no preview, the same weights: the terminal cost makes it LQR, to rounding."""
-    q = (1.0, 1.0, 1.0)
+@pytest.mark.parametrize(
+    ("horizon", "travel", "preview"), [(1, 3.0, "none"), (30, 0.5, "none"), (25, 3.0, "lookahead")]
+)
+def test_mpc_without_extras_is_lqr_at_any_horizon(horizon: int, travel: float, preview: Preview) -> None:
+    """Nc = Np, no move weight, no limit, the same preview and weights: the terminal cost makes it LQR, to rounding."""
+    q = (2.0, 1.0, 3.0)
     mpc = FREE.model_copy(
         update={
             "prediction_horizon": horizon,
             "control_horizon": horizon,
-            "preview": "none",
+            "preview": preview,
             "force_change_weight": 0.0,
             "deflection_weight": travel,
             "road_weights": Mpc().road_weights.model_copy(update={"rough": q, "bump": q}),
             "stage_weights": Mpc().stage_weights.model_copy(update={"cruise": q, "brake": q, "bump": q}),
         }
     )
-    # A target above the initial speed: no braking to foresee.
-    scenario = Scenario(
-        road=ROAD, speed=Speed(target_speed_kmh=60), mpc=mpc, lqr=Lqr(weights=q, deflection_weight=travel)
-    )
+    # A target above the initial speed: without preview no braking to foresee.
+    speed = Speed(target_speed_kmh=60) if preview == "none" else Speed()
+    lqr = Lqr(weights=q, deflection_weight=travel, preview=preview, preview_horizon=horizon)
+    scenario = Scenario(road=ROAD, speed=speed, mpc=mpc, lqr=lqr)
     mpc_run, lqr_run = (simulate(scenario, name).series for name in ("lv", "lqr"))
     for name in (*OUTPUTS, "front_force", "rear_force"):
         assert np.abs(mpc_run[name] - lqr_run[name]).max() <= 1e-7 * np.abs(lqr_run[name]).max(), name

@@ -16,6 +16,7 @@ import pytest
 import sim_core
 from sim_core.scenario import Actuator, Bump, Estimation, Hil, Mismatch, Mpc, Road, Scenario, Vehicle
 from sim_core.strategies import STRATEGIES
+from tests.results import metrics
 
 FILE = Path(__file__).with_name("golden.json")
 ROOT = Path(__file__).parents[2]
@@ -41,14 +42,7 @@ SCENARIOS = {
 def numbers(scenario: Scenario, strategy: str) -> dict[str, float]:
     """Every metric, comfort figure and event that is a number, by dotted name."""
     result = sim_core.simulate(scenario, strategy)
-    found: dict[str, Any] = {
-        f"{window}.{signal}.{statistic}": value
-        for window, signals in result.metrics.items()
-        for signal, statistics in signals.items()
-        for statistic, value in statistics.items()
-    }
-    found |= {f"comfort.{key}": value for key, value in result.comfort.items()}
-    found |= {f"events.{key}": value for key, value in result.events.items()}
+    found: dict[str, Any] = metrics(result) | {f"events.{key}": value for key, value in result.events.items()}
     return {key: float(value) for key, value in found.items() if value is not None}
 
 

@@ -7,8 +7,7 @@ from sim_core.loop.excitation import excite
 from sim_core.loop.preview import preview
 from sim_core.road import profile as road
 from sim_core.road.sensed import ExpectedErrors, sensed_road, trust, trusted
-from sim_core.scenario import Actuator, Bump, Lqr, Mismatch, Mpc, Preview, Road, Scenario, Speed, Vehicle
-from sim_core.scenario.parts import StageWeights
+from sim_core.scenario import Actuator, Bump, Mismatch, Preview, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
 from sim_core.speed.profile import plan_speed
 
@@ -147,26 +146,3 @@ def test_the_more_offset_is_expected_the_less_of_the_short_waves_is_trusted() ->
         assert estimate[5000:15_000].std() / sine[5000:15_000].std() == pytest.approx(
             np.exp(-((2 * np.pi * 0.3 / wavelength) ** 2) / 2), abs=0.01
         )
-
-
-def test_preview_lqr_is_the_mpc_without_limits() -> None:
-    """With Nc = Np, no Δu weight and limits out of reach, MPC and LQR with the same preview command the same forces."""
-    scenario = SHORT.model_copy(
-        update={
-            "mpc": Mpc(
-                deflection_limit=1.0,
-                force_limit=1e6,
-                deflection_weight=3.0,
-                prediction_horizon=25,
-                control_horizon=25,
-                force_change_weight=0,
-                stage_weights=StageWeights(cruise=(2, 1, 3), brake=(2, 1, 3), bump=(2, 1, 3)),
-            ),
-            "lqr": Lqr(weights=(2, 1, 3), preview="lookahead", preview_horizon=25),
-        }
-    )
-    lqr, lv = simulate(scenario, "lqr"), simulate(scenario, "lv")
-    assert np.abs(lv.series["front_force"]).max() > 500
-    for force in ("front_force", "rear_force"):
-        # Both solve the same problem, by factorising once and by recursion: rounding only.
-        assert np.allclose(lqr.series[force], lv.series[force], rtol=0, atol=1e-5), force

@@ -8,15 +8,21 @@ import type { Link, LiveRequest, RunRequest, Scenario, SeriesByStrategy, Strateg
 /** Over how many roads, and which strategy the changes refer to. */
 export type RoadsOptions = Pick<RunRequest, "roads" | "baseline">;
 
-const decoded = <Encoded>(strategies: Readonly<Record<StrategyId, Encoded>>, decode: (encoded: Encoded) => SeriesByStrategy[string]): SeriesByStrategy =>
-  Object.fromEntries(Object.entries(strategies).map(([name, encoded]) => [name, decode(encoded)]));
+const decoded = <Encoded>(
+  strategies: Readonly<Record<StrategyId, Encoded>>,
+  decode: (encoded: Encoded) => SeriesByStrategy[string],
+): SeriesByStrategy => Object.fromEntries(Object.entries(strategies).map(([name, encoded]) => [name, decode(encoded)]));
 
 const curves = (strategies: readonly StrategyId[], points: number, signals: readonly string[] | null) =>
   ({ strategy: strategies.join(","), points, encoding: "base64", signals: signals?.join(",") ?? null }) as const;
 
 export const api = {
-  createRun: async (scenario: Scenario, strategies: readonly StrategyId[], signal?: AbortSignal, over: RoadsOptions | null = null) =>
-    readRun(await ask("post", "/runs", { body: { scenario, strategies, ...over } }, signal)),
+  createRun: async (
+    scenario: Scenario,
+    strategies: readonly StrategyId[],
+    signal?: AbortSignal,
+    over: RoadsOptions | null = null,
+  ) => readRun(await ask("post", "/runs", { body: { scenario, strategies, ...over } }, signal)),
   run: async (id: string, signal?: AbortSignal) => readRun(await ask("get", "/runs/{id}", { path: { id } }, signal)),
   link: async (slug: string, signal?: AbortSignal): Promise<Link> => {
     const link = await ask("get", "/links/{slug}", { path: { slug } }, signal);
@@ -24,13 +30,34 @@ export const api = {
   },
   live: (body: LiveRequest, signal?: AbortSignal) => ask("post", "/live", { body }, signal),
 
-  series: async (id: string, strategies: readonly StrategyId[], points: number, signal?: AbortSignal, signals: readonly string[] | null = null) => {
-    const answer = await ask("get", "/runs/{id}/series", { path: { id }, query: curves(strategies, points, signals) }, signal);
+  series: async (
+    id: string,
+    strategies: readonly StrategyId[],
+    points: number,
+    signal?: AbortSignal,
+    signals: readonly string[] | null = null,
+  ) => {
+    const answer = await ask(
+      "get",
+      "/runs/{id}/series",
+      { path: { id }, query: curves(strategies, points, signals) },
+      signal,
+    );
     return decoded("strategies" in answer ? answer.strategies : { [answer.strategy]: answer.series }, decodeSeries);
   },
   /** Of a run over several roads: means and extremes. */
-  bands: async (id: string, strategies: readonly StrategyId[], signals: readonly string[], points: number, signal?: AbortSignal) => {
-    return decoded((await ask("get", "/runs/{id}/bands", { path: { id }, query: curves(strategies, points, signals) }, signal)).strategies, decodeBand);
+  bands: async (
+    id: string,
+    strategies: readonly StrategyId[],
+    signals: readonly string[],
+    points: number,
+    signal?: AbortSignal,
+  ) => {
+    return decoded(
+      (await ask("get", "/runs/{id}/bands", { path: { id }, query: curves(strategies, points, signals) }, signal))
+        .strategies,
+      decodeBand,
+    );
   },
 };
 

@@ -1,6 +1,6 @@
 /** Whether the server answers: one small store, written by every request, read by the banner. */
 
-import { createStore } from "../state/store";
+import { createStore } from "../lib/store";
 
 export type Trouble = "down" | "busy";
 

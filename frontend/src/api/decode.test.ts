@@ -16,8 +16,14 @@ describe("typed arrays", () => {
 
   it("over several roads have their extremes beside the means", () => {
     const encoded = (value: number) => ({ dtype: "f4", bdata: encode(new Float32Array([value])) }) as const;
-    const series = decodeBand({ mean: { time: encoded(7), force: encoded(2) }, minimum: { force: encoded(1) }, maximum: { force: encoded(5) } });
-    expect([series.time, series.force, series[minimumOf("force")], series[maximumOf("force")]].map((values) => values?.[0])).toEqual([7, 2, 1, 5]);
+    const series = decodeBand({
+      mean: { time: encoded(7), force: encoded(2) },
+      minimum: { force: encoded(1) },
+      maximum: { force: encoded(5) },
+    });
+    expect(
+      [series.time, series.force, series[minimumOf("force")], series[maximumOf("force")]].map((values) => values?.[0]),
+    ).toEqual([7, 2, 1, 5]);
     expect(Object.keys(series).filter(isExtreme)).toHaveLength(2);
   });
 

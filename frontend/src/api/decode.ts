@@ -25,6 +25,7 @@ export function decodeSeries(encoded: Encoded): Series {
 
 /** Series over several roads: the means by signal, beside them the extremes. */
 export function decodeBand({ mean, minimum, maximum }: Band): Series {
-  const named = (name: (signal: string) => string, encoded: Encoded) => Object.fromEntries(Object.entries(decodeSeries(encoded)).map(([signal, values]) => [name(signal), values]));
+  const named = (name: (signal: string) => string, encoded: Encoded) =>
+    Object.fromEntries(Object.entries(decodeSeries(encoded)).map(([signal, values]) => [name(signal), values]));
   return { ...decodeSeries(mean), ...named(minimumOf, minimum), ...named(maximumOf, maximum) };
 }

@@ -11,7 +11,10 @@ interface JobPage<Item> {
 
 export interface JobCalls<Item, Job extends Item> {
   /** The newest first. */
-  readonly page: (query: { readonly limit: number; readonly cursor: string | null; readonly label: string | null }, signal: AbortSignal) => Promise<JobPage<Item>>;
+  readonly page: (
+    query: { readonly limit: number; readonly cursor: string | null; readonly label: string | null },
+    signal: AbortSignal,
+  ) => Promise<JobPage<Item>>;
   readonly get: (id: string, signal: AbortSignal) => Promise<Job>;
   readonly cancel: (id: string) => Promise<Job>;
   readonly label: (id: string, label: string | null) => Promise<Job>;

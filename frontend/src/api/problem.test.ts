@@ -3,8 +3,17 @@ import { ApiProblem, Unreachable, isNotFound, isTransient, readProblem } from ".
 
 describe("problems", () => {
   it("are read with their places", () => {
-    const problem = readProblem(422, { title: "t", detail: "d", errors: [{ pointer: "/a", message: "m" }, { pointer: 1 }] }, null);
-    expect(problem).toMatchObject({ status: 422, message: "d", errors: [{ pointer: "/a", message: "m" }], retryAfter: null });
+    const problem = readProblem(
+      422,
+      { title: "t", detail: "d", errors: [{ pointer: "/a", message: "m" }, { pointer: 1 }] },
+      null,
+    );
+    expect(problem).toMatchObject({
+      status: 422,
+      message: "d",
+      errors: [{ pointer: "/a", message: "m" }],
+      retryAfter: null,
+    });
   });
 
   it("have a message whatever was answered", () => {

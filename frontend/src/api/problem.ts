@@ -14,7 +14,13 @@ export class ApiProblem extends Error {
   /** The kind's short name, such as `ecu-unavailable`. */
   readonly kind: string | null;
 
-  constructor(status: number, message: string, errors: readonly FieldError[], retryAfter: number | null = null, kind: string | null = null) {
+  constructor(
+    status: number,
+    message: string,
+    errors: readonly FieldError[],
+    retryAfter: number | null = null,
+    kind: string | null = null,
+  ) {
     super(message);
     this.name = "ApiProblem";
     this.status = status;
@@ -38,11 +44,15 @@ const ECU_UNAVAILABLE = "ecu-unavailable";
 
 /** Whether the same request may succeed later without anybody doing anything. */
 export function isTransient(error: unknown): boolean {
-  return error instanceof Unreachable || (error instanceof ApiProblem && TRANSIENT.has(error.status) && error.kind !== ECU_UNAVAILABLE);
+  return (
+    error instanceof Unreachable ||
+    (error instanceof ApiProblem && TRANSIENT.has(error.status) && error.kind !== ECU_UNAVAILABLE)
+  );
 }
 
 /** What to change where the server says that, else what went wrong. */
-export const explain = (error: Error): string => (error instanceof ApiProblem ? error.errors[0]?.message : undefined) ?? error.message;
+export const explain = (error: Error): string =>
+  (error instanceof ApiProblem ? error.errors[0]?.message : undefined) ?? error.message;
 
 export function isNotFound(error: unknown): boolean {
   return error instanceof ApiProblem && error.status === 404;
@@ -60,11 +70,13 @@ function isRecord(value: unknown): value is Record<string, unknown> {
 export function readProblem(status: number, body: unknown, retryAfter: string | null): ApiProblem {
   const problem = isRecord(body) ? body : {};
   const listed = Array.isArray(problem.errors) ? problem.errors : [];
-  const errors = listed.filter(isRecord).flatMap((entry): FieldError[] =>
-    typeof entry.pointer === "string" && typeof entry.message === "string"
-      ? [{ pointer: entry.pointer, message: entry.message }]
-      : [],
-  );
+  const errors = listed
+    .filter(isRecord)
+    .flatMap((entry): FieldError[] =>
+      typeof entry.pointer === "string" && typeof entry.message === "string"
+        ? [{ pointer: entry.pointer, message: entry.message }]
+        : [],
+    );
   const text = [problem.detail, problem.title].find((value) => typeof value === "string" && value !== "");
   const seconds = retryAfter === null ? NaN : Number(retryAfter);
   return new ApiProblem(

@@ -25,7 +25,11 @@ test("a run over several roads reads as its means, with the intervals beside", (
   };
   const run = readRun(answer);
   const lv = run.strategies.lv;
-  expect(lv).toMatchObject({ metrics: { bump: { body_acceleration: { rms: 2, peak: 5 } } }, comfort: { weighted_rms: 0.5 }, travel_time: 9 });
+  expect(lv).toMatchObject({
+    metrics: { bump: { body_acceleration: { rms: 2, peak: 5 } } },
+    comfort: { weighted_rms: 0.5 },
+    travel_time: 9,
+  });
   expect(run.strategies.lqr).toEqual(answer.strategies.lqr);
   expect(run.over).toMatchObject({ roads: 3, baseline: "passive" });
   expect(run.over?.estimates.lv?.metrics.bump?.body_acceleration?.peak).toEqual(interval(5));

@@ -4,7 +4,10 @@ import type { Failure, Interval, OverRoads, RoadsAnswer, Run, RunAnswer, Strateg
 
 type Means = Pick<Summary, "metrics" | "comfort">;
 
-function mapped<Value, Result>(entries: Readonly<Record<string, Value>>, change: (value: Value) => Result): Record<string, Result> {
+function mapped<Value, Result>(
+  entries: Readonly<Record<string, Value>>,
+  change: (value: Value) => Result,
+): Record<string, Result> {
   return Object.fromEntries(Object.entries(entries).map(([key, value]) => [key, change(value)]));
 }
 

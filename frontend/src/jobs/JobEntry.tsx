@@ -4,7 +4,7 @@ import { ActionIcon, Button, Menu, Text } from "@mantine/core";
 import { useMutation, useQueryClient } from "@tanstack/react-query";
 import { Link } from "@tanstack/react-router";
 import { useState } from "react";
-import { IconDots } from "../icons";
+import { IconDots } from "../ui/icons";
 import { NameForm } from "../ui/NameForm";
 import { formatMinute } from "../units/dates";
 import { count, formatWhole } from "../units/format";
@@ -28,26 +28,54 @@ interface Props<Item extends Common, Job extends Item> {
   readonly current: boolean;
 }
 
-const STATE: Readonly<Record<Common["state"], string>> = { queued: "waiting", running: "running", done: "done", cancelled: "cancelled", failed: "failed" };
+const STATE: Readonly<Record<Common["state"], string>> = {
+  queued: "waiting",
+  running: "running",
+  done: "done",
+  cancelled: "cancelled",
+  failed: "failed",
+};
 
-export function JobEntry<Item extends Common, Job extends Item>({ kind, item, description: { title, details, page }, current }: Props<Item, Job>) {
+export function JobEntry<Item extends Common, Job extends Item>({
+  kind,
+  item,
+  description: { title, details, page },
+  current,
+}: Props<Item, Job>) {
   const [openForm, setOpenForm] = useState<"name" | "delete" | null>(null);
   const { done, failed, total } = kind.counts(item);
   const name = item.label ?? title;
-  const texts = [...(item.label === null ? [] : [title]), ...details, formatMinute(item.created_at), count(total, kind.unit)];
+  const texts = [
+    ...(item.label === null ? [] : [title]),
+    ...details,
+    formatMinute(item.created_at),
+    count(total, kind.unit),
+  ];
   const close = () => setOpenForm(null);
   return (
     <li className={classes.entry} data-state={item.state} aria-current={current || undefined}>
       <Link to={page ?? kind.page} params={{ id: item.id }}>
         <span className={classes.entryTitle}>{name}</span>
         <span className={classes.entryState}>
-          {[STATE[item.state] + (item.state === "done" ? "" : `, ${formatWhole(done + failed)} of ${formatWhole(total)}`), ...(item.position > 0 ? [waitsFor(item)] : [])].join(" · ")}
+          {[
+            STATE[item.state] +
+              (item.state === "done" ? "" : `, ${formatWhole(done + failed)} of ${formatWhole(total)}`),
+            ...(item.position > 0 ? [waitsFor(item)] : []),
+          ].join(" · ")}
         </span>
         <span className={classes.entryText}>{texts.join(" · ")}</span>
       </Link>
       <Menu position="bottom-end" width={160}>
         <Menu.Target>
-          <ActionIcon variant="subtle" color="gray" size={28} pos="absolute" top="0.3rem" right="0.5rem" aria-label={`Rename or delete ${name}`}>
+          <ActionIcon
+            variant="subtle"
+            color="gray"
+            size={28}
+            pos="absolute"
+            top="0.3rem"
+            right="0.5rem"
+            aria-label={`Rename or delete ${name}`}
+          >
             <IconDots size={16} />
           </ActionIcon>
         </Menu.Target>
@@ -65,7 +93,11 @@ export function JobEntry<Item extends Common, Job extends Item>({ kind, item, de
 }
 
 /** A call that changes the list, and perhaps the job that the page shows. */
-function useChange<Item extends Common, Job extends Item, Value = void>({ name }: Kind<Item, Job>, call: (value: Value) => Promise<unknown>, onClose: () => void) {
+function useChange<Item extends Common, Job extends Item, Value = void>(
+  { name }: Kind<Item, Job>,
+  call: (value: Value) => Promise<unknown>,
+  onClose: () => void,
+) {
   const queries = useQueryClient();
   return useMutation({
     mutationFn: call,
@@ -76,16 +108,33 @@ function useChange<Item extends Common, Job extends Item, Value = void>({ name }
   });
 }
 
-type FormProps<Item extends Common, Job extends Item> = Pick<Props<Item, Job>, "kind" | "item"> & { readonly onClose: () => void };
+type FormProps<Item extends Common, Job extends Item> = Pick<Props<Item, Job>, "kind" | "item"> & {
+  readonly onClose: () => void;
+};
 
 function Rename<Item extends Common, Job extends Item>({ kind, item, onClose }: FormProps<Item, Job>) {
   const rename = useChange(kind, (name: string) => kind.calls.label(item.id, name.trim() || null), onClose);
   return (
-    <NameForm name={item.label ?? ""} label="Name" action="Save" longest={200} className={classes.entryForm} error={rename.error?.message} saving={rename.isPending} onSave={rename.mutate} onClose={onClose} />
+    <NameForm
+      name={item.label ?? ""}
+      label="Name"
+      action="Save"
+      longest={200}
+      className={classes.entryForm}
+      error={rename.error?.message}
+      saving={rename.isPending}
+      onSave={rename.mutate}
+      onClose={onClose}
+    />
   );
 }
 
-function Delete<Item extends Common, Job extends Item>({ kind, item, name, onClose }: FormProps<Item, Job> & { readonly name: string }) {
+function Delete<Item extends Common, Job extends Item>({
+  kind,
+  item,
+  name,
+  onClose,
+}: FormProps<Item, Job> & { readonly name: string }) {
   const deletion = useChange(kind, () => kind.calls.delete(item.id), onClose);
   return (
     <div className={classes.entryForm} role="group" aria-label={`Delete ${name}?`}>

@@ -25,19 +25,30 @@ interface Props<Item extends Common, Job extends Item> {
 const PAGE = 10;
 const REFRESH_MS = 3_000;
 
-export function JobList<Item extends Common, Job extends Item>({ kind, title, describe, none, current, label }: Props<Item, Job>) {
+export function JobList<Item extends Common, Job extends Item>({
+  kind,
+  title,
+  describe,
+  none,
+  current,
+  label,
+}: Props<Item, Job>) {
   const { data, error, hasNextPage, isFetchingNextPage, fetchNextPage } = useInfiniteQuery({
     queryKey: [kind.name, "list", label ?? null],
-    queryFn: ({ pageParam, signal }) => kind.calls.page({ limit: PAGE, cursor: pageParam, label: label ?? null }, signal),
+    queryFn: ({ pageParam, signal }) =>
+      kind.calls.page({ limit: PAGE, cursor: pageParam, label: label ?? null }, signal),
     initialPageParam: null as string | null,
     getNextPageParam: ({ next }) => next,
-    refetchInterval: ({ state }) => state.data?.pages.some(({ items }) => items.some((item) => !isFinal(item))) === true && REFRESH_MS,
+    refetchInterval: ({ state }) =>
+      state.data?.pages.some(({ items }) => items.some((item) => !isFinal(item))) === true && REFRESH_MS,
   });
   const items = data?.pages.flatMap((page) => page.items);
   return (
     <Card aria-label={title} aria-busy={!items && !error} title={title}>
       {error && !items ? (
-        <Fault size="sm" className={ui.note ?? ""}>They could not be read: {error.message}</Fault>
+        <Fault size="sm" className={ui.note ?? ""}>
+          They could not be read: {error.message}
+        </Fault>
       ) : !items ? (
         <Skeleton height={44} mx="0.9rem" mb="0.7rem" width="auto" />
       ) : items.length === 0 ? (
@@ -52,7 +63,13 @@ export function JobList<Item extends Common, Job extends Item>({ kind, title, de
         </ul>
       )}
       {hasNextPage && (
-        <Button size="compact-sm" variant="subtle" m="0 0.5rem 0.5rem" loading={isFetchingNextPage} onClick={() => void fetchNextPage()}>
+        <Button
+          size="compact-sm"
+          variant="subtle"
+          m="0 0.5rem 0.5rem"
+          loading={isFetchingNextPage}
+          onClick={() => void fetchNextPage()}
+        >
           Show more
         </Button>
       )}

@@ -31,13 +31,26 @@ const STATE: Readonly<Record<Common["state"], string>> = {
 };
 
 /** `12 runs before it`, empty where nothing is. */
-export const waitsFor = ({ position }: Pick<Common, "position">) => (position > 0 ? `${count(position, "run")} before it` : "");
+export const waitsFor = ({ position }: Pick<Common, "position">) =>
+  position > 0 ? `${count(position, "run")} before it` : "";
 
-export function JobState<Item extends Common, Job extends Item>({ kind, job, texts, counts, resume, connected, readOnly = false, children }: Props<Item, Job>) {
+export function JobState<Item extends Common, Job extends Item>({
+  kind,
+  job,
+  texts,
+  counts,
+  resume,
+  connected,
+  readOnly = false,
+  children,
+}: Props<Item, Job>) {
   const cancel = useJobCall(kind, job.id, () => kind.calls.cancel(job.id));
   const { done, failed, total } = kind.counts(job);
   const ended = isFinal(job);
-  const text = [texts?.[job.state] ?? STATE[job.state], ...(job.state === "queued" && job.position > 0 ? [waitsFor(job)] : [])].join(", ");
+  const text = [
+    texts?.[job.state] ?? STATE[job.state],
+    ...(job.state === "queued" && job.position > 0 ? [waitsFor(job)] : []),
+  ].join(", ");
   return (
     <Card className={classes.state} aria-label="Progress" data-state={job.state}>
       <Group gap="0.3rem 0.9rem" mih={30}>
@@ -68,9 +81,7 @@ export function JobState<Item extends Common, Job extends Item>({ kind, job, tex
           The connection is interrupted; the numbers are updated when it is back.
         </Text>
       )}
-      {cancel.isError && (
-        <Fault>It could not be cancelled: {cancel.error.message}</Fault>
-      )}
+      {cancel.isError && <Fault>It could not be cancelled: {cancel.error.message}</Fault>}
       {children}
     </Card>
   );

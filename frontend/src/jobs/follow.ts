@@ -12,7 +12,12 @@ const EVENTS = ["state", "progress", "restart"];
 const RETRY_MS = 3000;
 
 const isJobEvent = (value: unknown): value is JobEvent =>
-  typeof value === "object" && value !== null && "state" in value && "done" in value && "failed" in value && "total" in value;
+  typeof value === "object" &&
+  value !== null &&
+  "state" in value &&
+  "done" in value &&
+  "failed" in value &&
+  "total" in value;
 
 function read(text: string): JobEvent | null {
   try {

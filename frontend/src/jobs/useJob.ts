@@ -4,7 +4,7 @@ import { queryOptions, useMutation, useQuery, useQueryClient, type QueryClient }
 import { useEffect, useState } from "react";
 import { batches, tunings, type JobCalls } from "../api/jobs";
 import type { Batch, BatchItem, Tuning, TuningItem } from "../api/types";
-import { createLatest } from "../state/latest";
+import { createLatest } from "../lib/latest";
 import { follow, isFinal, type Handlers, type JobEvent } from "./follow";
 import { secondsLeft, withMark, type Mark } from "./pace";
 
@@ -67,9 +67,18 @@ export interface JobStatus<Job> {
  *
  * The job is asked for once at a time: of events that come meanwhile only the newest asks again.
  */
-export function followJob<Item extends Common, Job extends Item>(kind: Kind<Item, Job>, id: string, queries: QueryClient, handlers: Handlers): () => void {
+export function followJob<Item extends Common, Job extends Item>(
+  kind: Kind<Item, Job>,
+  id: string,
+  queries: QueryClient,
+  handlers: Handlers,
+): () => void {
   const { queryKey } = jobQuery(kind, id);
-  const asking = createLatest({ run: () => queries.invalidateQueries({ queryKey }), onAnswer: () => undefined, onError: () => undefined });
+  const asking = createLatest({
+    run: () => queries.invalidateQueries({ queryKey }),
+    onAnswer: () => undefined,
+    onError: () => undefined,
+  });
   const stop = follow((after) => kind.calls.eventsAddress(id, after), {
     ...handlers,
     onEvent: (event) => {
@@ -113,7 +122,11 @@ export function useJob<Item extends Common, Job extends Item>(kind: Kind<Item, J
 }
 
 /** A call that answers with the job as it is then. */
-export function useJobCall<Item extends Common, Job extends Item, Value = undefined>(kind: Kind<Item, Job>, id: string, call: (value: Value) => Promise<Job>) {
+export function useJobCall<Item extends Common, Job extends Item, Value = undefined>(
+  kind: Kind<Item, Job>,
+  id: string,
+  call: (value: Value) => Promise<Job>,
+) {
   const queries = useQueryClient();
   return useMutation({
     mutationFn: call,

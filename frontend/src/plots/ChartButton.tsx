@@ -23,7 +23,8 @@ export function ChartButton({ title, file, hostRef, draw }: Props) {
       const { figure, ...rest } = draw();
       return paperChart({ figure: asZoomed(figure, hostRef?.current ?? null), ...rest }, size);
     },
-    csv: async () => (await import("./paperChart")).chartCsv(draw(), [`Ridelab: ${title}`, `page: ${window.location.href}`]),
+    csv: async () =>
+      (await import("./paperChart")).chartCsv(draw(), [`Ridelab: ${title}`, `page: ${window.location.href}`]),
   };
   return <FigureButton source={source} />;
 }

@@ -2,7 +2,7 @@
 
 import { ActionIcon } from "@mantine/core";
 import { lazy, useMemo, useState } from "react";
-import { IconDownload } from "../icons";
+import { IconDownload } from "../ui/icons";
 import { LazyPart } from "../ui/LazyPart";
 import classes from "./plots.module.css";
 import type { FigureSource } from "./saved";

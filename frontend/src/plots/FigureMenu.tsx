@@ -3,7 +3,7 @@
 import { Button, Group, Popover, SegmentedControl, Stack, Text } from "@mantine/core";
 import { useMediaQuery } from "@mantine/hooks";
 import { useId, useState, type ReactNode } from "react";
-import { download } from "../ui/download";
+import { download } from "../lib/download";
 import { figureImage, FONT_SIZES, WIDTHS, type FontSize, type Width } from "./paperFigure";
 import type { FigureSource } from "./saved";
 
@@ -31,21 +31,43 @@ export function FigureMenu({ source, opened, onChange, children }: Props) {
       () => setFailed(true),
     );
   };
-  const image = async (format: "png" | "svg") => figureImage(await paper({ width: Number(width), font: Number(font) }), format);
+  const image = async (format: "png" | "svg") =>
+    figureImage(await paper({ width: Number(width), font: Number(font) }), format);
   const csv = async () => `data:text/csv;charset=utf-8,${encodeURIComponent(await source.csv())}`;
   return (
-    <Popover opened={opened} onChange={onChange} position="bottom-end" trapFocus returnFocus withRoles={false} shadow="md">
+    <Popover
+      opened={opened}
+      onChange={onChange}
+      position="bottom-end"
+      trapFocus
+      returnFocus
+      withRoles={false}
+      shadow="md"
+    >
       <Popover.Target>{children}</Popover.Target>
       <Popover.Dropdown role="dialog" aria-label={`Save figure: ${title}`} maw="calc(100vw - 1rem)">
         <Stack gap="xs">
           <Text size="xs" fw={600} id={`${id}-width`}>
             Width
           </Text>
-          <SegmentedControl size="xs" aria-labelledby={`${id}-width`} orientation={isNarrow ? "vertical" : "horizontal"} value={width} data={[...WIDTHS]} onChange={setWidth} />
+          <SegmentedControl
+            size="xs"
+            aria-labelledby={`${id}-width`}
+            orientation={isNarrow ? "vertical" : "horizontal"}
+            value={width}
+            data={[...WIDTHS]}
+            onChange={setWidth}
+          />
           <Text size="xs" fw={600} id={`${id}-font`}>
             Font size
           </Text>
-          <SegmentedControl size="xs" aria-labelledby={`${id}-font`} value={font} data={[...FONT_SIZES]} onChange={setFont} />
+          <SegmentedControl
+            size="xs"
+            aria-labelledby={`${id}-font`}
+            value={font}
+            data={[...FONT_SIZES]}
+            onChange={setFont}
+          />
           <Group gap="xs" wrap="nowrap">
             <Button size="xs" variant="default" onClick={() => save("png", () => image("png"))}>
               PNG, 300 dpi

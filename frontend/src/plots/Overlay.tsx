@@ -1,8 +1,8 @@
 /** Pointer, cursor line and zoom brush over one panel. The lines move without React: they follow every frame. */
 
 import { useEffect, useRef, type PointerEvent } from "react";
-import { cursor } from "../state/cursor";
-import type { Axis, Zoom } from "../state/address";
+import { cursor } from "../lab/cursor";
+import type { Axis, Zoom } from "../lab/address";
 import { brush } from "./brush";
 import { MARGIN } from "./figure";
 import classes from "./plots.module.css";

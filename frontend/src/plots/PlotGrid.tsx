@@ -3,10 +3,10 @@
 import { useComputedColorScheme } from "@mantine/core";
 import { useCallback, useMemo } from "react";
 import type { FigureTemplate } from "../api/types";
-import type { Zoom } from "../state/address";
-import { useLabContext } from "../state/context";
-import type { Scene } from "../state/scene";
-import { layersOf } from "./layers";
+import type { Zoom } from "../lab/address";
+import { useLabContext } from "../lab/context";
+import type { Scene } from "../lab/resultView";
+import { layersOf } from "./curves";
 import { PALETTES } from "./palettes";
 import { PlotPanel } from "./PlotPanel";
 import classes from "./plots.module.css";
@@ -37,13 +37,31 @@ export function PlotGrid({ templates, scene }: Props) {
   const minus = differences ? subtrahend(scene) : undefined;
   const layers = useMemo(() => (differences ? [] : layersOf(layered)), [differences, layered]);
   const curves = useMemo(
-    () => ({ ...drawn, layers, strategies, axis, range, live: shown.source === "live", runId: shown.runId, coreVersion: shown.coreVersion, ...(roads !== undefined && { roads }), ...(minus !== undefined && { minus }) }),
+    () => ({
+      ...drawn,
+      layers,
+      strategies,
+      axis,
+      range,
+      live: shown.source === "live",
+      runId: shown.runId,
+      coreVersion: shown.coreVersion,
+      ...(roads !== undefined && { roads }),
+      ...(minus !== undefined && { minus }),
+    }),
     [drawn, layers, strategies, axis, range, shown.source, shown.runId, shown.coreVersion, roads, minus],
   );
   return (
     <div className={classes.grid}>
       {templates.map((template) => (
-        <PlotPanel key={template.layout.meta.signal} plotly={plotly} template={template} curves={curves} palette={palette} onZoom={onZoom} />
+        <PlotPanel
+          key={template.layout.meta.signal}
+          plotly={plotly}
+          template={template}
+          curves={curves}
+          palette={palette}
+          onZoom={onZoom}
+        />
       ))}
     </div>
   );

@@ -3,13 +3,14 @@
 import { Box, Group } from "@mantine/core";
 import { useIntersection } from "@mantine/hooks";
 import { memo, useMemo } from "react";
-import type { FigureTemplate, SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
-import type { Axis, Zoom } from "../state/address";
-import { printing } from "../state/printing";
-import { useStore } from "../state/store";
-import { buildFigure, type Palette } from "./figure";
+import type { FigureTemplate } from "../api/types";
+import type { Zoom } from "../lab/address";
+import { printing } from "../lib/printing";
+import { useStore } from "../lib/store";
+import { buildFigure } from "./figure";
+import { type Curves } from "./curves";
+import { type Palette } from "./palettes";
 import { FigureButton } from "./FigureButton";
-import type { Layer } from "./layers";
 import { Overlay } from "./Overlay";
 import classes from "./plots.module.css";
 import type { Plotly } from "./plotly";
@@ -17,25 +18,6 @@ import { Readouts } from "./Readouts";
 import type { FigureSource } from "./saved";
 import { Surface } from "./Surface";
 import { Card } from "../ui/Card";
-
-/** What all panels draw, and nothing else of the scene: whatever else changes there, no curve is drawn anew. */
-export interface Curves {
-  readonly series: SeriesByStrategy;
-  readonly driven: SeriesByStrategy;
-  readonly layers?: readonly Layer[];
-  readonly summaries: Readonly<Record<StrategyId, Summary>>;
-  readonly strategies: readonly Strategy[];
-  readonly axis: Axis;
-  readonly range: Zoom;
-  readonly live: boolean;
-  /** `null` while it is a preview. */
-  readonly runId: string | null;
-  readonly coreVersion: string;
-  /** Over how many roads the curves are means. */
-  readonly roads?: number;
-  /** What the curves are differences to. */
-  readonly minus?: string;
-}
 
 interface Props {
   readonly plotly: Plotly | null;
@@ -62,13 +44,17 @@ export const PlotPanel = memo(function PlotPanel({ plotly, template, curves, pal
   const { meta } = template.layout;
   const { series, strategies, axis, range, live, minus } = curves;
   // Off screen nothing is computed: during a drag only what somebody sees is drawn anew.
-  const figure = useMemo(() => (inViewport ? buildFigure({ template, palette, ...curves }) : null), [inViewport, template, curves, palette]);
+  const figure = useMemo(
+    () => (inViewport ? buildFigure({ template, palette, ...curves }) : null),
+    [inViewport, template, curves, palette],
+  );
   const drawn = strategies.map(({ label }) => label).join(", ");
   return (
     <Card ref={viewRef} className={classes.panel ?? ""} aria-label={`${meta.title}, curves`} data-figure={meta.signal}>
       <Group component="header" gap="0.5rem" wrap="nowrap" mih="2rem" p="0 0.7rem 0 0.8rem">
         <Box component="h2" flex="1 0 auto" m={0} fz="0.8125rem" fw={600} lh="1.3" className={classes.title ?? ""}>
-          {meta.title} <Box component="span" fw={400} c="dimmed">
+          {meta.title}{" "}
+          <Box component="span" fw={400} c="dimmed">
             {meta.unit}
             {minus !== undefined && `, less ${minus}`}
           </Box>

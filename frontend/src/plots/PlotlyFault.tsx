@@ -1,7 +1,7 @@
 /** Says that plotly.js could not be loaded, and tries again. */
 
 import { Button } from "@mantine/core";
-import { useStore } from "../state/store";
+import { useStore } from "../lib/store";
 import { Fault } from "../ui/Fault";
 import { plotlyState, requestCharts } from "./plotly";
 

@@ -2,12 +2,12 @@
 
 import { useMemo } from "react";
 import type { FigureMeta, SeriesByStrategy, Strategy } from "../api/types";
-import type { Axis } from "../state/address";
-import { useCursor } from "../state/cursor";
-import { axisKey } from "../state/scene";
+import type { Axis } from "../lab/address";
+import { useCursor } from "../lab/cursor";
+import { axisKey } from "../lab/resultView";
 import { formatFixed } from "../units/format";
 import classes from "./plots.module.css";
-import { extent, valueAt } from "./samples";
+import { extent, valueAt } from "../lib/samples";
 
 interface Props {
   readonly meta: FigureMeta;

@@ -3,7 +3,7 @@
 import { Box, useComputedColorScheme } from "@mantine/core";
 import { useMemo } from "react";
 import type { FigureTemplate } from "../api/types";
-import type { Scene } from "../state/scene";
+import type { Scene } from "../lab/resultView";
 import { Card } from "../ui/Card";
 import { buildFigure, MARGIN } from "./figure";
 import { Overlay } from "./Overlay";
@@ -24,7 +24,8 @@ export function RoadStrip({ template, scene }: Props) {
   const onZoom = useZoom();
   const { series, summaries, strategies, axis, whole, range, shown } = scene;
   const figure = useMemo(
-    () => buildFigure({ template, series, driven: series, summaries, strategies, axis, range: whole, palette, yTicks: 3 }),
+    () =>
+      buildFigure({ template, series, driven: series, summaries, strategies, axis, range: whole, palette, yTicks: 3 }),
     [template, series, summaries, strategies, axis, whole, palette],
   );
   const { meta } = template.layout;
@@ -35,7 +36,10 @@ export function RoadStrip({ template, scene }: Props) {
       <div role="img" aria-label={`${meta.title} in ${meta.unit} over ${axis}, whole run`}>
         <Surface plotly={plotly} figure={figure} live={shown.source === "live"} />
         {range !== whole && (
-          <div className={classes.stripWindow} style={{ inset: `${MARGIN.t}px ${MARGIN.r}px ${MARGIN.b}px ${MARGIN.l}px` }}>
+          <div
+            className={classes.stripWindow}
+            style={{ inset: `${MARGIN.t}px ${MARGIN.r}px ${MARGIN.b}px ${MARGIN.l}px` }}
+          >
             <div style={{ left: 0, width: `${100 * left}%` }} />
             <div style={{ right: 0, width: `${100 * right}%` }} />
           </div>
@@ -43,7 +47,10 @@ export function RoadStrip({ template, scene }: Props) {
         <Overlay axis={axis} range={whole} onZoom={onZoom} />
       </div>
       <h2 className={classes.stripTitle}>
-        {meta.title} <Box component="span" fw={400} c="dimmed">{meta.unit}</Box>
+        {meta.title}{" "}
+        <Box component="span" fw={400} c="dimmed">
+          {meta.unit}
+        </Box>
       </h2>
     </Card>
   );

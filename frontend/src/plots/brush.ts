@@ -1,6 +1,6 @@
 /** The stretch being drawn with the pointer to zoom into; all panels show it. */
 
-import { createStore } from "../state/store";
+import { createStore } from "../lib/store";
 
 export interface Brush {
   readonly from: number;

@@ -1,6 +1,7 @@
 /** Draws a whole panel on a canvas, as plotly draws the same figure: what follows a slider, and what is there before plotly. */
 
-import type { Numbers, PanelFigure, PlotTrace } from "./plotly";
+import type { PanelFigure, PlotTrace } from "./plotly";
+import type { Numbers } from "../lib/samples";
 import type { Shape } from "./shapes";
 import { MARGIN } from "./figure";
 
@@ -42,8 +43,10 @@ const asNumber = (value: unknown, otherwise: number) => (typeof value === "numbe
 const asText = (value: unknown, otherwise: string) => (typeof value === "string" ? value : otherwise);
 
 function drawShape(context: CanvasRenderingContext2D, shape: Shape, frame: Frame): void {
-  const across = (value: unknown) => (shape.xref === "paper" ? asNumber(value, 0) * frame.width : frame.toX(asNumber(value, 0)));
-  const up = (value: unknown) => (shape.yref === "paper" ? (1 - asNumber(value, 0)) * frame.height : frame.toY(asNumber(value, 0)));
+  const across = (value: unknown) =>
+    shape.xref === "paper" ? asNumber(value, 0) * frame.width : frame.toX(asNumber(value, 0));
+  const up = (value: unknown) =>
+    shape.yref === "paper" ? (1 - asNumber(value, 0)) * frame.height : frame.toY(asNumber(value, 0));
   const [left, right, bottom, top] = [across(shape.x0), across(shape.x1), up(shape.y0), up(shape.y1)];
   context.globalAlpha = asNumber(shape.opacity, 1);
   if (shape.type === "line") {
@@ -57,7 +60,13 @@ function drawShape(context: CanvasRenderingContext2D, shape: Shape, frame: Frame
   context.globalAlpha = 1;
 }
 
-function drawLine(context: CanvasRenderingContext2D, [x0, y0, x1, y1]: readonly [number, number, number, number], colour: string, width = 1, dash: number[] = []): void {
+function drawLine(
+  context: CanvasRenderingContext2D,
+  [x0, y0, x1, y1]: readonly [number, number, number, number],
+  colour: string,
+  width = 1,
+  dash: number[] = [],
+): void {
   context.strokeStyle = colour;
   context.lineWidth = width;
   context.setLineDash(dash);
@@ -94,23 +103,37 @@ function drawTrace(context: CanvasRenderingContext2D, { x, y, line, opacity = 1 
 }
 
 function drawGrid(context: CanvasRenderingContext2D, { layout: { xaxis, yaxis } }: PanelFigure, frame: Frame): void {
-  for (const x of xaxis.tickvals) drawLine(context, [crisp(frame.toX(x)), 0, crisp(frame.toX(x)), frame.height], xaxis.gridcolor);
+  for (const x of xaxis.tickvals)
+    drawLine(context, [crisp(frame.toX(x)), 0, crisp(frame.toX(x)), frame.height], xaxis.gridcolor);
   for (const y of yaxis.tickvals) {
-    drawLine(context, [0, crisp(frame.toY(y)), frame.width, crisp(frame.toY(y))], y === 0 ? yaxis.zerolinecolor : yaxis.gridcolor);
+    drawLine(
+      context,
+      [0, crisp(frame.toY(y)), frame.width, crisp(frame.toY(y))],
+      y === 0 ? yaxis.zerolinecolor : yaxis.gridcolor,
+    );
   }
 }
 
 /** A line of one pixel lies on one. */
 const crisp = (at: number) => Math.round(at - 0.5) + 0.5;
 
-function drawLabels(context: CanvasRenderingContext2D, { layout: { xaxis, yaxis } }: PanelFigure, frame: Frame, family: string): void {
+function drawLabels(
+  context: CanvasRenderingContext2D,
+  { layout: { xaxis, yaxis } }: PanelFigure,
+  frame: Frame,
+  family: string,
+): void {
   context.font = `${TICK_PX}px ${family}`;
   context.fillStyle = xaxis.color;
   context.textBaseline = "alphabetic";
   context.textAlign = "center";
-  xaxis.tickvals.forEach((x, index) => context.fillText(xaxis.ticktext[index] ?? "", frame.toX(x), frame.height + TICK_PX + 1));
+  xaxis.tickvals.forEach((x, index) =>
+    context.fillText(xaxis.ticktext[index] ?? "", frame.toX(x), frame.height + TICK_PX + 1),
+  );
   context.textAlign = "right";
-  yaxis.tickvals.forEach((y, index) => context.fillText(yaxis.ticktext[index] ?? "", -2, frame.toY(y) + 0.36 * TICK_PX));
+  yaxis.tickvals.forEach((y, index) =>
+    context.fillText(yaxis.ticktext[index] ?? "", -2, frame.toY(y) + 0.36 * TICK_PX),
+  );
 }
 
 export function clearCanvas(canvas: HTMLCanvasElement): void {
@@ -126,7 +149,12 @@ export function drawOnCanvas(canvas: HTMLCanvasElement, figure: PanelFigure, siz
   const { xaxis, yaxis, shapes } = figure.layout;
   const [width, height] = [size.width - MARGIN.l - MARGIN.r, size.height - MARGIN.t - MARGIN.b];
   const [perX, perY] = [width / (xaxis.range[1] - xaxis.range[0]), height / (yaxis.range[1] - yaxis.range[0])];
-  const frame: Frame = { toX: (x) => (x - xaxis.range[0]) * perX, toY: (y) => height - (y - yaxis.range[0]) * perY, width, height };
+  const frame: Frame = {
+    toX: (x) => (x - xaxis.range[0]) * perX,
+    toY: (y) => height - (y - yaxis.range[0]) * perY,
+    width,
+    height,
+  };
   context.setTransform(ratio, 0, 0, ratio, 0, 0);
   context.clearRect(0, 0, size.width, size.height);
   context.save();

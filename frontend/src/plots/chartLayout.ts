@@ -1,9 +1,12 @@
 /** What every chart apart from the lab's panels has in common. */
 
-import type { Palette } from "./figure";
+import type { Palette } from "./palettes";
 import type { PlotLayout } from "./plotly";
 
-export function chartLayout(palette: Palette, { xaxis, yaxis, ...rest }: { readonly xaxis: object; readonly yaxis: object; readonly [name: string]: unknown }): PlotLayout {
+export function chartLayout(
+  palette: Palette,
+  { xaxis, yaxis, ...rest }: { readonly xaxis: object; readonly yaxis: object; readonly [name: string]: unknown },
+): PlotLayout {
   const axis = { color: palette.text, gridcolor: palette.grid, zeroline: false, automargin: true };
   return {
     font: { family: "inherit", color: palette.text, size: 12 },

@@ -1,9 +1,9 @@
 import { describe, expect, it } from "vitest";
 import { maximumOf, minimumOf } from "../api/decode";
 import type { SeriesByStrategy } from "../api/types";
-import type { Axis } from "../state/address";
-import type { Scene } from "../state/scene";
-import type { FigureInput } from "./figure";
+import type { Axis } from "../lab/address";
+import type { Scene } from "../lab/resultView";
+import type { FigureInput } from "./curves";
 import { drawnOf } from "./differences";
 import { stageShapes } from "./shapes";
 
@@ -11,8 +11,17 @@ const numbers = (...values: number[]) => new Float32Array(values);
 const now = { lv: { time: numbers(0, 1, 2), position: numbers(0, 10, 20), speed: numbers(5, 7, 9) } };
 
 const BEFORE = { shown: {}, name: "before" } as unknown as Scene["against"];
-const scene = (axis: Axis) => ({ differences: true, against: BEFORE, baseline: null, ids: ["lv"], axis, range: [0, 20] as const, summaries: {} });
-const differences = (own: SeriesByStrategy, other: SeriesByStrategy, axis: Axis) => drawnOf(scene(axis), own, other).series;
+const scene = (axis: Axis) => ({
+  differences: true,
+  against: BEFORE,
+  baseline: null,
+  ids: ["lv"],
+  axis,
+  range: [0, 20] as const,
+  summaries: {},
+});
+const differences = (own: SeriesByStrategy, other: SeriesByStrategy, axis: Axis) =>
+  drawnOf(scene(axis), own, other).series;
 
 describe("curves as differences", () => {
   it("are taken at the same place, whatever the samples", () => {
@@ -26,10 +35,20 @@ describe("curves as differences", () => {
   it("of two thinned runs of the same motion are none: all samples are subtracted, then few are drawn", () => {
     const samples = Array.from({ length: 20_001 }, (_, index) => index);
     const motion = (time: number) => Math.sin(40 * time);
-    const series = (kept: readonly number[]) => ({ lv: { time: numbers(...kept.map((i) => i / 1000)), position: numbers(...kept.map((i) => i / 1000)), speed: numbers(...kept.map((i) => motion(i / 1000))) } });
-    const [one, other] = [series(samples.filter((i) => i % 37 === 0 || i % 5000 < 40)), series(samples.filter((i) => i % 41 === 0 || i % 5000 < 40))];
+    const series = (kept: readonly number[]) => ({
+      lv: {
+        time: numbers(...kept.map((i) => i / 1000)),
+        position: numbers(...kept.map((i) => i / 1000)),
+        speed: numbers(...kept.map((i) => motion(i / 1000))),
+      },
+    });
+    const [one, other] = [
+      series(samples.filter((i) => i % 37 === 0 || i % 5000 < 40)),
+      series(samples.filter((i) => i % 41 === 0 || i % 5000 < 40)),
+    ];
     const all = series(samples);
-    const between = (own: SeriesByStrategy, subtracted: SeriesByStrategy, range: readonly [number, number]) => drawnOf({ ...scene("distance"), range }, own, subtracted).series.lv?.speed;
+    const between = (own: SeriesByStrategy, subtracted: SeriesByStrategy, range: readonly [number, number]) =>
+      drawnOf({ ...scene("distance"), range }, own, subtracted).series.lv?.speed;
     const largest = (values: Float32Array | undefined) => Math.max(...(values ?? [NaN]).map(Math.abs));
     expect(largest(between(one, other, [0, 20]))).toBeLessThan(1e-5); // where both have all samples, and nowhere else
     expect(between(one, other, [0, 20])).toHaveLength(40);
@@ -58,8 +77,16 @@ describe("curves as differences", () => {
     expect([...(series.lv?.brake_pressure ?? [])]).toEqual([0, 0, 0]);
     const stage = { stage: "brake", start_time: 0, end_time: 2, start_position: 0, end_position: 20 };
     const summaries = { lv: { stages: [stage] } } as unknown as FigureInput["summaries"];
-    const template = { layout: { meta: { stage_fills: { brake: "orange" }, braking: 2e4 } } } as unknown as FigureInput["template"];
-    const shapes = stageShapes({ template, driven, summaries, strategies: [{ id: "lv", colour: "#123456" }], axis: "distance" });
+    const template = {
+      layout: { meta: { stage_fills: { brake: "orange" }, braking: 2e4 } },
+    } as unknown as FigureInput["template"];
+    const shapes = stageShapes({
+      template,
+      driven,
+      summaries,
+      strategies: [{ id: "lv", colour: "#123456" }],
+      axis: "distance",
+    });
     expect(shapes).toEqual([expect.objectContaining({ fillcolor: "orange", x0: 10, x1: 20 })]);
   });
 });

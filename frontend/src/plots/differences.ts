@@ -2,11 +2,11 @@
 
 import { isExtreme, type Series } from "../api/decode";
 import type { SeriesByStrategy, StrategyId, Summary } from "../api/types";
-import type { Axis, Zoom } from "../state/address";
-import { axisKey, type Scene } from "../state/scene";
-import type { FigureInput } from "./figure";
-import type { Numbers } from "./plotly";
-import { covering } from "./samples";
+import type { Axis, Zoom } from "../lab/address";
+import { axisKey, type Scene } from "../lab/resultView";
+import type { FigureInput } from "./curves";
+import type { Numbers } from "../lib/samples";
+import { covering } from "../lib/samples";
 
 const COORDINATES = ["time", "position"];
 
@@ -48,7 +48,9 @@ function commonPart(one: Series, other: Series, axis: Axis, range: Zoom): Zoom {
 
 function within(series: Series, axis: Axis, [low, high]: Zoom): Series {
   const inside = (series[axisKey(axis)] ?? new Float32Array()).map((x) => Number(x >= low && x <= high));
-  return Object.fromEntries(Object.entries(series).map(([key, values]) => [key, values.filter((_, index) => inside[index] === 1)]));
+  return Object.fromEntries(
+    Object.entries(series).map(([key, values]) => [key, values.filter((_, index) => inside[index] === 1)]),
+  );
 }
 
 /** Times in single precision are uneven by less. */
@@ -67,7 +69,10 @@ function thinned(series: Series, axis: Axis, [low, high]: Zoom): Series {
     for (const [key, values] of Object.entries(series)) {
       if (COORDINATES.includes(key)) continue;
       for (let part = 0; part < parts; part++) {
-        const [first, last] = [part, part + 1].map((edge) => start + Math.round(((end - start) * edge) / parts)) as [number, number];
+        const [first, last] = [part, part + 1].map((edge) => start + Math.round(((end - start) * edge) / parts)) as [
+          number,
+          number,
+        ];
         let [bottom, top] = [first, first];
         for (let i = first; i < last; i++) {
           if ((values[i] ?? 0) < (values[bottom] ?? 0)) bottom = i;
@@ -81,7 +86,9 @@ function thinned(series: Series, axis: Axis, [low, high]: Zoom): Series {
   keep(from, to, PARTS_SHOWN);
   keep(to, x.length, PARTS_BESIDE);
   const places = Uint32Array.from(kept).sort();
-  return Object.fromEntries(Object.entries(series).map(([key, values]) => [key, Float32Array.from(places, (place) => values[place] ?? 0)]));
+  return Object.fromEntries(
+    Object.entries(series).map(([key, values]) => [key, Float32Array.from(places, (place) => values[place] ?? 0)]),
+  );
 }
 
 function difference(one: Series, other: Series, axis: Axis): Series {
@@ -111,7 +118,11 @@ function differencesOf(series: SeriesByStrategy, other: SeriesByStrategy, axis: 
 }
 
 /** By strategy what its curves are compared with: the same one of another variant, or the baseline. */
-function seriesAgainst({ against, baseline, ids }: Pick<Scene, "against" | "baseline" | "ids">, own: SeriesByStrategy, ofAgainst: SeriesByStrategy): SeriesByStrategy {
+function seriesAgainst(
+  { against, baseline, ids }: Pick<Scene, "against" | "baseline" | "ids">,
+  own: SeriesByStrategy,
+  ofAgainst: SeriesByStrategy,
+): SeriesByStrategy {
   if (against !== null) return ofAgainst;
   const base = baseline === null ? undefined : own[baseline];
   return base ? Object.fromEntries(ids.map((id) => [id, base])) : {};
@@ -124,7 +135,11 @@ const withoutReferences = (summaries: Readonly<Record<StrategyId, Summary>>): Re
 type Drawn = Pick<FigureInput, "series" | "driven" | "summaries">;
 
 /** What is drawn of a scene: the curves themselves, or what they differ by from what changes are against. */
-export function drawnOf(scene: Pick<Scene, "differences" | "against" | "baseline" | "ids" | "axis" | "range" | "summaries">, own: SeriesByStrategy, ofAgainst: SeriesByStrategy): Drawn {
+export function drawnOf(
+  scene: Pick<Scene, "differences" | "against" | "baseline" | "ids" | "axis" | "range" | "summaries">,
+  own: SeriesByStrategy,
+  ofAgainst: SeriesByStrategy,
+): Drawn {
   if (!scene.differences) return { series: own, driven: own, summaries: scene.summaries };
   const series = differencesOf(own, seriesAgainst(scene, own, ofAgainst), scene.axis, scene.range);
   return { series, driven: own, summaries: withoutReferences(scene.summaries) };

@@ -1,37 +1,12 @@
 /** Fills a figure template with series: what plotly draws in one panel. Pure, so that it can be tested and exported. */
 
 import { maximumOf, minimumOf } from "../api/decode";
-import type { FigureTemplate, SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
-import type { Axis, Zoom } from "../state/address";
-import type { Layer } from "./layers";
-import type { Numbers, PanelFigure, PlotTrace } from "./plotly";
-import { covering, extent } from "./samples";
+import type { Axis, Zoom } from "../lab/address";
+import type { FigureInput, Layer } from "./curves";
+import type { PanelFigure, PlotTrace } from "./plotly";
+import { covering, extent, type Numbers } from "../lib/samples";
 import { ticksFor } from "./ticks";
 import { airborneShapes, referenceShapes, referenceValues, stageShapes, type Shape } from "./shapes";
-
-export interface Palette {
-  readonly text: string;
-  readonly grid: string;
-  readonly zero: string;
-}
-
-export interface FigureInput {
-  readonly template: FigureTemplate;
-  readonly series: SeriesByStrategy;
-  /** What was driven, which shades the stages; `series` where that is no difference. */
-  readonly driven: SeriesByStrategy;
-  /** Curves of other variants, under those of `series`. */
-  readonly layers?: readonly Layer[];
-  readonly summaries: Readonly<Record<StrategyId, Summary>>;
-  /** In the order of drawing. */
-  readonly strategies: readonly Pick<Strategy, "id" | "colour">[];
-  readonly axis: Axis;
-  /** Range of the shared axis. */
-  readonly range: Zoom;
-  readonly palette: Palette;
-  /** At most about so many marks on the vertical axis. */
-  readonly yTicks?: number;
-}
 
 export const MARGIN = { l: 46, r: 10, t: 6, b: 22 } as const;
 
@@ -39,7 +14,8 @@ export const axisSignal = (axis: Axis) => (axis === "distance" ? "position" : "t
 export const axisUnit = (axis: Axis) => (axis === "distance" ? "m" : "s");
 
 /** What curves over several roads are, in words. */
-export const overRoads = (roads: number, isDifference: boolean) => (isDifference ? `Differences of the means of ${roads} roads` : `Mean of ${roads} roads; range: minimum to maximum`);
+export const overRoads = (roads: number, isDifference: boolean) =>
+  isDifference ? `Differences of the means of ${roads} roads` : `Mean of ${roads} roads; range: minimum to maximum`;
 
 function scaled(values: Numbers, factor: number): Numbers {
   return factor === 1 ? values : values.map((value) => value * factor);
@@ -73,11 +49,17 @@ function bandTraces({ template, series, strategies, axis, range }: FigureInput):
       showlegend: false,
       ...fill,
     });
-    return [edge("minimum", low, {}), edge("maximum", high, { fill: "tonexty", fillcolor: `${drawn.colour}${BAND_OPACITY}` })];
+    return [
+      edge("minimum", low, {}),
+      edge("maximum", high, { fill: "tonexty", fillcolor: `${drawn.colour}${BAND_OPACITY}` }),
+    ];
   });
 }
 
-function tracesOf({ template, strategies, axis, range }: FigureInput, { name, series, line, opacity }: Layer): readonly PlotTrace[] {
+function tracesOf(
+  { template, strategies, axis, range }: FigureInput,
+  { name, series, line, opacity }: Layer,
+): readonly PlotTrace[] {
   const { scale } = template.layout.meta;
   return template.data.flatMap((trace): PlotTrace[] => {
     const { strategy, signal } = trace.meta;
@@ -111,12 +93,19 @@ const LEAST_SPAN = 0.02;
 function wholeSpan({ template, series, strategies }: FigureInput): number {
   const { signal, scale } = template.layout.meta;
   const spans = strategies.map(({ id }) => extent(series[id]?.[signal] ?? NOTHING)).filter((span) => span !== null);
-  return spans.length === 0 ? 0 : scale * (Math.max(...spans.map(([, top]) => top)) - Math.min(...spans.map(([low]) => low)));
+  return spans.length === 0
+    ? 0
+    : scale * (Math.max(...spans.map(([, top]) => top)) - Math.min(...spans.map(([low]) => low)));
 }
 
 const NOTHING = new Float32Array();
 
-function verticalRange(data: readonly PlotTrace[], references: readonly number[], whole: number, leastSpan: number): readonly [number, number] {
+function verticalRange(
+  data: readonly PlotTrace[],
+  references: readonly number[],
+  whole: number,
+  leastSpan: number,
+): readonly [number, number] {
   const spans = data.map(({ y }) => extent(y)).filter((span) => span !== null);
   if (spans.length === 0) return [-1, 1];
   let low = Math.min(...spans.map(([bottom]) => bottom));
@@ -160,13 +149,15 @@ export function buildFigure(input: FigureInput): PanelFigure {
   const data = traces(input);
   const ids = strategies.map(({ id }) => id);
   const used = ids.flatMap((id) => summaries[id] ?? []);
-  const shapes: readonly Shape[] = [
-    ...stageShapes(input),
-    ...airborneShapes(input),
-    ...referenceShapes(meta, used),
-  ];
+  const shapes: readonly Shape[] = [...stageShapes(input), ...airborneShapes(input), ...referenceShapes(meta, used)];
   const vertical = verticalRange(data, referenceValues(meta, used), wholeSpan(input), meta.least_span);
-  const axisStyle = { color: palette.text, gridcolor: palette.grid, zerolinecolor: palette.zero, tickfont: { size: 11 }, tickmode: "array" };
+  const axisStyle = {
+    color: palette.text,
+    gridcolor: palette.grid,
+    zerolinecolor: palette.zero,
+    tickfont: { size: 11 },
+    tickmode: "array",
+  };
   return {
     data,
     layout: {

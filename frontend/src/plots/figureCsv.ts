@@ -2,11 +2,12 @@
 
 import type { FigureTemplate } from "../api/types";
 import { axisSignal, axisUnit, buildFigure, overRoads } from "./figure";
+import { type Curves } from "./curves";
 import { ON_PAPER } from "./palettes";
-import type { Curves } from "./PlotPanel";
 
 /** On one line, and nothing of it a formula to a spreadsheet, whichever sign separates its cells. */
-const harmless = (text: string) => text.replace(/[\p{Cc}\u2028\u2029]+/gu, " ").replace(/(^|[,;])(\s*)(?=[=+\-@])/g, "$1$2'");
+const harmless = (text: string) =>
+  text.replace(/[\p{Cc}\u2028\u2029]+/gu, " ").replace(/(^|[,;])(\s*)(?=[=+\-@])/g, "$1$2'");
 
 export function cell(text: string): string {
   const clean = harmless(text);
@@ -31,7 +32,10 @@ export function figureCsv(template: FigureTemplate, curves: Curves, address: str
     ...(curves.roads === undefined ? [] : [overRoads(curves.roads, curves.minus !== undefined)]),
     `scenario: ${address}`,
   ];
-  const names = data.flatMap(({ name = title }) => [`${name}: ${axisSignal(curves.axis)} [${axisUnit(curves.axis)}]`, `${name}: ${title} [${unit}]`]);
+  const names = data.flatMap(({ name = title }) => [
+    `${name}: ${axisSignal(curves.axis)} [${axisUnit(curves.axis)}]`,
+    `${name}: ${title} [${unit}]`,
+  ]);
   const columns = data.flatMap(({ x, y }) => [x, y]);
   const longest = Math.max(0, ...columns.map(({ length }) => length));
   const rows = Array.from({ length: longest }, (_, row) => columns.map((column) => printed(column[row])).join(","));

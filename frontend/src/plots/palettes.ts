@@ -1,6 +1,10 @@
 /** What plots draw their axes with, by colour scheme. */
 
-import type { Palette } from "./figure";
+export interface Palette {
+  readonly text: string;
+  readonly grid: string;
+  readonly zero: string;
+}
 
 export const PALETTES: Readonly<Record<"light" | "dark", Palette>> = {
   light: { text: "#4a555b", grid: "rgba(120, 135, 142, 0.2)", zero: "rgba(120, 135, 142, 0.55)" },
@@ -8,4 +12,8 @@ export const PALETTES: Readonly<Record<"light" | "dark", Palette>> = {
 };
 
 /** What is printed or stands in a paper. */
-export const ON_PAPER: Palette = { text: "#333c41", grid: "rgba(120, 135, 142, 0.25)", zero: "rgba(120, 135, 142, 0.6)" };
+export const ON_PAPER: Palette = {
+  text: "#333c41",
+  grid: "rgba(120, 135, 142, 0.25)",
+  zero: "rgba(120, 135, 142, 0.6)",
+};

@@ -31,7 +31,11 @@ const MM_PER_POINT = 25.4 / 72;
 /** Lines that end at commas, as long as there is room for. */
 function inLines(text: string, { width, font }: PaperSize): string {
   const most = width / (CHARACTER * font * MM_PER_POINT);
-  return text.split(", ").reduce((lines, part) => (lines.length - lines.lastIndexOf(">") + part.length < most ? `${lines}, ${part}` : `${lines},<br>${part}`));
+  return text
+    .split(", ")
+    .reduce((lines, part) =>
+      lines.length - lines.lastIndexOf(">") + part.length < most ? `${lines}, ${part}` : `${lines},<br>${part}`,
+    );
 }
 
 const axesOf = ({ xaxis, yaxis }: PlotLayout): readonly [Axis, Axis] => [(xaxis ?? {}) as Axis, (yaxis ?? {}) as Axis];
@@ -42,7 +46,8 @@ const isGrid = (trace: AnyTrace): trace is GridTrace => trace.type === "heatmap"
 export function asZoomed(figure: ChartFigure, drawn: HTMLElement | null): ChartFigure {
   const layout = (drawn as PlotElement | null)?.layout;
   const [x, y] = axesOf(figure.layout);
-  const zoomed = (axis: Axis, { range, autorange }: { readonly range?: unknown; readonly autorange?: unknown } = {}) => (range === undefined || autorange === true ? axis : { ...axis, range, autorange: false });
+  const zoomed = (axis: Axis, { range, autorange }: { readonly range?: unknown; readonly autorange?: unknown } = {}) =>
+    range === undefined || autorange === true ? axis : { ...axis, range, autorange: false };
   return { ...figure, layout: { ...figure.layout, xaxis: zoomed(x, layout?.xaxis), yaxis: zoomed(y, layout?.yaxis) } };
 }
 
@@ -59,11 +64,27 @@ export function paperChart({ figure: { data, layout }, legend, colours }: ChartO
     data: data.map((trace, index): AnyTrace => {
       if (isGrid(trace)) return { ...trace, colorbar: { thickness: 10, outlinewidth: 0, tickfont: { size: points } } };
       const { x: values } = trace as { readonly x: Values };
-      return { ...trace, showlegend: ("bdata" in values || values.length > 0) && legend.includes(trace.name) && last.get(trace.name) === index };
+      return {
+        ...trace,
+        showlegend:
+          ("bdata" in values || values.length > 0) && legend.includes(trace.name) && last.get(trace.name) === index,
+      };
     }),
     layout: {
       ...page.layout,
-      ...(colours !== undefined && { title: { text: inLines(colours, size), font: { size: points }, x: 0, y: 1, xref: "paper", yref: "paper", yanchor: "bottom", pad: { b: 6 }, automargin: true } }),
+      ...(colours !== undefined && {
+        title: {
+          text: inLines(colours, size),
+          font: { size: points },
+          x: 0,
+          y: 1,
+          xref: "paper",
+          yref: "paper",
+          yanchor: "bottom",
+          pad: { b: 6 },
+          automargin: true,
+        },
+      }),
       margin: { ...page.layout.margin, r: margin?.r ?? 8, t: margin?.t ?? 8 },
       annotations: annotations.map((each) => ({ ...each, font: { ...each.font, size: points } })),
     },
@@ -73,13 +94,23 @@ export function paperChart({ figure: { data, layout }, legend, colours }: ChartO
 const text = (value: Value) => (typeof value === "number" ? printed(value) : cell(value ?? ""));
 
 /** Lines of `#` say where it comes from; below stand the cells of a map, or the points of each trace that the legend names. */
-export function chartCsv({ figure: { data, layout }, legend, colours, table }: ChartOnPaper, about: readonly string[]): string {
+export function chartCsv(
+  { figure: { data, layout }, legend, colours, table }: ChartOnPaper,
+  about: readonly string[],
+): string {
   const [x, y] = axesOf(layout).map(textOf);
   const grid = data.find(isGrid);
   const dotted = new Set(data.flatMap((trace) => ("mode" in trace && trace.mode === "markers" ? [trace.name] : [])));
-  const rows = table ?? (grid
-    ? [[x, y, colours], ...grid.y.flatMap((up, i) => grid.x.map((across, j) => [across, up, grid.z[i]?.[j]]))]
-    : [["", x, y], ...data.filter(({ name }) => legend.includes(name)).flatMap((trace) => pointsOf(trace, dotted).map((point) => [trace.name, ...point]))]);
+  const rows =
+    table ??
+    (grid
+      ? [[x, y, colours], ...grid.y.flatMap((up, i) => grid.x.map((across, j) => [across, up, grid.z[i]?.[j]]))]
+      : [
+          ["", x, y],
+          ...data
+            .filter(({ name }) => legend.includes(name))
+            .flatMap((trace) => pointsOf(trace, dotted).map((point) => [trace.name, ...point])),
+        ]);
   return [...about.map(comment), ...rows.map((row) => row.map(text).join(",")), ""].join("\n");
 }
 

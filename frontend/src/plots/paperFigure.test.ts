@@ -2,14 +2,25 @@ import { describe, expect, it } from "vitest";
 import type { FigureTemplate, Strategy } from "../api/types";
 import { cell, figureCsv } from "./figureCsv";
 import { paperFigure, sized } from "./paperFigure";
-import type { Curves } from "./PlotPanel";
+import type { Curves } from "./curves";
 
 const template: FigureTemplate = {
   data: [{ name: "LV, control", meta: { strategy: "lv", signal: "load" }, line: { color: "#1C5FDF" } }],
   layout: {
     meta: {
-      stage_fills: {}, band_fill: "grey", neutral: "grey", title: "Load", unit: "kN", scale: 1e-3, signal: "load", least_span: 0,
-      braking: 0, band: null, axes: { position: "Position [m]" }, reference_labels: {}, reference_factors: {},
+      stage_fills: {},
+      band_fill: "grey",
+      neutral: "grey",
+      title: "Load",
+      unit: "kN",
+      scale: 1e-3,
+      signal: "load",
+      least_span: 0,
+      braking: 0,
+      band: null,
+      axes: { position: "Position [m]" },
+      reference_labels: {},
+      reference_factors: {},
     },
   },
 };
@@ -18,7 +29,14 @@ const load = new Float32Array([0, -6000, -7000.5, 2000, 0]);
 const curves: Curves = {
   series: { lv: { position: x, load } },
   driven: {},
-  layers: [{ name: "before the edit", series: { lv: { position: x.subarray(0, 3), load: load.subarray(0, 3) } }, line: {}, opacity: 0.6 }],
+  layers: [
+    {
+      name: "before the edit",
+      series: { lv: { position: x.subarray(0, 3), load: load.subarray(0, 3) } },
+      line: {},
+      opacity: 0.6,
+    },
+  ],
   summaries: {},
   strategies: [{ id: "lv", colour: "#7CBEF9" } as Strategy],
   axis: "distance",
@@ -39,18 +57,33 @@ describe("a figure for a paper", () => {
   });
 
   it("says what curves over several roads are", () => {
-    const below = (shown: Partial<Curves>) => (paperFigure(template, { ...curves, ...shown }, { width: 88, font: 9 }).layout.xaxis as { title: { text: string } }).title.text;
+    const below = (shown: Partial<Curves>) =>
+      (
+        paperFigure(template, { ...curves, ...shown }, { width: 88, font: 9 }).layout.xaxis as {
+          title: { text: string };
+        }
+      ).title.text;
     expect(below({ roads: 10 })).toBe("Position [m]<br>Mean of 10 roads; range: minimum to maximum");
     expect(below({ roads: 10, minus: "Passive" })).toBe("Position [m]<br>Differences of the means of 10 roads");
-    expect(figureCsv(template, { ...curves, roads: 10 }, "")).toContain("\n# Mean of 10 roads; range: minimum to maximum\n");
+    expect(figureCsv(template, { ...curves, roads: 10 }, "")).toContain(
+      "\n# Mean of 10 roads; range: minimum to maximum\n",
+    );
   });
 
   it("shows a pin's name as it stands: nothing of it is a link or a tag", () => {
     const name = '<a href="https://other.test">R&D</a>';
-    const { data, layout } = paperFigure(template, { ...curves, layers: [{ name, series: curves.series, line: {}, opacity: 1 }], minus: name }, { width: 88, font: 9 });
+    const { data, layout } = paperFigure(
+      template,
+      { ...curves, layers: [{ name, series: curves.series, line: {}, opacity: 1 }], minus: name },
+      { width: 88, font: 9 },
+    );
     const texts = [...data.map((trace) => trace.name), (layout.yaxis as { title: { text: string } }).title.text];
     expect(texts.join()).not.toContain("<");
-    expect(texts).toEqual(['LV, control, &lt;a href="https://other.test">R&amp;D&lt;/a>', "LV, control", 'Load [kN], less &lt;a href="https://other.test">R&amp;D&lt;/a>']);
+    expect(texts).toEqual([
+      'LV, control, &lt;a href="https://other.test">R&amp;D&lt;/a>',
+      "LV, control",
+      'Load [kN], less &lt;a href="https://other.test">R&amp;D&lt;/a>',
+    ]);
   });
 
   it("is as wide wherever it is placed", () => {
@@ -77,10 +110,21 @@ describe("a figure's table", () => {
 });
 
 it("Nothing of a pin's name is a line or a formula of its own in a table", () => {
-  const pinned = (name: string) => figureCsv(template, { ...curves, layers: [{ name, series: curves.series, line: {}, opacity: 1 }], minus: name }, "").split("\n");
+  const pinned = (name: string) =>
+    figureCsv(
+      template,
+      { ...curves, layers: [{ name, series: curves.series, line: {}, opacity: 1 }], minus: name },
+      "",
+    ).split("\n");
   const lines = pinned('x\r\n=HYPERLINK("https://other.test");@SUM(1)\u2028,+1');
   expect(lines[0]).toBe(`# Ridelab: Load [kN], less x =HYPERLINK("https://other.test");'@SUM(1) ,'+1`);
   expect(lines).toHaveLength(pinned("x").length);
   expect(lines[4]).toContain(`"LV, control, x =HYPERLINK(""https://other.test"");'@SUM(1) ,'+1: Load [kN]"`);
-  expect([cell("=1+1"), cell("-5"), cell(" @a"), cell("a;b"), cell("\t=1")]).toEqual(["'=1+1", "'-5", " '@a", '"a;b"', " '=1"]);
+  expect([cell("=1+1"), cell("-5"), cell(" @a"), cell("a;b"), cell("\t=1")]).toEqual([
+    "'=1+1",
+    "'-5",
+    " '@a",
+    '"a;b"',
+    " '=1",
+  ]);
 });

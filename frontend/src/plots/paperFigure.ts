@@ -2,8 +2,8 @@
 
 import type { FigureTemplate } from "../api/types";
 import { axisSignal, buildFigure, overRoads } from "./figure";
+import { type Curves } from "./curves";
 import { ON_PAPER } from "./palettes";
-import type { Curves } from "./PlotPanel";
 import { asText, loadPlotly, withPlainNames, type PlotLayout, type PlotTrace } from "./plotly";
 import type { PaperFigure, PaperSize } from "./saved";
 
@@ -49,10 +49,21 @@ interface AxisOnPaper extends Readonly<Record<string, unknown>> {
 }
 
 /** A figure's layout on paper: white, in one font, its axes with titles. */
-export function sheet(layout: PlotLayout, paper: PaperSize, xaxis: AxisOnPaper, yaxis: AxisOnPaper, names: readonly string[]) {
+export function sheet(
+  layout: PlotLayout,
+  paper: PaperSize,
+  xaxis: AxisOnPaper,
+  yaxis: AxisOnPaper,
+  names: readonly string[],
+) {
   const { width, font } = paper;
   const size = font * POINT;
-  const axis = ({ text, ...rest }: AxisOnPaper) => ({ ...rest, automargin: true, tickfont: { size }, title: { text, font: { size }, standoff: 6 } });
+  const axis = ({ text, ...rest }: AxisOnPaper) => ({
+    ...rest,
+    automargin: true,
+    tickfont: { size },
+    title: { text, font: { size }, standoff: 6 },
+  });
   return {
     width,
     height: Math.round(heightOf(width) + furtherRows(names, paper)),
@@ -72,10 +83,20 @@ export function sheet(layout: PlotLayout, paper: PaperSize, xaxis: AxisOnPaper, 
 
 export function paperFigure(template: FigureTemplate, curves: Curves, size: PaperSize): PaperFigure<PlotTrace> {
   const { meta } = template.layout;
-  const { data, layout } = buildFigure({ template, ...curves, strategies: onPaper(template, curves.strategies), palette: ON_PAPER });
+  const { data, layout } = buildFigure({
+    template,
+    ...curves,
+    strategies: onPaper(template, curves.strategies),
+    palette: ON_PAPER,
+  });
   const less = curves.minus === undefined ? "" : `, less ${asText(curves.minus)}`;
   const roadsNote = curves.roads === undefined ? "" : `<br>${overRoads(curves.roads, curves.minus !== undefined)}`;
-  const x = { ...layout.xaxis, tickmode: "auto", nticks: 7, text: `${meta.axes[axisSignal(curves.axis)] ?? ""}${roadsNote}` };
+  const x = {
+    ...layout.xaxis,
+    tickmode: "auto",
+    nticks: 7,
+    text: `${meta.axes[axisSignal(curves.axis)] ?? ""}${roadsNote}`,
+  };
   const y = { ...layout.yaxis, tickmode: "auto", nticks: 6, text: `${meta.title} [${meta.unit}]${less}` };
   const names = data.flatMap(({ name, showlegend }) => (name === undefined || showlegend === false ? [] : [name]));
   return { data: withPlainNames(data), ...sheet(layout, size, x, y, names) };
@@ -86,7 +107,10 @@ export function sized(svg: string, width: number, height: number): string {
   const [pixelsWide, pixelsHigh] = [Math.round(width * MM), Math.round(height * MM)];
   return svg.replace(/<svg[^>]*>/, (root) => {
     const unsized = root.replace(/ (?:width|height|viewBox)="[^"]*"/g, "");
-    return unsized.replace("<svg", `<svg width="${width}mm" height="${height}mm" viewBox="0 0 ${pixelsWide} ${pixelsHigh}"`);
+    return unsized.replace(
+      "<svg",
+      `<svg width="${width}mm" height="${height}mm" viewBox="0 0 ${pixelsWide} ${pixelsHigh}"`,
+    );
   });
 }
 
@@ -96,5 +120,7 @@ export async function figureImage({ width, height, ...figure }: PaperFigure, for
   const plotly = await loadPlotly();
   const size = { width: Math.round(width * MM), height: Math.round(height * MM) };
   const address = await plotly.toImage(figure, { format, ...size, scale: format === "png" ? DPI / 96 : 1 });
-  return format === "png" ? address : SVG + encodeURIComponent(sized(decodeURIComponent(address.slice(SVG.length)), width, height));
+  return format === "png"
+    ? address
+    : SVG + encodeURIComponent(sized(decodeURIComponent(address.slice(SVG.length)), width, height));
 }

@@ -1,9 +1,8 @@
 /** plotly.js, loaded once and late, and the few types of it this page uses. */
 
 import type { MadeTrace } from "../api/types";
-import { createStore } from "../state/store";
-
-export type Numbers = Float32Array;
+import type { Numbers } from "../lib/samples";
+import { createStore } from "../lib/store";
 
 export interface PlotTrace {
   readonly type: "scatter";
@@ -107,7 +106,8 @@ export interface PanelFigure extends PlotFigure {
 export const asText = (text: string): string => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
 
 /** The names are texts. */
-export const withPlainNames = (data: readonly PlotTrace[]): readonly PlotTrace[] => data.map((trace) => (trace.name === undefined ? trace : { ...trace, name: asText(trace.name) }));
+export const withPlainNames = (data: readonly PlotTrace[]): readonly PlotTrace[] =>
+  data.map((trace) => (trace.name === undefined ? trace : { ...trace, name: asText(trace.name) }));
 
 interface ImageOptions {
   readonly format: "png" | "svg";
@@ -124,7 +124,10 @@ export interface Plotly {
     config: Readonly<Record<string, unknown>>,
   ) => Promise<unknown>;
   readonly purge: (element: HTMLElement) => void;
-  readonly toImage: (figure: { readonly data: readonly AnyTrace[]; readonly layout: PlotLayout }, options: ImageOptions) => Promise<string>;
+  readonly toImage: (
+    figure: { readonly data: readonly AnyTrace[]; readonly layout: PlotLayout },
+    options: ImageOptions,
+  ) => Promise<string>;
 }
 
 interface DrawnAxis {
@@ -135,7 +138,10 @@ interface DrawnAxis {
 /** An element plotly has drawn in. */
 export interface PlotElement extends HTMLElement {
   readonly on: {
-    (event: "plotly_click", handler: (event: { readonly points: readonly { readonly customdata: number }[] }) => void): void;
+    (
+      event: "plotly_click",
+      handler: (event: { readonly points: readonly { readonly customdata: number }[] }) => void,
+    ): void;
     (event: "plotly_relayout", handler: () => void): void;
   };
   /** As drawn, with what somebody has zoomed to; there once something is drawn. */
@@ -158,8 +164,11 @@ export const plotlyState = { get: state.get, subscribe: state.subscribe };
 
 let loading: Promise<Plotly> | null = null;
 
+/** Its own types leave out what we freeze. */
+const bundle = () => import("./bundle") as unknown as Promise<{ readonly default: Plotly }>;
+
 /** Loads it once; after a failure the next call tries again. */
-export function loadPlotly(load: () => Promise<{ readonly default: Plotly }> = () => import("./bundle")): Promise<Plotly> {
+export function loadPlotly(load = bundle): Promise<Plotly> {
   loading ??= load().then(
     ({ default: plotly }) => {
       state.set((before) => ({ ...before, plotly, failed: false }));

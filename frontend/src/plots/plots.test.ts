@@ -2,13 +2,14 @@ import { describe, expect, it, vi } from "vitest";
 import { maximumOf, minimumOf } from "../api/decode";
 import type { FigureTemplate, Summary } from "../api/types";
 import { drawOnCanvas } from "./canvas";
-import { buildFigure, MARGIN, type FigureInput } from "./figure";
+import { buildFigure, MARGIN } from "./figure";
+import { type FigureInput } from "./curves";
 import { loadPlotly, plotlyState, type Plotly } from "./plotly";
 import { ticksFor } from "./ticks";
 import { keepsRange } from "./painter";
 import { stageShapes } from "./shapes";
 import CASE from "../../../tests/data/stage_shapes.json";
-import { covering, extent, stretchesBelow, valueAt } from "./samples";
+import { covering, extent, stretchesBelow, valueAt } from "../lib/samples";
 
 const X = new Float32Array([0, 1, 2, 3, 4]);
 const LOAD = new Float32Array([0, -6000, -7000, 2000, 0]);
@@ -41,7 +42,15 @@ const template: FigureTemplate = {
       stage_fills: { bump: "rgba(0, 0, 255, 0.1)" },
       band_fill: "grey",
       neutral: "grey",
-      title: "Load", unit: "kN", scale: 1e-3, signal: "load", least_span: 0, braking: 20_000, band: null, axes: {}, reference_labels: {},
+      title: "Load",
+      unit: "kN",
+      scale: 1e-3,
+      signal: "load",
+      least_span: 0,
+      braking: 20_000,
+      band: null,
+      axes: {},
+      reference_labels: {},
       reference_factors: { front_static_load: [-1] },
     },
   },
@@ -58,7 +67,10 @@ const input: FigureInput = {
   series: { lv: { position: X, time: X, load: LOAD } },
   driven: {},
   summaries: { lv: summary },
-  strategies: [{ id: "lv", colour: "#123456" }, { id: "passive", colour: "#666" }],
+  strategies: [
+    { id: "lv", colour: "#123456" },
+    { id: "passive", colour: "#666" },
+  ],
   axis: "distance",
   range: [0, 4],
   palette: { text: "#000", grid: "#eee", zero: "#ccc" },
@@ -80,7 +92,9 @@ describe("a filled figure", () => {
   });
 
   it("shades by time when over time", () => {
-    expect(buildFigure({ ...input, axis: "time" }).layout.shapes).toContainEqual(expect.objectContaining({ x0: 1, x1: 2 }));
+    expect(buildFigure({ ...input, axis: "time" }).layout.shapes).toContainEqual(
+      expect.objectContaining({ x0: 1, x1: 2 }),
+    );
   });
 
   it("fits its y axis to what is in the range", () => {
@@ -93,7 +107,11 @@ describe("a filled figure", () => {
 describe("a figure over several roads", () => {
   const [low, high] = [LOAD.map((value) => value - 2000), LOAD.map((value) => value + 1000)];
   const own = { position: X, time: X, load: LOAD, [minimumOf("load")]: low, [maximumOf("load")]: high };
-  const over = { ...input, series: { lv: own }, layers: [{ name: "before the edit", series: { lv: own }, line: {}, opacity: 0.5 }] };
+  const over = {
+    ...input,
+    series: { lv: own },
+    layers: [{ name: "before the edit", series: { lv: own }, line: {}, opacity: 0.5 }],
+  };
 
   it("has a band from the smallest to the largest value under every curve", () => {
     const { data, layout } = buildFigure(over);
@@ -106,7 +124,8 @@ describe("a figure over several roads", () => {
   });
 
   it("shows where a tyre leaves one of the roads", () => {
-    const shapes = buildFigure({ ...over, series: { lv: { ...own, load: LOAD.map((value) => value / 2) } } }).layout.shapes;
+    const shapes = buildFigure({ ...over, series: { lv: { ...own, load: LOAD.map((value) => value / 2) } } }).layout
+      .shapes;
     expect(shapes).toContainEqual(expect.objectContaining({ x0: 1, x1: 3, opacity: expect.any(Number) as number }));
   });
 
@@ -131,7 +150,13 @@ describe("a figure over several roads", () => {
     const [bottom, top] = figure.layout.yaxis.range;
     const toY = (y: number) => expect.closeTo((100 * (top - y)) / (top - bottom), 6) as number;
     expect(filled).toEqual([
-      ["#1234563d", [...[...low].map((y, index) => [100 * index, toY(y / 1000)]), ...[...high].map((y, index) => [100 * index, toY(y / 1000)]).reverse()]],
+      [
+        "#1234563d",
+        [
+          ...[...low].map((y, index) => [100 * index, toY(y / 1000)]),
+          ...[...high].map((y, index) => [100 * index, toY(y / 1000)]).reverse(),
+        ],
+      ],
     ]);
     expect(stroked.filter((colour) => colour === "#123456")).toHaveLength(1);
     vi.unstubAllGlobals();
@@ -152,24 +177,41 @@ describe("the stages", () => {
   const series = Object.fromEntries(
     Object.entries(strategies).map(([id, { time, position, brake_pressure: pressure }]) => [
       id,
-      { time: new Float32Array(time), position: new Float32Array(position), brake_pressure: new Float32Array(pressure) },
+      {
+        time: new Float32Array(time),
+        position: new Float32Array(position),
+        brake_pressure: new Float32Array(pressure),
+      },
     ]),
   );
   const fills = { brake: "orange", bump: "blue" } as const;
   const meta = { ...template.layout.meta, stage_fills: fills };
   const drawn = (axis: "distance" | "time") =>
-    stageShapes({ template: { ...template, layout: { meta } }, driven: series, summaries: strategies as unknown as FigureInput["summaries"], strategies: [{ id: "passive", colour: "#666" }, { id: "lv", colour: "#123456" }], axis })
+    stageShapes({
+      template: { ...template, layout: { meta } },
+      driven: series,
+      summaries: strategies as unknown as FigureInput["summaries"],
+      strategies: [
+        { id: "passive", colour: "#666" },
+        { id: "lv", colour: "#123456" },
+      ],
+      axis,
+    })
       .filter(({ y0 }) => y0 === 0)
       .map(({ fillcolor, x0, x1 }) => [fillcolor, x0, x1]);
 
-  it.each([["distance", shaded.position], ["time", shaded.time]] as const)("are shaded over %s by the rule the service has", (axis, expected) => {
+  it.each([
+    ["distance", shaded.position],
+    ["time", shaded.time],
+  ] as const)("are shaded over %s by the rule the service has", (axis, expected) => {
     expect(drawn(axis)).toEqual(expected.map(([stage, low, high]) => [fills[stage as "brake" | "bump"], low, high]));
   });
 });
 
 it("an axis spans at least what somebody could feel", () => {
   const meta = { ...template.layout.meta, least_span: 10 };
-  const [low, high] = buildFigure({ ...input, template: { ...template, layout: { meta } }, range: [3.2, 4] }).layout.yaxis.range;
+  const [low, high] = buildFigure({ ...input, template: { ...template, layout: { meta } }, range: [3.2, 4] }).layout
+    .yaxis.range;
   expect(high - low).toBeGreaterThanOrEqual(10);
 });
 

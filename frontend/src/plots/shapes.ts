@@ -2,10 +2,10 @@
 
 import type { FigureMeta, StrategyId, Summary } from "../api/types";
 import { minimumOf, type Series } from "../api/decode";
-import type { Axis } from "../state/address";
-import type { FigureInput } from "./figure";
-import { axisKey } from "../state/scene";
-import { stretchesBelow } from "./samples";
+import type { Axis } from "../lab/address";
+import type { FigureInput } from "./curves";
+import { axisKey } from "../lab/resultView";
+import { stretchesBelow } from "../lib/samples";
 
 export type Shape = Readonly<Record<string, unknown>>;
 
@@ -14,7 +14,19 @@ const AIRBORNE_OPACITY = 0.28;
 const MARK = 0.022;
 
 function upright(x0: number, x1: number, fillcolor: string, rest: Shape = {}): Shape {
-  return { type: "rect", xref: "x", yref: "paper", x0, x1, y0: 0, y1: 1, layer: "below", line: { width: 0 }, fillcolor, ...rest };
+  return {
+    type: "rect",
+    xref: "x",
+    yref: "paper",
+    x0,
+    x1,
+    y0: 0,
+    y1: 1,
+    layer: "below",
+    line: { width: 0 },
+    fillcolor,
+    ...rest,
+  };
 }
 
 const spanEnds = (axis: Axis, span: Summary["stages"][number]): readonly [number, number] =>
@@ -30,7 +42,12 @@ export function stagedStrategy(
 }
 
 /** From the first to the last sample between the ends at which the brakes are on; `null` where there is none. */
-function pressed(series: Series | undefined, axis: Axis, [from, to]: readonly [number, number], braking: number): readonly [number, number] | null {
+function pressed(
+  series: Series | undefined,
+  axis: Axis,
+  [from, to]: readonly [number, number],
+  braking: number,
+): readonly [number, number] | null {
   const samples = series?.[axisKey(axis)];
   const on = samples?.filter((x, index) => x >= from && x <= to && (series?.brake_pressure?.[index] ?? 0) >= braking);
   const [first, last] = [on?.[0], on?.at(-1)];
@@ -38,7 +55,13 @@ function pressed(series: Series | undefined, axis: Axis, [from, to]: readonly [n
 }
 
 /** As backend/runs/figures.py shades them. Stages agree by distance; over time they are one strategy's, and small marks tell the others' bumps. */
-export function stageShapes({ template, driven, summaries, strategies: shown, axis }: Omit<FigureInput, "series" | "range" | "palette">): readonly Shape[] {
+export function stageShapes({
+  template,
+  driven,
+  summaries,
+  strategies: shown,
+  axis,
+}: Omit<FigureInput, "series" | "range" | "palette">): readonly Shape[] {
   const strategies = shown.map(({ id }) => id);
   const staged = stagedStrategy(summaries, strategies);
   const { stage_fills: fills, braking } = template.layout.meta;
@@ -70,7 +93,9 @@ export function airborneShapes({ template, series, summaries, strategies, axis }
     const { signal } = template.layout.meta;
     const load = series[strategy]?.[minimumOf(signal)] ?? series[strategy]?.[signal];
     if (typeof limit !== "number" || !x || !load) return [];
-    return stretchesBelow(x, load, -limit).map(([from, to]) => upright(from, to, colour, { opacity: AIRBORNE_OPACITY }));
+    return stretchesBelow(x, load, -limit).map(([from, to]) =>
+      upright(from, to, colour, { opacity: AIRBORNE_OPACITY }),
+    );
   });
 }
 
@@ -90,7 +115,8 @@ function band(meta: FigureMeta, used: readonly Summary[]): readonly [number, num
   if (centreKey === undefined || halfKey === undefined) return null;
   for (const { reference } of used) {
     const [centre, half] = [reference[centreKey], reference[halfKey]];
-    if (typeof centre === "number" && typeof half === "number") return [(centre - half) * meta.scale, (centre + half) * meta.scale];
+    if (typeof centre === "number" && typeof half === "number")
+      return [(centre - half) * meta.scale, (centre + half) * meta.scale];
   }
   return null;
 }
@@ -98,8 +124,17 @@ function band(meta: FigureMeta, used: readonly Summary[]): readonly [number, num
 export function referenceShapes(meta: FigureMeta, used: readonly Summary[]): readonly Shape[] {
   const across = { xref: "paper", yref: "y", x0: 0, x1: 1, layer: "below" };
   const lines = referenceValues(meta, used).map((y) => ({
-    ...across, type: "line", y0: y, y1: y, line: { color: meta.neutral, dash: "dash", width: 1 },
+    ...across,
+    type: "line",
+    y0: y,
+    y1: y,
+    line: { color: meta.neutral, dash: "dash", width: 1 },
   }));
   const target = band(meta, used);
-  return target ? [...lines, { ...across, type: "rect", y0: target[0], y1: target[1], line: { width: 0 }, fillcolor: meta.band_fill }] : lines;
+  return target
+    ? [
+        ...lines,
+        { ...across, type: "rect", y0: target[0], y1: target[1], line: { width: 0 }, fillcolor: meta.band_fill },
+      ]
+    : lines;
 }

@@ -1,23 +1,36 @@
 import { QueryClient } from "@tanstack/react-query";
 import { expect, it } from "vitest";
 import type { FigureTemplate, OverRoads } from "../api/types";
-import { figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../state/queries";
-import type { Scene } from "../state/scene";
-import type { Shown } from "../state/shown";
+import { figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../server/queries";
+import type { Scene } from "../lab/resultView";
+import type { Shown } from "../lab/result";
 import { curvesFrom, layeredFrom } from "./useDetail";
 
 const numbers = (...values: number[]) => new Float32Array(values);
 const panel = (signal: string) => ({ layout: { meta: { signal } } }) as unknown as FigureTemplate;
 const result = (runId: string, roads: number) =>
-  ({ runId, summaries: { lv: {} }, series: { lv: { speed: numbers(1) } }, missing: null, over: roads > 1 ? ({ roads } as OverRoads) : null }) as unknown as Shown;
+  ({
+    runId,
+    summaries: { lv: {} },
+    series: { lv: { speed: numbers(1) } },
+    missing: null,
+    over: roads > 1 ? ({ roads } as OverRoads) : null,
+  }) as unknown as Shown;
 
 const client = new QueryClient();
 client.setQueryData(figuresQuery.queryKey, { road: panel("front_road"), speed: panel("speed") });
 const means = { lv: { speed: numbers(2) } };
-for (const id of ["ten", "before"]) client.setQueryData(seriesQuery(id, ["lv"], OVERVIEW_POINTS, ["speed"]).queryKey, means);
+for (const id of ["ten", "before"])
+  client.setQueryData(seriesQuery(id, ["lv"], OVERVIEW_POINTS, ["speed"]).queryKey, means);
 
 it("beside means stand means, beside one road's curves one road's", () => {
-  const scene = { before: { name: "before", shown: result("before", 10) }, pins: [{ name: "one", shown: result("one", 1) }, { name: "gone", shown: result("gone", 10) }] };
+  const scene = {
+    before: { name: "before", shown: result("before", 10) },
+    pins: [
+      { name: "one", shown: result("one", 1) },
+      { name: "gone", shown: result("gone", 10) },
+    ],
+  };
   const beside = (shown: Shown) => {
     const { before, pins } = layeredFrom(client, { shown, ...scene });
     return [before, ...pins].map((each) => each?.shown.series.lv?.speed?.[0]);
@@ -28,10 +41,19 @@ it("beside means stand means, beside one road's curves one road's", () => {
 
 it("differences are those of the means where both have them over as many roads, else those of the first road", () => {
   const roads = (against: Shown) => {
-    const scene = { shown: result("ten", 10), differences: true, against: { name: "pin", shown: against } } as unknown as Scene;
+    const scene = {
+      shown: result("ten", 10),
+      differences: true,
+      against: { name: "pin", shown: against },
+    } as unknown as Scene;
     const curves = curvesFrom(client, scene);
     return [curves.own.shown.over?.roads, curves.other.shown.over?.roads, curves.roads];
   };
   const firstRoad = [undefined, undefined, undefined];
-  expect([result("before", 10), result("before", 5), result("gone", 10), result("one", 1)].map(roads)).toEqual([[10, 10, 10], firstRoad, firstRoad, firstRoad]);
+  expect([result("before", 10), result("before", 5), result("gone", 10), result("one", 1)].map(roads)).toEqual([
+    [10, 10, 10],
+    firstRoad,
+    firstRoad,
+    firstRoad,
+  ]);
 });

@@ -3,10 +3,10 @@
 import { useQueries, useQuery, type QueryClient } from "@tanstack/react-query";
 import { useCallback, useMemo } from "react";
 import type { FigureTemplate, SeriesByStrategy } from "../api/types";
-import { allSamplesQuery, DETAIL_POINTS, figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../state/queries";
-import { axisKey, type Scene } from "../state/scene";
-import { roadsOf, type Shown } from "../state/shown";
-import { covering } from "./samples";
+import { allSamplesQuery, DETAIL_POINTS, figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../server/queries";
+import { axisKey, type Scene } from "../lab/resultView";
+import { roadsOf, type Shown } from "../lab/result";
+import { covering } from "../lib/samples";
 
 /** Fewer samples of a curve in the range shown are too coarse for a screen. */
 const LEAST_SAMPLES = 200;
@@ -24,7 +24,8 @@ function needsDetail({ shown, ids, series, axis, range }: Drawn): boolean {
 }
 
 /** Of the plots over all roads: the road itself and the car stay those of the first. */
-const signalsOf = (figures: Readonly<Record<string, FigureTemplate>> = {}) => Object.entries(figures).flatMap(([name, { layout }]) => (name === "road" ? [] : [layout.meta.signal]));
+const signalsOf = (figures: Readonly<Record<string, FigureTemplate>> = {}) =>
+  Object.entries(figures).flatMap(([name, { layout }]) => (name === "road" ? [] : [layout.meta.signal]));
 
 const computedIn = ({ summaries }: Shown) => Object.keys(summaries);
 const hasMeans = ({ over, runId, missing }: Shown) => over !== null && runId !== null && missing === null;
@@ -35,10 +36,12 @@ function meansQuery(shown: Shown, figures: Readonly<Record<string, FigureTemplat
 }
 
 /** A band has three curves: half as many samples of each. */
-const detailQuery = (shown: Shown, signals: readonly string[] | null) => seriesQuery(shown.runId ?? "", computedIn(shown), signals ? DETAIL_POINTS / 2 : DETAIL_POINTS, signals);
+const detailQuery = (shown: Shown, signals: readonly string[] | null) =>
+  seriesQuery(shown.runId ?? "", computedIn(shown), signals ? DETAIL_POINTS / 2 : DETAIL_POINTS, signals);
 
 /** Differences are taken of all samples: two curves that were thinned at different places differ where the runs do not. */
-const allQuery = (shown: Shown, figures: Readonly<Record<string, FigureTemplate>> | undefined) => allSamplesQuery(shown.runId ?? "", computedIn(shown), signalsOf(figures), hasMeans(shown));
+const allQuery = (shown: Shown, figures: Readonly<Record<string, FigureTemplate>> | undefined) =>
+  allSamplesQuery(shown.runId ?? "", computedIn(shown), signalsOf(figures), hasMeans(shown));
 
 /** Means and extremes over the roads of a result; `undefined` of one road, or until they are there. */
 function useMeans(shown: Shown): SeriesByStrategy | undefined {
@@ -81,23 +84,40 @@ function cachedMeans(client: QueryClient, shown: Shown): SeriesByStrategy | unde
 type OtherCurves = Pick<Scene, "shown" | "before" | "pins">;
 
 /** What else is drawn beside means is means too; beside one road's curves it is one road's. */
-function withMeans({ shown, before, pins }: OtherCurves, meansOf: (shown: Shown) => SeriesByStrategy | undefined): OtherCurves {
+function withMeans(
+  { shown, before, pins }: OtherCurves,
+  meansOf: (shown: Shown) => SeriesByStrategy | undefined,
+): OtherCurves {
   const averaged = (result: Shown): Shown => ({ ...result, series: (shown.over && meansOf(result)) ?? result.series });
-  return { shown, before: before && { ...before, shown: averaged(before.shown) }, pins: pins.map((pin) => ({ ...pin, shown: averaged(pin.shown) })) };
+  return {
+    shown,
+    before: before && { ...before, shown: averaged(before.shown) },
+    pins: pins.map((pin) => ({ ...pin, shown: averaged(pin.shown) })),
+  };
 }
 
 export function useLayered({ shown, before, pins }: OtherCurves): OtherCurves {
   const figures = useQuery(figuresQuery).data;
-  const others = useMemo(() => (shown.over ? [...(before ? [before] : []), ...pins].map((variant) => variant.shown).filter(hasMeans) : []), [shown.over, before, pins]);
+  const others = useMemo(
+    () => (shown.over ? [...(before ? [before] : []), ...pins].map((variant) => variant.shown).filter(hasMeans) : []),
+    [shown.over, before, pins],
+  );
   const means = useQueries({
     queries: others.map((other) => meansQuery(other, figures)),
-    combine: useCallback((results: readonly { readonly data: SeriesByStrategy | undefined }[]) => results.map(({ data }) => data), []),
+    combine: useCallback(
+      (results: readonly { readonly data: SeriesByStrategy | undefined }[]) => results.map(({ data }) => data),
+      [],
+    ),
   });
-  return useMemo(() => withMeans({ shown, before, pins }, (result) => means[others.indexOf(result)]), [shown, before, pins, means, others]);
+  return useMemo(
+    () => withMeans({ shown, before, pins }, (result) => means[others.indexOf(result)]),
+    [shown, before, pins, means, others],
+  );
 }
 
 /** The same for a file: what is on the screen. */
-export const layeredFrom = (client: QueryClient, scene: OtherCurves): OtherCurves => withMeans(scene, (result) => cachedMeans(client, result));
+export const layeredFrom = (client: QueryClient, scene: OtherCurves): OtherCurves =>
+  withMeans(scene, (result) => cachedMeans(client, result));
 
 interface Curves {
   /** What the curves are of. */
@@ -115,7 +135,8 @@ function curvesOf(scene: Scene, meansOf: (shown: Shown) => SeriesByStrategy | un
   const { shown } = scene;
   const subtracted = scene.differences ? scene.against?.shown : undefined;
   const other = subtracted ? { ...scene, shown: subtracted, series: subtracted.series } : scene;
-  const hasBoth = meansOf(shown) !== undefined && meansOf(other.shown) !== undefined && roadsOf(shown) === roadsOf(other.shown);
+  const hasBoth =
+    meansOf(shown) !== undefined && meansOf(other.shown) !== undefined && roadsOf(shown) === roadsOf(other.shown);
   if (subtracted && !hasBoth) return { own: onOneRoad(scene), other: onOneRoad(other), roads: undefined };
   return { own: scene, other, roads: hasBoth ? roadsOf(shown) : undefined };
 }
@@ -128,4 +149,5 @@ export function useCurves(scene: Scene): Curves {
 }
 
 /** The same for a file: what is on the screen. */
-export const curvesFrom = (client: QueryClient, scene: Scene): Curves => curvesOf(scene, (result) => cachedMeans(client, result));
+export const curvesFrom = (client: QueryClient, scene: Scene): Curves =>
+  curvesOf(scene, (result) => cachedMeans(client, result));

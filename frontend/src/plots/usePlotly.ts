@@ -1,5 +1,5 @@
 import { useEffect } from "react";
-import { useStore } from "../state/store";
+import { useStore } from "../lib/store";
 import { plotlyState, requestCharts, requestPlotly, type Plotly } from "./plotly";
 
 /** plotly.js, once it is loaded; asked for when the browser has nothing else to do. */

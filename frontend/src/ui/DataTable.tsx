@@ -2,12 +2,13 @@
 
 import { UnstyledButton } from "@mantine/core";
 import { Fragment, useState, type HTMLAttributes, type ReactNode } from "react";
-import { IconArrowsSort, IconSortAscending, IconSortDescending } from "../icons";
-import { inOrder, type Order } from "./order";
+import { IconArrowsSort, IconSortAscending, IconSortDescending } from "./icons";
+import { inOrder, type Order } from "../lib/order";
 import classes from "./table.module.css";
 import ui from "./ui.module.css";
 
-type Attributes = HTMLAttributes<HTMLElement> & Readonly<Record<`data-${string}`, string | number | boolean | null | undefined>>;
+type Attributes = HTMLAttributes<HTMLElement> &
+  Readonly<Record<`data-${string}`, string | number | boolean | null | undefined>>;
 
 export interface Column<Row> {
   readonly key: string;
@@ -63,7 +64,22 @@ interface Props<Row> {
   readonly attributes?: Attributes;
 }
 
-export function DataTable<Row>({ label, columns, rows = [], groups = [{ key: "", rows }], rowKey, rowAttributes, order: initial, onSort, page, empty, card = false, captioned = false, height, attributes = {} }: Props<Row>) {
+export function DataTable<Row>({
+  label,
+  columns,
+  rows = [],
+  groups = [{ key: "", rows }],
+  rowKey,
+  rowAttributes,
+  order: initial,
+  onSort,
+  page,
+  empty,
+  card = false,
+  captioned = false,
+  height,
+  attributes = {},
+}: Props<Row>) {
   const [chosen, setOrder] = useState<Order | undefined>();
   const order = chosen ?? initial;
   const sort = (column: string) => {
@@ -72,10 +88,19 @@ export function DataTable<Row>({ label, columns, rows = [], groups = [{ key: "",
     onSort?.();
   };
   const valueOf = columns.find(({ key }) => key === order?.column)?.sort;
-  const shown = groups.map((group) => ({ ...group, rows: (valueOf ? inOrder(group.rows, valueOf, order?.descending) : group.rows).slice(...(page ?? [])) }));
+  const shown = groups.map((group) => ({
+    ...group,
+    rows: (valueOf ? inOrder(group.rows, valueOf, order?.descending) : group.rows).slice(...(page ?? [])),
+  }));
   const { className = "", ...rest } = attributes;
   return (
-    <div className={`${classes.scroll} ${card ? ui.card : ""}`} tabIndex={0} role="region" aria-label={label} style={{ maxHeight: height }}>
+    <div
+      className={`${classes.scroll} ${card ? ui.card : ""}`}
+      tabIndex={0}
+      role="region"
+      aria-label={label}
+      style={{ maxHeight: height }}
+    >
       <table className={`${classes.table} ${className}`} {...rest}>
         <caption className={captioned ? classes.caption : "visually-hidden"}>{label}</caption>
         <thead>
@@ -104,7 +129,9 @@ export function DataTable<Row>({ label, columns, rows = [], groups = [{ key: "",
           </tbody>
         ))}
       </table>
-      {empty !== undefined && shown.every((group) => group.rows.length === 0) && <p className={classes.empty}>{empty}</p>}
+      {empty !== undefined && shown.every((group) => group.rows.length === 0) && (
+        <p className={classes.empty}>{empty}</p>
+      )}
     </div>
   );
 }
@@ -114,7 +141,8 @@ interface Columns<Row> {
 }
 
 /** A line stands between groups of columns. */
-const beginsGroup = <Row,>(columns: readonly Column<Row>[], index: number) => (index > 0 && columns[index]?.group !== columns[index - 1]?.group) || undefined;
+const beginsGroup = <Row,>(columns: readonly Column<Row>[], index: number) =>
+  (index > 0 && columns[index]?.group !== columns[index - 1]?.group) || undefined;
 
 function GroupHeads<Row>({ columns }: Columns<Row>) {
   if (columns.every(({ group }) => group === undefined)) return null;
@@ -127,7 +155,13 @@ function GroupHeads<Row>({ columns }: Columns<Row>) {
         return group === undefined ? (
           <td key={start} colSpan={colSpan} />
         ) : (
-          <th key={start} colSpan={colSpan} scope="colgroup" className={classes.group} data-first={start > 0 || undefined}>
+          <th
+            key={start}
+            colSpan={colSpan}
+            scope="colgroup"
+            className={classes.group}
+            data-first={start > 0 || undefined}
+          >
             {group}
           </th>
         );
@@ -143,7 +177,12 @@ interface HeadProps<Row> {
   readonly onSort: (column: string) => void;
 }
 
-function Head<Row>({ column: { key, head, detail, help, text, unprinted, headAttributes, sort }, first, order, onSort }: HeadProps<Row>) {
+function Head<Row>({
+  column: { key, head, detail, help, text, unprinted, headAttributes, sort },
+  first,
+  order,
+  onSort,
+}: HeadProps<Row>) {
   const look = { "data-text": text, "data-first": first, "data-unprinted": unprinted, title: help, ...headAttributes };
   if (head === "") return <td {...look} />;
   const content = (
@@ -179,7 +218,13 @@ function GroupRow<Row>({ group: { title, heads }, columns }: Columns<Row> & { re
       {heads?.map((head, index) => {
         const { key, text, headAttributes } = columns[index + 1] ?? {};
         const look = { "data-text": text, "data-first": beginsGroup(columns, index + 1), ...headAttributes };
-        return head === "" ? <td key={key} {...look} /> : <th key={key} scope="col" {...look}>{head}</th>;
+        return head === "" ? (
+          <td key={key} {...look} />
+        ) : (
+          <th key={key} scope="col" {...look}>
+            {head}
+          </th>
+        );
       })}
     </tr>
   );
@@ -191,7 +236,23 @@ function Cells<Row>({ row, columns }: Columns<Row> & { readonly row: Row }) {
     if (index < taken) return null;
     const colSpan = span?.(row) ?? 1;
     taken = index + colSpan;
-    const look = { "data-text": text, "data-first": beginsGroup(columns, index), "data-unprinted": unprinted, ...(colSpan > 1 && { colSpan }), ...attributes?.(row) };
-    return <Fragment key={key}>{index === 0 ? <th scope="row" {...look}>{cell(row)}</th> : <td {...look}>{cell(row)}</td>}</Fragment>;
+    const look = {
+      "data-text": text,
+      "data-first": beginsGroup(columns, index),
+      "data-unprinted": unprinted,
+      ...(colSpan > 1 && { colSpan }),
+      ...attributes?.(row),
+    };
+    return (
+      <Fragment key={key}>
+        {index === 0 ? (
+          <th scope="row" {...look}>
+            {cell(row)}
+          </th>
+        ) : (
+          <td {...look}>{cell(row)}</td>
+        )}
+      </Fragment>
+    );
   });
 }

@@ -13,8 +13,24 @@ interface EntryProps extends Omit<TextInputProps, "onChange" | "value" | "classN
 
 export function Entry({ unit = "1", className = "", onType, ...props }: EntryProps) {
   const shown = prettyUnit(unit);
-  const beside = shown === "" ? {} : { rightSection: <span className={ui.dim}>{shown}</span>, rightSectionWidth: 48, rightSectionPointerEvents: "none" as const };
-  return <TextInput size="xs" inputMode="decimal" className={className} {...beside} {...props} onChange={(event) => onType(event.currentTarget.value)} />;
+  const beside =
+    shown === ""
+      ? {}
+      : {
+          rightSection: <span className={ui.dim}>{shown}</span>,
+          rightSectionWidth: 48,
+          rightSectionPointerEvents: "none" as const,
+        };
+  return (
+    <TextInput
+      size="xs"
+      inputMode="decimal"
+      className={className}
+      {...beside}
+      {...props}
+      onChange={(event) => onType(event.currentTarget.value)}
+    />
+  );
 }
 
 interface ChoiceProps extends Omit<NativeSelectProps, "onChange" | "data"> {
@@ -27,4 +43,5 @@ export function Choice({ onPick, ...props }: ChoiceProps) {
 }
 
 /** Things with an id and a label, to choose from. */
-export const labelled = (all: readonly { readonly id: string; readonly label: string }[]) => all.map(({ id, label }) => ({ value: id, label }));
+export const labelled = (all: readonly { readonly id: string; readonly label: string }[]) =>
+  all.map(({ id, label }) => ({ value: id, label }));

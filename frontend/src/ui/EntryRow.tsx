@@ -2,7 +2,7 @@
 
 import { ActionIcon, Box, Group } from "@mantine/core";
 import type { ReactNode } from "react";
-import { IconX } from "../icons";
+import { IconX } from "./icons";
 import { Fault } from "./Fault";
 import ui from "./ui.module.css";
 
@@ -22,9 +22,20 @@ export function EntryRow({ title, name = title, removal = title, beside, error, 
   return (
     <div className={ui.entry} role="group" aria-label={name} data-error={error !== undefined || undefined}>
       <Group gap="0.1rem 0.7rem" pos="relative" pr="1.8rem">
-        <Box component="span" fz="sm" fw={600}>{title}</Box>
+        <Box component="span" fz="sm" fw={600}>
+          {title}
+        </Box>
         {beside}
-        <ActionIcon pos="absolute" top={0} right={0} size={24} variant="subtle" color="gray" aria-label={`Remove ${removal}`} onClick={onRemove}>
+        <ActionIcon
+          pos="absolute"
+          top={0}
+          right={0}
+          size={24}
+          variant="subtle"
+          color="gray"
+          aria-label={`Remove ${removal}`}
+          onClick={onRemove}
+        >
           <IconX size={15} />
         </ActionIcon>
       </Group>

@@ -4,7 +4,10 @@ import { Alert, Text, type AlertProps, type TextProps } from "@mantine/core";
 import type { ReactNode } from "react";
 import ui from "./ui.module.css";
 
-export function Fault({ className = "", ...props }: TextProps & { readonly className?: string; readonly id?: string; readonly children: ReactNode }) {
+export function Fault({
+  className = "",
+  ...props
+}: TextProps & { readonly className?: string; readonly id?: string; readonly children: ReactNode }) {
   return <Text size="xs" className={`${ui.error} ${className}`} role="alert" {...props} />;
 }
 

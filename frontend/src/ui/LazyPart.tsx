@@ -46,7 +46,10 @@ function PartFailed({ onClose }: Pick<Props, "onClose">) {
       title="This part of the page could not be shown"
       closeButtonProps={{ "aria-label": "Close" }}
     >
-      <Text size="sm">Ridelab may have been updated since this page was loaded. Loading it again shows what was computed: it is stored at this address.</Text>
+      <Text size="sm">
+        Ridelab may have been updated since this page was loaded. Loading it again shows what was computed: it is stored
+        at this address.
+      </Text>
       <Group justify="flex-end" gap="xs" mt="md">
         {onClose && (
           <Button variant="default" onClick={onClose}>

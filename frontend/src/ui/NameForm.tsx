@@ -29,7 +29,17 @@ export function NameForm({ name, label, action, longest, className, error, savin
         onSave(typed);
       }}
     >
-      <TextInput ref={entry} size="xs" flex={1} aria-label={label} placeholder="Name" maxLength={longest} value={typed} error={error} onChange={(event) => setTyped(event.currentTarget.value)} />
+      <TextInput
+        ref={entry}
+        size="xs"
+        flex={1}
+        aria-label={label}
+        placeholder="Name"
+        maxLength={longest}
+        value={typed}
+        error={error}
+        onChange={(event) => setTyped(event.currentTarget.value)}
+      />
       <Button type="submit" size="xs" loading={saving}>
         {action}
       </Button>

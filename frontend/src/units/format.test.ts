@@ -1,10 +1,27 @@
 import { describe, expect, it } from "vitest";
-import { count, formatExact, formatHalf, formatFixed, formatInput, formatNumber, formatResult, parseInput, prettyUnit } from "./format";
+import {
+  count,
+  formatExact,
+  formatHalf,
+  formatFixed,
+  formatInput,
+  formatNumber,
+  formatResult,
+  parseInput,
+  prettyUnit,
+} from "./format";
 
 describe("numbers", () => {
   it("are shown with significant digits", () => {
     expect([0.14873, 6.19, 8582.5, 22245, -0.0012, 0, 6.4e-7, 999.96].map((value) => formatNumber(value))).toEqual([
-      "0.149", "6.19", "8583", "22\u202f245", "−0.00120", "0", "6.4×10⁻⁷", "1000",
+      "0.149",
+      "6.19",
+      "8583",
+      "22\u202f245",
+      "−0.00120",
+      "0",
+      "6.4×10⁻⁷",
+      "1000",
     ]);
   });
 
@@ -13,7 +30,11 @@ describe("numbers", () => {
   });
 
   it("count things", () => {
-    expect([count(1, "run"), count(1200, "run"), count(12345, "strategy", "strategies")]).toEqual(["1 run", "1200 runs", "12\u202f345 strategies"]);
+    expect([count(1, "run"), count(1200, "run"), count(12345, "strategy", "strategies")]).toEqual([
+      "1 run",
+      "1200 runs",
+      "12\u202f345 strategies",
+    ]);
   });
 
   it("keep their decimals where they stand in a row", () => {
@@ -21,11 +42,19 @@ describe("numbers", () => {
   });
 
   it("are typed with all their digits", () => {
-    expect([0.1, 1536.7, 6.4e-5, 1e-9, 100000000].map(formatInput)).toEqual(["0.1", "1536.7", "6.4e-5", "1e-9", "100000000"]);
+    expect([0.1, 1536.7, 6.4e-5, 1e-9, 100000000].map(formatInput)).toEqual([
+      "0.1",
+      "1536.7",
+      "6.4e-5",
+      "1e-9",
+      "100000000",
+    ]);
   });
 
   it("are read as people type them, and never guessed", () => {
-    expect(["0.12", " -3 ", "−3", "1e-9", "0,125", "2,5", ".5"].map(parseInput)).toEqual([0.12, -3, -3, 1e-9, 0.125, 2.5, 0.5]);
+    expect(["0.12", " -3 ", "−3", "1e-9", "0,125", "2,5", ".5"].map(parseInput)).toEqual([
+      0.12, -3, -3, 1e-9, 0.125, 2.5, 0.5,
+    ]);
     expect(["", "5,000", "1.2.3", "0x10", "Infinity", "NaN", "12m"].map(parseInput)).toEqual(Array(7).fill(null));
   });
 });
@@ -33,7 +62,11 @@ describe("numbers", () => {
 describe("defaults and limits", () => {
   it("are exact", () => {
     expect([4, -1, 1536.7, 268000, 64e-6].map((value) => formatExact(value, "m^3"))).toEqual([
-      "4\u00a0m³", "−1\u00a0m³", "1536.7\u00a0m³", "268\u202f000\u00a0m³", "6.4e-5\u00a0m³",
+      "4\u00a0m³",
+      "−1\u00a0m³",
+      "1536.7\u00a0m³",
+      "268\u202f000\u00a0m³",
+      "6.4e-5\u00a0m³",
     ]);
   });
 });

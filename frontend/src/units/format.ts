@@ -3,8 +3,19 @@
 export const NO_VALUE = "–";
 
 const SUPERSCRIPT: Readonly<Record<string, string>> = {
-  "0": "⁰", "1": "¹", "2": "²", "3": "³", "4": "⁴", "5": "⁵", "6": "⁶", "7": "⁷", "8": "⁸", "9": "⁹",
-  "-": "⁻", "−": "⁻", ".": "·",
+  "0": "⁰",
+  "1": "¹",
+  "2": "²",
+  "3": "³",
+  "4": "⁴",
+  "5": "⁵",
+  "6": "⁶",
+  "7": "⁷",
+  "8": "⁸",
+  "9": "⁹",
+  "-": "⁻",
+  "−": "⁻",
+  ".": "·",
 };
 
 function raised(text: string): string {
@@ -17,7 +28,8 @@ export function prettyUnit(unit: string): string {
 }
 
 /** `Height [m]`. */
-export const titleWithUnit = (title: string, unit: string): string => (prettyUnit(unit) === "" ? title : `${title} [${prettyUnit(unit)}]`);
+export const titleWithUnit = (title: string, unit: string): string =>
+  prettyUnit(unit) === "" ? title : `${title} [${prettyUnit(unit)}]`;
 
 /** A real minus sign, which is as wide as a plus. */
 function withMinus(text: string): string {
@@ -76,7 +88,10 @@ export function formatInput(value: number): string {
  * where it could as well separate thousands (`5,000`).
  */
 export function parseInput(text: string): number | null {
-  const compact = text.trim().replace("−", "-").replace(/[\s\u202f\u00a0]/g, "");
+  const compact = text
+    .trim()
+    .replace("−", "-")
+    .replace(/[\s\u202f\u00a0]/g, "");
   const plain = /^[+-]?[1-9]\d*,\d{3}$/.test(compact) ? "" : compact.replace(/^([^.,]*),([^.,]*)$/, "$1.$2");
   if (!/^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(plain)) return null;
   const value = Number(plain);

@@ -50,9 +50,21 @@ describe("a number as people write it", () => {
 });
 
 it("a unit is shown in another of its kind", () => {
-  expect([shownIn("m", "cm").scale, shownIn("m", "mm").scale, shownIn("km/h", "km/h").scale, shownIn("1/N^2", "1/N^2").scale]).toEqual([100, 1000, 1, 1]);
+  expect([
+    shownIn("m", "cm").scale,
+    shownIn("m", "mm").scale,
+    shownIn("km/h", "km/h").scale,
+    shownIn("1/N^2", "1/N^2").scale,
+  ]).toEqual([100, 1000, 1, 1]);
 });
 
 it("the unit behind a shown one is found by its scale", () => {
-  expect([{ unit: "kN", scale: 1e-3 }, { unit: "mm", scale: 1000 }, { unit: "m/s²", scale: 1 }, { unit: "1", scale: 1 }].map(unitBehind)).toEqual(["N", "m", "m/s^2", "1"]);
+  expect(
+    [
+      { unit: "kN", scale: 1e-3 },
+      { unit: "mm", scale: 1000 },
+      { unit: "m/s²", scale: 1 },
+      { unit: "1", scale: 1 },
+    ].map(unitBehind),
+  ).toEqual(["N", "m", "m/s^2", "1"]);
 });

@@ -11,11 +11,15 @@ export interface ShownUnit {
 
 export type Quantity = { readonly ok: true; readonly value: number } | { readonly ok: false; readonly message: string };
 
-const RAISED: Readonly<Record<string, string>> = { "⁰": "0", "¹": "1", "²": "2", "³": "3", "⁴": "4", "⁻": "-", "μ": "µ" };
+const RAISED: Readonly<Record<string, string>> = { "⁰": "0", "¹": "1", "²": "2", "³": "3", "⁴": "4", "⁻": "-", μ: "µ" };
 const NUMBER = /^[+-]?(?:[\d.,\u202f\u00a0]|\s(?=\d))*(?:e[+-]?\d+)?/i;
 
 /** `kg·m²`, `kg*m^2` and `KG m2` are one. */
-const keyOf = (unit: string) => Array.from(unit, (character) => RAISED[character] ?? character).join("").replace(/[·⋅*^\s]/g, "").toLowerCase();
+const keyOf = (unit: string) =>
+  Array.from(unit, (character) => RAISED[character] ?? character)
+    .join("")
+    .replace(/[·⋅*^\s]/g, "")
+    .toLowerCase();
 
 const ALIASES = new Map(Object.entries(table.aliases).map(([alias, unit]) => [keyOf(alias), keyOf(unit)]));
 
@@ -39,7 +43,9 @@ export function unitBehind({ unit, scale }: ShownUnit): string {
   const plain = unit.replace("²", "^2");
   const units = unitsLike(plain);
   const factor = (units[plain] ?? 1) * scale;
-  return scale === 1 ? plain : (Object.keys(units).find((name) => rounded(units[name] ?? 0) === rounded(factor)) ?? plain);
+  return scale === 1
+    ? plain
+    : (Object.keys(units).find((name) => rounded(units[name] ?? 0) === rounded(factor)) ?? plain);
 }
 
 /** What was typed, in `unit`, which a number alone is in. */
@@ -47,7 +53,11 @@ export function parseQuantity(text: string, unit: string): Quantity {
   const compact = text.trim().replace("−", "-");
   const [digits = ""] = NUMBER.exec(compact) ?? [];
   const value = parseInput(digits);
-  if (value === null) return { ok: false, message: `Enter a number, e.g. ${unit === "1" ? "0.12" : `12 ${prettyUnit(unit)}`}; no commas for thousands` };
+  if (value === null)
+    return {
+      ok: false,
+      message: `Enter a number, e.g. ${unit === "1" ? "0.12" : `12 ${prettyUnit(unit)}`}; no commas for thousands`,
+    };
   const written = keyOf(compact.slice(digits.length));
   if (written === "") return { ok: true, value };
   const units = unitsLike(unit);
@@ -59,7 +69,9 @@ export function parseQuantity(text: string, unit: string): Quantity {
 /** `cm (without a unit), m, mm, km, in or ft`. */
 function listed(units: Readonly<Record<string, number>>, own: string): string {
   if (own === "1") return "a number without a unit, or %";
-  const others = Object.keys(units).filter((name) => name !== own).map(prettyUnit);
+  const others = Object.keys(units)
+    .filter((name) => name !== own)
+    .map(prettyUnit);
   const last = others.pop();
   const all = [`${prettyUnit(own)} (also without a unit)`, ...others].join(", ");
   return last === undefined ? all : `${all} or ${last}`;

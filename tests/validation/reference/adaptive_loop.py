@@ -1,4 +1,4 @@
-"""The closed loop of a nonlinear car, its motion by SciPy's adaptive solver between any two fine instants.
+"""The closed loop of a car that is not linear, its motion by SciPy's adaptive solver between any two fine instants.
 
 Newton's second law with the forces as they are and the road at `_SUBSAMPLES` places of each fine step. Taken from the
 core are the road's heights, the drive, the controller, the filter's matrices and what a recording is made into.
@@ -24,7 +24,7 @@ _SUBSAMPLES = 8  # of the road in each of these
 
 
 def solved(scenario: Scenario, strategy: str) -> StrategyResult:
-    """A run of any strategy without semi-active dampers and without an ECU."""
+    """A run of any strategy without an ECU."""
     with (
         patch("sim_core.loop.drive.make_vehicle", SolvedCar),
         patch("sim_core.loop.excitation.fine_step", lambda *plan, **actuated: fine_step(*plan, **actuated) / FINER),
@@ -47,9 +47,8 @@ class SolvedCar(VehicleModel):
         dampers: SemiActiveDampers | None,
         road: RoadUnderAxles | None,
     ) -> None:
-        assert dampers is None
         assert road is not None
-        self._vehicle, self._estimator, self._before = vehicle, estimator, before
+        self._vehicle, self._estimator, self._before, self._dampers = vehicle, estimator, before, dampers
         self._fine: int = disturbance.shape[1] // 3
         self._h = step / self._fine
         self._braking: list[float] = disturbance.reshape(-1, 3)[:, 2].tolist()
@@ -104,7 +103,7 @@ class SolvedCar(VehicleModel):
         """As VehicleModel says."""
         state, command = loop[step, : self.size], loop[step + 1, self.size :]
         x, column = [*state[-self._states :].tolist(), *command.tolist()][:10], step - self._before
-        self._command = command.tolist()
+        self._command: list[float] = command.tolist()
         for j in range(self._fine):
             self._begin(step * self._fine + j)
             if column >= 0:
@@ -134,7 +133,8 @@ class SolvedCar(VehicleModel):
         """plant.RECORDED."""
         rates = self._rates(time, x)
         loads = [self._load(axle, time, x[2 + axle]) for axle in (0, 1)]
-        return [*rates[:2], *rates[4:6], *loads, *x[:2], *x[8:]]
+        control = [self._control(axle, rates[axle], x[8 + axle]) for axle in (0, 1)]
+        return [*rates[:2], *rates[4:6], *loads, *x[:2], *control]
 
     def _load(self, axle: int, time: float, raised: float) -> float:
         place = time / self._h * _SUBSAMPLES
@@ -143,12 +143,39 @@ class SolvedCar(VehicleModel):
         deflection: float = raised - road[i] - (place - i) * (road[i + 1] - road[i])
         return max(-self._tyre[axle] * deflection, self._lowest[axle])
 
-    def _strut(self, axle: int, travel: float, speed: float, control: float) -> float:
+    def _damping(self, axle: int, speed: float) -> float:
+        return float((self._rebound if speed > 0 else self._compression)[axle])
+
+    def _range(self, axle: int) -> tuple[float, float]:
+        """Coefficients of a semi-active damper: without a limit one that stops its wheel within a millisecond."""
+        assert self._dampers is not None
+        wheel = (self._vehicle.front_wheel_mass, self._vehicle.rear_wheel_mass)[axle]
+        return self._dampers.least, min(self._dampers.most, wheel / 1e-3)
+
+    def _control(self, axle: int, speed: float, actuated: float) -> float:
+        """Force that control adds; a lagging semi-active damper's state is what it adds to the coefficient."""
+        if self._dampers is None:
+            return actuated
+        most, passive = self._dampers.most_force, self._damping(axle, speed) * speed
+        asked = min(max(-actuated * speed, -most), most) if self._corner else actuated
+        soft, hard = sorted(each * speed for each in self._range(axle))
+        return passive - min(max(passive - asked, soft), hard)
+
+    def _lag(self, axle: int, speed: float, actuated: float) -> float:
+        """Rate of an actuator's state."""
+        aim = self._command[axle]
+        if self._dampers is not None:
+            least, most = self._range(axle)
+            passive = self._damping(axle, speed)
+            aim = min(max(-aim / (speed or np.inf), least - passive), most - passive)
+        return self._corner * (aim - actuated)
+
+    def _strut(self, axle: int, travel: float, speed: float, actuated: float) -> float:
         """Force between body and wheel."""
-        force = self._spring[axle] * travel + (self._rebound if speed > 0 else self._compression)[axle] * speed
+        force = self._spring[axle] * travel + self._damping(axle, speed) * speed
         if abs(travel) > self._clearance:
             force += self._stop * (travel - self._clearance if travel > 0 else travel + self._clearance)
-        return force - control - self._link[axle] * self._brakes
+        return force - self._control(axle, speed, actuated) - self._link[axle] * self._brakes
 
     def _rates(self, time: float, x: list[float]) -> list[float]:
         """Of both travels, wheels above the road at the fine step's beginning, body, pitch, wheels' speeds, forces."""
@@ -162,6 +189,6 @@ class SolvedCar(VehicleModel):
             (brake + car.cg_to_front * a - car.cg_to_rear * b) / car.pitch_inertia,
             (self._load(0, time, x[2]) + a) / car.front_wheel_mass,
             (self._load(1, time, x[3]) + b) / car.rear_wheel_mass,
-            self._corner * (self._command[0] - x[8]),
-            self._corner * (self._command[1] - x[9]),
+            self._lag(0, front, x[8]),
+            self._lag(1, rear, x[9]),
         ]

@@ -1,14 +1,11 @@
-"""Bump shapes and a high-accuracy solution of the passive car crossing one on a smooth road."""
+"""Bump shapes by their definitions."""
 
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import solve_ivp
 
-from sim_core.scenario import Bump, Vehicle
-from tests.validation.reference.vehicle import StateSpace, state_space
+from sim_core.scenario import Bump
 
 Array = NDArray[np.floating[Any]]
 
@@ -41,54 +38,3 @@ def _one(bump: Bump, x: Array) -> Array:
         case "trapezoid":
             shape = np.minimum(np.minimum(s, 1 - s) / 0.25, 1)
     return bump.height * shape * inside
-
-
-def kinks(bump: Bump) -> list[float]:
-    """Positions where the bump's slope or curvature jumps."""
-    quarters = (0, 0.25, 0.75, 1) if bump.shape in ("flat_top", "trapezoid") else (0, 1)
-    starts = [bump.start + number * bump.spacing for number in range(bump.count)]
-    return [start + quarter * bump.width for start in starts for quarter in quarters]
-
-
-def crossing(car: Vehicle, bump: Bump, speed: float, settle: float = 1.5, step: float = 2e-4) -> tuple[Array, Array]:
-    """Time [s] from the front axle's touch and OUTPUTS (n, 6) while the passive car crosses the bump at constant speed.
-
-    Adaptive Runge-Kutta of order 8 at rtol 1e-10, restarted at each kink of either axle's road, read out every `step`.
-    """
-    model = state_space(car)
-    wheelbase = car.cg_to_front + car.cg_to_rear
-    ends = sorted(
-        {(x - bump.start) / speed for x in kinks(bump)} | {(x - bump.start + wheelbase) / speed for x in kinks(bump)}
-    )
-    ends.append(ends[-1] + settle)
-
-    def road(t: Array) -> Array:
-        x = bump.start + speed * t
-        return np.array([bump_height(bump, x), bump_height(bump, x - wheelbase)])
-
-    def slope(t: float, x: Array) -> Array:
-        return np.asarray(model.A @ x + model.E @ road(np.asarray(t)))
-
-    times, outputs = list[Array](), list[Array]()
-    state = np.zeros(8)
-    for begin, end in pairwise(ends):
-        if end - begin < 1e-12:
-            continue
-        read = np.linspace(begin, end, max(2, int(np.ceil((end - begin) / step))))
-        solution = solve_ivp(slope, (begin, end), state, "DOP853", read, rtol=1e-10, atol=1e-12)
-        state = solution.y[:, -1]
-        times.append(read)
-        outputs.append(_read_out(model, solution.y, road(read)))
-    return np.concatenate(times), np.concatenate(outputs)
-
-
-def _read_out(model: StateSpace, state: Array, road: Array) -> Array:
-    return (model.C @ state + model.G @ road).T
-
-
-def peaks(car: Vehicle, bump: Bump, speed: float) -> Array:
-    """Largest magnitude of OUTPUTS from the front axle's touch until the rear axle has left the bump."""
-    time, output = crossing(car, bump, speed, settle=0.0005)
-    end = ((bump.count - 1) * bump.spacing + bump.width + car.cg_to_front + car.cg_to_rear) / speed
-    largest: Array = np.abs(output[time <= end + 1e-9]).max(axis=0)
-    return largest

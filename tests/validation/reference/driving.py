@@ -1,4 +1,4 @@
-"""The drive towards the bump a second time: Table 1 evaluated from nothing in each period, the chain in small steps."""
+"""The drive towards the bump a second time, in small steps; torques by the core's rules (test_fuzzy judges them)."""
 
 from dataclasses import dataclass
 from math import tanh
@@ -7,30 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.scenario import Scenario
+from sim_core.speed.fuzzy import torque_rules
 
 Array = NDArray[np.float64]
-
-# Table 1, torque by distance (rows, O to V) and speed error (columns, O to V), as numbers 0 (O) to 4 (V).
-TORQUE = np.array([[0, 2, 3, 4, 4], [0, 2, 3, 4, 4], [0, 1, 2, 3, 3], [0, 1, 2, 2, 3], [0, 1, 1, 2, 2]])
-UNIVERSE = np.linspace(0, 1, 2001)
-
-
-def grades(value: float, top: float) -> Array:
-    """How much a value belongs to each of five even triangles on [0, top]."""
-    scaled = min(max(value, 0.0), top) / top * 4
-    degrees: Array = np.maximum(0, 1 - np.abs(scaled - np.arange(5)))
-    return degrees
-
-
-OUTPUT_SETS = np.maximum(0, 1 - np.abs(4 * UNIVERSE[None] - np.arange(5)[:, None]))
-
-
-def torque_share(error_kmh: float, distance: float) -> float:
-    """Mamdani min/max and centroid of Table 1."""
-    strength = np.minimum.outer(grades(distance, 80), grades(error_kmh, 30))
-    concluded = [strength[np.where(k == TORQUE)].max(initial=0) for k in range(5)]
-    shape = np.max(np.minimum(np.array(concluded)[:, None], OUTPUT_SETS), axis=0)
-    return float((shape * UNIVERSE).sum() / shape.sum())
 
 
 @dataclass(frozen=True)
@@ -49,6 +28,7 @@ def brake_to_bump(scenario: Scenario) -> Motion:
     mass = car.body_mass + car.front_wheel_mass + car.rear_wheel_mass
     most = brake.maximum_deceleration * mass * brake.wheel_radius
     k = 2 * brake.friction_coefficient
+    rules = torque_rules(scenario.fuzzy)
     target, band = plan.target_speed_kmh / 3.6, 2.5 / 3.6
     h, x = 0.0005, max(0.0, scenario.road.bump.start - plan.detection_distance)
     v, pressure, demand, rows = plan.initial_speed_kmh / 3.6, 0.0, 0.0, []
@@ -57,7 +37,7 @@ def brake_to_bump(scenario: Scenario) -> Motion:
             break
         inside = v - target <= band
         if i % 20 == 0:
-            share = 0.0 if inside else torque_share((v - target) * 3.6, scenario.road.bump.start - x)
+            share = 0.0 if inside else rules.share((v - target) * 3.6, scenario.road.bump.start - x)
             per_brake = share * most / brake.brakes
             demand = per_brake / (k * brake.effective_radius * brake.piston_area)
         pad = pressure * brake.piston_area

@@ -21,9 +21,10 @@ from sim_core.road.profile import profile
 from sim_core.scenario import Actuator, Scenario
 from sim_core.simulate import prepare, simulate
 from sim_core.speed.profile import SpeedProfile
-from tests.validation.reference.figures import weighted
+from tests.results import metrics
 from tests.validation.reference.sampled import interval, to_deflections
 from tests.validation.reference.vehicle import OUTPUTS, state_space
+from tests.validation.reference.weighting import weighted
 
 Array = NDArray[np.float64]
 STEP = 2e-5  # [s]
@@ -118,14 +119,7 @@ def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, fl
 
 def errors(scenario: Scenario, name: str, result: StrategyResult) -> dict[str, float]:
     """How far each of a result's metrics is from the reference's, relative; 0 where both are nothing."""
-    ours = {
-        f"{window}.{signal}.{statistic}": value
-        for window, signals in result.metrics.items()
-        for signal, statistics in signals.items()
-        for statistic, value in statistics.items()
-    }
-    ours |= {f"comfort.{key}": value for key, value in result.comfort.items()}
-    theirs = run(scenario, name)[0]
+    ours, theirs = metrics(result), run(scenario, name)[0]
     return {key: (ours[key] / value - 1 if abs(value) > 1e-9 else ours[key]) for key, value in theirs.items()}
 
 

@@ -1,0 +1,79 @@
+/** Says when the server is away, asks again by itself, and brings back what was missing. */
+
+import { Button, Text } from "@mantine/core";
+import { useQueryClient } from "@tanstack/react-query";
+import { IconPlugConnectedX } from "../ui/icons";
+import { useCallback, useEffect, useState } from "react";
+import { connection, probe, type Readiness, type Trouble } from "../api/connection";
+import { useStore } from "../lib/store";
+import ui from "../ui/ui.module.css";
+
+const FIRST_WAIT_S = 1;
+const LONGEST_WAIT_S = 8;
+
+const MESSAGE: Readonly<Record<Readiness, string>> = {
+  down: "The server does not answer. Your edits are not lost.",
+  starting: "The server is starting.",
+  ready: "The server is busy. Your edits are not lost.",
+};
+
+/** `onBack` asks again for what queries do not hold. */
+export function ConnectionBanner({ onBack }: { readonly onBack?: () => void }) {
+  const { trouble, wait } = useStore(connection);
+  return trouble === null ? null : <Reconnecting trouble={trouble} requestedWait={wait} onBack={onBack} />;
+}
+
+interface Props {
+  readonly trouble: Trouble;
+  /** Seconds the server asked to wait. */
+  readonly requestedWait: number;
+  readonly onBack: (() => void) | undefined;
+}
+
+function Reconnecting({ trouble, requestedWait, onBack }: Props) {
+  const queries = useQueryClient();
+  const [attempt, setAttempt] = useState(0);
+  const [wait, setWait] = useState(Math.max(FIRST_WAIT_S, requestedWait));
+  const [readiness, setReadiness] = useState<Readiness>(trouble === "busy" ? "ready" : "down");
+
+  const tryNow = useCallback(
+    async (signal: AbortSignal) => {
+      const answer = await probe(signal);
+      if (signal.aborted) return;
+      setReadiness(answer);
+      if (answer === "ready") {
+        connection.ok();
+        onBack?.();
+        void queries.refetchQueries({ predicate: (query) => query.state.status === "error" });
+        return;
+      }
+      setAttempt((count) => count + 1);
+      setWait(Math.min(LONGEST_WAIT_S, FIRST_WAIT_S * 2 ** attempt));
+    },
+    [onBack, queries, attempt],
+  );
+
+  useEffect(() => {
+    const controller = new AbortController();
+    const tick = setTimeout(() => {
+      if (wait <= 1) void tryNow(controller.signal);
+      else setWait(wait - 1);
+    }, 1000);
+    return () => {
+      clearTimeout(tick);
+      controller.abort();
+    };
+  }, [wait, tryNow]);
+
+  return (
+    <div className={ui.notice} data-kind="trouble" data-testid="connection" role="status">
+      <IconPlugConnectedX size={18} stroke={1.7} aria-hidden />
+      <Text size="sm">
+        {MESSAGE[readiness]} <span aria-hidden>Next try in {wait} s.</span>
+      </Text>
+      <Button size="compact-xs" variant="default" onClick={() => void tryNow(new AbortController().signal)}>
+        Try now
+      </Button>
+    </div>
+  );
+}

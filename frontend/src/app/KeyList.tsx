@@ -1,0 +1,29 @@
+/** Which keys there are on this page. */
+
+import { Kbd, Modal } from "@mantine/core";
+import { commands } from "../lab/commands";
+import { DataTable } from "../ui/DataTable";
+import { keyNames } from "./keyNames";
+
+const EVERYWHERE = [
+  { label: "Slider or plot cursor: one step back or forward", keys: "← →" },
+  { label: "Apply a typed value", keys: "Enter" },
+  { label: "Discard a typed value, close a window", keys: "Esc" },
+];
+
+export function KeyList({ onClose }: { readonly onClose: () => void }) {
+  const named = commands().flatMap(({ label, keys }) => (keys === undefined ? [] : [{ label, keys: keyNames(keys) }]));
+  return (
+    <Modal opened onClose={onClose} title="Keys" closeButtonProps={{ "aria-label": "Close" }}>
+      <DataTable
+        label="Keys"
+        rows={[...named, ...EVERYWHERE]}
+        rowKey={({ keys, label }) => keys + label}
+        columns={[
+          { key: "keys", head: "Key", text: true, cell: ({ keys }) => <Kbd>{keys}</Kbd> },
+          { key: "label", head: "What it does", text: true, cell: ({ label }) => label },
+        ]}
+      />
+    </Modal>
+  );
+}

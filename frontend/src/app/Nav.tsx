@@ -1,0 +1,89 @@
+/** Navigation between the pages: links where there is room, else a menu under the name of the page shown. */
+
+import { Button, Menu } from "@mantine/core";
+import { Link, linkOptions, useNavigate, useRouterState, useSearch } from "@tanstack/react-router";
+import { IconChevronDown } from "../ui/icons";
+import type { Address } from "../lab/address";
+import { useCommands } from "../lab/commands";
+import { useLabContext, useLab } from "../lab/context";
+import { labLink } from "../lab/labAddress";
+import { useStore } from "../lib/store";
+import { Logo } from "./Logo";
+import classes from "./nav.module.css";
+
+/** The run whose scenario other pages start with: the page's own, else the lab's, which is known before its curves are. */
+function useRun(lab: Address): { readonly run?: string } {
+  const { run } = useSearch({ strict: false });
+  const exists = useLab((state) => state.failure?.kind !== "notFound");
+  const shown = useLab((state) => state.shown?.runId ?? null);
+  const id = run ?? (exists ? lab.runId : null) ?? shown;
+  return id === null ? {} : { run: id };
+}
+
+export function Nav() {
+  const lab = useStore(useLabContext().router);
+  const search = useRun(lab);
+  const entries = [
+    { section: "lab", label: "Lab", link: labLink(lab) },
+    { section: "paper", label: "Paper", link: linkOptions({ to: "/paper" }) },
+    { section: "sweeps", label: "Sweeps", link: linkOptions({ to: "/sweeps" }) },
+    { section: "tuner", label: "Tuner", link: linkOptions({ to: "/tuner", search }) },
+    { section: "robustness", label: "Robustness", link: linkOptions({ to: "/robustness", search }) },
+    { section: "ecu", label: "ECU", link: linkOptions({ to: "/ecu", search }) },
+  ];
+  const path = useRouterState({ select: ({ matches }) => matches[1]?.routeId.split("/")[1] });
+  const section = path === "b" ? "sweeps" : path;
+  const navigate = useNavigate();
+  useCommands(entries.map(({ label, link }) => ({ group: "Pages", label, run: () => void navigate(link) })));
+  const current = entries.find((entry) => entry.section === section);
+  return (
+    <>
+      <Link {...labLink(lab)} className={classes.home} aria-label="Ridelab, to the lab">
+        <Logo />
+        <span className={classes.name}>Ridelab</span>
+      </Link>
+      <nav aria-label="Pages" className={classes.nav} data-crowded={section === "lab" || undefined}>
+        <ul className={classes.links}>
+          {entries.map(({ label, link, ...entry }) => (
+            <li key={label}>
+              <Link
+                {...link}
+                className={classes.link}
+                aria-current={entry.section === section ? "page" : undefined}
+                activeProps={{}}
+              >
+                {label}
+              </Link>
+            </li>
+          ))}
+        </ul>
+        <Menu position="bottom-start" width={180}>
+          <Menu.Target>
+            <Button
+              size="xs"
+              variant="subtle"
+              color="gray"
+              className={classes.menu ?? ""}
+              aria-label={`Pages, now ${current?.label ?? "another"}`}
+              rightSection={<IconChevronDown size={14} aria-hidden />}
+            >
+              {current?.label ?? "Pages"}
+            </Button>
+          </Menu.Target>
+          <Menu.Dropdown>
+            {entries.map(({ label, link, ...entry }) => (
+              <Menu.Item
+                key={label}
+                className={classes.item ?? ""}
+                aria-current={entry.section === section ? "page" : undefined}
+                renderRoot={(props) => <Link {...link} {...props} />}
+              >
+                {label}
+              </Menu.Item>
+            ))}
+          </Menu.Dropdown>
+        </Menu>
+      </nav>
+    </>
+  );
+}

@@ -1,0 +1,78 @@
+/** What stays from page to page: name, navigation, the colour scheme, and what is wrong with the connection. */
+
+import { Link, Outlet } from "@tanstack/react-router";
+import { useMemo, useState } from "react";
+import { useLabContext } from "../lab/context";
+import { ConnectionBanner } from "./ConnectionBanner";
+import { HeaderEnd } from "./HeaderEnd";
+import { Keyboard } from "./Keyboard";
+import { LoginGate } from "./LoginGate";
+import { Nav } from "./Nav";
+import { SlotsContext } from "../ui/slots";
+import classes from "../ui/shell.module.css";
+import { Box, Button } from "@mantine/core";
+import { Blank } from "../ui/Blank";
+
+/** Not by an address with a fragment: the address belongs to what is shown. */
+function focusMain() {
+  const main = document.querySelector("main");
+  main?.setAttribute("tabindex", "-1");
+  main?.focus();
+}
+
+export function Shell() {
+  const { lab } = useLabContext();
+  const [tools, setTools] = useState<HTMLElement | null>(null);
+  const [notices, setNotices] = useState<HTMLElement | null>(null);
+  const slots = useMemo(() => ({ tools, notices }), [tools, notices]);
+  return (
+    <LoginGate>
+      <SlotsContext value={slots}>
+        <div className={classes.shell}>
+          <button type="button" className={classes.skip} onClick={focusMain}>
+            Skip to the page’s content
+          </button>
+          <header className={classes.header}>
+            <Nav />
+            <div className={classes.tools} ref={setTools} />
+            <HeaderEnd />
+          </header>
+          <Outlet />
+          <Keyboard />
+          <div className={classes.notices}>
+            <div className={classes.pageNotices} ref={setNotices} />
+            <ConnectionBanner onBack={lab.resume} />
+          </div>
+        </div>
+      </SlotsContext>
+    </LoginGate>
+  );
+}
+
+/** An address that is no page's. */
+export function PageNotFound() {
+  return (
+    <Box component="main" p="1rem">
+      <Blank
+        title="There is no page at this address"
+        text="The address may be incomplete. The navigation above leads to every page."
+      >
+        <Button renderRoot={(props) => <Link to="/" {...props} />}>Go to the lab</Button>
+      </Blank>
+    </Box>
+  );
+}
+
+/** The last resort: a fault in drawing leaves the navigation and a way to load again instead of an empty page. */
+export function PageFailed({ error }: { readonly error: unknown }) {
+  return (
+    <Box component="main" p="1rem" role="alert">
+      <Blank
+        title="This page has failed"
+        text={`${error instanceof Error ? error.message : "Something went wrong"}. What was computed is stored at this address; loading it again shows it.`}
+      >
+        <Button onClick={() => window.location.reload()}>Load again</Button>
+      </Blank>
+    </Box>
+  );
+}

@@ -1,0 +1,25 @@
+import postcss, { Rule } from "postcss";
+import { expect, it } from "vitest";
+
+const sheets = import.meta.glob<string>("../**/*.module.css", { query: "?raw", import: "default", eager: true });
+
+/** Selectors at the top level of a sheet or of an at-rule such as `@media`. */
+function selectorsOf(text: string): readonly string[] {
+  const selectors: string[] = [];
+  postcss.parse(text).walkRules(({ parent, selectors: own }) => {
+    const isNested = parent instanceof Rule || (parent?.type === "atrule" && parent.name.endsWith("keyframes"));
+    if (!isNested) selectors.push(...own);
+  });
+  return selectors;
+}
+
+// A sheet is loaded with its page and stays: what it says of no class of its own, it says of every page after it.
+it("A module's styles are of its own classes alone", () => {
+  const unscoped = Object.entries(sheets).flatMap(([file, text]) =>
+    selectorsOf(text)
+      .filter((selector) => !/\.[a-z]/i.test(selector))
+      .map((selector) => `${file}: ${selector}`),
+  );
+  expect(Object.keys(sheets).length).toBeGreaterThan(20);
+  expect(unscoped).toEqual([]);
+});

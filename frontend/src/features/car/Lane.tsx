@@ -1,0 +1,137 @@
+/** One strategy's car on its road, seen from the side, following the cursor; the others' bodies as outlines. */
+
+import { Box, Group } from "@mantine/core";
+import { useMemo } from "react";
+import type { Strategy } from "../../api/types";
+import { useCursor } from "../../lab/cursor";
+import type { Scene } from "../../lab/resultView";
+import { metres, toKmh } from "../../units/brands";
+import { formatNumber } from "../../units/format";
+import classes from "./car.module.css";
+import { poseAt, roadProfile, type CarPose, type StaticLoads } from "./geometry";
+import { CLEARANCE, dimensionsOf, drawnCar, GROUND, HEIGHT, scaleOf, shiftInto } from "./layout";
+import { bodyPath, windowPath } from "./outline";
+import { Arrow, Body, Ghost, Strut, Wheel } from "./parts";
+import { restingCursor } from "./resting";
+
+interface Props {
+  readonly scene: Scene;
+  readonly strategy: Strategy;
+  readonly width: number;
+  readonly exaggeration: number;
+}
+
+export function Lane({ scene, strategy, width, exaggeration }: Props) {
+  const at = Math.min(useCursor(scene.axis) ?? restingCursor(scene), scene.whole[1]);
+  const size = useMemo(() => dimensionsOf(scene.shown.scenario, staticLoads(scene, strategy.id)), [scene, strategy.id]);
+  const scale = useMemo(() => scaleOf(width, exaggeration, size), [width, exaggeration, size]);
+  const { metre, rise } = scale;
+  const path = useMemo(() => bodyPath(size.wheelbase, size.radius, metre), [size, metre]);
+  const windows = useMemo(() => windowPath(size.wheelbase, metre), [size, metre]);
+  const cg = useMemo(() => ({ x: size.cgToRear * metre, y: (CLEARANCE - size.cgHeight) * metre }), [size, metre]);
+
+  const pose = poseOf(scene, strategy.id, at);
+  if (!pose || width === 0) return <div className={classes.lane} style={{ height: HEIGHT }} />;
+  const car = drawnCar(pose, size, scale);
+  const others = scene.strategies.filter(({ id }) => id !== strategy.id);
+
+  return (
+    <div className={classes.lane}>
+      <Caption strategy={strategy} pose={pose} />
+      <svg
+        width={width}
+        height={HEIGHT}
+        role="img"
+        aria-label={`${strategy.label} at ${formatNumber(pose.position, 4)} m`}
+      >
+        <g transform={`translate(0 ${shiftInto(car, scale)})`}>
+          <g transform={`translate(${scale.frontX - pose.position * metre} ${GROUND})`}>
+            <Road scene={scene} strategy={strategy} wheelbase={size.wheelbase} metre={metre} rise={rise} />
+          </g>
+          {others.map(({ id, colour }) => {
+            const other = poseOf(scene, id, at);
+            return (
+              other && (
+                <Ghost
+                  key={id}
+                  car={drawnCar(other, size, scale, other.position - pose.position)}
+                  path={path}
+                  colour={colour}
+                />
+              )
+            );
+          })}
+          <g style={{ color: strategy.colour }}>
+            <Body car={car} path={path} windows={windows} cg={cg} />
+          </g>
+          {[car.rear, car.front].map((axle, index) => (
+            <g key={index}>
+              <Wheel axle={axle} radius={size.radius * metre} rolled={pose.position / size.radius} />
+              <Strut axle={axle} />
+              <g transform={`translate(${axle.x + (index === 0 ? -1 : 1) * (size.radius * metre + 5)} ${axle.mount})`}>
+                <Arrow length={axle.arrow} />
+              </g>
+            </g>
+          ))}
+        </g>
+      </svg>
+    </div>
+  );
+}
+
+function staticLoads(scene: Scene, id: string): StaticLoads {
+  const reference = scene.summaries[id]?.reference;
+  return { front: reference?.front_static_load ?? null, rear: reference?.rear_static_load ?? null };
+}
+
+function poseOf(scene: Scene, id: string, at: number): CarPose | null {
+  const series = scene.series[id];
+  return series ? poseAt(series, scene.axis, at, scene.shown.scenario, staticLoads(scene, id)) : null;
+}
+
+function offTheRoad({ front, rear }: CarPose): string | null {
+  if (front.airborne && rear.airborne) return "both wheels off the road";
+  return front.airborne ? "front wheel off the road" : rear.airborne ? "rear wheel off the road" : null;
+}
+
+function Caption({ strategy, pose }: { readonly strategy: Strategy; readonly pose: CarPose }) {
+  const airborne = offTheRoad(pose);
+  return (
+    <Group gap="0.1rem 0.5rem" pos="absolute" top="0.45rem" left="0.8rem" right="0.8rem" fz="xs">
+      <span className={classes.dot} style={{ background: strategy.colour }} />
+      <strong>{strategy.label}</strong>
+      <span className={classes.numbers}>
+        {formatNumber(toKmh(pose.speed))} km/h · {pose.position.toFixed(1)} m · {pose.time.toFixed(2)} s
+      </span>
+      {airborne && (
+        <Box component="span" fw={600} c="var(--danger)">
+          {airborne}
+        </Box>
+      )}
+    </Group>
+  );
+}
+
+interface RoadProps extends Pick<Props, "scene" | "strategy"> {
+  readonly wheelbase: number;
+  readonly metre: number;
+  readonly rise: number;
+}
+
+function Road({ scene, strategy, wheelbase, metre, rise }: RoadProps) {
+  const series = scene.series[strategy.id];
+  return useMemo(() => {
+    const profile = series ? roadProfile(series, metres(wheelbase)) : [];
+    const points = profile.map(([x, z]) => `${(x * metre).toFixed(1)},${(-z * rise).toFixed(2)}`).join(" ");
+    const [start, end] = [profile[0]?.[0] ?? 0, profile.at(-1)?.[0] ?? 0];
+    return (
+      <>
+        <polygon
+          points={`${start * metre},${3 * HEIGHT} ${points} ${end * metre},${3 * HEIGHT}`}
+          className={classes.earth}
+        />
+        <polyline points={points} className={classes.road} />
+      </>
+    );
+  }, [series, wheelbase, metre, rise]);
+}

@@ -1,0 +1,90 @@
+/** Where the car's parts are, from the time histories. Heights are deviations from standing still. */
+
+import type { Scenario, Series } from "./inputs";
+import { valueAt } from "../../lib/samples";
+import type { Axis } from "../../lab/address";
+import { axisKey } from "../../lab/resultView";
+import {
+  metres,
+  metresPerSecond,
+  newtons,
+  newtonsPerMetre,
+  springTravel,
+  type Metres,
+  type MetresPerSecond,
+  type Newtons,
+  type Seconds,
+  seconds,
+} from "../../units/brands";
+import { numberAt } from "./inputs";
+
+export interface Axle {
+  readonly road: Metres;
+  readonly wheel: Metres;
+  readonly body: Metres;
+  /** Of the actuator: it lifts the body and presses the wheel down. */
+  readonly force: Newtons;
+  /** The tyre is off the road, or pulls on it where it cannot lift off. */
+  readonly airborne: boolean;
+}
+
+export interface CarPose {
+  readonly time: Seconds;
+  /** Of the front axle, along the road. */
+  readonly position: Metres;
+  readonly speed: MetresPerSecond;
+  readonly front: Axle;
+  readonly rear: Axle;
+}
+
+/** Of a number, whatever rounding to 32 bits leaves of it. */
+const FLOAT32 = 1 - 1e-6;
+
+export interface StaticLoads {
+  readonly front: number | null;
+  readonly rear: number | null;
+}
+
+/** The car at one point of the shared axis; `null` outside the run. */
+export function poseAt(series: Series, axis: Axis, at: number, scenario: Scenario, loads: StaticLoads): CarPose | null {
+  const samples = series[axisKey(axis)];
+  if (!samples) return null;
+  const read = (signal: string): number | null => {
+    const values = series[signal];
+    return values ? valueAt(samples, values, at) : null;
+  };
+  const axle = (end: "front" | "rear"): Axle | null => {
+    const [road, load, deflection] = [read(`${end}_road`), read(`${end}_tyre_load`), read(`${end}_deflection`)];
+    if (road === null || load === null || deflection === null) return null;
+    const stiffness = newtonsPerMetre(numberAt(scenario, `/vehicle/${end}_tyre_stiffness`, 1));
+    // A tyre pressed harder is shorter: the wheel lies that much lower over the road.
+    const wheel = metres(road - springTravel(newtons(load), stiffness));
+    const limit = loads[end];
+    const airborne = limit !== null && load <= -limit * FLOAT32;
+    return {
+      road: metres(road),
+      wheel,
+      body: metres(wheel + deflection),
+      force: newtons(read(`${end}_force`) ?? 0),
+      airborne,
+    };
+  };
+  const [time, position, speed, front, rear] = [
+    read("time"),
+    read("position"),
+    read("speed"),
+    axle("front"),
+    axle("rear"),
+  ];
+  if (time === null || position === null || speed === null || !front || !rear) return null;
+  return { time: seconds(time), position: metres(position), speed: metresPerSecond(speed), front, rear };
+}
+
+/** The road as the wheels met it: the rear axle's before x = 0, the front's from there on. Pairs of x and height. */
+export function roadProfile(series: Series, wheelbase: Metres): readonly (readonly [number, number])[] {
+  const { position, front_road: front, rear_road: rear } = series;
+  if (!position || !front || !rear) return [];
+  const behind = Array.from(position, (x, i) => [x - wheelbase, rear[i] ?? 0] as const).filter(([x]) => x < 0);
+  const roadPoints = Array.from(position, (x, i) => [x, front[i] ?? 0] as const);
+  return [...behind, ...roadPoints];
+}

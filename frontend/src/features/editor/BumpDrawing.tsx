@@ -1,0 +1,108 @@
+/** The bump as the wheels meet it, drawn while it is edited, with the form's height and width. */
+
+import { Text } from "@mantine/core";
+import { useElementSize } from "@mantine/hooks";
+import { useQuery } from "@tanstack/react-query";
+import { useLab } from "../../lab/context";
+import { DETAIL_POINTS, seriesQuery } from "../../server/queries";
+import { bumpSketch, exaggeration, type BumpSketch } from "./bumpSketch";
+import classes from "./editor.module.css";
+import { valueText } from "../../scenario/limits";
+import { getAt } from "../../scenario/path";
+import type { Member, NumberField } from "../../scenario/schema";
+
+/** Room for the profile, over it and down to the lower end of the labels under it [px]. */
+const [ROOM, TOP] = [54, 18];
+const FLOOR = TOP + ROOM + 24;
+
+export function BumpDrawing({ members }: { readonly members: readonly Member[] }) {
+  const shown = useLab((state) => (state.strategies.length > 0 ? state.shown : null));
+  const [strategy = "", series = {}] = Object.entries(shown?.series ?? {})[0] ?? []; // the road is every strategy's
+  const drawn = shown && bumpSketch(shown.scenario, series);
+  const height = shown && getAt(shown.scenario, "/road/bump/height");
+  const isCoarse = drawn === null && height !== 0 && strategy !== "";
+  const run = shown?.runId ?? "";
+  const fine = useQuery({ ...seriesQuery(run, [strategy], DETAIL_POINTS), enabled: isCoarse && run !== "" }).data?.[
+    strategy
+  ];
+  const sketch = isCoarse && shown && fine ? bumpSketch(shown.scenario, fine) : drawn;
+
+  const field = (name: string) =>
+    members.find(
+      (member): member is NumberField => member.kind === "number" && member.pointer === `/road/bump/${name}`,
+    );
+  const [heightField, widthField] = [field("height"), field("width")];
+  if (!heightField || !widthField) return null; // the form is searched for something else
+  if (sketch)
+    return (
+      <Drawing
+        sketch={sketch}
+        height={valueText(heightField, sketch.height)}
+        width={valueText(widthField, sketch.width)}
+      />
+    );
+  if (height !== 0) return <div style={{ height: FLOOR }} />; // on its way
+  return (
+    <Text className={classes.note}>
+      {getAt(shown?.scenario, "/road/profile")
+        ? "No bump is added to the measured road."
+        : "Height 0: there is no bump."}
+    </Text>
+  );
+}
+
+interface Props {
+  readonly sketch: BumpSketch;
+  readonly height: string;
+  readonly width: string;
+}
+
+function Drawing({ sketch: { points, ...bump }, height, width }: Props) {
+  const { ref, width: pixels } = useElementSize<HTMLDivElement>();
+  const heights = points.map(([, z]) => z);
+  const [low, high] = [Math.min(0, ...heights), Math.max(0, ...heights)];
+  const [from, to] = [points[0]?.[0] ?? 0, points.at(-1)?.[0] ?? 1];
+  const metre = Math.min(pixels / (to - from), ROOM / (high - low));
+  const factor = exaggeration((high - low) * metre, ROOM);
+  const x = (distance: number) => pixels / 2 + (distance - (from + to) / 2) * metre;
+  const y = (z: number) => TOP + ROOM + (low - z) * factor * metre;
+  const outline = points.map(([distance, z]) => `${x(distance).toFixed(1)},${y(z).toFixed(1)}`).join(" ");
+  const [left, right, beside] = [x(0), x(bump.width), x(0) - 7];
+  const scale = factor === 1 ? "to scale" : `heights × ${factor}`;
+  const several =
+    bump.count === 1
+      ? ""
+      : bump.drawn === bump.count
+        ? `${bump.count} bumps, `
+        : `first ${bump.drawn} of ${bump.count} bumps, `;
+  return (
+    <div ref={ref} className={classes.sketch} style={{ height: FLOOR }}>
+      {pixels > 0 && (
+        <svg
+          width={pixels}
+          height={FLOOR}
+          role="img"
+          aria-label={`Bump of height ${height} and width ${width}, ${several}${scale}`}
+        >
+          <polygon points={`${x(from)},${FLOOR} ${outline} ${x(to)},${FLOOR}`} className={classes.sketchRoad} />
+          <polyline points={outline} className={classes.sketchOutline} />
+          <path
+            d={`M ${beside - 3} ${y(0)} h 6 M ${beside} ${y(0)} V ${y(bump.height)} m -3 0 h 6`}
+            className={classes.sketchSize}
+          />
+          <text x={beside - 5} y={(y(0) + y(bump.height)) / 2} dominantBaseline="middle" textAnchor="end">
+            {height}
+          </text>
+          <path d={`M ${left} ${FLOOR - 19} v 6 m 0 -3 H ${right} m 0 -3 v 6`} className={classes.sketchSize} />
+          <text x={(left + right) / 2} y={FLOOR - 3} textAnchor="middle">
+            {width}
+          </text>
+          <text x={pixels} y={TOP - 6} textAnchor="end" className={classes.sketchScale}>
+            {several}
+            {scale}
+          </text>
+        </svg>
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,120 @@
+/** Label, help, mark of a change and error: the same around every field. */
+
+import { ActionIcon, Box, Group, Text, Tooltip } from "@mantine/core";
+import { IconArrowBackUp, IconInfoCircle } from "../../ui/icons";
+import { memo, useEffect, useRef, type ReactNode } from "react";
+import { useEdit, useReadOnly } from "../../lab/context";
+import classes from "./editor.module.css";
+import type { Leaf } from "../../scenario/differences";
+import { setAt } from "../../scenario/path";
+import type { Field } from "../../scenario/schema";
+import type { LeafState } from "./useLeaf";
+
+interface Props {
+  readonly id: string;
+  readonly field: Leaf;
+  readonly leaf: LeafState;
+  /** The paper's value as text. */
+  readonly standard: string;
+  /** What stands at the right end of the label's row. */
+  readonly aside?: ReactNode;
+  readonly children?: ReactNode;
+}
+
+export function FieldFrame({ id, field, leaf: { changed, error }, standard, aside, children }: Props) {
+  const { pointer, title, description } = field;
+  return (
+    <div
+      className={classes.field}
+      data-pointer={pointer}
+      data-changed={changed || undefined}
+      data-error={error !== undefined || undefined}
+    >
+      <Group gap="0.25rem" wrap={aside === undefined ? "nowrap" : "wrap"} mih={30}>
+        <label className={classes.label} htmlFor={id} id={`${id}-label`}>
+          {title}
+        </label>
+        {description !== "" && <Help id={id} title={title} text={description} />}
+        <Box component="span" flex={1} />
+        <ResetButton {...{ field, standard, changed }} />
+        {aside}
+      </Group>
+      {children}
+      <FieldError id={id} error={error} />
+    </div>
+  );
+}
+
+// Help and reset are as they were while a slider moves: half of what a field costs to draw.
+export const Help = memo(function Help({
+  id,
+  title,
+  text,
+}: {
+  readonly id: string;
+  readonly title: string;
+  readonly text: string;
+}) {
+  return (
+    <Tooltip label={text} multiline w={240} withArrow events={{ hover: true, focus: true, touch: true }}>
+      <ActionIcon
+        className={classes.help}
+        variant="transparent"
+        size={18}
+        aria-label={`About ${title}: ${text}`}
+        id={`${id}-help`}
+      >
+        <IconInfoCircle size={14} stroke={1.6} />
+      </ActionIcon>
+    </Tooltip>
+  );
+});
+
+interface ResetProps {
+  readonly field: Field;
+  /** The paper's value as text. */
+  readonly standard: string;
+  readonly changed: boolean;
+}
+
+/** Keeps its place while hidden, so nothing moves when a value first differs from the paper. */
+export const ResetButton = memo(function ResetButton({ field, standard, changed }: ResetProps) {
+  const edit = useEdit();
+  const disabled = useReadOnly() || !changed;
+  const reset = () => {
+    for (const { pointer } of field.kind === "vector" ? field.items : [field]) edit.accept(pointer);
+    edit.commit(setAt(edit.newest(), field.pointer, field.standard));
+  };
+  return (
+    <Tooltip label={`Differs from the paper (${standard}). Reset`} withArrow>
+      <ActionIcon
+        className={classes.reset}
+        data-hidden={disabled || undefined}
+        variant="subtle"
+        size={24}
+        aria-label={`Reset ${field.title} to the paper's ${standard}`}
+        disabled={disabled}
+        onClick={reset}
+      >
+        <IconArrowBackUp size={15} stroke={1.8} />
+      </ActionIcon>
+    </Tooltip>
+  );
+});
+
+export function FieldError({ id, error }: { readonly id: string; readonly error: string | undefined }) {
+  return error === undefined ? null : <ErrorText id={id} error={error} />;
+}
+
+/** Comes into sight by itself: an error of the server may concern a field nobody is looking at. */
+function ErrorText({ id, error }: { readonly id: string; readonly error: string }) {
+  const ref = useRef<HTMLParagraphElement>(null);
+  useEffect(() => {
+    ref.current?.scrollIntoView({ block: "nearest" });
+  }, [error]);
+  return (
+    <Text ref={ref} mt={2} fz="xs" lh="1.35" c="var(--danger)" id={`${id}-error`} role="alert">
+      {error}
+    </Text>
+  );
+}

@@ -1,0 +1,86 @@
+/** A measured road in place of a made one: of the library, or opened from a CSV file; and saved as one. */
+
+import { Button, NativeSelect, Text } from "@mantine/core";
+import { useQuery } from "@tanstack/react-query";
+import { address } from "../../api/http";
+import { useOpenItem } from "../library/open";
+import { OpenFiles } from "../library/OpenFiles";
+import { useItems } from "../../scenario/ownLibrary";
+import { useEdit } from "../../lab/context";
+import { roadQuery } from "../../server/queries";
+import classes from "./editor.module.css";
+import { FieldFrame } from "./FieldFrame";
+import { setAt } from "../../scenario/path";
+import type { TextField } from "../../scenario/schema";
+import { useLeaf } from "./useLeaf";
+
+const NONE = { value: "", label: "None" };
+
+export function RoadProfileRow({ field }: { readonly field: TextField }) {
+  const leaf = useLeaf(field.pointer, field.standard);
+  const edit = useEdit();
+  const openItem = useOpenItem();
+  const own = useItems("road");
+  const id = typeof leaf.value === "string" ? leaf.value : "";
+  const road = useQuery(roadQuery(id)).data;
+  const found =
+    road?.bumps.map(({ start, width, height }) => `${(1000 * height).toFixed(0)} mm at ${start} m over ${width} m`) ??
+    [];
+  const saved = own.flatMap(({ name, value }) =>
+    typeof value.id === "string" ? [{ value: value.id, label: name }] : [],
+  );
+  const name = `profile-${field.pointer}`;
+
+  const choose = (chosen: string) => {
+    const item = own.find(({ value }) => value.id === chosen);
+    if (item) openItem(item);
+    else if (chosen === "") edit.commit(setAt(edit.newest(), field.pointer, null));
+  };
+
+  return (
+    <FieldFrame
+      id={name}
+      {...{ field, leaf }}
+      standard="none"
+      aside={
+        <>
+          {road && (
+            <Button
+              component="a"
+              size="compact-xs"
+              variant="default"
+              href={address("/roads/{id}", { path: { id }, query: { format: "csv" } })}
+              download={`ridelab-road-${id}.csv`}
+            >
+              Save CSV
+            </Button>
+          )}
+          {!leaf.readOnly && <OpenFiles name="Road file">Open CSV</OpenFiles>}
+        </>
+      }
+    >
+      {(own.length > 0 || id !== "") && (
+        <NativeSelect
+          size="xs"
+          id={name}
+          value={id}
+          disabled={leaf.readOnly}
+          data={[
+            NONE,
+            ...(id === "" || saved.some(({ value }) => value === id)
+              ? []
+              : [{ value: id, label: "A measured road, not in the library" }]),
+            ...(saved.length > 0 ? [{ group: "Your measured roads", items: saved }] : []),
+          ]}
+          onChange={(event) => choose(event.currentTarget.value)}
+        />
+      )}
+      {road && (
+        <Text className={classes.note}>
+          {road.length} m measured, in place of roughness and seed.{" "}
+          {found.length > 0 ? `Bumps in it: ${found.join(", ")}.` : "No bump was found in it."}
+        </Text>
+      )}
+    </FieldFrame>
+  );
+}

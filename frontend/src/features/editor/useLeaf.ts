@@ -1,0 +1,45 @@
+/** What every field shares: its value, its error, whether it differs from the paper, and how it is changed. */
+
+import type { JsonValue } from "../../api/types";
+import { useEdit, useFromScenario, useLab, useReadOnly } from "../../lab/context";
+import type { Rejected } from "../../lab/labState";
+import { getAt, sameValue, setAt, type Pointer } from "../../scenario/path";
+
+export interface LeafState {
+  readonly value: JsonValue | undefined;
+  readonly readOnly: boolean;
+  readonly changed: boolean;
+  readonly rejected: Rejected | undefined;
+  readonly error: string | undefined;
+  readonly drag: (value: JsonValue) => void;
+  readonly release: () => void;
+  readonly commit: (value: JsonValue) => void;
+  readonly reject: (rejected: Rejected) => void;
+  readonly accept: () => void;
+}
+
+export function useLeaf(pointer: Pointer, standard: JsonValue): LeafState {
+  const value = useFromScenario((scenario) => getAt(scenario, pointer));
+  const rejected = useLab((state) => state.rejected[pointer]);
+  const refused = useLab((state) => state.refused.fields[pointer]);
+  const edit = useEdit();
+  const readOnly = useReadOnly();
+  return {
+    value,
+    readOnly,
+    changed: !sameValue(value, standard),
+    rejected,
+    error: rejected?.message ?? refused,
+    drag: (next) => {
+      edit.accept(pointer);
+      edit.drag(setAt(edit.newest(), pointer, next));
+    },
+    release: () => edit.commit(edit.newest()),
+    commit: (next) => {
+      edit.accept(pointer);
+      if (!sameValue(getAt(edit.newest(), pointer), next)) edit.commit(setAt(edit.newest(), pointer, next));
+    },
+    reject: (next) => edit.reject(pointer, next),
+    accept: () => edit.accept(pointer),
+  };
+}

@@ -1,0 +1,208 @@
+/** Data, pictures and commands of what is shown. */
+
+import { Button, Menu, Modal, Text, Textarea } from "@mantine/core";
+import {
+  IconBrandPython,
+  IconCheck,
+  IconCpu,
+  IconDownload,
+  IconFileText,
+  IconPhoto,
+  IconTerminal2,
+  IconWorldUpload,
+} from "../../ui/icons";
+import { useMutation, useQuery, useQueryClient } from "@tanstack/react-query";
+import { useState } from "react";
+import { address } from "../../api/http";
+import { explain } from "../../api/problem";
+import { useCompared } from "../compare/useCompared";
+import { useCommands } from "../../lab/commands";
+import { whyNotCompared } from "../../lab/compare";
+import { useLabContext, useLab, useView } from "../../lab/context";
+import { figuresQuery, schemaQuery, strategiesQuery } from "../../server/queries";
+import { axisKey, makeScene } from "../../lab/resultView";
+import { useController } from "./useController";
+import { asCommand, asCurl, asPython, type CopyRequest } from "./copyAs";
+import classes from "./export.module.css";
+import { plotsImage } from "./image";
+import { useCopied } from "../../ui/useCopied";
+import { compact } from "../../ui/compact";
+import { download } from "../../lib/download";
+
+const FORMATS = [
+  { format: "csv", label: "CSV" },
+  { format: "parquet", label: "Parquet" },
+] as const;
+
+const FIGURES = [
+  { format: "png", label: "PNG picture" },
+  { format: "svg", label: "SVG drawing" },
+] as const;
+
+const COPIES = [
+  { label: "Copy as Python", icon: IconBrandPython, write: asPython },
+  { label: "Copy as command line", icon: IconTerminal2, write: asCommand },
+  { label: "Copy as curl", icon: IconWorldUpload, write: asCurl },
+] as const;
+
+export function ExportMenu() {
+  const shown = useLab((state) => state.shown);
+  const selected = useLab((state) => state.strategies);
+  const view = useView();
+  const client = useQueryClient();
+  const compared = useCompared();
+  const { lab } = useLabContext();
+  const figures = useQuery(figuresQuery).data;
+  const strategies = useQuery(strategiesQuery).data;
+  const form = useQuery(schemaQuery).data;
+  const [refused, setRefused] = useState<string | null>(null);
+  const { copied, copy } = useCopied(setRefused);
+  const { save, saving, error: unsaved, reset } = useController();
+  const runId = shown?.runId ?? null;
+
+  const picture = useMutation({
+    mutationFn: async (format: "png" | "svg") => {
+      if (!shown || !figures || !strategies) return;
+      download(
+        await plotsImage(client, figures, makeScene(shown, strategies, selected, view, compared), format),
+        `ridelab-${runId ?? "live"}.${format}`,
+      );
+    },
+  });
+  const saveReport = () => {
+    if (!shown || !strategies || runId === null) return;
+    const { baseline, against } = makeScene(shown, strategies, selected, view, compared);
+    const run = against && whyNotCompared(shown, against.shown) === null ? against.shown.runId : null;
+    const refersTo = { baseline: run === null ? baseline : null, against: run };
+    download(
+      address("/runs/{id}/report.html", { path: { id: runId }, query: { x: axisKey(view.axis), ...refersTo } }),
+      `ridelab-${runId}.html`,
+    );
+  };
+  const copyAs = (write: (request: CopyRequest) => string) => {
+    if (!form) return;
+    const scenario = lab.get().history?.present ?? shown?.scenario ?? {};
+    copy(write({ origin: window.location.origin, form, scenario, strategies: selected, over: shown?.over ?? null }));
+  };
+
+  const saveController = () => save(lab.get().history?.present ?? shown?.scenario ?? {});
+
+  useCommands([
+    ...(runId === null ? [] : [{ group: "Lab", label: "Export HTML report", run: saveReport } as const]),
+    ...(shown?.missing === null
+      ? FIGURES.map(
+          ({ format, label }) =>
+            ({ group: "Lab", label: `Export plots: ${label}`, run: () => picture.mutate(format) }) as const,
+        )
+      : []),
+    { group: "Lab", label: "Export controller (C)", run: saveController },
+    ...COPIES.map(({ label, write }) => ({ group: "Lab", label, run: () => copyAs(write) }) as const),
+  ]);
+
+  return (
+    <>
+      <Menu position="bottom-end" width={290}>
+        <Menu.Target>
+          <Button
+            size="xs"
+            variant="default"
+            aria-label="Export"
+            leftSection={copied ? <IconCheck size={15} /> : <IconDownload size={15} />}
+            classNames={compact}
+            disabled={!shown}
+            loading={saving || picture.isPending}
+          >
+            {copied ? "Copied" : "Export"}
+          </Button>
+        </Menu.Target>
+        <Menu.Dropdown className={classes.dropdown ?? ""}>
+          <Menu.Label>Time histories, full resolution</Menu.Label>
+          {(strategies ?? [])
+            .filter(({ id }) => shown && id in shown.summaries && selected.includes(id))
+            .map(({ id, label }) => (
+              <div key={id} className={classes.files}>
+                <span className={classes.file}>{label}</span>
+                {FORMATS.map(({ format, label: name }) => (
+                  <Menu.Item
+                    key={format}
+                    w="auto"
+                    px="0.6rem"
+                    fw={600}
+                    aria-label={`${label} as ${name}`}
+                    disabled={runId === null || shown?.missing !== null}
+                    onClick={() =>
+                      download(
+                        address("/runs/{id}/series", { path: { id: runId ?? "" }, query: { strategy: id, format } }),
+                        `ridelab-${runId ?? ""}-${id}.${format}`,
+                      )
+                    }
+                  >
+                    {name}
+                  </Menu.Item>
+                ))}
+              </div>
+            ))}
+          <Menu.Label>Everything in one file</Menu.Label>
+          <Menu.Item leftSection={<IconFileText size={16} />} disabled={runId === null} onClick={saveReport}>
+            HTML report
+          </Menu.Item>
+          <Menu.Label>Plots as shown</Menu.Label>
+          {FIGURES.map(({ format, label }) => (
+            <Menu.Item
+              key={format}
+              leftSection={<IconPhoto size={16} />}
+              disabled={shown?.missing !== null}
+              onClick={() => picture.mutate(format)}
+            >
+              {label}
+            </Menu.Item>
+          ))}
+          <Menu.Label>As a program</Menu.Label>
+          <Menu.Item leftSection={<IconCpu size={16} />} onClick={saveController}>
+            Export controller (C)
+          </Menu.Item>
+          <Menu.Label>This run again, elsewhere</Menu.Label>
+          {COPIES.map(({ label, icon: Icon, write }) => (
+            <Menu.Item key={label} leftSection={<Icon size={16} />} onClick={() => copyAs(write)}>
+              {label}
+            </Menu.Item>
+          ))}
+        </Menu.Dropdown>
+      </Menu>
+      <Modal
+        opened={unsaved !== null}
+        onClose={reset}
+        title="The controller could not be exported"
+        closeButtonProps={{ "aria-label": "Close" }}
+      >
+        <Text size="sm">{unsaved?.message}</Text>
+      </Modal>
+      <Modal
+        opened={picture.isError}
+        onClose={picture.reset}
+        title="The plots could not be saved"
+        closeButtonProps={{ "aria-label": "Close" }}
+      >
+        <Text size="sm">{picture.error && explain(picture.error)}</Text>
+      </Modal>
+      <Modal
+        opened={refused !== null}
+        onClose={() => setRefused(null)}
+        title="Select the address and copy it"
+        size="lg"
+        closeButtonProps={{ "aria-label": "Close" }}
+      >
+        <Textarea
+          readOnly
+          autosize
+          maxRows={14}
+          data-autofocus
+          aria-label="Text to copy"
+          classNames={{ input: classes.code ?? "" }}
+          value={refused ?? ""}
+          onFocus={(event) => event.currentTarget.select()}
+        />
+      </Modal>
+    </>
+  );
+}

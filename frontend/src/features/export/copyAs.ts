@@ -1,0 +1,92 @@
+/** The current run as a command or a script: only what differs from the paper is written out. */
+
+import type { JsonObject, JsonValue, Scenario, StrategyId } from "../../api/types";
+import { isChanged, leavesOf } from "../../scenario/differences";
+import { getAt, setAt } from "../../scenario/path";
+import { fieldsOf, type Group } from "../../scenario/schema";
+import { dotted } from "../../scenario/fields";
+
+export interface CopyRequest {
+  /** Where the service is. */
+  readonly origin: string;
+  readonly form: Group;
+  readonly scenario: Scenario;
+  readonly strategies: readonly StrategyId[];
+  /** Over how many roads, and against which strategy where that is one of them; `null` for one road. */
+  readonly over: { readonly roads: number; readonly baseline: StrategyId } | null;
+}
+
+/** Without a baseline that is hidden: the service then takes its own. */
+const roadsOf = ({ over, strategies }: CopyRequest) =>
+  over && { roads: over.roads, ...(strategies.includes(over.baseline) && { baseline: over.baseline }) };
+
+/** The part of a scenario that is not the paper's; weights come whole. */
+export function changedPart(scenario: Scenario, form: Group): JsonObject {
+  return fieldsOf(form).reduce<Scenario>((part, field) => {
+    const leaves = field.kind === "vector" ? field.items : [field];
+    const value = getAt(scenario, field.pointer);
+    return value !== undefined && leaves.some((leaf) => isChanged(scenario, leaf))
+      ? setAt(part, field.pointer, value)
+      : part;
+  }, {});
+}
+
+/** Safe inside single quotes of a POSIX shell. */
+const quoted = (text: string) => `'${text.replace(/'/g, `'\\''`)}'`;
+
+const word = (text: string) => (/^[\w@%+=:,./-]+$/.test(text) ? text : quoted(text));
+
+export function asCurl(request: CopyRequest): string {
+  const { origin, form, scenario, strategies } = request;
+  const body = JSON.stringify({ scenario: changedPart(scenario, form), strategies, ...roadsOf(request) });
+  return `curl -sS ${word(`${origin}/api/v1/runs`)} -H 'content-type: application/json' -d ${quoted(body)}`;
+}
+
+export function asCommand(request: CopyRequest): string {
+  const { origin, form, scenario, strategies } = request;
+  const over = roadsOf(request);
+  const changes = leavesOf(form).flatMap((leaf) => {
+    const value = getAt(scenario, leaf.pointer);
+    if (value === undefined || !isChanged(scenario, leaf)) return [];
+    return [`--set ${word(`${dotted(leaf.pointer)}=${typeof value === "string" ? value : JSON.stringify(value)}`)}`];
+  });
+  const roads = [
+    ...(over ? [`--roads ${over.roads}`] : []),
+    ...(over?.baseline ? [`--baseline ${word(over.baseline)}`] : []),
+  ];
+  return [
+    "ridelab run",
+    ...changes,
+    `--strategy ${word(strategies.join(","))}`,
+    ...roads,
+    `--server ${word(origin)}`,
+  ].join(" ");
+}
+
+const INDENT = "    ";
+
+/** A JSON value as Python writes it; what does not fit a line is broken by member. */
+function literal(value: JsonValue, depth = 1): string {
+  if (value === null) return "None";
+  if (typeof value === "boolean") return value ? "True" : "False";
+  if (typeof value !== "object") return JSON.stringify(value);
+  if (Array.isArray(value)) return `[${(value as readonly JsonValue[]).map((item) => literal(item)).join(", ")}]`;
+  const members = Object.entries(value).map(([name, item]) => `${JSON.stringify(name)}: ${literal(item, depth + 1)}`);
+  const line = `{${members.join(", ")}}`;
+  if (line.length <= 76 && !line.includes("\n")) return line;
+  const pad = INDENT.repeat(depth);
+  return `{\n${members.map((member) => `${pad}${member},\n`).join("")}${INDENT.repeat(depth - 1)}}`;
+}
+
+export function asPython(request: CopyRequest): string {
+  const { origin, form, scenario, strategies } = request;
+  const over = Object.entries(roadsOf(request) ?? {}).map(([name, value]) => `, ${name}=${JSON.stringify(value)}`);
+  return [
+    "from ridelab import Ridelab",
+    "",
+    `scenario = ${literal(changedPart(scenario, form))}`,
+    `with Ridelab(${JSON.stringify(origin)}) as ridelab:`,
+    `${INDENT}run = ridelab.run(scenario, ${JSON.stringify(strategies).replace(/,/g, ", ")}${over.join("")})`,
+    "",
+  ].join("\n");
+}

@@ -1,0 +1,23 @@
+/** Fetches the controller's C sources and hands them to the browser as a file. */
+
+import { useMutation } from "@tanstack/react-query";
+import { askFile } from "../../api/http";
+import type { Scenario } from "../../api/types";
+import { download } from "../../lib/download";
+
+/** Long enough for the browser to have taken the file [ms]. */
+const KEEP_MS = 60_000;
+
+function saveAs(blob: Blob, name: string): void {
+  const address = URL.createObjectURL(blob);
+  download(address, name);
+  setTimeout(() => URL.revokeObjectURL(address), KEEP_MS);
+}
+
+export function useController() {
+  const { mutate, isPending, error, reset } = useMutation({
+    mutationFn: (scenario: Scenario) => askFile("post", "/controller", { body: { scenario } }),
+    onSuccess: (zip) => saveAs(zip, "ridelab-controller.zip"),
+  });
+  return { save: mutate, saving: isPending, error, reset };
+}

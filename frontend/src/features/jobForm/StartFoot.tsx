@@ -1,0 +1,70 @@
+/** The foot of a form that starts a job: what that takes, a reset, the start. */
+
+import { Box, Button, Group, Text } from "@mantine/core";
+import type { ReactNode } from "react";
+import type { Draft } from "../../lib/useDraft";
+import { ResetDraft } from "../../ui/ResetDraft";
+import ui from "../../ui/ui.module.css";
+import { formatDuration } from "../../units/dates";
+import type { SubmissionState } from "./useJobForm";
+
+interface Cost {
+  /** [s] of one processor core. */
+  readonly estimated_cost: number;
+  readonly estimated_seconds: number | null;
+}
+
+interface Props<Estimate extends Cost> {
+  readonly submission: SubmissionState<Estimate>;
+  readonly draft: Pick<Draft<unknown>, "isEdited" | "reset">;
+  /** How much it is, such as `12 runs`. */
+  readonly amount: (estimate: Estimate) => string;
+  readonly notes?: (estimate: Estimate) => readonly string[];
+  readonly className?: string | undefined;
+  /** The form around it starts the job when it is submitted. */
+  readonly inForm?: boolean;
+  /** Further buttons. */
+  readonly children?: ReactNode;
+}
+
+const time = ({ estimated_seconds: seconds, estimated_cost: cost }: Cost) =>
+  seconds === null ? `about ${formatDuration(cost)} of one processor core` : `about ${formatDuration(seconds)}`;
+
+export function StartFoot<Estimate extends Cost>({
+  submission: { estimate, pending, errors, general, starting, start },
+  draft,
+  amount,
+  notes,
+  className = ui.foot,
+  inForm = false,
+  children,
+}: Props<Estimate>) {
+  const wrong = [...new Set([...general, ...Object.values(errors)])];
+  const otherwise = wrong.length > 0 ? `It cannot start: ${wrong.join(". ")}` : pending ? "Estimating…" : "\u00a0";
+  return (
+    <div className={className}>
+      <Box flex="1 1 9rem" mih="1.4rem" role="status" data-testid="estimate">
+        <Text size="sm" {...(estimate ? { fw: 600 } : { c: "dimmed" })}>
+          {estimate ? `${amount(estimate)}, ${time(estimate)}` : otherwise}
+        </Text>
+        {estimate &&
+          notes?.(estimate).map((note) => (
+            <Text key={note} size="xs" c="dimmed">
+              {note}.
+            </Text>
+          ))}
+      </Box>
+      <Group gap="xs" wrap="nowrap" ml="auto">
+        <ResetDraft isEdited={draft.isEdited} onReset={draft.reset} />
+        {children}
+        <Button
+          disabled={estimate === undefined}
+          loading={starting}
+          {...(inForm ? { type: "submit" } : { onClick: start })}
+        >
+          Start
+        </Button>
+      </Group>
+    </div>
+  );
+}

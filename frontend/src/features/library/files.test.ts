@@ -1,0 +1,91 @@
+import { expect, it, test } from "vitest";
+import { FORM } from "../../scenario/form.fixture";
+import { fileOf, readFile, roadOf, type Exported } from "./files";
+
+const [ROAD, MPC] = FORM.members;
+if (!ROAD || !MPC) throw new Error("no form");
+const FORM_2 = { ...FORM, members: [{ ...ROAD, pointer: "/vehicle" as const }, ROAD, MPC], version: 2 };
+const read = (text: string, name = "file.json") => readFile(name, text, FORM_2);
+const written = (item: Exported, road: string | null = null) => fileOf(item, 2, road);
+
+it("Scenarios, runs, vehicles and roads are told apart by their content", () => {
+  const scenario = { road: { bump: { height: 0.12 } }, vehicle: { body_mass: 5 } };
+  expect(read(JSON.stringify(scenario))).toEqual({ kind: "scenario", value: scenario, label: null, road: null });
+  expect(read(JSON.stringify({ id: "r", scenario, strategies: {} }), "run.txt")).toMatchObject({
+    kind: "scenario",
+    value: scenario,
+  });
+  expect(read('{"label": "Van", "vehicle": {"body_mass": 5}}')).toEqual({
+    kind: "vehicle",
+    value: { body_mass: 5 },
+    label: "Van",
+  });
+  const csv = "distance [m];height [mm]\r\n0;0\r\n5;12\r\n";
+  expect(read(csv, "street.csv")).toEqual({ kind: "road", csv });
+  const commented = `# Measured in May\n\n${csv}`;
+  expect(read(commented, "street.csv")).toEqual({ kind: "road", csv: commented });
+});
+
+it("What core 0.3.0 wrote opens with the filter it had, what a person wrote is today's", () => {
+  const kalman = { kind: "kalman", acceleration_noise: 0.05, deflection_noise: 0.0005, pitch_rate_noise: 0.002 };
+  const scenario = { road: {}, estimation: kalman };
+  const had = { value: { road: {}, estimation: { ...kalman, knows_preview: false } } };
+  expect(read(JSON.stringify({ schema_version: 1, scenario }))).toMatchObject(had);
+  expect(read(JSON.stringify({ core_version: "0.3.0", scenario, strategies: {} }))).toMatchObject(had);
+  expect(read(JSON.stringify(scenario))).toMatchObject(had);
+  const typed = { road: {}, estimation: { kind: "kalman" } };
+  expect(read(JSON.stringify(typed))).toMatchObject({ value: typed });
+  expect(read(written({ kind: "scenario", name: "s", value: scenario }).text)).toEqual({
+    kind: "scenario",
+    value: scenario,
+    label: "s",
+    road: null,
+  });
+  expect(read('{"schema_version": 1, "vehicle": {"body_mass": 5}}')).toMatchObject({ kind: "vehicle" });
+});
+
+it("What is exported is read again", () => {
+  const vehicle = written({ kind: "vehicle", name: "Van: 887/2 kg", value: { body_mass: 5 } });
+  expect(vehicle.name).toBe("Van_ 887_2 kg.json");
+  expect(read(vehicle.text)).toEqual({ kind: "vehicle", value: { body_mass: 5 }, label: "Van: 887/2 kg" });
+  expect(read(written({ kind: "scenario", name: "s", value: { road: {} } }).text)).toEqual({
+    kind: "scenario",
+    value: { road: {} },
+    label: "s",
+    road: null,
+  });
+});
+
+it("A scenario goes with the content of its measured road, and a road is its CSV", () => {
+  const csv = "# Ridelab road A: 1\nheight [m]\n0.1\n";
+  const item: Exported = { kind: "scenario", name: "Street", value: { road: { profile: "A" } } };
+  expect(roadOf(item)).toBe("A");
+  expect(roadOf({ ...item, value: { road: { profile: null } } })).toBeNull();
+  expect(read(written(item, csv).text)).toEqual({ kind: "scenario", value: item.value, label: "Street", road: csv });
+  const road: Exported = { kind: "road", name: "Main street", value: { id: "A", length: 180 } };
+  expect(roadOf(road)).toBe("A");
+  const file = written(road, csv);
+  expect(file).toMatchObject({ name: "Main street.csv", type: "text/csv" });
+  expect(read(file.text, file.name)).toEqual({ kind: "road", csv });
+});
+
+it("A file of a newer version is refused, one of an older version and one without are read", () => {
+  const file = (version: unknown) => JSON.stringify({ schema_version: version, scenario: { road: {} } });
+  expect(() => read(file(3))).toThrow(
+    "This file comes from a newer version of Ridelab: it has schema version 3, and this Ridelab reads up to 2.",
+  );
+  expect(() => read(file("new"))).toThrow("is not a number");
+  expect(read(file(1))).toMatchObject({ kind: "scenario" });
+  expect(read(written({ kind: "vehicle", name: "v", value: {} }).text)).toMatchObject({ kind: "vehicle" });
+});
+
+test.each([
+  ["{", "file.json", "not JSON"],
+  ["no vehicle", "file.json", "not JSON"],
+  ["[1]", "file.json", "Expected a scenario or a vehicle as JSON, or a measured road"],
+  ['{"colour": 1}', "file.json", "one of the members vehicle, road, mpc"],
+  ["Dear diary,\nit rains", "diary.txt", "Expected a scenario"],
+  ["\u0000PNG", "photo.png", "Expected a scenario"],
+])("%s in %s is refused and says why", (text, name, why) => {
+  expect(() => read(text, name)).toThrow(why);
+});

@@ -1,0 +1,88 @@
+/** What a file holds, seen from its content, and what an item is exported as. */
+
+import type { JsonObject } from "../../api/types";
+import { getAt } from "../../scenario/path";
+import type { Form } from "../../scenario/schema";
+import { isWrittenOut, upgraded } from "../../scenario/versions";
+import type { Item } from "../../scenario/library";
+
+export type Content =
+  | {
+      readonly kind: "scenario";
+      readonly value: JsonObject;
+      readonly label: string | null;
+      /** Its measured road as CSV. */ readonly road: string | null;
+    }
+  | { readonly kind: "vehicle"; readonly value: JsonObject; readonly label: string | null }
+  | { readonly kind: "road"; readonly csv: string };
+
+export type Exported = Pick<Item, "kind" | "name" | "value">;
+
+const isObject = (value: unknown): value is JsonObject =>
+  typeof value === "object" && value !== null && !Array.isArray(value);
+const text = (value: unknown) => (typeof value === "string" ? value : null);
+
+const EXPECTED = "Expected a scenario or a vehicle as JSON, or a measured road as CSV with a line of titles";
+
+/**
+ * What a file holds. A run holds its scenario.
+ * @throws {Error} Its message says what was expected; the values are for the server to check.
+ */
+export function readFile(name: string, content: string, form: Form): Content {
+  if (!/\.json$/i.test(name) && !/^\s*[[{]/.test(content)) {
+    const [titles = "", first = ""] = content.split("\n").filter((line) => !/^\s*(#|$)/.test(line));
+    if (/[,;\t[]/.test(titles) && /^\s*["'+-]?[\d.,]/.test(first)) return { kind: "road", csv: content };
+    throw new Error(EXPECTED);
+  }
+  const whole = parsed(content);
+  if (!isObject(whole)) throw new Error(EXPECTED);
+  const scenario = isObject(whole.scenario) ? whole.scenario : whole;
+  // A run and what `ridelab tune --out` writes say no version; what a person wrote is today's.
+  const version = whole.schema_version ?? (isObject(whole.scenario) || isWrittenOut(scenario) ? 1 : form.version);
+  checkVersion(version, form.version);
+  const parts = form.members.map(({ pointer }) => pointer.slice(1));
+  const named = Object.keys(scenario).filter((part) => parts.includes(part));
+  const label = text(whole.label);
+  if (scenario === whole && named.join() === "vehicle" && isObject(scenario.vehicle))
+    return { kind: "vehicle", value: scenario.vehicle, label };
+  if (named.length === 0) throw new Error(`${EXPECTED}. A scenario has one of the members ${parts.join(", ")}`);
+  return { kind: "scenario", value: upgraded(scenario, version), label, road: text(whole.measured_road) };
+}
+
+function checkVersion(version: unknown, newest: number): asserts version is number {
+  if (Number.isInteger(version) && (version as number) <= newest) return;
+  if (typeof version !== "number") throw new Error("The schema_version of this file is not a number");
+  throw new Error(
+    `This file comes from a newer version of Ridelab: it has schema version ${version}, and this Ridelab reads up to ${newest}. Update this Ridelab to open it`,
+  );
+}
+
+function parsed(content: string): unknown {
+  try {
+    return JSON.parse(content);
+  } catch (error) {
+    throw new Error(`This file is not JSON. ${error instanceof Error ? error.message : ""}`, { cause: error });
+  }
+}
+
+/** The measured road that an item needs. */
+export function roadOf({ kind, value }: Exported): string | null {
+  return text(kind === "road" ? value.id : kind === "scenario" ? getAt(value, "/road/profile") : null);
+}
+
+/** `road` is the content of its measured road. */
+export function fileOf(
+  { kind, name, value }: Exported,
+  version: number,
+  road: string | null,
+): { readonly name: string; readonly type: string; readonly text: string } {
+  const stem = name.replace(/[^\p{L}\p{N} ().,_-]+/gu, "_");
+  if (kind === "road") return { name: `${stem}.csv`, type: "text/csv", text: road ?? "" };
+  const content = {
+    schema_version: version,
+    label: name,
+    [kind]: value,
+    ...(road !== null && { measured_road: road }),
+  };
+  return { name: `${stem}.json`, type: "application/json", text: `${JSON.stringify(content, null, 1)}\n` };
+}

@@ -1,0 +1,77 @@
+/** Opens items and files in the lab, as an edit that can be undone; what came from a file is in the library too. */
+
+import { useQuery, useQueryClient } from "@tanstack/react-query";
+import type { Scenario } from "../../api/types";
+import { withItem, type Content } from "../../scenario/withItem";
+import { sameValue } from "../../scenario/path";
+import { useEdit, useReadOnly } from "../../lab/context";
+import { schemaQuery } from "../../server/queries";
+import { createStore } from "../../lib/store";
+import type { Exported } from "./files";
+import type { Kind } from "../../scenario/library";
+import { dialog } from "../../scenario/ownLibrary";
+
+export interface Notice {
+  readonly lines: readonly string[];
+  readonly isWrong: boolean;
+  /** It stands until this is no longer the scenario. */
+  readonly scenario: Scenario;
+}
+
+/** What the library has done last. */
+export const notice = createStore<Notice | null>(null);
+
+export function useOpenItem(): (item: Content) => void {
+  const edit = useEdit();
+  const form = useQuery(schemaQuery).data;
+  return (item) => {
+    if (!form) return;
+    const next = withItem(edit.newest(), item, form);
+    if (!sameValue(next, edit.newest())) edit.commit(next);
+  };
+}
+
+const problemText = (error: unknown) => (error instanceof Error ? error.message : String(error));
+
+/** Saves an item as a file. */
+export function useExportItem(): (item: Exported) => Promise<void> {
+  const edit = useEdit();
+  const queries = useQueryClient();
+  return async (item) => {
+    try {
+      const { saveItem } = await import("./save");
+      await saveItem(item, queries);
+    } catch (error) {
+      dialog.set(null);
+      notice.set({
+        lines: [`The ${item.kind} “${item.name}” is not exported: ${problemText(error)}`],
+        isWrong: true,
+        scenario: edit.newest(),
+      });
+    }
+  };
+}
+
+/** `wanted` is the part to take from a file that has more. */
+export function useOpenFiles(): (files: readonly File[], wanted?: Kind) => Promise<void> {
+  const edit = useEdit();
+  const readOnly = useReadOnly();
+  const queries = useQueryClient();
+  const say = (lines: readonly string[], isWrong = false) => notice.set({ lines, isWrong, scenario: edit.newest() });
+  return async (files, wanted) => {
+    dialog.set(null);
+    if (readOnly) {
+      say(["A shared result cannot be changed: open a copy to edit first."], true);
+      return;
+    }
+    say([`Opening ${files.map(({ name }) => name).join(", ")}`]);
+    try {
+      const { openAll } = await import("./upload");
+      const { scenario, lines, isWrong } = await openAll(files, () => edit.newest(), queries, wanted);
+      if (!sameValue(scenario, edit.newest())) edit.commit(scenario);
+      say(lines, isWrong);
+    } catch (error) {
+      say([problemText(error)], true);
+    }
+  };
+}

@@ -1,0 +1,127 @@
+/** Reads files of scenarios, vehicles and measured roads, and has the server check them. */
+
+import type { QueryClient } from "@tanstack/react-query";
+import { api } from "../../api/client";
+import { ask } from "../../api/http";
+import { ApiProblem } from "../../api/problem";
+import type { JsonObject, JsonValue, Scenario } from "../../api/types";
+import { completed } from "../../scenario/differences";
+import { sameValue, setAt } from "../../scenario/path";
+import type { Form } from "../../scenario/schema";
+import { DEFAULT_VIEW } from "../../lab/address";
+import { presetsQuery, schemaQuery, vehiclesQuery } from "../../server/queries";
+import { faultsOf } from "./faults";
+import { readFile, type Content } from "./files";
+import { KINDS, type Item, type Kind } from "../../scenario/library";
+import { withItem } from "../../scenario/withItem";
+import { ownLibrary } from "../../scenario/ownLibrary";
+
+interface Opened extends Pick<Item, "kind" | "value" | "name"> {
+  readonly warnings: readonly string[];
+}
+
+export interface Outcome {
+  /** With what the files hold in place of its own. */
+  readonly scenario: Scenario;
+  readonly lines: readonly string[];
+  readonly isWrong: boolean;
+}
+
+const MEBIBYTE = 1024 * 1024;
+/** A scenario's file has its road inside. */
+const [LONGEST, LONGEST_ROAD] = [6 * MEBIBYTE, 4 * MEBIBYTE];
+
+/** Opens the files in `newest()`, and adds them to the library; `wanted` is the part to take from a file that has more. */
+export async function openAll(
+  files: readonly File[],
+  newest: () => Scenario,
+  queries: QueryClient,
+  wanted?: Kind,
+): Promise<Outcome> {
+  const [form, presets, vehicles] = await Promise.all([
+    queries.query({ ...schemaQuery, staleTime: "static" }),
+    queries.query({ ...presetsQuery, staleTime: "static" }),
+    queries.query({ ...vehiclesQuery, staleTime: "static" }),
+  ]);
+  const known = [
+    ...presets.map(({ scenario }) => scenario),
+    ...vehicles.map(({ vehicle }) => completed(form, { vehicle }).vehicle),
+  ];
+  const wrong: string[] = [];
+  const opened: Opened[] = [];
+  for (const file of files) {
+    try {
+      opened.push(await upload(file, form, wanted));
+    } catch (error) {
+      wrong.push(`${file.name}: ${problemText(error)}`);
+    }
+  }
+  // A vehicle and a road belong into the scenario that came with them.
+  opened.sort((one, other) => KINDS.indexOf(one.kind) - KINDS.indexOf(other.kind));
+  const scenario = opened.reduce((before, content) => withItem(before, content, form), newest());
+  return {
+    scenario,
+    lines: [...wrong, ...opened.flatMap((content) => [addToLibrary(content, known), ...content.warnings])],
+    isWrong: wrong.length > 0,
+  };
+}
+
+/** The content of a file as the server understands it: complete, in SI units, and within every limit. */
+async function upload(file: File, form: Form, wanted: Kind | undefined): Promise<Opened> {
+  if (file.size > LONGEST) throw new Error("A file may have 6 MiB");
+  const content = readFile(file.name, await file.text(), form);
+  const stem = file.name.replace(/\.\w+$/, "") || "File";
+  if (content.kind === "road") {
+    const { warnings, ...road } = await uploadRoad(content.csv);
+    return { kind: "road", name: stem, value: road as unknown as JsonObject, warnings };
+  }
+  if (wanted === "vehicle" && content.kind === "scenario" && !("vehicle" in content.value))
+    throw new Error("This file has no vehicle");
+  const { scenario, warnings } = await checked(content, form);
+  const kind = wanted === "vehicle" ? wanted : content.kind;
+  return {
+    kind,
+    name: content.label ?? stem,
+    value: kind === "vehicle" ? (scenario.vehicle as JsonObject) : scenario,
+    warnings,
+  };
+}
+
+async function uploadRoad(csv: string) {
+  if (new Blob([csv]).size > LONGEST_ROAD) throw new Error("The file of a measured road may have 4 MiB");
+  return ask("post", "/roads", { body: csv });
+}
+
+type Checked = Exclude<Content, { readonly kind: "road" }>;
+
+async function checked(
+  content: Checked,
+  form: Form,
+): Promise<{ readonly scenario: Scenario; readonly warnings: readonly string[] }> {
+  const road = content.kind === "scenario" && content.road !== null ? await uploadRoad(content.road) : null;
+  const sent =
+    content.kind === "vehicle"
+      ? { vehicle: content.value }
+      : road
+        ? setAt(content.value, "/road/profile", road.id)
+        : content.value;
+  try {
+    const { scenario } = await api.createRun(sent, [DEFAULT_VIEW.baseline]);
+    return { scenario, warnings: road?.warnings ?? [] };
+  } catch (error) {
+    if (!(error instanceof ApiProblem) || error.errors.length === 0) throw error;
+    throw new Error(faultsOf(form, sent, error.errors).join(". "), { cause: error });
+  }
+}
+
+/** Adds it to the library, except where the server has it by a name; returns what to say of it. */
+function addToLibrary({ kind, name, value }: Opened, known: readonly (JsonValue | undefined)[]): string {
+  if (known.some((each) => sameValue(each, value))) return `The ${kind} “${name}” is opened.`;
+  try {
+    return `The ${kind} “${ownLibrary.add(kind, name, value)}” is opened, and in the library.`;
+  } catch (error) {
+    return `The ${kind} “${name}” is opened, but not in the library. ${problemText(error)}.`;
+  }
+}
+
+const problemText = (error: unknown) => (error instanceof Error ? error.message : String(error));

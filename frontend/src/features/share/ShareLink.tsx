@@ -1,0 +1,106 @@
+/** One click makes a link, copies it and shows it; where copying is refused, the address stands there to be copied. */
+
+import { Button, Popover, Text, Tooltip } from "@mantine/core";
+import { IconLink } from "../../ui/icons";
+import { useRef, useState } from "react";
+import { explain } from "../../api/problem";
+import type { NewLink } from "../../api/types";
+import { copyWhenThere } from "../../lib/clipboard";
+import { useCommands } from "../../lab/commands";
+import { compact } from "../../ui/compact";
+import { LinkField } from "./LinkField";
+import classes from "./share.module.css";
+
+type Outcome =
+  | { readonly kind: "making" }
+  | { readonly kind: "created"; readonly url: string; readonly copied: boolean }
+  | { readonly kind: "failed"; readonly message: string };
+
+interface Props {
+  /** Makes the link. */
+  readonly make: () => Promise<NewLink>;
+  /** Why there is nothing to share, `null` where there is. */
+  readonly obstacle: string | null;
+  /** What the link opens, in a sentence. */
+  readonly opens: string;
+}
+
+export function ShareLink({ make, obstacle, opens }: Props) {
+  const [outcome, setOutcome] = useState<Outcome | null>(null);
+  const newest = useRef(0);
+  const opened = outcome !== null && outcome.kind !== "making";
+
+  const share = () => {
+    const turn = ++newest.current;
+    const land = (next: Outcome) => {
+      if (turn === newest.current) setOutcome(next);
+    };
+    land({ kind: "making" });
+    const address = make().then(({ url }) => new URL(url, window.location.origin).href);
+    const copied = copyWhenThere(address);
+    address
+      .then(async (url) => land({ kind: "created", url, copied: await copied }))
+      .catch((error: unknown) => land({ kind: "failed", message: reasonOf(error) }));
+  };
+
+  useCommands(obstacle === null ? [{ group: "Lab", label: "Share: make a link", run: share }] : []);
+
+  return (
+    <Popover
+      opened={opened}
+      onDismiss={() => setOutcome(null)}
+      position="bottom-end"
+      width={430}
+      shadow="md"
+      trapFocus
+      returnFocus
+      withRoles={false}
+    >
+      <Popover.Target>
+        <Tooltip label={obstacle ?? "Makes a link that opens exactly this"} disabled={opened}>
+          <Button
+            size="xs"
+            variant="light"
+            aria-label="Share"
+            classNames={{ ...compact, root: `${compact.root} ${classes.button}` }}
+            leftSection={<IconLink size={15} />}
+            loading={outcome?.kind === "making"}
+            {...(obstacle === null ? {} : { "data-disabled": true })}
+            aria-disabled={obstacle !== null}
+            {...(obstacle === null ? {} : { "aria-description": obstacle })}
+            onClick={() => {
+              if (obstacle === null) share();
+            }}
+          >
+            Share
+          </Button>
+        </Tooltip>
+      </Popover.Target>
+      <Popover.Dropdown role="dialog" aria-label="Share" className={classes.dropdown ?? ""}>
+        {outcome?.kind === "created" && (
+          <>
+            <Text size="sm" fw={600} role="status">
+              {outcome.copied ? "Link copied" : "Here is the link: select and copy it"}
+            </Text>
+            <LinkField url={outcome.url} />
+            <Text size="xs" c="dimmed">
+              {opens}
+            </Text>
+          </>
+        )}
+        {outcome?.kind === "failed" && (
+          <>
+            <Text size="sm" fw={600} role="alert">
+              No link could be created: {outcome.message}
+            </Text>
+            <Button size="xs" variant="default" onClick={share}>
+              Try again
+            </Button>
+          </>
+        )}
+      </Popover.Dropdown>
+    </Popover>
+  );
+}
+
+const reasonOf = (error: unknown) => (error instanceof Error ? explain(error) : "something went wrong");

@@ -1,0 +1,73 @@
+/** Says that this is a shared result, when and by what it was computed, and the two ways on. */
+
+import { Button } from "@mantine/core";
+import { IconCopy, IconRefresh } from "../../ui/icons";
+import { useMutation } from "@tanstack/react-query";
+import { api } from "../../api/client";
+import type { Link } from "../../api/types";
+import type { Catalogue, FigureTemplate, Run, Strategy } from "../../api/types";
+import { useLabContext, useLab } from "../../lab/context";
+import { useStore } from "../../lib/store";
+import { DifferencesCard } from "./DifferencesCard";
+import { SharedNote } from "./SharedNote";
+import classes from "./share.module.css";
+import { Fault } from "../../ui/Fault";
+
+interface Props {
+  readonly strategies: readonly Strategy[];
+  readonly catalogue: Catalogue | undefined;
+  readonly figures: Readonly<Record<string, FigureTemplate>> | undefined;
+}
+
+export function SharedBanner(props: Props) {
+  const { router } = useLabContext();
+  const { slug } = useStore(router);
+  const shared = useLab((state) => state.shared);
+  const failed = useLab((state) => state.failure !== null && state.failure.kind !== "unreachable");
+  if (shared?.run) return <Banner key={shared.slug} link={shared} run={shared.run} {...props} />;
+  // Its place is kept while the link is being opened.
+  return slug !== null && !failed ? (
+    <div className={classes.banner} aria-busy aria-label="Opening the shared result" />
+  ) : null;
+}
+
+function Banner({ link, run, strategies, catalogue, figures }: Props & { readonly link: Link; readonly run: Run }) {
+  const { lab, router } = useLabContext();
+  // The link's pins stay with it: what is against one of them would be against something else in the copy.
+  const openCopy = () => {
+    if (link.view.reference) router.setView({ against: "baseline", differences: false });
+    lab.openCopy();
+  };
+  const over = run.over && { roads: run.over.roads, baseline: run.over.baseline };
+  const again = useMutation({
+    mutationFn: () => api.createRun(link.scenario, Object.keys(run.strategies), undefined, over),
+  });
+  return (
+    <>
+      <SharedNote link={link} what="result">
+        <div className={classes.bannerTools}>
+          <Button size="xs" leftSection={<IconCopy size={15} />} onClick={openCopy}>
+            Open a copy to edit
+          </Button>
+          <Button
+            size="xs"
+            variant="default"
+            leftSection={<IconRefresh size={15} />}
+            loading={again.isPending}
+            onClick={() => again.mutate()}
+          >
+            Run again on this version
+          </Button>
+        </div>
+      </SharedNote>
+      {again.isError && (
+        <Fault size="sm" className={classes.problem ?? ""}>
+          It could not be run again: {again.error.message}
+        </Fault>
+      )}
+      {again.data && catalogue && figures && (
+        <DifferencesCard {...{ strategies, catalogue, figures }} then={run} now={again.data} onClose={again.reset} />
+      )}
+    </>
+  );
+}

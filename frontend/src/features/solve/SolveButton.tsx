@@ -1,0 +1,44 @@
+/** Opens the dialog that finds how large a field may be; its code is fetched when somebody first does. */
+
+import { ActionIcon, Tooltip } from "@mantine/core";
+import { useDisclosure } from "@mantine/hooks";
+import { lazy, memo } from "react";
+import { IconGauge } from "../../ui/icons";
+import { useCatalogues } from "../../server/useCatalogues";
+import { LazyPart } from "../../ui/LazyPart";
+import classes from "./solve.module.css";
+
+const SolveDialog = lazy(() => import("./SolveDialog").then((module) => ({ default: module.SolveDialog })));
+
+interface Props {
+  /** The metric that has to keep a limit. */
+  readonly metric: string;
+  readonly label: string;
+}
+
+/** As it is while a slider moves. */
+export const SolveButton = memo(function SolveButton({ metric, label }: Props) {
+  const [opened, { open, close }] = useDisclosure(false);
+  const { catalogues } = useCatalogues();
+  return (
+    <>
+      <Tooltip label="How fast may it go so that this stays below a limit?" withArrow>
+        <ActionIcon
+          className={classes.button}
+          size={20}
+          variant="subtle"
+          aria-label={`How fast may it go: ${label}`}
+          disabled={catalogues === null}
+          onClick={open}
+        >
+          <IconGauge size={14} stroke={1.7} />
+        </ActionIcon>
+      </Tooltip>
+      {opened && catalogues && (
+        <LazyPart onClose={close}>
+          <SolveDialog {...{ catalogues, metric }} onClose={close} />
+        </LazyPart>
+      )}
+    </>
+  );
+});

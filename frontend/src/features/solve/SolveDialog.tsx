@@ -1,0 +1,223 @@
+/** How large may a field be, so that a metric keeps a limit? Asked over the form's scenario, answered with a value for it. */
+
+import { Button, Group, List, Modal, Select, Text } from "@mantine/core";
+import { useMutation } from "@tanstack/react-query";
+import { useMemo, useState } from "react";
+import { ask } from "../../api/http";
+import { ApiProblem, explain } from "../../api/problem";
+import type { Question, Scenario, Solution, Strategy } from "../../api/types";
+import { fullName, optionsOf, type Figure } from "../../server/metrics";
+import { typedText, valueText } from "../../scenario/limits";
+import { getAt, setAt } from "../../scenario/path";
+import type { NumberField } from "../../scenario/schema";
+import { useEdit, useLab, useReadOnly, useScenario } from "../../lab/context";
+import type { Catalogues } from "../../server/useCatalogues";
+import { pointerOf, sweepFields, type SweepField } from "../../scenario/fields";
+import sweep from "../sweep/sweep.module.css";
+import { Fault } from "../../ui/Fault";
+import { Entry, labelled } from "../../ui/Entry";
+import { formatExact, formatResult, prettyUnit } from "../../units/format";
+import { askable, otherField, readDraft, type Range, type SolveDraft } from "./draft";
+import { inPageUnits } from "./translateUnits";
+
+const [TARGET, INITIAL] = ["speed.target_speed_kmh", "speed.initial_speed_kmh"] as const;
+
+/** The speed that a strategy meets the bump at: the target where it slows down for it. */
+function speedField(strategy: Strategy | undefined, scenario: Scenario): string {
+  const policy = getAt(scenario, "/speed/policy");
+  if (policy === "constant") return INITIAL;
+  return policy === "planned" || strategy?.reads.includes(TARGET) === true ? TARGET : INITIAL;
+}
+
+const isNoSolution = (error: Error) => error instanceof ApiProblem && error.kind === "no-solution";
+
+/** In the units of the page: the service's own sentence is in SI. */
+const noSolution = (field: NumberField, [low, high]: Question["range"]) =>
+  `No value tried from ${valueText(field, low)} to ${valueText(field, high)} keeps the limit. Choose another range or limit.`;
+
+interface Props {
+  readonly catalogues: Catalogues;
+  /** Asked about first. */
+  readonly metric: string;
+  readonly onClose: () => void;
+}
+
+export function SolveDialog({ catalogues: { form, strategies, figures }, metric: first, onClose }: Props) {
+  const fields = useMemo(() => sweepFields(form).filter(askable), [form]);
+  const scenario = useScenario();
+  const selected = useLab((state) => state.strategies);
+  const roads = useLab((state) => state.roads);
+  const byId = (id: string | undefined) => strategies.find((each) => each.id === id);
+  const [draft, setDraft] = useState<SolveDraft>(() => ({
+    ...rangeOf(fields, speedField(byId(selected[0]), scenario)),
+    strategy: selected[0] ?? strategies[0]?.id ?? "",
+    metric: first,
+    limit: "",
+    roads: String(roads),
+  }));
+  // An empty field is wrong only when somebody asks.
+  const [asked, setAsked] = useState(false);
+  const field = fields.find(({ name }) => name === draft.field);
+  const figure = figures.find(({ key }) => key === draft.metric);
+  const leaf = field?.leaf.kind === "number" ? field.leaf : null;
+  const { question, wrong } = leaf && figure ? readDraft(draft, leaf, figure) : { question: null, wrong: {} };
+  const search = useMutation({
+    mutationFn: (body: Question) => ask("post", "/solve", { body: { scenario, ...body } }),
+  });
+  const patch = (change: Partial<SolveDraft>) => {
+    search.reset();
+    setAsked(false);
+    setDraft({ ...draft, ...change });
+  };
+  /** The speed that the other strategy meets the bump at, where it is asked for the speed. */
+  const withSpeedOf = (id: string) => {
+    const [before, after] = [draft.strategy, id].map((strategy) => speedField(byId(strategy), scenario)) as [
+      string,
+      string,
+    ];
+    return draft.field === before ? otherField(draft, rangeOf(fields, before), rangeOf(fields, after)) : {};
+  };
+  const find = () => {
+    setAsked(true);
+    if (question) search.mutate(question);
+  };
+  const entry = (key: "from" | "to" | "limit" | "roads", label: string, unit: string) => (
+    <Entry
+      className={sweep.end}
+      value={draft[key]}
+      error={asked || draft[key] !== "" ? wrong[key] : undefined}
+      {...{ label, unit }}
+      onType={(text) => patch({ [key]: text })}
+    />
+  );
+  const unit = leaf?.shown.unit ?? "1";
+  return (
+    <Modal
+      opened
+      onClose={onClose}
+      title="How large may it be?"
+      size="lg"
+      closeButtonProps={{ "aria-label": "Close" }}
+      classNames={{ title: sweep.title ?? "", body: sweep.body ?? "" }}
+    >
+      <Text size="sm" c="dimmed">
+        The largest value in a range that keeps a metric at or below a limit, over several roads with its 95 % interval.
+        Everything else stays as in the form.
+      </Text>
+      <Group gap="xs" align="flex-start">
+        <Select
+          size="xs"
+          label="Field"
+          searchable
+          allowDeselect={false}
+          data={bySection(fields)}
+          value={draft.field}
+          onChange={(name) => name !== null && patch(rangeOf(fields, name))}
+        />
+        {entry("from", "From", unit)}
+        {entry("to", "To", unit)}
+      </Group>
+      <Group gap="xs" align="flex-start">
+        <Select
+          size="xs"
+          label="Strategy"
+          allowDeselect={false}
+          data={labelled(strategies)}
+          value={draft.strategy}
+          onChange={(id) => id !== null && patch({ strategy: id, ...withSpeedOf(id) })}
+        />
+        <Select
+          size="xs"
+          label="Metric"
+          w={250}
+          searchable
+          allowDeselect={false}
+          data={optionsOf(figures)}
+          value={draft.metric}
+          onChange={(key) => key !== null && patch({ metric: key, limit: "" })}
+        />
+        {entry("limit", "At most", figure?.unit ?? "1")}
+        {entry("roads", "Roads", "1")}
+      </Group>
+      {search.error && (
+        <Fault>
+          {leaf && isNoSolution(search.error) ? noSolution(leaf, search.variables.range) : explain(search.error)}
+        </Fault>
+      )}
+      {search.data && field && figure && <Answer {...{ field, figure, onClose }} solution={search.data} />}
+      <Group justify="flex-end" gap="xs">
+        <Button variant="default" onClick={onClose}>
+          Close
+        </Button>
+        <Button disabled={!leaf || !figure} loading={search.isPending} onClick={find}>
+          Find
+        </Button>
+      </Group>
+    </Modal>
+  );
+}
+
+function rangeOf(fields: readonly SweepField[], name: string): Range {
+  const field = fields.find((each) => each.name === name);
+  const leaf = field?.leaf.kind === "number" ? field.leaf : null;
+  const [low, high] = leaf?.soft ?? [0, 1];
+  return { field: name, from: leaf ? typedText(leaf, low) : "", to: leaf ? typedText(leaf, high) : "" };
+}
+
+const bySection = (fields: readonly SweepField[]) =>
+  [...new Set(fields.map(({ section }) => section))].map((section) => ({
+    group: section,
+    items: fields
+      .filter((field) => field.section === section)
+      .map(({ name, title }) => ({ value: name, label: title })),
+  }));
+
+interface AnswerProps {
+  readonly solution: Solution;
+  readonly field: SweepField;
+  readonly figure: Figure;
+  readonly onClose: () => void;
+}
+
+function Answer({ solution, field, figure, onClose }: AnswerProps) {
+  const edit = useEdit();
+  const readOnly = useReadOnly();
+  const [, above] = solution.bracket;
+  const isWhole = above === solution.value;
+  const isExact = solution.resolved_value === solution.value;
+  const text = (value: number) =>
+    field.leaf.kind === "number" ? valueText(field.leaf, value) : formatExact(value, solution.unit);
+  const take = () => {
+    edit.commit(setAt(edit.newest(), pointerOf(field.name), solution.value));
+    onClose();
+  };
+  return (
+    <div role="status">
+      <Group gap="sm">
+        <Text fw={600}>
+          {isWhole
+            ? `The limit holds at ${text(solution.value)}, the top of the range; the largest value may lie beyond`
+            : `${field.title} at most ${isExact ? "" : "about "}${text(solution.resolved_value)}`}
+        </Text>
+        {!readOnly && (
+          <Button size="compact-sm" variant="light" onClick={take}>
+            Put it into the form
+          </Button>
+        )}
+      </Group>
+      <Text size="sm">
+        {fullName(figure)}: {formatResult(solution.metric_value * figure.scale)} {prettyUnit(figure.unit)} at{" "}
+        {text(solution.value)}
+        {solution.interval ? ", the upper end of its interval" : ""}.{" "}
+        {isWhole ? "" : `${text(above)} does not keep the limit.`}
+      </Text>
+      {solution.warnings.length > 0 && (
+        <List size="sm">
+          {solution.warnings.map((warning) => (
+            <List.Item key={warning}>{inPageUnits(warning, field, figure)}</List.Item>
+          ))}
+        </List>
+      )}
+    </div>
+  );
+}

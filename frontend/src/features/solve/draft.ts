@@ -1,0 +1,75 @@
+/** A question while somebody puts it together: texts as they are typed, and what is asked. */
+
+import type { Question } from "../../api/types";
+import type { Figure } from "../../server/metrics";
+import { parseTyped } from "../../scenario/limits";
+import type { NumberField } from "../../scenario/schema";
+import type { SweepField } from "../../scenario/fields";
+import { prettyUnit } from "../../units/format";
+import { parseQuantity } from "../../units/quantity";
+
+export interface SolveDraft {
+  /** Its dotted name. */
+  readonly field: string;
+  readonly from: string;
+  readonly to: string;
+  readonly strategy: string;
+  readonly metric: string;
+  /** In the unit the metric is shown in. */
+  readonly limit: string;
+  /** How many are driven. */
+  readonly roads: string;
+}
+
+/** A field, and the ends of the range that it opens with. */
+export type Range = Pick<SolveDraft, "field" | "from" | "to">;
+
+/** Another field of the same kind in its place: an end that somebody has typed stays. */
+export const otherField = (draft: Range, before: Range, after: Range): Range => ({
+  field: after.field,
+  from: draft.from === before.from ? after.from : draft.from,
+  to: draft.to === before.to ? after.to : draft.to,
+});
+
+type Typed = "from" | "to" | "limit" | "roads";
+
+/** What is asked, or what has to be changed first at each field. */
+export interface ParsedDraft {
+  readonly question: Question | null;
+  readonly wrong: Partial<Readonly<Record<Typed, string>>>;
+}
+
+const MOST_ROADS = 50;
+
+/** A greater seed is another road, not more of anything. */
+const UNORDERED = "road.seed";
+
+export const askable = ({ name, leaf }: SweepField): boolean => leaf.kind === "number" && name !== UNORDERED;
+
+export function readDraft(draft: SolveDraft, field: NumberField, figure: Figure): ParsedDraft {
+  const [from, to] = [parseTyped(field, draft.from), parseTyped(field, draft.to)];
+  const limit = parseQuantity(draft.limit, figure.unit);
+  const roads = Number(draft.roads);
+  const unit = prettyUnit(figure.unit);
+  const wrong: Partial<Record<Typed, string>> = {};
+  if (!from.ok) wrong.from = from.message;
+  if (!to.ok) wrong.to = to.message;
+  if (from.ok && to.ok && from.value >= to.value) wrong.from = "Has to be less than To";
+  if (draft.limit.trim() === "") wrong.limit = unit === "" ? "Enter the limit" : `Enter the limit in ${unit}`;
+  else if (!limit.ok) wrong.limit = limit.message;
+  if (!Number.isInteger(roads) || roads < 1 || roads > MOST_ROADS)
+    wrong.roads = `A whole number from 1 to ${MOST_ROADS}`;
+  if (!from.ok || !to.ok || !limit.ok || Object.keys(wrong).length > 0) return { question: null, wrong };
+  const { strategy, metric } = draft;
+  return {
+    question: {
+      field: draft.field,
+      strategy,
+      metric,
+      range: [from.value, to.value],
+      limit: Number((limit.value / figure.scale).toPrecision(12)),
+      roads,
+    },
+    wrong,
+  };
+}

@@ -1,0 +1,40 @@
+/** Opens the sweep dialog over the form's scenario; its code is fetched when somebody first does. */
+
+import { Button, Tooltip } from "@mantine/core";
+import { useDisclosure } from "@mantine/hooks";
+import { IconGridDots } from "../../ui/icons";
+import { useQuery } from "@tanstack/react-query";
+import { lazy } from "react";
+import { schemaQuery, strategiesQuery } from "../../server/queries";
+import { compact } from "../../ui/compact";
+import { LazyPart } from "../../ui/LazyPart";
+
+const SweepDialog = lazy(() => import("./SweepDialog").then((module) => ({ default: module.SweepDialog })));
+
+export function SweepButton() {
+  const [opened, { open, close }] = useDisclosure(false);
+  const form = useQuery(schemaQuery).data;
+  const strategies = useQuery(strategiesQuery).data;
+  return (
+    <>
+      <Tooltip label="Run many variants of this scenario">
+        <Button
+          size="xs"
+          variant="default"
+          aria-label="Sweep…"
+          leftSection={<IconGridDots size={15} />}
+          classNames={compact}
+          disabled={!form || !strategies}
+          onClick={open}
+        >
+          Sweep…
+        </Button>
+      </Tooltip>
+      {opened && form && strategies && (
+        <LazyPart onClose={close}>
+          <SweepDialog form={form} strategies={strategies} onClose={close} />
+        </LazyPart>
+      )}
+    </>
+  );
+}

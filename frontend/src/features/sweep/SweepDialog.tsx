@@ -1,0 +1,149 @@
+/** Puts a sweep together: which fields, from where to where, under which strategies; says what it costs before it starts. */
+
+import { Button, Group, Modal, SegmentedControl, Stack, Text } from "@mantine/core";
+import { useMediaQuery } from "@mantine/hooks";
+import { useMemo } from "react";
+import type { Strategy } from "../../api/types";
+import type { Group as Form } from "../../scenario/schema";
+import { SweepList } from "./SweepList";
+import { draftField, restoreSweep, type FieldDraft, type Method, type SweepDraft } from "./draft";
+import { FieldPicker } from "./FieldPicker";
+import { linkable, sweepFields } from "../../scenario/fields";
+import { StrategyChoice } from "./StrategyChoice";
+import { SweptFieldRow } from "./SweptFieldRow";
+import classes from "./sweep.module.css";
+import { amountOf, notesOf, useSweep } from "./useSweep";
+import { useLab, useScenario } from "../../lab/context";
+import { useDraft } from "../../lib/useDraft";
+import { StartFoot } from "../jobForm/StartFoot";
+import { Entry } from "../../ui/Entry";
+import { Problems } from "../../ui/Fault";
+
+interface Props {
+  readonly form: Form;
+  readonly strategies: readonly Strategy[];
+  readonly onClose: () => void;
+}
+
+const FIRST_FIELD = "road.bump.height";
+
+export function SweepDialog({ form: schema, strategies, onClose }: Props) {
+  const scenario = useScenario();
+  const selected = useLab((state) => state.strategies);
+  const fields = useMemo(() => sweepFields(schema), [schema]);
+  const narrow = useMediaQuery("(max-width: 47.99em)", false, { getInitialValueInEffect: false });
+  const form = useDraft<SweepDraft>({
+    name: "sweep",
+    initial: () => ({
+      method: "grid",
+      fields: fields.filter(({ name }) => name === FIRST_FIELD).map(draftField),
+      samples: "200",
+      seed: "0",
+      strategies: selected,
+    }),
+    restore: (stored) => restoreSweep(stored, fields),
+  });
+  const { draft, setDraft } = form;
+  const patch = (change: Partial<SweepDraft>) => setDraft({ ...draft, ...change });
+  const patchField = (name: string, change: Partial<FieldDraft>) =>
+    patch({ fields: draft.fields.map((each) => (each.field.name === name ? { ...each, ...change } : each)) });
+  const free = fields.filter(
+    (field) => !draft.fields.some((each) => each.field === field || each.linked.includes(field)),
+  );
+  const submission = useSweep(draft, scenario, form.forget);
+  const { errors, general } = submission;
+
+  return (
+    <Modal
+      opened
+      onClose={onClose}
+      title="Sweep"
+      size="xl"
+      fullScreen={narrow}
+      closeButtonProps={{ "aria-label": "Close" }}
+      classNames={{ title: classes.title ?? "", body: classes.body ?? "" }}
+    >
+      <Text size="sm" c="dimmed">
+        Runs many variants of the scenario in the form, each with every strategy selected here. Fields that are not
+        swept keep their values.
+      </Text>
+      <Group gap="sm">
+        <SegmentedControl
+          size="xs"
+          aria-label="How values are combined"
+          value={draft.method}
+          data={[
+            { value: "grid" satisfies Method, label: "Grid" },
+            { value: "hypercube" satisfies Method, label: "Latin hypercube" },
+          ]}
+          onChange={(method) => patch({ method })}
+        />
+        <Text size="xs" c="dimmed">
+          {draft.method === "grid"
+            ? "Every combination of the values."
+            : "Random points, evenly spread over the ranges."}
+        </Text>
+      </Group>
+      <Stack gap="0.6rem">
+        {draft.fields.map((each) => (
+          <SweptFieldRow
+            key={each.field.name}
+            draft={each}
+            method={draft.method}
+            error={errors[each.field.name]}
+            onChange={(change) => patchField(each.field.name, change)}
+            linkable={linkable(each, free)}
+            onRemove={() => patch({ fields: draft.fields.filter(({ field }) => field !== each.field) })}
+          />
+        ))}
+        <FieldPicker
+          fields={free}
+          numbersOnly={draft.method === "hypercube"}
+          error={errors.fields}
+          onPick={(picked) => patch({ fields: [...draft.fields, ...picked] })}
+        />
+      </Stack>
+      {draft.method === "hypercube" && (
+        <Group gap="md" align="flex-start">
+          <Entry
+            w={120}
+            label="Samples"
+            inputMode="numeric"
+            value={draft.samples}
+            error={errors.samples}
+            onType={(samples) => patch({ samples })}
+          />
+          <Entry
+            w={120}
+            label="Seed"
+            inputMode="numeric"
+            value={draft.seed}
+            error={errors.seed}
+            onType={(seed) => patch({ seed })}
+          />
+        </Group>
+      )}
+      <StrategyChoice
+        strategies={strategies}
+        selected={draft.strategies}
+        error={errors.strategies}
+        onChange={(ids) => patch({ strategies: ids })}
+      />
+      <Problems messages={general} />
+      <details className={classes.earlier}>
+        <summary>Earlier sweeps</summary>
+        <SweepList strategies={strategies} />
+      </details>
+      <StartFoot
+        {...{ submission, draft: form }}
+        className={classes.footer}
+        amount={amountOf(draft.strategies.length)}
+        notes={notesOf}
+      >
+        <Button variant="default" onClick={onClose}>
+          Cancel
+        </Button>
+      </StartFoot>
+    </Modal>
+  );
+}

@@ -1,0 +1,31 @@
+/** The sweeps there are, or of them only the robustness studies. */
+
+import type { Strategy } from "../../api/types";
+import { JobList } from "../../jobs/JobList";
+import { STUDY_LABEL } from "./study";
+import { BATCH } from "../../jobs/useJob";
+import { count } from "../../units/format";
+import { titleOf } from "./title";
+
+interface Props {
+  readonly strategies: readonly Strategy[];
+  readonly studies?: boolean;
+  readonly current?: string;
+}
+
+export function SweepList({ strategies, studies = false, ...rest }: Props) {
+  return (
+    <JobList
+      kind={BATCH}
+      title={studies ? "Earlier studies" : "Sweeps"}
+      {...(studies && { label: STUDY_LABEL })}
+      none="None yet. Each one you start stays here with all its runs."
+      describe={({ label, fields, strategies: swept }) => ({
+        title: studies ? count(fields.length, "uncertain field") : titleOf(fields),
+        details: [swept.map((id) => strategies.find((strategy) => strategy.id === id)?.label ?? id).join(", ")],
+        ...(label === STUDY_LABEL && { page: "/robustness/$id" }),
+      })}
+      {...rest}
+    />
+  );
+}

@@ -1,0 +1,40 @@
+/** A sweep written in the dialog, as a batch to order. */
+
+import { useMemo } from "react";
+import { ask } from "../../api/http";
+import { withKey } from "../../api/jobs";
+import type { Estimate, Scenario } from "../../api/types";
+import { BATCH } from "../../jobs/useJob";
+import { useSubmission } from "../jobForm/useJobForm";
+import { count } from "../../units/format";
+import { readDraft, type SweepDraft } from "./draft";
+import { sweepFieldName } from "./problems";
+
+export function useSweep(draft: SweepDraft, scenario: Scenario, onSubmitted: () => void) {
+  const parsed = useMemo(() => readDraft(draft), [draft]);
+  return useSubmission({
+    kind: "batch",
+    body: parsed.ok ? { scenario, strategies: draft.strategies, sweep: parsed.sweep } : null,
+    errors: parsed.ok ? null : parsed.errors,
+    fieldNameOf: sweepFieldName(draft.fields.map(({ field }) => field.name)),
+    estimate: (body, signal) => ask("post", "/batches", { body: { ...body, dry_run: true } }, signal),
+    onSubmitted,
+    submit: async (body, keyOf) => ({
+      to: BATCH.page,
+      params: { id: (await ask("post", "/batches", { body, ...withKey(keyOf(body)) })).id },
+    }),
+  });
+}
+
+export const amountOf =
+  (strategies: number) =>
+  ({ total, points }: Estimate) =>
+    `${count(total, "run")} (${count(points, "point")} × ${count(strategies, "strategy", "strategies")})`;
+
+export const notesOf = ({ notes, contradictory, total }: Estimate): readonly string[] =>
+  contradictory === 0
+    ? notes
+    : [
+        ...notes,
+        `In ${contradictory === total ? "all" : count(contradictory, "run")} of them values contradict each other: these runs fail and say why`,
+      ];

@@ -1,0 +1,109 @@
+/** RMS on the rough road and peak on the bump, side by side, a row for each strategy of each variant. */
+
+import type { Catalogue, FigureTemplate, SignalKey } from "../../api/types";
+import type { Scene } from "../../lab/resultView";
+import { prettyUnit } from "../../units/format";
+import { CURRENT, entryGroups, type Entry } from "./entries";
+import { EntryHead } from "./EntryHead";
+import { cellAttributes, ResultCell } from "./ResultCell";
+import classes from "./tables.module.css";
+import { shownUnit } from "../../server/units";
+import { SolveButton } from "../solve/SolveButton";
+import { DataTable, type Column } from "../../ui/DataTable";
+import type { WindowMetric } from "./metric";
+
+export interface ComparisonProps {
+  readonly scene: Scene;
+  readonly catalogue: Catalogue;
+  readonly figures: Readonly<Record<string, FigureTemplate>>;
+  readonly signals: readonly SignalKey[];
+}
+
+export interface WindowView {
+  readonly window: "rough_road" | "bump";
+  readonly statistic: "rms" | "peak";
+}
+
+interface Props extends ComparisonProps {
+  readonly caption: string;
+}
+
+/** The paper's two views of a run: which statistic over which window. */
+export const VIEWS: readonly WindowView[] = [
+  { window: "rough_road", statistic: "rms" },
+  { window: "bump", statistic: "peak" },
+];
+
+export function headingOf({ window, statistic }: WindowView, catalogue: Catalogue): string {
+  const name = (list: Catalogue["windows"], key: string) => list.find((entry) => entry.key === key)?.label ?? key;
+  return `${name(catalogue.statistics, statistic)}, ${name(catalogue.windows, window).toLowerCase()}`;
+}
+
+export const labelOf = (signal: string, catalogue: Catalogue) =>
+  catalogue.signals.find(({ key }) => key === signal)?.label ?? signal;
+
+export function ComparisonTable({ caption, ...props }: Props) {
+  const groups = entryGroups(props.scene);
+  return (
+    <DataTable
+      label={caption}
+      attributes={{ className: classes.comparison }}
+      columns={columnsOf(props)}
+      groups={groups.map(({ name, entries }) => ({
+        key: entries[0]?.key ?? name ?? "",
+        ...(groups.length > 1 && { title: name ?? CURRENT }),
+        rows: entries,
+        attributes: { "data-pinned": name ?? undefined },
+      }))}
+      rowKey={({ key }) => key}
+      rowAttributes={(entry) => ({
+        "data-baseline": entry.isBaseline || undefined,
+        [entry.shown === props.scene.shown ? "data-strategy" : "data-pinned-strategy"]: entry.strategy.id,
+      })}
+    />
+  );
+}
+
+function columnsOf({ scene, catalogue, figures, signals }: ComparisonProps): readonly Column<Entry>[] {
+  const results = VIEWS.flatMap((view) =>
+    signals.map((signal): Column<Entry> => {
+      const metric = { window: view.window, signal, statistic: view.statistic };
+      const { unit, scale } = shownUnit(signal, figures, catalogue);
+      return {
+        key: `${view.window} ${signal}`,
+        group: headingOf(view, catalogue),
+        head: labelOf(signal, catalogue),
+        detail: <UnitAndSolve {...{ unit, metric, catalogue }} />,
+        attributes: (entry) => cellAttributes(entry, metric),
+        cell: (entry) => <ResultCell {...{ scene, entry, metric, scale }} />,
+      };
+    }),
+  );
+  return [
+    {
+      key: "strategy",
+      head: "Strategy",
+      text: true,
+      cell: (entry) => <EntryHead entry={entry} catalogue={catalogue} />,
+    },
+    ...results,
+  ];
+}
+
+interface UnitProps {
+  readonly unit: string;
+  readonly metric: WindowMetric;
+  readonly catalogue: Catalogue;
+}
+
+export function UnitAndSolve({ unit, metric: { window, signal, statistic }, catalogue }: UnitProps) {
+  return (
+    <>
+      {prettyUnit(unit)}{" "}
+      <SolveButton
+        metric={`${window}.${signal}.${statistic}`}
+        label={`${labelOf(signal, catalogue)}, ${window.replace("_", " ")}`}
+      />
+    </>
+  );
+}

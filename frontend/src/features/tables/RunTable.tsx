@@ -1,0 +1,98 @@
+/** Comfort, travel time and events: a row per figure, a column per strategy. */
+
+import type { Catalogue, Quantity } from "../../api/types";
+import type { Scene } from "../../lab/resultView";
+import { formatNumber, formatResult, prettyUnit } from "../../units/format";
+import { ChangeText } from "./ChangeMark";
+import { changeOf, entryGroups, type Entry } from "./entries";
+import { Estimated } from "./Estimated";
+import { intervalAt, valueAt, type MetricPath } from "./metric";
+import { StrategyName } from "../../ui/StrategyKey";
+import classes from "./tables.module.css";
+import { variantColumns } from "./variantColumns";
+import { DataTable } from "../../ui/DataTable";
+import ui from "../../ui/ui.module.css";
+
+type Value = number | boolean | null | undefined;
+
+interface Row {
+  readonly quantity: Quantity;
+  /** Where its number stands; an event has none. */
+  readonly metric: MetricPath | null;
+  /** Lower is better, so that a change has a verdict. */
+  readonly judged: boolean;
+}
+
+function rows(catalogue: Catalogue): readonly Row[] {
+  return [
+    ...catalogue.comfort.map((quantity) => ({ quantity, metric: { comfort: quantity.key }, judged: true })),
+    ...catalogue.run_figures.map((quantity) => ({
+      quantity,
+      metric: { run: quantity.key },
+      judged: quantity.key === "travel_time",
+    })),
+    ...catalogue.events.map((quantity) => ({ quantity, metric: null, judged: false })),
+  ];
+}
+
+function show(value: Value): string {
+  if (typeof value === "boolean") return value ? "yes" : "no";
+  if (typeof value !== "number") return "–";
+  return Number.isInteger(value)
+    ? formatNumber(value, Math.max(1, String(Math.abs(value)).length))
+    : formatResult(value);
+}
+
+export function RunTable({ scene, catalogue }: { readonly scene: Scene; readonly catalogue: Catalogue }) {
+  return (
+    <DataTable
+      label="Comfort, time and events"
+      rows={rows(catalogue)}
+      rowKey={({ quantity }) => quantity.key}
+      columns={[
+        {
+          key: "quantity",
+          head: "Comfort, time and events",
+          text: true,
+          attributes: ({ quantity }) => ({ title: quantity.description }),
+          cell: ({ quantity }) => (
+            <>
+              {quantity.label} <span className={ui.dim}>{prettyUnit(quantity.unit)}</span>
+            </>
+          ),
+        },
+        ...variantColumns<Row>(
+          entryGroups(scene),
+          ({ strategy }) => <StrategyName strategy={strategy} />,
+          (entry) => ({
+            attributes: ({ quantity }) => ({ "data-cell": `${entry.strategy.id}.${quantity.key}` }),
+            cell: (row) => <RunCell {...{ scene, entry, row }} />,
+          }),
+        ),
+      ]}
+    />
+  );
+}
+
+function RunCell({
+  scene,
+  entry,
+  row: { quantity, metric, judged },
+}: {
+  readonly scene: Scene;
+  readonly entry: Entry;
+  readonly row: Row;
+}) {
+  const interval = metric ? intervalAt(entry.shown, entry.strategy.id, metric) : undefined;
+  const value = metric ? valueAt(entry.summary, metric) : entry.summary?.events[quantity.key];
+  return (
+    <>
+      {interval ? (
+        <Estimated value={interval.mean} interval={interval} scale={1} />
+      ) : (
+        <span className={classes.value}>{show(value)}</span>
+      )}
+      {judged && metric && !entry.isBaseline && <ChangeText change={changeOf(scene, entry, metric)} />}
+    </>
+  );
+}

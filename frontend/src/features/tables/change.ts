@@ -1,0 +1,59 @@
+/** Change against a baseline, and what it means. */
+
+import type { Interval } from "../../api/types";
+import { formatResult, isNothing } from "../../units/format";
+
+/** `luck`: smaller than what one road tells from luck. */
+export type Verdict = "better" | "worse" | "same" | "luck" | "none";
+
+export interface Change {
+  /** In percent, negative is lower; `null` where there is nothing to compare with. */
+  readonly percent: number | null;
+  /** Half the width of its interval; 0 where it has none. */
+  readonly half: number;
+  readonly verdict: Verdict;
+}
+
+/** Smaller changes than this [%] would print as zero. */
+const NOTHING = 0.05;
+
+interface OnOneRoad {
+  /** From the values to the unit shown. */
+  readonly scale?: number;
+  /** Smaller changes [%] may be luck. */
+  readonly luck?: number;
+}
+
+/**
+ * Every compared figure is one where lower is better. A change against a zero baseline does not exist, and between two
+ * that are shown by the same digits none is better.
+ */
+export function changeAgainst(
+  value: number | null | undefined,
+  baseline: number | null | undefined,
+  { scale = 1, luck = 0 }: OnOneRoad = {},
+): Change {
+  if (typeof value !== "number" || typeof baseline !== "number" || isNothing(baseline))
+    return { percent: null, half: 0, verdict: "none" };
+  const percent = ((value - baseline) / Math.abs(baseline)) * 100;
+  const change = (verdict: Verdict): Change => ({ percent, half: 0, verdict });
+  if (Math.abs(percent) < NOTHING) return { ...change("same"), percent: 0 };
+  if (formatResult(value * scale) === formatResult(baseline * scale)) return change("same");
+  return change(Math.abs(percent) < luck ? "luck" : percent < 0 ? "better" : "worse");
+}
+
+/** A change over several roads; one whose interval holds zero is none that these roads resolve. */
+export function pairedChange({ mean, low, high }: Interval): Change {
+  const open = Math.abs(mean) < NOTHING || (low <= 0 && high >= 0);
+  return { percent: mean, half: high - mean, verdict: open ? "same" : mean < 0 ? "better" : "worse" };
+}
+
+/** `−43.7 %`: a sign unless it is 0, one decimal up to 100 %, none beyond; with half an interval's width, where that is not 0, `−44 ± 2 %`. */
+export function formatPercent(percent: number, half = 0): string {
+  const size = Math.abs(percent);
+  const decimals = size < 99.95 && half < 0.95 ? 1 : 0;
+  const digits = size < 9999.5 ? size.toFixed(decimals) : ">9999";
+  const sign = Number(digits) === 0 ? "" : percent < 0 ? "−" : "+";
+  const uncertainty = half.toFixed(decimals);
+  return `${sign}${digits}${Number(uncertainty) === 0 ? "" : `\u2009±\u2009${uncertainty}`}\u2009%`;
+}

@@ -1,0 +1,103 @@
+/** What addresses carry in their search part, and how the lab is looked at. */
+
+import type { StrategyId } from "../api/types";
+import { againstPin, runOf, type Against } from "./compare";
+
+export type Axis = "distance" | "time";
+
+export type Zoom = readonly [number, number];
+
+/** What of the run the plots show: a range of the shared axis, all of it, or with `null` the bump. */
+export type ViewZoom = Zoom | "whole" | null;
+
+export interface View {
+  readonly axis: Axis;
+  readonly baseline: StrategyId;
+  readonly hidden: readonly StrategyId[];
+  readonly zoom: ViewZoom;
+  readonly against: Against;
+  /** Plots show differences to what changes are against. */
+  readonly differences: boolean;
+}
+
+export interface Address {
+  readonly runId: string | null;
+  /** A shared result. How it is looked at is part of what is shared, so the address never carries it. */
+  readonly slug: string | null;
+  readonly view: View;
+  /** The page a result of which was opened here, as an address of its own. */
+  readonly from?: string;
+}
+
+export const DEFAULT_VIEW: View = {
+  axis: "distance",
+  baseline: "passive",
+  hidden: [],
+  zoom: null,
+  against: "baseline",
+  differences: false,
+};
+
+type Raw = Readonly<Record<string, unknown>>;
+
+/** The search part as it stands in an address: names and texts, without quotes or escaped commas. */
+export const parseSearch = (search: string): Raw => Object.fromEntries(new URLSearchParams(search));
+
+export function stringifySearch(search: Raw): string {
+  const query = new URLSearchParams(
+    Object.entries(search).flatMap(([name, value]) => (typeof value === "string" ? [[name, value]] : [])),
+  );
+  const text = query.toString().replace(/%2C/g, ",").replace(/%7E/g, "~").replace(/%2F/g, "/");
+  return text === "" ? "" : `?${text}`;
+}
+
+/** Those of the names that the search part has a text for. */
+export const pick = <Name extends string>(search: Raw, ...names: readonly Name[]) =>
+  Object.fromEntries(
+    names.flatMap((name) => (typeof search[name] === "string" && search[name] !== "" ? [[name, search[name]]] : [])),
+  ) as Partial<Record<Name, string>>;
+
+export type LabSearch = Partial<Record<"axis" | "baseline" | "hide" | "zoom" | "against" | "plots" | "from", string>>;
+
+function parseZoom(text: string | undefined): ViewZoom {
+  if (text === "whole") return text;
+  const match = /^(-?[\d.]+)~(-?[\d.]+)$/.exec(text ?? "");
+  const [low, high] = [Number(match?.[1]), Number(match?.[2])];
+  return Number.isFinite(low) && Number.isFinite(high) && low < high ? [low, high] : null;
+}
+
+export const listOf = (text: string | undefined): readonly string[] => text?.split(",").filter(Boolean) ?? [];
+
+const RUN = /^[\w-]{22}$/;
+
+/** In an address stand a pin's run, or `before`; nothing is the baseline. */
+const parseAgainst = (text = ""): Against =>
+  text === "before" ? text : RUN.test(text) ? againstPin(text) : "baseline";
+
+export const viewOf = ({ axis, baseline, hide, zoom, against, plots }: LabSearch): View => ({
+  axis: axis === "time" ? "time" : "distance",
+  baseline: baseline ?? DEFAULT_VIEW.baseline,
+  hidden: listOf(hide),
+  zoom: parseZoom(zoom),
+  against: parseAgainst(against),
+  differences: plots === "differences",
+});
+
+/** Only what is not as usual. */
+export const searchOf = ({ axis, baseline, hidden, zoom, against, differences }: View): LabSearch => ({
+  ...(axis !== DEFAULT_VIEW.axis && { axis }),
+  ...(baseline !== DEFAULT_VIEW.baseline && { baseline }),
+  ...(hidden.length > 0 && { hide: hidden.join(",") }),
+  ...(zoom && { zoom: zoom === "whole" ? zoom : zoom.map((value) => String(Number(value.toFixed(3)))).join("~") }),
+  ...(against !== "baseline" && { against: runOf(against) ?? against }),
+  ...(differences && { plots: "differences" }),
+});
+
+/** Any lab's search part without what makes no sense. */
+export function readLabSearch(raw: Raw): LabSearch {
+  const { from, ...view } = pick(raw, "axis", "baseline", "hide", "zoom", "against", "plots", "from");
+  return { ...searchOf(viewOf(view)), ...(from !== undefined && PAGE_WITH_RUNS.test(from) && { from }) };
+}
+
+/** Pages from which a run can be opened; nothing else is led back to. */
+const PAGE_WITH_RUNS = /^\/(b|robustness|tuner)\/[\w-]+(\?|$)|^\/paper(\?|$)/;

@@ -1,0 +1,75 @@
+/** The lab and the address, for components. */
+
+import { createContext, use, type ReactNode } from "react";
+import type { Scenario } from "../api/types";
+import type { View } from "./address";
+import type { Lab, LabState } from "./labState";
+import type { Router } from "./labAddress";
+import { useSelect } from "../lib/store";
+
+interface LabContextValue {
+  readonly lab: Lab;
+  readonly router: Router;
+  /** The paper's scenario, as the schema states it: what is edited until a run has been opened. */
+  readonly standard: Scenario;
+  /** What a closed tab came back with. */
+  readonly restored: Scenario | null;
+}
+
+const LabContext = createContext<LabContextValue | null>(null);
+
+export function LabContextProvider({
+  value,
+  children,
+}: {
+  readonly value: LabContextValue;
+  readonly children: ReactNode;
+}) {
+  return <LabContext value={value}>{children}</LabContext>;
+}
+
+export function useLabContext(): LabContextValue {
+  const value = use(LabContext);
+  if (value === null) throw new Error("useLabContext needs a LabContextProvider above it");
+  return value;
+}
+
+export function useLab<Part>(select: (state: LabState) => Part): Part {
+  return useSelect(useLabContext().lab, select);
+}
+
+export function useView(): View {
+  return useSelect(useLabContext().router, (address) => address.view);
+}
+
+/** Nothing can be edited: the page shows a shared result. */
+export function useReadOnly(): boolean {
+  return useLab((state) => state.shared !== null);
+}
+
+/** The scenario as the form shows it: under a moving slider, else the last one set. */
+export function useScenario(): Scenario {
+  const { standard } = useLabContext();
+  return useLab((state) => state.drag ?? state.history?.present ?? standard);
+}
+
+/** One stable piece of the edited scenario: the component renders anew only when that piece changes. */
+export function useFromScenario<Part>(select: (scenario: Scenario) => Part): Part {
+  const { standard } = useLabContext();
+  return useLab((state) => select(state.drag ?? state.history?.present ?? standard));
+}
+
+/** How a field changes the scenario, always from its newest state. */
+export function useEdit() {
+  const { lab, standard } = useLabContext();
+  return {
+    newest: (): Scenario => {
+      const { drag, history } = lab.get();
+      return drag ?? history?.present ?? standard;
+    },
+    drag: lab.drag,
+    commit: lab.commit,
+    reject: lab.reject,
+    accept: lab.accept,
+  };
+}

@@ -1,0 +1,188 @@
+import { QueryClient } from "@tanstack/react-query";
+import { describe, expect, it } from "vitest";
+import type { LiveAnswer, Run, Scenario, SeriesByStrategy, StrategyId, Summary } from "../api/types";
+import { DEFAULT_VIEW, type Address } from "./address";
+import type { LabApi } from "./labState";
+import { createLab } from "./lab";
+import type { Router } from "./labAddress";
+import { createStore } from "../lib/store";
+
+const PAPER: Scenario = { height: 0.1 };
+const LOW: Scenario = { height: 0.06 };
+const OPENING = ["lv", "lqr", "passive"];
+
+const summary = {
+  status: "ok",
+  compute_ms: 1,
+  cached: false,
+  metrics: {},
+  comfort: {},
+  events: {},
+} as unknown as Summary;
+const byStrategy = <T>(ids: readonly StrategyId[], value: T) => Object.fromEntries(ids.map((id) => [id, value]));
+const idOf = (scenario: Scenario, ids: readonly StrategyId[], roads = 1) =>
+  [JSON.stringify(scenario), ...ids, ...(roads > 1 ? [roads] : [])].join(" ");
+
+function runOf(scenario: Scenario, ids: readonly StrategyId[], roads = 1): Run {
+  const over = roads > 1 ? { roads, baseline: "passive", changes: {}, estimates: {} } : null;
+  return { id: idOf(scenario, ids, roads), core_version: "1", scenario, strategies: byStrategy(ids, summary), over };
+}
+
+/** A router without a browser. */
+function fakeRouter() {
+  const store = createStore<Address>({ runId: null, slug: null, view: DEFAULT_VIEW });
+  const router: Router = {
+    get: store.get,
+    subscribe: store.subscribe,
+    showRun: (runId, view) => store.set(({ view: old }) => ({ runId, slug: null, view: { ...old, ...view } })),
+    setView: (change) => store.set((address) => ({ ...address, view: { ...address.view, ...change } })),
+    onNavigate: () => () => undefined,
+    confirmNavigation: () => undefined,
+    cancelNavigation: () => undefined,
+    clearFrom: () => undefined,
+  };
+  return router;
+}
+
+interface Held {
+  readonly answer: () => void;
+  readonly signal: AbortSignal | undefined;
+}
+
+/** A lab before a server whose answers come when a test says so. */
+function harness() {
+  const held: Record<"runs" | "series" | "live", Held[]> = { runs: [], series: [], live: [] };
+  const hold = <T>(kind: keyof typeof held, value: T, signal: AbortSignal | undefined) =>
+    new Promise<T>((resolve, reject) => {
+      signal?.addEventListener("abort", () => reject(new DOMException("aborted", "AbortError")));
+      held[kind].push({ answer: () => resolve(value), signal });
+    });
+  const api: LabApi = {
+    createRun: (scenario, ids, signal, over) =>
+      hold("runs", runOf("height" in scenario ? scenario : PAPER, ids, over?.roads ?? 1), signal),
+    run: (id, signal) => hold("runs", runOf(id === "low" ? LOW : PAPER, OPENING), signal),
+    series: (_id, ids, _points, signal) => hold<SeriesByStrategy>("series", byStrategy(ids, {}), signal),
+    link: () => Promise.reject(new Error("no link here")),
+    live: ({ scenario = {}, strategies }, signal) =>
+      hold<LiveAnswer>(
+        "live",
+        { core_version: "1", scenario, strategies: byStrategy(strategies, { ...summary, cached: false, series: {} }) },
+        signal,
+      ),
+  };
+  const router = fakeRouter();
+  const lab = createLab({ api, router, queries: new QueryClient() });
+  const tick = () => new Promise((resolve) => setTimeout(resolve, 0));
+  const answer = async (kind: keyof typeof held) => {
+    held[kind].at(-1)?.answer();
+    await tick();
+  };
+  /** The newest run and its curves are answered. */
+  const respond = async () => {
+    await answer("runs");
+    await answer("series");
+  };
+  const agree = () => {
+    const { shown, strategies } = lab.get();
+    const { runId, view } = router.get();
+    return {
+      run: shown?.runId === runId,
+      strategies: Object.keys(shown?.summaries ?? {}).filter((id) => !view.hidden.includes(id)),
+      selected: strategies,
+    };
+  };
+  const start = async () => {
+    lab.open(router.get());
+    await respond();
+  };
+  return { lab, router, held, answer, respond, tick, agree, start };
+}
+
+describe("the lab's address and page", () => {
+  it("agree when a strategy is switched on and off while others come back", async () => {
+    const { lab, router, respond, agree, start, held } = harness();
+    await start();
+    const first = router.get().runId;
+    lab.setStrategies(["lqr", "passive"]);
+    lab.setStrategies(["lqr", "passive", "speed_only"]); // not in the run yet: a new one, under way
+    lab.setStrategies(["lqr", "passive"]);
+    lab.setStrategies(OPENING); // all of it is there
+    expect(held.runs.at(-1)?.signal?.aborted).toBe(true);
+    expect(lab.get()).toMatchObject({ busy: false, stale: false });
+    await respond();
+    expect(router.get().runId).toBe(first);
+    expect(agree()).toEqual({ run: true, strategies: OPENING, selected: OPENING });
+  });
+
+  it("agree when strategies are switched while other roads are under way", async () => {
+    const { lab, respond, agree, start } = harness();
+    await start();
+    lab.setRoads(5);
+    lab.setStrategies(["lv", "passive"]);
+    await respond();
+    expect(lab.get().shown?.over?.roads).toBe(5);
+    expect(agree()).toEqual({ run: true, strategies: ["lv", "passive"], selected: ["lv", "passive"] });
+  });
+
+  it("agree with the newest edit, whose predecessor's curves are no longer waited for", async () => {
+    const { lab, router, held, answer, respond, start } = harness();
+    await start();
+    lab.commit(LOW);
+    await answer("runs");
+    const late = held.series.at(-1);
+    lab.commit({ height: 0.2 });
+    expect(late?.signal?.aborted).toBe(true);
+    late?.answer();
+    await respond();
+    expect(lab.get().shown?.scenario).toEqual({ height: 0.2 });
+    expect(router.get().runId).toBe(idOf({ height: 0.2 }, OPENING));
+  });
+
+  it("keep an undo while the edit is under way", async () => {
+    const { lab, respond, start } = harness();
+    await start();
+    lab.commit(LOW);
+    lab.undo();
+    await respond();
+    expect(lab.get()).toMatchObject({ shown: { scenario: PAPER }, history: { present: PAPER }, before: null });
+  });
+});
+
+it("Undo takes back a text that is no value before it takes back an edit", async () => {
+  const { lab, respond, start } = harness();
+  await start();
+  lab.commit(LOW);
+  await respond();
+  lab.reject("/height", { text: "3 kg", message: "Takes cm" });
+  lab.undo();
+  expect(lab.get()).toMatchObject({ rejected: {}, busy: false, history: { present: LOW } });
+  lab.undo();
+  expect(lab.get()).toMatchObject({ busy: true, history: { present: PAPER } });
+});
+
+describe("the state before the last edit", () => {
+  it("is what was shown, from the first movement of a slider to the next edit", async () => {
+    const { lab, answer, respond, start } = harness();
+    await start();
+    lab.drag(LOW);
+    await answer("live");
+    expect(lab.get()).toMatchObject({ shown: { source: "live" }, exact: { scenario: PAPER }, before: null });
+    lab.commit(LOW);
+    await respond();
+    expect(lab.get()).toMatchObject({ shown: { scenario: LOW }, before: { scenario: PAPER } });
+    lab.undo();
+    await respond();
+    expect(lab.get().before?.scenario).toEqual(LOW);
+  });
+
+  it("stays when the strategies or the roads change", async () => {
+    const { lab, respond, start } = harness();
+    await start();
+    lab.commit(LOW);
+    await respond();
+    lab.setStrategies(["lv"]);
+    lab.setRoads(5);
+    await respond();
+    expect(lab.get()).toMatchObject({ shown: { scenario: LOW, over: { roads: 5 } }, before: { scenario: PAPER } });
+  });
+});

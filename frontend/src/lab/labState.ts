@@ -1,0 +1,87 @@
+/** What the lab holds, and what can be done with it. */
+
+import type { QueryClient } from "@tanstack/react-query";
+import type { Link, Scenario, StrategyId } from "../api/types";
+import type { ErrorsByField } from "../scenario/errors";
+import type { Pointer } from "../scenario/path";
+import type { Group } from "../scenario/schema";
+import type { Address } from "./address";
+import type { History } from "./history";
+import type { Shown } from "./result";
+import type { Store } from "../lib/store";
+import type { Api } from "../api/client";
+import type { Router } from "./labAddress";
+
+/** A text that is not a value the field can take; it stays in its input until somebody changes it. */
+export interface Rejected {
+  readonly text: string;
+  readonly message: string;
+}
+
+export type Failure =
+  | { readonly kind: "notFound" }
+  | { readonly kind: "unreachable" }
+  | { readonly kind: "failed"; readonly message: string };
+
+export interface LabState {
+  readonly history: History<Scenario> | null;
+  /** The scenario under a moving slider. */
+  readonly drag: Scenario | null;
+  readonly rejected: Readonly<Record<Pointer, Rejected>>;
+  readonly refused: ErrorsByField;
+  readonly strategies: readonly StrategyId[];
+  /** How many roads an exact run drives. */
+  readonly roads: number;
+  readonly shown: Shown | null;
+  /** The newest exact result: under a moving slider it is no longer what is shown. */
+  readonly exact: Shown | null;
+  /** The exact result before the last edit. */
+  readonly before: Shown | null;
+  /** The link this page shows: while there is one, nothing can be edited. */
+  readonly shared: Link | null;
+  readonly busy: boolean;
+  /** What is shown is older than what was asked for, for longer than an eye forgives. */
+  readonly stale: boolean;
+  readonly failure: Failure | null;
+}
+
+export const hasRejected = ({ rejected }: LabState): boolean => Object.keys(rejected).length > 0;
+
+export interface Lab extends Pick<Store<LabState>, "get" | "subscribe"> {
+  readonly open: (address: Address) => void;
+  /** Opens where Back or Forward led to. */
+  readonly navigate: (address: Address) => void;
+  readonly openPaper: () => void;
+  /** Leaves the shared result: its scenario, run anew and open to edits. */
+  readonly openCopy: () => void;
+  /** Tells the lab the form (to place errors) and the signals the page draws. */
+  readonly configure: (form: Group, signals: readonly string[]) => void;
+  readonly drag: (scenario: Scenario) => void;
+  readonly commit: (scenario: Scenario) => void;
+  readonly reject: (pointer: Pointer, rejected: Rejected) => void;
+  readonly accept: (pointer: Pointer) => void;
+  /** Takes back the texts that are no values, else the last edit. */
+  readonly undo: () => void;
+  readonly redo: () => void;
+  readonly setStrategies: (strategies: readonly StrategyId[]) => void;
+  /** Takes a result for the state before the last edit where there is none, and the shown result is still of that scenario. */
+  readonly compareWith: (scenario: Scenario, before: Shown) => void;
+  readonly setRoads: (roads: number) => void;
+  /** Asks again for what could not be had; does nothing where nothing is missing. */
+  readonly resume: () => void;
+}
+
+/** Of the server's API what the lab uses. */
+export type LabApi = Pick<Api, "createRun" | "run" | "series" | "link" | "live">;
+
+/** What only the loaded form says: where an error belongs, and what the page draws. */
+export interface Form {
+  readonly group: Group | null;
+  readonly signals: readonly string[];
+}
+
+export interface Services {
+  readonly api: LabApi;
+  readonly router: Router;
+  readonly queries: QueryClient;
+}

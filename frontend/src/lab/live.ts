@@ -1,0 +1,66 @@
+/** Figures and curves while a slider moves: one request at a time, the newest next. */
+
+import { ApiProblem, isTransient } from "../api/problem";
+import type { LiveAnswer, Scenario } from "../api/types";
+import type { Form, Services, LabState } from "./labState";
+import { createLatest } from "../lib/latest";
+import { NO_ERRORS, refusal } from "./problems";
+import { ALL_POINTS } from "../server/queries";
+import { axisKey } from "./resultView";
+import { fromLive } from "./result";
+import type { Store } from "../lib/store";
+import type { Timer } from "../lib/timer";
+
+const POINTS = 700;
+const POINTS_MOST = 2500;
+
+interface LiveRequest {
+  readonly scenario: Scenario;
+  readonly startedAt: number;
+}
+
+interface Parts extends Pick<Services, "api" | "router"> {
+  readonly store: Store<LabState>;
+  /** Marks what is shown as stale when it ends. */
+  readonly grace: Timer;
+  readonly form: () => Form;
+}
+
+export function createLive({ store, grace, api, router, form }: Parts) {
+  const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
+
+  /** The bump has half of all samples; zoomed in by hand, the same density takes more of them over the whole run. */
+  const points = () => {
+    const { zoom, axis, differences } = router.get().view;
+    if (differences) return ALL_POINTS;
+    const longest = Object.values(store.get().shown?.series ?? {}).map((series) => series[axisKey(axis)]?.at(-1) ?? 0);
+    const part = Array.isArray(zoom) ? (zoom[1] - zoom[0]) / Math.max(1e-9, ...longest) : 1;
+    return Math.round(Math.min(POINTS_MOST, POINTS / Math.max(part, 0.01)));
+  };
+
+  const { request, cancel } = createLatest<LiveRequest, LiveAnswer>({
+    run: ({ scenario }, signal) => {
+      grace.start();
+      return api.live(
+        { scenario, strategies: store.get().strategies, signals: form().signals, points: points() },
+        signal,
+      );
+    },
+    onAnswer: (answer, { scenario, startedAt }) => {
+      grace.stop();
+      const isNewest = store.get().drag === scenario;
+      const shown = fromLive(answer, performance.now() - startedAt);
+      patch({ shown, refused: NO_ERRORS, failure: null, ...(isNewest ? { busy: false, stale: false } : {}) });
+    },
+    onError: (error) => {
+      // While dragging, an overloaded or silent server only means no new curves; the release asks again.
+      grace.stop();
+      patch({
+        busy: false,
+        stale: true,
+        ...(error instanceof ApiProblem && !isTransient(error) ? refusal(error, form().group) : {}),
+      });
+    },
+  });
+  return { request: (scenario: Scenario) => request({ scenario, startedAt: performance.now() }), cancel };
+}

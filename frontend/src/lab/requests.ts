@@ -1,0 +1,174 @@
+/** What the lab asks of the server, and how an answer changes what is shown. */
+
+import { isTransient } from "../api/problem";
+import type { Link, Run, Scenario, StrategyId } from "../api/types";
+import { DEFAULT_VIEW } from "./address";
+import { cursor } from "./cursor";
+import { createExactRequests } from "./exactRequest";
+import { historiesOf } from "./histories";
+import { begin, record } from "./history";
+import type { LabState, Form, Services } from "./labState";
+import { createLive } from "./live";
+import { NO_ERRORS, problemOf } from "./problems";
+import { linkKey, runKey } from "../server/queries";
+import { readSharedView } from "./sharing";
+import { fromRun, resultsAfterEdit, resultsAfterOpening } from "./result";
+import type { Store } from "../lib/store";
+import { createTimer } from "../lib/timer";
+
+const STALE_AFTER_MS = 200;
+
+export interface Requests {
+  /** Runs what the form says. */
+  readonly submit: (mode: "push" | "replace") => void;
+  readonly load: (id: string, hidden: readonly StrategyId[]) => void;
+  readonly openLink: (slug: string) => void;
+  /** Figures and curves of a scenario under a moving slider. */
+  readonly preview: (scenario: Scenario) => void;
+  /** Nobody waits for the exact answer any more: what is shown answers what is asked. */
+  readonly cancel: () => void;
+  /** Asks again for what could not be had. */
+  readonly resume: () => void;
+}
+
+export function createRequests(store: Store<LabState>, { api, router, queries }: Services, form: () => Form): Requests {
+  const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
+  const grace = createTimer(STALE_AFTER_MS, () => patch({ stale: true }));
+  const live = createLive({ store, grace, api, router, form });
+  let unfinished: (() => void) | null = null;
+
+  const exact = createExactRequests({
+    store,
+    grace,
+    onError: (error, again) => {
+      if (isTransient(error)) unfinished = again;
+      patch(problemOf(error, form().group));
+    },
+  });
+
+  const start: typeof exact.start = (request) => {
+    live.cancel();
+    unfinished = null;
+    exact.start(request);
+  };
+
+  // Each of the three below changes address, form, table and curves in one turn, once it has all of them: nobody sees,
+  // shares or goes back to an address that is not of what is shown.
+
+  const submit: Requests["submit"] = (mode) => {
+    const { history, strategies, roads } = store.get();
+    if (strategies.length === 0) return;
+    if (mode === "push") router.cancelNavigation();
+    const { baseline } = router.get().view;
+    const over = roads > 1 ? { roads, ...(strategies.includes(baseline) ? { baseline } : {}) } : null;
+    start({
+      work: async (signal, isCurrent) => {
+        const startedAt = performance.now();
+        const run = await api.createRun(history?.present ?? {}, strategies, signal, over);
+        if (!isCurrent()) return;
+        queries.setQueryData(runKey(run.id), run);
+        if (history === null) patch({ history: begin(run.scenario) });
+        const histories = await historiesOf(run, queries, api.series, signal);
+        if (!isCurrent()) return;
+        const selected = store.get().strategies;
+        const hidden = Object.keys(run.strategies).filter((strategy) => !selected.includes(strategy));
+        if (history === null) router.clearFrom();
+        router.showRun(run.id, { hidden }, mode);
+        patch({
+          ...resultsAfterEdit(store.get(), fromRun(run, histories, performance.now() - startedAt, false)),
+          drag: null,
+          shared: null,
+        });
+      },
+      again: () => submit(mode),
+    });
+  };
+
+  const load: Requests["load"] = (id, hidden) => {
+    start({
+      work: async (signal, isCurrent) => {
+        const startedAt = performance.now();
+        const run = queries.getQueryData<Run>(runKey(id)) ?? (await api.run(id, signal));
+        if (!isCurrent()) return;
+        queries.setQueryData(runKey(id), run);
+        const histories = await historiesOf(run, queries, api.series, signal);
+        if (!isCurrent()) return;
+        const { history } = store.get();
+        router.confirmNavigation();
+        if (run.over && router.get().view.baseline === DEFAULT_VIEW.baseline)
+          router.setView({ baseline: run.over.baseline });
+        patch({
+          ...resultsAfterOpening(store.get(), fromRun(run, histories, performance.now() - startedAt, true)),
+          roads: run.over?.roads ?? 1,
+          history: history ? record(history, run.scenario) : begin(run.scenario),
+          strategies: Object.keys(run.strategies).filter((strategy) => !hidden.includes(strategy)),
+          rejected: {},
+          drag: null,
+          shared: null,
+        });
+      },
+      again: () => load(id, hidden),
+      giveUp: leaveLink,
+    });
+  };
+
+  const openLink: Requests["openLink"] = (slug) => {
+    start({
+      work: async (signal, isCurrent) => {
+        const startedAt = performance.now();
+        const link = queries.getQueryData<Link>(linkKey(slug)) ?? (await api.link(slug, signal));
+        if (!isCurrent()) return;
+        queries.setQueryData(linkKey(slug), link);
+        if (!link.run && !link.batch) throw new Error("There is nothing behind this link that this page can show");
+        const histories = link.run && (await historiesOf(link.run, queries, api.series, signal));
+        if (!isCurrent()) return;
+        const { view, strategies, at } = readSharedView(link);
+        router.confirmNavigation();
+        router.setView(view);
+        cursor.set(view.axis, at);
+        const shown = link.run && histories ? fromRun(link.run, histories, performance.now() - startedAt, true) : null;
+        const roads = link.run?.over?.roads ?? 1;
+        patch({
+          shared: link,
+          history: begin(link.scenario),
+          strategies,
+          roads,
+          rejected: {},
+          drag: null,
+          shown,
+          exact: shown,
+          before: null,
+        });
+      },
+      again: () => openLink(slug),
+      giveUp: leaveLink,
+    });
+  };
+
+  /** The address has nothing to show: neither is anything else shown under it. */
+  const leaveLink = () => {
+    router.confirmNavigation();
+    patch({ shared: null, shown: null, exact: null, before: null });
+  };
+
+  return {
+    submit,
+    load,
+    openLink,
+    preview: (scenario) => {
+      exact.cancel();
+      router.cancelNavigation();
+      const some = store.get().strategies.length > 0;
+      patch({ busy: some });
+      if (some) live.request(scenario);
+    },
+    cancel: () => {
+      live.cancel();
+      unfinished = null;
+      exact.cancel();
+      router.cancelNavigation();
+      patch({ busy: false, stale: false, failure: null, refused: NO_ERRORS });
+    },
+    resume: () => unfinished?.(),
+  };
+}

@@ -1,0 +1,146 @@
+/** What the plots and tables show: one complete answer, exact or live. */
+
+import { decodeSeries } from "../api/decode";
+import { sameValue } from "../scenario/path";
+import type {
+  Failure,
+  LiveAnswer,
+  OverRoads,
+  Run,
+  Scenario,
+  SeriesByStrategy,
+  StrategyId,
+  Summary,
+} from "../api/types";
+import type { History } from "./history";
+
+export interface Timing {
+  readonly cached: number;
+  readonly computed: number;
+  /** The server's own time, where it says so [ms]. */
+  readonly computeMs: number;
+  /** From asking to having the answer, as this page saw it [ms]. */
+  readonly roundTripMs: number;
+  /** The run was opened by its address: nothing was asked to be computed. */
+  readonly opened: boolean;
+}
+
+export interface Failed {
+  readonly strategy: StrategyId;
+  readonly message: string;
+}
+
+export interface Shown {
+  readonly source: "exact" | "live";
+  readonly runId: string | null;
+  readonly coreVersion: string;
+  readonly scenario: Scenario;
+  readonly summaries: Readonly<Record<StrategyId, Summary>>;
+  readonly failed: readonly Failed[];
+  /** What several roads say: then the summaries are means, and curves and events are the first road's. */
+  readonly over: OverRoads | null;
+  readonly series: SeriesByStrategy;
+  /** Why there are no time histories; `null` where there are. */
+  readonly missing: string | null;
+  readonly timing: Timing;
+}
+
+type Answers = Readonly<Record<StrategyId, Summary | Failure>>;
+
+function split(all: Answers): Pick<Shown, "summaries" | "failed"> {
+  const summaries: Record<StrategyId, Summary> = {};
+  const failed: Failed[] = [];
+  for (const [strategy, answer] of Object.entries(all)) {
+    if (answer.status === "ok") summaries[strategy] = answer;
+    else failed.push({ strategy, message: answer.reason });
+  }
+  return { summaries, failed };
+}
+
+function timing(all: Answers, roundTripMs: number, opened: boolean): Timing {
+  const list = Object.values(all);
+  const cached = list.filter((summary) => summary.cached === true).length;
+  const computeMs = list.reduce((sum, summary) => sum + (summary.cached ? 0 : summary.compute_ms), 0);
+  return { cached, computed: list.length - cached, computeMs, roundTripMs, opened };
+}
+
+export type Histories = Pick<Shown, "series" | "missing">;
+
+export function fromRun(run: Run, { series, missing }: Histories, roundTripMs: number, opened: boolean): Shown {
+  return {
+    source: "exact",
+    runId: run.id,
+    coreVersion: run.core_version,
+    scenario: run.scenario,
+    ...split(run.strategies),
+    over: run.over,
+    series,
+    missing,
+    timing: timing(run.strategies, roundTripMs, opened),
+  };
+}
+
+export function fromLive(answer: LiveAnswer, roundTripMs: number): Shown {
+  const { summaries, failed } = split(answer.strategies);
+  const decoded = Object.entries(answer.strategies).flatMap(([strategy, entry]) =>
+    entry.status === "ok" ? [[strategy, decodeSeries(entry.series)] as const] : [],
+  );
+  return {
+    source: "live",
+    runId: null,
+    coreVersion: answer.core_version,
+    scenario: answer.scenario,
+    summaries,
+    failed,
+    over: null,
+    series: Object.fromEntries(decoded),
+    missing: null,
+    timing: timing(answer.strategies, roundTripMs, false),
+  };
+}
+
+export const roadsOf = ({ over }: Shown): number => over?.roads ?? 1;
+
+interface Results {
+  readonly shown: Shown | null;
+  readonly exact: Shown | null;
+  readonly before: Shown | null;
+}
+
+const isOther = (exact: Shown | null, next: Shown) => exact !== null && !sameValue(exact.scenario, next.scenario);
+
+/** A new exact result is shown. The one of another scenario before it stays to compare with. */
+export function resultsAfterEdit({ exact, before }: Results, next: Shown): Results {
+  return { shown: next, exact: next, before: isOther(exact, next) ? exact : before };
+}
+
+/** An exact result is opened: what was shown before it is not the state before an edit. */
+export function resultsAfterOpening({ exact, before }: Results, next: Shown): Results {
+  return { shown: next, exact: next, before: isOther(exact, next) ? null : before };
+}
+
+/** The state before the edit that is shown, one under way included. */
+export const beforeEdit = ({ shown, exact, before }: Results): Shown | null =>
+  shown?.source === "live" ? exact : before;
+
+/** Whether the last step led back from this result: it can be done again. */
+export const isUndone = ({ scenario }: Shown, history: History<Scenario> | null): boolean =>
+  history?.future.some((undone) => sameValue(undone, scenario)) ?? false;
+
+/** Whether a result answers this question, for some of its strategies. */
+export function answers(
+  shown: Shown,
+  question: {
+    readonly scenario: Scenario | undefined;
+    readonly roads: number;
+    readonly strategies: readonly StrategyId[];
+  },
+): boolean {
+  const { source, scenario, summaries } = shown;
+  return (
+    source === "exact" &&
+    roadsOf(shown) === question.roads &&
+    question.strategies.every((id) => id in summaries) &&
+    sameValue(scenario, question.scenario)
+  );
+}

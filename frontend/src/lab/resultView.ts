@@ -1,0 +1,106 @@
+/** What is on stage: the shown answer, through the eyes of the current view. */
+
+import type { SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
+import type { Axis, View, ViewZoom, Zoom } from "./address";
+import { againstOf, NOTHING_COMPARED, type Compared, type Paired, type Variant } from "./compare";
+import type { Shown } from "./result";
+
+export interface Scene {
+  readonly shown: Shown;
+  /** Every strategy there is. */
+  readonly catalogue: readonly Strategy[];
+  /** Strategies that are on and have a result, in the catalogue's order. */
+  readonly strategies: readonly Strategy[];
+  readonly ids: readonly StrategyId[];
+  readonly summaries: Readonly<Record<StrategyId, Summary>>;
+  readonly series: SeriesByStrategy;
+  readonly baseline: StrategyId | null;
+  /** The state before the last edit. */
+  readonly before: Variant | null;
+  readonly pins: readonly Variant[];
+  readonly paired: Paired;
+  /** What changes are against, where that is not the baseline. */
+  readonly against: Variant | null;
+  /** Plots show differences to what changes are against. */
+  readonly differences: boolean;
+  readonly axis: Axis;
+  readonly whole: Zoom;
+  /** The bump with some road around it; `null` where there is none. */
+  readonly bump: Zoom | null;
+  readonly range: Zoom;
+}
+
+export const axisKey = (axis: Axis) => (axis === "distance" ? "position" : "time");
+
+function wholeRange(series: SeriesByStrategy, ids: readonly StrategyId[], axis: Axis): Zoom {
+  const ends = ids.map((id) => series[id]?.[axisKey(axis)]?.at(-1) ?? 0);
+  return [0, Math.max(1e-3, ...ends)];
+}
+
+export function makeScene(
+  shown: Shown,
+  catalogue: readonly Strategy[],
+  selected: readonly StrategyId[],
+  view: View,
+  compared: Compared = NOTHING_COMPARED,
+): Scene {
+  return withBaseline(partShown(shown, catalogue, selected, view), view, compared);
+}
+
+/** What is drawn, whatever it is compared with. */
+export type PartShown = Omit<Scene, "baseline" | "differences" | "against" | "paired" | keyof Compared>;
+
+export function partShown(
+  shown: Shown,
+  catalogue: readonly Strategy[],
+  selected: readonly StrategyId[],
+  { axis, zoom }: Pick<View, "axis" | "zoom">,
+): PartShown {
+  const strategies = catalogue.filter(({ id }) => selected.includes(id) && id in shown.summaries);
+  const ids = strategies.map(({ id }) => id);
+  const whole = wholeRange(shown.series, ids, axis);
+  const { summaries, series } = shown;
+  const bump = bumpRange(summaries, ids, axis, whole);
+  return { shown, catalogue, strategies, ids, summaries, series, axis, whole, bump, range: rangeOf(zoom, bump, whole) };
+}
+
+/** Where the one chosen is not of the run, the last that is on. */
+export const baselineOf = (
+  { summaries, ids }: Pick<PartShown, "summaries" | "ids">,
+  chosen: StrategyId,
+): StrategyId | null => (chosen in summaries ? chosen : (ids.at(-1) ?? null));
+
+export function withBaseline(
+  part: PartShown,
+  { baseline, against, differences }: Pick<View, "baseline" | "against" | "differences">,
+  compared: Compared,
+  paired: Paired = {},
+): Scene {
+  return {
+    ...part,
+    baseline: baselineOf(part, baseline),
+    ...compared,
+    paired,
+    against: againstOf(compared, against),
+    differences,
+  };
+}
+
+function rangeOf(zoom: ViewZoom, bump: Zoom | null, whole: Zoom): Zoom {
+  if (zoom === "whole") return whole;
+  return zoom && zoom[0] < whole[1] ? zoom : (bump ?? whole);
+}
+
+/** Parts of the bump's length that are shown before and behind it. */
+const [BEFORE, BEHIND] = [0.6, 0.9];
+
+function bumpRange(summaries: Scene["summaries"], ids: readonly StrategyId[], axis: Axis, whole: Zoom): Zoom | null {
+  const spans = ids.flatMap((id) => summaries[id]?.stages.find(({ stage }) => stage === "bump") ?? []);
+  if (spans.length === 0) return null;
+  const ends = spans.map((span) =>
+    axis === "distance" ? [span.start_position, span.end_position] : [span.start_time, span.end_time],
+  );
+  const low = Math.min(...ends.map(([start = 0]) => start));
+  const high = Math.max(...ends.map(([, end = 0]) => end));
+  return [Math.max(whole[0], low - BEFORE * (high - low)), Math.min(whole[1], high + BEHIND * (high - low))];
+}

@@ -1,0 +1,67 @@
+import { afterEach, beforeEach, expect, it, vi } from "vitest";
+import type { Link, Scenario } from "../api/types";
+import { DEFAULT_VIEW } from "./address";
+import { begin } from "./history";
+import { storeSession, restoreSession } from "./session";
+import { createLab } from "./lab";
+import type { LabState } from "./labState";
+import { NO_ERRORS } from "./problems";
+import type { Shown } from "./result";
+import { createStore } from "../lib/store";
+
+const LOW: Scenario = { height: 0.06 };
+const REFUSED: Scenario = { height: -1 };
+const THEIRS: Scenario = { height: 0.2 };
+const exactOf = (scenario: Scenario, opened = false) =>
+  ({ source: "exact", scenario, over: null, timing: { opened } }) as unknown as Shown;
+
+beforeEach(() => {
+  const texts = new Map<string, string>();
+  vi.stubGlobal("localStorage", {
+    getItem: (name: string) => texts.get(name) ?? null,
+    setItem: (name: string, text: string) => texts.set(name, text),
+  });
+});
+afterEach(() => {
+  vi.unstubAllGlobals();
+});
+
+function open() {
+  const router = createStore({ runId: null, slug: null, view: DEFAULT_VIEW });
+  const opening = createLab({ api: {} as never, router: router as never, queries: {} as never }).get();
+  const store = createStore<LabState>({ ...opening, history: begin(LOW), exact: exactOf(LOW), busy: true });
+  const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
+  storeSession(store, router);
+  return patch;
+}
+
+it("A tab comes back with the last scenario that was computed, not with one on its way or refused", () => {
+  const patch = open();
+  patch({ busy: true });
+  expect(restoreSession()).toBeNull();
+  patch({ busy: false });
+  patch({ history: begin(REFUSED), busy: true });
+  patch({ refused: { ...NO_ERRORS, general: ["too low"] }, busy: false });
+  expect(restoreSession()?.lab.history?.present).toEqual(LOW);
+});
+
+it("A run or a link that is opened replaces nothing until it is edited", () => {
+  const patch = open();
+  const scenario = () => restoreSession()?.lab.history?.present;
+  patch({ busy: false });
+  patch({ exact: exactOf(THEIRS, true) });
+  patch({ exact: exactOf(THEIRS), strategies: ["lv"] });
+  patch({ exact: exactOf(THEIRS, true), shared: {} as Link });
+  patch({ exact: exactOf(THEIRS), shared: null });
+  expect(scenario()).toEqual(LOW);
+  patch({ exact: exactOf({ height: 0.3 }) });
+  expect(scenario()).toEqual({ height: 0.3 });
+  patch({ exact: exactOf(THEIRS) });
+  expect(scenario()).toEqual(THEIRS);
+});
+
+it("A tab that core 0.3.0 stored comes back with the filter it had", () => {
+  const stored = { scenario: { estimation: { kind: "kalman" } }, strategies: ["lv"], roads: 1, search: "" };
+  localStorage.setItem("ridelab-lab", JSON.stringify(stored));
+  expect(restoreSession()?.lab.history?.present).toEqual({ estimation: { kind: "kalman", knows_preview: false } });
+});

@@ -1,0 +1,82 @@
+import { describe, expect, it } from "vitest";
+import type { Link, Summary } from "../api/types";
+import { DEFAULT_VIEW } from "./address";
+import type { Scene } from "./resultView";
+import { readSharedView, viewToShare } from "./sharing";
+
+const summary = {} as Summary;
+const run = {
+  id: "x",
+  core_version: "1",
+  scenario: {},
+  strategies: { lv: summary, lqr: summary, passive: summary },
+  over: null,
+};
+const read = (view: Link["view"]) => readSharedView({ view, run });
+
+describe("a link's view", () => {
+  it("shows all of the run where it says nothing", () => {
+    expect(read({})).toEqual({ view: DEFAULT_VIEW, strategies: ["lv", "lqr", "passive"], at: null });
+  });
+
+  it("is what was shared", () => {
+    const scene = {
+      summaries: run.strategies,
+      ids: ["lv", "passive"],
+      baseline: "lv",
+      axis: "time",
+      against: null,
+      differences: false,
+      pins: [{ name: "Soft", shown: { runId: "s" } }],
+      whole: [0, 9],
+      range: [1, 2.5],
+    } as unknown as Scene;
+    const shared = viewToShare(scene, 2);
+    expect(shared).toEqual({
+      strategies: ["lv", "lqr", "passive"],
+      hidden: ["lqr"],
+      baseline: "lv",
+      axis: "time",
+      zoom: [1, 2.5],
+      cursor: 2,
+      pins: [{ name: "Soft", run: "s" }],
+    });
+    expect(read(shared)).toEqual({
+      view: { ...DEFAULT_VIEW, axis: "time", baseline: "lv", hidden: ["lqr"], zoom: [1, 2.5] },
+      strategies: ["lv", "passive"],
+      at: 2,
+    });
+  });
+
+  const pin = { name: "Soft", shown: { runId: "s" } };
+  const before = { name: "before the last edit", shown: { runId: "b" } };
+  const scene = (compared: object) =>
+    ({
+      summaries: run.strategies,
+      ids: ["lv"],
+      pins: [pin],
+      before,
+      differences: true,
+      ...compared,
+    }) as unknown as Scene;
+
+  it("is against the pin or the baseline it was shared with, differences too", () => {
+    const toPin = viewToShare(scene({ against: pin }), null);
+    expect(toPin).toMatchObject({ reference: "s", differences: true });
+    expect(read(toPin).view).toMatchObject({ against: "pin:s", differences: true });
+    expect(read(viewToShare(scene({ against: null }), null)).view).toMatchObject({
+      against: "baseline",
+      differences: true,
+    });
+  });
+
+  it("leaves out the state before the last edit, which a reader has not", () => {
+    const view = viewToShare(scene({ against: before }), null);
+    expect(view).not.toHaveProperty("reference");
+    expect(read(view).view).toMatchObject({ against: "baseline", differences: false });
+  });
+
+  it("never names what the run has not", () => {
+    expect(read({ strategies: ["speed_only", "lv"], zoom: null }).strategies).toEqual(["lv"]);
+  });
+});

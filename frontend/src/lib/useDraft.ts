@@ -1,0 +1,59 @@
+/** A form's texts as somebody left them: stored until they are submitted or reset. */
+
+import { useState } from "react";
+import { readStored, writeStored } from "./storage";
+
+export interface Draft<Texts> {
+  readonly draft: Texts;
+  readonly setDraft: (next: Texts) => void;
+  /** It is not what the form opens with. */
+  readonly isEdited: boolean;
+  /** Opens the form anew. */
+  readonly reset: () => void;
+  /** The next visit begins with a new one, unless it has been edited since, here or in another tab. */
+  readonly forget: () => void;
+}
+
+interface Form<Texts> {
+  readonly name: "sweep" | "study" | "changed study" | "tuning";
+  /** What is changed by it, where that is one of several. */
+  readonly of?: string | undefined;
+  readonly initial: () => Texts;
+  /** A stored draft, `null` where it is none of this form. */
+  readonly restore: (stored: unknown) => Texts | null;
+}
+
+const keyOf = (name: string) => `ridelab-draft-${name.replace(" ", "-")}`;
+
+export function restoreDraft<Texts>({
+  name,
+  of = "",
+  restore,
+}: Pick<Form<Texts>, "name" | "of" | "restore">): Texts | null {
+  const stored = readStored(keyOf(name));
+  return typeof stored === "object" && stored !== null && "of" in stored && stored.of === of && "draft" in stored
+    ? restore(stored.draft)
+    : null;
+}
+
+export function useDraft<Texts>({ name, of = "", initial, restore }: Form<Texts>): Draft<Texts> {
+  const [stored, setStored] = useState(() => restoreDraft({ name, of, restore }));
+  const [opening, setOpening] = useState(initial);
+  const remove = () => writeStored(keyOf(name), null);
+  return {
+    draft: stored ?? opening,
+    isEdited: stored !== null,
+    setDraft: (next) => {
+      setStored(next);
+      writeStored(keyOf(name), { of, draft: next });
+    },
+    reset: () => {
+      remove();
+      setStored(null);
+      setOpening(initial());
+    },
+    forget: () => {
+      if (JSON.stringify(restoreDraft({ name, of, restore })) === JSON.stringify(stored)) remove();
+    },
+  };
+}

@@ -1,0 +1,214 @@
+/** Whether the controller fits the microcontroller: memory and time of the scenario's own and of smaller ones, with what each loses. */
+
+import { Button, Skeleton, Stack, Switch, Text } from "@mantine/core";
+import { IconAlertTriangle, IconCheck } from "../../ui/icons";
+import { queryOptions, useQuery } from "@tanstack/react-query";
+import { useState } from "react";
+import { ask } from "../../api/http";
+import type { Catalogue, ControllerReport, Scenario } from "../../api/types";
+import { formatPercent } from "../../features/tables/change";
+import { headingOf, labelOf, VIEWS } from "../../features/tables/ComparisonTable";
+import { formatNumber, formatWhole } from "../../units/format";
+import { formatEnds, formatTime, kilobytes, largestLoss } from "./effort";
+import { DataTable, type Column } from "../../ui/DataTable";
+import { Fault } from "../../ui/Fault";
+import { Card } from "../../ui/Card";
+import ui from "../../ui/ui.module.css";
+
+interface Props {
+  readonly scenario: Scenario;
+  readonly catalogue: Catalogue;
+}
+
+const reportQuery = (scenario: Scenario, enabled: boolean) =>
+  queryOptions({
+    queryKey: ["controller report", scenario],
+    queryFn: ({ signal }) => ask("post", "/controller/report", { body: { scenario } }, signal),
+    staleTime: Infinity,
+    enabled,
+  });
+
+export function BuildReport({ scenario, catalogue }: Props) {
+  const [requested, setRequested] = useState<Scenario | null>(null);
+  const report = useQuery(reportQuery(scenario, requested === scenario));
+  return (
+    <Card
+      aria-label="Build report"
+      aria-busy={report.isFetching || undefined}
+      title="Does it fit a small microcontroller?"
+      tools={
+        <>
+          {!report.data && (
+            <Button
+              size="xs"
+              variant="default"
+              loading={report.isFetching}
+              onClick={() => (requested === scenario ? void report.refetch() : setRequested(scenario))}
+            >
+              Build and measure
+            </Button>
+          )}
+        </>
+      }
+    >
+      {report.data ? (
+        <Report report={report.data} catalogue={catalogue} />
+      ) : (
+        <Stack gap="xs" px="0.9rem" pb="sm">
+          <Text size="sm" c="dimmed">
+            {report.isFetching
+              ? "The program is built for the part and driven over the road, the scenario’s own and smaller ones: this takes some seconds each."
+              : "Compiles the controller for a Cortex-M3 at 72 MHz without floating-point hardware (64 KB RAM, 512 KB flash), counts what a step costs, and does the same with shorter horizons."}
+          </Text>
+          {report.isFetching && <Skeleton height={180} radius={6} />}
+          {report.isError && !report.isFetching && <Fault>{report.error.message}</Fault>}
+        </Stack>
+      )}
+    </Card>
+  );
+}
+
+function Report({ report, catalogue }: { readonly report: ControllerReport; readonly catalogue: Catalogue }) {
+  const { part, rows, cycles_per_operation: cycles, spread } = report;
+  const [all, setAll] = useState(false);
+  const [own, ...smaller] = rows;
+  const fitting = smaller.filter(({ fits }) => fits);
+  const least = fitting.toSorted((a, b) => largestLoss(a.changes) - largestLoss(b.changes))[0];
+  return (
+    <>
+      <Text size="sm" px="0.9rem" pb="sm" data-testid="fits">
+        {own?.fits
+          ? "The scenario’s own controller fits. "
+          : `The scenario’s own controller does not fit: ${own?.reasons.join("; ") ?? ""}. `}
+        {!own?.fits &&
+          (least
+            ? `Of the smaller ones ${fitting.length === 1 ? "one fits" : `${fitting.length} fit`}; the least loss has Np ${least.prediction_horizon}, Nc ${least.control_horizon}, ${least.checked_rows} limits checked.`
+            : "None of the smaller ones tried does either.")}
+      </Text>
+      <DataTable
+        label="Controllers on the part"
+        rows={rows}
+        rowKey={(row) => `${row.prediction_horizon} ${row.control_horizon} ${row.checked} ${row.iterations}`}
+        rowAttributes={({ fits }) => ({ "data-fits": fits })}
+        columns={[...costColumns(report), ...(all ? changeColumns(catalogue) : lossColumns(catalogue))]}
+      />
+      <Switch
+        size="xs"
+        px="0.9rem"
+        py="xs"
+        label="All eight figures"
+        checked={all}
+        onChange={(event) => setAll(event.currentTarget.checked)}
+      />
+      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
+        The last columns: the change to LV in the simulation. Where fewer limits are checked than in the scenario’s own,
+        they are the first move’s forces and every third deflection of the horizon. {part.name}. Memory from the linked
+        program, {formatWhole(part.stack)} bytes of stack. The program counts its own multiplications with addition; one
+        costs {formatNumber(cycles)} cycles there (±{formatNumber(100 * spread, 2)}&nbsp;%), measured in an emulator
+        that counts cycles as the processor’s manual does.
+      </Text>
+    </>
+  );
+}
+
+type Row = ControllerReport["rows"][number];
+
+function costColumns({ part, rows, sample_time: step }: ControllerReport): readonly Column<Row>[] {
+  return [
+    {
+      key: "horizons",
+      head: "Np · Nc",
+      text: true,
+      cell: (row) => (
+        <>
+          {row.prediction_horizon} · {row.control_horizon}
+          {row === rows[0] && <span className={ui.dim}> the scenario’s</span>}
+        </>
+      ),
+    },
+    { key: "limits", head: "Limits checked", cell: (row) => formatWhole(row.checked_rows) },
+    {
+      key: "iterations",
+      head: "Iterations",
+      cell: (row) => (
+        <>
+          {formatWhole(row.most_iterations)} of {formatWhole(row.iterations)}
+          {row.unfinished > 0 && <span className={ui.warning}>, {formatWhole(row.unfinished)} unfinished</span>}
+        </>
+      ),
+    },
+    {
+      key: "flash",
+      head: "Flash",
+      detail: `of ${kilobytes(part.flash)}`,
+      cell: (row) => kilobytes(row.code + row.constants),
+    },
+    {
+      key: "ram",
+      head: "RAM with stack",
+      detail: `of ${kilobytes(part.ram)}`,
+      cell: (row) => kilobytes(row.variables + part.stack),
+    },
+    {
+      key: "operations",
+      head: "Operations a step",
+      detail: "least to most",
+      cell: (row) => formatEnds(row.operations, formatWhole),
+    },
+    {
+      key: "time",
+      head: "Time a step",
+      detail: `of ${formatTime(step)}`,
+      cell: (row) => formatEnds(row.time, formatTime),
+    },
+    { key: "fits", head: "Fits", cell: (row) => <Fits fits={row.fits} reasons={row.reasons} /> },
+  ];
+}
+
+const changeColumns = (catalogue: Catalogue) =>
+  VIEWS.flatMap((view) =>
+    catalogue.paper_signals.map((signal): Column<Row> => ({
+      key: `${view.window} ${signal}`,
+      group: headingOf(view, catalogue),
+      head: labelOf(signal, catalogue),
+      cell: ({ changes }) => shownChange(changes[view.window]?.[signal]),
+    })),
+  );
+
+const lossColumns = (catalogue: Catalogue) =>
+  VIEWS.map((view): Column<Row> => ({
+    key: view.window,
+    head: headingOf(view, catalogue),
+    detail: "largest increase",
+    cell: ({ changes }) => <Loss changes={changes[view.window] ?? {}} catalogue={catalogue} />,
+  }));
+
+const shownChange = (change: number | null | undefined) => (typeof change === "number" ? formatPercent(change) : "–");
+
+function Fits({ fits, reasons }: { readonly fits: boolean; readonly reasons: readonly string[] }) {
+  const Icon = fits ? IconCheck : IconAlertTriangle;
+  return (
+    <span className={fits ? ui.good : ui.warning} title={reasons.join("\n")}>
+      <Icon size={14} stroke={2} aria-hidden className={ui.inline} /> {fits ? "yes" : "no"}
+      {!fits && <span className="visually-hidden">: {reasons.join("; ")}</span>}
+    </span>
+  );
+}
+
+/** The largest increase, and of what. */
+function Loss({
+  changes,
+  catalogue,
+}: {
+  readonly changes: Readonly<Record<string, number | null>>;
+  readonly catalogue: Catalogue;
+}) {
+  const changed = Object.entries(changes).flatMap(([signal, change]) => (change === null ? [] : [{ signal, change }]));
+  const worst = changed.toSorted((a, b) => b.change - a.change)[0];
+  if (!worst) return <>–</>;
+  return (
+    <>
+      {formatPercent(worst.change)} <span className={ui.under}>{labelOf(worst.signal, catalogue)}</span>
+    </>
+  );
+}

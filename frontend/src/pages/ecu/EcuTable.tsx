@@ -1,0 +1,157 @@
+/** LV in the ECU beside LV in the simulation: the paper's eight figures and the rule for them. */
+
+import { Anchor, Text } from "@mantine/core";
+import { Link } from "@tanstack/react-router";
+import { IconAlertTriangle, IconCheck } from "../../ui/icons";
+import type { Catalogue, FigureTemplate, Strategy, Summary } from "../../api/types";
+import { headingOf, labelOf, VIEWS } from "../../features/tables/ComparisonTable";
+import { ChangeMark } from "../../features/tables/ChangeMark";
+import { formatPercent } from "../../features/tables/change";
+import { StrategyName } from "../../ui/StrategyKey";
+import tables from "../../features/tables/tables.module.css";
+import { shownUnit } from "../../server/units";
+import { formatResult, formatWhole, prettyUnit } from "../../units/format";
+import classes from "./ecu.module.css";
+import { rowsOf, RULE_PERCENT, type HilRow } from "./rule";
+import { DataTable, type Column } from "../../ui/DataTable";
+import { Card } from "../../ui/Card";
+import ui from "../../ui/ui.module.css";
+
+interface Props {
+  readonly summaries: Readonly<Record<string, Summary>>;
+  readonly strategies: readonly Strategy[];
+  readonly catalogue: Catalogue;
+  readonly figures: Readonly<Record<string, FigureTemplate>>;
+  readonly stale: boolean;
+}
+
+export function EcuTable({ summaries, strategies, catalogue, figures, stale }: Props) {
+  const rows = rowsOf(catalogue, summaries);
+  const judged = rows.filter(({ within }) => within !== null);
+  const reached = judged.filter(({ within }) => within).length;
+  return (
+    <Card
+      className={classes.part}
+      aria-label="LV in the ECU against LV in the simulation"
+      data-stale={stale || undefined}
+      title="ECU against simulation"
+      tools={
+        <>
+          {judged.length > 0 && (
+            <Text
+              size="sm"
+              fw={650}
+              data-testid="hil-count"
+              className={(reached === judged.length ? ui.good : ui.warning) ?? ""}
+            >
+              {reached} of {judged.length} within ±{RULE_PERCENT}&nbsp;%
+            </Text>
+          )}
+        </>
+      }
+    >
+      <DataTable
+        label="Figures, in the ECU and in the simulation"
+        groups={VIEWS.map((view) => ({
+          key: view.window,
+          title: headingOf(view, catalogue),
+          rows: rows.filter((row) => row.view === view),
+        }))}
+        rowKey={({ key }) => key}
+        rowAttributes={({ key }) => ({ "data-cell": key })}
+        columns={columnsOf(strategies, catalogue, figures)}
+      />
+      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
+        The rule of Tables 9 and 10: each change within ±{RULE_PERCENT}&nbsp;% of the simulation. Over many roads and
+        beside what they print:{" "}
+        <Anchor size="xs" underline="always" renderRoot={(props) => <Link to="/paper" {...props} />}>
+          the paper page
+        </Anchor>
+        .
+      </Text>
+      <EcuEvents summary={summaries.lv_hil} catalogue={catalogue} />
+    </Card>
+  );
+}
+
+function columnsOf(
+  strategies: readonly Strategy[],
+  catalogue: Catalogue,
+  figures: Props["figures"],
+): readonly Column<HilRow>[] {
+  const valueOf = (row: HilRow, id: string) => ({ lv: row.lv, lv_hil: row.hil, lqr: row.lqr })[id];
+  return [
+    {
+      key: "figure",
+      head: "Figure",
+      text: true,
+      cell: ({ signal }) => (
+        <>
+          {labelOf(signal, catalogue)}{" "}
+          <span className={ui.dim}>{prettyUnit(shownUnit(signal, figures, catalogue).unit)}</span>
+        </>
+      ),
+    },
+    ...strategies.map((strategy): Column<HilRow> => ({
+      key: strategy.id,
+      head: <StrategyName strategy={strategy} />,
+      headAttributes: { style: { width: "19%" } },
+      attributes: (row) => ({ "data-value": valueOf(row, strategy.id) ?? "" }),
+      cell: (row) => (
+        <>
+          <span className={tables.value}>
+            {formatShown(valueOf(row, strategy.id), shownUnit(row.signal, figures, catalogue).scale)}
+          </span>
+          {strategy.id === "lv" ? (
+            <span className={tables.change}>&nbsp;</span>
+          ) : (
+            <ChangeMark value={valueOf(row, strategy.id)} baseline={row.lv} />
+          )}
+        </>
+      ),
+    })),
+    {
+      key: "within",
+      head: <>Within ±{RULE_PERCENT}&nbsp;%</>,
+      attributes: ({ within }) => ({ "data-within": within ?? "" }),
+      cell: (row) => <Verdict row={row} />,
+    },
+  ];
+}
+
+const formatShown = (value: number | undefined, scale: number) =>
+  value === undefined ? "–" : formatResult(value * scale);
+
+function Verdict({ row: { within, change } }: { readonly row: HilRow }) {
+  if (within === null || change === null) return <span className={tables.change}>–</span>;
+  const Icon = within ? IconCheck : IconAlertTriangle;
+  return (
+    <span className={within ? ui.good : ui.warning}>
+      <Icon size={14} stroke={2} aria-hidden className={ui.inline} /> {within ? "yes" : `no, ${formatPercent(change)}`}
+    </span>
+  );
+}
+
+/** Whole numbers stay whole. */
+const shownEvent = (value: number | boolean | null | undefined) =>
+  typeof value !== "number" ? String(value) : Number.isInteger(value) ? formatWhole(value) : formatResult(value);
+
+/** What the loop itself met: held commands, unfinished iterations, clipped values. */
+function EcuEvents({ summary, catalogue }: { readonly summary: Summary | undefined; readonly catalogue: Catalogue }) {
+  const events = catalogue.events.filter(
+    ({ key }) => key.startsWith("ecu_") && summary?.events[key] !== undefined && summary.events[key] !== null,
+  );
+  if (!summary || events.length === 0) return null;
+  return (
+    <dl className={`${ui.facts} ${ui.note}`} aria-label="What the loop met">
+      {events.map(({ key, label, unit, description }) => (
+        <div key={key} title={description} data-event={key}>
+          <dt>{label}</dt>
+          <dd>
+            {shownEvent(summary.events[key])} {prettyUnit(unit)}
+          </dd>
+        </div>
+      ))}
+    </dl>
+  );
+}

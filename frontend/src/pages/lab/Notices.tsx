@@ -1,0 +1,60 @@
+/** What stands between the toolbar and the results when something needs saying. */
+
+import { Button, Loader, Text } from "@mantine/core";
+import { useEffect, useState } from "react";
+import type { Strategy } from "../../api/types";
+import { useLabContext, useLab } from "../../lab/context";
+import ui from "../../ui/ui.module.css";
+
+const SLOW_AFTER_MS = 1200;
+
+export function Notices({ strategies }: { readonly strategies: readonly Strategy[] }) {
+  const busy = useLab((state) => state.busy);
+  const failure = useLab((state) => state.failure);
+  const refused = useLab((state) => Object.keys(state.refused.fields).length + state.refused.general.length > 0);
+  const shown = useLab((state) => state.shown);
+  const { lab } = useLabContext();
+  return (
+    <>
+      {busy && <SlowNotice />}
+      {refused && shown && (
+        <div className={ui.notice} role="status">
+          <Text size="sm">
+            The plots show the last scenario that could be run; the value to change is marked in the form.
+          </Text>
+          <Button size="compact-xs" variant="default" onClick={lab.undo}>
+            Undo
+          </Button>
+        </div>
+      )}
+      {failure?.kind === "failed" && (
+        <div className={ui.notice} role="alert">
+          <Text size="sm">This scenario could not be run: {failure.message}</Text>
+        </div>
+      )}
+      {shown?.failed.map(({ strategy, message }) => (
+        <div key={strategy} className={ui.notice} role="alert">
+          <Text size="sm">
+            {strategies.find(({ id }) => id === strategy)?.label ?? strategy} could not be computed: {message}
+          </Text>
+        </div>
+      ))}
+    </>
+  );
+}
+
+/** Mounted with a request; speaks up only where that takes long. */
+function SlowNotice() {
+  const [slow, setSlow] = useState(false);
+  useEffect(() => {
+    const timer = setTimeout(() => setSlow(true), SLOW_AFTER_MS);
+    return () => clearTimeout(timer);
+  }, []);
+  if (!slow) return null;
+  return (
+    <div className={ui.notice} role="status">
+      <Loader size={14} />
+      <Text size="sm">Computing. The previous curves are dimmed until the new ones arrive.</Text>
+    </div>
+  );
+}

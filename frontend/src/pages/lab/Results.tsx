@@ -1,0 +1,131 @@
+/** The results: the car and the ride on the bump first, then the numbers, then every other signal. */
+
+import { memo, useDeferredValue } from "react";
+import { Button, Skeleton } from "@mantine/core";
+import type { Catalogue, FigureTemplate, Strategy } from "../../api/types";
+import { CarView } from "../../features/car/CarView";
+import { PlotGrid } from "../../plots/PlotGrid";
+import { PlotlyFault } from "../../plots/PlotlyFault";
+import { RoadStrip } from "../../plots/RoadStrip";
+import { useLabContext, useLab } from "../../lab/context";
+import type { Scene } from "../../lab/resultView";
+import { Tables } from "../../features/tables/Tables";
+import { Blank, CouldNotLoad } from "../../ui/Blank";
+import { RoadsNote } from "./RoadsNote";
+import classes from "../../ui/shell.module.css";
+import { StageLegend } from "./StageLegend";
+
+type Figures = Readonly<Record<string, FigureTemplate>>;
+
+interface Props {
+  readonly strategies: readonly Strategy[];
+  readonly catalogue: Catalogue | undefined;
+  readonly figures: Figures | undefined;
+  readonly scene: Scene | null;
+}
+
+export function Results({ strategies, catalogue, figures, scene }: Props) {
+  const failure = useLab((state) => state.failure);
+  const none = useLab((state) => state.strategies.length === 0);
+  const shown = useLab((state) => state.shown !== null);
+  const refused = useLab((state) => [...Object.values(state.refused.fields), ...state.refused.general].join(". "));
+  const { lab } = useLabContext();
+  const stale = useLab((state) => state.stale);
+  if (failure?.kind === "notFound") return <NotFound />;
+  if (none) return <NothingChosen suggestion={strategies.map(({ id }) => id)} />;
+  if (failure?.kind === "failed" && !shown) return <CouldNotLoad message={failure.message} onRetry={lab.openPaper} />;
+  if (refused && !shown)
+    return <CouldNotLoad what="scenario" message={refused} onRetry={lab.openPaper} retry="Open the paper’s scenario" />;
+  if (!scene || !catalogue || !figures || scene.ids.length === 0) return <Loading />;
+  return (
+    <div
+      className={classes.results}
+      data-stale={stale || undefined}
+      data-testid="results"
+      data-source={scene.shown.source}
+      data-run={scene.shown.runId ?? undefined}
+    >
+      <RoadsNote scene={scene} />
+      {scene.shown.missing === null ? (
+        <Histories scene={scene} catalogue={catalogue} figures={figures} />
+      ) : (
+        <>
+          <Tables scene={scene} catalogue={catalogue} figures={figures} />
+          <NoHistories reason={scene.shown.missing} />
+        </>
+      )}
+    </div>
+  );
+}
+
+const MemoTables = memo(Tables);
+
+interface HistoriesProps {
+  readonly scene: Scene;
+  readonly catalogue: Catalogue;
+  readonly figures: Figures;
+}
+
+function Histories({ scene, catalogue, figures }: HistoriesProps) {
+  const { road, ...others } = figures;
+  const meta = Object.values(figures)[0]?.layout.meta;
+  // Under a moving slider curves come first: the table follows when there is time for it.
+  const later = useDeferredValue(scene);
+  const isRide = ({ layout }: FigureTemplate) => catalogue.paper_signals.includes(layout.meta.signal);
+  return (
+    <>
+      <CarView scene={scene} />
+      {road && <RoadStrip template={road} scene={scene} />}
+      <PlotGrid templates={Object.values(others).filter(isRide)} scene={scene} />
+      <PlotlyFault />
+      {meta && <StageLegend scene={scene} catalogue={catalogue} meta={meta} />}
+      <MemoTables scene={scene.shown.source === "live" ? later : scene} catalogue={catalogue} figures={figures} />
+      <PlotGrid templates={Object.values(others).filter((template) => !isRide(template))} scene={scene} />
+    </>
+  );
+}
+
+export function NothingChosen({ suggestion }: { readonly suggestion: readonly string[] }) {
+  const { lab } = useLabContext();
+  return (
+    <Blank title="No strategy chosen" text="Switch on at least one above to see how the car rides.">
+      <Button onClick={() => lab.setStrategies(suggestion)}>Show all strategies</Button>
+    </Blank>
+  );
+}
+
+export function NotFound() {
+  const { lab, router } = useLabContext();
+  const [title, text] =
+    router.get().slug === null
+      ? ["There is no run at this address", "The link may be incomplete, or the run was made on another server."]
+      : [
+          "There is no shared result at this address",
+          "The link may be incomplete, or it was made on another server. Ask the sender for the complete address.",
+        ];
+  return (
+    <Blank title={title} text={text}>
+      <Button onClick={lab.openPaper}>Open the paper’s scenario</Button>
+    </Blank>
+  );
+}
+
+/** In place of the car and the plots. */
+export function NoHistories({ reason }: { readonly reason: string }) {
+  return <Blank title="This result has no time histories" text={`${reason} The tables are as they were computed.`} />;
+}
+
+/** The results' places before there are any: the same heights, so that nothing jumps. */
+function Loading() {
+  return (
+    <div className={classes.results} aria-busy aria-label="Loading results">
+      <Skeleton h={150} radius={8} />
+      <Skeleton h={66} radius={8} />
+      <div className={classes.loadingGrid}>
+        {Array.from({ length: 6 }, (_, index) => (
+          <Skeleton key={index} height={210} radius={8} />
+        ))}
+      </div>
+    </div>
+  );
+}

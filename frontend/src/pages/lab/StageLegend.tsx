@@ -1,0 +1,62 @@
+/** What the shading and the lines behind the curves mean. */
+
+import type { Catalogue, FigureMeta } from "../../api/types";
+import { layersOf } from "../../plots/curves";
+import { stagedStrategy } from "../../plots/shapes";
+import { useCurves } from "../../plots/useDetail";
+import type { Scene } from "../../lab/resultView";
+import { LineKey } from "../../ui/LineKey";
+import classes from "./legend.module.css";
+
+/** A swatch is small: the shading three times over, so that it can be told apart. */
+const layered = (fill = "transparent") => Array<string>(3).fill(`linear-gradient(${fill}, ${fill})`).join(", ");
+
+interface Props {
+  readonly scene: Scene;
+  readonly catalogue: Catalogue;
+  readonly meta: FigureMeta;
+}
+
+export function StageLegend({ scene, catalogue, meta }: Props) {
+  const stages = catalogue.stages.filter(({ key }) => key in meta.stage_fills);
+  const staged = scene.strategies.find(({ id }) => id === stagedStrategy(scene.summaries, scene.ids));
+  const airborne = scene.ids.some((id) => Number(scene.summaries[id]?.events.airborne_ms ?? 0) > 0);
+  const hasBand = useCurves(scene).roads !== undefined && !scene.differences;
+  const layers = scene.differences ? [] : layersOf(scene);
+  const several = scene.axis === "time" && scene.ids.length > 1;
+  return (
+    <p className={classes.legend}>
+      {stages.map(({ key, label, description }) => (
+        <span key={key} title={description}>
+          <span className={classes.fill} style={{ background: layered(meta.stage_fills[key]) }} /> {label}
+        </span>
+      ))}
+      <span>
+        <span className={classes.dashes} style={{ borderTopColor: meta.neutral }} /> limit, static load or target
+      </span>
+      {layers.map(({ name, line }, index) => (
+        <span key={index} data-layer={name}>
+          <LineKey {...line} /> {name}
+        </span>
+      ))}
+      {hasBand && (
+        <span>
+          <span className={classes.fill} data-stage="band" /> range: minimum to maximum of {scene.shown.over?.roads}{" "}
+          roads
+        </span>
+      )}
+      {(airborne || hasBand) && (
+        <span>
+          <span className={classes.fill} data-stage="airborne" /> tyre off the road{hasBand && " on at least one road"}
+        </span>
+      )}
+      {several && <span>Stages shaded for {staged?.label}; the marks on top: each strategy on the bump</span>}
+      <span className={classes.hint} data-pointer="fine">
+        Drag across a plot to zoom, double click for the whole run
+      </span>
+      <span className={classes.hint} data-pointer="coarse">
+        Slide along a plot to read it
+      </span>
+    </p>
+  );
+}

@@ -1,0 +1,78 @@
+/** Which strategies are shown: a chip for each in use, a menu with all of them. */
+
+import { Button, Menu, Tooltip } from "@mantine/core";
+import { memo, useState } from "react";
+import type { Strategy } from "../../api/types";
+import { IconChevronDown } from "../../ui/icons";
+import { useLab } from "../../lab/context";
+import { StrategyKey } from "../../ui/StrategyKey";
+import bar from "../../ui/toolbar.module.css";
+import { useSelected } from "./useSelected";
+
+export const StrategyChoice = memo(function StrategyChoice({
+  strategies,
+}: {
+  readonly strategies: readonly Strategy[];
+}) {
+  const { selected, toggle } = useSelected(strategies);
+  // A shared result has what it has: other strategies would be a new run.
+  const summaries = useLab((state) => (state.shared ? state.shown?.summaries : undefined));
+  const chips = useChips(selected);
+  return (
+    <div className={bar.choice}>
+      <div className={bar.chips} role="group" aria-label="Strategies">
+        {strategies
+          .filter(({ id }) => chips.includes(id))
+          .map((strategy) => (
+            <Tooltip key={strategy.id} label={strategy.description} multiline w={240} openDelay={500}>
+              <button
+                type="button"
+                className={bar.chip}
+                disabled={summaries !== undefined && !(strategy.id in summaries)}
+                aria-pressed={selected.includes(strategy.id)}
+                onClick={() => toggle(strategy.id)}
+              >
+                <StrategyKey strategy={strategy} />
+                {strategy.label}
+              </button>
+            </Tooltip>
+          ))}
+      </div>
+      <Menu position="bottom-start" width={300}>
+        <Menu.Target>
+          <Button
+            size="xs"
+            variant="default"
+            className={bar.more ?? ""}
+            rightSection={<IconChevronDown size={14} />}
+            disabled={strategies.length === 0}
+          >
+            Strategies
+          </Button>
+        </Menu.Target>
+        <Menu.Dropdown>
+          {strategies.map((strategy) => (
+            <Menu.CheckboxItem
+              key={strategy.id}
+              checked={selected.includes(strategy.id)}
+              disabled={summaries !== undefined && !(strategy.id in summaries)}
+              title={strategy.description}
+              rightSection={<StrategyKey strategy={strategy} />}
+              onChange={() => toggle(strategy.id)}
+            >
+              {strategy.label}
+            </Menu.CheckboxItem>
+          ))}
+        </Menu.Dropdown>
+      </Menu>
+    </div>
+  );
+});
+
+/** Those that are on, or were since the page opened: what is switched off keeps its chip. */
+function useChips(selected: readonly string[]): readonly string[] {
+  const [used, setUsed] = useState(selected);
+  const missing = selected.filter((id) => !used.includes(id));
+  if (missing.length > 0) setUsed([...used, ...missing]);
+  return used;
+}

@@ -1,0 +1,66 @@
+/** What each part of LV control contributes: the comparisons the paper does not make. */
+
+import { Text } from "@mantine/core";
+import { useQuery } from "@tanstack/react-query";
+import type { Choices } from "./choices";
+import { EqualSpeed } from "./EqualSpeed";
+import { FairTable } from "./FairTable";
+import { typeset } from "./numbers";
+import classes from "./paper.module.css";
+import { attributionQuery } from "./queries";
+import { ShareBars } from "./ShareBars";
+import { Fault, Waiting } from "./Waiting";
+import type { Words } from "./labels";
+
+interface Props {
+  readonly choices: Choices;
+  readonly words: Words;
+  /** The cells come first. */
+  readonly enabled: boolean;
+}
+
+const HEIGHT = 1900;
+
+export function Contributions({ choices, words, enabled }: Props) {
+  const { data, error, refetch } = useQuery({ ...attributionQuery(choices), enabled });
+  if (error && !data) return <Fault message={error.message} onRetry={() => void refetch()} />;
+  if (!data)
+    return (
+      <Waiting
+        key={String(enabled)}
+        what={
+          enabled
+            ? "Running every combination of controller, speed, preview and weights"
+            : "Waiting for the runs of the tables"
+        }
+        height={HEIGHT}
+      />
+    );
+  return (
+    <>
+      <ul className={classes.sentences} data-testid="sentences">
+        {data.sentences.map((sentence) => (
+          <li key={sentence}>{typeset(sentence)}</li>
+        ))}
+      </ul>
+      <h3 className={classes.subtitle}>Shares of LV’s gain</h3>
+      <Text className={classes.text}>
+        From an MPC with equal weights, without preview, at constant speed to LV control; {data.seeds} roads, Ridelab’s
+        readings. The three can be added in six orders; each share is its average over them, of the logarithm of the
+        mean (Shapley values), so the three make 100 %. A negative share makes the figure worse.
+      </Text>
+      <ShareBars shares={data.shares} words={words} />
+      <h3 className={classes.subtitle}>Every combination</h3>
+      <Text className={classes.text}>
+        Means over the same {data.seeds} roads. Slowing down helps comfort; the travel time says what it costs.
+      </Text>
+      <FairTable rows={data.rows} words={words} />
+      <h3 className={classes.subtitle}>At equal speed</h3>
+      <Text className={classes.text}>
+        Change of the first against the second, with its 95 % interval: ▼ better, ▲ worse, ≈ where the interval holds
+        zero.
+      </Text>
+      <EqualSpeed pairs={data.equal_speed} words={words} />
+    </>
+  );
+}

@@ -1,0 +1,168 @@
+/** How many of the paper's printed changes come out here, and what that hinges on. */
+
+import { Anchor, Box, Button, Group, Progress, Text } from "@mantine/core";
+import { IconAlertTriangle, IconArrowRight, IconEyeOff } from "../../ui/icons";
+import { api } from "../../api/client";
+import type { Paper, PaperCell } from "../../api/types";
+import { useRunInLab } from "../../ui/useOpenInLab";
+import { count, formatWhole } from "../../units/format";
+import classes from "./paper.module.css";
+import { VerdictBar, VerdictCountList, VerdictMark } from "./Verdict";
+import type { Choices } from "./choices";
+import { Interpretations } from "./Interpretations";
+import { typeset } from "./numbers";
+import { cellId, countedOf, isMissed, previewSentence, soFar, uncertain } from "./verdicts";
+import type { Words } from "./labels";
+import { Fault } from "../../ui/Fault";
+import ui from "../../ui/ui.module.css";
+
+interface Props {
+  readonly paper: Paper;
+  readonly words: Words;
+}
+
+interface CountProps extends Props {
+  readonly choices: Choices;
+  readonly onChoose: (choices: Choices) => void;
+}
+
+export function CountSection({ paper, words, choices, onChoose }: CountProps) {
+  const { without_preview: without } = paper;
+  return (
+    <>
+      <Runs paper={paper} />
+      <div className={classes.counts}>
+        <div className={`${ui.card} ${classes.count}`} data-testid="count">
+          <Group component="p" gap="0.4rem" align="baseline" m={0} fz="1.0625rem">
+            <strong className={classes.countNumber}>{paper.reached}</strong> of {countedOf(paper, paper.counts)} cells
+            reached{soFar(paper)}
+            {paper.unavailable && ", "}
+            {paper.unavailable && <span>{paper.unavailable.cells} not available here</span>}
+          </Group>
+          <VerdictBar counts={paper.counts} total={countedOf(paper, paper.counts)} large />
+          <VerdictCountList counts={paper.counts} />
+        </div>
+        <div className={`${ui.card} ${classes.count}`} data-testid="count-without" data-aside>
+          <Group component="p" gap="0.4rem" align="baseline" m={0} fz="1.0625rem">
+            <IconEyeOff size={18} stroke={1.8} aria-hidden className={classes.countIcon} />
+            <span>
+              Without preview: <strong className={classes.countNumber}>{without.reached}</strong> of{" "}
+              {countedOf(paper, without.counts)}
+              {soFar(paper)}
+            </span>
+          </Group>
+          <VerdictBar counts={without.counts} total={countedOf(paper, without.counts)} large />
+          <VerdictCountList counts={without.counts} />
+        </div>
+      </div>
+      {paper.unavailable && (
+        <Text className={classes.unavailable} data-testid="unavailable">
+          <IconAlertTriangle size={16} stroke={1.8} aria-hidden className={classes.countIcon} />
+          <span>
+            The {paper.unavailable.cells} cells of hardware in the loop are not available here and not counted.{" "}
+            {typeset(paper.unavailable.reason)}.
+          </span>
+        </Text>
+      )}
+      <Text className={classes.claim}>
+        {paper.complete ? previewSentence(paper) : "This says what the claim hinges on when all runs are finished."}
+      </Text>
+      <Interpretations {...{ paper, choices, onChoose }} />
+      <Text maw="52rem" m="0.4rem 0 0.9rem" fz="0.8125rem" lh="1.5" c="dimmed">
+        Two named sets of readings, on the same roads. A cell is reached by its direction and size; nearer than that,
+        “within ±10 points” counts the simulated changes that lie so near to the printed one, “in our interval” those
+        whose printed change lies in our 95&nbsp;% interval.
+      </Text>
+      <Text className={classes.text}>
+        A cell is one change the paper prints in Tables 4–5 and 7–10. Ours is the change of the means over{" "}
+        {count(paper.seeds, "road")} of class B (seeds {paper.first_seed} to {paper.first_seed + paper.seeds - 1}), the
+        same for every strategy, with its 95 % interval; computed by core {paper.core_version}.{" "}
+        {(uncertain(paper) > 0 || !paper.complete) &&
+          `In ${count(uncertain(paper), "cell")} the interval leaves the verdict open (“uncertain”). `}
+        <Anchor href="#rules" size="sm">
+          The rules
+        </Anchor>{" "}
+        were fixed before any number.
+      </Text>
+      <OpenScenario paper={paper} />
+      <Missed paper={paper} words={words} />
+    </>
+  );
+}
+
+/** How many runs the cells are made of are finished; one line, before and after. */
+function Runs({ paper: { complete, progress } }: Pick<Props, "paper">) {
+  return (
+    <div className={classes.runs}>
+      <Text size="sm" c="dimmed" data-testid="progress">
+        {complete
+          ? `Computed from ${count(progress.done, "run")}.`
+          : `${formatWhole(progress.done)} of ${count(progress.total, "run")}`}
+      </Text>
+      {!complete && (
+        <Progress
+          size={6}
+          value={(100 * progress.done) / Math.max(1, progress.total)}
+          color="var(--accent)"
+          aria-label="Finished runs"
+          flex="0 1 20rem"
+        />
+      )}
+    </div>
+  );
+}
+
+/** Runs the page's scenario as the lab would and goes there. */
+function OpenScenario({ paper }: Pick<Props, "paper">) {
+  const strategies = [
+    ...new Set(paper.tables.flatMap(({ columns }) => columns.flatMap(({ strategy, against }) => [strategy, against]))),
+  ];
+  const { open, opening, error } = useRunInLab((all: readonly string[]) => api.createRun(paper.scenario, all));
+  return (
+    <div className={classes.actions}>
+      <Button
+        size="xs"
+        variant="default"
+        rightSection={<IconArrowRight size={15} aria-hidden />}
+        loading={opening !== null}
+        onClick={() => open(strategies)}
+      >
+        Open this scenario in the lab
+      </Button>
+      {error !== null && <Fault size="sm">{error}</Fault>}
+    </div>
+  );
+}
+
+function Missed({ paper, words }: Props) {
+  const missed = paper.cells.filter(isMissed);
+  if (missed.length === 0 && paper.complete) return null;
+  return (
+    <details className={classes.details}>
+      <summary>
+        {paper.complete
+          ? `${missed.length === 1 ? "The cell" : `The ${missed.length} cells`} not reached`
+          : `${count(missed.length, "cell")} not reached so far`}
+      </summary>
+      <ul className={classes.missed}>
+        {[...missed]
+          .sort((a, b) => a.verdict.localeCompare(b.verdict) || a.table - b.table)
+          .map((cell) => (
+            <li key={cellId(cell)}>
+              <VerdictMark verdict={cell.verdict} certain={cell.certain} />
+              <Anchor href={`#${cellId(cell)}`} size="sm">
+                {cellName(cell, words)}
+              </Anchor>
+            </li>
+          ))}
+      </ul>
+      <Box component="p" m={0} p="0 0.9rem 0.8rem" fz="0.8125rem" c="dimmed">
+        Why each does not come out is in <code>docs/paper.md</code>, beside this program’s source, under “What does not
+        reproduce, and why”.
+      </Box>
+    </details>
+  );
+}
+
+const cellName = ({ table, strategy, against, signal }: PaperCell, words: Words) =>
+  `Table ${table}, ${words.signal(signal).toLowerCase()}: ${words.strategy(strategy)} against ${words.strategy(against)}`;

@@ -1,0 +1,167 @@
+/** The paper, checked: what it prints beside what comes out here. */
+
+import { Anchor, Box, Button, Text } from "@mantine/core";
+import { useDocumentTitle } from "@mantine/hooks";
+import { useQuery } from "@tanstack/react-query";
+import { IconFileDescription } from "../../ui/icons";
+import { useEffect, type ReactNode } from "react";
+import { address } from "../../api/http";
+import { ApiProblem, isTransient } from "../../api/problem";
+import type { Paper } from "../../api/types";
+import { ShellSlot } from "../../ui/slots";
+import shell from "../../ui/shell.module.css";
+import { Errata, Rules } from "./Appendix";
+import { NONE_CHOSEN, useChoices, type Choices } from "./choices";
+import { Contents, SECTIONS, type SectionId } from "./Contents";
+import { Contributions } from "./Contributions";
+import { CountSection } from "./CountSection";
+import { Figures } from "./Figures";
+import classes from "./paper.module.css";
+import { paperQuery } from "./queries";
+import { SwitchEffects } from "./SwitchEffects";
+import { Switches } from "./Switches";
+import { Tables } from "./Tables";
+import { Fault, Waiting } from "./Waiting";
+import { useWords, type Words } from "./labels";
+import { compact } from "../../ui/compact";
+
+const DOI = "10.3390/wevj16040232";
+
+export function PaperPage() {
+  useDocumentTitle("The paper, checked · Ridelab");
+  const [choices, choose] = useChoices();
+  const { data: paper, error: refused, isPlaceholderData: waiting, refetch } = useQuery(paperQuery(choices));
+  const { words, error: wordless } = useWords();
+  const ready = paper !== undefined && words !== null;
+  useArrival(ready);
+  // While it is asked for again and again, one refusal that passes is none.
+  const error = paper?.complete === false && refused !== null && isTransient(refused) ? null : refused;
+  const fault = error ?? (words === null ? wordless : null);
+
+  return (
+    <>
+      <ShellSlot name="tools">
+        <span className={shell.grow} />
+        <Button
+          component="a"
+          href={address("/paper/report.html", { query: choices })}
+          size="xs"
+          variant="default"
+          aria-label="Report"
+          leftSection={<IconFileDescription size={15} aria-hidden />}
+          classNames={compact}
+        >
+          Report
+        </Button>
+      </ShellSlot>
+      <div className={classes.page}>
+        <Contents paper={paper} />
+        <Box component="main" miw={0} aria-busy={waiting || paper?.complete === false}>
+          <Box component="header" pt="1.1rem">
+            <Box component="h1" m="0 0 0.2rem" fz="1.5rem" fw={700} lts="-0.01em">
+              The paper, checked
+            </Box>
+            <Text className={classes.text}>
+              Meng, Kong, Ding, Liu and Wang,{" "}
+              <Anchor href={`https://doi.org/${DOI}`} size="sm">
+                World Electric Vehicle Journal 16 (2025) 232
+              </Anchor>
+              : every change it prints, run here again.
+            </Text>
+          </Box>
+          {fault && (
+            <PageFault
+              fault={fault}
+              choices={choices}
+              onReset={() => choose(NONE_CHOSEN)}
+              onRetry={() => void refetch()}
+            />
+          )}
+          {ready ? (
+            <Sections {...{ paper, words, choices, waiting, choose }} />
+          ) : (
+            !fault && <Waiting what="Looking up the runs" height={600} />
+          )}
+        </Box>
+      </div>
+    </>
+  );
+}
+
+interface SectionsProps {
+  readonly paper: Paper;
+  readonly words: Words;
+  readonly choices: Choices;
+  readonly waiting: boolean;
+  readonly choose: (choices: Choices) => void;
+}
+
+function Sections({ paper, words, choices, waiting, choose }: SectionsProps) {
+  const parts: Readonly<Record<SectionId, ReactNode>> = {
+    count: <CountSection {...{ paper, words, choices }} onChoose={choose} />,
+    switches: (
+      <>
+        <Switches {...{ paper, choices, waiting }} onChoose={choose} />
+        <h3 className={classes.subtitle}>What each switch does</h3>
+        <SwitchEffects {...{ paper, choices }} onChoose={choose} />
+      </>
+    ),
+    tables: <Tables paper={paper} words={words} />,
+    parts: <Contributions {...{ choices, words }} enabled={paper.complete} />,
+    figures: <Figures choices={choices} />,
+    errata: <Errata errata={paper.errata} />,
+    rules: <Rules rules={paper.rules} />,
+  };
+  const follows: readonly SectionId[] = ["count", "tables"];
+  return SECTIONS.map(({ id, title }) => (
+    <section
+      key={id}
+      id={id}
+      className={classes.section}
+      aria-labelledby={`${id}-title`}
+      data-section
+      data-stale={(waiting && follows.includes(id)) || undefined}
+    >
+      <h2 id={`${id}-title`} className={classes.heading}>
+        {title}
+      </h2>
+      {parts[id]}
+    </section>
+  ));
+}
+
+interface PageFaultProps {
+  readonly fault: Error;
+  readonly choices: Choices;
+  readonly onReset: () => void;
+  readonly onRetry: () => void;
+}
+
+function PageFault({ fault, choices, onReset, onRetry }: PageFaultProps) {
+  const unknown = fault instanceof ApiProblem && fault.status === 422;
+  return (
+    <>
+      <Fault
+        message={
+          unknown
+            ? "This address names an interpretation, a reading or a choice that this server does not know."
+            : fault.message
+        }
+        onRetry={onRetry}
+      />
+      {Object.keys(choices).length > 0 && (
+        <Button size="xs" variant="default" mt="0.6rem" onClick={onReset}>
+          Show Ridelab’s own interpretation
+        </Button>
+      )}
+    </>
+  );
+}
+
+/** The place the address names is there only once the answer is. */
+function useArrival(ready: boolean) {
+  useEffect(() => {
+    const { hash } = window.location;
+    if (ready && hash.length > 1) document.getElementById(decodeURIComponent(hash.slice(1)))?.scrollIntoView();
+  }, [ready]);
+}

@@ -1,0 +1,117 @@
+/** Where the paper leaves something open, the reader chooses; the rest of the page follows. */
+
+import { Box, Button, Group, SegmentedControl, Text } from "@mantine/core";
+import { IconRestore } from "../../ui/icons";
+import { useId } from "react";
+import type { Paper, PaperInterpretation, PaperReading } from "../../api/types";
+import { count } from "../../units/format";
+import { setOf, standardOf, withChoice, withoutChoices, type Choices } from "./choices";
+import { Inline } from "./Inline";
+import { typeset } from "./numbers";
+import classes from "./switches.module.css";
+import { VerdictCountList } from "./Verdict";
+import { countedOf, soFar } from "./verdicts";
+import ui from "../../ui/ui.module.css";
+
+interface Props {
+  readonly paper: Paper;
+  readonly choices: Choices;
+  /** The answer to the choices is not there yet. */
+  readonly waiting: boolean;
+  readonly onChoose: (choices: Choices) => void;
+}
+
+export function Switches({ paper, choices, waiting, onChoose }: Props) {
+  // The address is ahead of the answer: a switch stands where it was put.
+  const set = setOf(choices, paper.interpretations);
+  const readings = paper.readings.map((reading) => ({ ...reading, chosen: choiceOf(reading, choices, set) }));
+  const changed = readings.filter((reading) => reading.chosen !== standardOf(reading, set));
+  return (
+    <>
+      <div className={classes.state} role="status">
+        <Text size="sm" fw={600}>
+          {waiting
+            ? "Counting under these interpretations…"
+            : `Of ${count(countedOf(paper, paper.counts), "cell")}${soFar(paper)}:`}
+        </Text>
+        <span data-stale={waiting || undefined}>
+          <VerdictCountList counts={paper.counts} />
+        </span>
+        <Button
+          size="compact-xs"
+          variant="default"
+          leftSection={<IconRestore size={14} aria-hidden />}
+          disabled={changed.length === 0}
+          onClick={() => onChoose(withoutChoices(choices, readings))}
+        >
+          {changed.length === 0
+            ? `All as in the ${set?.title.toLowerCase() ?? "named"} set`
+            : `Reset ${count(changed.length, "switch", "switches")}`}
+        </Button>
+      </div>
+      <div className={classes.grid}>
+        {readings.map((reading) => (
+          <Switch
+            key={reading.id}
+            {...{ reading, set }}
+            onChange={(choice) => onChoose(withChoice(choices, reading.id, choice, standardOf(reading, set)))}
+          />
+        ))}
+      </div>
+    </>
+  );
+}
+
+function choiceOf(
+  { id, choices: offered, chosen }: PaperReading,
+  choices: Choices,
+  set: PaperInterpretation | undefined,
+): string {
+  const requested = choices[id] ?? set?.choices[id];
+  return offered.find((choice) => choice.id === requested)?.id ?? chosen;
+}
+
+interface SwitchProps {
+  readonly reading: PaperReading;
+  readonly set: PaperInterpretation | undefined;
+  readonly onChange: (choice: string) => void;
+}
+
+function Switch({ reading, set, onChange }: SwitchProps) {
+  const id = useId();
+  const standard = reading.choices.find((choice) => choice.id === standardOf(reading, set));
+  const chosen = reading.choices.find((choice) => choice.id === reading.chosen);
+  const isChanged = standard !== chosen;
+  return (
+    <div className={`${ui.card} ${classes.switch}`} data-changed={isChanged || undefined} data-reading={reading.id}>
+      <Group gap="0 0.8rem" align="baseline" justify="space-between">
+        <Box component="h3" id={id} m={0} fz="0.8125rem" fw={650}>
+          {typeset(reading.title)}
+        </Box>
+        {isChanged && standard && (
+          <Box component="span" fz="xs" c="var(--accent)">
+            {set?.title}: {typeset(standard.label)}
+          </Box>
+        )}
+      </Group>
+      <Box component="p" flex={1} m={0} fz="xs" lh="1.4" c="dimmed">
+        <Inline text={reading.description} />
+      </Box>
+      <SegmentedControl
+        size="xs"
+        aria-labelledby={id}
+        className={classes.control ?? ""}
+        value={reading.chosen}
+        data={reading.choices.map((choice) => ({ value: choice.id, label: typeset(choice.label) }))}
+        onChange={onChange}
+      />
+      {chosen && (
+        <Box component="p" m={0} fz="xs" lh="1.4">
+          {sourceOf(chosen.source)}
+        </Box>
+      )}
+    </div>
+  );
+}
+
+const sourceOf = (source: string) => (source === "ours" ? "Ours." : `${typeset(source)}.`);

@@ -1,0 +1,49 @@
+/** In place of a part of the page that is still being computed, or could not be. */
+
+import { Button, Loader, Text } from "@mantine/core";
+import { useEffect, useState } from "react";
+import classes from "./paper.module.css";
+
+interface WaitingProps {
+  readonly what: string;
+  /** As high as what comes [px]. */
+  readonly height: number;
+}
+
+/** The first time takes a while: somebody who waits sees that it goes on. */
+const TELL_AFTER_S = 2;
+
+export function Waiting({ what, height }: WaitingProps) {
+  const [seconds, setSeconds] = useState(0);
+  useEffect(() => {
+    const tick = setInterval(() => setSeconds((before) => before + 1), 1000);
+    return () => clearInterval(tick);
+  }, []);
+  return (
+    <div className={classes.waiting} style={{ minHeight: height }} aria-busy>
+      <div className={classes.waitingText}>
+        <Loader size="sm" />
+        <div>
+          <Text size="sm" fw={600} role="status">
+            {what} …
+          </Text>
+          <Text size="xs" c="dimmed">
+            {seconds >= TELL_AFTER_S ? `${seconds} s so far. ` : ""}The first time takes up to a minute; after that it
+            is stored.
+          </Text>
+        </div>
+      </div>
+    </div>
+  );
+}
+
+export function Fault({ message, onRetry }: { readonly message: string; readonly onRetry: () => void }) {
+  return (
+    <div className={classes.faultBox} role="alert">
+      <Text size="sm">{message}</Text>
+      <Button size="xs" variant="default" onClick={onRetry}>
+        Try again
+      </Button>
+    </div>
+  );
+}

@@ -1,0 +1,61 @@
+/** What strategies, signals and windows are called and shown in: the catalogue's words, in one hand. */
+
+import { useQuery } from "@tanstack/react-query";
+import { useMemo } from "react";
+import type { Catalogue, FigureTemplate, Strategy } from "../../api/types";
+import { catalogueQuery, figuresQuery, strategiesQuery } from "../../server/queries";
+import { headingOf, type WindowView } from "../../features/tables/ComparisonTable";
+import { shownUnit } from "../../server/units";
+import type { ShownUnit } from "../../units/quantity";
+import { prettyUnit } from "../../units/format";
+
+export interface Words {
+  readonly strategies: readonly Strategy[];
+  readonly strategy: (id: string) => string;
+  readonly signal: (key: string) => string;
+  /** The unit a signal is shown in, ready to read, and the factor to it. */
+  readonly unit: (key: string) => ShownUnit;
+  /** `RMS, rough road`. */
+  readonly view: (view: { readonly window: string; readonly statistic: string }) => string;
+  /** A comfort or run figure's label with its unit. */
+  readonly figure: (key: string) => string;
+}
+
+type Labelled = readonly { readonly key: string; readonly label: string; readonly unit: string }[];
+
+function wordsOf(
+  catalogue: Catalogue,
+  strategies: readonly Strategy[],
+  templates: Readonly<Record<string, FigureTemplate>>,
+): Words {
+  const label = (list: Labelled, key: string) => list.find((entry) => entry.key === key)?.label ?? key;
+  return {
+    strategies,
+    strategy: (id) => strategies.find((strategy) => strategy.id === id)?.label ?? id,
+    signal: (key) => label(catalogue.signals, key),
+    unit: (key) => {
+      const { unit, scale } = shownUnit(key, templates, catalogue);
+      return { unit: prettyUnit(unit), scale };
+    },
+    view: (view) => headingOf(view as WindowView, catalogue),
+    figure: (key) => {
+      const quantity = [...catalogue.comfort, ...catalogue.run_figures].find((entry) => entry.key === key);
+      return quantity ? `${quantity.label} [${prettyUnit(quantity.unit)}]` : key;
+    },
+  };
+}
+
+/** `null` until all of it is there. */
+export function useWords() {
+  const catalogue = useQuery(catalogueQuery);
+  const strategies = useQuery(strategiesQuery);
+  const templates = useQuery(figuresQuery);
+  const words = useMemo(
+    () =>
+      catalogue.data && strategies.data && templates.data
+        ? wordsOf(catalogue.data, strategies.data, templates.data)
+        : null,
+    [catalogue.data, strategies.data, templates.data],
+  );
+  return { words, error: catalogue.error ?? strategies.error ?? templates.error };
+}

@@ -1,0 +1,37 @@
+/** A value whose run opens in the lab; the fields there are in the tooltip. */
+
+import { Button, Tooltip } from "@mantine/core";
+import { IconExternalLink } from "../../ui/icons";
+import classes from "./robustness.module.css";
+import { nameOf, useFieldText } from "./names";
+import type { ExtremeRun } from "./summary";
+import type { Opening } from "../../features/sweep/useOpenRun";
+
+interface Props {
+  readonly run: ExtremeRun | null;
+  readonly text: string;
+  /** Which value it is, in words. */
+  readonly what: string;
+  readonly opening: Opening;
+}
+
+export function RunButton({ run, text, what, opening }: Props) {
+  const fieldText = useFieldText();
+  if (run === null) return <>–</>;
+  const fields = Object.entries(run.at).map(([name, value]) => `${nameOf(name)} ${fieldText(name, value)}`);
+  return (
+    <Tooltip label={`Open run ${run.run} in the lab: ${fields.join(", ")}`} multiline w={320} openDelay={300}>
+      <Button
+        size="compact-xs"
+        variant="subtle"
+        className={classes.runButton ?? ""}
+        loading={opening.opening?.run === run.run}
+        rightSection={<IconExternalLink size={13} aria-hidden />}
+        aria-label={`${what} ${text}: open run ${run.run} in the lab`}
+        onClick={() => opening.open(run)}
+      >
+        {text}
+      </Button>
+    </Tooltip>
+  );
+}

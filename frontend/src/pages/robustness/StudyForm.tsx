@@ -1,0 +1,170 @@
+/** What is uncertain, and between which ends; under which strategies; at how many points. */
+
+import { Box, Checkbox, Switch, Text } from "@mantine/core";
+import { useId, type ReactNode } from "react";
+import type { Batch, RobustnessDefaults, Scenario, Strategy } from "../../api/types";
+import type { Group } from "../../scenario/schema";
+import { StartFoot } from "../../features/jobForm/StartFoot";
+import { StrategyChoice } from "../../features/sweep/StrategyChoice";
+import { amountOf, notesOf } from "../../features/sweep/useSweep";
+import { prettyUnit } from "../../units/format";
+import { draftStudy, exactText, restoreStudy, type RangeDraft, type StudyDraft } from "./study";
+import { useStudy } from "./useStudy";
+import rows from "./form.module.css";
+import ui from "../../ui/ui.module.css";
+import { useDraft } from "../../lib/useDraft";
+import { Entry } from "../../ui/Entry";
+import { Fault, Problems } from "../../ui/Fault";
+
+interface Props {
+  readonly defaults: RobustnessDefaults;
+  readonly strategies: readonly Strategy[];
+  readonly form: Group;
+  readonly scenario: Scenario | undefined;
+  /** Says which scenario it is. */
+  readonly head: ReactNode;
+  /** A study to begin from. */
+  readonly existing?: Batch;
+}
+
+export function StudyForm({ defaults, strategies, form, scenario, head, existing }: Props) {
+  const initial = () => draftStudy(defaults, form, existing);
+  const stored = useDraft({
+    name: existing ? "changed study" : "study",
+    of: existing?.id,
+    initial,
+    restore: (texts) => restoreStudy(texts, initial()),
+  });
+  const { draft, setDraft } = stored;
+  const patch = (change: Partial<StudyDraft>) => setDraft({ ...draft, ...change });
+  const submission = useStudy(draft, scenario, stored.forget);
+  const { errors, general } = submission;
+  return (
+    <form
+      className={ui.card}
+      aria-label="Study"
+      onSubmit={(event) => {
+        event.preventDefault();
+        submission.start();
+      }}
+    >
+      <div className={ui.part}>{head}</div>
+      <div className={ui.part}>
+        <h2 className={ui.heading}>What is uncertain</h2>
+        <Text size="xs" c="dimmed">
+          All values between the two ends are equally likely. A field that is switched off has the scenario’s value.
+        </Text>
+        <div className={rows.ranges}>
+          {draft.ranges.map((range) => (
+            <RangeRow
+              key={range.field.name}
+              range={range}
+              scenario={scenario}
+              error={range.on ? errors[range.field.name] : undefined}
+              onChange={(change) =>
+                patch({ ranges: draft.ranges.map((each) => (each === range ? { ...each, ...change } : each)) })
+              }
+            />
+          ))}
+        </div>
+        {errors.fields !== undefined && <Fault>{errors.fields}</Fault>}
+      </div>
+      <div className={ui.part}>
+        <StrategyChoice
+          strategies={strategies}
+          selected={draft.strategies}
+          error={errors.strategies}
+          onChange={(ids) => patch({ strategies: ids })}
+        />
+        <div className={rows.numbers}>
+          <Entry
+            label="Samples"
+            description="Random cars from a Latin hypercube"
+            inputMode="numeric"
+            value={draft.samples}
+            error={errors.samples}
+            onType={(samples) => patch({ samples })}
+          />
+          <Entry
+            label="Seed"
+            description="Same seed, same cars"
+            inputMode="numeric"
+            value={draft.seed}
+            error={errors.seed}
+            onType={(seed) => patch({ seed })}
+          />
+        </div>
+        <Checkbox
+          size="xs"
+          label="Also vary each field alone, to both ends of its range"
+          checked={draft.oneByOne}
+          onChange={(event) => patch({ oneByOne: event.currentTarget.checked })}
+        />
+      </div>
+      <Problems messages={general} mx="md" mb="xs" />
+      <StartFoot inForm {...{ submission, draft: stored }} amount={amountOf(draft.strategies.length)} notes={notesOf} />
+    </form>
+  );
+}
+
+interface RowProps {
+  readonly range: RangeDraft;
+  readonly scenario: Scenario | undefined;
+  readonly error: string | undefined;
+  readonly onChange: (change: Partial<RangeDraft>) => void;
+}
+
+function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChange }: RowProps) {
+  const id = useId();
+  const unit = field.leaf.kind === "number" ? prettyUnit(field.leaf.shown.unit) : "";
+  const end = (key: "from" | "to", value: string) => (
+    <Entry
+      className={rows.end}
+      aria-label={`${field.title}, ${key}`}
+      value={value}
+      error={error !== undefined}
+      {...(error === undefined ? {} : { "aria-describedby": `${id}-error` })}
+      onType={(text) => onChange({ [key]: text })}
+    />
+  );
+  return (
+    <div className={rows.range} data-off={!on || undefined} data-field={field.name}>
+      <Switch
+        size="xs"
+        checked={on}
+        onChange={(event) => onChange({ on: event.currentTarget.checked })}
+        label={
+          <>
+            <span className={rows.rangeTitle}>{titleOf(field.name, field.title)}</span>
+            <Box component="span" display="block" fz="xs" lh="1.25" c="dimmed">
+              {why}
+            </Box>
+          </>
+        }
+      />
+      <div className={rows.ends}>
+        {on ? (
+          <>
+            {end("from", from)}
+            <span aria-hidden>–</span>
+            {end("to", to)}
+            <Box component="span" w="1.6rem" fz="xs" c="dimmed">
+              {unit}
+            </Box>
+          </>
+        ) : (
+          <Box component="span" fz="0.8125rem" c="dimmed">
+            {exactText(field, scenario)}
+          </Box>
+        )}
+      </div>
+      {error !== undefined && <Fault id={`${id}-error`}>{error}</Fault>}
+    </div>
+  );
+}
+
+/** Fields whose own title says too little outside their part of the form. */
+function titleOf(name: string, title: string): string {
+  if (name.startsWith("actuator.")) return `Actuator ${title.toLowerCase()}`;
+  return name === "road.seed" ? "Road" : title;
+}

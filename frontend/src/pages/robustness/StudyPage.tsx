@@ -1,0 +1,94 @@
+/** One study: how far it is, and what it says. */
+
+import { Button, Collapse, Text } from "@mantine/core";
+import { useDisclosure } from "@mantine/hooks";
+import { IconAdjustments, IconPlus } from "../../ui/icons";
+import { useQuery } from "@tanstack/react-query";
+import { Link, useParams } from "@tanstack/react-router";
+import { useMemo } from "react";
+import { BatchState } from "../../features/sweep/SweepState";
+import { otherThanPaper } from "../../features/scenarioSource/otherThanPaper";
+import { BATCH, useJob } from "../../jobs/useJob";
+import { Page } from "../../ui/Page";
+import { useCatalogues } from "../../server/useCatalogues";
+import { defaultsQuery } from "./defaults";
+import { StudyForm } from "./StudyForm";
+import { StudyResults } from "./StudyResults";
+import { compact } from "../../ui/compact";
+
+export function StudyPage() {
+  const { id } = useParams({ from: "/robustness/$id" });
+  const { job: batch, error, connected, left } = useJob(BATCH, id);
+  const { catalogues, fault: catalogueFault } = useCatalogues();
+  const defaults = useQuery(defaultsQuery);
+  const [changing, { toggle }] = useDisclosure(false);
+
+  const strategies = catalogues?.strategies;
+  const studied = useMemo(
+    () => strategies?.filter(({ id }) => batch?.strategies.some((each) => each === id)) ?? [],
+    [strategies, batch?.strategies],
+  );
+  const tools = (
+    <>
+      {batch && defaults.data && (
+        <Button
+          size="xs"
+          variant="default"
+          aria-expanded={changing}
+          aria-label="Change it"
+          classNames={compact}
+          leftSection={<IconAdjustments size={15} />}
+          onClick={toggle}
+        >
+          Change it
+        </Button>
+      )}
+      <Button
+        size="xs"
+        variant="default"
+        aria-label="New study"
+        classNames={compact}
+        leftSection={<IconPlus size={15} />}
+        renderRoot={(props) => <Link to="/robustness" {...props} />}
+      >
+        New study
+      </Button>
+    </>
+  );
+  const ready = batch && catalogues && defaults.data;
+  return (
+    <Page
+      title="Robustness study"
+      heading={ready ? "Robustness" : undefined}
+      what="study"
+      tools={tools}
+      instead={<Button renderRoot={(props) => <Link to="/robustness" {...props} />}>New study</Button>}
+      faults={[error, defaults.error, catalogueFault]}
+      heights={[28, 96, 440, 320]}
+    >
+      {ready ? (
+        <>
+          <Collapse expanded={changing}>
+            <StudyForm
+              defaults={defaults.data}
+              strategies={catalogues.strategies}
+              form={catalogues.form}
+              scenario={batch.scenario}
+              existing={batch}
+              head={
+                <Text size="sm">
+                  The scenario of this study.{" "}
+                  <Text span c="dimmed">
+                    {otherThanPaper(batch.scenario, catalogues.form)}
+                  </Text>
+                </Text>
+              }
+            />
+          </Collapse>
+          <BatchState {...{ batch, connected, left }} form={catalogues.form} readOnly={false} />
+          <StudyResults batch={batch} {...catalogues} strategies={studied} />
+        </>
+      ) : null}
+    </Page>
+  );
+}

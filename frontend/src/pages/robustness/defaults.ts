@@ -1,0 +1,3 @@
+import { query } from "../../api/http";
+
+export const defaultsQuery = { ...query("/robustness", {}), staleTime: Infinity, gcTime: Infinity };

@@ -1,0 +1,41 @@
+/** Short names of the fields a study varies, where there is no room for their titles. */
+
+import { useQuery } from "@tanstack/react-query";
+import type { Batch } from "../../api/types";
+import { showCell } from "../../features/sweep/show";
+import type { Cell } from "../../features/sweep/table";
+import { inShownUnit } from "../../scenario/limits";
+import type { Group } from "../../scenario/schema";
+import { schemaQuery } from "../../server/queries";
+import { sweepFields } from "../../scenario/fields";
+
+const NAMES: Readonly<Record<string, string>> = {
+  "mismatch.body_mass": "body mass",
+  "mismatch.springs": "springs",
+  "mismatch.damping": "damping",
+  "mismatch.tyres": "tyres",
+  "mismatch.preview_offset": "preview offset",
+  "mismatch.preview_gain": "preview gain",
+  "mismatch.preview_noise": "preview noise",
+  "mismatch.preview_delay": "preview delay",
+  "actuator.bandwidth": "actuator bandwidth",
+  "actuator.saturation": "saturation",
+  "road.seed": "road",
+};
+
+/** Any other field by its title where it is known, else by the end of its dotted name. */
+export const nameOf = (field: string, fields: Batch["fields"] = []): string =>
+  NAMES[field] ?? fields.find(({ name }) => name === field)?.title ?? field.replace(/^.*\./, "").replace(/_/g, " ");
+
+/** A field's value in the unit the form shows it in. */
+export function fieldText(form: Group | undefined, name: string, value: Cell): string {
+  const leaf = form && sweepFields(form).find((each) => each.name === name)?.leaf;
+  return leaf?.kind === "number" && typeof value === "number"
+    ? showCell(inShownUnit(leaf, value), leaf.shown.unit)
+    : showCell(value);
+}
+
+export function useFieldText(): (name: string, value: Cell) => string {
+  const form = useQuery(schemaQuery).data;
+  return (name, value) => fieldText(form, name, value);
+}

@@ -1,0 +1,177 @@
+/** Runs as points in their strategy's colour: a metric over a swept field, or over another metric. */
+
+import { Group, Text, useComputedColorScheme } from "@mantine/core";
+import { useCallback, useMemo, useRef, useState } from "react";
+import type { Batch, Strategy } from "../../api/types";
+import { IconAlertTriangle } from "../../ui/icons";
+import { isFinal } from "../../jobs/follow";
+import { Chart } from "../../plots/Chart";
+import { ChartButton } from "../../plots/ChartButton";
+import { ON_PAPER, PALETTES } from "../../plots/palettes";
+import { useLightColours } from "../../server/useSchemeColours";
+import { count, formatWhole, formatWithUnit } from "../../units/format";
+import { axesOf, type AxisOf } from "../../features/sweep/axes";
+import classes from "./sweep.module.css";
+import { isAirborne, fieldTexts } from "./describeRow";
+import { DotLayer } from "./DotLayer";
+import { fullName } from "../../server/metrics";
+import { frontOf } from "./front";
+import { linesOf } from "./lines";
+import { scatterFigure } from "./scatter";
+import { showCell } from "../../features/sweep/show";
+import type { ShownPlot } from "./shownPlot";
+import { cell, pointsOf, type Columns } from "../../features/sweep/table";
+import type { PlotParts, SweepParts } from "./props";
+
+interface Props extends PlotParts, Pick<SweepParts, "catalogue" | "markers" | "best"> {
+  /** Those switched on. */
+  readonly visible: readonly Strategy[];
+}
+
+const NONE: readonly number[] = [];
+
+export function PointsPlot({
+  batch,
+  columns,
+  catalogue,
+  strategies,
+  visible,
+  markers,
+  shown,
+  best,
+  height,
+  textOf,
+  onOpen,
+}: Props) {
+  const palette = PALETTES[useComputedColorScheme("light")];
+  const host = useRef<HTMLDivElement>(null);
+  const [ownPoints, setOwnPoints] = useState(false);
+  const onNoAxes = useCallback(() => setOwnPoints(true), []);
+
+  const { y, versus } = shown;
+  const tradeOff = shown.kind === "trade_off";
+  const x: AxisOf = useMemo(
+    () => (tradeOff ? { name: versus.key, title: fullName(versus), unit: versus.unit } : shown.x),
+    [tradeOff, versus, shown.x],
+  );
+  const xScale = tradeOff ? versus.scale : 1;
+  const { fields, sweep } = batch;
+  const points = useMemo(
+    () =>
+      pointsOf(
+        columns,
+        visible.map(({ id }) => id),
+        x.name,
+        y.key,
+        y.scale,
+        xScale,
+      ),
+    [columns, visible, x, y, xScale],
+  );
+  const front = useMemo(() => (tradeOff ? frontOf(points).map(({ row }) => row) : NONE), [tradeOff, points]);
+  const axes = useMemo(() => axesOf(fields), [fields]);
+  const curves = axes.length === 1;
+  const joined = !tradeOff && (curves || Boolean(sweep.grid));
+  const draw = useMemo(() => {
+    const others = axes.filter(({ name }) => name !== x.name);
+    const lines = joined
+      ? linesOf(
+          columns,
+          points,
+          others.map(({ name }) => name),
+        )
+      : [];
+    const labelOf = (row: number) =>
+      others.map(({ name, unit }) => showCell(cell(columns, name, row), unit)).join(", ");
+    const isHollow = (row: number) => isAirborne(columns, row);
+    const ringed = tradeOff ? front : best === null ? NONE : [best];
+    const input = { points, markers, x, y, ringed, front: tradeOff, lines, curves, labelOf, isHollow, textOf };
+    return (look: Pick<Parameters<typeof scatterFigure>[0], "strategies" | "palette" | "most">) =>
+      scatterFigure({ ...input, ...look });
+  }, [points, columns, axes, joined, curves, markers, x, y, best, tradeOff, front, textOf]);
+  const figure = useMemo(
+    () => draw({ strategies, palette, ...(ownPoints && { most: Infinity }) }),
+    [draw, strategies, palette, ownPoints],
+  );
+  const light = useLightColours(strategies);
+  const drawOnPaper = () => {
+    return {
+      figure: draw({ strategies: light, palette: ON_PAPER, most: Infinity }),
+      legend: light.map(({ label }) => label),
+    };
+  };
+  const airborne = useMemo(
+    () => points.reduce((sum, { rows }) => sum + rows.filter((row) => isAirborne(columns, row)).length, 0),
+    [points, columns],
+  );
+
+  const drawn = figure.count;
+  return (
+    <>
+      <div className={classes.plot}>
+        <Chart
+          hostRef={host}
+          figure={figure}
+          height={height}
+          points={drawn}
+          label={`${fullName(y)} over ${x.title}, ${drawn} runs. Every value stands in the table below.`}
+          onPoint={onOpen}
+          over={(drawing, width) => (
+            <DotLayer {...{ host, drawing, width, height, onOpen, onNoAxes, textOf }} dots={figure.dots} />
+          )}
+        />
+        {drawn === 0 && <Text className={classes.plotEmpty}>{emptyReason(batch, visible.length, columns)}</Text>}
+      </div>
+      {airborne > 0 && (
+        <Text
+          size="xs"
+          className={classes.warning}
+          data-testid="airborne-note"
+          title={catalogue.events.find(({ key }) => key === "airborne_ms")?.description}
+        >
+          <IconAlertTriangle size={13} stroke={2} aria-hidden /> {formatWhole(airborne)} of the {count(drawn, "run")}{" "}
+          shown {airborne === 1 ? "is" : "are"} airborne (hollow points): their linear tyre pulls on the road, which a
+          real one cannot.
+        </Text>
+      )}
+      <Group gap="0" align="flex-start" justify="space-between" wrap="nowrap" pr="0.7rem">
+        <Text size="xs" p="0.2rem 0.9rem 0.6rem" c="dimmed">
+          {tradeOff
+            ? describeFront(front, columns, visible)
+            : best === null
+              ? "\u00a0"
+              : describeBest(best, { batch, columns, strategies, y })}
+        </Text>
+        {drawn > 0 && (
+          <ChartButton title={fullName(y)} file={`ridelab-${batch.id}-${y.key}`} hostRef={host} draw={drawOnPaper} />
+        )}
+      </Group>
+    </>
+  );
+}
+
+function emptyReason(batch: Batch, strategies: number, columns: Columns): string {
+  if (strategies === 0) return "No strategy is switched on.";
+  if (!isFinal(batch) && batch.done === 0) return "No run has finished yet.";
+  if (batch.done > 0 && !columns.status?.includes("ok")) return "Loading the runs that have finished…";
+  if (!isFinal(batch)) return "No run of the strategies shown has finished with this metric yet.";
+  return "No run of the strategies shown has this metric.";
+}
+
+function describeBest(
+  row: number,
+  { batch, columns, strategies, y }: Pick<Props, "batch" | "columns" | "strategies"> & Pick<ShownPlot, "y">,
+): string {
+  const strategy = strategies.find(({ id }) => id === cell(columns, "strategy", row))?.label ?? "";
+  const values = fieldTexts(columns, row, batch.fields).join(", ");
+  const value = Number(cell(columns, y.key, row)) * y.scale;
+  return `○ Lowest: ${formatWithUnit(value, y.unit)}, ${strategy} at ${values} (run ${Number(cell(columns, "run", row))}). A click on a point opens its run; drag to zoom, double click for all.`;
+}
+
+function describeFront(front: readonly number[], columns: Columns, visible: readonly Strategy[]): string {
+  const parts = visible.flatMap(({ id, label }) => {
+    const own = front.filter((row) => cell(columns, "strategy", row) === id).length;
+    return own === 0 ? [] : [`${label} ${formatWhole(own)}`];
+  });
+  return `○ Pareto front: ${count(front.length, "run")} that no other betters in both metrics (${parts.join(", ")}). Less is better in both. A click on a point opens its run.`;
+}

@@ -1,0 +1,181 @@
+/** Every run as a row, a page of them at a time, sorted by any column. */
+
+import { ActionIcon, Box, Checkbox, Group, Pagination, Text, Tooltip } from "@mantine/core";
+import { IconExternalLink } from "../../ui/icons";
+import { useMemo, useState } from "react";
+import { count, prettyUnit } from "../../units/format";
+import classes from "./sweep.module.css";
+import { MarkerKey } from "./MarkerKey";
+import { showCell, showFigure } from "../../features/sweep/show";
+import { cell, rowsOf, type Columns } from "../../features/sweep/table";
+import { caveatsOfRow } from "./describeRow";
+import { Card } from "../../ui/Card";
+import { DataTable, type Column } from "../../ui/DataTable";
+import ui from "../../ui/ui.module.css";
+import { CaveatMark } from "../../features/tables/CaveatMark";
+import type { SweepParts } from "./props";
+
+interface Props extends Pick<
+  SweepParts,
+  "batch" | "columns" | "catalogue" | "strategies" | "markers" | "figures" | "best" | "onOpen"
+> {
+  readonly loading: boolean;
+  /** The row whose run is being opened. */
+  readonly opening: number | null;
+}
+
+const PAGE = 50;
+
+export function BatchRows(props: Props) {
+  const { batch, columns, best, loading } = props;
+  const [failedOnly, setFailedOnly] = useState(false);
+  const [page, setPage] = useState(1);
+
+  const rows = useMemo(
+    () => rowsOf(columns, (row) => !failedOnly || statusOf(columns, row) === "failed"),
+    [columns, failedOnly],
+  );
+  const pages = Math.max(1, Math.ceil(rows.length / PAGE));
+  const current = Math.min(page, pages);
+
+  return (
+    <Card aria-label="Rows">
+      <Group gap="0.4rem 1rem" mih="2.8rem" px="0.9rem" py="0.4rem">
+        <Text size="sm" fw={600}>
+          {count(rows.length, failedOnly ? "failed run" : "run")}
+        </Text>
+        {batch.failed > 0 && (
+          <Checkbox
+            size="xs"
+            label="Failed only"
+            checked={failedOnly}
+            onChange={(event) => {
+              setFailedOnly(event.currentTarget.checked);
+              setPage(1);
+            }}
+          />
+        )}
+        <Pagination
+          size="sm"
+          ml="auto"
+          total={pages}
+          value={current}
+          onChange={setPage}
+          getControlProps={(control) => ({ "aria-label": `${control} page` })}
+          getItemProps={(item) => ({ "aria-label": `Page ${item}` })}
+        />
+      </Group>
+      <DataTable
+        label={`Runs of the sweep, a page of ${PAGE}`}
+        rows={rows}
+        rowKey={(row) => row}
+        rowAttributes={(row) => ({
+          "data-best": row === best || undefined,
+          "data-status": statusOf(columns, row),
+          "data-run": runOf(columns, row),
+        })}
+        columns={columnsOf(props)}
+        order={BY_RUN}
+        attributes={{ "data-dense": true }}
+        onSort={() => setPage(1)}
+        page={[(current - 1) * PAGE, current * PAGE]}
+        empty={loading ? "Loading the rows…" : failedOnly ? "No run has failed." : "There are no rows."}
+      />
+    </Card>
+  );
+}
+
+const BY_RUN = { column: "run", descending: false };
+
+const runOf = (columns: Columns, row: number) => Number(cell(columns, "run", row));
+const statusOf = (columns: Columns, row: number) => String(cell(columns, "status", row));
+
+function columnsOf(props: Props): readonly Column<number>[] {
+  const { batch, columns, strategies, figures } = props;
+  const sort = (name: string) => (row: number) => cell(columns, name, row);
+  const ran = (row: number) => statusOf(columns, row) === "ok";
+  return [
+    { key: "run", head: "Run", sort: sort("run"), cell: (row) => <Run {...props} row={row} /> },
+    ...batch.fields.map(({ name, title, unit }): Column<number> => ({
+      key: name,
+      head: title,
+      detail: prettyUnit(unit),
+      sort: sort(name),
+      cell: (row) => showCell(cell(columns, name, row)),
+    })),
+    {
+      key: "strategy",
+      head: "Strategy",
+      text: true,
+      sort: (row) => strategies.find(({ id }) => id === cell(columns, "strategy", row))?.label,
+      cell: (row) => <Driven {...props} row={row} />,
+    },
+    ...figures.map(({ key, label, group, unit, scale }, index): Column<number> => ({
+      key,
+      head: label,
+      group,
+      detail: prettyUnit(unit),
+      sort: sort(key),
+      span: (row) => (ran(row) || index > 0 ? 1 : figures.length),
+      attributes: (row) => ({ "data-text": !ran(row) || undefined }),
+      cell: (row) =>
+        ran(row) ? showFigure(cell(columns, key, row), scale) : <Unfinished columns={columns} row={row} />,
+    })),
+  ];
+}
+
+interface CellProps extends Props {
+  readonly row: number;
+}
+
+function Run({ columns, row, best, opening, onOpen }: CellProps) {
+  const run = runOf(columns, row);
+  return (
+    <span className={ui.named}>
+      {row === best && (
+        <Tooltip label="Lowest value of the plotted metric">
+          <span className={classes.ring} role="img" aria-label="lowest" />
+        </Tooltip>
+      )}
+      {run}
+      <Tooltip label="Open in the dashboard" openDelay={400}>
+        <ActionIcon
+          size={24}
+          variant="subtle"
+          loading={row === opening}
+          aria-label={`Open run ${run} in the dashboard`}
+          onClick={() => onOpen(row)}
+        >
+          <IconExternalLink size={14} />
+        </ActionIcon>
+      </Tooltip>
+    </span>
+  );
+}
+
+function Driven({ columns, catalogue, strategies, markers, row }: CellProps) {
+  const strategy = strategies.find(({ id }) => id === cell(columns, "strategy", row));
+  return (
+    <span className={ui.named}>
+      {strategy && <MarkerKey strategy={strategy} symbol={markers[strategy.id]} />}
+      {strategy?.label ?? String(cell(columns, "strategy", row))}
+      <CaveatMark caveats={caveatsOfRow(columns, row, catalogue)} short />
+    </span>
+  );
+}
+
+/** What became of a run that has no results, and why. */
+function Unfinished({ columns, row }: Pick<CellProps, "columns" | "row">) {
+  const [status, reason] = [statusOf(columns, row), cell(columns, "reason", row)];
+  return (
+    <Box
+      component="span"
+      display="inline-block"
+      maw="min(44rem, 60vw)"
+      c={status === "failed" ? "var(--danger)" : "dimmed"}
+    >
+      {status}
+      {typeof reason === "string" && `: ${reason}`}
+    </Box>
+  );
+}

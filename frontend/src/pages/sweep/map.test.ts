@@ -1,0 +1,86 @@
+import { describe, expect, it } from "vitest";
+import { frontOf } from "./front";
+import { mapGrid, shareBelow } from "./map";
+import { mapFigure } from "./mapFigure";
+import type { Columns } from "../../features/sweep/table";
+
+// Two heights and two speeds; LV's last run has failed.
+const COLUMNS: Columns = {
+  run: [0, 1, 2, 3, 4, 5, 6, 7],
+  strategy: ["lv", "passive", "lv", "passive", "lv", "passive", "lv", "passive"],
+  height: [5, 5, 5, 5, 10, 10, 10, 10],
+  speed: [20, 20, 40, 40, 20, 20, 40, 40],
+  peak: [1, 2, 3, 3, 2, 8, null, 9],
+};
+const QUESTION = { x: "height", y: "speed", metric: "peak", scale: 10, strategy: "lv", against: null };
+
+describe("a map", () => {
+  it("has a cell for each pair of values, and a gap where there is none", () => {
+    expect(mapGrid(COLUMNS, QUESTION)).toEqual({
+      xs: [5, 10],
+      ys: [20, 40],
+      values: [
+        [10, 20],
+        [30, null],
+      ],
+      rows: [
+        [0, 4],
+        [2, 6],
+      ],
+    });
+  });
+
+  it("of a difference is the change in percent", () => {
+    const grid = mapGrid(COLUMNS, { ...QUESTION, against: "passive" });
+    expect(grid?.values).toEqual([
+      [-50, -75],
+      [0, null],
+    ]);
+    expect(grid && shareBelow(grid, 0)).toEqual({ below: 3, computed: 3, gaps: 1 });
+    expect(grid && shareBelow(grid, -60)).toEqual({ below: 1, computed: 3, gaps: 1 });
+  });
+
+  it("needs a grid: scattered points have none", () => {
+    const many = Array.from({ length: 50 }, (_, index) => index);
+    expect(
+      mapGrid({ run: many, strategy: many.map(() => "lv"), height: many, speed: many, peak: many }, QUESTION),
+    ).toBeNull();
+    expect(mapGrid({ ...COLUMNS, height: COLUMNS.run?.map(() => 5) ?? [] }, QUESTION)).toBeNull();
+  });
+
+  it("is drawn with a line at the threshold, seen on every colour", () => {
+    const grid = mapGrid(COLUMNS, QUESTION);
+    if (!grid) throw new Error("no grid");
+    const axis = (name: string) => ({ name, title: name, unit: "m" });
+    const rest = {
+      grid,
+      x: axis("height"),
+      y: axis("speed"),
+      title: "Peak",
+      unit: "m/s^2",
+      textOf: (row: number, value: number) => [`run ${row}`, String(value)],
+      palette: { text: "#000", grid: "#ccc", zero: "#999" },
+      scheme: "light",
+    } as const;
+    const drawn = mapFigure({ ...rest, difference: false, threshold: 20 }).data;
+    expect(drawn.map(({ type }) => type)).toEqual(["heatmap", "contour", "contour"]);
+    expect([drawn[0]?.customdata, drawn[0]?.text?.[1], drawn[1]?.contours]).toEqual([
+      [
+        [0, 4],
+        [2, 6],
+      ],
+      ["run 2<br>30", ""],
+      { start: 20, end: 20, size: 1, coloring: "none" },
+    ]);
+    const [change] = mapFigure({ ...rest, difference: true, threshold: null }).data;
+    expect([change?.zmin, change?.zmax]).toEqual([-30, 30]);
+  });
+});
+
+it("a front has the runs that none betters in both", () => {
+  const points = [
+    { strategy: "lv", rows: [0, 1, 2], x: [1, 2, 3], y: [9, 4, 4] },
+    { strategy: "lqr", rows: [3, 4], x: [2, 5], y: [5, 1] },
+  ];
+  expect(frontOf(points).map(({ row }) => row)).toEqual([0, 1, 4]);
+});

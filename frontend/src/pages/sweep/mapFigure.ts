@@ -1,0 +1,123 @@
+/** What plotly draws of a map: cells in colour, and a line where the value is a threshold. */
+
+import { humanise } from "../../scenario/schema";
+import { chartLayout } from "../../plots/chartLayout";
+import type { Palette } from "../../plots/palettes";
+import type { GridTrace, PlotLayout } from "../../plots/plotly";
+import { formatExact, titleWithUnit } from "../../units/format";
+import type { AxisOf } from "../../features/sweep/axes";
+import type { MapGrid, AxisValue } from "./map";
+import { isSpreadByRatio } from "./scatter";
+
+interface Input {
+  readonly grid: MapGrid;
+  readonly x: AxisOf;
+  readonly y: AxisOf;
+  /** What stands at the colours. */
+  readonly title: string;
+  readonly unit: string;
+  readonly difference: boolean;
+  readonly threshold: number | null;
+  /** What a cell says of itself, line by line. */
+  readonly textOf: (row: number, value: number) => readonly string[];
+  readonly palette: Palette;
+  readonly scheme: "light" | "dark";
+}
+
+/** Less is better: blue is less than the other, orange is more; the middle is the page's ground. */
+const DIVERGING = {
+  light: [
+    [0, "#0b4fc4"],
+    [0.25, "#7ba7ef"],
+    [0.5, "#f1f3f4"],
+    [0.75, "#f0a35e"],
+    [1, "#b34700"],
+  ],
+  dark: [
+    [0, "#5b93ff"],
+    [0.25, "#3a5f9e"],
+    [0.5, "#24292c"],
+    [0.75, "#96571e"],
+    [1, "#ff8a2a"],
+  ],
+} as const;
+/** Beyond this change [%] all is one colour. */
+const MOST_CHANGE = 100;
+
+const named = (value: AxisValue) => (typeof value === "string" ? humanise(value) : value);
+
+function colours({ grid, difference, scheme }: Input) {
+  if (!difference) return { colorscale: "Cividis" };
+  const sizes = grid.values.flat().map((value) => Math.abs(value ?? 0));
+  const most = Math.min(MOST_CHANGE, Math.max(1, ...sizes));
+  return { colorscale: DIVERGING[scheme], zmin: -most, zmax: most };
+}
+
+function line({ grid, threshold, unit }: Input): readonly GridTrace[] {
+  if (
+    threshold === null ||
+    grid.xs.some((value) => typeof value === "string") ||
+    grid.ys.some((value) => typeof value === "string")
+  )
+    return [];
+  const common = {
+    type: "contour",
+    x: grid.xs,
+    y: grid.ys,
+    z: grid.values,
+    showscale: false,
+    hoverinfo: "skip",
+    connectgaps: false,
+    autocontour: false,
+  } as const;
+  const contours = { start: threshold, end: threshold, size: 1, coloring: "none" };
+  // A light line below a dark one is seen on every colour.
+  return [
+    { ...common, name: "", contours, line: { width: 5, color: "#ffffff" } },
+    { ...common, name: formatExact(threshold, unit), contours, line: { width: 2, color: "#101418" } },
+  ];
+}
+
+export function mapFigure(input: Input): { readonly data: readonly GridTrace[]; readonly layout: PlotLayout } {
+  const { grid, x, y, title, unit, textOf, palette } = input;
+  const axis = (field: AxisOf, values: readonly AxisValue[]) => ({
+    title: { text: titleWithUnit(field.title, field.unit) },
+    showgrid: false,
+    ...(isSpreadByRatio(values)
+      ? { type: "log", exponentformat: "power" }
+      : values.some((value) => typeof value === "string")
+        ? { type: "category" }
+        : {}),
+  });
+  const cells: GridTrace = {
+    type: "heatmap",
+    name: title,
+    x: grid.xs.map(named),
+    y: grid.ys.map(named),
+    z: grid.values,
+    customdata: grid.rows,
+    text: grid.values.map((values, i) =>
+      values.map((value, j) => (value === null ? "" : textOf(grid.rows[i]?.[j] ?? 0, value).join("<br>"))),
+    ),
+    hovertemplate: "%{text}<extra></extra>",
+    hoverongaps: false,
+    xgap: 1,
+    ygap: 1,
+    ...colours(input),
+    colorbar: {
+      title: { text: unit === "%" ? "change [%]" : titleWithUnit("", unit).trim(), side: "right" },
+      thickness: 14,
+      outlinewidth: 0,
+      tickcolor: palette.grid,
+    },
+  };
+  return {
+    data: [cells, ...line(input)],
+    layout: chartLayout(palette, {
+      margin: { l: 56, r: 8, t: 8, b: 52 },
+      uirevision: `${x.name} ${y.name}`,
+      xaxis: axis(x, grid.xs),
+      yaxis: axis(y, grid.ys),
+    }),
+  };
+}

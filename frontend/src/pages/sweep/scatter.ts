@@ -1,0 +1,262 @@
+/** What plotly draws of a sweep. */
+
+import type { Strategy } from "../../api/types";
+import type { Palette } from "../../plots/palettes";
+import type { Markers, MarkerSymbol } from "../../plots/markers";
+import type { LineTrace, PlotLayout, PointTrace } from "../../plots/plotly";
+import { humanise } from "../../scenario/schema";
+import { titleWithUnit } from "../../units/format";
+import type { AxisOf } from "../../features/sweep/axes";
+import { fullName, type Figure } from "../../server/metrics";
+import type { LineEnd, Lines } from "./lines";
+import type { Points } from "../../features/sweep/table";
+import { chartLayout } from "../../plots/chartLayout";
+
+interface Input {
+  readonly points: readonly Points[];
+  readonly strategies: readonly Strategy[];
+  readonly markers: Markers;
+  readonly x: AxisOf;
+  readonly y: Figure;
+  /** The table's rows to ring. */
+  readonly ringed: readonly number[];
+  /** What joins the ringed ones. */
+  readonly front?: boolean;
+  readonly lines: readonly Lines[];
+  /** One field only is swept: the lines are curves, a strategy has one. */
+  readonly curves: boolean;
+  /** What stands at a line's end, by its row. */
+  readonly labelOf: (row: number) => string;
+  /** The rows whose points are hollow. */
+  readonly isHollow: (row: number) => boolean;
+  /** What a row says of itself, line by line. */
+  readonly textOf: (row: number) => readonly string[];
+  readonly palette: Palette;
+  /** More points than these are for a canvas. */
+  readonly most?: number;
+}
+
+export interface ScatterFigure {
+  /** Lines below the points. */
+  readonly data: readonly (LineTrace | PointTrace)[];
+  readonly layout: PlotLayout;
+  readonly count: number;
+  /** What is too much for plotly, which makes an element of each point: for a canvas over its axes. */
+  readonly dots: readonly Dots[];
+}
+
+export interface Dots extends Points {
+  readonly colour: string;
+  readonly symbol: MarkerSymbol;
+  readonly hollow: readonly boolean[];
+}
+
+/** More points than these are drawn on a canvas: as elements, 10 000 of them block the page for half a second. */
+export const MANY = 2000;
+const SIZE = 7;
+const DECADES_RATIO = 100;
+
+/** Whether an axis of these values has decades. */
+export function isSpreadByRatio(values: readonly (number | string)[]): boolean {
+  const numbers = values.filter((value) => typeof value === "number");
+  if (numbers.length === 0 || numbers.length < values.length) return false;
+  let [low, high] = [Infinity, -Infinity];
+  for (const value of numbers) {
+    low = Math.min(low, value);
+    high = Math.max(high, value);
+  }
+  return low > 0 && high / low >= DECADES_RATIO;
+}
+
+/** Decades have a line each, and are written as powers. */
+const scaleOf = (points: readonly Points[]) =>
+  isSpreadByRatio(points.flatMap(({ x }) => x))
+    ? { type: "log", dtick: 1, exponentformat: "power" }
+    : { exponentformat: "power" };
+
+const named = (value: number | string) => (typeof value === "string" ? humanise(value) : value);
+
+const strategyOf = (strategies: readonly Strategy[], id: string) => strategies.find((strategy) => strategy.id === id);
+const symbolOf = (markers: Markers, id: string) => markers[id] ?? "circle";
+
+function traces({ points, strategies, markers, isHollow, textOf, palette }: Input): readonly PointTrace[] {
+  return points.map(({ strategy, rows, x: xs, y: ys }): PointTrace => {
+    const { label = strategy, colour } = strategyOf(strategies, strategy) ?? {};
+    const symbol = symbolOf(markers, strategy);
+    const hollow = rows.map(isHollow);
+    return {
+      type: "scatter",
+      mode: "markers",
+      name: label,
+      x: xs.map(named),
+      y: ys,
+      customdata: rows,
+      marker: {
+        color: colour,
+        size: hollow.map((open) => (open ? SIZE + 3 : SIZE)),
+        symbol: hollow.map((open) => (open ? `${symbol}-open` : symbol)),
+        line: { width: hollow.map((open) => (open ? 1.6 : 0.75)), color: palette.text },
+      },
+      text: rows.map((row) => textOf(row).join("<br>")),
+      hovertemplate: "%{text}<extra></extra>",
+    };
+  });
+}
+
+function joints({ lines, strategies, curves }: Input): readonly LineTrace[] {
+  return lines.map(({ strategy, x, y }): LineTrace => {
+    const { label = strategy, colour, dash } = strategyOf(strategies, strategy) ?? {};
+    return {
+      type: "scatter",
+      mode: "lines",
+      name: label,
+      x: x.map((place) => (place === null ? null : named(place))),
+      y,
+      line: { color: colour, dash: curves ? dash : "solid", width: curves ? 1.5 : 1 },
+      opacity: curves ? 1 : 0.6,
+      hoverinfo: "skip",
+    };
+  });
+}
+
+/** Names in the order of x, in whichever order lines and points name them. */
+function categories(points: readonly Points[]) {
+  const names = [...new Set(points.flatMap(({ x }) => x.filter((place) => typeof place === "string")))].sort((a, b) =>
+    a.localeCompare(b, "en", { numeric: true }),
+  );
+  return names.length === 0 ? {} : { categoryorder: "array", categoryarray: names.map(named) };
+}
+
+/** Nothing to see, and all that plotly needs to find the axes' ranges: the ends of both, or every name there is. */
+function frame(points: readonly Points[]): readonly PointTrace[] {
+  const lows = points.flatMap(({ y }) => (y.length > 0 ? [y.reduce((low, value) => Math.min(low, value))] : []));
+  const highs = points.flatMap(({ y }) => (y.length > 0 ? [y.reduce((high, value) => Math.max(high, value))] : []));
+  // Rows are in ascending x: the ends are the first and the last.
+  const places = points
+    .flatMap(({ x }) => (typeof x[0] === "string" ? [...new Set(x)] : [x[0], x.at(-1)]))
+    .filter((place) => place !== undefined);
+  const [low, high] = [Math.min(...lows), Math.max(...highs)];
+  const x = [...places, ...places].map(named);
+  const y = [...places.map(() => low), ...places.map(() => high)];
+  return [
+    {
+      type: "scatter",
+      mode: "markers",
+      name: "",
+      x,
+      y,
+      customdata: [],
+      marker: { opacity: 0, size: SIZE },
+      hoverinfo: "skip",
+    },
+  ];
+}
+
+/** Labels this near to each other [part of the y axis] would be one upon the other. */
+const LABEL_GAP = 0.045;
+const LABEL_PX = 6.5;
+
+interface EndLabel extends LineEnd {
+  readonly text: string;
+}
+
+/** What the lines' ends say, from above, without those that would cover another. */
+function endLabels({ lines, labelOf, curves }: Input): readonly EndLabel[] {
+  if (curves) return [];
+  const ends = lines.flatMap(({ ends: all }) => all).sort((a, b) => b.y - a.y);
+  const gap = LABEL_GAP * Math.max(0, ...ends.map(({ y }) => y));
+  const spaced: EndLabel[] = [];
+  for (const end of ends) {
+    const last = spaced.at(-1);
+    if (!last || last.y - end.y >= gap) spaced.push({ ...end, text: labelOf(end.row) });
+  }
+  return spaced;
+}
+
+/** The staircase over the front's members. */
+function staircase({ points, ringed, palette }: Input): readonly LineTrace[] {
+  const places = new Map(
+    points.flatMap(({ rows, x, y }) => rows.map((row, index) => [row, [x[index] ?? 0, y[index] ?? 0]] as const)),
+  );
+  const members = ringed.flatMap((row) => (places.has(row) ? [places.get(row) ?? [0, 0]] : []));
+  const [xs, ys] = [members.map(([x = 0]) => x), members.map(([, y = 0]) => y)];
+  return [
+    {
+      type: "scatter",
+      mode: "lines",
+      name: "Front",
+      x: xs,
+      y: ys,
+      line: { color: palette.text, width: 1.5, shape: "hv" },
+      opacity: 1,
+      hoverinfo: "skip",
+    },
+  ];
+}
+
+export function scatterFigure(input: Input): ScatterFigure {
+  const { points, strategies, markers, isHollow, x, y, ringed, front = false, palette, most = MANY } = input;
+  const count = points.reduce((sum, { rows }) => sum + rows.length, 0);
+  const many = count > most;
+  const data = many ? frame(points) : traces(input);
+  const marker = {
+    color: palette.text,
+    size: SIZE + (front ? 6 : 9),
+    symbol: "circle-open",
+    line: { width: 2, color: palette.text },
+  };
+  const ring = points.flatMap(({ rows, x: xs, y: ys }): PointTrace[] =>
+    rows.flatMap((row, index): PointTrace[] => {
+      const [atX, atY] = [xs[index], ys[index]];
+      if (!ringed.includes(row) || atX === undefined || atY === undefined) return [];
+      return [
+        {
+          type: "scatter",
+          mode: "markers",
+          name: "Lowest",
+          x: [named(atX)],
+          y: [atY],
+          customdata: [row],
+          marker,
+          hoverinfo: "skip",
+        },
+      ];
+    }),
+  );
+  const labels = many ? [] : endLabels(input);
+  const logarithmic = isSpreadByRatio(points.flatMap(({ x: xs }) => xs));
+  return {
+    count,
+    dots: many
+      ? points.map((each) => ({
+          ...each,
+          x: each.x.map(named),
+          colour: strategyOf(strategies, each.strategy)?.colour ?? palette.text,
+          symbol: symbolOf(markers, each.strategy),
+          hollow: each.rows.map(isHollow),
+        }))
+      : [],
+    data: [...(many ? [] : joints(input)), ...(front ? staircase(input) : []), ...data, ...ring],
+    layout: chartLayout(palette, {
+      margin: { l: 56, r: 16 + LABEL_PX * Math.max(0, ...labels.map(({ text }) => text.length)), t: 8, b: 52 },
+      annotations: labels.map(({ x: atX, y: atY, text }) => ({
+        x: typeof atX === "number" && logarithmic ? Math.log10(atX) : named(atX),
+        y: atY,
+        text,
+        showarrow: false,
+        xanchor: "left",
+        xshift: 7,
+        font: { size: 11, color: palette.text },
+      })),
+      // Somebody's zoom stays while rows arrive.
+      uirevision: `${x.name} ${y.key}`,
+      xaxis: { title: { text: titleWithUnit(x.title, x.unit) }, ...scaleOf(points), ...categories(points) },
+      yaxis: {
+        title: { text: titleWithUnit(fullName(y), y.unit) },
+        zeroline: true,
+        zerolinecolor: palette.zero,
+        rangemode: "tozero",
+      },
+    }),
+  };
+}

@@ -1,0 +1,55 @@
+/** What a sweep's plot shows: the address's wishes where they can be met, and what suits the sweep elsewhere. */
+
+import type { Batch, Strategy, StrategyId } from "../../api/types";
+import { axesOf, type AxisOf } from "../../features/sweep/axes";
+import { OPENING_FIGURE, type Figure } from "../../server/metrics";
+import { NONE, type BatchView, type PlotKind } from "./view";
+
+export interface ShownPlot {
+  readonly kind: PlotKind;
+  /** Two fields are swept, over a grid. */
+  readonly mappable: boolean;
+  readonly x: AxisOf;
+  /** A map's other field. */
+  readonly other: AxisOf | null;
+  readonly y: Figure;
+  /** The metric across in a trade-off. */
+  readonly versus: Figure;
+  readonly strategy: StrategyId;
+  readonly against: StrategyId | null;
+  readonly threshold: number | null;
+  readonly mapUnit: string;
+}
+
+const PASSIVE = "passive";
+const TRADED = "travel_time";
+
+export function shownPlot(
+  batch: Pick<Batch, "fields" | "sweep">,
+  strategies: readonly Strategy[],
+  figures: readonly Figure[],
+  view: BatchView,
+): ShownPlot | null {
+  const axes = axesOf(batch.fields);
+  const find = (key: string | null) => figures.find((figure) => figure.key === key);
+  const x = axes.find(({ name }) => name === view.x) ?? axes[0];
+  const y = find(view.y) ?? find(OPENING_FIGURE) ?? figures[0];
+  const ids = strategies.map(({ id }) => id);
+  const strategy = ids.find((id) => id === view.strategy) ?? ids[0];
+  if (!x || !y || strategy === undefined) return null;
+  const usual = ids.find((id) => id === PASSIVE && id !== strategy) ?? null;
+  const against = view.against === null ? usual : (ids.find((id) => id === view.against && id !== strategy) ?? null);
+  const mappable = axes.length === 2 && !batch.sweep.latin_hypercube;
+  return {
+    kind: view.plot === null ? (mappable ? "map" : "points") : view.plot === "map" && !mappable ? "points" : view.plot,
+    mappable,
+    x,
+    other: axes.find((axis) => axis !== x) ?? null,
+    y,
+    versus: find(view.versus) ?? find(TRADED) ?? y,
+    strategy,
+    against,
+    threshold: view.threshold === NONE ? null : (view.threshold ?? (against === null ? null : 0)),
+    mapUnit: against === null ? y.unit : "%",
+  };
+}

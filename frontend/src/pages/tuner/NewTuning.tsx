@@ -1,0 +1,180 @@
+/** Puts a tuning together: of which scenario, for what, within what, on which roads; says what it costs first. */
+
+import { Input, MultiSelect, SegmentedControl, Switch } from "@mantine/core";
+import { useMemo } from "react";
+import type { Catalogue, Strategy } from "../../api/types";
+import type { Figure } from "../../server/metrics";
+import type { PageScenario } from "../../features/scenarioSource/scenarioSource";
+import { ScenarioChoice } from "../../features/scenarioSource/ScenarioChoice";
+import { optionTitle, type Group } from "../../scenario/schema";
+import { count } from "../../units/format";
+import { firstDraft, rangesFor, restoreTuning, type TuningDraft } from "./draft";
+import { LimitRows } from "./LimitRows";
+import { ObjectiveRows } from "./ObjectiveRows";
+import { RangesTable } from "./RangesTable";
+import { numberFields, TUNABLE, tunableOf } from "./space";
+import classes from "./tuner.module.css";
+import { useNewTuning } from "./useNewTuning";
+import ui from "../../ui/ui.module.css";
+import { useDraft } from "../../lib/useDraft";
+import { StartFoot } from "../../features/jobForm/StartFoot";
+import { Problems } from "../../ui/Fault";
+import { Choice, Entry } from "../../ui/Entry";
+
+interface Props {
+  readonly form: Group;
+  readonly catalogue: Catalogue;
+  readonly strategies: readonly Strategy[];
+  /** Those that are numbers. */
+  readonly figures: readonly Figure[];
+  readonly source: PageScenario;
+}
+
+/** What an objective comes to over the roads. */
+const QUANTILES = [
+  { value: "", label: "the mean over the training roads" },
+  { value: "0.9", label: "the 90 % quantile over the training roads" },
+  { value: "1", label: "the worst training road" },
+];
+
+export function NewTuning({ form, catalogue, strategies, figures, source }: Props) {
+  const stored = useDraft<TuningDraft>({
+    name: "tuning",
+    initial: () => firstDraft(form),
+    restore: (texts) => restoreTuning(texts, form),
+  });
+  const { draft, setDraft } = stored;
+  const patch = (change: Partial<TuningDraft>) => setDraft({ ...draft, ...change });
+  const tunable = useMemo(() => tunableOf(form, draft.strategy), [form, draft.strategy]);
+  const numbers = useMemo(() => numberFields(tunable), [tunable]);
+  const submission = useNewTuning(draft, numbers, figures, source.scenario, stored.forget);
+  const { errors, general } = submission;
+  const { preview } = tunable;
+  const entry = (
+    key: "seeds" | "validationSeeds" | "trials" | "population" | "seed",
+    label: string,
+    description: string,
+    field: string = key,
+  ) => (
+    <Entry
+      {...{ label, description }}
+      inputMode="text"
+      value={draft[key]}
+      error={errors[field]}
+      onType={(text) => patch({ [key]: text })}
+    />
+  );
+  return (
+    <form
+      className={ui.card}
+      aria-label="New tuning"
+      onSubmit={(event) => {
+        event.preventDefault();
+        submission.start();
+      }}
+    >
+      <Part title="What is tuned">
+        <ScenarioChoice source={source} form={form} />
+        <Input.Wrapper size="xs" label="Strategy" labelElement="div" labelProps={{ mr: "xs" }}>
+          <SegmentedControl
+            size="xs"
+            className={classes.segments ?? ""}
+            aria-label="Strategy"
+            value={draft.strategy}
+            data={TUNABLE.map((id) => ({ value: id, label: strategies.find((each) => each.id === id)?.label ?? id }))}
+            onChange={(strategy) => patch({ strategy, ranges: rangesFor(form, strategy), previews: [] })}
+          />
+        </Input.Wrapper>
+      </Part>
+      <Part title="Minimise">
+        <ObjectiveRows
+          objectives={draft.objectives}
+          windows={catalogue.windows}
+          {...{ figures, errors }}
+          onChange={(objectives) => patch({ objectives })}
+        />
+      </Part>
+      <Part title="Within limits" detail="on every training road">
+        <LimitRows limits={draft.limits} {...{ figures, errors }} onChange={(limits) => patch({ limits })} />
+      </Part>
+      <Part title="Weights and times" detail="searched between these ends, by ratio">
+        <RangesTable
+          tunable={tunable}
+          fields={numbers}
+          scenario={source.scenario}
+          ranges={draft.ranges}
+          errors={errors}
+          onChange={(name, change) => {
+            const range = draft.ranges[name];
+            if (range) patch({ ranges: { ...draft.ranges, [name]: { ...range, ...change } } });
+          }}
+        />
+        {preview && (
+          <MultiSelect
+            size="xs"
+            maw="24rem"
+            label={preview.title}
+            description="Kinds to try; with fewer than two, the scenario’s is used"
+            data={preview.options.map((option) => ({ value: option, label: optionTitle(option) }))}
+            value={[...draft.previews]}
+            error={errors.previews}
+            onChange={(previews) => patch({ previews })}
+          />
+        )}
+      </Part>
+      <Part title="Roads and effort">
+        <Switch
+          size="xs"
+          label="Uncertain car, sensors and actuators"
+          description="On each road they differ at random, as in a robustness study; the controllers do not know by how much"
+          checked={draft.uncertain}
+          onChange={(event) => patch({ uncertain: event.currentTarget.checked })}
+        />
+        <Choice
+          maw="24rem"
+          label="Judge by"
+          value={draft.quantile}
+          error={errors.quantile}
+          data={QUANTILES}
+          onPick={(quantile) => patch({ quantile })}
+        />
+        <div className={classes.entries}>
+          {entry("seeds", "Training roads", "Seeds, such as 1-4, 7")}
+          {entry("validationSeeds", "Validation roads", "None of the training roads", "fresh_seeds")}
+          {entry("trials", "Trials", "Sets of weights tried")}
+          {entry("population", "Population size", "Sets in a generation")}
+          {entry("seed", "Search seed", "Same seed, same trials")}
+        </div>
+      </Part>
+      <Problems
+        messages={[...general, ...(errors.strategy === undefined ? [] : [errors.strategy])]}
+        m="0 0.9rem 0.6rem"
+      />
+      <StartFoot
+        inForm
+        {...{ submission, draft: stored }}
+        amount={({ runs, generations }) => `${count(runs, "run")} in ${count(generations, "generation")}`}
+      />
+    </form>
+  );
+}
+
+function Part({
+  title,
+  detail,
+  children,
+}: {
+  readonly title: string;
+  readonly detail?: string;
+  readonly children: React.ReactNode;
+}) {
+  return (
+    <section className={ui.part} aria-label={title}>
+      <h2 className={ui.heading}>
+        {title}
+        {detail !== undefined && <span className={ui.dim}> {detail}</span>}
+      </h2>
+      {children}
+    </section>
+  );
+}

@@ -1,0 +1,110 @@
+/** What is minimised: up to three objectives. */
+
+import { Group } from "@mantine/core";
+import type { Catalogue } from "../../api/types";
+import { fullName, type Figure } from "../../server/metrics";
+import type { DraftErrors } from "../../features/jobForm/problems";
+import { prettyUnit } from "../../units/format";
+import { MOST_OBJECTIVES, objectiveOf, type Kind, type ObjectiveDraft } from "./draft";
+import { FigureSelect } from "./FigureSelect";
+import classes from "./tuner.module.css";
+import ui from "../../ui/ui.module.css";
+import { Choice, Entry } from "../../ui/Entry";
+import { EntryRow } from "../../ui/EntryRow";
+
+interface Props {
+  readonly objectives: readonly ObjectiveDraft[];
+  readonly figures: readonly Figure[];
+  readonly windows: Catalogue["windows"];
+  readonly errors: DraftErrors;
+  readonly onChange: (objectives: readonly ObjectiveDraft[]) => void;
+}
+
+const SUMS: readonly { readonly value: Kind; readonly label: string; readonly text: string }[] = [
+  {
+    value: "paper",
+    label: "The paper’s sum (Eq. 16): RMS",
+    text: "q1·(a/aₚ)² + q2·(r/rₚ)² + q3·(F/Fₚ)², RMS over the passive car’s",
+  },
+  {
+    value: "peaks",
+    label: "The same sum of peaks",
+    text: "q1·(a/aₚ)² + q2·(r/rₚ)² + q3·(F/Fₚ)², peaks over the passive car’s",
+  },
+];
+const Q = ["q1, body", "q2, pitch", "q3, tyres"] as const;
+
+export function ObjectiveRows({ objectives, figures, windows, errors, onChange }: Props) {
+  const patch = (key: number, change: Partial<ObjectiveDraft>) =>
+    onChange(objectives.map((each) => (each.key === key ? { ...each, ...change } : each)));
+  const add = (value: string) => {
+    const key = 1 + Math.max(-1, ...objectives.map((each) => each.key));
+    const kind = SUMS.find((sum) => sum.value === value)?.value;
+    onChange([...objectives, kind ? objectiveOf(key, kind) : objectiveOf(key, "figure", value)]);
+  };
+  const usedFigures = objectives.map(({ figure }) => figure);
+  return (
+    <div className={ui.stack}>
+      {objectives.map((objective, index) => {
+        const { key, kind, q, window, figure: name } = objective;
+        const figure = figures.find((each) => each.key === name);
+        const title =
+          kind === "figure"
+            ? figure
+              ? fullName(figure)
+              : (name ?? "")
+            : (SUMS.find(({ value }) => value === kind)?.label ?? "");
+        const error = errors[`objectives.${index}`];
+        return (
+          <EntryRow
+            key={key}
+            title={title}
+            error={error}
+            onRemove={() => onChange(objectives.filter((each) => each.key !== key))}
+            beside={
+              <span className={ui.dim}>
+                {kind === "figure"
+                  ? `mean over the roads${figure && prettyUnit(figure.unit) ? ` [${prettyUnit(figure.unit)}]` : ""}`
+                  : SUMS.find(({ value }) => value === kind)?.text}
+              </span>
+            }
+          >
+            {kind !== "figure" && (
+              <Group gap="0.4rem 0.7rem" align="flex-end" mt="0.3rem">
+                {Q.map((label, part) => (
+                  <Entry
+                    key={label}
+                    className={classes.short}
+                    label={label}
+                    value={q[part] ?? ""}
+                    onType={(typed) => {
+                      const [q1, q2, q3] = q.map((text, at) => (at === part ? typed : text));
+                      patch(key, { q: [q1 ?? "", q2 ?? "", q3 ?? ""] });
+                    }}
+                  />
+                ))}
+                <Choice
+                  label="Over"
+                  value={window}
+                  data={windows.map((each) => ({ value: each.key, label: each.label }))}
+                  onPick={(next) => patch(key, { window: next })}
+                />
+              </Group>
+            )}
+          </EntryRow>
+        );
+      })}
+      {objectives.length < MOST_OBJECTIVES && (
+        <FigureSelect
+          label={
+            objectives.length === 0 ? "Add an objective" : "Add another objective: the answer is then a Pareto front"
+          }
+          figures={figures.filter(({ key }) => !usedFigures.includes(key))}
+          first={SUMS}
+          error={errors.objectives}
+          onPick={add}
+        />
+      )}
+    </div>
+  );
+}

@@ -1,0 +1,151 @@
+/** Trials in the plane of two objectives with their front, or one objective over the trials. */
+
+import { Box, Group, Text, useComputedColorScheme } from "@mantine/core";
+import { useQuery } from "@tanstack/react-query";
+import { useMemo, useRef, useState } from "react";
+import type { Trial, Tuning } from "../../api/types";
+import { Chart } from "../../plots/Chart";
+import { ChartButton } from "../../plots/ChartButton";
+import { ON_PAPER, PALETTES } from "../../plots/palettes";
+import { strategiesQuery } from "../../server/queries";
+import { count, formatResult } from "../../units/format";
+import { frontFigure, historyFigure, volumeFigure, type Look } from "./charts";
+import type { Shown } from "./figures";
+import type { Point } from "./points";
+import classes from "./tuner.module.css";
+import { Choice } from "../../ui/Entry";
+import { Fault } from "../../ui/Fault";
+import { Card } from "../../ui/Card";
+import ui from "../../ui/ui.module.css";
+import type { TuningParts } from "./props";
+
+interface Props extends Pick<TuningParts, "tuning" | "objectives" | "points" | "colour"> {
+  readonly trials: readonly Trial[];
+  /** Why there are no single trials. */
+  readonly fault: Error | null;
+  readonly picked: number | null;
+  readonly onPick: (trial: number) => void;
+}
+
+const HEIGHT = 360;
+const LEGEND = ["Over a limit", "Trials", "Front", "Best so far"];
+
+/** Those with a name of their own in the plot: the best of single objectives are the front's ends. */
+const namedOf = (points: readonly Point[]) =>
+  points.flatMap(({ trial, names }) => {
+    const name = names.find((each) => !each.startsWith("Best"));
+    return name !== undefined && trial.values !== null
+      ? [{ trial, name: trial.feasible ? name : `${name}, over a limit` }]
+      : [];
+  });
+
+export function SearchCard({ tuning, objectives, points, trials, fault, colour, picked, onPick }: Props) {
+  const palette = PALETTES[useComputedColorScheme("light")];
+  const several = objectives.length > 1;
+  const [[x, y], setAxes] = useState<readonly [number, number]>([0, 1]);
+  const draw = useMemo(() => {
+    const [shown] = objectives;
+    return (look: Look) =>
+      !several && shown
+        ? historyFigure({ ...look, trials, picked, paper: tuning.paper, shown })
+        : frontFigure({ ...look, trials, picked, front: tuning.front, named: namedOf(points), x, y, objectives });
+  }, [trials, picked, objectives, several, tuning, points, x, y]);
+  const figure = useMemo(() => draw({ palette, colour }), [draw, palette, colour]);
+  const strategies = useQuery(strategiesQuery).data;
+  const host = useRef<HTMLDivElement>(null);
+  const title = several ? "Pareto front" : "The best so far";
+  const growth = useRef<HTMLDivElement>(null);
+  const light = strategies?.find(({ id }) => id === tuning.strategy)?.colour ?? colour;
+  const drawOnPaper = () => ({ figure: draw({ palette: ON_PAPER, colour: light }), legend: LEGEND });
+  const volume = useMemo(() => volumeFigure(tuning.history, { palette, colour }), [tuning.history, palette, colour]);
+  const axis = (which: "x" | "y") => (
+    <Choice
+      label={which === "x" ? "Across" : "Up"}
+      value={String(which === "x" ? x : y)}
+      data={objectives.map(({ label }, index) => ({
+        value: String(index),
+        label,
+        disabled: index === (which === "x" ? y : x),
+      }))}
+      onPick={(value) => setAxes(which === "x" ? [Number(value), y] : [x, Number(value)])}
+    />
+  );
+  return (
+    <Card
+      aria-label={several ? "Pareto front" : "History"}
+      data-trials={trials.length}
+      data-front={tuning.front.length}
+      title={title}
+      tools={
+        <>
+          {objectives.length > 2 && (
+            <Group gap="0.5rem" align="stretch" p="0.5rem 0.9rem 0">
+              {axis("x")}
+              {axis("y")}
+            </Group>
+          )}
+          {tuning.paper !== null && (
+            <Box ml="auto">
+              <ChartButton
+                title={title}
+                file={`ridelab-${tuning.id}-${several ? "front" : "history"}`}
+                hostRef={host}
+                draw={drawOnPaper}
+              />
+            </Box>
+          )}
+        </>
+      }
+    >
+      {tuning.paper === null ? (
+        <Text size="sm" c="dimmed" className={classes.plotEmpty ?? ""} style={{ height: HEIGHT }}>
+          The first generation is being computed: the paper’s weights and {tuning.population - 1} others.
+        </Text>
+      ) : (
+        <Chart hostRef={host} figure={figure} height={HEIGHT} label={describe(tuning, objectives)} onPoint={onPick} />
+      )}
+      {fault && <Fault className={ui.note ?? ""}>The single trials could not be read: {fault.message}</Fault>}
+      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
+        {several
+          ? "Large points: the Pareto front. Small ones: the other trials. "
+          : "Points: the trials. Line: the best so far. "}
+        {tuning.limits.length > 0 && "Crosses: over a limit. "}A click on a point shows its weights.
+        {figure.beyond > 0 &&
+          ` ${count(figure.beyond, "worse trial")} ${figure.beyond === 1 ? "lies" : "lie"} beyond the axes.`}
+      </Text>
+      {several && tuning.history.length > 1 && tuning.history.some(({ hypervolume }) => hypervolume !== null) && (
+        <details className={classes.more}>
+          <summary>How the front grew</summary>
+          <ChartButton
+            title="How the front grew"
+            file={`ridelab-${tuning.id}-growth`}
+            hostRef={growth}
+            draw={() => ({
+              figure: volumeFigure(tuning.history, { palette: ON_PAPER, colour: light }),
+              legend: ["Front"],
+            })}
+          />
+          <Chart
+            hostRef={growth}
+            figure={volume}
+            height={180}
+            label="Share of the box under the paper’s weights that the front dominates, over the trials"
+          />
+          <Text size="xs" c="dimmed" className={ui.note ?? ""}>
+            The part of the box between zero and the paper’s weights that the front dominates: it flattens when more
+            trials find little more.
+          </Text>
+        </details>
+      )}
+    </Card>
+  );
+}
+
+function describe({ front, paper, history }: Tuning, objectives: readonly Shown[]): string {
+  const names = objectives.map(({ label }) => label).join(" against ");
+  if (objectives.length > 1)
+    return `${names}: ${front.length} points on the Pareto front. They can be chosen by “Weights of trial”.`;
+  const best = history.at(-1)?.best[0];
+  const scale = objectives[0]?.scale ?? 1;
+  return `${names} over the trials: the paper’s weights ${formatResult((paper?.values?.[0] ?? NaN) * scale, 4)}, best ${typeof best === "number" ? formatResult(best * scale, 4) : "none yet"}`;
+}

@@ -1,0 +1,100 @@
+/** One tuning: how far it is, what it found, and whether that holds on other roads. */
+
+import { Anchor, Text } from "@mantine/core";
+import { Link, useParams } from "@tanstack/react-router";
+import { useMemo } from "react";
+import { api } from "../../api/client";
+import type { Trial, Tuning } from "../../api/types";
+import { TUNING, useJob } from "../../jobs/useJob";
+import { Page } from "../../ui/Page";
+import { useRunInLab } from "../../ui/useOpenInLab";
+import type { Catalogues } from "../../server/useCatalogues";
+import { ofLimit, ofObjective } from "./figures";
+import { ValidationTable } from "./ValidationTable";
+import { pointsOf } from "./points";
+import { PointsTable } from "./PointsTable";
+import { tunableOf } from "./space";
+import { TuningPlot } from "./TuningPlot";
+import { TuningState } from "./TuningState";
+import { useNumericCatalogues } from "./useNumericCatalogues";
+import { withFields } from "../../scenario/fields";
+import { Fault } from "../../ui/Fault";
+import ui from "../../ui/ui.module.css";
+
+/** What weights are looked at beside. */
+const BESIDE = ["lqr", "passive"];
+
+export function TuningPage() {
+  const { id } = useParams({ from: "/tuner/$id" });
+  const { catalogues, fault } = useNumericCatalogues();
+  const { job: tuning, error, connected, left } = useJob(TUNING, id);
+  const strategy = catalogues?.strategies.find((each) => each.id === tuning?.strategy)?.label ?? tuning?.strategy;
+  const heading = catalogues && strategy !== undefined ? `Weights of ${strategy}` : undefined;
+  const start = (text: string) => (
+    <Anchor size="sm" renderRoot={(props) => <Link to="/tuner" {...props} />}>
+      {text}
+    </Anchor>
+  );
+  return (
+    <Page
+      title={heading ?? "Tuning"}
+      above={start("New tuning, earlier tunings")}
+      heading={heading && `${heading}, tuned`}
+      what="tuning"
+      instead={start("Start a tuning")}
+      faults={[tuning ? null : error, fault]}
+      heights={[28, 150, 420]}
+    >
+      {tuning && catalogues ? (
+        <>
+          <TuningState {...{ tuning, connected, left }} {...catalogues} />
+          <TuningResults tuning={tuning} {...catalogues} />
+        </>
+      ) : null}
+    </Page>
+  );
+}
+
+function TuningResults({ tuning, form, strategies, figures }: { readonly tuning: Tuning } & Catalogues) {
+  const objectives = useMemo(
+    () => tuning.objectives.map((each) => ofObjective(each, figures)),
+    [tuning.objectives, figures],
+  );
+  const limits = useMemo(() => tuning.limits.map((each) => ofLimit(each, figures)), [tuning.limits, figures]);
+  const tunable = useMemo(() => tunableOf(form, tuning.strategy), [form, tuning.strategy]);
+  const points = useMemo(
+    () =>
+      pointsOf(
+        tuning,
+        objectives.map(({ label }) => label),
+      ),
+    [tuning, objectives],
+  );
+  const load = useRunInLab(({ weights }: Trial) =>
+    api.createRun(withFields(tuning.scenario, weights), [...new Set([tuning.strategy, ...BESIDE])]),
+  );
+  const colour = strategies.find(({ id }) => id === tuning.strategy)?.colour ?? "currentColor";
+  const warning = warningOf(tuning);
+  return (
+    <>
+      {warning !== null && (
+        <Text size="sm" role="status" className={ui.warning ?? ""}>
+          {warning}
+        </Text>
+      )}
+      {load.error !== null && <Fault size="sm">These weights could not be loaded: {load.error}</Fault>}
+      <TuningPlot {...{ tuning, objectives, limits, tunable, points, colour, load }} />
+      {points.length > 0 && <PointsTable {...{ tuning, objectives, limits, tunable, points, load }} />}
+      <ValidationTable {...{ tuning, objectives, figures }} />
+    </>
+  );
+}
+
+function warningOf({ paper, trials }: Tuning): string | null {
+  if (paper === null) return null;
+  if (trials.feasible === 0) return "No trial so far is within the limits on every training road.";
+  if (paper.status === "failed") return "The paper’s weights could not be driven: there is nothing to compare with.";
+  return paper.feasible
+    ? null
+    : "The paper’s own weights are over a limit on the training roads: weights within the limits may give larger objectives.";
+}

@@ -1,0 +1,190 @@
+/** How far a tuning is, what it is about, and how to continue it. */
+
+import { Button, Group, Text } from "@mantine/core";
+import { useQuery } from "@tanstack/react-query";
+import { useState } from "react";
+import { ask } from "../../api/http";
+import type { Strategy, Tuning } from "../../api/types";
+import type { Figure } from "../../server/metrics";
+import { otherThanPaper } from "../../features/scenarioSource/otherThanPaper";
+import { optionTitle, type Group as Form } from "../../scenario/schema";
+import { isFinal } from "../../jobs/follow";
+import { JobState } from "../../jobs/JobState";
+import { BATCH, jobQuery, TUNING, useJobCall } from "../../jobs/useJob";
+import { formatDuration, formatMinute } from "../../units/dates";
+import { count, formatExact, formatWhole, parseInput } from "../../units/format";
+import { ofLimit, ofObjective } from "./figures";
+import { formatSeeds } from "./seeds";
+import classes from "./tuner.module.css";
+import { Entry } from "../../ui/Entry";
+import ui from "../../ui/ui.module.css";
+
+interface Props {
+  readonly tuning: Tuning;
+  readonly form: Form;
+  readonly strategies: readonly Strategy[];
+  readonly figures: readonly Figure[];
+  readonly connected: boolean;
+  readonly left: number | null;
+}
+
+const STATE = { running: "Searching", cancelled: "Cancelled; complete generations are kept" };
+
+export function TuningState({ tuning, form, strategies, figures, connected, left }: Props) {
+  const { total, done, failed, feasible } = tuning.trials;
+  const comparing = tuning.state === "running" && tuning.step === "comparison";
+  const counts = (
+    <>
+      {formatWhole(done + failed)} of {count(total, "trial")}
+      {failed > 0 && <span className={ui.error}>, {formatWhole(failed)} failed</span>}
+      {tuning.limits.length > 0 && `, ${formatWhole(feasible)} within the limits`}
+      {left !== null && !comparing && ` · about ${formatDuration(left)} left`}
+    </>
+  );
+  return (
+    <JobState
+      kind={TUNING}
+      job={tuning}
+      texts={comparing ? { running: "Comparing on the roads" } : STATE}
+      resume={<Resume key={tuning.state} tuning={tuning} />}
+      {...{ counts, connected }}
+    >
+      {!isFinal(tuning) && <Within tuning={tuning} comparing={comparing} />}
+      <Facts {...{ tuning, form, strategies, figures }} />
+    </JobState>
+  );
+}
+
+const WITHIN_MS = 1000;
+
+/** How far the present generation is. */
+function Within({ tuning, comparing }: { readonly tuning: Tuning; readonly comparing: boolean }) {
+  const { data } = useQuery({
+    ...jobQuery(BATCH, tuning.batch ?? ""),
+    enabled: tuning.batch !== null,
+    refetchInterval: WITHIN_MS,
+  });
+  const finished = data ? data.done + data.failed : 0;
+  return (
+    <Text size="xs" c="dimmed" data-testid="tuning-within">
+      {data
+        ? `${comparing ? "Comparison" : `Generation ${tuning.generation + 1}`}: ${formatWhole(finished)} of ${count(data.total, "run")}`
+        : "\u00a0"}
+    </Text>
+  );
+}
+
+function Resume({ tuning }: { readonly tuning: Tuning }) {
+  const { total } = tuning.trials;
+  const least = tuning.state === "done" ? total + 1 : total;
+  const [trials, setTrials] = useState(String(tuning.state === "done" ? 2 * total : total));
+  const requested = parseInput(trials);
+  const wrong = requested === null || !Number.isInteger(requested) || requested < least;
+  const resume = useJobCall(TUNING, tuning.id, (number: number) =>
+    ask("post", "/tunings/{id}/resume", { path: { id: tuning.id }, query: { trials: number } }),
+  );
+  return (
+    <Group
+      component="form"
+      gap="0.4rem"
+      onSubmit={(event) => {
+        event.preventDefault();
+        if (!wrong) resume.mutate(requested);
+      }}
+    >
+      <Entry
+        className={classes.short}
+        aria-label="Trials in all"
+        inputMode="numeric"
+        value={trials}
+        unit="trials"
+        error={wrong}
+        onType={setTrials}
+      />
+      <Button type="submit" size="xs" variant="default" disabled={wrong} loading={resume.isPending}>
+        {tuning.state === "done" ? "Continue search" : "Resume"}
+      </Button>
+      {wrong && <span className={ui.error}>{formatWhole(least)} or more</span>}
+      {resume.isError && (
+        <span className={ui.error} role="alert">
+          {resume.error.message}
+        </span>
+      )}
+    </Group>
+  );
+}
+
+function Facts({ tuning, form, strategies, figures }: Pick<Props, "tuning" | "form" | "strategies" | "figures">) {
+  const {
+    scenario,
+    search,
+    previews,
+    uncertain,
+    quantile,
+    seeds,
+    fresh_seeds: validation,
+    limits,
+    objectives,
+    started_at: started,
+    finished_at: finished,
+  } = tuning;
+  const own = (name: string) => name.replace(/\.\d+$/, "");
+  const limit = limits.map((each) => {
+    const { label, unit, scale } = ofLimit(each, figures);
+    return `${label} at most ${formatExact(Number((each.at_most * scale).toPrecision(10)), unit)}`;
+  });
+  const facts: readonly (readonly [string, string])[] = [
+    ["Strategy", strategies.find(({ id }) => id === tuning.strategy)?.label ?? tuning.strategy],
+    [
+      "Minimised",
+      objectives
+        .map(
+          (each) =>
+            ofObjective(each, figures).label +
+            (each.kind !== "figure" && each.q.some((q) => q !== 1) ? ` (q ${each.q.join(", ")})` : ""),
+        )
+        .join("; "),
+    ],
+    ...(limit.length > 0 ? [["Within", limit.join("; ")] as const] : []),
+    [
+      "Searched",
+      [
+        count(Object.keys(search).length, "number"),
+        ...(previews ? [`preview ${previews.map(optionTitle).join(", ")}`] : []),
+      ].join("; "),
+    ],
+    [
+      "Roads",
+      `training ${formatSeeds(seeds)}; validation ${formatSeeds(validation)}${uncertain ? "; car, sensors and actuators uncertain" : ""}`,
+    ],
+    ...(quantile === null
+      ? []
+      : [
+          [
+            "Judged by",
+            quantile === 1
+              ? "the worst training road"
+              : `the ${formatExact(100 * quantile, "%")} quantile over the training roads`,
+          ] as const,
+        ]),
+    ["Scenario", otherThanPaper(scenario, form, Object.keys(search).map(own))],
+    [
+      "Submitted",
+      [
+        formatMinute(tuning.created_at),
+        ...(started && finished ? [`took ${formatDuration((Date.parse(finished) - Date.parse(started)) / 1000)}`] : []),
+        `core ${tuning.core_version}`,
+      ].join(" · "),
+    ],
+  ];
+  return (
+    <dl className={ui.facts}>
+      {facts.map(([term, text]) => (
+        <div key={term}>
+          <dt>{term}</dt>
+          <dd>{text}</dd>
+        </div>
+      ))}
+    </dl>
+  );
+}

@@ -1,0 +1,173 @@
+/** The paper's weights and the tuned ones, on the training and on the validation roads. */
+
+import { Skeleton, Text } from "@mantine/core";
+import { IconAlertTriangle, IconCheck, IconEqual } from "../../ui/icons";
+import type { ComparedPoint, TunedFigure, Tuning } from "../../api/types";
+import { isFinal } from "../../jobs/follow";
+import type { Figure } from "../../server/metrics";
+import { formatPercent } from "../../features/tables/change";
+import tables from "../../features/tables/tables.module.css";
+import { formatResult, prettyUnit } from "../../units/format";
+import { ofKey, type Shown } from "./figures";
+import { gainsOf, type Gain, type Keeps } from "./gain";
+import { roleName } from "./points";
+import results from "./results.module.css";
+import { DataTable, type Column } from "../../ui/DataTable";
+import { LimitValue } from "./PointsTable";
+import { Card } from "../../ui/Card";
+import ui from "../../ui/ui.module.css";
+import type { TuningParts } from "./props";
+
+interface Props extends Pick<TuningParts, "tuning" | "objectives"> {
+  readonly figures: readonly Figure[];
+}
+
+const SIGN: Readonly<Record<Keeps, typeof IconCheck>> = {
+  keeps: IconCheck,
+  shrinks: IconAlertTriangle,
+  unclear: IconAlertTriangle,
+  worse: IconAlertTriangle,
+  none: IconEqual,
+};
+
+export function ValidationTable({ tuning, objectives, figures }: Props) {
+  const { comparison } = tuning;
+  if (!comparison) {
+    return (
+      <Card aria-label="Validation roads" aria-busy={!isFinal(tuning) || undefined} title="Validation roads">
+        <div className={ui.note}>
+          <Text size="sm" c="dimmed">
+            {isFinal(tuning)
+              ? "The comparison is made once the search is complete: resume it for that."
+              : `When the search is complete, the best weights drive ${tuning.fresh_seeds.length} roads they were not tuned on, beside the paper’s.`}
+          </Text>
+          {tuning.step === "comparison" && !isFinal(tuning) && <Skeleton height={120} radius={6} mt={10} />}
+        </div>
+      </Card>
+    );
+  }
+  const labels = objectives.map(({ label }) => label);
+  const gains = gainsOf(comparison, objectives.length);
+  return (
+    <Card
+      aria-label="Validation roads"
+      title={`Validation: ${tuning.seeds.length} training and ${tuning.fresh_seeds.length} validation roads`}
+    >
+      <ul className={results.gains}>
+        {gains.map((gain) => (
+          <GainLine key={gain.objective} gain={gain} label={labels.length > 1 ? (labels[gain.objective] ?? "") : ""} />
+        ))}
+        {comparison.points.flatMap(({ trial, failures }) =>
+          failures.map((failure) => (
+            <li key={`${trial} ${failure}`} data-keeps="worse">
+              <IconAlertTriangle size={16} stroke={2} aria-hidden />
+              <span>
+                Trial {trial} could not be run on every road; left out: {failure}
+              </span>
+            </li>
+          )),
+        )}
+      </ul>
+      <DataTable
+        label="The paper’s and the tuned weights over training and validation roads"
+        rows={comparison.figures.map(({ key }) => rowOf(key, tuning, figures))}
+        rowKey={({ key }) => key}
+        rowAttributes={({ key }) => ({ "data-figure": key })}
+        columns={[
+          {
+            key: "figure",
+            head: "",
+            text: true,
+            cell: ({ label, unit, isLimit }) => (
+              <>
+                {label}
+                {isLimit && ", largest"} <span className={ui.dim}>{prettyUnit(unit)}</span>
+              </>
+            ),
+          },
+          ...comparison.points.flatMap((point) =>
+            columnsOf(point, `${point.roles.map((role) => roleName(role, labels)).join(", ")} · trial ${point.trial}`),
+          ),
+        ]}
+      />
+      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
+        Means over the roads; the change against the paper’s weights with its 95 % interval, paired road by road. An
+        arrow stands only where the interval does not hold zero.
+      </Text>
+    </Card>
+  );
+}
+
+function GainLine({ gain: { keeps, text }, label }: { readonly gain: Gain; readonly label: string }) {
+  const Icon = SIGN[keeps];
+  return (
+    <li data-keeps={keeps}>
+      <Icon size={16} stroke={2} aria-hidden />
+      <span>
+        {label !== "" && <strong>{label}: </strong>}
+        {text}
+      </span>
+    </li>
+  );
+}
+
+interface Row extends Shown {
+  readonly key: string;
+  readonly isLimit: boolean;
+  /** Of a limit. */
+  readonly most: number | undefined;
+}
+
+function rowOf(key: string, tuning: Tuning, figures: readonly Figure[]): Row {
+  const isLimit = key.startsWith("limits.");
+  return {
+    ...ofKey(key, tuning, figures),
+    key,
+    isLimit,
+    most: isLimit ? tuning.limits[Number(key.slice("limits.".length))]?.at_most : undefined,
+  };
+}
+
+const ROADS = { training: "training", fresh: "validation" } as const;
+
+const columnsOf = (point: ComparedPoint, group: string) =>
+  (["training", "fresh"] as const).map((roads): Column<Row> => ({
+    key: `${point.trial} ${roads}`,
+    group,
+    head: ROADS[roads],
+    headAttributes: { "data-trial": point.trial },
+    attributes: ({ key }) => ({ "data-trial": point.trial, "data-value": point[roads][key]?.mean ?? "" }),
+    cell: ({ key, scale, most }) => <Value figure={point[roads][key]} {...{ scale, most }} />,
+  }));
+
+function Value({ figure, scale, most }: { readonly figure: TunedFigure | undefined } & Pick<Row, "scale" | "most">) {
+  if (!figure) return "–";
+  if (most !== undefined)
+    return <LimitValue value={formatResult(figure.worst * scale, 3)} over={figure.worst > most} />;
+  return (
+    <>
+      <span className={tables.value}>{formatResult(figure.mean * scale, 3)}</span>
+      <ChangeOf figure={figure} />
+    </>
+  );
+}
+
+function ChangeOf({ figure: { change } }: { readonly figure: TunedFigure }) {
+  if (!change) return <span className={tables.change}>&nbsp;</span>;
+  const { value, low, high } = change;
+  const verdict = high !== null && high < 0 ? "better" : low !== null && low > 0 ? "worse" : "same";
+  return (
+    <>
+      <span className={tables.change} data-verdict={verdict}>
+        <span aria-hidden>{verdict === "better" ? "▼ " : verdict === "worse" ? "▲ " : ""}</span>
+        {formatPercent(value)}
+        <span className="visually-hidden">, {verdict === "same" ? "unclear" : verdict}</span>
+      </span>
+      <span className={ui.under}>
+        {low === null || high === null
+          ? "one road"
+          : `${formatPercent(low).replace(/\u2009%$/, "")} to ${formatPercent(high)}`}
+      </span>
+    </>
+  );
+}

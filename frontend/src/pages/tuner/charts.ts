@@ -1,0 +1,267 @@
+/** What plotly draws of a tuning: trials in the plane of two objectives, or one objective over the trials. */
+
+import type { Generation, Trial } from "../../api/types";
+import type { ChartFigure } from "../../plots/Chart";
+import type { Palette } from "../../plots/palettes";
+import type { LineTrace, PointTrace } from "../../plots/plotly";
+import { formatResult, prettyUnit, titleWithUnit } from "../../units/format";
+import type { Shown } from "./figures";
+import { chartLayout } from "../../plots/chartLayout";
+
+export interface Look {
+  readonly palette: Palette;
+  /** The tuned strategy's. */
+  readonly colour: string;
+}
+
+const axisTitle = ({ label, unit }: Shown) => titleWithUnit(label, unit);
+
+const PAD = 0.12;
+/** What is far worse than the paper's weights would squeeze everything else into a corner: so much of the span beyond them is shown. */
+const BEYOND = 0.8;
+
+/** An axis that shows what matters: everything in `must`, and of the rest what is not far beyond it. */
+export function rangeOf(must: readonly number[], rest: readonly number[]): readonly [number, number] {
+  const [low, high] = [Math.min(...must, ...rest), Math.max(...must)];
+  const span = high - low || Math.abs(high) || 1;
+  const top = Math.min(Math.max(high, ...rest), high + BEYOND * span);
+  return [low - PAD * span, top + PAD * span];
+}
+
+const valueOf = (trial: Trial, objective: number, { scale }: Shown) => (trial.values?.[objective] ?? NaN) * scale;
+
+interface Named {
+  readonly trial: Trial;
+  readonly name: string;
+}
+
+interface Input extends Look {
+  readonly trials: readonly Trial[];
+  readonly picked: number | null;
+}
+
+export interface FrontInput extends Input {
+  readonly front: readonly Trial[];
+  /** The paper's weights, the scenario's, the balanced ones. */
+  readonly named: readonly Named[];
+  /** Which objectives, by place. */
+  readonly x: number;
+  readonly y: number;
+  readonly objectives: readonly Shown[];
+}
+
+function textOf(trial: Trial, objectives: readonly Shown[], name?: string): string {
+  const values = objectives.map((shown, index) =>
+    `${shown.label}: ${formatResult(valueOf(trial, index, shown), 4)} ${prettyUnit(shown.unit)}`.trim(),
+  );
+  return [name ?? `Trial ${trial.number}`, ...values, ...(trial.feasible ? [] : ["over a limit"])].join("<br>");
+}
+
+/** Trials as points by two of their values: all that ran, a ring around the selected one, and what makes points of others. */
+function pointsBy(
+  { trials, picked, palette }: Input,
+  objectives: readonly Shown[],
+  x: (trial: Trial) => number,
+  y: (trial: Trial) => number,
+) {
+  const points = (name: string, some: readonly Trial[], marker: object, names: readonly string[] = []): PointTrace => ({
+    type: "scatter",
+    mode: "markers",
+    name,
+    x: some.map(x),
+    y: some.map(y),
+    customdata: some.map(({ number }) => number),
+    marker: { color: palette.text, ...marker },
+    text: some.map((trial, index) => textOf(trial, objectives, names[index])),
+    hovertemplate: "%{text}<extra></extra>",
+  });
+  const driven = trials.filter(({ values }) => values !== null);
+  const ringed = driven.filter(({ number }) => number === picked);
+  return {
+    points,
+    driven,
+    ringed,
+    all: [
+      points(
+        "Over a limit",
+        driven.filter(({ feasible }) => !feasible),
+        { size: 6, symbol: "x-thin-open", opacity: 0.5 },
+      ),
+      points(
+        "Trials",
+        driven.filter(({ feasible }) => feasible),
+        { size: 5, opacity: 0.35 },
+      ),
+    ],
+    ring:
+      ringed.length > 0
+        ? [points("Picked", ringed, { size: 18, symbol: "circle-open", line: { width: 2, color: palette.text } })]
+        : [],
+  };
+}
+
+/** A staircase. */
+const steps = (name: string, x: readonly number[], y: readonly number[], color: string, width: number): LineTrace => ({
+  type: "scatter",
+  mode: "lines",
+  name,
+  opacity: 1,
+  hoverinfo: "skip",
+  x,
+  y,
+  line: { color, width, shape: "hv" },
+});
+
+export function frontFigure(input: FrontInput): SearchFigure {
+  const { front, named, x, y, objectives, palette, colour } = input;
+  const [shownX, shownY] = [objectives[x], objectives[y]];
+  if (!shownX || !shownY) return { data: [], layout: chartLayout(palette, { xaxis: {}, yaxis: {} }), beyond: 0 };
+  const [across, up] = [(trial: Trial) => valueOf(trial, x, shownX), (trial: Trial) => valueOf(trial, y, shownY)];
+  const { points, driven, ringed, all, ring } = pointsBy(input, objectives, across, up);
+  const sorted = [...front].sort((a, b) => across(a) - across(b));
+  const must = [...front, ...named.map(({ trial }) => trial), ...ringed];
+  const range = (along: typeof up) =>
+    rangeOf(must.map(along).filter(Number.isFinite), driven.map(along).filter(Number.isFinite));
+  const [rangeX, rangeY] = [range(across), range(up)];
+  return {
+    beyond: driven.filter((trial) => across(trial) > rangeX[1] || up(trial) > rangeY[1]).length,
+    data: [
+      ...all,
+      // With three objectives the front is a surface: its points in this plane are not joined.
+      ...(objectives.length === 2 ? [steps("Front", sorted.map(across), sorted.map(up), colour, 1.5)] : []),
+      points("Front", sorted, { color: colour, size: 9, symbol: "circle", line: { width: 0.75, color: palette.text } }),
+      points(
+        "Named",
+        named.map(({ trial }) => trial),
+        { size: 11, symbol: named.map(({ name }) => symbolOf(name)) },
+        named.map(({ name }) => name),
+      ),
+      ...ring,
+    ],
+    layout: chartLayout(palette, {
+      xaxis: { title: { text: axisTitle(shownX) }, range: rangeX },
+      yaxis: { title: { text: axisTitle(shownY) }, range: rangeY },
+      uirevision: `${x} ${y}`, // somebody's zoom stays while trials arrive
+      annotations: named.map(({ trial, name }) => ({
+        text: name,
+        x: across(trial),
+        y: up(trial),
+        xanchor: "left",
+        yanchor: "bottom",
+        xshift: 6,
+        yshift: 3,
+        showarrow: false,
+        font: { size: 11, color: palette.text },
+      })),
+    }),
+  };
+}
+
+const symbolOf = (name: string) =>
+  name.startsWith("The paper") ? "square" : name.startsWith("The scenario") ? "triangle-up" : "diamond";
+
+/** A plot, and how many points lie beyond its axes as it opens. */
+export interface SearchFigure extends ChartFigure {
+  readonly beyond: number;
+}
+
+export interface HistoryInput extends Input {
+  readonly paper: Trial | null;
+  readonly shown: Shown;
+}
+
+/** Each trial that was better than all before it, and the last one. */
+function bestSoFar(
+  driven: readonly Trial[],
+  shown: Shown,
+): readonly { readonly number: number; readonly value: number }[] {
+  let least = Infinity;
+  const better = driven.flatMap((trial) => {
+    const value = valueOf(trial, 0, shown);
+    if (!trial.feasible || value >= least) return [];
+    least = value;
+    return [{ number: trial.number, value }];
+  });
+  const last = driven.at(-1);
+  return last && better.length > 0 ? [...better, { number: last.number, value: least }] : better;
+}
+
+/** One objective: every trial, and the best so far as a line. */
+export function historyFigure(input: HistoryInput): SearchFigure {
+  const { paper, shown, palette, colour } = input;
+  const up = (trial: Trial) => valueOf(trial, 0, shown);
+  const { driven, all, ring } = pointsBy(input, [shown], ({ number }) => number, up);
+  const best = bestSoFar(driven, shown);
+  const reference = paper ? up(paper) : NaN;
+  const values = driven.map(up);
+  const must = [...best.map(({ value }) => value), reference].filter(Number.isFinite);
+  const range = must.length > 0 ? rangeOf(must, values) : null;
+  return {
+    beyond: range ? values.filter((value) => value > range[1]).length : 0,
+    data: [
+      ...all,
+      steps(
+        "Best so far",
+        best.map(({ number }) => number),
+        best.map(({ value }) => value),
+        colour,
+        2.5,
+      ),
+      ...ring,
+    ],
+    layout: chartLayout(palette, {
+      xaxis: { title: { text: "Trial" }, rangemode: "tozero" },
+      yaxis: { title: { text: axisTitle(shown) }, ...(range ? { range } : {}) },
+      uirevision: "history",
+      shapes: Number.isFinite(reference)
+        ? [
+            {
+              type: "line",
+              xref: "paper",
+              x0: 0,
+              x1: 1,
+              y0: reference,
+              y1: reference,
+              line: { color: palette.text, width: 1, dash: "dash" },
+            },
+          ]
+        : [],
+      annotations: Number.isFinite(reference)
+        ? [
+            {
+              text: "The paper’s weights",
+              xref: "paper",
+              x: 1,
+              y: reference,
+              xanchor: "right",
+              yanchor: "bottom",
+              showarrow: false,
+              font: { size: 11, color: palette.text },
+            },
+          ]
+        : [],
+    }),
+  };
+}
+
+/** Several objectives: how much of the box under the paper's weights the front has taken. */
+export function volumeFigure(history: readonly Generation[], { palette, colour }: Look): ChartFigure {
+  const driven = history.flatMap(({ trials, hypervolume }) =>
+    hypervolume === null ? [] : [{ trials, hypervolume: 100 * hypervolume }],
+  );
+  return {
+    data: [
+      steps(
+        "Front",
+        driven.map(({ trials }) => trials),
+        driven.map(({ hypervolume }) => hypervolume),
+        colour,
+        2,
+      ),
+    ],
+    layout: chartLayout(palette, {
+      xaxis: { title: { text: "Trial" }, rangemode: "tozero" },
+      yaxis: { title: { text: "Dominated [%]" }, rangemode: "tozero" },
+    }),
+  };
+}

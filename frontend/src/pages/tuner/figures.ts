@@ -1,0 +1,38 @@
+/** What a tuning's numbers are called and shown in: objectives, limits and plain figures. */
+
+import type { Limit, Objective, Tuning } from "../../api/types";
+import { fullName, type Figure } from "../../server/metrics";
+
+export interface Shown {
+  readonly label: string;
+  readonly unit: string;
+  /** From SI to `unit`. */
+  readonly scale: number;
+}
+
+const ofFigure = (name: string, figures: readonly Figure[]): Shown | null => {
+  const figure = figures.find(({ key }) => key === name);
+  return figure ? { label: fullName(figure), unit: figure.unit, scale: figure.scale } : null;
+};
+
+export function ofObjective({ figure, label, unit }: Objective, figures: readonly Figure[]): Shown {
+  return (figure === null ? null : ofFigure(figure, figures)) ?? { label, unit, scale: 1 };
+}
+
+export function ofLimit({ figure, label, unit }: Limit, figures: readonly Figure[]): Shown {
+  return ofFigure(figure, figures) ?? { label, unit, scale: 1 };
+}
+
+/** A column of the comparison: `objectives.0`, `limits.1`, or a figure's name. */
+export function ofKey(
+  key: string,
+  { objectives, limits }: Pick<Tuning, "objectives" | "limits">,
+  figures: readonly Figure[],
+): Shown {
+  const [, list, index] = /^(objectives|limits)\.(\d+)$/.exec(key) ?? [];
+  const objective = list === "objectives" ? objectives[Number(index)] : undefined;
+  const limit = list === "limits" ? limits[Number(index)] : undefined;
+  if (objective) return ofObjective(objective, figures);
+  if (limit) return ofLimit(limit, figures);
+  return ofFigure(key, figures) ?? { label: key, unit: "1", scale: 1 };
+}

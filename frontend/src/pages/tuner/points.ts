@@ -1,0 +1,38 @@
+/** The sets of weights a tuning is about: the paper's, the scenario's own, the best ones. */
+
+import type { Trial, Tuning } from "../../api/types";
+
+export interface Point {
+  readonly trial: Trial;
+  /** `Paper`, `Best: Eq. 16, whole run`, `Balanced`, all that it is. */
+  readonly names: readonly string[];
+  readonly isPaper: boolean;
+}
+
+/** One entry a trial, whatever it is at once; the paper's first. */
+export function pointsOf(tuning: Tuning, labels: readonly string[]): readonly Point[] {
+  const { paper, own, best, knee } = tuning;
+  const several = best.length > 1;
+  const named: readonly (readonly [Trial | null, string])[] = [
+    [paper, "The paper’s"],
+    [own, "The scenario’s"],
+    ...best.map((trial, index) => [trial, several ? `Best: ${labels[index] ?? ""}` : "Best"] as const),
+    [knee, "Balanced"],
+  ];
+  const points = new Map<number, Point>();
+  for (const [trial, name] of named) {
+    if (!trial) continue;
+    const names = [...(points.get(trial.number)?.names ?? []), name];
+    points.set(trial.number, { trial, names, isPaper: trial.number === paper?.number });
+  }
+  return [...points.values()];
+}
+
+/** What a role of the comparison is called. */
+export function roleName(role: string, labels: readonly string[]): string {
+  if (role === "paper") return "The paper’s";
+  if (role === "scenario") return "The scenario’s";
+  if (role === "knee") return "Balanced";
+  const [, index] = /^best\.(\d+)$/.exec(role) ?? [];
+  return labels.length > 1 && index !== undefined ? `Best: ${labels[Number(index)] ?? ""}` : "Best";
+}

@@ -1,0 +1,134 @@
+/** What of a strategy can be tuned, as backend/jobs/tuning/space.py has it; names, units and limits are the form's. */
+
+import type { Scenario, StrategyId, Weights } from "../../api/types";
+import { getAt, type Pointer } from "../../scenario/path";
+import {
+  findMember,
+  optionTitle,
+  type ChoiceField,
+  type Group,
+  type NumberField,
+  type VectorField,
+} from "../../scenario/schema";
+import { dotted, pointerOf } from "../../scenario/fields";
+import { typedText, valueText } from "../../scenario/limits";
+import { titleWithUnit } from "../../units/format";
+
+interface Space {
+  readonly triples: readonly Pointer[];
+  /** What is searched only where somebody asks for it: the weight on the suspension's travel, the horizon, times. */
+  readonly others: readonly Pointer[];
+  readonly preview: Pointer;
+}
+
+const TIMING: readonly Pointer[] = ["/mpc/expected_offset", "/mpc/expected_noise", "/mpc/sample_time"];
+const MPC: Pick<Space, "others" | "preview"> = {
+  others: ["/mpc/deflection_weight", "/mpc/prediction_horizon", ...TIMING],
+  preview: "/mpc/preview",
+};
+
+const SPACES: Readonly<Record<StrategyId, Space>> = {
+  lv: { triples: ["/mpc/stage_weights/cruise", "/mpc/stage_weights/brake", "/mpc/stage_weights/bump"], ...MPC },
+  suspension_only: { triples: ["/mpc/road_weights/rough", "/mpc/road_weights/bump"], ...MPC },
+  lqr: {
+    triples: ["/lqr/weights"],
+    others: ["/lqr/deflection_weight", "/lqr/preview_horizon", ...TIMING],
+    preview: "/lqr/preview",
+  },
+};
+
+export const TUNABLE: readonly StrategyId[] = Object.keys(SPACES);
+
+export interface Tunable {
+  readonly triples: readonly VectorField[];
+  readonly others: readonly NumberField[];
+  readonly preview: ChoiceField | null;
+}
+
+export function tunableOf(form: Group, strategy: StrategyId): Tunable {
+  const space = SPACES[strategy];
+  const member = (pointer: Pointer) => findMember(form, pointer);
+  const preview = space && member(space.preview);
+  return {
+    triples: (space?.triples ?? []).flatMap((pointer) => {
+      const vector = member(pointer);
+      return vector?.kind === "vector" ? [vector] : [];
+    }),
+    others: (space?.others ?? []).flatMap((pointer) => {
+      const field = member(pointer);
+      return field?.kind === "number" ? [field] : [];
+    }),
+    preview: preview?.kind === "choice" ? preview : null,
+  };
+}
+
+/** A single number that can be searched. */
+export interface TunableNumber {
+  /** Dotted name. */
+  readonly name: string;
+  /** The title of the row it stands in. */
+  readonly row: string;
+  /** With the limits of a search: by ratio, so from above 0. */
+  readonly field: NumberField;
+  /** It is none of a triple. */
+  readonly single: boolean;
+}
+
+/** The triples' weights first. */
+export function numberFields({ triples, others }: Tunable): readonly TunableNumber[] {
+  const searched = (field: NumberField): NumberField =>
+    field.minimum > 0 ? field : { ...field, minimum: 0, exclusiveMinimum: true };
+  return [
+    ...triples.flatMap((triple) =>
+      triple.items.map((field) => ({
+        name: dotted(field.pointer),
+        row: triple.title,
+        field: searched(field),
+        single: false,
+      })),
+    ),
+    ...others.map((field) => ({
+      name: dotted(field.pointer),
+      row: titleOf(field),
+      field: searched(field),
+      single: true,
+    })),
+  ];
+}
+
+const titleOf = ({ title, shown }: NumberField) => titleWithUnit(title, shown.unit);
+
+/** A single value of a trial: `mpc.stage_weights.bump.0` of `{"mpc.stage_weights.bump": [1, 1, 6]}`. */
+export function weightAt(weights: Weights, name: string): number | string | undefined {
+  const whole = weights[name];
+  if (typeof whole === "number" || typeof whole === "string") return whole;
+  const [, triple, index] = /^(.*)\.(\d+)$/.exec(name) ?? [];
+  const list = triple === undefined ? undefined : weights[triple];
+  return typeof list === "object" ? list[Number(index)] : undefined;
+}
+
+/** A value of a trial, as it stands in a table. */
+export interface Single {
+  readonly name: string;
+  readonly title: string;
+  readonly field: NumberField | ChoiceField;
+}
+
+/** What a trial has beside its triples: the numbers and the kind of preview that were searched. */
+export function singlesIn({ others, preview }: Tunable, weights: Weights): readonly Single[] {
+  const all = [
+    ...others.map((field) => ({ name: dotted(field.pointer), title: titleOf(field), field })),
+    ...(preview ? [{ name: dotted(preview.pointer), title: preview.title, field: preview }] : []),
+  ];
+  return all.filter(({ name }) => name in weights);
+}
+
+/** In the field's shown unit, without it. */
+export const formatValue = (value: number | string, field: NumberField | ChoiceField): string =>
+  typeof value === "string" ? optionTitle(value) : field.kind === "number" ? typedText(field, value) : String(value);
+
+/** The scenario's own value, with its unit. */
+export const ownText = (scenario: Scenario, { name, field }: TunableNumber): string => {
+  const value = getAt(scenario, pointerOf(name));
+  return typeof value === "number" ? valueText(field, value) : "as it is";
+};

@@ -1,0 +1,75 @@
+/** What panels draw: the shown curves, and under them those of the state before the last edit (thin) and of pins (each with a dash). */
+
+import type { FigureTemplate, SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
+import type { Axis, Zoom } from "../lab/address";
+import type { Scene } from "../lab/resultView";
+import type { Palette } from "./palettes";
+
+export interface Layer {
+  /** Behind the strategy's name. */
+  readonly name: string;
+  readonly series: SeriesByStrategy;
+  /** In place of the strategy's own. */
+  readonly line: Readonly<{ width?: number; dash?: string }>;
+  readonly opacity: number;
+}
+
+/** By pin, in their order; the list of pins shows the same. */
+const PIN_DASHES: readonly string[] = ["2,2", "8,3", "5,2,1,2", "1,3", "12,3", "8,2,1,2,1,2", "3,6", "16,4"];
+
+export const BEFORE_WIDTH = 1;
+export const PIN_WIDTH = 1.2;
+
+export const pinDash = (index: number): string => PIN_DASHES[index % PIN_DASHES.length] ?? "2,2";
+
+export function layersOf({ shown, before, pins }: Pick<Scene, "shown" | "before" | "pins">): readonly Layer[] {
+  const ghost = before
+    ? [{ name: before.name, series: before.shown.series, line: { width: BEFORE_WIDTH }, opacity: 0.65 }]
+    : [];
+  // A pinned result that is what is shown has no curves beside those.
+  const others = pins.filter((pin) => pin.shown.runId === null || pin.shown.runId !== shown.runId);
+  const pinned = others.map(({ name, shown: { series }, index = 0 }) => ({
+    name,
+    series,
+    line: { width: PIN_WIDTH, dash: pinDash(index) },
+    opacity: 0.8,
+  }));
+  return [...ghost, ...pinned];
+}
+
+export interface FigureInput {
+  readonly template: FigureTemplate;
+  readonly series: SeriesByStrategy;
+  /** What was driven, which shades the stages; `series` where that is no difference. */
+  readonly driven: SeriesByStrategy;
+  /** Curves of other variants, under those of `series`. */
+  readonly layers?: readonly Layer[];
+  readonly summaries: Readonly<Record<StrategyId, Summary>>;
+  /** In the order of drawing. */
+  readonly strategies: readonly Pick<Strategy, "id" | "colour">[];
+  readonly axis: Axis;
+  /** Range of the shared axis. */
+  readonly range: Zoom;
+  readonly palette: Palette;
+  /** At most about so many marks on the vertical axis. */
+  readonly yTicks?: number;
+}
+
+/** What all panels draw, and nothing else of the scene: whatever else changes there, no curve is drawn anew. */
+export interface Curves {
+  readonly series: SeriesByStrategy;
+  readonly driven: SeriesByStrategy;
+  readonly layers?: readonly Layer[];
+  readonly summaries: Readonly<Record<StrategyId, Summary>>;
+  readonly strategies: readonly Strategy[];
+  readonly axis: Axis;
+  readonly range: Zoom;
+  readonly live: boolean;
+  /** `null` while it is a preview. */
+  readonly runId: string | null;
+  readonly coreVersion: string;
+  /** Over how many roads the curves are means. */
+  readonly roads?: number;
+  /** What the curves are differences to. */
+  readonly minus?: string;
+}

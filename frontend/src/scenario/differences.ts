@@ -1,0 +1,105 @@
+/** What differs from the paper, and between two scenarios. */
+
+import type { JsonValue, Scenario } from "../api/types";
+import { formatExact, prettyUnit } from "../units/format";
+import { roadName } from "./roadName";
+import { inShownUnit } from "./limits";
+import { getAt, sameValue, setAt, type Pointer } from "./path";
+import {
+  fieldsOf,
+  optionOf,
+  optionTitle,
+  type Field,
+  type Member,
+  type NumberField,
+  type ChoiceField,
+  type DataField,
+  type TextField,
+} from "./schema";
+
+/** A field somebody changes by itself: the entries of a vector count one by one. */
+export type Leaf = NumberField | ChoiceField | TextField | DataField;
+
+export function leavesOf(member: Member): readonly Leaf[] {
+  return fieldsOf(member).flatMap((field: Field): readonly Leaf[] => (field.kind === "vector" ? field.items : [field]));
+}
+
+export function isChanged(scenario: Scenario, leaf: Leaf): boolean {
+  return !sameValue(getAt(scenario, leaf.pointer), leaf.standard);
+}
+
+export function changedPointers(scenario: Scenario, member: Member): readonly Pointer[] {
+  return leavesOf(member)
+    .filter((leaf) => isChanged(scenario, leaf))
+    .map((leaf) => leaf.pointer);
+}
+
+export function resetMember(scenario: Scenario, member: Member): Scenario {
+  return leavesOf(member).reduce((result, leaf) => setAt(result, leaf.pointer, leaf.standard), scenario);
+}
+
+/** A scenario with the paper's value for each field it leaves out, and without what is no field. */
+export function completed(root: Member, scenario: Scenario): Scenario {
+  return fieldsOf(root).reduce<Scenario>((result, { pointer, standard }) => {
+    const value = getAt(scenario, pointer);
+    return setAt(result, pointer, value === undefined ? standard : value);
+  }, {});
+}
+
+/** The paper's scenario as the schema states it. */
+export const standardScenario = (root: Member): Scenario => completed(root, {});
+
+/** A field that two scenarios give different values: `Bump height`, `10 → 12 cm`. */
+export interface FieldChange {
+  readonly pointer: Pointer;
+  readonly name: string;
+  readonly change: string;
+}
+
+const lowered = (title: string) => (/^.[a-z]/.test(title) ? title.charAt(0).toLowerCase() + title.slice(1) : title);
+
+/** The group's title before the field's, where that does not say it itself: `Bump height`, but `Target speed`. */
+function named(group: string, title: string): string {
+  return group === "" || title.toLowerCase().includes(group.toLowerCase()) ? title : `${group} ${lowered(title)}`;
+}
+
+function shown(value: JsonValue | undefined, leaf: Leaf): string {
+  if (value === null || value === undefined || value === "") return "none";
+  if (leaf.kind === "data") return "own";
+  if (leaf.kind === "choice") return optionTitle(optionOf(value)).toLowerCase();
+  return typeof value === "number" && leaf.kind === "number"
+    ? formatExact(inShownUnit(leaf, value), "1")
+    : typeof value === "string"
+      ? roadName(value)
+      : JSON.stringify(value);
+}
+
+/** Every field with a name that says on its own which one it is: `Bump height`. */
+export function namedLeaves(form: Member, group = ""): readonly { readonly leaf: Leaf; readonly name: string }[] {
+  if (form.kind === "group")
+    return form.members.flatMap((member) => namedLeaves(member, form.pointer === "/" ? "" : form.title));
+  const name = named(group, form.title);
+  return leavesOf(form).map((leaf) => ({
+    leaf,
+    name: form.kind === "vector" ? `${name}, ${lowered(leaf.title)}` : name,
+  }));
+}
+
+/** What two scenarios differ in, in the form's order, by the form's names and units. */
+export function changedFields(form: Member, from: Scenario, to: Scenario): readonly FieldChange[] {
+  return namedLeaves(form).flatMap(({ leaf, name }): readonly FieldChange[] => {
+    const [one, other] = [getAt(from, leaf.pointer), getAt(to, leaf.pointer)];
+    if (sameValue(one, other)) return [];
+    const unit =
+      leaf.kind === "number" && typeof other === "number" ? `\u00a0${prettyUnit(leaf.shown.unit)}`.trimEnd() : "";
+    const [before, after] = [shown(one, leaf), shown(other, leaf)];
+    return [{ pointer: leaf.pointer, name, change: `${before} → ${before === after ? "another" : after}${unit}` }];
+  });
+}
+
+/** The first few of them in one line. */
+export function changesText(changes: readonly FieldChange[], most = 3): string {
+  const rest = changes.length - most;
+  const listed = changes.slice(0, rest === 1 ? most + 1 : most).map(({ name, change }) => `${name} ${change}`);
+  return [...listed, ...(rest > 1 ? [`${rest} more`] : [])].join(", ");
+}

@@ -1,0 +1,66 @@
+/** The scenario's fields as a sweep names them: `road.bump.height`, `mpc.stage_weights.cruise.0`. */
+
+import type { JsonValue, Scenario } from "../api/types";
+import { setAt, type Pointer } from "./path";
+import type { ChoiceField, Group, Member, NumberField } from "./schema";
+
+export interface SweepField {
+  /** Dotted name. */
+  readonly name: string;
+  readonly title: string;
+  /** The parts of the scenario it lies in, outermost first. */
+  readonly section: string;
+  readonly leaf: NumberField | ChoiceField;
+}
+
+/** Fields that are often swept as one: their title, and the fields, of which the first is swept. */
+export const TOGETHER = [
+  { title: "Speed at the bump", names: ["speed.initial_speed_kmh", "speed.target_speed_kmh"] },
+] as const;
+
+/** Those that can take a swept field's value: numbers in the same unit, of the same part of the scenario. */
+export function linkable(
+  { field: { name, leaf } }: { readonly field: SweepField },
+  free: readonly SweepField[],
+): readonly SweepField[] {
+  const part = name.slice(0, name.lastIndexOf("."));
+  return free.filter(
+    (other) =>
+      leaf.kind === "number" &&
+      other.leaf.kind === "number" &&
+      other.leaf.unit === leaf.unit &&
+      other.name.startsWith(`${part}.`),
+  );
+}
+
+export const dotted = (pointer: Pointer) => pointer.slice(1).replace(/\//g, ".");
+
+export const pointerOf = (name: string): Pointer => `/${name.replace(/\./g, "/")}`;
+
+/** The scenario with other values, by dotted name. */
+export const withFields = (scenario: Scenario, values: Readonly<Record<string, JsonValue>>): Scenario =>
+  Object.entries(values).reduce((changed, [name, value]) => setAt(changed, pointerOf(name), value), scenario);
+
+export function sweepFields(form: Group): readonly SweepField[] {
+  return form.members.flatMap((member) => below(member, []));
+}
+
+function below(member: Member, sections: readonly string[]): readonly SweepField[] {
+  const section = sections.join(" › ") || "Scenario";
+  switch (member.kind) {
+    case "group":
+      return member.members.flatMap((inner) => below(inner, [...sections, member.title]));
+    case "vector":
+      return member.items.map((leaf) => ({
+        name: dotted(leaf.pointer),
+        title: `${member.title}: ${leaf.title}`,
+        section,
+        leaf,
+      }));
+    case "text":
+    case "data":
+      return [];
+    default:
+      return [{ name: dotted(member.pointer), title: member.title, section, leaf: member }];
+  }
+}

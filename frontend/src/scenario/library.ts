@@ -1,0 +1,121 @@
+/** Scenarios, vehicles and measured roads of one's own, by name. Each has an entry of its own in the browser's storage, so that one tab never overwrites what another has saved. */
+
+import type { JsonObject } from "../api/types";
+import { sameValue } from "./path";
+import { SCHEMA_VERSION, upgraded } from "./versions";
+import { isLike } from "../lib/storage";
+import { createStore, type Store } from "../lib/store";
+
+export const KINDS = ["scenario", "vehicle", "road"] as const;
+export type Kind = (typeof KINDS)[number];
+
+export interface Item {
+  readonly kind: Kind;
+  readonly name: string;
+  /** A whole scenario, its vehicle, or the head of a measured road that the server has. */
+  readonly value: JsonObject;
+  /** When, as an ISO date. */
+  readonly saved: string;
+}
+
+/** All that change it throw an error where the browser keeps nothing, or the name is taken. */
+export interface Library extends Pick<Store<readonly Item[]>, "get" | "subscribe"> {
+  /** Replaces what has this name. */
+  readonly save: (kind: Kind, name: string, value: JsonObject) => void;
+  /** Saves what came from a file, under another name where this one is taken; returns the name. What is there already stays. */
+  readonly add: (kind: Kind, name: string, value: JsonObject) => string;
+  readonly rename: (item: Item, name: string) => void;
+  readonly remove: (item: Item) => void;
+  /** Undoes `remove`, under another name where this one has been taken since. */
+  readonly restore: (item: Item) => void;
+}
+
+/** What the browser has of an item; `version` is the schema's, which core 0.3.0 and before did not store. */
+interface Stored extends Pick<Item, "value" | "saved"> {
+  readonly version?: number;
+}
+
+/** Of an item, or of a pinned variant. */
+export const LONGEST_NAME = 80;
+
+const PREFIX = "ridelab-library:";
+const REFUSED = "This browser has no room for it, or keeps nothing for this page: export it as a file instead";
+
+export const cleanName = (name: string) => name.trim().slice(0, LONGEST_NAME);
+
+const keyOf = ({ kind, name }: Pick<Item, "kind" | "name">) => `${PREFIX}${kind}:${name}`;
+
+function readItem(key: string, text: string | null): readonly Item[] {
+  const [, kind, name] = /^([a-z]+):(.+)$/s.exec(key.slice(PREFIX.length)) ?? [];
+  const known = KINDS.find((each) => each === kind);
+  try {
+    const content: unknown = JSON.parse(text ?? "null");
+    if (!known || name === undefined || !isLike<Stored>({ value: {}, saved: "" }, content)) return [];
+    const { value, saved, version = 1 } = content;
+    return [{ kind: known, name, saved, value: known === "scenario" ? upgraded(value, version) : value }];
+  } catch {
+    return []; // somebody else wrote it
+  }
+}
+
+/** The newest first. */
+function readAll(storage: Storage | null): readonly Item[] {
+  const keys = Array.from({ length: storage?.length ?? 0 }, (_, index) => storage?.key(index) ?? "").filter((key) =>
+    key.startsWith(PREFIX),
+  );
+  const items = keys.flatMap((key) => readItem(key, storage?.getItem(key) ?? null));
+  return items.sort((one, other) => other.saved.localeCompare(one.saved));
+}
+
+/** `now` gives the time of saving. */
+export function createLibrary(
+  storage: Storage | null,
+  now: () => string = () => new Date().toISOString(),
+): Library & { readonly refresh: () => void } {
+  const store = createStore(readAll(storage));
+  const refresh = () => store.set(readAll(storage));
+  const write = (item: Item) => {
+    try {
+      if (storage === null) throw new Error(REFUSED);
+      const stored: Stored = { value: item.value, saved: item.saved, version: SCHEMA_VERSION };
+      storage.setItem(keyOf(item), JSON.stringify(stored));
+    } catch {
+      throw new Error(REFUSED);
+    }
+    refresh();
+  };
+  const freeName = (kind: Kind, name: string) => {
+    if (!has(kind, name)) return name;
+    const short = name.slice(0, LONGEST_NAME - 5);
+    let number = 2;
+    while (has(kind, `${short} (${number})`)) number++;
+    return `${short} (${number})`;
+  };
+  const has = (kind: Kind, name: string) => readAll(storage).some((item) => item.kind === kind && item.name === name);
+  return {
+    get: store.get,
+    subscribe: store.subscribe,
+    refresh,
+    save: (kind, name, value) => write({ kind, name: cleanName(name), value, saved: now() }),
+    add: (kind, name, value) => {
+      const same = readAll(storage).find((item) => item.kind === kind && sameValue(item.value, value));
+      if (same) return same.name;
+      const free = freeName(kind, cleanName(name));
+      write({ kind, name: free, value, saved: now() });
+      return free;
+    },
+    rename: (item, name) => {
+      const clean = cleanName(name);
+      if (clean === "" || clean === item.name) return;
+      if (has(item.kind, clean)) throw new Error(`There is a ${item.kind} of this name`);
+      write({ ...item, name: clean });
+      storage?.removeItem(keyOf(item));
+      refresh();
+    },
+    remove: (item) => {
+      storage?.removeItem(keyOf(item));
+      refresh();
+    },
+    restore: (item) => write({ ...item, name: freeName(item.kind, item.name) }),
+  };
+}

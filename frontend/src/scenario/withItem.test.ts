@@ -1,0 +1,33 @@
+import { expect, it, test } from "vitest";
+import type { JsonObject } from "../api/types";
+import { standardScenario } from "./differences";
+import { FORM } from "./form.fixture";
+import { setAt } from "./path";
+import { onRoad, withItem } from "./withItem";
+
+const PAPER = { road: { profile: null, length: 150, seed: 1, bump: { height: 0.1, width: 4, start: 100, count: 3 } } };
+const ROAD = { id: "A".repeat(22), length: 180, bumps: [] };
+
+test("the road ends where what was measured does; the scenario's own bump stays and is added", () => {
+  expect(onRoad(PAPER, ROAD)).toEqual({ road: { ...PAPER.road, profile: ROAD.id, length: 180 } });
+});
+
+test("a bump that was found is the one the car brakes for, and none is added", () => {
+  const found = { ...ROAD, bumps: [{ start: 0.4, width: 200, height: 0.07 }] };
+  expect(onRoad(PAPER, found).road).toMatchObject({ bump: { start: 1, width: 179, height: 0, count: 1 } });
+});
+
+const paper = standardScenario(FORM);
+
+it("A saved scenario takes the paper's value for a field that is newer, and loses one that is gone", () => {
+  const saved: JsonObject = { road: { bump: { height: 0.2 }, colour: 3 }, mpc: { lag: 5 } };
+  expect(withItem({}, { kind: "scenario", value: saved }, FORM)).toEqual(
+    setAt(setAt(paper, "/road/bump/height", 0.2), "/mpc/lag", 5),
+  );
+});
+
+it("A saved road is driven to its end; the rest of the scenario stays", () => {
+  const edited = setAt(paper, "/mpc/lag", 5);
+  const opened = withItem(edited, { kind: "road", value: { id: "r", length: 80, bumps: [] } }, FORM);
+  expect(opened).toEqual(setAt(setAt(edited, "/road/profile", "r"), "/road/length", 80));
+});

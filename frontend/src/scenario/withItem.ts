@@ -1,0 +1,28 @@
+/** A scenario with a part of it from the library. */
+
+import type { CreatedRoad, Scenario } from "../api/types";
+import { completed } from "./differences";
+import type { Item } from "./library";
+import { setAt } from "./path";
+import type { Group } from "./schema";
+
+export type Content = Pick<Item, "kind" | "value">;
+
+/** The edited scenario with an item in place of its own. */
+export function withItem(scenario: Scenario, { kind, value }: Content, form: Group): Scenario {
+  if (kind === "scenario") return completed(form, value);
+  // A road's value is what the server said of it when it was uploaded.
+  if (kind === "road") return onRoad(scenario, value as unknown as CreatedRoad);
+  return completed(form, setAt(scenario, "/vehicle", value));
+}
+
+/** It ends where the road does; the largest bump found in it is the scenario's, and none is added. */
+export function onRoad(scenario: Scenario, road: Pick<CreatedRoad, "id" | "length" | "bumps">): Scenario {
+  const driven = setAt(setAt(scenario, "/road/profile", road.id), "/road/length", road.length);
+  const [bump] = road.bumps;
+  if (bump === undefined) return driven;
+  const start = Math.max(1, bump.start);
+  const width = Math.min(bump.width, Number((road.length - start).toFixed(2)));
+  const there = { start, width, height: 0, count: 1 };
+  return Object.entries(there).reduce((result, [name, value]) => setAt(result, `/road/bump/${name}`, value), driven);
+}

@@ -1,0 +1,87 @@
+/** Everything the page reads through TanStack Query, with its keys. */
+
+import { queryOptions } from "@tanstack/react-query";
+import { api } from "../api/client";
+import { ask, query } from "../api/http";
+import type { FigureTemplates, StrategyId } from "../api/types";
+import { readSchema } from "../scenario/schema";
+
+/** Samples per strategy that cover a screen: half of them on and around the bump. */
+export const OVERVIEW_POINTS = 560;
+/** Samples per strategy once somebody zooms in: finer than a screen at any stage of a usual run. */
+export const DETAIL_POINTS = 8_000;
+
+/** The most that the service gives of a strategy: all samples of a run of up to 100 s. */
+export const ALL_POINTS = 100_000;
+
+const FOR_EVER = { staleTime: Infinity, gcTime: Infinity } as const;
+
+export const schemaQuery = queryOptions({
+  queryKey: ["schema"],
+  queryFn: async ({ signal }) => readSchema(await ask("get", "/schema", {}, signal)),
+  ...FOR_EVER,
+});
+export const presetsQuery = { ...query("/presets", {}), ...FOR_EVER };
+/** A measured road; it never changes. */
+export const roadQuery = (id: string) => ({
+  ...query("/roads/{id}", { path: { id }, query: { points: 2 } }),
+  enabled: id !== "",
+  ...FOR_EVER,
+});
+export const vehiclesQuery = { ...query("/vehicles", {}), ...FOR_EVER };
+export const strategiesQuery = { ...query("/strategies", {}), ...FOR_EVER };
+export const catalogueQuery = { ...query("/catalogue", {}), ...FOR_EVER };
+export const figuresQuery = queryOptions({
+  queryKey: ["figures"],
+  // plotly's own JSON, which the API's description leaves open
+  queryFn: async ({ signal }) => (await ask("get", "/figures", {}, signal)).figures as unknown as FigureTemplates,
+  ...FOR_EVER,
+});
+
+export const runKey = (id: string) => ["run", id] as const;
+
+/** A shared result; it never changes, apart from the version of the server that shows it. */
+export const linkKey = (slug: string) => ["link", slug] as const;
+
+export const seriesKey = (id: string, strategies: readonly StrategyId[], points: number) =>
+  ["series", id, points, strategies] as const;
+
+/** What a run over several roads changes, paired by road: against another run, or one of its strategies. */
+export const changesQuery = (
+  id: string,
+  refersTo: { readonly against: string } | { readonly baseline: StrategyId },
+) => ({ ...query("/runs/{id}/changes", { path: { id }, query: refersTo }), staleTime: Infinity });
+
+/** Time histories of a run, with signals means and extremes of these over its roads; runs are immutable, so an answer never grows stale. */
+export function seriesQuery(
+  id: string,
+  strategies: readonly StrategyId[],
+  points: number,
+  overRoads: readonly string[] | null = null,
+) {
+  return queryOptions({
+    queryKey: [...seriesKey(id, strategies, points), ...(overRoads ?? [])],
+    queryFn: ({ signal }) =>
+      overRoads ? api.bands(id, strategies, overRoads, points, signal) : api.series(id, strategies, points, signal),
+    staleTime: Infinity,
+    gcTime: 5 * 60_000,
+  });
+}
+
+/** Every sample of some signals of a run, or of their means over its roads; far more than a screen shows, so it is not kept for long. */
+export function allSamplesQuery(
+  id: string,
+  strategies: readonly StrategyId[],
+  signals: readonly string[],
+  overRoads: boolean,
+) {
+  return queryOptions({
+    queryKey: ["all samples", id, strategies, signals, overRoads],
+    queryFn: ({ signal }) =>
+      overRoads
+        ? api.bands(id, strategies, signals, ALL_POINTS, signal)
+        : api.series(id, strategies, ALL_POINTS, signal, signals),
+    staleTime: Infinity,
+    gcTime: 30_000,
+  });
+}

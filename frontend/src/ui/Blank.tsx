@@ -1,0 +1,45 @@
+/** What the page shows in place of results: nothing chosen, nothing found, nothing yet. */
+
+import { Button, Text } from "@mantine/core";
+import { useQueryClient } from "@tanstack/react-query";
+import type { ReactNode } from "react";
+import classes from "./shell.module.css";
+
+interface Props {
+  readonly title: string;
+  readonly text: string;
+  readonly children?: ReactNode;
+}
+
+export function Blank({ title, text, children }: Props) {
+  return (
+    <div className={classes.blank}>
+      <svg width="180" height="46" viewBox="0 0 180 46" aria-hidden>
+        <path d="M2 40h58c14 0 18-30 30-30s16 30 30 30h58" className={classes.blankRoad} />
+      </svg>
+      <Text component="h2" fw={650} size="lg" ta="center">
+        {title}
+      </Text>
+      <Text c="dimmed" size="sm" maw={420} ta="center">
+        {text}
+      </Text>
+      {children}
+    </div>
+  );
+}
+
+interface Failure {
+  readonly what?: string;
+  readonly message: string;
+  readonly onRetry?: () => void;
+  readonly retry?: string;
+}
+
+export function CouldNotLoad({ what = "page", message, onRetry, retry = "Try again" }: Failure) {
+  const queries = useQueryClient();
+  return (
+    <Blank title={`This ${what} could not be shown`} text={message}>
+      <Button onClick={onRetry ?? (() => void queries.refetchQueries())}>{retry}</Button>
+    </Blank>
+  );
+}
