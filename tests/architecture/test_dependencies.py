@@ -30,6 +30,7 @@ LOCKS = {
     "requirements.lock": RUNTIME,
     "requirements-build.lock": GROUPS["build"],
     "requirements-ecu.lock": EXTRAS["ecu"],
+    "requirements-clients.lock": GROUPS["clients"],
     "requirements-dev.lock": [*RUNTIME, *EXTRAS["dev"], *EXTRAS["ecu"], *GROUPS["build"]],
 }
 PACKAGES = json.loads((ROOT / "frontend" / "package-lock.json").read_text())["packages"]
