@@ -125,7 +125,7 @@ def law_arrays(law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, 
 @cached
 def _norms(law: LinearLaw) -> tuple[FloatArray, FloatArray]:
     """`LawArrays.scale` (10,) and `norms` (rows, 5): on the state and force in units that make the largest gain 1."""
-    assert law.limits is not None  # noqa: S101 - who asks has looked
+    assert law.limits is not None  # noqa: S101 - `law_arrays` asks only then
     rows, columns = law.limits.shape
     on_state = law.limits[:, :LAW_INPUTS]
     by_disturbance = law.limits[:, LAW_INPUTS:].reshape(rows, DISTURBANCES, (columns - LAW_INPUTS) // DISTURBANCES)
@@ -142,18 +142,18 @@ def checked_force(controller: Controller, force: object, step: int) -> FloatArra
         RidelabError: They are not two finite numbers.
     """
     try:
-        given = np.asarray(force)
+        forces = np.asarray(force)
     except ValueError:  # rows of different lengths
-        given = np.asarray(None)
-    numbers = given.dtype.kind in "biuf"
-    if numbers and given.shape == (FORCES,):
-        if not all(map(isfinite, given.tolist())):
+        forces = np.asarray(None)
+    numbers = forces.dtype.kind in "biuf"
+    if numbers and forces.shape == (FORCES,):
+        if not all(map(isfinite, forces.tolist())):
             raise RidelabError(f"{controller.label}: force gave a value that is not finite in control step {step}")
-        return given.astype(np.float64)
+        return forces.astype(np.float64)
     if force is None:
         came = "None"
     elif numbers:
-        came = f"an array of the shape {given.shape}"
+        came = f"an array of the shape {forces.shape}"
     else:
         came = f"an object of type {type(force).__name__} that does not hold real numbers"
     raise RidelabError(f"{controller.label}: force gives two numbers, front and rear; in step {step} it gave {came}")
