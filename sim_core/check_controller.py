@@ -19,7 +19,7 @@ from sim_core.vehicle.model import SemiActiveDampers
 
 _SHORT = Scenario(road=Road(length=60, bump=Bump(start=30)))
 _SAME_LAW = 1e-4  # relative: a solver's answer is no closer to the law's
-_NOTHING = 1e-6  # in SI units: less than that is nobody's difference
+_NEGLIGIBLE = 1e-6  # in SI units: smaller differences do not count
 _ID = re.compile("[a-z][a-z0-9_]*")
 
 
@@ -148,7 +148,7 @@ class _ByForce(Controller):
 def _close(first: StrategyResult, second: StrategyResult) -> bool:
     of_signals = [metric for metric in METRICS.values() if metric.path[0] == "metrics"]
     ours, theirs = ([metric.of(each.summary()) for metric in of_signals] for each in (first, second))
-    return np.allclose(ours, theirs, rtol=_SAME_LAW, atol=_NOTHING)
+    return np.allclose(ours, theirs, rtol=_SAME_LAW, atol=_NEGLIGIBLE)
 
 
 def _raised(error: Exception, controller: type[Controller] | Controller) -> str:

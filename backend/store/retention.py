@@ -14,7 +14,7 @@ from sqlalchemy import Column, Connection, Select, and_, delete, exists, func, o
 
 from backend.db.database import Database
 from backend.db.tables import (
-    EXPIRED,
+    EXPIRED_RESULT,
     REMOVED,
     UNEXPIRED,
     job_roads,
@@ -96,9 +96,7 @@ class RetentionStore:
             keys = _ids(connection, removable.where(results.c.key.in_(keys)))
             in_runs = select(run_results.c.result_key).where(run_results.c.result_key.in_(keys))
             in_use = list(connection.execute(in_runs.distinct()).scalars())
-            connection.execute(
-                update(results).where(results.c.key.in_(in_use)).values(status=EXPIRED, summary="{}", compute_ms=0)
-            )
+            connection.execute(update(results).where(results.c.key.in_(in_use)).values(**EXPIRED_RESULT))
             connection.execute(delete(results).where(results.c.key.in_(set(keys) - set(in_use))))
         return len(keys)
 

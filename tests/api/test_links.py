@@ -112,6 +112,7 @@ def test_a_link_opens_the_run_in_the_view_it_was_shared_in(client: httpx.Client,
         "run": run,
         "batch": None,
         "series_pinned": True,
+        "damaged_at": None,
     }
 
 

@@ -18,6 +18,7 @@ import pytest
 from backend.api.schema import Catalogue, PresetAnswer, StrategyAnswer
 from backend.app import create_app
 from backend.errors import BusyError, RoadGoneError, ServiceError, TooManyRequestsError
+from backend.http.field_descriptions import EVERYWHERE, OF_MODELS
 from backend.runs.service import Runs
 from backend.settings import Settings
 from sim_core.catalogue import SIGNALS
@@ -130,6 +131,32 @@ def test_headers_tags_links_and_names_are_described(description: dict[str, Any])
         assert "queued" in schemas[name]["properties"]["state"]["enum"]
     assert schemas["BatchRow"]["properties"]["strategy"]["enum"] == list(STRATEGIES)
     assert all(parameter["description"] for each in operations.values() for parameter in each.get("parameters", ()))
+
+
+def test_schemas_have_titles_of_their_own_and_every_field_is_described(description: dict[str, Any]) -> None:
+    """Generators name types by titles, and put descriptions beside each field."""
+    schemas = description["components"]["schemas"]
+    titles = [schema["title"] for schema in schemas.values()]
+    assert len(set(titles)) == len(titles)
+    fields = {
+        f"{name}.{field}": each
+        for name, schema in schemas.items()
+        for field, each in schema.get("properties", {}).items()
+    }
+    assert [name for name, each in fields.items() if not each.get("description")] == []
+    unused = {
+        field for field in EVERYWHERE if not any(each["description"] == EVERYWHERE[field] for each in fields.values())
+    }
+    assert unused | (OF_MODELS.keys() - fields.keys()) == set()
+
+
+def test_files_are_bytes_or_text(description: dict[str, Any]) -> None:
+    operations = [each for methods in description["paths"].values() for each in methods.values()]
+    contents = [answer.get("content", {}) for each in operations for answer in each["responses"].values()]
+    contents += [each["requestBody"]["content"] for each in operations if "requestBody" in each]
+    files = {name: each["schema"] for content in contents for name, each in content.items() if "json" not in name}
+    assert {"text/csv", "application/zip", "application/vnd.apache.parquet"} <= files.keys()
+    assert all(schema["type"] == "string" or name == "text/event-stream" for name, schema in files.items())
 
 
 def test_what_no_id_names_is_not_found(client: httpx.Client, description: dict[str, Any]) -> None:

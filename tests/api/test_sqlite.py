@@ -210,7 +210,7 @@ def changed(path: Path, statement: str) -> None:
         (lambda path: path.write_bytes(b"no database at all" * 100), "it is no SQLite database"),
         (lambda path: path.write_bytes(b""), "is empty: put a backup in its place"),
         (damaged, "it is damaged; put a backup in its place"),
-        (newer, "is of a newer version of Ridelab (schema 9999, this one knows 0009)"),
+        (newer, "is of a newer version of Ridelab (schema 9999, this one knows 0010)"),
         (older, "is of a version of Ridelab before 0.2.0 (schema 0003): start 0.2.0 on it once"),
         (strange, "is another program's database"),
         (lambda path: (path.unlink(), path.mkdir()), "it cannot be opened"),
