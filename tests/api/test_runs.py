@@ -14,13 +14,13 @@ from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
 from tests.api.conftest import Service
 
-heights = itertools.count(1)
+lengths = itertools.count(1)
 
 
 @pytest.fixture
 def fresh(road: dict[str, Any]) -> dict[str, Any]:
     """A scenario that no test has run yet."""
-    return {"road": {**road, "bump": {**road["bump"], "height": 0.05 + 1e-5 * next(heights)}}}
+    return {"road": {**road, "length": 130 + 1e-3 * next(lengths)}}
 
 
 def plain(result: StrategyResult) -> dict[str, Any]:
