@@ -13,6 +13,7 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.control.controller import Controller
+from sim_core.control.qp import Qp
 from sim_core.control.seen import RunInputs, Seen
 from sim_core.errors import RidelabError
 from sim_core.kernel.prepared import FollowLaw, LawArrays, limit_force
@@ -66,7 +67,8 @@ class ClosedLoop:
             if not isinstance(law, LinearLaw):
                 raise RidelabError(f"{self._controller.label}: linear_law gives a LinearLaw or None")
             if law not in prepared:
-                arrays = law_arrays(law, self._forecast, self._limits, clips=clips)
+                qp = self._controller.qp(segment.stage)
+                arrays = law_arrays(law, self._forecast, self._limits, clips=clips, qp=qp)
                 prepared[law] = self._car.follow_law(arrays, loop)
             follow, k = prepared[law], segment.first
             while k < segment.last:
@@ -89,7 +91,9 @@ class ClosedLoop:
         return limited or self._controller.report.limited_steps > counted
 
 
-def law_arrays(law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, clips: bool) -> LawArrays:
+def law_arrays(
+    law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, clips: bool, qp: Qp | None = None
+) -> LawArrays:
     """A law with all that decides where it holds.
 
     Args:
@@ -97,6 +101,7 @@ def law_arrays(law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, 
         forecast: What its controller previews.
         force_limits: As `limit_force` has them.
         clips: Whether a force beyond the limit is clipped, or not decided by the law.
+        qp: What decides where a limit binds.
 
     Raises:
         RidelabError: It is a law for another horizon.
@@ -119,6 +124,7 @@ def law_arrays(law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, 
         sizes=forecast.sizes,
         force_limits=force_limits,
         clips=clips,
+        qp=None if qp is None else (qp.design.in_c, qp.run.in_c),
     )
 
 

@@ -232,7 +232,7 @@ def test_too_large_a_batch_is_refused_with_limit_and_estimate_and_nothing_is_sto
     }
     answer = submit(client, dear, scenario=heavy)
     assert answer.status_code == 422
-    assert "over the limit of 30 s; the solver DAQP, a shorter road" in answer.json()["detail"]
+    assert "over the limit of 30 s; the solver daqp, a shorter road" in answer.json()["detail"]
     assert listed(client) == before
 
 
