@@ -174,7 +174,7 @@ def _describe_answers(operation: JsonObject) -> None:
             described.setdefault("schema", {"type": "string"} if media_type.startswith("text/") else BYTES)
         if MEDIA_TYPE in content:
             kinds = [kind for kind in KINDS.values() if int(status) in kind.statuses]
-            answer["description"] = " ".join(f"`{kind.name}`: {kind.meaning}" for kind in kinds)
+            answer["description"] = " ".join(f"`{kind.name}`: {kind.meaning} {kind.remedy}" for kind in kinds)
         elif answer.get("description") == "Successful Response":
             answer["description"] = operation["description"].partition("\n")[0]
         names = [HEADER, *OF_STATUS.get(status, [])]

@@ -64,6 +64,7 @@ class StoredRun:
 _STORED_NAMES = [column.name for column in runs.c if column.name != "created_at"]
 # Made once: to make them takes as long as to run them.
 _HEAD = select(runs).where(runs.c.id == bindparam("run"))
+_STORED = select(runs.c.id).where(runs.c.id == bindparam("run"))
 _MEMBERS = (
     select(*(results.c[name] for name in ("key", "strategy", "status", "summary", "compute_ms", "checksum")))
     .join(run_results, run_results.c.result_key == results.c.key)
@@ -85,6 +86,11 @@ class RunStore:
         if damaged:
             drop_results(self._database, damaged)
         return run
+
+    def is_stored(self, run_id: str) -> bool:
+        """Whether there is a run of that id."""
+        with self._database.reading() as connection:
+            return connection.execute(_STORED, {"run": run_id}).first() is not None
 
     def load_results(self, keys: Iterable[str]) -> dict[str, Outcome]:
         """The stored ones of these results, by key."""

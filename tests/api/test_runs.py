@@ -7,6 +7,7 @@ import pytest
 
 from backend.digest import run_id
 from backend.models import CreatedRun, LiveRun, Run
+from backend.store.runs import RunStore
 from sim_core import __version__
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STATISTICS, WINDOWS
 from sim_core.result import StrategyResult
@@ -96,6 +97,17 @@ def test_get_is_the_same_run_without_cached_and_immutable(client: Any, run: dict
         assert cached.content == b""
         assert cached.headers["etag"] == tag
     assert client.get(f"/api/v1/runs/{run['id']}", headers={"If-None-Match": '"other"'}).status_code == 200
+
+
+def test_what_the_client_has_is_neither_read_nor_rendered(
+    service: Any, client: Any, run: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path, tag = f"/api/v1/runs/{run['id']}", f'W/"{run["id"]}"'
+    monkeypatch.delattr(RunStore, "load")
+    assert client.get(path, headers={"If-None-Match": tag}).status_code == 304
+    monkeypatch.undo()
+    unknown = f'W/"{"A" * 22}"'
+    assert client.get(f"/api/v1/runs/{'A' * 22}", headers={"If-None-Match": unknown}).status_code == 404
 
 
 def test_live_answers_series_and_stores_nothing(service: Any, client: Any, fresh: dict[str, Any]) -> None:

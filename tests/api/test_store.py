@@ -18,7 +18,8 @@ from sqlalchemy import func, select
 from sqlalchemy.exc import IntegrityError, SQLAlchemyError
 
 import backend.db.migrations
-from backend.db.sqlite import wal_is_safe
+from backend.db.database import DAMAGED
+from backend.db.sqlite import DamagedDatabaseError, wal_is_safe
 from backend.db.tables import metadata, results
 from backend.outcome import Outcome
 from backend.store import Store, StoredLink, StoredRun
@@ -184,6 +185,22 @@ def test_a_lost_database_is_reported_and_used_again_when_it_is_back(postgres: Po
         assert server_store.runs.load("before") == saved
         assert server_store.runs.load("during") is None
     save(server_store, "during", "b")
+
+
+def test_a_damaged_page_of_a_server_is_said_once_it_is_met(postgres: Postgres, server_store: Store) -> None:
+    save(server_store, "run", "a")
+    with server_store.reading() as connection:
+        path = connection.exec_driver_sql("SELECT pg_relation_filepath('results')").scalar_one()
+    server_store.ping()
+    postgres.stop()
+    with (postgres.folder / "data" / path).open("r+b") as file:
+        file.write(b"\xff" * 8192)
+    postgres.start()
+    with pytest.raises(SQLAlchemyError):
+        server_store.runs.load("run")
+    assert server_store.damage == DAMAGED
+    with pytest.raises(DamagedDatabaseError):
+        server_store.ping()
 
 
 def test_a_connection_the_server_closed_is_replaced(postgres: Postgres, server_store: Store) -> None:
