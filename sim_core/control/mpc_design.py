@@ -11,8 +11,9 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.control.cost import KILO, CostTerms, stage_cost
-from sim_core.control.qp import AXLES, CENTI, QpDesign
+from sim_core.control.qp import AXLES, CENTI, MOST_ITERATIONS
 from sim_core.control.regulator import regulator
+from sim_core.kernel.qp import QpDesign
 from sim_core.matrices import solve
 from sim_core.scenario import Vehicle
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, discrete
@@ -141,14 +142,16 @@ def design(terms: CostTerms, horizon: int, moves: int, force_limit: float, force
         law=law,
         qp=QpDesign(
             H=with_slacks,
-            A=p.rows,
+            columns=np.ascontiguousarray(p.rows.T),
             low=np.concatenate([-bounds[:free], no_slack]),
             high=np.concatenate([bounds[:free], no_slack + 1e4]),  # 100 m: no limit, but a finite one
             by_inputs=np.vstack([2 * linear, p.travel_parameters * CENTI]),
             optimum=law.limits,
             bounds=bounds,
+            axles=np.repeat(np.array([-1, 0, 1], dtype=np.int8), [free, horizon, horizon]),
             gram=(gram + gram.T) / 2,
             slack_price=SLACK_LINEAR / CENTI,
             slack_yield=CENTI**2 / (2 * SLACK_QUADRATIC),
+            iterations=MOST_ITERATIONS,
         ),
     )

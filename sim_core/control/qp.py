@@ -4,15 +4,13 @@ The C of kernel/qp.c has a dual active-set method; OSQP splits operators. No sol
 only if it is finite and its own optimality residuals, which that C computes from the QP itself, are small.
 """
 
-from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.control.cost import KILO
-from sim_core.kernel.qp import QpMatrices, QpMemory
+from sim_core.kernel.qp import QpDesign, QpMemory
 from sim_core.vehicle.half_car import FORCES
 
 if TYPE_CHECKING:
@@ -23,7 +21,7 @@ CENTI = 100.0  # deflections and slacks are reckoned in cm
 TOLERANCE = 1e-6  # of the residuals
 SOLVERS = "daqp", "osqp"  # a scenario's names for the dual active-set method and for OSQP
 MOST_ITERATIONS = 1000  # of the dual method in one QP
-MAX_EFFORT = 20.0  # of all QPs of one run, as `QpDesign` and `osqp_effort` have it [s]
+MAX_EFFORT = 20.0  # of all QPs of one run, as kernel/qp.c and `osqp_effort` have it [s]
 _OSQP_SETTINGS = {
     "eps_abs": 1e-6,
     "eps_rel": 1e-6,
@@ -32,74 +30,6 @@ _OSQP_SETTINGS = {
     "scaled_termination": False,
     "verbose": False,
 }
-
-
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class QpDesign:
-    """What a driving stage's QPs share, over y = [moves in kN; slack front, rear in cm].
-
-    A y <= b keeps the deflections at the end of all intervals, front ones first, below their limit and slack, then
-    above it. What changes from step to step follows from the law's inputs: state, previous force in N, preview.
-
-    Attributes:
-        H: (n, n), positive definite.
-        A: (2 travels, n).
-        low: (n,).
-        high: (n,).
-        by_inputs: The linear term but for the slacks, then the deflections without a force (n - 2 + travels, inputs).
-        optimum: All moves and deflections where no limit binds, each over its bound (n - 2 + travels, inputs).
-        bounds: Those bounds (n - 2 + travels,).
-        gram: How a multiplier of one of these moves the others (n - 2 + travels, n - 2 + travels).
-        slack_price: Linear penalty of a slack [1/cm].
-        slack_yield: Inverse of its quadratic one, 1/H [cm²].
-        in_c: All of it, as C has it.
-    """
-
-    H: FloatArray
-    A: FloatArray
-    low: FloatArray
-    high: FloatArray
-    by_inputs: FloatArray
-    optimum: FloatArray
-    bounds: FloatArray
-    gram: FloatArray
-    slack_price: float
-    slack_yield: float
-    in_c: QpMatrices = field(init=False, repr=False)
-
-    def __post_init__(self) -> None:
-        """Prepare what C reads."""
-        values, inputs = self.by_inputs.shape
-        columns, axles = np.ascontiguousarray(self.A.T), self.axles
-        columns.flags.writeable = axles.flags.writeable = False
-        matrices = QpMatrices(
-            H=self.H,
-            columns=columns,
-            low=self.low,
-            high=self.high,
-            by_inputs=self.by_inputs,
-            optimum=self.optimum,
-            bounds=self.bounds,
-            axles=axles,
-            gram=self.gram,
-            slack_price=self.slack_price,
-            slack_yield=self.slack_yield,
-            iterations=MOST_ITERATIONS,
-            effort=1.5e-9 * values * inputs,  # [s], the same on every machine
-            effort_each=5e-10 * values * len(self.H),
-        )
-        object.__setattr__(self, "in_c", matrices)
-
-    @property
-    def moves(self) -> int:
-        """Forces to be found."""
-        return len(self.H) - AXLES
-
-    @property
-    def axles(self) -> NDArray[np.int8]:
-        """Whose slack softens a bound: 0 front, 1 rear, -1 none (n - 2 + travels,)."""
-        each = (len(self.bounds) - self.moves) // AXLES
-        return np.repeat(np.array([-1, 0, 1], dtype=np.int8), [self.moves, each, each])
 
 
 class Qps:
@@ -114,7 +44,7 @@ class Qps:
     """
 
     def __init__(self, design: QpDesign) -> None:
-        rows, n = design.A.shape
+        n, rows = design.columns.shape
         self.f, self.y, self.b, self.multipliers = np.zeros(n), np.zeros(n), np.zeros(rows), np.zeros(n + rows)
         self._counts = np.array([0.0, 0.0, MAX_EFFORT, 0.0])
         self.in_c = QpMemory(self._counts, self.f, self.b, self.y, self.multipliers)
@@ -129,8 +59,8 @@ class Qps:
             inputs: State, previous force [N], preview.
         """
         if solver == "daqp":
-            return self.in_c.solve(design.in_c, inputs)
-        self.in_c.pose(design.in_c, inputs)
+            return self.in_c.solve(design, inputs)
+        self.in_c.pose(design, inputs)
         if design not in self._osqp:
             self._osqp[design] = OsqpSolver(design)
         answer, iterations = self._osqp[design].solve(self.f, self.b)
@@ -152,7 +82,7 @@ class Qps:
         For a strictly convex QP zero means optimal (Boyd and Vandenberghe 2004, 5.5.3). Each row of the gradient is
         judged by its own linear term: a slack's price, a thousand times a force's, would excuse any force.
         """
-        return self.in_c.residual(design.in_c)
+        return self.in_c.residual(design)
 
     @property
     def solves(self) -> int:
@@ -184,9 +114,9 @@ class OsqpSolver:
         from scipy.sparse import csc_matrix, triu
 
         self._model: osqp.OSQP | None = None
-        rows, n = design.A.shape
+        n, rows = design.columns.shape
         self._whiten = np.linalg.inv(np.linalg.cholesky(design.H)).T  # y = whiten v
-        on_v = np.vstack([self._whiten, design.A @ self._whiten])
+        on_v = np.vstack([self._whiten, design.columns.T @ self._whiten])
         self._norm = np.linalg.norm(on_v, axis=1)
         self._rows = csc_matrix(on_v / self._norm[:, None])
         self._eye = csc_matrix(triu(np.eye(n)))

@@ -6,7 +6,6 @@
 #include <stddef.h>
 #include <string.h>
 
-enum { SIZES = 5 };
 static const double WITHIN = 1 - 1e-9; /* of a limit: so that rounding does not pass it */
 static const double SAME_FORCE = 1e-6; /* [N]: rounding */
 
@@ -63,17 +62,19 @@ static int holds(const struct law *law, int step)
 {
     int rows = (int)law->numbers->rows, steps = (int)law->numbers->steps;
     int columns = INPUTS + DISTURBANCES * (int)law->numbers->horizon;
-    double size[SIZES], squares = 0;
+    const double *restrict norms = law->norms, *size = law->sizes + step;
+    double *restrict on_preview = law->inputs + columns, squares = 0;
     for (int i = 0; i < INPUTS; i++)
         squares += law->scale[i] * law->scale[i] * law->inputs[i] * law->inputs[i];
-    size[0] = sqrt(squares);
-    for (int i = 1; i < SIZES; i++)
-        size[i] = law->sizes[step + (ptrdiff_t)steps * (i - 1)];
+    double on_state = sqrt(squares), mean = size[0], front = size[steps], rear = size[2 * (ptrdiff_t)steps];
+    double braking = size[3 * (ptrdiff_t)steps];
+    for (int i = 0; i < rows; i++)
+        on_preview[i] = norms[rows + i] * mean + norms[2 * rows + i] * front + norms[3 * rows + i] * rear +
+                        norms[4 * rows + i] * braking;
     for (int i = 0; i < rows; i++) {
-        const double *norms = law->norms + SIZES * i, *row = law->limits + (ptrdiff_t)columns * i;
-        double on_preview = norms[1] * size[1] + norms[2] * size[2] + norms[3] * size[3] + norms[4] * size[4];
-        if (!(norms[0] * size[0] + on_preview <= WITHIN) &&
-            !(fabs(dot(row, law->inputs, INPUTS)) + on_preview <= WITHIN) &&
+        const double *row = law->limits + (ptrdiff_t)columns * i;
+        if (!(norms[i] * on_state + on_preview[i] <= WITHIN) &&
+            !(fabs(dot(row, law->inputs, INPUTS)) + on_preview[i] <= WITHIN) &&
             !(fabs(dot(row, law->inputs, columns)) <= WITHIN))
             return 0;
     }

@@ -33,10 +33,10 @@ struct law {
     const double *preview_gain; /* 2 x 3 horizon */
     const double *limits;       /* rows x (10 + 3 horizon) */
     const double *scale;        /* 10: of the state and the previous force, where `norms` have them together */
-    const double *norms;        /* rows x 5: of a row's parts on what `sizes` measures */
+    const double *norms;        /* 5 x rows: of a row's parts on what `sizes` measures */
     const double *preview;      /* both road velocities and the deceleration in each coming step */
     const double *sizes;        /* 4 x steps: of the mean deceleration previewed, both velocities, its difference */
-    double *inputs;             /* 10 + 3 horizon numbers: what the law multiplies in the present step */
+    double *inputs;             /* 10 + 3 horizon numbers that the law multiplies in the present step; and one a row */
     const struct qp *qp;        /* NULL: C solves none */
     struct qp_run *qp_run;
 };

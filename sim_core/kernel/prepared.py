@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from sim_core.arrays import FloatArray
 from sim_core.kernel.binding import LAYOUT
 from sim_core.kernel.library import DOUBLE, INT, Array, Function, Optional, Prepared, require
-from sim_core.kernel.qp import QpMatrices, QpMemory
+from sim_core.kernel.qp import QpDesign, QpMemory
 
 CAR, ESTIMATOR = 33, 112  # numbers of `struct vehicle` and `struct estimator` of nonlinear_car.c
 ECU_ANSWER, _STAGES = 5, 3  # numbers of an answer in ecu.c, stages of the ECU's tables
@@ -111,7 +111,7 @@ class LawArrays:
         limits: (rows, 10 + 3 · horizon).
         scale: Of the state and the previous force, where `norms` have them together (10,).
         norms: Of each row's parts on the scaled state and force, on the mean deceleration, on both road velocities, and
-            on the deceleration's difference from its mean (rows, 5).
+            on the deceleration's difference from its mean (5, rows).
         preview: An array with all that is previewed.
         strides: How many numbers further the next kind of disturbance and the next control step are in it.
         sizes: Magnitudes of what is previewed in each step, for the last four of the norms (4, steps).
@@ -130,7 +130,7 @@ class LawArrays:
     sizes: FloatArray
     force_limits: FloatArray
     clips: bool
-    qp: tuple[QpMatrices, QpMemory] | None = None
+    qp: tuple[QpDesign, QpMemory] | None = None
 
     def prepared(self) -> Prepared:
         """What C gets.
@@ -145,16 +145,17 @@ class LawArrays:
         require(
             self.limits.shape == (rows, _LAW_INPUTS + _DISTURBANCES * horizon), "Limits on everything the law knows"
         )
-        require(self.norms.shape == (rows, _SIZES) and len(self.sizes) == _SIZES - 1, "Norms of each limit and step")
+        require(self.norms.shape == (_SIZES, rows) and len(self.sizes) == _SIZES - 1, "Norms of each limit and step")
         require(
             min(kind, step) >= 0 and (beyond <= self.preview.size or not horizon), "What is previewed in every step"
         )
         numbers = np.array([rows, horizon, kind, step, steps, self.clips, *self.force_limits], dtype=np.float64)
-        by_row, inputs = (self.limits, self.scale, self.norms), np.empty(_LAW_INPUTS + _DISTURBANCES * horizon)
-        matrices, memory = self.qp or (None, None)
-        qp = memory.both(matrices, len(inputs)) if memory and matrices else (None, None)
+        inputs = _LAW_INPUTS + _DISTURBANCES * horizon
+        by_row, work = (self.limits, self.scale, self.norms), np.empty(inputs + rows)
+        design, memory = self.qp or (None, None)
+        qp = memory.both(design, inputs) if memory and design else (None, None)
         previewed = self.preview, self.sizes
-        return _prepare_law.prepare(numbers, self.gain, self.preview_gain, *by_row, *previewed, inputs, *qp)
+        return _prepare_law.prepare(numbers, self.gain, self.preview_gain, *by_row, *previewed, work, *qp)
 
     @property
     def steps(self) -> int:

@@ -29,7 +29,7 @@ struct qp {
     const double *by_inputs;    /* (moves + travels) x inputs: f but for the slacks, then travel without forces */
     const double *optimum;      /* likewise: moves and travel where no limit binds, each over its bound */
     ridelab_tables tables;      /* bounds, axles and gram of `optimum` times its bounds */
-    double fixed, each;         /* about the time of a QP, and of one iteration [s] */
+    double fixed, each;         /* about the time of a QP, and of one iteration [s]; the same on every machine */
 };
 
 /* The QPs of a run, one after another. */
@@ -50,13 +50,13 @@ int ridelab_dual_bytes(void)
 void ridelab_prepare_qp(struct qp *me, int moves, int travels, int inputs, const double *H, const double *columns,
                         const double *low, const double *high, const double *by_inputs, const double *optimum,
                         const double *bounds, const int8_t *axles, const double *gram, double slack_price,
-                        double slack_yield, int iterations, double fixed, double each)
+                        double slack_yield, int iterations)
 {
     _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a QP is prepared in memory of that size");
     *me = (struct qp){moves, travels, inputs, H, columns, low, high, by_inputs, optimum,
                       {.rows = moves + travels, .iterations = iterations, .slack_price = slack_price,
                        .slack_yield = slack_yield, .bounds = bounds, .axles = axles, .gram = {gram}},
-                      fixed, each};
+                      1.5e-9 * (moves + travels) * inputs, 5e-10 * (moves + travels) * (moves + AXLES)};
 }
 
 void ridelab_prepare_qp_run(struct qp_run *me, struct qp_counts *counts, double *f, double *b, double *y,

@@ -16,7 +16,7 @@ from sim_core.loop.closed_loop import _norms
 from sim_core.loop.preview import sliding_forecast
 from sim_core.metrics.sections import Integrand, over_sections
 from sim_core.vehicle.model import LinearLaw
-from tests.unit.qp_matrices import qp_matrices
+from tests.unit.qp_design import qp_design
 
 INTEGRAL_OF = {  # over one fine step from a to b
     Integrand.VALUE: lambda a, b: (a + b) / 2,
@@ -168,7 +168,7 @@ def test_a_residual_is_the_largest_violation() -> None:
     n, rows = moves + 2, 2 * travels
     root = rng.normal(size=(n, n))
     H, A, low, high = root @ root.T, rng.normal(size=(rows, n)), -np.ones(n), np.ones(n)
-    matrices = qp_matrices(H=H, columns=np.ascontiguousarray(A.T), low=low, high=high)
+    matrices = qp_design(H=H, columns=np.ascontiguousarray(A.T), low=low, high=high)
     largest = set()
     for _ in range(300):
         scale = 10 ** rng.uniform(-3, 3, size=4)

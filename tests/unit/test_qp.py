@@ -7,9 +7,10 @@ import numpy as np
 import pytest
 
 from sim_core.arrays import FloatArray
-from sim_core.control import qp
+from sim_core.control import mpc_design
 from sim_core.control.mpc import PredictiveController
-from sim_core.control.qp import SOLVERS, TOLERANCE, QpDesign, Qps
+from sim_core.control.qp import SOLVERS, TOLERANCE, Qps
+from sim_core.kernel.qp import QpDesign
 from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario
 from sim_core.simulate import prepare, simulate
 from sim_core.strategies import STRATEGIES
@@ -39,13 +40,13 @@ def test_solvers_agree_with_each_other_and_with_daqp(scenario: Scenario) -> None
     binding, answered = list[int](), 0
     for design in designs(scenario):
         qps = Qps(design)
-        lower = np.concatenate([design.low, np.full(len(design.A), -1e30)])
+        lower = np.concatenate([design.low, np.full(design.columns.shape[1], -1e30)])
         for inputs in random_inputs(design.by_inputs.shape[1], 25):
             ours = qps.solve(design, "daqp", inputs)
             assert ours is not None
             binding.append(int(np.count_nonzero(qps.multipliers)))
             upper = np.concatenate([design.high, qps.b])
-            y, _, flag, _ = daqp.solve(design.H.copy(), qps.f.copy(), design.A.copy(), upper, lower)
+            y, _, flag, _ = daqp.solve(design.H.copy(), qps.f.copy(), design.columns.T.copy(), upper, lower)
             assert flag == 1
             np.testing.assert_allclose(ours, 1000 * y[:2], atol=1e-8)
             by_osqp = qps.solve(design, "osqp", inputs)
@@ -120,7 +121,7 @@ def test_the_other_solver_steps_in_and_is_counted(monkeypatch: pytest.MonkeyPatc
 def test_a_qp_that_c_cannot_prove_is_the_other_solvers(monkeypatch: pytest.MonkeyPatch) -> None:
     """The dual method stops after one iteration: it may answer a QP of one limit alone."""
     normal = simulate(LONG, "lv")
-    monkeypatch.setattr(qp, "MOST_ITERATIONS", 1)
+    monkeypatch.setattr(mpc_design, "MOST_ITERATIONS", 1)
     uncached = LONG.mpc.model_copy(update={"force_weight": LONG.mpc.force_weight * (1 + 1e-12)})
     fallen = simulate(LONG.model_copy(update={"mpc": uncached}), "lv")
     assert 0 < event(fallen, "qp_fallbacks") < event(fallen, "qp_solves")

@@ -4,10 +4,10 @@ from typing import Any
 
 import numpy as np
 
-from sim_core.kernel.qp import QpMatrices
+from sim_core.kernel.qp import QpDesign
 
 
-def qp_matrices(**changed: Any) -> QpMatrices:
+def qp_design(**changed: Any) -> QpDesign:
     """Three moves and four deflections on nineteen inputs, nothing in any."""
     right: dict[str, Any] = {
         "H": np.eye(5),
@@ -22,7 +22,5 @@ def qp_matrices(**changed: Any) -> QpMatrices:
         "slack_price": 1.0,
         "slack_yield": 1.0,
         "iterations": 5,
-        "effort": 0.0,
-        "effort_each": 0.0,
     }
-    return QpMatrices(**(right | changed))
+    return QpDesign(**(right | changed))
