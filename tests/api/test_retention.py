@@ -124,7 +124,7 @@ def test_what_is_used_while_retention_looks_stays(on_server: Store, monkeypatch:
 
     monkeypatch.setattr(retention, "_lock", late)
     if use == "link to a run":
-        assert store.retention.remove_results(before).count > 0
+        assert store.retention.remove_results(before).rows > 0
         assert used == [True]
         assert set(store.runs.load_results(["plain-1", "shared"])) == {"plain-1", "shared"}
     else:
