@@ -56,7 +56,8 @@ def test_a_run_can_be_named_in_every_way(cli: Cli, prepared: Prepared, tmp_path:
     saved.write_text(cli("run", address, "-s", "lv", "-s", "passive", "--json"))
     assert json.loads(saved.read_text())["units"][PEAK] == "m/s^2"
     for name in (RUN, address, saved, SLUG, f"{ADDRESS}/s/{SLUG}"):
-        assert f"Equal within the tolerance: {2 * len(METRICS)} metrics of lv, passive" in cli("compare", name, RUN), name
+        compared = cli("compare", name, RUN)
+        assert f"Equal within the tolerance: {2 * len(METRICS)} metrics of lv, passive" in compared, name
     assert cli("open", RUN, "--print") == f"{address}\n"
     assert cli("open", SLUG, "--print") == f"{ADDRESS}/s/{SLUG}\n"
     for unknown, said in (("A" * 22, "no run, batch or link"), ("nothing", "neither a file, nor a preset (paper,")):
