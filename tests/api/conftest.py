@@ -1,6 +1,7 @@
 """One real service for all these tests: uvicorn in a thread, workers in processes of their own."""
 
 import asyncio
+import itertools
 import json
 import re
 import socket
@@ -31,6 +32,7 @@ T = TypeVar("T")
 # Kinds of problems that any request may meet; they belong to no operation.
 BEFORE_ANY_ROUTE = ("address-too-long", "connections", "cross-site", "headers-too-long", "other-host", "two-lengths")
 TOKENS = {"ann": "ann-0123456789abcdef", "ben": "ben/+~.0123456789==", "o" * 64: "of-the-longest-name"}
+HEIGHTS = (0.04 + 1e-5 * number for number in itertools.count(1))
 ROAD = {"length": 130, "bump": {"start": 90}}  # not the paper's, so that stored paper runs never matter here
 
 
@@ -159,6 +161,13 @@ def run(service: Service) -> Any:
     response = service.run(["passive", "lv", "lqr"], {"road": ROAD})
     assert response.status_code == 200, response.text
     return response.json()
+
+
+@pytest.fixture
+def fresh(service: Service, road: dict[str, Any]) -> Any:
+    """A stored run of two strategies that no other test has, as its POST answered."""
+    scenario = {"road": {**road, "bump": {**road["bump"], "height": next(HEIGHTS)}}}
+    return service.run(["lv", "passive"], scenario).raise_for_status().json()
 
 
 @pytest.fixture

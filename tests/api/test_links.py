@@ -25,16 +25,6 @@ VIEW = {
     "zoom": [1.25, 7],
     "cursor": 3.5,
 }
-numbers = iter(range(1, 1000))
-
-
-@pytest.fixture
-def fresh(service: Any, road: dict[str, Any]) -> Any:
-    """A stored run that nothing links to."""
-    bump = {**road["bump"], "height": 0.04 + 1e-5 * next(numbers)}
-    answer = service.run(["lv", "passive"], {"road": {**road, "bump": bump}})
-    assert answer.status_code == 200
-    return answer.json()
 
 
 def share(client: httpx.Client, run_id: str, **view: Any) -> Any:

@@ -19,7 +19,7 @@ lengths = itertools.count(1)
 
 
 @pytest.fixture
-def fresh(road: dict[str, Any]) -> dict[str, Any]:
+def unseen(road: dict[str, Any]) -> dict[str, Any]:
     """A scenario that no test has run yet."""
     return {"road": {**road, "length": 130 + 1e-3 * next(lengths)}}
 
@@ -110,8 +110,8 @@ def test_what_the_client_has_is_neither_read_nor_rendered(
     assert client.get(f"/api/v1/runs/{'A' * 22}", headers={"If-None-Match": unknown}).status_code == 404
 
 
-def test_live_answers_series_and_stores_nothing(service: Any, client: Any, fresh: dict[str, Any]) -> None:
-    first = service.live(["lv", "passive"], fresh)
+def test_live_answers_series_and_stores_nothing(service: Any, client: Any, unseen: dict[str, Any]) -> None:
+    first = service.live(["lv", "passive"], unseen)
     assert first.status_code == 200
     answer = first.json()
     LiveRun.model_validate(answer)
@@ -121,8 +121,8 @@ def test_live_answers_series_and_stores_nothing(service: Any, client: Any, fresh
     for entry in answer["strategies"].values():
         assert entry["cached"] is False
         assert list(entry["series"]) == list(SIGNALS)
-    assert all(entry["cached"] for entry in service.live(["lv", "passive"], fresh).json()["strategies"].values())
-    posted = service.run(["lv", "passive"], fresh).json()
+    assert all(entry["cached"] for entry in service.live(["lv", "passive"], unseen).json()["strategies"].values())
+    posted = service.run(["lv", "passive"], unseen).json()
     assert all(entry["cached"] for entry in posted["strategies"].values()), "what a drag computed is stored as it is"
     for name, entry in posted["strategies"].items():
         assert entry["metrics"] == answer["strategies"][name]["metrics"]

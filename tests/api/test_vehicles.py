@@ -1,4 +1,4 @@
-"""Vehicles over HTTP, by the client and at the command line: their sources, files, data sheets."""
+"""Vehicles over HTTP: their sources, and half-cars from data sheets."""
 
 import httpx
 
