@@ -111,6 +111,7 @@ class Links:
         if stored.expired:
             again = await self._runs.stored(stored.id, client)
             stored = replace(again, schema_version=stored.schema_version)
+            link = await self._load(slug) or link  # now it knows that something was damaged
         keys = set(_histories(stored).values())
         pinned = await self._store.read(self._store.links.pinned, keys)
         return _opened(
@@ -209,6 +210,7 @@ def _opened(link: StoredLink, shown: StoredRun | StoredJob, scenario: JsonObject
         "run": None,
         "batch": None,
         "series_pinned": False,
+        "damaged_at": link.damaged_at,
         **content,
     }
 

@@ -3,7 +3,7 @@
 A pin is the line `ridelab pin 1`, a line of JSON (`units` by signal in the order of the rows, `strategy`,
 `core_version`), and by zlib the samples row by row: of each row all first bytes, then the second, third and fourth.
 A later catalogue of signals takes from an old pin what it still knows. Pins of versions until 0.3.0 are Parquet, which
-needs the extra `parquet`. Runs in worker processes; why this format: docs/decisions/0028-parquet-is-an-extra.md.
+needs the extra `parquet`. Runs in worker processes; why this format: docs/decisions/0031-parquet-is-an-extra.md.
 """
 
 import zlib

@@ -98,11 +98,10 @@ class Runs:
         names, scenario = ordered(strategies), await self._roads.with_length(scenario)
         against = None if roads == 1 else baseline or default_baseline(names)
         run_id = digest.run_id(scenario, names, roads, against)
-        plain = scenario.model_dump(mode="json")
-        stored = await self._store.read(self._store.runs.load, run_id)
+        stored = await self._load(run_id)
         if stored is not None and not stored.expired:
             CACHE.labels("hit").inc(len(names) * roads)
-            return replace(stored, scenario=plain), dict.fromkeys(names, True)  # the id says that they are the same
+            return stored, dict.fromkeys(names, True)
         self._gate.check_cost(roads * cost_of(scenario, names))
         outcomes = await self._computed(scenario, names, roads, client)
         if not all(item.cacheable for item in outcomes):  # asked again: tried again
@@ -111,7 +110,7 @@ class Runs:
             id=run_id,
             core_version=CORE_VERSION,
             schema_version=SCHEMA_VERSION,
-            scenario=plain,
+            scenario=scenario.model_dump(mode="json"),
             results=tuple(outcomes),
             roads=roads,
             baseline=against,
@@ -119,6 +118,10 @@ class Runs:
         await self._roads.named(measured_roads(run.scenario))  # results in memory outlive the road
         saved = await self._store.write(self._store.runs.save, run)
         return saved, {name: all(item.cached for item in outcomes if item.strategy == name) for name in names}
+
+    async def is_stored(self, run_id: str) -> bool:
+        """Whether there is a run of this id, whatever has become of its results."""
+        return await self._store.read(self._store.runs.is_stored, run_id)
 
     async def get(self, run_id: str, client: str) -> JsonObject:
         """The stored run.
@@ -316,8 +319,8 @@ class Runs:
     async def _load(self, run_id: str) -> StoredRun | None:
         """The run as it is stored, its scenario today's."""
         stored = await self._store.read(self._store.runs.load, run_id)
-        if stored is None:
-            return None
+        if stored is None or (stored.core_version, stored.schema_version) == (CORE_VERSION, SCHEMA_VERSION):
+            return stored  # as this very version wrote it
         scenario = upgraded_scenario(stored.scenario, stored.schema_version)
         return replace(stored, scenario=scenario, schema_version=SCHEMA_VERSION)
 
