@@ -2,7 +2,6 @@
 
 import re
 from dataclasses import replace
-from itertools import count
 from typing import Any
 
 import httpx
@@ -12,19 +11,11 @@ from sqlalchemy import Connection, select, update
 from backend.db.tables import job_runs, pinned_series, results, run_results
 from backend.metrics import DAMAGED_RESULTS
 from backend.store import Store
+from tests.api.conftest import HEIGHTS
 from tests.api.test_job_store import BATCH, computed, rows
 from tests.api.test_links import opened, share
 from tests.api.test_store import outcomes, save
 from tests.servers import batches
-
-heights = (0.0312 + 1e-5 * number for number in count())
-
-
-@pytest.fixture
-def fresh(service: Any, road: dict[str, Any]) -> Any:
-    """A stored run that nobody else has."""
-    scenario = {"road": {**road, "bump": {**road["bump"], "height": next(heights)}}}
-    return service.run(["passive", "lv"], scenario).raise_for_status().json()
 
 
 def damage(store: Store, key: str) -> None:
@@ -85,7 +76,7 @@ def test_a_damaged_result_of_a_run_is_computed_again(
 
 
 def test_a_batch_computes_a_damaged_result_again(service: Any, client: httpx.Client, road: dict[str, Any]) -> None:
-    sweep = {"grid": {"road.bump.height": [next(heights) for _ in range(3)]}}
+    sweep = {"grid": {"road.bump.height": [next(HEIGHTS) for _ in range(3)]}}
     body = {"scenario": {"road": road}, "strategies": ["passive"], "sweep": sweep}
     batch = client.post("/api/v1/batches", json=body).raise_for_status().json()
     whole = batches.wait_for(client, batch["id"]), batches.rows(client, batch["id"])
