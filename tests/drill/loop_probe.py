@@ -1,7 +1,7 @@
-"""The service with a probe in its event loop: `python -m tests.drill.loop_probe`, with the options of `python -m backend`.
+"""The service with a probe in its event loop: `python -m tests.drill.loop_probe` has `python -m backend`'s options.
 
-It writes a line of JSON to the file EVENT_LOOP_PROBE for each callback that took more than LIMIT of its thread's processor
-time, which a busy machine does not lengthen: the seconds, and where it was when it had taken half of the limit.
+It writes a line of JSON to the file EVENT_LOOP_PROBE for each callback that took more than LIMIT of its thread's
+processor time, which a busy machine does not lengthen: the seconds, and where it was after half of the limit.
 """
 
 import asyncio

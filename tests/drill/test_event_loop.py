@@ -1,7 +1,7 @@
 """Nothing that clients ask for holds the event loop longer than 20 ms: while it is held, nobody is answered.
 
-The largest of everything, one after the other: 50 roads and nine strategies, a sweep of 10,000 runs with all that is read
-of it, a road of 2 km, links, the paper, the API's description. A probe in the service measures each callback.
+The largest of everything, one after the other: 50 roads and nine strategies, a sweep of 10,000 runs with all that is
+read of it, a road of 2 km, links, the paper, the API's description. A probe in the service measures each callback.
 """
 
 import json
