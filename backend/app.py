@@ -6,6 +6,7 @@ from contextlib import asynccontextmanager
 from functools import partial
 
 from fastapi import FastAPI
+from fastapi.responses import JSONResponse
 from starlette.middleware import Middleware
 from starlette.middleware.gzip import GZipMiddleware
 
@@ -93,6 +94,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
         title="Ridelab",
         version=__version__,
         description=DESCRIPTION,
+        openapi_url=None,  # served below
         docs_url=None,
         redoc_url=None,
         lifespan=_lifespan,
@@ -116,6 +118,8 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
         app.include_router(router)
     site.add_site(app, settings.frontend_dir)
     app.openapi = lambda: openapi.describe(app)  # type: ignore[method-assign]  # FastAPI's own way to change it
+    # Made on the first request, in a thread: it takes half a second.
+    app.add_route("/openapi.json", lambda _: JSONResponse(app.openapi()), include_in_schema=False)
     return app
 
 

@@ -9,6 +9,7 @@ import pytest
 from sqlalchemy import Connection, select, update
 
 from backend.db.tables import job_runs, pinned_series, results, run_results
+from backend.metrics import DAMAGED_RESULTS
 from backend.store import Store
 from tests.api.conftest import HEIGHTS
 from tests.api.test_job_store import BATCH, computed, rows
@@ -132,6 +133,18 @@ def test_both_databases_drop_what_is_damaged_and_keep_what_has_no_checksum(store
     assert run is not None
     assert [item.status for item in run.results] == ["expired", "ok", "ok"]
     assert save(store, "run", "a", "b", "c").results[0] == outcomes("a")[0]
+
+
+def test_what_a_replica_of_0_3_0_expires_is_not_damaged(store: Store) -> None:
+    """It knows no checksums, and leaves them."""
+    save(store, "run", "a")
+    before = DAMAGED_RESULTS.labels("result")._value.get()
+    with store.writing() as connection:
+        connection.execute(update(results).values(status="expired", summary="{}", compute_ms=0))
+    run = store.runs.load("run")
+    assert run is not None
+    assert run.expired
+    assert DAMAGED_RESULTS.labels("result")._value.get() == before
 
 
 def test_jobs_count_what_they_have_lost_and_a_cancelled_one_waits_for_nothing(store: Store) -> None:
