@@ -81,8 +81,8 @@ class Retention:
             ("results", self._store.retention.remove_results),
             ("roads", self._store.retention.remove_roads),
         ):
-            while (removed := await self._write(remove, before)).count:
-                REMOVED.labels(what).inc(removed.count)
+            while (removed := await self._write(remove, before)).rows:
+                REMOVED.labels(what).inc(removed.rows)
                 size += removed.size
                 await self._purge()
         return size

@@ -1,5 +1,6 @@
 """Share links: an unguessable slug that opens a run or a batch as it was computed, in the view it was shared in."""
 
+import asyncio
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
@@ -114,7 +115,11 @@ class Links:
         keys = set(_histories(stored).values())
         pinned = await self._store.read(self._store.links.pinned, keys)
         return _opened(
-            link, stored, stored.scenario, run=run_answer(stored), series_pinned=bool(keys) and keys <= pinned
+            link,
+            stored,
+            stored.scenario,
+            series_pinned=bool(keys) and keys <= pinned,
+            run=await asyncio.to_thread(run_answer, stored),
         )
 
     async def preview(self, slug: str) -> Preview | None:
@@ -129,7 +134,7 @@ class Links:
         if run.expired:  # its numbers are computed for whoever opens the link, not for a preview
             answer = {"core_version": run.core_version, "scenario": run.scenario, "strategies": {}}
         else:
-            answer = as_plain(run_answer(run))
+            answer = await asyncio.to_thread(lambda: as_plain(run_answer(run)))
         return preview.of_run(answer, link.view, run.created_at)
 
     async def _pin(self, shared: _SharedRun, client: str) -> dict[str, bytes]:

@@ -1,5 +1,6 @@
 """Runs: stored results are answered; missing ones are computed once, committed, then answered."""
 
+import asyncio
 import logging
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -88,7 +89,7 @@ class Runs:
                 passive does not run.
         """
         saved, cached = await self.drive(scenario, strategies, client, roads=roads, baseline=baseline)
-        return run_answer(saved, cached=cached)
+        return await asyncio.to_thread(run_answer, saved, cached=cached)
 
     async def drive(
         self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None
@@ -128,7 +129,7 @@ class Runs:
         Raises:
             NotFoundError: There is none.
         """
-        return run_answer(await self.stored(run_id, client))
+        return await asyncio.to_thread(run_answer, await self.stored(run_id, client))
 
     async def changes(self, run_id: str, client: str, *, against: str | None, baseline: str | None) -> JsonObject:
         """What a run over several roads changes against another one, or its strategies against one of them.
@@ -139,9 +140,9 @@ class Runs:
         """
         stored = await self.stored(run_id, client)
         if against is not None and baseline is None:
-            return changes_to_run(stored, await self._other(against, client))
+            return await asyncio.to_thread(changes_to_run, stored, await self._other(against, client))
         if baseline is not None and against is None:
-            return changes_to_strategy(stored, baseline)
+            return await asyncio.to_thread(changes_to_strategy, stored, baseline)
         raise InvalidError(
             "Name either a run, `against`, or one of this run's strategies, `baseline`", parameter="against"
         )
@@ -276,13 +277,13 @@ class Runs:
         except GoneError as error:
             gone = error.message
         base = baseline or stored.baseline or default_baseline(names)
-        answer = as_plain(run_answer(stored, baseline=base))
+        answer = await asyncio.to_thread(lambda: as_plain(run_answer(stored, baseline=base)))
         other: JsonObject | None = None
         if against is not None:
             run = await self._other(against, client)
-            other = as_plain(run_answer(run))
+            other = await asyncio.to_thread(lambda: as_plain(run_answer(run)))
             if stored.roads > 1 or run.roads > 1:
-                answer["changes"] = changes_to_run(stored, run)["changes"]
+                answer["changes"] = (await asyncio.to_thread(changes_to_run, stored, run))["changes"]
         facts = run_report.RunFacts(
             answer=answer,
             created_at=stored.created_at,

@@ -13,7 +13,17 @@ from sqlalchemy import Connection, Row, Table, delete, or_, select, update
 
 from backend.db.clock import Now
 from backend.db.database import Database
-from backend.db.tables import EXPIRED_RESULT, REMOVED, job_runs, jobs, links, pinned_series, results, run_results
+from backend.db.tables import (
+    EXPIRED,
+    EXPIRED_RESULT,
+    REMOVED,
+    job_runs,
+    jobs,
+    links,
+    pinned_series,
+    results,
+    run_results,
+)
 from backend.metrics import DAMAGED_RESULTS
 from backend.store.job import FINAL
 from backend.store.jobs import change_state, lock
@@ -32,8 +42,12 @@ def of_series(key: str, content: bytes) -> str:
 
 
 def is_intact(row: Row[Any]) -> bool:
-    """Whether a row of `results` is as it was written; one of an older version, without a checksum, counts as such."""
-    return row.checksum is None or row.checksum == of_result(row.key, row.status, row.summary.encode())
+    """Whether a row of `results` is as it was written.
+
+    One of an older version, without a checksum, counts as such; so does one that its retention has emptied meanwhile.
+    """
+    unchecked = row.checksum is None or row.status == EXPIRED
+    return unchecked or row.checksum == of_result(row.key, row.status, row.summary.encode())
 
 
 def drop_results(database: Database, keys: Iterable[str]) -> None:

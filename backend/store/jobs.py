@@ -170,6 +170,7 @@ class JobStore:
     def cancel(self, job_id: str) -> None:
         """Cancel a job and the jobs it submitted; those that have ended stay unchanged."""
         with self._database.writing() as connection:
+            lock(connection, job_id)  # what it submits at this moment is seen, or refused
             children = select(jobs.c.id).where(jobs.c.parent_id == job_id, jobs.c.state.in_(UNFINISHED))
             family = [job_id, *connection.execute(children).scalars()]
             for each in family:

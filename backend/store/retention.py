@@ -37,9 +37,9 @@ Removable = Select[str, datetime]
 
 
 class Removed(NamedTuple):
-    """What was removed: how many, and on a server how many bytes of those that `size` counts."""
+    """What was removed: how many rows, and on a server how many bytes of those that `size` counts."""
 
-    count: int
+    rows: int
     size: int
 
 

@@ -2,7 +2,6 @@
 
 import re
 from dataclasses import replace
-from itertools import count
 from typing import Any
 
 import httpx
@@ -10,20 +9,13 @@ import pytest
 from sqlalchemy import Connection, select, update
 
 from backend.db.tables import job_runs, pinned_series, results, run_results
+from backend.metrics import DAMAGED_RESULTS
 from backend.store import Store
+from tests.api.conftest import HEIGHTS
 from tests.api.test_job_store import BATCH, computed, rows
 from tests.api.test_links import opened, share
 from tests.api.test_store import outcomes, save
 from tests.servers import batches
-
-heights = (0.05 + 1e-5 * number for number in count())
-
-
-@pytest.fixture
-def fresh(service: Any, road: dict[str, Any]) -> Any:
-    """A stored run that nobody else has."""
-    scenario = {"road": {**road, "bump": {**road["bump"], "height": next(heights)}}}
-    return service.run(["passive", "lv"], scenario).raise_for_status().json()
 
 
 def damage(store: Store, key: str) -> None:
@@ -84,7 +76,7 @@ def test_a_damaged_result_of_a_run_is_computed_again(
 
 
 def test_a_batch_computes_a_damaged_result_again(service: Any, client: httpx.Client, road: dict[str, Any]) -> None:
-    sweep = {"grid": {"road.bump.height": [next(heights) for _ in range(3)]}}
+    sweep = {"grid": {"road.bump.height": [next(HEIGHTS) for _ in range(3)]}}
     body = {"scenario": {"road": road}, "strategies": ["passive"], "sweep": sweep}
     batch = client.post("/api/v1/batches", json=body).raise_for_status().json()
     whole = batches.wait_for(client, batch["id"]), batches.rows(client, batch["id"])
@@ -141,6 +133,18 @@ def test_both_databases_drop_what_is_damaged_and_keep_what_has_no_checksum(store
     assert run is not None
     assert [item.status for item in run.results] == ["expired", "ok", "ok"]
     assert save(store, "run", "a", "b", "c").results[0] == outcomes("a")[0]
+
+
+def test_what_a_replica_of_0_3_0_expires_is_not_damaged(store: Store) -> None:
+    """It knows no checksums, and leaves them."""
+    save(store, "run", "a")
+    before = DAMAGED_RESULTS.labels("result")._value.get()
+    with store.writing() as connection:
+        connection.execute(update(results).values(status="expired", summary="{}", compute_ms=0))
+    run = store.runs.load("run")
+    assert run is not None
+    assert run.expired
+    assert DAMAGED_RESULTS.labels("result")._value.get() == before
 
 
 def test_jobs_count_what_they_have_lost_and_a_cancelled_one_waits_for_nothing(store: Store) -> None:

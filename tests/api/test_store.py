@@ -1,7 +1,6 @@
 """The store on both databases it knows: SQLite, and a real PostgreSQL."""
 
 import contextlib
-import json
 import os
 import shutil
 import socket
@@ -114,23 +113,6 @@ def test_a_database_of_a_release_keeps_every_row(open_store: OpenStore, version:
         for row in release.rows(version, table):
             same = {name: value for name, value in row.items() if name in there[0]}
             assert any(same.items() <= each.items() for each in there), (table, row)
-
-
-def test_batches_and_tunings_of_release_0_2_0_are_kinds_of_job(open_store: OpenStore) -> None:
-    store = open_store()
-    release.restore(store, "0.2.0")
-    store.migrate()
-    old = release.content("0.2.0")["tables"]
-    jobs = {row["id"]: job for row in release.rows("0.2.0", "jobs") if (job := store.jobs.load(row["id"]))}
-    for row in old["batches"]:
-        job = jobs[row["id"]]
-        assert job.request == {name: json.loads(row[name]) for name in ("scenario", "strategies", "fields")}
-        key = row["idempotency_key"] or ""
-        assert (job.kind, job.parent_id) == ("sweep", key.split()[1] if " " in key else None)
-    for row in old["tunings"]:
-        job, counted = jobs[row["id"]], ("step", "attempt", "generation", "feasible")
-        assert job.progress == {name: row[name] for name in counted} | {"batch": row["batch_id"]}
-        assert (job.kind, job.parent_id) == ("tuning", None)
 
 
 def test_migrating_again_and_from_many_processes_changes_nothing(open_store: OpenStore) -> None:

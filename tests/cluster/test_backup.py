@@ -19,7 +19,7 @@ from sqlalchemy import make_url
 
 from backend.outcome import Outcome
 from backend.store import Store, StoredRun
-from tests.api.cli import Cli
+from tests.client.cli import Cli
 from tests.servers.postgres import Postgres, program
 from tests.servers.process import wait_until
 
