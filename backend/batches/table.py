@@ -1,8 +1,10 @@
 """Batches as tables: a row for each run, units in the header, built page by page so that memory stays flat."""
 
+import asyncio
 import itertools
 from collections.abc import AsyncIterator, Awaitable, Callable, Mapping, Sequence
 from functools import partial
+from importlib import import_module
 from pathlib import Path
 from typing import IO, Any
 
@@ -57,10 +59,9 @@ async def as_csv(batch: StoredJob, pages: Pages, call: Call) -> AsyncIterator[by
 
 
 async def as_parquet(batch: StoredJob, pages: Pages, call: Call) -> AsyncIterator[bytes]:
-    """The table as Parquet."""
-    from backend.batches.parquet import pieces
-
-    async for piece in pieces(batch, column_names(batch), units(batch), pages, call):
+    """The table as Parquet; the first one imports pyarrow, in a thread: it takes a while."""
+    parquet = await asyncio.to_thread(import_module, "backend.batches.parquet")
+    async for piece in parquet.pieces(batch, column_names(batch), units(batch), pages, call):
         yield piece
 
 
