@@ -55,7 +55,9 @@ def whole(rows: Sequence[JobRow], batch_id: str, names: Sequence[str]) -> dict[s
 
 
 def _cell(value: Any) -> Any:
-    """Text and numbers as they are, true, false and lists as in JSON, nothing as an empty cell."""
+    """Text and numbers as they are, 5 and not 5.0; true, false and lists as in JSON, nothing as an empty cell."""
+    if isinstance(value, float):
+        return repr(value).removesuffix(".0")
     return orjson.dumps(value).decode() if isinstance(value, bool | list | dict) else value
 
 

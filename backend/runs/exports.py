@@ -3,6 +3,7 @@
 Strategy after strategy is driven and written, some samples at a time: the text never stands in memory as a whole.
 """
 
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -27,6 +28,7 @@ VALUE_BYTES = {"csv": 12.0, "json": 12.0, "parquet": 5.0}
 BASE64_BYTES = 16 / 3  # four bytes become 16/3 characters (RFC 4648, section 4)
 NAME_BYTES = 16  # of a strategy in each row of CSV [bytes]
 BYTE_COST = 2e-8  # of one byte [s of one core]
+_WHOLE = re.compile(rb"\.0(?=[],])")  # the end of a whole number in JSON
 
 
 @dataclass(frozen=True, slots=True)
@@ -137,8 +139,8 @@ def _write_csv(members: Members, export: Export, file: IO[bytes]) -> None:
     file.write(",".join(header).encode() + b"\n")
     for name, samples in _tables(members, export):
         begin = f"{name},".encode() if several else b""
-        # A list of rows as JSON has the same numbers; what is none is null there, and an empty cell here.
-        text = orjson.dumps(np.column_stack(samples), option=orjson.OPT_SERIALIZE_NUMPY)[2:-2]
+        # A list of rows as JSON has the same numbers; what is none is null there, and an empty cell here, and 5 is 5.0.
+        text = _WHOLE.sub(b"", orjson.dumps(np.column_stack(samples), option=orjson.OPT_SERIALIZE_NUMPY))[2:-2]
         file.write(begin + text.replace(b"null", b"").replace(b"],[", b"\n" + begin) + b"\n")
 
 
