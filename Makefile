@@ -23,7 +23,7 @@ test: development ## everything: style, types, import rules, all tests, browser 
 suite: development ## the tests alone
 	$(BIN)/python -m pytest tests --ignore tests/drill $(PYTEST)
 
-drill: development ## at length: new random scenarios, fifty kills, load, locks, backups, fuzzing, costs; DRILL_KILLS= and DRILL_SEED= change it
+drill: development $(VENV)/clients/.installed ## at length: new random scenarios, fifty kills, load, locks, backups, fuzzing, costs; DRILL_KILLS= and DRILL_SEED= change it
 	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/validation --numprocesses 2
 	$(BIN)/python -m pytest tests/drill -s
 
@@ -103,6 +103,11 @@ $(VENV)/.ecu: requirements-ecu.lock $(VENV)/.build
 	$(INSTALL) $<
 	touch $@
 
+$(VENV)/clients/.installed: requirements-clients.lock $(VENV)/.build
+	$(PYTHON) -m venv $(@D)
+	$(@D)/bin/python -m pip install --disable-pip-version-check --progress-bar off --require-hashes -r $<
+	touch $@
+
 $(BIN)/ridelab: pyproject.toml setup.py client/pyproject.toml sim_core/pyproject.toml sim_core/setup.py $(wildcard sim_core/kernel/*.[ch] sim_core/ecu/source/*.[ch]) sim_core/kernel/build.py $(VENV)/.runtime  # the three distributions, from their folders
 	@command -v cc || command -v gcc || command -v clang || $(MAKE) $(VENV)/.ecu
 	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index -e sim_core -e client -e .
@@ -121,6 +126,7 @@ lock: ## new lock files, without download addresses
 	$(COMPILE_LOCK) pyproject.toml -o requirements.lock
 	$(COMPILE_LOCK) --group build -o requirements-build.lock
 	$(COMPILE_LOCK) --group ecu -o requirements-ecu.lock
+	$(COMPILE_LOCK) --group clients -o requirements-clients.lock
 	$(COMPILE_LOCK) --extra dev --extra ecu --group build pyproject.toml -o requirements-dev.lock
 
 pin: ## base images by digest, in Dockerfile and docker-compose.yml; needs docker and its registry

@@ -125,7 +125,7 @@ def _back_up(data_dir: str | None, file: Path, *, overwrite: bool) -> int:
         return _refuse(str(error))
     except OSError as error:
         return _refuse(_named(error))
-    print(f"{file}: {copy.size / 1e6:.1f} MB, a copy of {copy.database}; writes waited {copy.seconds:.2f} s")
+    print(f"{file}: {copy.size / 1e6:.1f} MB, a copy of {copy.database}; writes waited {copy.seconds:.2f} s at most")
     return 0
 
 

@@ -5,6 +5,7 @@ from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 
 from fastapi import FastAPI
+from fastapi.responses import JSONResponse
 from starlette.middleware import Middleware
 from starlette.middleware.gzip import GZipMiddleware
 
@@ -88,6 +89,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
         title="Ridelab",
         version=__version__,
         description=DESCRIPTION,
+        openapi_url=None,  # served below
         docs_url=None,
         redoc_url=None,
         lifespan=_lifespan,
@@ -109,6 +111,8 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
         app.include_router(router)
     site.add_site(app, settings.frontend_dir)
     app.openapi = lambda: openapi.describe(app)  # type: ignore[method-assign]  # FastAPI's own way to change it
+    # Made on the first request, in a thread: it takes half a second.
+    app.add_route("/openapi.json", lambda _: JSONResponse(app.openapi()), include_in_schema=False)
     return app
 
 

@@ -83,7 +83,7 @@ class Settings(BaseModel):
     max_client_connections: int = Field(
         200,
         ge=1,
-        description="Connections one client may have open; beyond it its oldest idle one is closed, else 503.",
+        description="Connections one client may have open; beyond it its oldest idle one is closed, else 429.",
     )
     max_body_bytes: int = Field(MEBIBYTE, ge=1024, description="Longest request body.")
     body_timeout: float = Field(20, gt=0, le=600, description="A request body may take this long to come [s].")

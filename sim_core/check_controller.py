@@ -19,7 +19,7 @@ from sim_core.vehicle.model import SemiActiveDampers
 
 _SHORT = Scenario(road=Road(length=60, bump=Bump(start=30)))
 _SAME_LAW = 1e-4  # relative: a solver's answer is no closer to the law's
-_NOTHING = 1e-6  # in SI units: less than that is nobody's difference
+_NEGLIGIBLE = 1e-6  # in SI units: smaller differences do not count
 _ID = re.compile("[a-z][a-z0-9_]*")
 
 
@@ -48,7 +48,7 @@ def check_controller(controller: str | type[Controller] | Controller, scenario: 
     """
     if isinstance(controller, str):
         controller = strategy_named(controller)
-    kind = controller if isinstance(controller, type) else type(controller)
+    kind: type = controller if isinstance(controller, type) else type(controller)
     if not issubclass(kind, Controller):
         return ["A controller is a class derived from sim_core.Controller, or an object of one"]
     wrong = _declared(kind)
@@ -85,13 +85,15 @@ def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> li
 def _declared(kind: type[Controller]) -> list[str]:
     """What is wrong with its id, label, description and fields."""
     wrong = []
-    if not (isinstance(kind.id, str) and _ID.fullmatch(kind.id)):
+    name: object = kind.id  # a visitor's class may hold anything
+    label: object = kind.label
+    if not (isinstance(name, str) and _ID.fullmatch(name)):
         wrong.append("id begins with a small letter and has small letters, digits and underscores only")
-    elif STRATEGIES.get(kind.id, kind) is not kind:
+    elif STRATEGIES.get(name, kind) is not kind:
         wrong.append(f"id is that of a strategy of Ridelab's; taken are {', '.join(STRATEGIES)}")
-    if not isinstance(kind.label, str):
+    if not isinstance(label, str):
         wrong.append("label is no text")
-    elif not kind.label:
+    elif not label:
         wrong.append("label is empty")
     if kind.__doc__ is None or not kind.description():
         wrong.append("It has no docstring, whose first line describes it")
@@ -103,14 +105,14 @@ def _declared(kind: type[Controller]) -> list[str]:
         wrong.append("speed_plan is planned or constant")
     if kind.force is Controller.force and kind.linear_law is Controller.linear_law:
         wrong.append("It defines neither force nor linear_law")
-    for name, field in kind.declared.items():
+    for declared, field in kind.declared.items():
         try:
             if isinstance(field, Option):
-                checked_value(kind, name, field.default)
+                checked_value(kind, declared, field.default)
             else:
                 scenario_value(Scenario(), field.name)
         except RidelabError as error:
-            wrong.append(f"{name}: {error.message}")
+            wrong.append(f"{declared}: {error.message}")
     return wrong
 
 
@@ -146,7 +148,7 @@ class _ByForce(Controller):
 def _close(first: StrategyResult, second: StrategyResult) -> bool:
     of_signals = [metric for metric in METRICS.values() if metric.path[0] == "metrics"]
     ours, theirs = ([metric.of(each.summary()) for metric in of_signals] for each in (first, second))
-    return np.allclose(ours, theirs, rtol=_SAME_LAW, atol=_NOTHING)
+    return np.allclose(ours, theirs, rtol=_SAME_LAW, atol=_NEGLIGIBLE)
 
 
 def _raised(error: Exception, controller: type[Controller] | Controller) -> str:

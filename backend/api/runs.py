@@ -12,10 +12,11 @@ from backend.digest import RUN_ID_LENGTH
 from backend.errors import InvalidError
 from backend.http.answers import (
     IMMUTABLE,
-    answer_unless_cached,
     cancel_on_disconnect,
     content_answer,
+    is_cached,
     json_answer,
+    tagged,
     takes_gzip,
 )
 from backend.http.routing import ComputingRoute, ScenarioRoute
@@ -69,8 +70,10 @@ async def solve(body: SolveRequest, solver: SolverService, client: Client) -> Re
 )
 async def get_run(run_id: RunId, request: Request, service: RunsService, client: Client) -> Response:
     """A stored run; it changes only where its results were removed and another core version computes them again."""
-    answer = await cancel_on_disconnect(request, service.get(run_id, client))
-    return answer_unless_cached(request, f'W/"{run_id}"', answer, IMMUTABLE)  # weak: the body may be compressed
+    tag = f'W/"{run_id}"'  # weak: the body may be compressed
+    if is_cached(request, tag) and await service.is_stored(run_id):
+        return tagged(tag, IMMUTABLE)
+    return tagged(tag, IMMUTABLE, await cancel_on_disconnect(request, service.get(run_id, client)))
 
 
 @runs.get("/runs/{id}/changes", operation_id="getChanges", response_model=PairedChanges)

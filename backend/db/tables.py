@@ -16,6 +16,7 @@ from sqlalchemy import (
     text,
 )
 
+from backend.db.clock import Now
 from backend.db.types import Json, Utc
 
 metadata = MetaData(
@@ -28,6 +29,7 @@ metadata = MetaData(
 )
 
 EXPIRED = "expired"  # the status of a result whose summary is gone; runs keep which strategies they have
+EXPIRED_RESULT = {"status": EXPIRED, "summary": "{}", "compute_ms": 0, "checksum": None}
 UNEXPIRED = text(f"status <> '{EXPIRED}'")
 
 results = Table(
@@ -39,7 +41,8 @@ results = Table(
     Column("status", String(16), nullable=False),
     Column("summary", Text, nullable=False),
     Column("compute_ms", Float, nullable=False),
-    Column("created_at", Utc, nullable=False),
+    Column("created_at", Utc, nullable=False, default=Now()),
+    Column("checksum", String(16), nullable=True),  # see backend/store/damage.py; none until 0.3.0
     Index("ix_results_created_at", "created_at", sqlite_where=UNEXPIRED, postgresql_where=UNEXPIRED),
 )
 
@@ -50,7 +53,7 @@ roads = Table(
     Column("id", String(22), primary_key=True),
     Column("samples", Integer, nullable=False),
     Column("content", LargeBinary, nullable=False),
-    Column("created_at", Utc, nullable=False, index=True),
+    Column("created_at", Utc, nullable=False, default=Now(), index=True),
 )
 
 run_roads = Table(
@@ -74,7 +77,7 @@ runs = Table(
     Column("core_version", String(32), nullable=False),
     Column("schema_version", Integer, nullable=False),
     Column("scenario", Json, nullable=False),
-    Column("created_at", Utc, nullable=False),
+    Column("created_at", Utc, nullable=False, default=Now()),
     Column("roads", Integer, nullable=False, server_default="1"),
     Column("baseline", String(64), nullable=True),
 )
@@ -114,7 +117,7 @@ jobs = Table(
     Column("failed", Integer, nullable=False),
     Column("idempotency_key", String(255), nullable=True),
     Column("request_hash", String(43), nullable=False),
-    Column("created_at", Utc, nullable=False, index=True),
+    Column("created_at", Utc, nullable=False, default=Now(), index=True),
     Column("started_at", Utc, nullable=True),
     Column("finished_at", Utc, nullable=True),
     UniqueConstraint("kind", "idempotency_key"),
@@ -167,7 +170,8 @@ links = Table(
     Column("run_id", String(22), ForeignKey("runs.id"), nullable=True, index=True),
     Column("job_id", String(22), ForeignKey("jobs.id"), nullable=True, index=True),
     Column("view", Json, nullable=False),
-    Column("created_at", Utc, nullable=False),
+    Column("created_at", Utc, nullable=False, default=Now()),
+    Column("damaged_at", Utc, nullable=True),  # something that it shows was found damaged then
 )
 
 pinned_series = Table(
@@ -175,7 +179,8 @@ pinned_series = Table(
     metadata,
     Column("result_key", String(43), ForeignKey("results.key"), primary_key=True),
     Column("content", LargeBinary, nullable=False),
-    Column("created_at", Utc, nullable=False),
+    Column("created_at", Utc, nullable=False, default=Now()),
+    Column("checksum", String(16), nullable=True),
 )
 
 # Of the page, ended before their time.
@@ -183,5 +188,5 @@ ended_logins = Table(
     "ended_logins",
     metadata,
     Column("login", String(43), primary_key=True),
-    Column("ended_at", Utc, nullable=False),
+    Column("ended_at", Utc, nullable=False, default=Now()),
 )

@@ -4,7 +4,7 @@ import asyncio
 import logging
 import time
 from collections.abc import Awaitable, Callable
-from datetime import UTC, datetime, timedelta
+from datetime import datetime, timedelta
 from typing import Any
 
 from backend.jobs.leadership import LeadershipLostError
@@ -60,28 +60,32 @@ class Retention:
         await self._purge()
         if self._days is None and self._bytes is None:
             return
+        now = await self._store.read(self._store.now)
         if self._days is not None:
-            await self._remove_before(datetime.now(UTC) - timedelta(days=self._days))
+            await self._remove_before(now - timedelta(days=self._days))
         size = await self._store.read(self._store.retention.size)
         while self._bytes is not None and size > self._bytes:
             before = await self._store.read(self._store.retention.oldest)
-            if before is None or before > datetime.now(UTC) - YOUNGEST:
+            if before is None or before > now - YOUNGEST:
                 logger.warning("The database has %d bytes, and nothing more of it may be removed", size)
                 break
-            await self._remove_before(before + timedelta(microseconds=1))
-            size = await self._store.read(self._store.retention.size)
+            removed = await self._remove_before(before + timedelta(microseconds=1))
+            size = await self._store.read(self._store.retention.size_without, size, removed)
         STORED_BYTES.set(size)
 
-    async def _remove_before(self, before: datetime) -> None:
-        """Remove jobs first: after that nothing needs their results or their roads."""
+    async def _remove_before(self, before: datetime) -> int:
+        """Remove jobs first: after that nothing needs their results or their roads; returns their size [bytes]."""
+        size = 0
         for what, remove in (
             ("jobs", self._store.retention.remove_jobs),
             ("results", self._store.retention.remove_results),
             ("roads", self._store.retention.remove_roads),
         ):
-            while removed := await self._write(remove, before):
-                REMOVED.labels(what).inc(removed)
+            while (removed := await self._write(remove, before)).rows:
+                REMOVED.labels(what).inc(removed.rows)
+                size += removed.size
                 await self._purge()
+        return size
 
     async def _purge(self) -> None:
         while await self._write(self._store.jobs.purge):

@@ -155,3 +155,7 @@ class Link(Answer):
     run: Run | RoadsRun | None
     batch: Batch | None
     series_pinned: bool
+    damaged_at: datetime | None = Field(
+        description="When something stored that the link shows was found damaged; since then it shows what "
+        "`core_version` computed again, which may differ from what was shared. null where nothing was"
+    )

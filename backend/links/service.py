@@ -1,9 +1,9 @@
 """Share links: an unguessable slug that opens a run or a batch as it was computed, in the view it was shared in."""
 
+import asyncio
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from datetime import UTC, datetime
 from typing import Any, Literal
 
 from backend import digest
@@ -111,10 +111,15 @@ class Links:
         if stored.expired:
             again = await self._runs.stored(stored.id, client)
             stored = replace(again, schema_version=stored.schema_version)
+            link = await self._load(slug) or link  # now it knows that something was damaged
         keys = set(_histories(stored).values())
         pinned = await self._store.read(self._store.links.pinned, keys)
         return _opened(
-            link, stored, stored.scenario, run=run_answer(stored), series_pinned=bool(keys) and keys <= pinned
+            link,
+            stored,
+            stored.scenario,
+            series_pinned=bool(keys) and keys <= pinned,
+            run=await asyncio.to_thread(run_answer, stored),
         )
 
     async def preview(self, slug: str) -> Preview | None:
@@ -129,7 +134,7 @@ class Links:
         if run.expired:  # its numbers are computed for whoever opens the link, not for a preview
             answer = {"core_version": run.core_version, "scenario": run.scenario, "strategies": {}}
         else:
-            answer = as_plain(run_answer(run))
+            answer = await asyncio.to_thread(lambda: as_plain(run_answer(run)))
         return preview.of_run(answer, link.view, run.created_at)
 
     async def _pin(self, shared: _SharedRun, client: str) -> dict[str, bytes]:
@@ -158,7 +163,7 @@ class Links:
         """The new link's slug; None where a result of the run, or the batch, was removed meanwhile."""
         slug = digest.random_id()
         sent = view.model_dump(mode="json", exclude_unset=True)
-        link = StoredLink(slug=slug, kind=kind, target=target, view=sent, created_at=datetime.now(UTC))
+        link = StoredLink(slug=slug, kind=kind, target=target, view=sent)
         return slug if await self._store.write(self._store.links.save, link, series) else None
 
     async def _load(self, slug: str) -> StoredLink | None:
@@ -209,6 +214,7 @@ def _opened(link: StoredLink, shown: StoredRun | StoredJob, scenario: JsonObject
         "run": None,
         "batch": None,
         "series_pinned": False,
+        "damaged_at": link.damaged_at,
         **content,
     }
 

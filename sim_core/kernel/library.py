@@ -100,6 +100,15 @@ class Prepared:
         return value
 
 
+class Optional(Prepared):
+    """The type of an argument that may be None."""
+
+    @staticmethod
+    def from_param(value: Any) -> Any:
+        """As Prepared's; None is C's NULL."""
+        return None if value is None else Prepared.from_param(value)
+
+
 class Function:
     """A function of the library: whatever it is called with is checked against its arguments' types.
 
@@ -148,10 +157,10 @@ class Function:
 
 
 def require(agreed: bool, what: str) -> None:
-    """Let C have arrays that fit each other alone.
+    """Refuse arrays that do not fit each other before C gets them.
 
     Raises:
-        ValueError: They do not; the message says which.
+        ValueError: They were not `agreed`; the message is `what` has to be.
     """
     if not agreed:
         raise ValueError(what)

@@ -22,7 +22,7 @@ class LinearLaw:
         gain: On the state (8,), then on the previous force [N] (2, 10).
         preview_gain: On the expected disturbances, all steps of the front road velocity, then of the rear one, then of
             the deceleration (2, 3 · preview_steps); None for nothing.
-        limits: Limits beside the greatest force: the law holds where each row times
+        limits: Limits beside the greatest force, each a row divided by its limit: the law holds where every row times
             [state; previous force; disturbances] is between -1 and 1 (rows, 10 + 3 · preview_steps); None for none.
 
     Example:

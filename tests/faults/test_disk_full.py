@@ -17,7 +17,7 @@ from tests.servers.process import wait_until
 
 FREE = (resource.RLIM_INFINITY, resource.RLIM_INFINITY)
 SHORT: dict[str, Any] = {"road": {"length": 121.3, "bump": {"start": 80}}}
-LONG_BATCH = 300  # runs: some seconds of one core, so that it is under way when the store goes away
+LONG_BATCH = 200  # runs: some seconds of one core, so that it is under way when the store goes away
 WAITS = "A chunk waits for the database"  # the driver's word for results that it cannot store
 COUNTER = "ridelab_store_errors_total "
 

@@ -24,7 +24,7 @@ from tests.servers import loops
 from tests.servers.postgres import Postgres
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
-RUNS = 250
+RUNS = 150
 COUNTS = text(
     "SELECT count(*), count(DISTINCT result_key), count(key) FROM job_runs LEFT JOIN results ON key = result_key"
 )

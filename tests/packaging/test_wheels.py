@@ -68,7 +68,7 @@ def test_each_distribution_is_typed_and_only_the_cores_belongs_to_a_platform(whe
 
 
 def test_the_core_alone_simulates(core: Environment) -> None:
-    declared = {"numpy", "scipy", "osqp", "daqp", "scikit-fuzzy", "pydantic", "cachetools", "threadpoolctl"}
+    declared = {"numpy", "scipy", "osqp", "scikit-fuzzy", "pydantic", "cachetools", "threadpoolctl"}
     assert declared < core.packages
     web = {"fastapi", "starlette", "uvicorn", "httpx", "SQLAlchemy", "psycopg", "distributed", "orjson", "ridelab"}
     assert not web & core.packages

@@ -20,7 +20,8 @@ from backend.job_run import JobRun
 from backend.jobs.chunk_messages import Chunk
 from backend.jobs.compute_chunk import compute_chunk
 from backend.runs import bands, compute_run, exports, pins
-from sim_core.control import mpc as mpc_module
+from sim_core.control import qp
+from sim_core.control.mpc import PredictiveController
 from sim_core.errors import TooExpensiveError
 from sim_core.scenario import SCHEMA_VERSION, Actuator, Brake, Bump, Estimation, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
@@ -210,26 +211,26 @@ def test_work_is_counted_in_whole_steps_and_an_ecu_has_none_at_a_limit() -> None
     assert (counts["exchanges"], counts["limited steps"]) == (2000, 0)
 
 
-def test_a_run_whose_qps_take_too_much_ends_at_the_same_qp_each_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    whole = simulate(AT_LIMITS, "lv").events["qp_solves"]
-    assert whole is not None
-    monkeypatch.setattr(mpc_module, "MAX_EFFORT", 0.05)
+@pytest.mark.parametrize(("solver", "effort"), [("osqp", 0.05), ("daqp", 0.002)])
+def test_a_run_whose_qps_take_too_much_ends_at_the_same_qp_each_time(
+    solver: str, effort: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    scenario = AT_LIMITS.model_copy(update={"mpc": AT_LIMITS.mpc.model_copy(update={"solver": solver})})
+    whole = event(simulate(scenario, "lv"), "qp_solves")
+    monkeypatch.setattr(qp, "MAX_EFFORT", effort)
     solved = []
+    end = PredictiveController.end
+
+    def counting(controller: PredictiveController) -> None:
+        end(controller)
+        solved.append(controller.report.solves)
+
+    monkeypatch.setattr(PredictiveController, "end", counting)
     for _ in range(2):
-        counted = list[int]()
-        step = mpc_module.PredictiveController.force
-
-        def counting(*arguments: object, step: object = step, counted: list[int] = counted) -> object:
-            counted.append(1)
-            return step(*arguments)  # type: ignore[operator]  # the method, bound as a default
-
-        with monkeypatch.context() as patched:
-            patched.setattr(mpc_module.PredictiveController, "force", counting)
-            with pytest.raises(TooExpensiveError) as refused:
-                simulate(AT_LIMITS, "lv")
-        solved.append(len(counted))
+        with pytest.raises(TooExpensiveError) as refused:
+            simulate(scenario, "lv")
     assert 1 < solved[0] == solved[1] < whole
-    assert refused.value.fields[0] == "mpc.solver"
+    assert refused.value.fields[0] == ("mpc.solver" if solver == "osqp" else "mpc.control_horizon")
     sent = pickle.loads(pickle.dumps(refused.value))  # noqa: S301 - our own, as between processes
     assert (sent.message, sent.fields) == (refused.value.message, refused.value.fields)
 
