@@ -51,6 +51,7 @@ def test_the_suvs_springs_carry_what_their_preload_says() -> None:
     weight = car.body_mass * 9.81 / car.wheelbase
     assert (weight * car.cg_to_rear, weight * car.cg_to_front) == pytest.approx((4527, 3629), rel=1e-3)
     assert 2 * car.total_mass == pytest.approx(1663 + 209.84 + 160.36, abs=0.1)
+    assert car.rear_tyre_stiffness == car.front_tyre_stiffness
 
 
 def test_a_load_adds_up() -> None:
