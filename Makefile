@@ -47,7 +47,7 @@ frontend/node_modules/.checked: frontend/node_modules/.installed $(CHECKED)
 	touch $@
 
 audit: development ## known vulnerabilities of what is locked; asks PyPI and npm, so it needs the internet
-	$(BIN)/pip-audit --require-hashes --disable-pip -r requirements.lock
+	$(BIN)/pip-audit --require-hashes --disable-pip -r requirements-cluster.lock
 	cd frontend && $(NODE) npm audit --omit=dev
 
 bench: development ## speed, as ratios in one run
@@ -123,11 +123,12 @@ frontend/dist/index.html: frontend/node_modules/.installed $(shell find frontend
 COMPILE_LOCK := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header \
 	--no-emit-package ridelab-core --no-emit-package ridelab
 lock: ## new lock files, without download addresses
-	$(COMPILE_LOCK) pyproject.toml -o requirements.lock
+	$(COMPILE_LOCK) --extra parquet pyproject.toml -o requirements.lock
+	$(COMPILE_LOCK) --extra parquet --extra cluster pyproject.toml -o requirements-cluster.lock
 	$(COMPILE_LOCK) --group build -o requirements-build.lock
 	$(COMPILE_LOCK) --group ecu -o requirements-ecu.lock
 	$(COMPILE_LOCK) --group clients -o requirements-clients.lock
-	$(COMPILE_LOCK) --extra dev --extra ecu --group build pyproject.toml -o requirements-dev.lock
+	$(COMPILE_LOCK) --extra parquet --extra cluster --extra dev --extra ecu --group build pyproject.toml -o requirements-dev.lock
 
 pin: ## base images by digest, in Dockerfile and docker-compose.yml; needs docker and its registry
 	backend/deploy/pin_images.sh

@@ -19,8 +19,8 @@ import numpy as np  # noqa: E402 - after the thread limits
 from pydantic import BaseModel, ValidationError  # noqa: E402 - after the thread limits
 
 from backend.compute.processes import keep_freed_memory  # noqa: E402 - after the thread limits
+from backend.cost.affordable import simulate  # noqa: E402 - after the thread limits
 from backend.cost.estimate import estimate  # noqa: E402 - after the thread limits
-from backend.ecu.drive import simulate  # noqa: E402 - after the thread limits
 from benchmarks.timing import table  # noqa: E402 - after the thread limits
 from sim_core.arrays import FloatArray  # noqa: E402 - after the thread limits
 from sim_core.control import qp  # noqa: E402 - after the thread limits

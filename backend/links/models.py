@@ -13,7 +13,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from backend.jobs.sweep.models import Batch
+from backend.batches.models import Batch
 from backend.models import Answer, RequestModel, Run, StrategyName, inconsistent
 from backend.plain_text import PlainText
 from backend.runs.over_roads import RoadsRun

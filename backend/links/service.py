@@ -7,11 +7,12 @@ from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from backend import digest
+from backend.batches.kind import SWEEP
+from backend.batches.models import Batch
 from backend.compute.workers import Workers
 from backend.cost.estimate import cost_of
 from backend.errors import InvalidError, NotFoundError
 from backend.gate import Gate
-from backend.jobs.sweep.models import Batch
 from backend.json_types import JsonObject
 from backend.links import preview
 from backend.links.models import SLUG_PATTERN, CreatedLink, LinkView
@@ -84,7 +85,7 @@ class Links:
             TooManyRequestsError: Too many new links.
         """
         stored = await self._store.read(self._store.jobs.load, batch_id)
-        if stored is None or stored.kind != "sweep":
+        if stored is None or stored.kind != SWEEP.name:
             raise _unknown("batch_id", "There is no batch of this id")
         if view.x not in (None, *stored.request["fields"]):
             raise _unknown("view/x", f"This batch sweeps {', '.join(stored.request['fields'])}")

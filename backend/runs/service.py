@@ -19,6 +19,7 @@ from backend.errors import (
     NotFoundError,
     RoadGoneError,
 )
+from backend.file_formats import FormatName
 from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile
 from backend.json_types import JsonObject
@@ -169,7 +170,7 @@ class Runs:
         strategies: Sequence[str] | None,
         signals: Sequence[str] | None,
         points: int | None,
-        file_format: Literal["json", "csv", "parquet"],
+        file_format: FormatName,
         encoding: Literal["list", "base64"],
     ) -> bytes | SpoolFile:
         """Time histories of a stored run in one of the formats.

@@ -18,7 +18,7 @@ _OWN = sorted(FOLDER.glob("*.c"))  # none in a wheel, which has the library alon
 SOURCES = [*_OWN, _ECU / "ridelab_controller.c", _ECU / "ridelab_dual.c"] if _OWN else []
 HEADERS = [*sorted(FOLDER.glob("*.h")), *sorted(_ECU.glob("*.h"))]
 # No compiler's extensions. Without fused operations all compilers give the same numbers.
-FLAGS = ("-std=c11", "-pedantic-errors", "-O3", "-ffp-contract=off", "-fno-semantic-interposition")
+FLAGS = ("-std=c11", "-pedantic-errors", "-O3", "-ffp-contract=off")
 
 
 def digest() -> str:

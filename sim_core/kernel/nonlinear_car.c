@@ -492,6 +492,6 @@ void ridelab_prepare_nonlinear_car(struct nonlinear_car *me, const struct vehicl
     _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a car is prepared in memory of that size");
     *me = (struct nonlinear_car){
         {advance_nonlinear, states + (estimates ? STATE : 0)}, states, vehicle, estimates ? estimator : NULL, estimator_input,
-        {roughness, samples, *layout}, position, within, disturbance, steps, fine, substeps, time, table, columns, 0, 0,
+        ridelab_road(roughness, samples, layout), position, within, disturbance, steps, fine, substeps, time, table, columns, 0, 0,
         {{.time = 0}}};
 }

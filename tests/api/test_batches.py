@@ -14,7 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from backend.jobs.sweep import points as sweep_points
+from backend.batches import points as sweep_points
 from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate
 from tests.api.streams import read_events

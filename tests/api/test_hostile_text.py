@@ -10,8 +10,8 @@ from typing import Any
 import httpx
 import pytest
 
+from backend.batches import table as batch_table
 from backend.http.guard import CONTENT_SECURITY_POLICY, HEADERS
-from backend.jobs.sweep import table as batch_table
 from backend.settings import Settings
 from sim_core.catalogue import METRICS, SIGNALS
 from sim_core.strategies import STRATEGIES

@@ -6,9 +6,9 @@ from typing import Any
 import httpx
 import pytest
 
-from backend.jobs.sweep.models import BatchSummary
-from backend.jobs.sweep.robustness import FIGURES, UNCERTAINTIES
-from backend.jobs.sweep.summary_models import RobustnessDefaults
+from backend.batches.models import BatchSummary
+from backend.batches.robustness import FIGURES, UNCERTAINTIES
+from backend.batches.summary_models import RobustnessDefaults
 from sim_core.scenario import dotted
 from tests.servers.batches import computed
 

@@ -11,9 +11,9 @@ from sqlalchemy.exc import OperationalError
 
 from backend.errors import BusyError, ConflictError, CostLimitError, WorkersBusyError
 from backend.jobs import job_drivers
-from backend.jobs.tuning import answers, steps
-from backend.jobs.tuning.measure import Failure
 from backend.store import StoredJob
+from backend.tunings import answers, steps
+from backend.tunings.measure import Failure
 from tests.api.conftest import Service
 from tests.api.tuning import REQUEST, SCENARIO, begin, get, trials, wait_for
 

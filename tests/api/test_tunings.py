@@ -6,7 +6,7 @@ from typing import Any
 import httpx
 import pytest
 
-from backend.jobs.tuning.space import road
+from backend.tunings.space import road
 from tests.api.tuning import FRESH, SCENARIO, SEEDS, begin, events, trials, wait_for
 from tests.servers.batches import rows
 

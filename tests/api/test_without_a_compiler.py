@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from backend.ecu.build import NO_COMPILER, NO_CROSS_COMPILER
+from backend.controller.build import NO_COMPILER, NO_CROSS_COMPILER
 from backend.paper import models
 from backend.settings import Settings
 from tests.api.conftest import Service, serve

@@ -27,11 +27,12 @@ SERVER = [each for each in PYPROJECT["project"]["dependencies"] if Requirement(e
 RUNTIME, EXTRAS = [*CORE, *CLIENT, *SERVER], PYPROJECT["project"]["optional-dependencies"]
 GROUPS = PYPROJECT["dependency-groups"]
 LOCKS = {
-    "requirements.lock": RUNTIME,
+    "requirements.lock": [*RUNTIME, *EXTRAS["parquet"]],
+    "requirements-cluster.lock": [*RUNTIME, *EXTRAS["parquet"], *EXTRAS["cluster"]],
     "requirements-build.lock": GROUPS["build"],
     "requirements-ecu.lock": EXTRAS["ecu"],
     "requirements-clients.lock": GROUPS["clients"],
-    "requirements-dev.lock": [*RUNTIME, *EXTRAS["dev"], *EXTRAS["ecu"], *GROUPS["build"]],
+    "requirements-dev.lock": [*RUNTIME, *(each for extra in EXTRAS.values() for each in extra), *GROUPS["build"]],
 }
 PACKAGES = json.loads((ROOT / "frontend" / "package-lock.json").read_text())["packages"]
 

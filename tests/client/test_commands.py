@@ -11,8 +11,8 @@ from typing import Any
 import httpx
 import pytest
 
+from backend.batches.robustness import UNCERTAINTIES
 from backend.http.openapi import EXAMPLES
-from backend.jobs.sweep.robustness import UNCERTAINTIES
 from backend.runs.reports import inputs
 from sim_core.catalogue import METRICS
 from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted

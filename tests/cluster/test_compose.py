@@ -163,7 +163,7 @@ def test_the_proxy_waits_longer_than_the_service_and_holds_its_longest_body() ->
 def test_the_image_holds_packages_to_their_hashes_and_runs_as_nobody_special(instructions: list[list[str]]) -> None:
     installs = [words for words in instructions if "pip" in words]
     assert installs
-    assert all("--require-hashes" in words and "requirements.lock" in words for words in installs)
+    assert all("--require-hashes" in words and "requirements-cluster.lock" in words for words in installs)
     assert any("npm" in words and "ci" in words for words in instructions)
     last_stage = instructions[max(i for i, words in enumerate(instructions) if words[0] == "FROM") :]
     assert ["USER", SERVICES["api"]["user"]] in last_stage
@@ -179,7 +179,7 @@ def test_everything_copied_into_the_image_exists_and_is_not_ignored(instructions
         if words[0] == "COPY" and not words[1].startswith("--from")
         for source in words[1:-1]
     ]
-    assert {"sim_core", "backend", "requirements.lock"} <= set(copied)
+    assert {"sim_core", "backend", "requirements-cluster.lock"} <= set(copied)
     for source in copied:
         assert (ROOT / source).exists(), source
         assert source.split("/")[0] in allowed, source

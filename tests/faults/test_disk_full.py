@@ -10,7 +10,7 @@ from typing import Any
 import httpx
 import psutil
 
-from backend.jobs.cluster import NICE
+from backend.compute.workers import BATCH_NICE
 from tests.faults.conftest import Process
 from tests.faults.test_batches import finished, state, submit
 from tests.servers.process import wait_until
@@ -59,7 +59,7 @@ def store_errors(service: Process) -> float:
 def halted(service: Process, batch_id: str) -> psutil.Process:
     """The process that computes a batch, halted once some results of it are stored and others are on their way."""
     wait_until(lambda: state(service, batch_id)["done"] > 0, "the batch begins")
-    (process,) = service.workers(NICE)
+    (process,) = service.workers(BATCH_NICE)
     process.suspend()
     assert state(service, batch_id)["state"] == "running", "the test needs a longer batch"
     return process

@@ -11,14 +11,15 @@ from typing import Any
 
 import pytest
 
+from backend.compute.chunk_messages import Chunk
+from backend.compute.compute_chunk import compute_chunk
 from backend.compute.fair_queue import SHORT
+from backend.controller import program, realtime, report
+from backend.cost import affordable
 from backend.cost import estimate as cost
 from backend.cost.binding_limits import LimitShares, expected_limits
 from backend.cost.estimate import SECONDS, check_affordable, duration, estimate, expected_time, memory, work
-from backend.ecu import drive, program, realtime, report
 from backend.job_run import JobRun
-from backend.jobs.chunk_messages import Chunk
-from backend.jobs.compute_chunk import compute_chunk
 from backend.runs import bands, compute_run, exports, pins
 from sim_core.control import qp
 from sim_core.control.mpc import PredictiveController
@@ -132,7 +133,7 @@ def test_a_long_walk_is_no_short_task() -> None:
 def test_a_run_with_too_many_steps_ends_before_it_begins(strategy: str) -> None:
     if strategy in ("lv", "suspension_only", "lv_hil"):
         with pytest.raises(TooExpensiveError) as refused:
-            drive.simulate(ENDLESS, strategy)
+            affordable.simulate(ENDLESS, strategy)
         assert "road.length" in refused.value.fields
         assert all(field in refused.value.message for field in refused.value.fields)
     else:
@@ -161,7 +162,7 @@ def test_runs_and_jobs_store_the_refusal() -> None:
     outcome = compute_run.compute(ENDLESS, "lv", "k")
     [of_job] = compute_chunk(
         Chunk(
-            kind="sweep",
+            compute=compute_run.compute,
             group="",
             core_version="1",
             schema_version=SCHEMA_VERSION,
@@ -185,7 +186,13 @@ def test_nothing_simulates_past_the_check() -> None:
         for path in BACKEND.rglob("*.py")
         if "from sim_core.simulate import simulate" in path.read_text()
     }
-    assert takers == {"ecu/drive.py", "ecu/program.py", "ecu/realtime.py", "ecu/report.py", "paper/paper_rows.py"}
+    assert takers == {
+        "controller/program.py",
+        "controller/realtime.py",
+        "controller/report.py",
+        "cost/affordable.py",
+        "paper/paper_rows.py",
+    }
 
 
 @pytest.mark.parametrize("factor", [0.0, 1e6])
