@@ -1,4 +1,4 @@
-"""The core: against the plain loop, by strategy, by what changed since the last run, by horizon and by length."""
+"""The core: against the plain loop, by strategy, over roads, and linear against nonlinear cars."""
 
 from collections.abc import Callable
 from statistics import median
@@ -98,25 +98,6 @@ def by_strategy() -> None:
     print(f"  importing the core takes {median(imports):.0f} ms")
 
 
-def by_change() -> None:
-    """Three strategies together after one field changed, as when somebody drags a slider."""
-    bump, stages = PAPER.road.bump, PAPER.mpc.stage_weights
-    drags = {
-        "bump height": [
-            changed(PAPER, "road", bump=bump.model_copy(update={"height": 0.08 + i / 1000})) for i in range(9)
-        ],
-        "target speed": [changed(PAPER, "speed", target_speed_kmh=20 + i / 10) for i in range(9)],
-        "LV bump weights": [
-            changed(PAPER, "mpc", stage_weights=stages.model_copy(update={"bump": (1.0, 1.0, 5 + i / 10)}))
-            for i in range(9)
-        ],
-        "force limit": [changed(PAPER, "mpc", force_limit=4000.0 + i) for i in range(9)],
-        "body mass": [changed(PAPER, "vehicle", body_mass=1200.0 + i) for i in range(9)],
-    }
-    rows = [[label, median_ms(runs(*TOGETHER), scenarios)] for label, scenarios in drags.items()]
-    table("lv + lqr + passive after one field changed", ["changed", "ms"], rows)
-
-
 def by_linearity() -> None:
     """The paper's car against one with unequal dampers, stops and tyres that lift off, in turn on new roads."""
     cars = PAPER, changed(PAPER, "vehicle", rebound_ratio=2.5, bump_stop_clearance=0.06, tyre_lift_off=True)
@@ -134,29 +115,6 @@ def by_linearity() -> None:
         rows.append([name, linear, nonlinear, nonlinear / linear, " and ".join(f"{median(each):g}" for each in qps)])
     table("Linear and nonlinear car", ["", "linear, ms", "nonlinear, ms", "ratio", "QPs a run"], rows)
     print(f"  LV takes {rows[-1][3]:.1f} times as long on the nonlinear car (goal: at most 1.5)")
-
-
-def by_horizon() -> None:
-    """LV against the prediction horizon, control horizon two thirds of it."""
-    rows: list[tuple[str, float, float, float]] = []
-    for horizon in (30, 60, 120):
-        moves = horizon * 2 // 3
-        scenario = changed(PAPER, "mpc", prediction_horizon=horizon, control_horizon=moves)
-        first = median_ms(runs("lv"), [changed(scenario, "vehicle", body_mass=1271.0 + i / 10) for i in range(3)])
-        new = median_ms(runs("lv"), new_roads(scenario, 5, 4000))
-        rows.append((f"Np {horizon}, Nc {moves}", first, new, new / (rows[0][2] if rows else new)))
-    table("LV against the horizon", ["", "new car, ms", "new road, ms", "to Np 30"], rows)
-
-
-def by_length() -> None:
-    """LV, and three together, against the road's length."""
-    rows: list[tuple[str, float, float, float]] = []
-    for length in (150.0, 300.0, 600.0, 1200.0):
-        scenario = changed(PAPER, "road", length=length)
-        lv = median_ms(runs("lv"), new_roads(scenario, 5, 5000))
-        three = median_ms(runs(*TOGETHER), new_roads(scenario, 5, 6000))
-        rows.append((f"{length:.0f} m", lv, three, lv / (rows[0][1] if rows else lv)))
-    table("Against the road's length, a new road each time", ["", "lv, ms", "three, ms", "lv to 150 m"], rows)
 
 
 def over_roads() -> None:
@@ -193,10 +151,6 @@ def run() -> None:
     keep_freed_memory()  # as a worker does
     against_plain_loop()
     by_strategy()
-    by_change()
     over_roads()
     by_linearity()
-    by_horizon()
-    print(f"\nPeak memory so far: {peak_memory_mb():.0f} MB")
-    by_length()
-    print(f"\nPeak memory after the long roads too, caches full: {peak_memory_mb():.0f} MB")
+    print(f"\nPeak memory: {peak_memory_mb():.0f} MB")

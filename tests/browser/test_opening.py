@@ -25,14 +25,6 @@ def test_opens_on_the_papers_scenario_with_every_figure(browser: Browser, server
     context.close()
 
 
-def test_a_run_that_is_not_there_says_so_and_offers_the_paper(dashboard: Dashboard) -> None:
-    dashboard.page.goto("/r/AAAAAAAAAAAAAAAAAAAAAA")
-    expect(dashboard.page.get_by_role("heading", name="There is no run at this address")).to_be_visible()
-    dashboard.page.get_by_role("button", name="Open the paper’s scenario").click()
-    dashboard.expect_curves()
-    dashboard.expect_table_to_be_the_stored_run()
-
-
 def test_colour_scheme_follows_the_system_and_the_toggle_keeps(dashboard: Dashboard) -> None:
     page = dashboard.page
     scheme = page.locator("html[data-mantine-color-scheme]")

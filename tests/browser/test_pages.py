@@ -2,9 +2,12 @@
 
 import re
 
+import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.dashboard import Dashboard, expect_new_address
+
+UNKNOWN = "A" * 22
 
 
 def go(page: Page, name: str) -> None:
@@ -65,10 +68,23 @@ def test_a_closed_tab_comes_back_and_the_paper_is_a_click_away(dashboard: Dashbo
     expect(page.get_by_text("Your last scenario.")).to_have_count(0)
 
 
-def test_an_unknown_address_leaves_the_navigation(dashboard: Dashboard) -> None:
-    answer = dashboard.page.goto("/nowhere")
+@pytest.mark.parametrize(
+    ("path", "status", "said"),
+    [
+        ("/nowhere", 404, "There is no page at this address"),
+        (f"/r/{UNKNOWN}", 200, "There is no run at this address"),
+        (f"/s/{UNKNOWN}", 404, "There is no shared result at this address"),
+        (f"/b/{UNKNOWN}", 200, "There is no sweep at this address"),
+        (f"/tuner/{UNKNOWN}", 200, "There is no tuning at this address"),
+        ("/paper?preview=sideways", 200, "does not know"),
+    ],
+)
+def test_what_is_not_there_is_said_beside_the_navigation(
+    dashboard: Dashboard, path: str, status: int, said: str
+) -> None:
+    page = dashboard.page
+    answer = page.goto(path)
     assert answer is not None
-    assert answer.status == 404
-    expect(dashboard.page.get_by_role("heading", name="There is no page at this address")).to_be_visible()
-    go(dashboard.page, "Lab")
-    dashboard.expect_curves()
+    assert answer.status == status
+    expect(page.get_by_text(said)).to_be_visible()
+    expect(page.get_by_role("navigation", name="Pages").get_by_role("link", name="Lab")).to_be_visible()

@@ -195,14 +195,6 @@ def test_a_switch_changes_address_and_count_and_survives_a_reload(paper: Page) -
     expect(paper).to_have_url(re.compile(r"/paper$"))
 
 
-def test_an_address_that_names_no_reading_says_so_and_leads_back(dashboard: Dashboard) -> None:
-    page = dashboard.page
-    page.goto("/paper?preview=sideways")
-    expect(page.get_by_role("alert")).to_contain_text("does not know")
-    page.get_by_role("button", name="Show Ridelab’s own interpretation").click()
-    expect(page.get_by_test_id("count")).to_be_visible()
-
-
 def test_figures_are_drawn_parts_sorted_and_the_scenario_opens_in_the_lab(dashboard: Dashboard, paper: Page) -> None:
     # Every figure is drawn when it is scrolled to.
     panels = paper.locator("figure[id^=figure-]")
@@ -239,28 +231,12 @@ def test_figures_are_drawn_parts_sorted_and_the_scenario_opens_in_the_lab(dashbo
     expect(rows.first).to_contain_text("Planned")
     expect(table.locator("tr[data-known=lv]")).to_have_count(1)
 
+    dashboard.expect_accessible()
+
     paper.get_by_role("button", name="Open this scenario in the lab").click()
     expect(paper).to_have_url(re.compile(r"/r/"))
     dashboard.expect_curves()
     assert dashboard.stored_run()["scenario"] == answer(paper)["scenario"]
-
-
-def test_it_works_by_keyboard_and_for_a_screen_reader(dashboard: Dashboard, paper: Page) -> None:
-    page = paper
-    page.get_by_role("navigation", name="Pages").get_by_role("link", name="Paper").focus()
-    expect(page.get_by_role("link", name="Paper")).to_have_attribute("aria-current", "page")
-    radios = page.get_by_role("radiogroup", name="Road preview").get_by_role("radio")
-    for _ in range(40):
-        page.keyboard.press("Tab")
-        if radios.first.evaluate("radio => radio === document.activeElement"):
-            break
-    expect(radios.first).to_be_focused()
-    for _ in range(3):
-        page.keyboard.press("ArrowRight")
-    expect(page).to_have_url(re.compile(r"preview=none$"))
-    settled(page)
-    expect(page.get_by_test_id("sentences")).to_be_visible()
-    dashboard.expect_accessible()
 
 
 def test_on_a_phone_only_tables_scroll_sideways(dashboard: Dashboard, paper: Page) -> None:

@@ -151,12 +151,3 @@ def test_a_shared_result_is_read_only_and_a_copy_is_not(dashboard: Dashboard) ->
         expect(page).to_have_url(address)
     expect(banner).to_be_visible()
     expect(dashboard.entry("Height")).to_be_disabled()
-
-
-def test_an_unknown_link_says_so(dashboard: Dashboard) -> None:
-    page = dashboard.page
-    answer = page.goto("/s/AAAAAAAAAAAAAAAAAAAAAA")
-    assert answer is not None
-    assert answer.status == 404
-    expect(page.get_by_role("heading", name="There is no shared result at this address")).to_be_visible()
-    expect(page.get_by_role("button", name="Share")).to_be_disabled()

@@ -173,11 +173,6 @@ def test_a_tuning_is_cancelled_and_goes_on(dashboard: Dashboard, server: Server)
     expect(entry).to_contain_text("cancelled")
 
 
-def test_an_unknown_tuning_says_so(dashboard: Dashboard) -> None:
-    dashboard.page.goto("/tuner/AAAAAAAAAAAAAAAAAAAAAA")
-    expect(dashboard.page.get_by_role("heading", name="There is no tuning at this address")).to_be_visible()
-
-
 def test_an_unknown_run_leaves_the_presets(dashboard: Dashboard) -> None:
     page = dashboard.page
     page.goto("/tuner?run=AAAAAAAAAAAAAAAAAAAAAA")

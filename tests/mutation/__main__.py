@@ -27,7 +27,7 @@ from typing import TypedDict
 from tests.mutation.places import Place, choose
 
 ROOT = Path(__file__).parents[2]
-COUNT, PROCESSES = 300, 2
+COUNT, PROCESSES = 300, len(os.sched_getaffinity(0))
 MOST_UNNOTICED = 0.1
 EXPLAINED = ROOT / "docs" / "mutation.md"
 TESTS = [
@@ -35,7 +35,9 @@ TESTS = [
 ]
 # It notices every change of a number and knows nothing of which is right: asked when all others have passed.
 STORED_NUMBERS = "tests/validation/test_golden.py::test_no_number_changes_without_the_version"
-TEST_LIMIT = 60  # a test that takes longer has noticed [s]: ten times the longest one
+# Tests that take so much longer than three times what they take without a change have noticed; processor time, of which
+# other programs take none [s].
+TEST_LIMIT = 60
 CALLS_C = "sim_core/kernel/library.py"
 LEFT_OUT = shutil.ignore_patterns(".*", "node_modules", "__pycache__", "*.egg-info", "build", "data")
 
@@ -77,10 +79,10 @@ def compile_core(copy: Path) -> bool:
     return subprocess.run(command, capture_output=True, check=False).returncode == 0
 
 
-def pytest_in(copy: Path, *arguments: str, **environment: str) -> tuple[int, str]:
-    """Its exit code and what it said; whatever it started is ended."""
-    command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", "-p", "no:xdist"]
-    command += ["--timeout-method=thread", *arguments]  # which ends a loop in C too
+def pytest_in(copy: Path, *arguments: str, limit: str = "unlimited", **environment: str) -> tuple[int, str]:
+    """Its exit code and what it said, ended after so much processor time [s]; whatever it started is ended."""
+    command = ["sh", "-c", f'ulimit -t {limit}; exec "$@"', "sh", sys.executable, "-m", "pytest", "-q", "-x"]
+    command += ["-p", "no:cacheprovider", "-p", "no:xdist", *arguments]
     path = f"{copy}{os.pathsep}{copy / 'client'}"
     log = copy.with_suffix(".log")
     with log.open("w") as said:
@@ -157,7 +159,8 @@ def noticed(copies: Copies, reach: Reach, place: Place) -> str | None:
                 return "no program"
             for tests in (reach.tests(place, place.line(source)), [STORED_NUMBERS]):
                 Path(cache_from_source(str(file))).unlink(missing_ok=True)  # of another change in the same second
-                code, said = pytest_in(copy, f"--timeout={TEST_LIMIT}", *tests)
+                usual = sum(reach.seconds[test] for test in tests)
+                code, said = pytest_in(copy, *tests, limit=f"{TEST_LIMIT + 3 * usual:.0f}")
                 if code:
                     failed = re.search(r"^(?:FAILED|ERROR) (\S+)", said, re.MULTILINE)
                     return failed[1] if failed else "a crash, the time limit or a failed import"

@@ -10,7 +10,7 @@ from collections import defaultdict
 from collections.abc import Iterator
 from functools import _lru_cache_wrapper
 from pathlib import Path
-from time import perf_counter
+from time import process_time
 
 import coverage
 import pytest
@@ -36,13 +36,13 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
     SHARED.clear()
     for cache in _caches:
         cache.cache_clear()
-    test, begin = item.nodeid.partition("[")[0], perf_counter()
+    test, begin = item.nodeid.partition("[")[0], process_time()
     _coverage.switch_context(test)
     try:
         return (yield)
     finally:
         _coverage.switch_context("")
-        _seconds[test] += perf_counter() - begin
+        _seconds[test] += process_time() - begin
 
 
 def pytest_sessionfinish() -> None:

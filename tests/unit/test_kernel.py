@@ -12,7 +12,7 @@ from sim_core.arrays import FloatArray
 from sim_core.kernel import binding, build, library, prepared
 from sim_core.kernel.library import load
 from sim_core.kernel.qp import QpMemory
-from sim_core.loop.closed_loop import _norms
+from sim_core.loop.closed_loop import _norms, law_arrays
 from sim_core.loop.preview import sliding_forecast
 from sim_core.metrics.sections import Integrand, over_sections
 from sim_core.vehicle.model import LinearLaw
@@ -159,6 +159,21 @@ def test_a_law_is_followed_up_to_the_first_step_in_which_a_limit_binds(seed: int
     assert follow(0, steps) == (stopped, limited)
     np.testing.assert_allclose(loop[: stopped + 1], expected[: stopped + 1], rtol=1e-9, atol=1e-12)
     assert follow(0, min(stopped, 7))[0] == min(stopped, 7)
+
+
+@pytest.mark.parametrize(
+    ("kind", "seen"),
+    [(0, [1, 1, 1, 1]), (1, [1, 1, 1, 1]), (2, [1, 1, 1, 1]), (2, [1, -1, 1, -1])],
+    ids=["front road", "rear road", "mean braking", "braking about its mean"],
+)
+def test_a_limit_on_one_kind_of_preview_binds_where_all_of_it_is_seen(kind: int, seen: list[float]) -> None:
+    steps, ahead, limits = 20, np.zeros((3, 23)), np.zeros((1, 22))
+    ahead[kind, 10:14] = seen
+    limits[0, 10 + 4 * kind : 14 + 4 * kind] = 0.3 * np.array(seen)  # 1.2 in step 10, 0.9 before it
+    law = LinearLaw(gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 12)), limits=limits)
+    arrays = law_arrays(law, sliding_forecast(ahead, 4, np.zeros((2, steps))), np.full(3, np.inf), clips=True)
+    car = prepared.linear_car(np.eye(8), np.zeros((8, 2)), np.zeros((steps, 8)))
+    assert car.follow_law(arrays, np.zeros((steps + 1, 10)))(0, steps)[0] == 10
 
 
 def test_a_residual_is_the_largest_violation() -> None:

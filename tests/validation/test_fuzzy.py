@@ -174,6 +174,7 @@ TRIANGLE = {"name": "low", "function": "trimf", "corners": [0, 0, 10]}
         ({"output": [{**TRIANGLE, "corners": [1, 1, 1]}]}, ("output", 0, "corners")),
         ({"output": [{**TRIANGLE, "corners": [0, 0, float("inf")]}]}, ("output", 0, "corners", 2)),
         ({"output": [{**TRIANGLE, "function": "gaussmf", "corners": [0, 0]}]}, ("output", 0, "corners")),
+        ({"output": [{**TRIANGLE, "function": "gauss2mf", "corners": [0, 0, 1, 1]}]}, ("output", 0, "corners")),
         ({"output": [{**TRIANGLE, "function": "sawtooth"}]}, ("output", 0, "function")),
         ({"output": [{**TRIANGLE, "name": "a b"}]}, ("output", 0, "name")),
         ({"output": [TRIANGLE, TRIANGLE]}, ("output",)),

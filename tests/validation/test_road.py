@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.signal import welch
 
-from sim_core.road.profile import profile
+from sim_core.road.profile import profile, steepest
 from sim_core.road.sensed import ExpectedErrors, sensed_road
 from sim_core.scenario import Bump, Mismatch, Road
 from sim_core.scenario.road import BumpShape
@@ -133,6 +133,13 @@ def test_any_bump_has_a_height_and_a_slope_everywhere(bump: Bump, resolution: fl
         assert np.isfinite(surface.height(x)).all()
         steepest = surface.slope_range()[1]
         assert np.isfinite(steepest) or (surface.bump.shape == "circular" and bump.width == 2 * abs(bump.height))
+
+
+@pytest.mark.parametrize("shape", get_args(BumpShape))
+def test_a_bumps_steepest_slope_is_that_of_its_heights(shape: BumpShape) -> None:
+    bump, x = Bump(shape=shape, height=0.1, width=2, start=50), np.linspace(49, 53, 400_001)
+    slopes = np.diff(bump_height(bump, x)) / np.diff(x)
+    assert steepest(bump) == pytest.approx(np.abs(slopes).max(), rel=1e-3)
 
 
 def test_a_class_is_its_mean_roughness() -> None:
