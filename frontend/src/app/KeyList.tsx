@@ -3,7 +3,7 @@
 import { Kbd, Modal } from "@mantine/core";
 import { commands } from "../lab/commands";
 import { DataTable } from "../ui/DataTable";
-import { keyNames } from "./keyNames";
+import { keyNames } from "./keys";
 
 const EVERYWHERE = [
   { label: "Slider or plot cursor: one step back or forward", keys: "← →" },

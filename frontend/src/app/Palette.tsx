@@ -5,7 +5,7 @@ import { createSpotlight, Spotlight, type SpotlightActionData } from "@mantine/s
 import "@mantine/spotlight/styles.layer.css";
 import { useEffect, useState } from "react";
 import { commands, type Command } from "../lab/commands";
-import { keyNames } from "./keyNames";
+import { keyNames } from "./keys";
 
 const GROUPS = ["Pages", "Lab", "Strategies", "Library", "Presets", "Fields"] as const;
 const MOST = 40;

@@ -1,22 +1,50 @@
-import { MantineProvider } from "@mantine/core";
-import "./mantine.css";
+import { MantineProvider, createTheme, Menu, type MantineColorsTuple } from "@mantine/core";
 import { QueryClientProvider } from "@tanstack/react-query";
 import { RouterProvider } from "@tanstack/react-router";
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
+import "./mantine.css";
 import { api } from "../api/client";
-import { loadPinned, ownPins } from "../features/compare/usePins";
+import { loadPinned, ownPins } from "../features/compare/useCompared";
 import "./global.css";
-import { ownLibrary } from "../scenario/ownLibrary";
+import { ownLibrary } from "../scenario/library";
 import { createAppRouter } from "./router";
 import { LabContextProvider } from "../lab/context";
 import { createLab } from "../lab/lab";
-import { createQueryClient } from "../server/queryClient";
-import { restoreBefore, restoreTab, storeTab } from "../lab/reload";
-import { storeSession, restoreSession } from "../lab/session";
+import { createQueryClient } from "../server/queries";
+import { restoreBefore, restoreTab, storeTab, storeSession, restoreSession } from "../lab/session";
 import { watchPrinting } from "../lib/printing";
 import { createLabRouter, startsAnew } from "../lab/labAddress";
-import { theme } from "./theme";
+
+const petrol: MantineColorsTuple = [
+  "#e3f5f5",
+  "#cde9e9",
+  "#9dd3d3",
+  "#6abcbd",
+  "#42a9aa",
+  "#289d9e",
+  "#159798",
+  "#008484",
+  "#007677",
+  "#00696b",
+];
+
+const theme = createTheme({
+  primaryColor: "petrol",
+  // White text stands out on either.
+  primaryShade: { light: 9, dark: 8 },
+  autoContrast: true,
+  colors: { petrol },
+  defaultRadius: "sm",
+  cursorType: "pointer",
+  fontFamily: "Inter, system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif",
+  headings: { fontWeight: "650" },
+  respectReducedMotion: true,
+  components: {
+    // The placeholder would be a child that a menu may not have.
+    Menu: Menu.extend({ defaultProps: { withInitialFocusPlaceholder: false } }),
+  },
+});
 
 const queries = createQueryClient();
 

@@ -26,7 +26,7 @@ const sweep = createRoute({
 const sweeps = createRoute({
   getParentRoute: () => root,
   path: "/sweeps",
-  component: lazyRouteComponent(() => import("../pages/sweep/SweepsPage"), "SweepsPage"),
+  component: lazyRouteComponent(() => import("../pages/sweep/SweepPage"), "SweepsPage"),
 });
 const paper = createRoute({
   getParentRoute: () => root,

@@ -1,7 +1,7 @@
 import { QueryObserver } from "@tanstack/react-query";
 import { afterEach, expect, it, vi } from "vitest";
 import type { Tuning, TuningItem } from "../api/types";
-import { createQueryClient } from "../server/queryClient";
+import { createQueryClient } from "../server/queries";
 import { followJob, jobQuery, TUNING, type Kind } from "./useJob";
 
 /** A stream whose events come when a test says so. */

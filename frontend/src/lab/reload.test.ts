@@ -5,7 +5,7 @@ import { DEFAULT_VIEW } from "./address";
 import { begin, record, undo } from "./history";
 import { createLab } from "./lab";
 import type { LabState } from "./labState";
-import { restoreBefore, restoreTab, storeTab } from "./reload";
+import { restoreBefore, restoreTab, storeTab } from "./session";
 import type { Shown } from "./result";
 import { createStore } from "../lib/store";
 

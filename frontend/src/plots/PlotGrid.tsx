@@ -1,6 +1,6 @@
 /** Figures side by side, in the order the backend gives them. */
 
-import { useComputedColorScheme } from "@mantine/core";
+import { useComputedColorScheme, Box } from "@mantine/core";
 import { useCallback, useMemo } from "react";
 import type { FigureTemplate } from "../api/types";
 import type { Zoom } from "../lab/address";
@@ -13,6 +13,10 @@ import classes from "./plots.module.css";
 import { drawnOf, subtrahend } from "./differences";
 import { useCurves, useDetail, useLayered } from "./useDetail";
 import { usePlotly } from "./usePlotly";
+import { Card } from "../ui/Card";
+import { buildFigure, MARGIN } from "./figure";
+import { Overlay } from "./Overlay";
+import { Surface } from "./Surface";
 
 interface Props {
   readonly templates: readonly FigureTemplate[];
@@ -76,5 +80,49 @@ export function useZoom(): (zoom: Zoom | null) => void {
       router.setView({ zoom: zoom ?? (before === "whole" ? null : "whole") });
     },
     [router],
+  );
+}
+
+interface RoadStripProps {
+  readonly template: FigureTemplate;
+  readonly scene: Scene;
+}
+
+/** The whole road as a thin strip: where the plots below look, and a place to point and zoom. */
+export function RoadStrip({ template, scene }: RoadStripProps) {
+  const plotly = usePlotly();
+  const palette = PALETTES[useComputedColorScheme("light")];
+  const onZoom = useZoom();
+  const { series, summaries, strategies, axis, whole, range, shown } = scene;
+  const figure = useMemo(
+    () =>
+      buildFigure({ template, series, driven: series, summaries, strategies, axis, range: whole, palette, yTicks: 3 }),
+    [template, series, summaries, strategies, axis, whole, palette],
+  );
+  const { meta } = template.layout;
+  const part = (x: number) => (x - whole[0]) / (whole[1] - whole[0]);
+  const [left, right] = [part(range[0]), 1 - part(range[1])];
+  return (
+    <Card className={classes.strip ?? ""} aria-label={`${meta.title}, curves`} data-figure={meta.signal}>
+      <div role="img" aria-label={`${meta.title} in ${meta.unit} over ${axis}, whole run`}>
+        <Surface plotly={plotly} figure={figure} live={shown.source === "live"} />
+        {range !== whole && (
+          <div
+            className={classes.stripWindow}
+            style={{ inset: `${MARGIN.t}px ${MARGIN.r}px ${MARGIN.b}px ${MARGIN.l}px` }}
+          >
+            <div style={{ left: 0, width: `${100 * left}%` }} />
+            <div style={{ right: 0, width: `${100 * right}%` }} />
+          </div>
+        )}
+        <Overlay axis={axis} range={whole} onZoom={onZoom} />
+      </div>
+      <h2 className={classes.stripTitle}>
+        {meta.title}{" "}
+        <Box component="span" fw={400} c="dimmed">
+          {meta.unit}
+        </Box>
+      </h2>
+    </Card>
   );
 }

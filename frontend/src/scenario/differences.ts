@@ -2,7 +2,7 @@
 
 import type { JsonValue, Scenario } from "../api/types";
 import { formatExact, prettyUnit } from "../units/format";
-import { roadName } from "./roadName";
+import { roadName } from "./library";
 import { inShownUnit } from "./limits";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
 import {

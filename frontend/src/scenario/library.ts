@@ -3,8 +3,8 @@
 import type { JsonObject } from "../api/types";
 import { sameValue } from "./path";
 import { SCHEMA_VERSION, upgraded } from "./versions";
-import { isLike } from "../lib/storage";
-import { createStore, type Store } from "../lib/store";
+import { isLike, ownStorage } from "../lib/storage";
+import { createStore, type Store, useStore } from "../lib/store";
 
 export const KINDS = ["scenario", "vehicle", "road"] as const;
 export type Kind = (typeof KINDS)[number];
@@ -118,4 +118,19 @@ export function createLibrary(
     },
     restore: (item) => write({ ...item, name: freeName(item.kind, item.name) }),
   };
+}
+
+/** The library of this browser. */
+export const ownLibrary = createLibrary(ownStorage());
+
+/** What the open dialog offers to save; `null` while it is closed. */
+export const dialog = createStore<Exclude<Kind, "road"> | null>(null);
+
+export function useItems(kind: Kind): readonly Item[] {
+  return useStore(ownLibrary).filter((item) => item.kind === kind);
+}
+
+/** Its name in this browser's library; a road that is not in it has none. */
+export function roadName(id: string): string {
+  return ownLibrary.get().find(({ kind, value }) => kind === "road" && value.id === id)?.name ?? "a measured road";
 }

@@ -10,7 +10,7 @@ import {
 } from "./differences";
 import { fieldFor, errorsByField } from "./errors";
 import { FORM } from "./form.fixture";
-import { matching, sections } from "../features/editor/layout";
+import { matching, sections } from "../features/editor/Editor";
 import { parseTyped, sliderScale, stepped, typedText, typicalValue, valueText } from "./limits";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
 import { readSchema, type NumberField } from "./schema";

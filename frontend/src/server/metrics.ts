@@ -1,7 +1,7 @@
 /** The figures of a run that a batch can be looked at by. */
 
-import type { Catalogue, FigureTemplate } from "../api/types";
-import { shownUnit } from "./units";
+import type { Catalogue, FigureTemplate, SignalKey } from "../api/types";
+import type { ShownUnit } from "../units/quantity";
 
 export interface Figure {
   /** Its column: `bump.body_acceleration.peak`, `comfort.weighted_rms`, `travel_time`. */
@@ -59,3 +59,14 @@ export function paperFigures(catalogue: Catalogue): readonly string[] {
 }
 
 export const OPENING_FIGURE = "bump.body_acceleration.peak";
+
+/** The unit a signal is shown in: the figures say it, the tables follow. */
+export function shownUnit(
+  signal: SignalKey,
+  figures: Readonly<Record<string, FigureTemplate>>,
+  catalogue: Catalogue,
+): ShownUnit {
+  const meta = Object.values(figures).find((figure) => figure.layout.meta.signal === signal)?.layout.meta;
+  if (meta) return { unit: meta.unit, scale: meta.scale };
+  return { unit: catalogue.signals.find(({ key }) => key === signal)?.unit ?? "1", scale: 1 };
+}

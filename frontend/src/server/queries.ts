@@ -1,6 +1,6 @@
 /** Everything the page reads through TanStack Query, with its keys. */
 
-import { queryOptions } from "@tanstack/react-query";
+import { queryOptions, QueryClient } from "@tanstack/react-query";
 import { api } from "../api/client";
 import { ask, query } from "../api/http";
 import type { FigureTemplates, StrategyId } from "../api/types";
@@ -85,3 +85,12 @@ export function allSamplesQuery(
     gcTime: 30_000,
   });
 }
+
+// A local server needs no network, and asking again is the connection banner's work.
+const networkMode = "always";
+
+/** How the page asks for data and sends changes. */
+export const createQueryClient = () =>
+  new QueryClient({
+    defaultOptions: { queries: { retry: false, networkMode, refetchOnWindowFocus: false }, mutations: { networkMode } },
+  });

@@ -1,21 +1,22 @@
 /** The moving car: one or two strategies on their road, driven by the shared cursor, with playback. */
 
-import { ActionIcon, NativeSelect, Tooltip } from "@mantine/core";
-import { useElementSize } from "@mantine/hooks";
-import { IconPlayerPauseFilled, IconPlayerPlayFilled } from "../../ui/icons";
-import { useEffect, useEffectEvent, useState } from "react";
+import { ActionIcon, NativeSelect, Tooltip, Group, Popover, Stack } from "@mantine/core";
+import { useElementSize, useMediaQuery } from "@mantine/hooks";
+import { useEffect, useEffectEvent, useState, type ReactNode } from "react";
+import { IconPlayerPauseFilled, IconPlayerPlayFilled, IconAdjustmentsHorizontal } from "../../ui/icons";
 import type { StrategyId } from "../../api/types";
 import { axisUnit } from "../../plots/figure";
 import { useCommands } from "../../lab/commands";
 import { cursor, useCursor } from "../../lab/cursor";
 import type { Scene } from "../../lab/resultView";
 import classes from "./car.module.css";
-import { Key } from "./Key";
 import { Lane } from "./Lane";
-import { Options } from "./Options";
-import { play } from "./playback";
-import { restingCursor } from "./resting";
+import { restingCursor } from "./geometry";
 import { Card } from "../../ui/Card";
+import { formatExact } from "../../units/format";
+import { dimensionsOf, scaleOf } from "./layout";
+import { Arrow } from "./parts";
+import { valueAt } from "../../lib/samples";
 
 const SPEEDS = [
   { value: "0.05", label: "1/20 speed" },
@@ -121,4 +122,81 @@ function Scrubber({ scene }: { readonly scene: Scene }) {
       onChange={(event) => cursor.set(scene.axis, Number(event.currentTarget.value))}
     />
   );
+}
+
+interface Props {
+  readonly scene: Scene;
+  readonly width: number;
+  readonly exaggeration: number;
+}
+
+/** The scales of the drawing: how much larger heights are than lengths, and how long the arrow of the largest force is. */
+export function Key({ scene, width, exaggeration }: Props) {
+  const size = dimensionsOf(scene.shown.scenario, { front: null, rear: null });
+  const length = scaleOf(width, exaggeration, size).newton * size.forceLimit;
+  return (
+    <Group
+      component="span"
+      gap="0.35rem"
+      wrap="nowrap"
+      pos="absolute"
+      bottom="0.2rem"
+      right="0.8rem"
+      fz="xs"
+      c="dimmed"
+    >
+      heights × {exaggeration} · force {formatExact(size.forceLimit / 1000, "kN")} =
+      <svg width={length} height={8} aria-hidden>
+        <g transform="translate(0 4) rotate(90)">
+          <Arrow length={length} />
+        </g>
+      </svg>
+    </Group>
+  );
+}
+
+/** What is set more seldom: in the row where there is room for it, behind a button on a phone. */
+export function Options({ children }: { readonly children: ReactNode }) {
+  const narrow = useMediaQuery("(max-width: 47.99em)", false, { getInitialValueInEffect: false });
+  if (!narrow) return children;
+  return (
+    <Popover position="bottom-end" withinPortal trapFocus>
+      <Popover.Target>
+        <ActionIcon variant="default" size={30} aria-label="Options of the moving car">
+          <IconAdjustmentsHorizontal size={15} />
+        </ActionIcon>
+      </Popover.Target>
+      <Popover.Dropdown role="dialog" aria-label="Options of the moving car">
+        <Stack gap="xs">{children}</Stack>
+      </Popover.Dropdown>
+    </Popover>
+  );
+}
+
+/** Where the cursor is after `elapsed` seconds of the run, for one strategy; starts over past the range's end. */
+function advance(scene: Scene, strategy: string, from: number, elapsed: number): number {
+  const series = scene.series[strategy];
+  const [low, high] = scene.range;
+  if (from >= high || from < low) return low;
+  if (scene.axis === "time") return Math.min(high, from + elapsed);
+  const { position, time } = series ?? {};
+  if (!position || !time) return from;
+  const now = valueAt(position, time, from);
+  const next = now === null ? null : valueAt(time, position, now + elapsed);
+  return next === null ? high : Math.min(high, next);
+}
+
+/** Runs until the returned function is called; `scene` is asked anew for every frame. */
+function play(scene: () => Scene, strategy: () => string, speed: () => number): () => void {
+  let frame = 0;
+  let last = performance.now();
+  const step = (now: number) => {
+    const elapsed = Math.min(0.1, (now - last) / 1000) * speed();
+    last = now;
+    const current = scene();
+    cursor.set(current.axis, advance(current, strategy(), cursor.get(current.axis) ?? restingCursor(current), elapsed));
+    frame = requestAnimationFrame(step);
+  };
+  frame = requestAnimationFrame(step);
+  return () => cancelAnimationFrame(frame);
 }

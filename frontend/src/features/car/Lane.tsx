@@ -8,11 +8,9 @@ import type { Scene } from "../../lab/resultView";
 import { metres, toKmh } from "../../units/brands";
 import { formatNumber } from "../../units/format";
 import classes from "./car.module.css";
-import { poseAt, roadProfile, type CarPose, type StaticLoads } from "./geometry";
+import { poseAt, roadProfile, type CarPose, type StaticLoads, restingCursor } from "./geometry";
 import { CLEARANCE, dimensionsOf, drawnCar, GROUND, HEIGHT, scaleOf, shiftInto } from "./layout";
-import { bodyPath, windowPath } from "./outline";
 import { Arrow, Body, Ghost, Strut, Wheel } from "./parts";
-import { restingCursor } from "./resting";
 
 interface Props {
   readonly scene: Scene;
@@ -134,4 +132,34 @@ function Road({ scene, strategy, wheelbase, metre, rise }: RoadProps) {
       </>
     );
   }, [series, wheelbase, metre, rise]);
+}
+
+const [TAIL, NOSE] = [-0.78, 0.82];
+
+/** The body's outline from the rear axle (0, 0) to the front one, y down, 1 m = `s` px; its floor is at y = 0. */
+function bodyPath(wheelbase: number, radius: number, s: number): string {
+  const point = (x: number, up: number) => `${(x * s).toFixed(1)} ${(-up * s).toFixed(1)}`;
+  const arch = radius * 1.22;
+  const [nose, hood, roof] = [wheelbase + NOSE, 0.79 * wheelbase, 0.46 * wheelbase];
+  return [
+    `M ${point(TAIL, 0.12)}`,
+    `C ${point(TAIL - 0.04, 0.5)}, ${point(TAIL + 0.02, 0.66)}, ${point(TAIL + 0.2, 0.68)}`,
+    `L ${point(-0.28, 0.7)}`,
+    `C ${point(0.1, 0.98)}, ${point(0.28, 1.12)}, ${point(roof, 1.12)}`,
+    `C ${point(roof + 0.45, 1.12)}, ${point(hood - 0.3, 0.84)}, ${point(hood, 0.7)}`,
+    `C ${point(wheelbase + 0.2, 0.65)}, ${point(nose - 0.02, 0.56)}, ${point(nose, 0.3)}`,
+    `L ${point(nose, 0.1)} Q ${point(nose, 0)}, ${point(nose - 0.12, 0)}`,
+    `L ${point(wheelbase + arch, 0)} A ${arch * s} ${arch * s} 0 0 0 ${point(wheelbase - arch, 0)}`,
+    `L ${point(arch, 0)} A ${arch * s} ${arch * s} 0 0 0 ${point(-arch, 0)}`,
+    `L ${point(TAIL + 0.12, 0)} Q ${point(TAIL, 0)}, ${point(TAIL, 0.12)} Z`,
+  ].join(" ");
+}
+
+function windowPath(wheelbase: number, s: number): string {
+  const point = (x: number, up: number) => `${(x * s).toFixed(1)} ${(-up * s).toFixed(1)}`;
+  const [pillar, roof, hood] = [0.4 * wheelbase, 0.46 * wheelbase, 0.79 * wheelbase];
+  return [
+    `M ${point(0.02, 0.74)} C ${point(0.2, 0.95)}, ${point(0.35, 1.03)}, ${point(pillar - 0.04, 1.04)} L ${point(pillar - 0.04, 0.74)} Z`,
+    `M ${point(pillar + 0.04, 1.04)} L ${point(roof, 1.04)} C ${point(roof + 0.35, 1.03)}, ${point(hood - 0.35, 0.86)}, ${point(hood - 0.12, 0.74)} L ${point(pillar + 0.04, 0.74)} Z`,
+  ].join(" ");
 }

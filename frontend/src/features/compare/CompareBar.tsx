@@ -1,16 +1,19 @@
 /** What is compared with what: the choice, and in words what differs. */
 
-import { Box, Checkbox, Group, NativeSelect } from "@mantine/core";
+import { Box, Checkbox, Group, NativeSelect, Button, Tooltip } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { changedFields, changesText } from "../../scenario/differences";
 import { againstVariant, whyNotCompared, type Against } from "../../lab/compare";
-import { useLabContext } from "../../lab/context";
+import { useLabContext, useLab, useEdit, useFromScenario, useReadOnly } from "../../lab/context";
 import { schemaQuery } from "../../server/queries";
 import type { Scene } from "../../lab/resultView";
 import classes from "./compare.module.css";
-import { PinButton } from "./PinButton";
 import { PinList } from "./PinList";
-import { SpeedSelect } from "./SpeedSelect";
+import { IconPin } from "../../ui/icons";
+import { defaultName, MOST_PINS } from "../../lab/pins";
+import { useStore } from "../../lib/store";
+import { ownPins } from "./useCompared";
+import { getAt, setAt } from "../../scenario/path";
 
 const STRATEGY = "strategy:";
 
@@ -91,5 +94,75 @@ function Differences({ scene: { shown, before, against } }: { readonly scene: Sc
         ? "\u00a0"
         : `${other === before ? "Changed" : `Against ${other.name}`}: ${changesText(changes) || "the same scenario"}${unlike === null ? "" : `; that is ${unlike}, so no change is shown`}`}
     </Box>
+  );
+}
+
+/** Keeps the shown result under a name, beside whatever comes next. */
+function PinButton() {
+  const { lab, standard } = useLabContext();
+  const form = useQuery(schemaQuery).data;
+  const pins = useStore(ownPins);
+  const run = useLab(({ shown, stale, shared }) =>
+    shown?.source === "exact" && !stale && !shared ? shown.runId : null,
+  );
+  const isPinned = pins.some((pin) => pin.run === run);
+  const isFull = pins.length >= MOST_PINS;
+  const pin = () => {
+    const { shown } = lab.get();
+    if (run === null || !shown || !form) return;
+    const differs = changesText(changedFields(form, standard, shown.scenario), 2) || "Paper’s scenario";
+    ownPins.add({ name: defaultName(differs, pins), run });
+  };
+  const why = isPinned
+    ? "Pinned: compared with whatever comes next"
+    : isFull
+      ? `At most ${MOST_PINS} results are pinned`
+      : "Keeps this result here, to compare others with it";
+  return (
+    <Tooltip label={why} multiline w={240} openDelay={500}>
+      <Button
+        size="xs"
+        variant="default"
+        leftSection={<IconPin size={15} />}
+        disabled={run === null || isPinned || isFull || !form}
+        onClick={pin}
+      >
+        Pin
+      </Button>
+    </Tooltip>
+  );
+}
+
+const POLICY = "/speed/policy";
+
+const CHOICES = [
+  { value: "by_strategy", label: "By strategy" },
+  { value: "planned", label: "All" },
+  { value: "constant", label: "Nobody" },
+];
+
+/** Who slows down for the bump: each strategy as it controls, or all alike, so that only the suspensions differ. */
+function SpeedSelect() {
+  const edit = useEdit();
+  const readOnly = useReadOnly();
+  const policy = useFromScenario((scenario) => getAt(scenario, POLICY));
+  return (
+    <Tooltip
+      label="At equal speed, the remaining difference comes from the suspension"
+      multiline
+      w={240}
+      openDelay={500}
+    >
+      <label className={classes.choice}>
+        Who slows down
+        <NativeSelect
+          size="xs"
+          disabled={readOnly}
+          value={typeof policy === "string" ? policy : "by_strategy"}
+          data={CHOICES}
+          onChange={({ currentTarget: { value } }) => edit.commit(setAt(edit.newest(), POLICY, value))}
+        />
+      </label>
+    </Tooltip>
   );
 }

@@ -5,7 +5,7 @@ import { useQuery } from "@tanstack/react-query";
 import { address } from "../../api/http";
 import { useOpenItem } from "../library/open";
 import { OpenFiles } from "../library/OpenFiles";
-import { useItems } from "../../scenario/ownLibrary";
+import { useItems } from "../../scenario/library";
 import { useEdit } from "../../lab/context";
 import { roadQuery } from "../../server/queries";
 import classes from "./editor.module.css";

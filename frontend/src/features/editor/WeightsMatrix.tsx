@@ -7,8 +7,7 @@ import { formatInput } from "../../units/format";
 import classes from "./editor.module.css";
 import { isChanged } from "../../scenario/differences";
 import { FieldError, Help, ResetButton } from "./FieldFrame";
-import { NumberEntry } from "./NumberEntry";
-import { NumberSlider } from "./NumberSlider";
+import { NumberEntry, NumberSlider } from "./NumberFieldRow";
 import type { NumberField, VectorField } from "../../scenario/schema";
 import { useLeaf } from "./useLeaf";
 

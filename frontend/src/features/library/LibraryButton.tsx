@@ -12,7 +12,7 @@ import { useStore } from "../../lib/store";
 import { compact } from "../../ui/compact";
 import { LazyPart } from "../../ui/LazyPart";
 import { useOpenItem } from "./open";
-import { dialog, ownLibrary } from "../../scenario/ownLibrary";
+import { dialog, ownLibrary } from "../../scenario/library";
 
 const LibraryDialog = lazy(() => import("./LibraryDialog").then((module) => ({ default: module.LibraryDialog })));
 

@@ -8,8 +8,7 @@ import { useEdit, useReadOnly } from "../../lab/context";
 import { schemaQuery } from "../../server/queries";
 import { createStore } from "../../lib/store";
 import type { Exported } from "./files";
-import type { Kind } from "../../scenario/library";
-import { dialog } from "../../scenario/ownLibrary";
+import { type Kind, dialog } from "../../scenario/library";
 
 export interface Notice {
   readonly lines: readonly string[];
@@ -39,7 +38,7 @@ export function useExportItem(): (item: Exported) => Promise<void> {
   const queries = useQueryClient();
   return async (item) => {
     try {
-      const { saveItem } = await import("./save");
+      const { saveItem } = await import("./upload");
       await saveItem(item, queries);
     } catch (error) {
       dialog.set(null);

@@ -2,19 +2,19 @@
 
 import type { QueryClient } from "@tanstack/react-query";
 import { api } from "../../api/client";
-import { ask } from "../../api/http";
-import { ApiProblem } from "../../api/problem";
+import { ask, askFile } from "../../api/http";
+import { ApiProblem, type FieldError } from "../../api/problem";
 import type { JsonObject, JsonValue, Scenario } from "../../api/types";
-import { completed } from "../../scenario/differences";
-import { sameValue, setAt } from "../../scenario/path";
-import type { Form } from "../../scenario/schema";
+import { completed, namedLeaves, type Leaf } from "../../scenario/differences";
+import { sameValue, setAt, getAt, type Pointer } from "../../scenario/path";
+import { type Form, findMember, optionTitle, type NumberField } from "../../scenario/schema";
 import { DEFAULT_VIEW } from "../../lab/address";
 import { presetsQuery, schemaQuery, vehiclesQuery } from "../../server/queries";
-import { faultsOf } from "./faults";
-import { readFile, type Content } from "./files";
-import { KINDS, type Item, type Kind } from "../../scenario/library";
+import { readFile, type Content, fileOf, roadOf, type Exported } from "./files";
+import { KINDS, type Item, type Kind, ownLibrary } from "../../scenario/library";
 import { withItem } from "../../scenario/withItem";
-import { ownLibrary } from "../../scenario/ownLibrary";
+import { limitText, valueText } from "../../scenario/limits";
+import { download } from "../../lib/download";
 
 interface Opened extends Pick<Item, "kind" | "value" | "name"> {
   readonly warnings: readonly string[];
@@ -125,3 +125,52 @@ function addToLibrary({ kind, name, value }: Opened, known: readonly (JsonValue 
 }
 
 const problemText = (error: unknown) => (error instanceof Error ? error.message : String(error));
+
+/** A sentence for each error; what the form cannot explain stays as the server says it. */
+export function faultsOf(form: Form, scenario: Scenario, errors: readonly FieldError[]): readonly string[] {
+  const leaves = namedLeaves(form);
+  return errors.map(({ pointer, message }) => {
+    const place = pointer.replace(/^\/scenario(?=\/|$)/, "") as Pointer | "";
+    const found = leaves.find(({ leaf }) => leaf.pointer === place);
+    if (found) return `${found.name}: ${wrong(found.leaf, getAt(scenario, found.leaf.pointer)) ?? message}`;
+    const member = place === "" ? undefined : findMember(form, place);
+    if (!member) return place === "" ? message : `${place.slice(1).replace(/\//g, ".")}: ${message}`;
+    const { title } = member;
+    if (member.kind === "vector") return `${title}: Needs ${member.items.length} numbers`;
+    return `${title}: ${isGroup(getAt(scenario, member.pointer)) ? message : "Needs its fields by name, in braces"}`;
+  });
+}
+
+const isGroup = (value: JsonValue | undefined) => typeof value === "object" && value !== null && !Array.isArray(value);
+
+/** `null` where the value is right by itself. */
+function wrong(leaf: Leaf, value: JsonValue | undefined): string | null {
+  if (leaf.kind === "number") return wrongNumber(leaf, value);
+  if (leaf.kind === "text")
+    return typeof value === "string" && /^\w[\w-]{21}$/.test(value) ? null : "Needs the id of a measured road";
+  if (leaf.kind === "data") return null;
+  if (leaf.onOff) return typeof value === "boolean" ? null : "Must be true or false";
+  return leaf.options.includes(value as string)
+    ? null
+    : `Must be one of ${leaf.options.map((option) => `${optionTitle(option)} (${option})`).join(", ")}`;
+}
+
+function wrongNumber(field: NumberField, value: JsonValue | undefined): string | null {
+  if (value === null && field.nullable) return null;
+  if (typeof value !== "number") return field.unit === "1" ? "Must be a number" : `Must be a number, in ${field.unit}`;
+  if (field.integer && !Number.isInteger(value)) return "Must be a whole number";
+  const low = field.exclusiveMinimum ? value <= field.minimum : value < field.minimum;
+  return low || value > field.maximum ? `${limitText(field)}; the file has ${valueText(field, value)}` : null;
+}
+
+/** Saves an item as a file that any Ridelab can open: a measured road goes with its heights, which another server does not have. */
+export async function saveItem(item: Exported, queries: QueryClient): Promise<void> {
+  const { version } = await queries.query({ ...schemaQuery, staleTime: "static" });
+  const id = roadOf(item);
+  const road =
+    id === null ? null : await (await askFile("get", "/roads/{id}", { path: { id }, query: { format: "csv" } })).text();
+  const { name, type, text } = fileOf(item, version, road);
+  const address = URL.createObjectURL(new Blob([text], { type }));
+  download(address, name);
+  URL.revokeObjectURL(address);
+}

@@ -4,7 +4,7 @@ import { NativeSelect, Text } from "@mantine/core";
 import { useState } from "react";
 import type { Group } from "../../scenario/schema";
 import { isNotFound } from "../../api/problem";
-import { useItems } from "../../scenario/ownLibrary";
+import { useItems } from "../../scenario/library";
 import type { Origin, PageScenario } from "./scenarioSource";
 import { LabLink } from "../../ui/LabLink";
 import classes from "./scenarioSource.module.css";

@@ -5,7 +5,7 @@ import { useNavigate, useSearch } from "@tanstack/react-router";
 import { api } from "../../api/client";
 import { ApiProblem } from "../../api/problem";
 import type { Preset, Scenario } from "../../api/types";
-import { useItems } from "../../scenario/ownLibrary";
+import { useItems } from "../../scenario/library";
 import { pick } from "../../lab/address";
 import { presetsQuery, runKey } from "../../server/queries";
 

@@ -1,17 +1,17 @@
 /** Says that this is a shared result, when and by what it was computed, and the two ways on. */
 
-import { Button } from "@mantine/core";
-import { IconCopy, IconRefresh } from "../../ui/icons";
+import { Button, Text } from "@mantine/core";
 import { useMutation } from "@tanstack/react-query";
+import type { ReactNode } from "react";
+import { IconCopy, IconRefresh, IconLock } from "../../ui/icons";
 import { api } from "../../api/client";
-import type { Link } from "../../api/types";
-import type { Catalogue, FigureTemplate, Run, Strategy } from "../../api/types";
+import type { Link, Catalogue, FigureTemplate, Run, Strategy } from "../../api/types";
 import { useLabContext, useLab } from "../../lab/context";
 import { useStore } from "../../lib/store";
 import { DifferencesCard } from "./DifferencesCard";
-import { SharedNote } from "./SharedNote";
 import classes from "./share.module.css";
 import { Fault } from "../../ui/Fault";
+import { formatDay } from "../../units/dates";
 
 interface Props {
   readonly strategies: readonly Strategy[];
@@ -69,5 +69,27 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
         <DifferencesCard {...{ strategies, catalogue, figures }} then={run} now={again.data} onClose={again.reset} />
       )}
     </>
+  );
+}
+
+/** Says that this is shared, when it was computed and by what, and what can be done with it. */
+export function SharedNote({
+  link,
+  what,
+  children,
+}: {
+  readonly link: Link;
+  readonly what: "result" | "sweep";
+  readonly children?: ReactNode;
+}) {
+  return (
+    <section className={classes.banner} aria-label="Shared result">
+      <IconLock size={17} stroke={1.7} aria-hidden />
+      <Text size="sm" flex="1 1 14rem">
+        Shared {what}, computed on {formatDay(link.computed_at)} by core {link.core_version}. Read-only.
+        {link.core_version !== link.current_core_version && ` This server now runs core ${link.current_core_version}.`}
+      </Text>
+      {children}
+    </section>
   );
 }

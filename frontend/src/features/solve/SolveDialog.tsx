@@ -17,8 +17,7 @@ import sweep from "../sweep/sweep.module.css";
 import { Fault } from "../../ui/Fault";
 import { Entry, labelled } from "../../ui/Entry";
 import { formatExact, formatResult, prettyUnit } from "../../units/format";
-import { askable, otherField, readDraft, type Range, type SolveDraft } from "./draft";
-import { inPageUnits } from "./translateUnits";
+import { askable, otherField, readDraft, type Range, type SolveDraft, inPageUnits } from "./draft";
 
 const [TARGET, INITIAL] = ["speed.target_speed_kmh", "speed.initial_speed_kmh"] as const;
 

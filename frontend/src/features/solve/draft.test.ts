@@ -1,8 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Figure } from "../../server/metrics";
 import type { NumberField } from "../../scenario/schema";
-import { otherField, readDraft, type SolveDraft } from "./draft";
-import { inPageUnits } from "./translateUnits";
+import { otherField, readDraft, type SolveDraft, inPageUnits } from "./draft";
 
 const FIELD = {
   kind: "number",

@@ -65,14 +65,12 @@ export function restoreSweep(stored: unknown, fields: readonly SweepField[]): Sw
   return {
     method: stored.method === "hypercube" ? "hypercube" : "grid",
     fields: stored.fields.flatMap((each) =>
-      [find(each.field)]
-        .flat()
-        .map((match): FieldDraft => ({
-          ...each,
-          field: match,
-          by: each.by === "list" ? "list" : "steps",
-          linked: each.linked.flatMap(find),
-        })),
+      [find(each.field)].flat().map((match): FieldDraft => ({
+        ...each,
+        field: match,
+        by: each.by === "list" ? "list" : "steps",
+        linked: each.linked.flatMap(find),
+      })),
     ),
     samples,
     seed,

@@ -1,18 +1,33 @@
 /** The comparison, and on demand everything else the run says in numbers. */
 
-import { Button } from "@mantine/core";
-import { IconChevronDown, IconChevronUp } from "../../ui/icons";
+import { Button, Box } from "@mantine/core";
 import { useMediaQuery } from "@mantine/hooks";
 import { useId, useState } from "react";
+import { IconChevronDown, IconChevronUp } from "../../ui/icons";
 import { CompareBar } from "../compare/CompareBar";
 import type { Catalogue, FigureTemplate, SignalKey } from "../../api/types";
 import type { Scene } from "../../lab/resultView";
-import { ChangesNote } from "./ChangesNote";
-import { ComparisonTable, headingOf, VIEWS } from "./ComparisonTable";
-import { NarrowTable } from "./NarrowTable";
-import { RunTable } from "./RunTable";
+import {
+  ComparisonTable,
+  headingOf,
+  VIEWS,
+  labelOf,
+  UnitAndSolve,
+  type ComparisonProps,
+  type WindowView,
+  cellAttributes,
+  ResultCell,
+  EntryHead,
+} from "./ComparisonTable";
+import { RunTable, variantColumns } from "./RunTable";
 import classes from "./tables.module.css";
 import { Card } from "../../ui/Card";
+import { getAt } from "../../scenario/path";
+import { whyNotCompared } from "../../lab/compare";
+import { DataTable } from "../../ui/DataTable";
+import ui from "../../ui/ui.module.css";
+import { entryGroups } from "./entries";
+import { shownUnit } from "../../server/metrics";
 
 interface Props {
   readonly scene: Scene;
@@ -63,5 +78,80 @@ export function Tables({ scene, catalogue, figures }: Props) {
         {more ? "Less" : "Travel, forces, comfort, time and events"}
       </Button>
     </Card>
+  );
+}
+
+function textOf({ shown, against }: Scene): string {
+  const { over, scenario } = shown;
+  const isMeasured = typeof getAt(scenario, "/road/profile") === "string"; // then there is no other road like it
+  if (over === null)
+    return `One road: a change without an arrow is zero or within one road’s luck${isMeasured ? "" : "; choose several roads"}.`;
+  const isPaired = against === null || whyNotCompared(shown, against.shown) === null;
+  return isPaired
+    ? "Changes are paired by road, with their 95 % interval; one whose interval includes zero has no arrow."
+    : "\u00a0";
+}
+
+/** What a change without an arrow says. */
+function ChangesNote({ scene }: { readonly scene: Scene }) {
+  return (
+    <Box component="p" m={0} p="0.3rem 0.9rem 0" fz="0.71875rem" c="dimmed" data-testid="changes-note">
+      {textOf(scene)}
+    </Box>
+  );
+}
+
+interface NarrowTableProps extends ComparisonProps {
+  readonly view: WindowView;
+  readonly heading: string;
+}
+
+/** The comparison where there is little width: a row per signal, a column for each strategy of each variant. */
+function NarrowTable({ scene, catalogue, figures, signals, view: { window, statistic }, heading }: NarrowTableProps) {
+  const metricOf = (signal: SignalKey) => ({ window, signal, statistic });
+  return (
+    <DataTable
+      label={heading}
+      captioned
+      attributes={{ className: classes.comparison }}
+      rows={signals}
+      rowKey={(signal) => signal}
+      columns={[
+        {
+          key: "signal",
+          head: "",
+          text: true,
+          cell: (signal) => (
+            <>
+              {labelOf(signal, catalogue)}{" "}
+              <span className={ui.dim}>
+                <UnitAndSolve
+                  unit={shownUnit(signal, figures, catalogue).unit}
+                  metric={metricOf(signal)}
+                  catalogue={catalogue}
+                />
+              </span>
+            </>
+          ),
+        },
+        ...variantColumns<SignalKey>(
+          entryGroups(scene),
+          (entry) => <EntryHead entry={entry} catalogue={catalogue} upright />,
+          (entry) => ({
+            attributes: (signal) => ({
+              ...cellAttributes(entry, metricOf(signal)),
+              "data-baseline": entry.isBaseline || undefined,
+            }),
+            cell: (signal) => (
+              <ResultCell
+                {...{ scene, entry }}
+                metric={metricOf(signal)}
+                scale={shownUnit(signal, figures, catalogue).scale}
+              />
+            ),
+          }),
+        ),
+      ]}
+    />
   );
 }

@@ -2,7 +2,7 @@
 
 import { useState } from "react";
 import type { JsonValue, Scenario } from "../../api/types";
-import { ChoiceFieldRow } from "../../features/editor/ChoiceFieldRow";
+import { ChoiceFieldRow } from "../../features/editor/FieldFrame";
 import { NumberFieldRow } from "../../features/editor/NumberFieldRow";
 import { getAt, sameValue, setAt, type Pointer } from "../../scenario/path";
 import { fieldsOf, findMember, type ChoiceField, type Group, type NumberField } from "../../scenario/schema";

@@ -7,7 +7,7 @@ import { ask } from "../../api/http";
 import { isTransient } from "../../api/problem";
 import type { Catalogue, RealtimeReport, Scenario } from "../../api/types";
 import { Chart } from "../../plots/Chart";
-import { ChartButton } from "../../plots/ChartButton";
+import { ChartButton } from "../../plots/FigureButton";
 import { ON_PAPER, PALETTES } from "../../plots/palettes";
 import { strategiesQuery } from "../../server/queries";
 import { formatPercent } from "../../features/tables/change";

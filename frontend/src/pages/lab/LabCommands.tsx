@@ -6,7 +6,7 @@ import { useCommands, type Command } from "../../lab/commands";
 import { useLabContext, useLab } from "../../lab/context";
 import { revealed } from "../../lab/reveal";
 import { sweepFields } from "../../scenario/fields";
-import { useSelected } from "./useSelected";
+import { useSelected } from "./StrategyChoice";
 
 interface Props {
   readonly form: Group | undefined;

@@ -1,19 +1,19 @@
 /** The results: the car and the ride on the bump first, then the numbers, then every other signal. */
 
 import { memo, useDeferredValue } from "react";
-import { Button, Skeleton } from "@mantine/core";
+import { Button, Skeleton, Text } from "@mantine/core";
 import type { Catalogue, FigureTemplate, Strategy } from "../../api/types";
 import { CarView } from "../../features/car/CarView";
-import { PlotGrid } from "../../plots/PlotGrid";
-import { PlotlyFault } from "../../plots/PlotlyFault";
-import { RoadStrip } from "../../plots/RoadStrip";
+import { PlotGrid, RoadStrip } from "../../plots/PlotGrid";
+import { PlotlyFault } from "../../plots/usePlotly";
 import { useLabContext, useLab } from "../../lab/context";
 import type { Scene } from "../../lab/resultView";
 import { Tables } from "../../features/tables/Tables";
 import { Blank, CouldNotLoad } from "../../ui/Blank";
-import { RoadsNote } from "./RoadsNote";
 import classes from "../../ui/shell.module.css";
 import { StageLegend } from "./StageLegend";
+import { getAt } from "../../scenario/path";
+import { useCurves } from "../../plots/useDetail";
 
 type Figures = Readonly<Record<string, FigureTemplate>>;
 
@@ -127,5 +127,30 @@ function Loading() {
         ))}
       </div>
     </div>
+  );
+}
+
+/** Says over how many roads the numbers and the curves are, and which road the rest is of. */
+function RoadsNote({ scene }: { readonly scene: Scene }) {
+  const { shown, differences } = scene;
+  const { over, scenario, source } = shown;
+  const roads = useLab((state) => state.roads);
+  const hasMeans = useCurves(scene).roads !== undefined;
+  const seed = getAt(scenario, "/road/seed");
+  const first = `road seed ${typeof seed === "number" ? seed : "?"}`;
+  if (over === null && (source === "exact" || roads === 1)) return null;
+  return (
+    <Text size="xs" c="dimmed" m="0 0 0.5rem 0.2rem" data-testid="roads">
+      {over === null ? (
+        `While a value is dragged: ${first} only; then the mean of ${roads} roads.`
+      ) : (
+        <>
+          Mean of {over.roads} roads ± 95 % interval.{" "}
+          {hasMeans
+            ? `Curves: ${differences ? "differences of the means" : "mean and range"}. Car, road and events: ${first}.`
+            : `Curves, car and events are of the first road only, ${first}; the table is of all roads.`}
+        </>
+      )}
+    </Text>
   );
 }

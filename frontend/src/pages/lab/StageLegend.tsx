@@ -5,7 +5,7 @@ import { layersOf } from "../../plots/curves";
 import { stagedStrategy } from "../../plots/shapes";
 import { useCurves } from "../../plots/useDetail";
 import type { Scene } from "../../lab/resultView";
-import { LineKey } from "../../ui/LineKey";
+import { LineKey } from "../../ui/StrategyKey";
 import classes from "./legend.module.css";
 
 /** A swatch is small: the shading three times over, so that it can be told apart. */

@@ -1,15 +1,16 @@
 /** Which strategies are shown, over what, and which part of the run. */
 
-import { Button, SegmentedControl, Tooltip } from "@mantine/core";
+import { Button, SegmentedControl, Tooltip, NativeSelect } from "@mantine/core";
 import { memo, useLayoutEffect, useRef } from "react";
 import type { Strategy } from "../../api/types";
-import type { ViewZoom } from "../../lab/address";
-import { switchAxis } from "../../lab/axis";
-import { useLabContext, useView } from "../../lab/context";
-import { makeScene } from "../../lab/resultView";
-import { RoadsSelect } from "./RoadsSelect";
+import type { ViewZoom, Axis } from "../../lab/address";
+import { useLabContext, useView, useLab, useReadOnly } from "../../lab/context";
+import { makeScene, axisKey, type Scene } from "../../lab/resultView";
 import { StrategyChoice } from "./StrategyChoice";
 import bar from "../../ui/toolbar.module.css";
+import { valueAt } from "../../lib/samples";
+import { cursor } from "../../lab/cursor";
+import type { Router } from "../../lab/labAddress";
 
 interface Props {
   readonly strategies: readonly Strategy[];
@@ -86,6 +87,53 @@ function ZoomButton({ label, tip, zoom, shown, disabled }: ZoomProps) {
       >
         {label}
       </Button>
+    </Tooltip>
+  );
+}
+
+/** From distance to time and back: zoom and cursor stay on the same piece of the run. */
+function switchAxis(router: Router, scene: Scene | null, axis: Axis): void {
+  const first = scene?.ids[0];
+  const series = first === undefined ? undefined : scene?.series[first];
+  const from = scene && series?.[axisKey(scene.axis)];
+  const to = series?.[axisKey(axis)];
+  const convert = (x: number) => (from && to ? valueAt(from, to, x) : null);
+
+  const { zoom } = router.get().view;
+  const at = scene && cursor.get(scene.axis);
+  cursor.set(axis, at === null ? null : convert(at));
+  router.setView({ axis, zoom: converted(zoom, convert) });
+}
+
+function converted(zoom: ViewZoom, convert: (x: number) => number | null): ViewZoom {
+  if (zoom === "whole" || zoom === null) return zoom;
+  const [low, high] = [convert(zoom[0]), convert(zoom[1])];
+  return low !== null && high !== null ? [low, high] : null;
+}
+
+const CHOICES = [1, 5, 10, 20];
+
+/** Over how many roads the exact run goes. */
+function RoadsSelect() {
+  const { lab } = useLabContext();
+  const roads = useLab((state) => state.roads);
+  const readOnly = useReadOnly();
+  const choices = CHOICES.includes(roads) ? CHOICES : [...CHOICES, roads].sort((a, b) => a - b);
+  return (
+    <Tooltip
+      label="Peaks on one road are partly random; several roads give a mean with a 95 % interval"
+      multiline
+      w={240}
+      openDelay={500}
+    >
+      <NativeSelect
+        size="xs"
+        aria-label="Roads"
+        disabled={readOnly}
+        value={String(roads)}
+        data={choices.map((count) => ({ value: String(count), label: count === 1 ? "1 road" : `${count} roads` }))}
+        onChange={(event) => lab.setRoads(Number(event.currentTarget.value))}
+      />
     </Tooltip>
   );
 }

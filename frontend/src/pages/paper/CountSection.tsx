@@ -7,11 +7,20 @@ import type { Paper, PaperCell } from "../../api/types";
 import { useRunInLab } from "../../ui/useOpenInLab";
 import { count, formatWhole } from "../../units/format";
 import classes from "./paper.module.css";
-import { VerdictBar, VerdictCountList, VerdictMark } from "./Verdict";
+import {
+  VerdictBar,
+  VerdictCountList,
+  VerdictMark,
+  cellId,
+  countedOf,
+  isMissed,
+  previewSentence,
+  soFar,
+  uncertain,
+} from "./Verdict";
 import type { Choices } from "./choices";
 import { Interpretations } from "./Interpretations";
 import { typeset } from "./numbers";
-import { cellId, countedOf, isMissed, previewSentence, soFar, uncertain } from "./verdicts";
 import type { Words } from "./labels";
 import { Fault } from "../../ui/Fault";
 import ui from "../../ui/ui.module.css";

@@ -3,12 +3,12 @@
 import { Anchor, Box, Button, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
 import { useQuery } from "@tanstack/react-query";
-import { IconFileDescription } from "../../ui/icons";
 import { useEffect, type ReactNode } from "react";
+import { IconFileDescription } from "../../ui/icons";
 import { address } from "../../api/http";
 import { ApiProblem, isTransient } from "../../api/problem";
 import type { Paper } from "../../api/types";
-import { ShellSlot } from "../../ui/slots";
+import { ShellSlot } from "../../ui/Page";
 import shell from "../../ui/shell.module.css";
 import { Errata, Rules } from "./Appendix";
 import { NONE_CHOSEN, useChoices, type Choices } from "./choices";

@@ -5,7 +5,7 @@ import { useMemo } from "react";
 import type { Catalogue, FigureTemplate, Strategy } from "../../api/types";
 import { catalogueQuery, figuresQuery, strategiesQuery } from "../../server/queries";
 import { headingOf, type WindowView } from "../../features/tables/ComparisonTable";
-import { shownUnit } from "../../server/units";
+import { shownUnit } from "../../server/metrics";
 import type { ShownUnit } from "../../units/quantity";
 import { prettyUnit } from "../../units/format";
 

@@ -3,14 +3,12 @@
 import { Box } from "@mantine/core";
 import type { BatchSummary, Strategy } from "../../api/types";
 import { fullName, type Figure } from "../../server/metrics";
-import { ChartButton } from "../../plots/ChartButton";
+import { ChartButton } from "../../plots/FigureButton";
 import { formatNumber, formatResult, prettyUnit } from "../../units/format";
 import { spreadChart } from "./paperSpread";
-import { scaleTo } from "./scale";
-import { quantile, type FigureSummary } from "./summary";
+import { quantile, type FigureSummary, type StudyParts } from "./summary";
 import styles from "./bars.module.css";
 import ui from "../../ui/ui.module.css";
-import type { StudyParts } from "./props";
 
 interface Props extends Pick<StudyParts, "summary" | "strategies"> {
   readonly figure: Figure;
@@ -97,4 +95,18 @@ function Track({ summary, strategy, figureSummary, figure: { label, unit, scale 
       )}
     </span>
   );
+}
+
+const STEPS = [1, 2, 2.5, 5, 10];
+
+/** A scale from zero that ends on a round number. */
+export function scaleTo(most: number): { readonly end: number; readonly ticks: readonly number[] } {
+  if (!(most > 0)) return { end: 1, ticks: [0] };
+  const rough = most / 4;
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = power * (STEPS.find((each) => each * power >= rough * (1 - 1e-9)) ?? 10);
+  const count = Math.ceil(most / step - 1e-9);
+  // Multiples of the step, without the dust of binary fractions.
+  const at = (index: number) => Number((index * step).toPrecision(10));
+  return { end: at(count), ticks: Array.from({ length: count + 1 }, (_, index) => at(index)) };
 }

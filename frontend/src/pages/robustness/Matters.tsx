@@ -8,12 +8,11 @@ import { formatFixed } from "../../units/format";
 import { nameOf } from "./names";
 import classes from "./robustness.module.css";
 import { hasOrder } from "./study";
-import { matters, ranked, type Ranked, type Sensitivity, type StrategySummary } from "./summary";
+import { matters, ranked, type Ranked, type Sensitivity, type StrategySummary, type StudyParts } from "./summary";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { labelled } from "../../ui/Entry";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
-import type { StudyParts } from "./props";
 
 type Props = Pick<StudyParts, "batch" | "summary" | "strategies" | "figures">;
 

@@ -9,13 +9,12 @@ import { StrategyName } from "../../ui/StrategyKey";
 import { formatResult, prettyUnit } from "../../units/format";
 import { Intervals } from "./Intervals";
 import { RunButton } from "./RunButton";
-import { quantile, type FigureSummary, type Margin } from "./summary";
+import { quantile, type FigureSummary, type Margin, type StudyParts } from "./summary";
 import type { Opening } from "../../features/sweep/useOpenRun";
 import styles from "./bars.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
-import type { StudyParts } from "./props";
 
 type Props = Pick<StudyParts, "summary" | "strategies" | "figures" | "opening">;
 

@@ -2,8 +2,7 @@
 
 import type { BatchSummary, Strategy } from "../../api/types";
 import { fullName, type Figure } from "../../server/metrics";
-import { chartLayout } from "../../plots/chartLayout";
-import { ON_PAPER } from "../../plots/palettes";
+import { chartLayout, ON_PAPER } from "../../plots/palettes";
 import type { ChartOnPaper } from "../../plots/paperChart";
 import type { LineTrace, PointTrace } from "../../plots/plotly";
 import { titleWithUnit } from "../../units/format";

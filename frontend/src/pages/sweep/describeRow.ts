@@ -4,8 +4,7 @@ import type { Batch, Catalogue, Strategy } from "../../api/types";
 import { CAVEAT_EVENTS, caveatsOf, type Caveat } from "../../features/tables/caveats";
 import { formatResult, isNothing, prettyUnit } from "../../units/format";
 import { fullName, type Figure } from "../../server/metrics";
-import { showCell } from "../../features/sweep/show";
-import { cell, type Columns } from "../../features/sweep/table";
+import { showCell, cell, type Columns } from "../../features/sweep/table";
 
 const columnOf = (event: string) => `events.${event}`;
 

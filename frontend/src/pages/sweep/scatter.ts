@@ -1,16 +1,14 @@
 /** What plotly draws of a sweep. */
 
 import type { Strategy } from "../../api/types";
-import type { Palette } from "../../plots/palettes";
+import { type Palette, chartLayout } from "../../plots/palettes";
 import type { Markers, MarkerSymbol } from "../../plots/markers";
 import type { LineTrace, PlotLayout, PointTrace } from "../../plots/plotly";
 import { humanise } from "../../scenario/schema";
 import { titleWithUnit } from "../../units/format";
-import type { AxisOf } from "../../features/sweep/axes";
+import type { AxisOf, Points } from "../../features/sweep/table";
 import { fullName, type Figure } from "../../server/metrics";
 import type { LineEnd, Lines } from "./lines";
-import type { Points } from "../../features/sweep/table";
-import { chartLayout } from "../../plots/chartLayout";
 
 interface Input {
   readonly points: readonly Points[];

@@ -1,9 +1,10 @@
 /** What a sweep's plot shows: the address's wishes where they can be met, and what suits the sweep elsewhere. */
 
-import type { Batch, Strategy, StrategyId } from "../../api/types";
-import { axesOf, type AxisOf } from "../../features/sweep/axes";
+import type { Batch, Strategy, StrategyId, Catalogue } from "../../api/types";
+import { axesOf, type AxisOf, type Columns } from "../../features/sweep/table";
 import { OPENING_FIGURE, type Figure } from "../../server/metrics";
 import { NONE, type BatchView, type PlotKind } from "./view";
+import type { Markers } from "../../plots/markers";
 
 export interface ShownPlot {
   readonly kind: PlotKind;
@@ -52,4 +53,28 @@ export function shownPlot(
     threshold: view.threshold === NONE ? null : (view.threshold ?? (against === null ? null : 0)),
     mapUnit: against === null ? y.unit : "%",
   };
+}
+
+/** What a sweep's page gives its plot and its rows. */
+export interface SweepParts {
+  readonly batch: Batch;
+  readonly columns: Columns;
+  readonly catalogue: Catalogue;
+  /** The batch's, in the catalogue's order. */
+  readonly strategies: readonly Strategy[];
+  readonly markers: Markers;
+  readonly figures: readonly Figure[];
+  readonly shown: ShownPlot;
+  readonly view: BatchView;
+  /** The row with the lowest value of the plotted metric. */
+  readonly best: number | null;
+  readonly onView: (change: Partial<BatchView>) => void;
+  readonly onOpen: (row: number) => void;
+}
+
+/** What the points and the map share. */
+export interface PlotParts extends Pick<SweepParts, "batch" | "columns" | "strategies" | "shown" | "onOpen"> {
+  readonly height: number;
+  /** What a row says of itself, line by line. */
+  readonly textOf: (row: number) => readonly string[];
 }

@@ -1,7 +1,9 @@
 /** What a tuning's numbers are called and shown in: objectives, limits and plain figures. */
 
+import { useMemo } from "react";
 import type { Limit, Objective, Tuning } from "../../api/types";
 import { fullName, type Figure } from "../../server/metrics";
+import { useCatalogues, type Catalogues } from "../../server/useCatalogues";
 
 export interface Shown {
   readonly label: string;
@@ -35,4 +37,15 @@ export function ofKey(
   if (objective) return ofObjective(objective, figures);
   if (limit) return ofLimit(limit, figures);
   return ofFigure(key, figures) ?? { label: key, unit: "1", scale: 1 };
+}
+
+/** What the tuner's pages need of the server: as figures only those that are numbers. */
+export function useNumericCatalogues(): ReturnType<typeof useCatalogues> {
+  const { catalogues, fault } = useCatalogues();
+  const numeric = useMemo(
+    (): Catalogues | null =>
+      catalogues && { ...catalogues, figures: catalogues.figures.filter(({ key }) => key !== "events.target_reached") },
+    [catalogues],
+  );
+  return { catalogues: numeric, fault };
 }
