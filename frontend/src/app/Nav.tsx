@@ -20,7 +20,7 @@ function useRun(lab: Address): { readonly run?: string } {
 }
 
 export function Nav() {
-  const lab = useStore(useLabContext().router);
+  const lab = useStore(useLabContext().labAddress);
   const search = useRun(lab);
   const entries = [
     { section: "lab", label: "Lab", link: labLink(lab) },

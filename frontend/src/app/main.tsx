@@ -14,7 +14,7 @@ import { createLab } from "../lab/lab";
 import { createQueryClient } from "../server/queries";
 import { restoreBefore, restoreTab, storeTab, storeSession, restoreSession } from "../lab/session";
 import { watchPrinting } from "../lib/printing";
-import { createLabRouter, startsAnew } from "../lab/labAddress";
+import { createLabAddress, startsAnew } from "../lab/labAddress";
 
 const petrol: MantineColorsTuple = [
   "#e3f5f5",
@@ -52,13 +52,13 @@ const queries = createQueryClient();
 const pages = createAppRouter();
 // An address that names a result opens that, and nothing is behind it.
 const restored = startsAnew(pages) ? restoreSession() : null;
-const router = createLabRouter(pages, restored?.view);
-const tab = restoreTab({ runId: router.get().runId, scenario: restored?.lab.history?.present ?? null });
-const lab = createLab({ api, router, queries }, { ...restored?.lab, ...(tab && { history: tab.history }) });
+const labAddress = createLabAddress(pages, restored?.view);
+const tab = restoreTab({ runId: labAddress.get().runId, scenario: restored?.lab.history?.present ?? null });
+const lab = createLab({ api, labAddress, queries }, { ...restored?.lab, ...(tab && { history: tab.history }) });
 if (tab) restoreBefore(lab, tab, (run) => loadPinned(run, null, queries, new AbortController().signal));
-storeSession(lab, router);
+storeSession(lab, labAddress);
 storeTab(lab);
-router.onNavigate(lab.navigate);
+labAddress.onNavigate(lab.navigate);
 watchPrinting();
 const readOwn = () => {
   ownLibrary.refresh();
@@ -67,7 +67,7 @@ const readOwn = () => {
 window.addEventListener("storage", readOwn); // another tab has changed them
 window.addEventListener("pageshow", readOwn); // or may have while the browser kept this page aside
 
-const context = { lab, router, standard: {}, restored: restored?.lab.history?.present ?? null };
+const context = { lab, labAddress, standard: {}, restored: restored?.lab.history?.present ?? null };
 
 const root = document.getElementById("root");
 if (!root) throw new Error("index.html has no #root");

@@ -6,7 +6,7 @@ import { Link } from "@tanstack/react-router";
 import { useState } from "react";
 import { isFinal } from "./follow";
 import classes from "./jobs.module.css";
-import type { Common, Kind, JobPath } from "./useJob";
+import type { Common, JobKind, JobPath } from "./useJob";
 import { Fault } from "../ui/Fault";
 import ui from "../ui/ui.module.css";
 import { Card } from "../ui/Card";
@@ -17,7 +17,7 @@ import { count, formatWhole } from "../units/format";
 import { waitsFor } from "./JobState";
 
 interface Props<Item extends Common, Job extends Item> {
-  readonly kind: Kind<Item, Job>;
+  readonly kind: JobKind<Item, Job>;
   readonly title: string;
   readonly describe: (item: Item) => Description;
   /** Where there is none. */
@@ -92,7 +92,7 @@ interface Description {
 }
 
 interface JobEntryProps<Item extends Common, Job extends Item> {
-  readonly kind: Kind<Item, Job>;
+  readonly kind: JobKind<Item, Job>;
   readonly item: Item;
   readonly description: Description;
   readonly current: boolean;
@@ -165,7 +165,7 @@ function JobEntry<Item extends Common, Job extends Item>({
 
 /** A call that changes the list, and perhaps the job that the page shows. */
 function useChange<Item extends Common, Job extends Item, Value = void>(
-  { name }: Kind<Item, Job>,
+  { name }: JobKind<Item, Job>,
   call: (value: Value) => Promise<unknown>,
   onClose: () => void,
 ) {

@@ -13,7 +13,7 @@ export type Common = Pick<Batch, "id" | "state" | "reason" | "label" | "position
 export type JobPath = "/b/$id" | "/tuner/$id" | "/robustness/$id";
 
 /** What a list shows of a job and what its own page has of it differ; what all have in common is `Common`. */
-export interface Kind<Item extends Common, Job extends Item> {
+export interface JobKind<Item extends Common, Job extends Item> {
   readonly name: "batch" | "tuning";
   /** What is counted. */
   readonly unit: "run" | "trial";
@@ -24,7 +24,7 @@ export interface Kind<Item extends Common, Job extends Item> {
   readonly withEvent: (job: Job, event: JobEvent) => Job | null;
 }
 
-export const BATCH: Kind<BatchItem, Batch> = {
+export const BATCH: JobKind<BatchItem, Batch> = {
   name: "batch",
   unit: "run",
   calls: batches,
@@ -37,7 +37,7 @@ export const BATCH: Kind<BatchItem, Batch> = {
   },
 };
 
-export const TUNING: Kind<TuningItem, Tuning> = {
+export const TUNING: JobKind<TuningItem, Tuning> = {
   name: "tuning",
   unit: "trial",
   calls: tunings,
@@ -46,7 +46,7 @@ export const TUNING: Kind<TuningItem, Tuning> = {
   withEvent: () => null,
 };
 
-export const jobQuery = <Item extends Common, Job extends Item>({ name, calls }: Kind<Item, Job>, id: string) =>
+export const jobQuery = <Item extends Common, Job extends Item>({ name, calls }: JobKind<Item, Job>, id: string) =>
   queryOptions({ queryKey: [name, id], queryFn: ({ signal }) => calls.get(id, signal), staleTime: Infinity });
 
 const REPLAY_MS = 1_000;
@@ -67,7 +67,7 @@ export interface JobStatus<Job> {
  * The job is asked for once at a time: of events that come meanwhile only the newest asks again.
  */
 export function followJob<Item extends Common, Job extends Item>(
-  kind: Kind<Item, Job>,
+  kind: JobKind<Item, Job>,
   id: string,
   queries: QueryClient,
   handlers: Handlers,
@@ -94,7 +94,7 @@ export function followJob<Item extends Common, Job extends Item>(
   };
 }
 
-export function useJob<Item extends Common, Job extends Item>(kind: Kind<Item, Job>, id: string): JobStatus<Job> {
+export function useJob<Item extends Common, Job extends Item>(kind: JobKind<Item, Job>, id: string): JobStatus<Job> {
   const queries = useQueryClient();
   const { data: job, error } = useQuery({
     ...jobQuery(kind, id),
@@ -122,7 +122,7 @@ export function useJob<Item extends Common, Job extends Item>(kind: Kind<Item, J
 
 /** A call that answers with the job as it is then. */
 export function useJobCall<Item extends Common, Job extends Item, Value = undefined>(
-  kind: Kind<Item, Job>,
+  kind: JobKind<Item, Job>,
   id: string,
   call: (value: Value) => Promise<Job>,
 ) {

@@ -4,12 +4,12 @@ import { createContext, use, type ReactNode } from "react";
 import type { Scenario } from "../api/types";
 import type { View } from "./address";
 import type { Lab, LabState } from "./labState";
-import type { Router } from "./labAddress";
+import type { LabAddress } from "./labAddress";
 import { useSelect } from "../lib/store";
 
 interface LabContextValue {
   readonly lab: Lab;
-  readonly router: Router;
+  readonly labAddress: LabAddress;
   /** The paper's scenario, as the schema states it: what is edited until a run has been opened. */
   readonly standard: Scenario;
   /** What a closed tab came back with. */
@@ -39,7 +39,7 @@ export function useLab<Part>(select: (state: LabState) => Part): Part {
 }
 
 export function useView(): View {
-  return useSelect(useLabContext().router, (address) => address.view);
+  return useSelect(useLabContext().labAddress, (address) => address.view);
 }
 
 /** Nothing can be edited: the page shows a shared result. */
@@ -70,6 +70,6 @@ export function useEdit() {
     drag: lab.drag,
     commit: lab.commit,
     reject: lab.reject,
-    accept: lab.accept,
+    accept: lab.clearInvalid,
   };
 }

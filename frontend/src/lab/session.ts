@@ -7,8 +7,8 @@ import { parseSearch, readLabSearch, searchOf, stringifySearch, viewOf, type Vie
 import { begin, type History } from "./history";
 import type { Lab, LabState } from "./labState";
 import { hasErrors } from "./problems";
-import type { Router } from "./labAddress";
-import { roadsOf, type Shown } from "./result";
+import type { LabAddress } from "./labAddress";
+import { roadsOf, type Result } from "./result";
 import { readStored, writeStored, isLike } from "../lib/storage";
 
 const NAME = "ridelab-lab";
@@ -51,19 +51,19 @@ export function restoreSession(): RestoredSession | null {
   };
 }
 
-export function storeSession(lab: Pick<Lab, "get" | "subscribe">, router: Pick<Router, "get" | "subscribe">): void {
+export function storeSession(lab: Pick<Lab, "get" | "subscribe">, router: Pick<LabAddress, "get" | "subscribe">): void {
   let written: readonly unknown[] = [];
   /** Of a run or link that was opened: until it is edited, what somebody else made replaces nothing of one's own. */
   let unedited: Scenario | null = null;
   const write = () => {
-    const { exact, strategies, shared, busy, failure, refused } = lab.get();
+    const { latestResult, strategies, shared, busy, failure, serverErrors } = lab.get();
     // What the server has not taken yet, it may refuse.
-    if (!exact || busy || failure || hasErrors(refused)) return;
-    const { scenario } = exact;
-    if (shared || exact.timing.opened) unedited = scenario;
+    if (!latestResult || busy || failure || hasErrors(serverErrors)) return;
+    const { scenario } = latestResult;
+    if (shared || latestResult.timing.opened) unedited = scenario;
     if (sameValue(scenario, unedited)) return;
     unedited = null;
-    const roads = roadsOf(exact);
+    const roads = roadsOf(latestResult);
     const { view } = router.get();
     const parts = [scenario, strategies, roads, view];
     if (parts.every((part, index) => part === written[index])) return;
@@ -113,14 +113,14 @@ export function restoreTab(opens: {
 export function storeTab(lab: Pick<Lab, "get" | "subscribe">): void {
   let written: readonly unknown[] = [];
   lab.subscribe(() => {
-    const { exact, before, history, shared } = lab.get();
-    const parts = [exact, before, history];
-    if (shared || !exact?.runId || !history || parts.every((part, index) => part === written[index])) return;
+    const { latestResult, previousResult, history, shared } = lab.get();
+    const parts = [latestResult, previousResult, history];
+    if (shared || !latestResult?.runId || !history || parts.every((part, index) => part === written[index])) return;
     written = parts;
     const { past, present, future } = history;
     const tab: StoredTab = {
-      run: exact.runId,
-      before: before?.runId ?? null,
+      run: latestResult.runId,
+      before: previousResult?.runId ?? null,
       history: { past: past.slice(-MOST_STEPS), present, future: future.slice(0, MOST_STEPS) },
     };
     writeStored(TAB, tab, "sessionStorage");
@@ -131,15 +131,15 @@ export function storeTab(lab: Pick<Lab, "get" | "subscribe">): void {
 export function restoreBefore(
   lab: Pick<Lab, "get" | "subscribe" | "compareWith">,
   { before }: StoredTab,
-  load: (run: string) => Promise<Shown>,
+  load: (run: string) => Promise<Result>,
 ): void {
   if (before === null) return;
   const stop = lab.subscribe(() => {
-    const { exact } = lab.get();
-    if (!exact) return;
+    const { latestResult } = lab.get();
+    if (!latestResult) return;
     stop();
     load(before).then(
-      (shown) => lab.compareWith(exact.scenario, shown),
+      (shown) => lab.compareWith(latestResult.scenario, shown),
       () => undefined, // no longer stored, or no server: then there is none to compare with
     );
   });

@@ -5,7 +5,7 @@ import { useCallback, useMemo } from "react";
 import type { FigureTemplate } from "../api/types";
 import type { Zoom } from "../lab/address";
 import { useLabContext } from "../lab/context";
-import type { Scene } from "../lab/resultView";
+import type { ResultView } from "../lab/resultView";
 import { layersOf } from "./curves";
 import { PALETTES } from "./palettes";
 import { PlotPanel } from "./PlotPanel";
@@ -20,25 +20,25 @@ import { Surface } from "./Surface";
 
 interface Props {
   readonly templates: readonly FigureTemplate[];
-  readonly scene: Scene;
+  readonly resultView: ResultView;
 }
 
-export function PlotGrid({ templates, scene }: Props) {
+export function PlotGrid({ templates, resultView }: Props) {
   const plotly = usePlotly();
   const palette = PALETTES[useComputedColorScheme("light")];
-  const { roads, ...pair } = useCurves(scene);
+  const { roads, ...pair } = useCurves(resultView);
   const own = useDetail(pair.own);
   const other = useDetail(pair.other);
   const onZoom = useZoom();
-  const layered = useLayered(scene);
-  const { strategies, axis, range, shown, differences, baseline, ids, summaries } = scene;
+  const layered = useLayered(resultView);
+  const { strategies, axis, range, shown, differences, baseline, ids, summaries } = resultView;
   // What changes are against is drawn only in plots of the differences.
-  const [base, against] = differences ? [baseline, scene.against] : [null, null];
+  const [base, reference] = differences ? [baseline, resultView.reference] : [null, null];
   const drawn = useMemo(
-    () => drawnOf({ differences, against, baseline: base, ids, axis, range, summaries }, own, other),
-    [differences, against, base, ids, axis, range, summaries, own, other],
+    () => drawnOf({ differences, reference, baseline: base, ids, axis, range, summaries }, own, other),
+    [differences, reference, base, ids, axis, range, summaries, own, other],
   );
-  const minus = differences ? subtrahend(scene) : undefined;
+  const minus = differences ? subtrahend(resultView) : undefined;
   const layers = useMemo(() => (differences ? [] : layersOf(layered)), [differences, layered]);
   const curves = useMemo(
     () => ({
@@ -73,30 +73,40 @@ export function PlotGrid({ templates, scene }: Props) {
 
 /** Zooms all plots; without a range from the bump to the whole run and back. */
 export function useZoom(): (zoom: Zoom | null) => void {
-  const { router } = useLabContext();
+  const { labAddress } = useLabContext();
   return useCallback(
     (zoom) => {
-      const { zoom: before } = router.get().view;
-      router.setView({ zoom: zoom ?? (before === "whole" ? null : "whole") });
+      const { zoom: before } = labAddress.get().view;
+      labAddress.setView({ zoom: zoom ?? (before === "whole" ? null : "whole") });
     },
-    [router],
+    [labAddress],
   );
 }
 
 interface RoadStripProps {
   readonly template: FigureTemplate;
-  readonly scene: Scene;
+  readonly resultView: ResultView;
 }
 
 /** The whole road as a thin strip: where the plots below look, and a place to point and zoom. */
-export function RoadStrip({ template, scene }: RoadStripProps) {
+export function RoadStrip({ template, resultView }: RoadStripProps) {
   const plotly = usePlotly();
   const palette = PALETTES[useComputedColorScheme("light")];
   const onZoom = useZoom();
-  const { series, summaries, strategies, axis, whole, range, shown } = scene;
+  const { series, summaries, strategies, axis, whole, range, shown } = resultView;
   const figure = useMemo(
     () =>
-      buildFigure({ template, series, driven: series, summaries, strategies, axis, range: whole, palette, yTicks: 3 }),
+      buildFigure({
+        template,
+        series,
+        sourceSeries: series,
+        summaries,
+        strategies,
+        axis,
+        range: whole,
+        palette,
+        yTicks: 3,
+      }),
     [template, series, summaries, strategies, axis, whole, palette],
   );
   const { meta } = template.layout;

@@ -64,7 +64,7 @@ const summary = {
 const input: FigureInput = {
   template,
   series: { lv: { position: X, time: X, load: LOAD } },
-  driven: {},
+  sourceSeries: {},
   summaries: { lv: summary },
   strategies: [
     { id: "lv", colour: "#123456" },
@@ -188,7 +188,7 @@ describe("the stages", () => {
   const drawn = (axis: "distance" | "time") =>
     stageShapes({
       template: { ...template, layout: { meta } },
-      driven: series,
+      sourceSeries: series,
       summaries: strategies as unknown as FigureInput["summaries"],
       strategies: [
         { id: "passive", colour: "#666" },

@@ -1,11 +1,11 @@
 import { expect, it } from "vitest";
 import { FORM } from "./form.fixture";
 import { changedFields, standardScenario } from "./differences";
-import type { Form } from "./schema";
+import type { ScenarioSchema } from "./schema";
 import { setAt } from "./path";
 
 const PROFILE = { kind: "text", pointer: "/road/profile", title: "Profile", description: "", standard: null } as const;
-const WITH_ROADS: Form = { ...FORM, members: [...FORM.members, PROFILE] };
+const WITH_ROADS: ScenarioSchema = { ...FORM, members: [...FORM.members, PROFILE] };
 const NONE = standardScenario(WITH_ROADS);
 const on = (id: string) => setAt(NONE, "/road/profile", id);
 const changes = (from: typeof NONE, to: typeof NONE) =>

@@ -7,10 +7,10 @@ import { isLike, ownStorage } from "../lib/storage";
 import { createStore, type Store, useStore } from "../lib/store";
 
 export const KINDS = ["scenario", "vehicle", "road"] as const;
-export type Kind = (typeof KINDS)[number];
+export type ItemKind = (typeof KINDS)[number];
 
 export interface Item {
-  readonly kind: Kind;
+  readonly kind: ItemKind;
   readonly name: string;
   /** A whole scenario, its vehicle, or the head of a measured road that the server has. */
   readonly value: JsonObject;
@@ -21,9 +21,9 @@ export interface Item {
 /** All that change it throw an error where the browser keeps nothing, or the name is taken. */
 export interface Library extends Pick<Store<readonly Item[]>, "get" | "subscribe"> {
   /** Replaces what has this name. */
-  readonly save: (kind: Kind, name: string, value: JsonObject) => void;
+  readonly save: (kind: ItemKind, name: string, value: JsonObject) => void;
   /** Saves what came from a file, under another name where this one is taken; returns the name. What is there already stays. */
-  readonly add: (kind: Kind, name: string, value: JsonObject) => string;
+  readonly add: (kind: ItemKind, name: string, value: JsonObject) => string;
   readonly rename: (item: Item, name: string) => void;
   readonly remove: (item: Item) => void;
   /** Undoes `remove`, under another name where this one has been taken since. */
@@ -84,14 +84,15 @@ export function createLibrary(
     }
     refresh();
   };
-  const freeName = (kind: Kind, name: string) => {
+  const freeName = (kind: ItemKind, name: string) => {
     if (!has(kind, name)) return name;
     const short = name.slice(0, LONGEST_NAME - 5);
     let number = 2;
     while (has(kind, `${short} (${number})`)) number++;
     return `${short} (${number})`;
   };
-  const has = (kind: Kind, name: string) => readAll(storage).some((item) => item.kind === kind && item.name === name);
+  const has = (kind: ItemKind, name: string) =>
+    readAll(storage).some((item) => item.kind === kind && item.name === name);
   return {
     get: store.get,
     subscribe: store.subscribe,
@@ -124,9 +125,9 @@ export function createLibrary(
 export const ownLibrary = createLibrary(ownStorage());
 
 /** What the open dialog offers to save; `null` while it is closed. */
-export const dialog = createStore<Exclude<Kind, "road"> | null>(null);
+export const dialog = createStore<Exclude<ItemKind, "road"> | null>(null);
 
-export function useItems(kind: Kind): readonly Item[] {
+export function useItems(kind: ItemKind): readonly Item[] {
   return useStore(ownLibrary).filter((item) => item.kind === kind);
 }
 

@@ -174,13 +174,13 @@ class Reader {
   }
 }
 
-export interface Form extends Group {
+export interface ScenarioSchema extends Group {
   /** Of the schema: files of a newer one cannot be read. */
   readonly version: number;
 }
 
 /** The whole form, as the schema orders it. */
-export function readSchema(schema: JsonObject): Form {
+export function readSchema(schema: JsonObject): ScenarioSchema {
   return { ...new Reader(schema).group(schema, "", "Scenario", {}), version: number(schema.schema_version) ?? 1 };
 }
 

@@ -4,7 +4,7 @@ import { useQuery } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { useComputedColorScheme } from "@mantine/core";
 import { isTransient } from "../api/problem";
-import { figuresOf } from "./metrics";
+import { metricsOf } from "./metrics";
 import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "./queries";
 import type { Strategy } from "../api/types";
 import { printing } from "../lib/printing";
@@ -20,7 +20,7 @@ export function useCatalogues() {
   const catalogues = useMemo(
     () =>
       form && strategies && catalogue && templates
-        ? { form, strategies, catalogue, figures: figuresOf(catalogue, templates) }
+        ? { form, strategies, catalogue, figures: metricsOf(catalogue, templates) }
         : null,
     [form, strategies, catalogue, templates],
   );

@@ -61,7 +61,7 @@ export const labelled = (all: readonly { readonly id: string; readonly label: st
 
 interface Props {
   readonly title: string;
-  /** Its name for who cannot see its place. */
+  /** Its accessible name. */
   readonly name?: string;
   /** What is removed; the title where it is left out. */
   readonly removal?: string;

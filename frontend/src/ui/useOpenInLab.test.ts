@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { fromHere } from "./useOpenInLab";
+import { navigateIfStillHere } from "./useOpenInLab";
 
 function browser() {
   const at = (href: string) => ({ href, pathname: href.split("?")[0] ?? "" });
@@ -14,7 +14,7 @@ function browser() {
 
 it("An answer opens its page where the reader has stayed, also with another search part", () => {
   const pages = browser();
-  const { href, go } = fromHere(pages);
+  const { href, go } = navigateIfStillHere(pages);
   pages.latestLocation = pages.leave("/b/7?sort=force");
   go({ to: "/" });
   expect(pages.opened).toEqual([{ to: "/" }]);
@@ -23,7 +23,7 @@ it("An answer opens its page where the reader has stayed, also with another sear
 
 it("An answer does not take the reader off another page", () => {
   const pages = browser();
-  const { go } = fromHere(pages);
+  const { go } = navigateIfStillHere(pages);
   pages.latestLocation = pages.leave("/paper");
   go({ to: "/" });
   expect(pages.opened).toEqual([]);

@@ -13,7 +13,7 @@ interface Run {
 export function useOpenInLab(): () => (run: Run) => void {
   const router = useRouter();
   return useCallback(() => {
-    const { href, go } = fromHere(router);
+    const { href, go } = navigateIfStillHere(router);
     return ({ id }) => go({ to: "/r/$id", params: { id }, search: { from: href } });
   }, [router]);
 }
@@ -47,7 +47,7 @@ interface Pages {
 /** A way to another page that waits for an answer: whoever has left meanwhile stays where they are.
  *
  * As `onSuccess` of one `mutate` (not of `useMutation`) it is not called for a page that is gone, one come back to included. */
-export function fromHere(pages: Pages) {
+export function navigateIfStillHere(pages: Pages) {
   const { href, pathname } = pages.latestLocation;
   const go = (address: NavigateOptions): void => {
     if (pages.latestLocation.pathname === pathname) void pages.navigate(address);

@@ -8,7 +8,7 @@ import type { StrategyId } from "../../api/types";
 import { axisUnit } from "../../plots/figure";
 import { useCommands } from "../../lab/commands";
 import { cursor, useCursor } from "../../lab/cursor";
-import type { Scene } from "../../lab/resultView";
+import type { ResultView } from "../../lab/resultView";
 import classes from "./car.module.css";
 import { Lane } from "./Lane";
 import { restingCursor } from "./geometry";
@@ -28,7 +28,7 @@ const SPEEDS = [
 const EXAGGERATIONS = [1, 2, 5, 10].map((factor) => ({ value: String(factor), label: `heights × ${factor}` }));
 const NONE = "";
 
-export function CarView({ scene }: { readonly scene: Scene }) {
+export function CarView({ resultView }: { readonly resultView: ResultView }) {
   const { ref, width } = useElementSize<HTMLDivElement>();
   const [followed, setFollowed] = useState<StrategyId>(NONE);
   const [second, setSecond] = useState<StrategyId>(NONE);
@@ -36,11 +36,11 @@ export function CarView({ scene }: { readonly scene: Scene }) {
   const [exaggeration, setExaggeration] = useState("5");
   const [playing, setPlaying] = useState(false);
 
-  const first = scene.strategies.find(({ id }) => id === followed) ?? scene.strategies[0];
-  const other = scene.strategies.find(({ id }) => id === second && id !== first?.id);
-  const names = scene.strategies.map(({ id, label }) => ({ value: id, label }));
+  const first = resultView.strategies.find(({ id }) => id === followed) ?? resultView.strategies[0];
+  const other = resultView.strategies.find(({ id }) => id === second && id !== first?.id);
+  const names = resultView.strategies.map(({ id, label }) => ({ value: id, label }));
 
-  const getScene = useEffectEvent(() => scene);
+  const getScene = useEffectEvent(() => resultView);
   const getStrategy = useEffectEvent(() => first?.id ?? "");
   const getSpeed = useEffectEvent(() => Number(speed));
   useEffect(() => {
@@ -60,9 +60,15 @@ export function CarView({ scene }: { readonly scene: Scene }) {
     <Card className={classes.view ?? ""} aria-label="The moving car">
       <div ref={ref} className={classes.lanes}>
         {[first, ...(other ? [other] : [])].map((strategy) => (
-          <Lane key={strategy.id} scene={scene} strategy={strategy} width={width} exaggeration={Number(exaggeration)} />
+          <Lane
+            key={strategy.id}
+            resultView={resultView}
+            strategy={strategy}
+            width={width}
+            exaggeration={Number(exaggeration)}
+          />
         ))}
-        {width > 0 && <Key scene={scene} width={width} exaggeration={Number(exaggeration)} />}
+        {width > 0 && <Key resultView={resultView} width={width} exaggeration={Number(exaggeration)} />}
       </div>
       <div className={classes.controls}>
         <Tooltip label={playing ? "Pause (Space)" : "Play (Space)"}>
@@ -70,7 +76,7 @@ export function CarView({ scene }: { readonly scene: Scene }) {
             {playing ? <IconPlayerPauseFilled size={15} /> : <IconPlayerPlayFilled size={15} />}
           </ActionIcon>
         </Tooltip>
-        <Scrubber scene={scene} />
+        <Scrubber resultView={resultView} />
         <Options>
           <NativeSelect
             size="xs"
@@ -106,33 +112,33 @@ export function CarView({ scene }: { readonly scene: Scene }) {
   );
 }
 
-function Scrubber({ scene }: { readonly scene: Scene }) {
-  const [low, high] = scene.range;
-  const at = useCursor(scene.axis) ?? restingCursor(scene);
+function Scrubber({ resultView }: { readonly resultView: ResultView }) {
+  const [low, high] = resultView.range;
+  const at = useCursor(resultView.axis) ?? restingCursor(resultView);
   return (
     <input
       type="range"
       className={classes.scrubber}
       aria-label="Cursor"
-      aria-valuetext={`${at.toFixed(2)} ${axisUnit(scene.axis)}`}
+      aria-valuetext={`${at.toFixed(2)} ${axisUnit(resultView.axis)}`}
       min={low}
       max={high}
       step={(high - low) / 1000}
       value={Math.min(high, Math.max(low, at))}
-      onChange={(event) => cursor.set(scene.axis, Number(event.currentTarget.value))}
+      onChange={(event) => cursor.set(resultView.axis, Number(event.currentTarget.value))}
     />
   );
 }
 
 interface Props {
-  readonly scene: Scene;
+  readonly resultView: ResultView;
   readonly width: number;
   readonly exaggeration: number;
 }
 
 /** The scales of the drawing: how much larger heights are than lengths, and how long the arrow of the largest force is. */
-export function Key({ scene, width, exaggeration }: Props) {
-  const size = dimensionsOf(scene.shown.scenario, { front: null, rear: null });
+export function Key({ resultView, width, exaggeration }: Props) {
+  const size = dimensionsOf(resultView.shown.scenario, { front: null, rear: null });
   const length = scaleOf(width, exaggeration, size).newton * size.forceLimit;
   return (
     <Group
@@ -174,11 +180,11 @@ export function Options({ children }: { readonly children: ReactNode }) {
 }
 
 /** Where the cursor is after `elapsed` seconds of the run, for one strategy; starts over past the range's end. */
-function advance(scene: Scene, strategy: string, from: number, elapsed: number): number {
-  const series = scene.series[strategy];
-  const [low, high] = scene.range;
+function advance(resultView: ResultView, strategy: string, from: number, elapsed: number): number {
+  const series = resultView.series[strategy];
+  const [low, high] = resultView.range;
   if (from >= high || from < low) return low;
-  if (scene.axis === "time") return Math.min(high, from + elapsed);
+  if (resultView.axis === "time") return Math.min(high, from + elapsed);
   const { position, time } = series ?? {};
   if (!position || !time) return from;
   const now = valueAt(position, time, from);
@@ -186,14 +192,14 @@ function advance(scene: Scene, strategy: string, from: number, elapsed: number):
   return next === null ? high : Math.min(high, next);
 }
 
-/** Runs until the returned function is called; `scene` is asked anew for every frame. */
-function play(scene: () => Scene, strategy: () => string, speed: () => number): () => void {
+/** Runs until the returned function is called; `result view` is asked anew for every frame. */
+function play(resultView: () => ResultView, strategy: () => string, speed: () => number): () => void {
   let frame = 0;
   let last = performance.now();
   const step = (now: number) => {
     const elapsed = Math.min(0.1, (now - last) / 1000) * speed();
     last = now;
-    const current = scene();
+    const current = resultView();
     cursor.set(current.axis, advance(current, strategy(), cursor.get(current.axis) ?? restingCursor(current), elapsed));
     frame = requestAnimationFrame(step);
   };

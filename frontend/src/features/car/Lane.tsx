@@ -4,7 +4,7 @@ import { Box, Group } from "@mantine/core";
 import { useMemo } from "react";
 import type { Strategy } from "../../api/types";
 import { useCursor } from "../../lab/cursor";
-import type { Scene } from "../../lab/resultView";
+import type { ResultView } from "../../lab/resultView";
 import { metres, toKmh } from "../../units/brands";
 import { formatNumber } from "../../units/format";
 import classes from "./car.module.css";
@@ -13,25 +13,28 @@ import { CLEARANCE, dimensionsOf, drawnCar, GROUND, HEIGHT, scaleOf, shiftInto }
 import { Arrow, Body, Ghost, Strut, Wheel } from "./parts";
 
 interface Props {
-  readonly scene: Scene;
+  readonly resultView: ResultView;
   readonly strategy: Strategy;
   readonly width: number;
   readonly exaggeration: number;
 }
 
-export function Lane({ scene, strategy, width, exaggeration }: Props) {
-  const at = Math.min(useCursor(scene.axis) ?? restingCursor(scene), scene.whole[1]);
-  const size = useMemo(() => dimensionsOf(scene.shown.scenario, staticLoads(scene, strategy.id)), [scene, strategy.id]);
+export function Lane({ resultView, strategy, width, exaggeration }: Props) {
+  const at = Math.min(useCursor(resultView.axis) ?? restingCursor(resultView), resultView.whole[1]);
+  const size = useMemo(
+    () => dimensionsOf(resultView.shown.scenario, staticLoads(resultView, strategy.id)),
+    [resultView, strategy.id],
+  );
   const scale = useMemo(() => scaleOf(width, exaggeration, size), [width, exaggeration, size]);
   const { metre, rise } = scale;
   const path = useMemo(() => bodyPath(size.wheelbase, size.radius, metre), [size, metre]);
   const windows = useMemo(() => windowPath(size.wheelbase, metre), [size, metre]);
   const cg = useMemo(() => ({ x: size.cgToRear * metre, y: (CLEARANCE - size.cgHeight) * metre }), [size, metre]);
 
-  const pose = poseOf(scene, strategy.id, at);
+  const pose = poseOf(resultView, strategy.id, at);
   if (!pose || width === 0) return <div className={classes.lane} style={{ height: HEIGHT }} />;
   const car = drawnCar(pose, size, scale);
-  const others = scene.strategies.filter(({ id }) => id !== strategy.id);
+  const others = resultView.strategies.filter(({ id }) => id !== strategy.id);
 
   return (
     <div className={classes.lane}>
@@ -44,10 +47,10 @@ export function Lane({ scene, strategy, width, exaggeration }: Props) {
       >
         <g transform={`translate(0 ${shiftInto(car, scale)})`}>
           <g transform={`translate(${scale.frontX - pose.position * metre} ${GROUND})`}>
-            <Road scene={scene} strategy={strategy} wheelbase={size.wheelbase} metre={metre} rise={rise} />
+            <Road resultView={resultView} strategy={strategy} wheelbase={size.wheelbase} metre={metre} rise={rise} />
           </g>
           {others.map(({ id, colour }) => {
-            const other = poseOf(scene, id, at);
+            const other = poseOf(resultView, id, at);
             return (
               other && (
                 <Ghost
@@ -77,14 +80,14 @@ export function Lane({ scene, strategy, width, exaggeration }: Props) {
   );
 }
 
-function staticLoads(scene: Scene, id: string): StaticLoads {
-  const reference = scene.summaries[id]?.reference;
+function staticLoads(resultView: ResultView, id: string): StaticLoads {
+  const reference = resultView.summaries[id]?.reference;
   return { front: reference?.front_static_load ?? null, rear: reference?.rear_static_load ?? null };
 }
 
-function poseOf(scene: Scene, id: string, at: number): CarPose | null {
-  const series = scene.series[id];
-  return series ? poseAt(series, scene.axis, at, scene.shown.scenario, staticLoads(scene, id)) : null;
+function poseOf(resultView: ResultView, id: string, at: number): CarPose | null {
+  const series = resultView.series[id];
+  return series ? poseAt(series, resultView.axis, at, resultView.shown.scenario, staticLoads(resultView, id)) : null;
 }
 
 function offTheRoad({ front, rear }: CarPose): string | null {
@@ -110,14 +113,14 @@ function Caption({ strategy, pose }: { readonly strategy: Strategy; readonly pos
   );
 }
 
-interface RoadProps extends Pick<Props, "scene" | "strategy"> {
+interface RoadProps extends Pick<Props, "resultView" | "strategy"> {
   readonly wheelbase: number;
   readonly metre: number;
   readonly rise: number;
 }
 
-function Road({ scene, strategy, wheelbase, metre, rise }: RoadProps) {
-  const series = scene.series[strategy.id];
+function Road({ resultView, strategy, wheelbase, metre, rise }: RoadProps) {
+  const series = resultView.series[strategy.id];
   return useMemo(() => {
     const profile = series ? roadProfile(series, metres(wheelbase)) : [];
     const points = profile.map(([x, z]) => `${(x * metre).toFixed(1)},${(-z * rise).toFixed(2)}`).join(" ");

@@ -5,7 +5,7 @@ import type { Scenario } from "../../api/types";
 import { numberAt } from "../../scenario/path";
 import { valueAt } from "../../lib/samples";
 import type { Axis } from "../../lab/address";
-import { axisKey, type Scene } from "../../lab/resultView";
+import { axisKey, type ResultView } from "../../lab/resultView";
 import {
   metres,
   metresPerSecond,
@@ -92,11 +92,11 @@ export function roadProfile(series: Series, wheelbase: Metres): readonly (readon
 }
 
 /** Where the car stands until somebody moves the cursor: on its way up the bump. */
-export function restingCursor(scene: Scene): number {
-  const id = stagedStrategy(scene.summaries, scene.ids);
-  const bump = id === undefined ? undefined : scene.summaries[id]?.stages.find(({ stage }) => stage === "bump");
-  if (!bump) return scene.range[0];
+export function restingCursor(resultView: ResultView): number {
+  const id = stagedStrategy(resultView.summaries, resultView.ids);
+  const bump = id === undefined ? undefined : resultView.summaries[id]?.stages.find(({ stage }) => stage === "bump");
+  if (!bump) return resultView.range[0];
   const [from, to] =
-    scene.axis === "distance" ? [bump.start_position, bump.end_position] : [bump.start_time, bump.end_time];
+    resultView.axis === "distance" ? [bump.start_position, bump.end_position] : [bump.start_time, bump.end_time];
   return from + 0.22 * (to - from);
 }

@@ -3,10 +3,10 @@
 import { Box, Checkbox, Group, NativeSelect, Button, Tooltip } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { changedFields, changesText } from "../../scenario/differences";
-import { againstVariant, whyNotCompared, type Against } from "../../lab/compare";
+import { referenceTo, whyNotCompared, type Reference } from "../../lab/compare";
 import { useLabContext, useLab, useEdit, useFromScenario, useReadOnly } from "../../lab/context";
 import { schemaQuery } from "../../server/queries";
-import type { Scene } from "../../lab/resultView";
+import type { ResultView } from "../../lab/resultView";
 import classes from "./compare.module.css";
 import { PinList } from "./PinList";
 import { IconPin } from "../../ui/icons";
@@ -17,35 +17,39 @@ import { getAt, setAt } from "../../scenario/path";
 
 const STRATEGY = "strategy:";
 
-export function CompareBar({ scene }: { readonly scene: Scene }) {
-  const { router } = useLabContext();
+export function CompareBar({ resultView }: { readonly resultView: ResultView }) {
+  const { labAddress } = useLabContext();
   return (
     <div className={classes.bar} data-unprinted>
-      <AgainstSelect scene={scene} />
+      <AgainstSelect resultView={resultView} />
       <SpeedSelect />
       <Checkbox
         size="xs"
         label="Plot differences"
-        checked={scene.differences}
-        onChange={({ currentTarget: { checked } }) => router.setView({ differences: checked })}
+        checked={resultView.differences}
+        onChange={({ currentTarget: { checked } }) => labAddress.setView({ differences: checked })}
       />
       <PinButton />
       <Group gap="0.3rem 0.9rem" flex="1 1 100%" miw={0}>
         <PinList />
-        <Differences scene={scene} />
+        <Differences resultView={resultView} />
       </Group>
     </div>
   );
 }
 
-function AgainstSelect({ scene: { strategies, pins, before, against, baseline } }: { readonly scene: Scene }) {
-  const { router } = useLabContext();
+function AgainstSelect({
+  resultView: { strategies, pins, before, reference, baseline },
+}: {
+  readonly resultView: ResultView;
+}) {
+  const { labAddress } = useLabContext();
   const variants = [
-    ...(before ? [{ value: "before" satisfies Against, label: `B${before.name.slice(1)}` }] : []),
-    ...pins.map((pin) => ({ value: againstVariant(pin), label: pin.name })),
+    ...(before ? [{ value: "before" satisfies Reference, label: `B${before.name.slice(1)}` }] : []),
+    ...pins.map((pin) => ({ value: referenceTo(pin), label: pin.name })),
   ];
   const selected =
-    against === null ? `${STRATEGY}${baseline}` : against === before ? "before" : againstVariant(against);
+    reference === null ? `${STRATEGY}${baseline}` : reference === before ? "before" : referenceTo(reference);
   return (
     <label className={classes.choice}>
       Change against
@@ -53,10 +57,10 @@ function AgainstSelect({ scene: { strategies, pins, before, against, baseline } 
         size="xs"
         value={selected}
         onChange={({ currentTarget: { value } }) =>
-          router.setView(
+          labAddress.setView(
             value.startsWith(STRATEGY)
-              ? { baseline: value.slice(STRATEGY.length), against: "baseline" }
-              : { against: value as Against },
+              ? { baseline: value.slice(STRATEGY.length), reference: "baseline" }
+              : { reference: value as Reference },
           )
         }
       >
@@ -82,11 +86,11 @@ function AgainstSelect({ scene: { strategies, pins, before, against, baseline } 
 }
 
 /** Of the variant that changes are against, or of the state before the last edit. */
-function Differences({ scene: { shown, before, against } }: { readonly scene: Scene }) {
+function Differences({ resultView: { shown, before, reference } }: { readonly resultView: ResultView }) {
   const form = useQuery(schemaQuery).data;
-  const other = against ?? before;
+  const other = reference ?? before;
   const changes = form && other ? changedFields(form, other.shown.scenario, shown.scenario) : [];
-  const unlike = against && whyNotCompared(shown, against.shown);
+  const unlike = reference && whyNotCompared(shown, reference.shown);
   const all = changes.map(({ name, change }) => `${name} ${change}`).join("\n");
   return (
     <Box component="p" flex="1 1 12rem" miw={0} m={0} fz="xs" c="dimmed" title={all} data-testid="differences">

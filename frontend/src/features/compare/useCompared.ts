@@ -1,8 +1,15 @@
-/** What the shown result is compared with, for the scene. */
+/** What the shown result is compared with, for the result view. */
 
 import { useMemo, useCallback } from "react";
 import { useQueries, useQueryClient, type QueryClient, useQuery, type UseQueryResult } from "@tanstack/react-query";
-import { type Compared, type Variant, againstOf, whyNotCompared, type Against, type Paired } from "../../lab/compare";
+import {
+  type Compared,
+  type Variant,
+  referenceVariant,
+  whyNotCompared,
+  type Reference,
+  type RoadPairedChanges,
+} from "../../lab/compare";
 import { useStore, createStore } from "../../lib/store";
 import { api } from "../../api/client";
 import { isNotFound, Unreachable } from "../../api/problem";
@@ -11,7 +18,7 @@ import { useLab } from "../../lab/context";
 import { historiesOf } from "../../lab/histories";
 import { createPins, type Pin } from "../../lab/pins";
 import { runKey, changesQuery } from "../../server/queries";
-import { fromRun, type Shown, beforeEdit, isUndone, roadsOf } from "../../lab/result";
+import { fromRun, type Result, beforeEdit, isUndone, roadsOf } from "../../lab/result";
 import { ownStorage, readStored, writeStored } from "../../lib/storage";
 import { baselineOf, type PartShown } from "../../lab/resultView";
 
@@ -30,7 +37,7 @@ export const ownPins = createPins(ownStorage());
 
 export interface PinnedRun extends Pin {
   /** `null` until it is there. */
-  readonly shown: Shown | null;
+  readonly shown: Result | null;
   /** Why it is not shown; `null` where it is. */
   readonly missing: string | null;
   /** The server has it no more. */
@@ -62,7 +69,7 @@ export async function loadPinned(
   roads: number | null,
   queries: QueryClient,
   signal: AbortSignal,
-): Promise<Shown> {
+): Promise<Result> {
   const run = await pinnedRun(id, roads, queries, signal);
   return fromRun(run, await historiesOf(run, queries, api.series, signal), 0, true);
 }
@@ -124,19 +131,19 @@ export function useBefore(): Variant | null {
 
 interface View {
   readonly baseline: string;
-  readonly against: Against;
+  readonly reference: Reference;
 }
 
 /** What a result's changes are to be asked against; `null` where it has them itself, or there are none. */
-function refersTo({ over, runId, summaries }: Shown, variant: Shown | null, baseline: string | null) {
+function refersTo({ over, runId, summaries }: Result, variant: Result | null, baseline: string | null) {
   if (over === null || runId === null) return null;
   if (variant) return variant.runId === null || variant.runId === runId ? null : { against: variant.runId };
   return baseline === null || baseline === over.baseline || !(baseline in summaries) ? null : { baseline };
 }
 
 /** What each run over several roads changes against what changes are against, paired by road. */
-export function usePaired(part: PartShown | null, compared: Compared, view: View): Paired {
-  const variant = againstOf(compared, view.against)?.shown ?? null;
+export function usePaired(part: PartShown | null, compared: Compared, view: View): RoadPairedChanges {
+  const variant = referenceVariant(compared, view.reference)?.shown ?? null;
   const baseline = part && baselineOf(part, view.baseline);
   const shown = part?.shown;
   const asked = useMemo(() => {
@@ -150,7 +157,7 @@ export function usePaired(part: PartShown | null, compared: Compared, view: View
   return useQueries({
     queries: asked.map(([run, question]) => changesQuery(run, question)),
     combine: useCallback(
-      (results: readonly UseQueryResult<PairedChanges>[]): Paired =>
+      (results: readonly UseQueryResult<PairedChanges>[]): RoadPairedChanges =>
         Object.fromEntries(
           asked.flatMap(([run], index) => {
             const result = results[index];

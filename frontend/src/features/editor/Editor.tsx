@@ -20,8 +20,8 @@ const [VEHICLE, BUMP] = ["/vehicle", "/road/bump"];
 export function Editor({ form }: { readonly form: Group }) {
   const edit = useEdit();
   const readOnly = useReadOnly();
-  const rejected = useLab((state) => state.rejected);
-  const refused = useLab((state) => state.refused);
+  const rejected = useLab((state) => state.invalidInput);
+  const refused = useLab((state) => state.serverErrors);
   const all = useMemo(() => sections(form), [form]);
   const [opened, setOpened] = useState(() => all.filter(({ essential }) => essential).map(({ key }) => key as string));
 

@@ -13,7 +13,7 @@ import {
   sliderScale,
 } from "../../scenario/limits";
 import type { NumberField } from "../../scenario/schema";
-import { type LeafState, useKeyRest } from "./useLeaf";
+import { type LeafState, useReleaseAfterKeys } from "./useLeaf";
 import { prettyUnit, formatWithUnit } from "../../units/format";
 import classes from "./editor.module.css";
 
@@ -78,7 +78,7 @@ export function NumberEntry({ id, field, leaf, label, withUnit = true, disabled 
   const shown = typeof leaf.value === "number" ? typedText(field, leaf.value) : "";
   const unit = prettyUnit(field.shown.unit);
 
-  const rest = useKeyRest(leaf.release);
+  const rest = useReleaseAfterKeys(leaf.release);
 
   const finish = () => {
     rest.flush();
@@ -145,7 +145,7 @@ interface NumberSliderProps {
 export function NumberSlider({ field, leaf, label }: NumberSliderProps) {
   const scale = sliderScale(field);
   const byKey = useRef(false);
-  const rest = useKeyRest(leaf.release);
+  const rest = useReleaseAfterKeys(leaf.release);
 
   const clamp = (value: number) => Math.min(scale.maximum, Math.max(scale.minimum, scale.toSlider(value)));
   const value = typeof leaf.value === "number" ? clamp(leaf.value) : scale.minimum;

@@ -33,8 +33,8 @@ export function WeightsMatrix({ vectors }: { readonly vectors: readonly VectorFi
 
 function MatrixRow({ vector }: { readonly vector: VectorField }) {
   const id = useId();
-  const refused = useLab((state) => state.refused.fields);
-  const rejected = useLab((state) => state.rejected);
+  const refused = useLab((state) => state.serverErrors.fields);
+  const rejected = useLab((state) => state.invalidInput);
   const changed = useFromScenario((scenario) => vector.items.some((item) => isChanged(scenario, item)));
   const wrong = vector.items.find((item) => rejected[item.pointer] ?? refused[item.pointer]);
   const message = wrong && (rejected[wrong.pointer]?.message ?? refused[wrong.pointer]);

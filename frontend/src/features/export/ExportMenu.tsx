@@ -20,7 +20,7 @@ import { useCommands } from "../../lab/commands";
 import { whyNotCompared } from "../../lab/compare";
 import { useLabContext, useLab, useView } from "../../lab/context";
 import { figuresQuery, schemaQuery, strategiesQuery } from "../../server/queries";
-import { axisKey, makeScene } from "../../lab/resultView";
+import { axisKey, makeResultView } from "../../lab/resultView";
 import { useController } from "./useController";
 import { asCommand, asCurl, asPython, type CopyRequest } from "./copyAs";
 import classes from "./export.module.css";
@@ -64,15 +64,15 @@ export function ExportMenu() {
     mutationFn: async (format: "png" | "svg") => {
       if (!shown || !figures || !strategies) return;
       download(
-        await plotsImage(client, figures, makeScene(shown, strategies, selected, view, compared), format),
+        await plotsImage(client, figures, makeResultView(shown, strategies, selected, view, compared), format),
         `ridelab-${runId ?? "live"}.${format}`,
       );
     },
   });
   const saveReport = () => {
     if (!shown || !strategies || runId === null) return;
-    const { baseline, against } = makeScene(shown, strategies, selected, view, compared);
-    const run = against && whyNotCompared(shown, against.shown) === null ? against.shown.runId : null;
+    const { baseline, reference } = makeResultView(shown, strategies, selected, view, compared);
+    const run = reference && whyNotCompared(shown, reference.shown) === null ? reference.shown.runId : null;
     const refersTo = { baseline: run === null ? baseline : null, against: run };
     download(
       address("/runs/{id}/report.html", { path: { id: runId }, query: { x: axisKey(view.axis), ...refersTo } }),

@@ -5,7 +5,7 @@ import type { ReactNode } from "react";
 import type { Draft } from "../../lib/useDraft";
 import ui from "../../ui/ui.module.css";
 import { formatDuration } from "../../units/dates";
-import type { SubmissionState } from "./useJobForm";
+import type { JobFormState } from "./useJobForm";
 
 interface Cost {
   /** [s] of one processor core. */
@@ -14,7 +14,7 @@ interface Cost {
 }
 
 interface Props<Estimate extends Cost> {
-  readonly submission: SubmissionState<Estimate>;
+  readonly submission: JobFormState<Estimate>;
   readonly draft: Pick<Draft<unknown>, "isEdited" | "reset">;
   /** How much it is, such as `12 runs`. */
   readonly amount: (estimate: Estimate) => string;

@@ -5,7 +5,7 @@ import { useState } from "react";
 import type { Preset, JsonObject } from "../../api/types";
 import type { Group } from "../../scenario/schema";
 import { ItemRow } from "./ItemRow";
-import { type Item, type Kind, ownLibrary, useItems, LONGEST_NAME, cleanName } from "../../scenario/library";
+import { type Item, type ItemKind, ownLibrary, useItems, LONGEST_NAME, cleanName } from "../../scenario/library";
 import classes from "./library.module.css";
 import { useOpenItem, notice, useExportItem } from "./open";
 import { OpenFiles } from "./OpenFiles";
@@ -18,7 +18,7 @@ import { Fault } from "../../ui/Fault";
 interface Props {
   readonly form: Group;
   readonly presets: readonly Preset[];
-  readonly saving: Exclude<Kind, "road">;
+  readonly saving: Exclude<ItemKind, "road">;
   readonly onClose: () => void;
 }
 
@@ -81,7 +81,7 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
 
 interface ListProps {
   readonly title: string;
-  readonly kind: Kind;
+  readonly kind: ItemKind;
   readonly form: Group;
   readonly open: (item: Item) => void;
   readonly remove: (item: Item) => void;
@@ -105,7 +105,7 @@ function OwnItems({ title, kind, ...row }: ListProps) {
   );
 }
 
-type Saved = Exclude<Kind, "road">;
+type Saved = Exclude<ItemKind, "road">;
 
 interface SaveFormProps {
   readonly form: Group;

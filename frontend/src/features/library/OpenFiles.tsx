@@ -3,7 +3,7 @@
 import { Button, FileButton, CloseButton, Portal, Text } from "@mantine/core";
 import { useRef, useState } from "react";
 import { useWindowEvent } from "@mantine/hooks";
-import { type Kind, dialog } from "../../scenario/library";
+import { type ItemKind, dialog } from "../../scenario/library";
 import { useOpenFiles, notice } from "./open";
 import { useScenario } from "../../lab/context";
 import { useStore } from "../../lib/store";
@@ -12,10 +12,10 @@ import classes from "./library.module.css";
 
 interface Props {
   readonly children: string;
-  /** Its name for who cannot see its place. */
+  /** Its accessible name. */
   readonly name: string;
   /** What is taken of a file that has more. */
-  readonly wanted?: Kind;
+  readonly wanted?: ItemKind;
   readonly size?: "compact-xs" | "xs";
 }
 

@@ -8,7 +8,7 @@ import { useEdit, useReadOnly } from "../../lab/context";
 import { schemaQuery } from "../../server/queries";
 import { createStore } from "../../lib/store";
 import type { Exported } from "./files";
-import { type Kind, dialog } from "../../scenario/library";
+import { type ItemKind, dialog } from "../../scenario/library";
 
 export interface Notice {
   readonly lines: readonly string[];
@@ -52,7 +52,7 @@ export function useExportItem(): (item: Exported) => Promise<void> {
 }
 
 /** `wanted` is the part to take from a file that has more. */
-export function useOpenFiles(): (files: readonly File[], wanted?: Kind) => Promise<void> {
+export function useOpenFiles(): (files: readonly File[], wanted?: ItemKind) => Promise<void> {
   const edit = useEdit();
   const readOnly = useReadOnly();
   const queries = useQueryClient();

@@ -7,11 +7,11 @@ import { ApiProblem, type FieldError } from "../../api/problem";
 import type { JsonObject, JsonValue, Scenario } from "../../api/types";
 import { completed, namedLeaves, type Leaf } from "../../scenario/differences";
 import { sameValue, setAt, getAt, type Pointer } from "../../scenario/path";
-import { type Form, findMember, optionTitle, type NumberField } from "../../scenario/schema";
+import { type ScenarioSchema, findMember, optionTitle, type NumberField } from "../../scenario/schema";
 import { DEFAULT_VIEW } from "../../lab/address";
 import { presetsQuery, schemaQuery, vehiclesQuery } from "../../server/queries";
 import { readFile, type Content, fileOf, roadOf, type Exported } from "./files";
-import { KINDS, type Item, type Kind, ownLibrary } from "../../scenario/library";
+import { KINDS, type Item, type ItemKind, ownLibrary } from "../../scenario/library";
 import { withItem } from "../../scenario/withItem";
 import { limitText, valueText } from "../../scenario/limits";
 import { download } from "../../lib/download";
@@ -36,7 +36,7 @@ export async function openAll(
   files: readonly File[],
   newest: () => Scenario,
   queries: QueryClient,
-  wanted?: Kind,
+  wanted?: ItemKind,
 ): Promise<Outcome> {
   const [form, presets, vehicles] = await Promise.all([
     queries.query({ ...schemaQuery, staleTime: "static" }),
@@ -67,7 +67,7 @@ export async function openAll(
 }
 
 /** The content of a file as the server understands it: complete, in SI units, and within every limit. */
-async function upload(file: File, form: Form, wanted: Kind | undefined): Promise<Opened> {
+async function upload(file: File, form: ScenarioSchema, wanted: ItemKind | undefined): Promise<Opened> {
   if (file.size > LONGEST) throw new Error("A file may have 6 MiB");
   const content = readFile(file.name, await file.text(), form);
   const stem = file.name.replace(/\.\w+$/, "") || "File";
@@ -96,7 +96,7 @@ type Checked = Exclude<Content, { readonly kind: "road" }>;
 
 async function checked(
   content: Checked,
-  form: Form,
+  form: ScenarioSchema,
 ): Promise<{ readonly scenario: Scenario; readonly warnings: readonly string[] }> {
   const road = content.kind === "scenario" && content.road !== null ? await uploadRoad(content.road) : null;
   const sent =
@@ -127,7 +127,7 @@ function addToLibrary({ kind, name, value }: Opened, known: readonly (JsonValue 
 const problemText = (error: unknown) => (error instanceof Error ? error.message : String(error));
 
 /** A sentence for each error; what the form cannot explain stays as the server says it. */
-export function faultsOf(form: Form, scenario: Scenario, errors: readonly FieldError[]): readonly string[] {
+export function faultsOf(form: ScenarioSchema, scenario: Scenario, errors: readonly FieldError[]): readonly string[] {
   const leaves = namedLeaves(form);
   return errors.map(({ pointer, message }) => {
     const place = pointer.replace(/^\/scenario(?=\/|$)/, "") as Pointer | "";

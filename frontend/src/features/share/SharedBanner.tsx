@@ -20,8 +20,8 @@ interface Props {
 }
 
 export function SharedBanner(props: Props) {
-  const { router } = useLabContext();
-  const { slug } = useStore(router);
+  const { labAddress } = useLabContext();
+  const { slug } = useStore(labAddress);
   const shared = useLab((state) => state.shared);
   const failed = useLab((state) => state.failure !== null && state.failure.kind !== "unreachable");
   if (shared?.run) return <Banner key={shared.slug} link={shared} run={shared.run} {...props} />;
@@ -32,10 +32,10 @@ export function SharedBanner(props: Props) {
 }
 
 function Banner({ link, run, strategies, catalogue, figures }: Props & { readonly link: Link; readonly run: Run }) {
-  const { lab, router } = useLabContext();
+  const { lab, labAddress } = useLabContext();
   // The link's pins stay with it: what is against one of them would be against something else in the copy.
   const openCopy = () => {
-    if (link.view.reference) router.setView({ against: "baseline", differences: false });
+    if (link.view.reference) labAddress.setView({ reference: "baseline", differences: false });
     lab.openCopy();
   };
   const over = run.over && { roads: run.over.roads, baseline: run.over.baseline };

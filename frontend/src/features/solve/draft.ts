@@ -1,7 +1,7 @@
 /** A question while somebody puts it together: texts as they are typed, and what is asked. */
 
 import type { Question } from "../../api/types";
-import { type Figure, fullName } from "../../server/metrics";
+import { type Metric, fullName } from "../../server/metrics";
 import { parseTyped } from "../../scenario/limits";
 import type { NumberField } from "../../scenario/schema";
 import type { SweepField } from "../../scenario/fields";
@@ -46,7 +46,7 @@ const UNORDERED = "road.seed";
 
 export const askable = ({ name, leaf }: SweepField): boolean => leaf.kind === "number" && name !== UNORDERED;
 
-export function readDraft(draft: SolveDraft, field: NumberField, figure: Figure): ParsedDraft {
+export function readDraft(draft: SolveDraft, field: NumberField, figure: Metric): ParsedDraft {
   const [from, to] = [parseTyped(field, draft.from), parseTyped(field, draft.to)];
   const limit = parseQuantity(draft.limit, figure.unit);
   const roads = Number(draft.roads);
@@ -77,7 +77,7 @@ export function readDraft(draft: SolveDraft, field: NumberField, figure: Figure)
 const NUMBER = String.raw`-?\d[\d.]*(?:e[+-]?\d+)?`;
 
 /** The service's sentences, which are in the units of the API, in the names and units of the page. */
-export function inPageUnits(text: string, { name, title, leaf }: SweepField, figure: Figure): string {
+export function translateUnits(text: string, { name, title, leaf }: SweepField, figure: Metric): string {
   const named = text.replaceAll(figure.key, fullName(figure)).replaceAll(name, title);
   const converted = leaf.kind === "number" ? inUnit(named, leaf.unit, leaf.shown.unit, leaf.shown.scale) : named;
   return inUnit(converted, unitBehind(figure), figure.unit, figure.scale);

@@ -5,14 +5,14 @@ import { ask } from "../../api/http";
 import { withKey } from "../../api/jobs";
 import type { Estimate, Scenario } from "../../api/types";
 import { BATCH } from "../../jobs/useJob";
-import { useSubmission } from "../jobForm/useJobForm";
+import { useJobForm } from "../jobForm/useJobForm";
 import { count } from "../../units/format";
 import { readDraft, type SweepDraft } from "./draft";
 import type { FieldNameOf } from "../jobForm/problems";
 
 export function useSweep(draft: SweepDraft, scenario: Scenario, onSubmitted: () => void) {
   const parsed = useMemo(() => readDraft(draft), [draft]);
-  return useSubmission({
+  return useJobForm({
     kind: "batch",
     body: parsed.ok ? { scenario, strategies: draft.strategies, sweep: parsed.sweep } : null,
     errors: parsed.ok ? null : parsed.errors,

@@ -1,7 +1,7 @@
 /** RMS on the rough road and peak on the bump, side by side, a row for each strategy of each variant. */
 
 import type { Catalogue, FigureTemplate, SignalKey } from "../../api/types";
-import type { Scene } from "../../lab/resultView";
+import type { ResultView } from "../../lab/resultView";
 import { prettyUnit, formatFixed } from "../../units/format";
 import {
   CURRENT,
@@ -23,7 +23,7 @@ import { caveatsOf } from "./caveats";
 import { StrategyKey } from "../../ui/StrategyKey";
 
 export interface ComparisonProps {
-  readonly scene: Scene;
+  readonly resultView: ResultView;
   readonly catalogue: Catalogue;
   readonly figures: Readonly<Record<string, FigureTemplate>>;
   readonly signals: readonly SignalKey[];
@@ -53,7 +53,7 @@ export const labelOf = (signal: string, catalogue: Catalogue) =>
   catalogue.signals.find(({ key }) => key === signal)?.label ?? signal;
 
 export function ComparisonTable({ caption, ...props }: Props) {
-  const groups = entryGroups(props.scene);
+  const groups = entryGroups(props.resultView);
   return (
     <DataTable
       label={caption}
@@ -68,13 +68,13 @@ export function ComparisonTable({ caption, ...props }: Props) {
       rowKey={({ key }) => key}
       rowAttributes={(entry) => ({
         "data-baseline": entry.isBaseline || undefined,
-        [entry.shown === props.scene.shown ? "data-strategy" : "data-pinned-strategy"]: entry.strategy.id,
+        [entry.shown === props.resultView.shown ? "data-strategy" : "data-pinned-strategy"]: entry.strategy.id,
       })}
     />
   );
 }
 
-function columnsOf({ scene, catalogue, figures, signals }: ComparisonProps): readonly Column<Entry>[] {
+function columnsOf({ resultView, catalogue, figures, signals }: ComparisonProps): readonly Column<Entry>[] {
   const results = VIEWS.flatMap((view) =>
     signals.map((signal): Column<Entry> => {
       const metric = { window: view.window, signal, statistic: view.statistic };
@@ -85,7 +85,7 @@ function columnsOf({ scene, catalogue, figures, signals }: ComparisonProps): rea
         head: labelOf(signal, catalogue),
         detail: <UnitAndSolve {...{ unit, metric, catalogue }} />,
         attributes: (entry) => cellAttributes(entry, metric),
-        cell: (entry) => <ResultCell {...{ scene, entry, metric, scale }} />,
+        cell: (entry) => <ResultCell {...{ resultView, entry, metric, scale }} />,
       };
     }),
   );
@@ -119,7 +119,7 @@ export function UnitAndSolve({ unit, metric: { window, signal, statistic }, cata
 }
 
 interface ResultCellProps {
-  readonly scene: Scene;
+  readonly resultView: ResultView;
   readonly entry: Entry;
   readonly metric: MetricPath;
   /** From SI to the unit shown. */
@@ -127,7 +127,7 @@ interface ResultCellProps {
 }
 
 /** One number of the comparison, with its interval over several roads and its change. */
-export function ResultCell({ scene, entry, metric, scale }: ResultCellProps) {
+export function ResultCell({ resultView, entry, metric, scale }: ResultCellProps) {
   return (
     <>
       <Estimated
@@ -135,7 +135,7 @@ export function ResultCell({ scene, entry, metric, scale }: ResultCellProps) {
         interval={intervalAt(entry.shown, entry.strategy.id, metric)}
         scale={scale}
       />
-      <ChangeText change={changeOf(scene, entry, metric, scale)} />
+      <ChangeText change={changeOf(resultView, entry, metric, scale)} />
     </>
   );
 }
@@ -155,7 +155,7 @@ interface EntryHeadProps {
 
 /** Who a row or column is: the strategy, at which speed it met the bump, and the caveats of its result. */
 export function EntryHead({ entry: { strategy, summary, isBaseline }, catalogue, upright = false }: EntryHeadProps) {
-  const { router } = useLabContext();
+  const { labAddress } = useLabContext();
   const speed = summary?.arrival_speed_kmh;
   return (
     <span className={classes.entryHead} data-upright={upright || undefined}>
@@ -164,7 +164,7 @@ export function EntryHead({ entry: { strategy, summary, isBaseline }, catalogue,
         className={classes.baselineButton}
         aria-pressed={isBaseline}
         title={isBaseline ? "Changes are against this one" : `Compare with ${strategy.label}`}
-        onClick={() => router.setView({ baseline: strategy.id, against: "baseline" })}
+        onClick={() => labAddress.setView({ baseline: strategy.id, reference: "baseline" })}
       >
         <StrategyKey strategy={strategy} />
         {strategy.label}

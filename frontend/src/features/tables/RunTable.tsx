@@ -2,7 +2,7 @@
 
 import type { ReactNode } from "react";
 import type { Catalogue, Quantity } from "../../api/types";
-import type { Scene } from "../../lab/resultView";
+import type { ResultView } from "../../lab/resultView";
 import { formatNumber, formatResult, prettyUnit } from "../../units/format";
 import { ChangeText, Estimated } from "./ChangeMark";
 import {
@@ -50,7 +50,13 @@ function show(value: Value): string {
     : formatResult(value);
 }
 
-export function RunTable({ scene, catalogue }: { readonly scene: Scene; readonly catalogue: Catalogue }) {
+export function RunTable({
+  resultView,
+  catalogue,
+}: {
+  readonly resultView: ResultView;
+  readonly catalogue: Catalogue;
+}) {
   return (
     <DataTable
       label="Comfort, time and events"
@@ -69,11 +75,11 @@ export function RunTable({ scene, catalogue }: { readonly scene: Scene; readonly
           ),
         },
         ...variantColumns<Row>(
-          entryGroups(scene),
+          entryGroups(resultView),
           ({ strategy }) => <StrategyName strategy={strategy} />,
           (entry) => ({
             attributes: ({ quantity }) => ({ "data-cell": `${entry.strategy.id}.${quantity.key}` }),
-            cell: (row) => <RunCell {...{ scene, entry, row }} />,
+            cell: (row) => <RunCell {...{ resultView, entry, row }} />,
           }),
         ),
       ]}
@@ -82,11 +88,11 @@ export function RunTable({ scene, catalogue }: { readonly scene: Scene; readonly
 }
 
 function RunCell({
-  scene,
+  resultView,
   entry,
   row: { quantity, metric, judged },
 }: {
-  readonly scene: Scene;
+  readonly resultView: ResultView;
   readonly entry: Entry;
   readonly row: Row;
 }) {
@@ -99,7 +105,7 @@ function RunCell({
       ) : (
         <span className={classes.value}>{show(value)}</span>
       )}
-      {judged && metric && !entry.isBaseline && <ChangeText change={changeOf(scene, entry, metric)} />}
+      {judged && metric && !entry.isBaseline && <ChangeText change={changeOf(resultView, entry, metric)} />}
     </>
   );
 }

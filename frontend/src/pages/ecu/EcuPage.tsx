@@ -14,7 +14,7 @@ import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "../.
 import { BuildReport } from "./BuildReport";
 import { EcuFigures } from "./EcuFigures";
 import { EcuTable } from "./EcuTable";
-import { HilForm } from "./EcuForm";
+import { EcuForm } from "./EcuForm";
 import { RealTime } from "./RealTime";
 import { STRATEGIES, useEcuRun } from "./useEcuRun";
 import ui from "../../ui/ui.module.css";
@@ -64,7 +64,7 @@ export function EcuPage() {
       <Card className={`${ui.part}`} aria-label="Scenario and loop">
         <ScenarioChoice source={{ ...source, choose }} form={schema.data} />
         {schema.data && scenario ? (
-          <HilForm form={schema.data} scenario={scenario} errors={refused.fields} onChange={change} />
+          <EcuForm form={schema.data} scenario={scenario} errors={refused.fields} onChange={change} />
         ) : (
           <Skeleton height={58} />
         )}

@@ -30,17 +30,17 @@ interface Props {
 export function LabMain({ strategies, catalogue, figures, fault }: Props) {
   const shown = useLab((state) => state.shown);
   const selected = useLab((state) => state.strategies);
-  const { axis, zoom, baseline, against, differences } = useView();
+  const { axis, zoom, baseline, reference, differences } = useView();
   const compared = useCompared();
   // Apart: another baseline leaves what is drawn as it is.
   const part = useMemo(
     () => (shown && strategies.length > 0 ? partShown(shown, strategies, selected, { axis, zoom }) : null),
     [shown, strategies, selected, axis, zoom],
   );
-  const paired = usePaired(part, compared, { baseline, against });
-  const scene = useMemo(
-    () => part && withBaseline(part, { baseline, against, differences }, compared, paired),
-    [part, baseline, against, differences, compared, paired],
+  const paired = usePaired(part, compared, { baseline, reference });
+  const resultView = useMemo(
+    () => part && withBaseline(part, { baseline, reference, differences }, compared, paired),
+    [part, baseline, reference, differences, compared, paired],
   );
   return (
     <main className={classes.main}>
@@ -53,12 +53,15 @@ export function LabMain({ strategies, catalogue, figures, fault }: Props) {
       <SharedBanner strategies={strategies} catalogue={catalogue} figures={figures} />
       <Toolbar
         strategies={strategies}
-        part={scene && (scene.range === scene.bump ? "bump" : scene.range === scene.whole ? "whole" : "range")}
-        hasBump={scene !== null && scene.bump !== null}
+        part={
+          resultView &&
+          (resultView.range === resultView.bump ? "bump" : resultView.range === resultView.whole ? "whole" : "range")
+        }
+        hasBump={resultView !== null && resultView.bump !== null}
       />
       <StatusLine position="page" />
       {fault === undefined ? (
-        <Results {...{ strategies, catalogue, figures, scene }} />
+        <Results {...{ strategies, catalogue, figures, resultView }} />
       ) : (
         <CouldNotLoad message={fault} />
       )}
@@ -68,8 +71,8 @@ export function LabMain({ strategies, catalogue, figures, fault }: Props) {
 
 /** Where the lab's scenario comes from, if not from here, and the way there: another page, or the last visit. */
 function FromPage() {
-  const { lab, router, restored } = useLabContext();
-  const { from, slug } = useStore(router);
+  const { lab, labAddress, restored } = useLabContext();
+  const { from, slug } = useStore(labAddress);
   // An edit makes the scenario this visit's.
   const untouched = useLab((state) => state.history?.present === restored);
   if (slug !== null) return null;

@@ -4,19 +4,19 @@ import { Text } from "@mantine/core";
 import { IconArrowBackUp, IconArrowForwardUp } from "../../ui/icons";
 import type { Preset } from "../../api/types";
 import { useLabContext, useLab } from "../../lab/context";
-import { hasRejected } from "../../lab/labState";
+import { hasInvalidInput } from "../../lab/labState";
 import { ExportMenu } from "../../features/export/ExportMenu";
 import { LibraryButton } from "../../features/library/LibraryButton";
 import { ShareRun } from "../../features/share/ShareRun";
 import { SweepButton } from "../../features/sweep/SweepButton";
 import { IconButton } from "../../ui/IconButton";
 import classes from "../../ui/shell.module.css";
-import type { Shown } from "../../lab/result";
+import type { Result } from "../../lab/result";
 
 export function LabTools({ presets }: { readonly presets: readonly Preset[] }) {
   const { lab } = useLabContext();
   const canUndo = useLab(
-    (state) => state.shared === null && (hasRejected(state) || (state.history?.past.length ?? 0) > 0),
+    (state) => state.shared === null && (hasInvalidInput(state) || (state.history?.past.length ?? 0) > 0),
   );
   const canRedo = useLab((state) => state.shared === null && (state.history?.future.length ?? 0) > 0);
   return (
@@ -39,7 +39,7 @@ export function LabTools({ presets }: { readonly presets: readonly Preset[] }) {
 
 const ms = (value: number) => `${value < 9.5 ? value.toFixed(1) : value.toFixed(0)} ms`;
 
-function describe({ source, timing }: Shown): string {
+function describe({ source, timing }: Result): string {
   const { cached, computed, computeMs, roundTripMs, opened } = timing;
   if (opened) return `Stored result, opened in ${ms(roundTripMs)}`;
   const parts = [

@@ -5,12 +5,12 @@ import { memo, useLayoutEffect, useRef } from "react";
 import type { Strategy } from "../../api/types";
 import type { ViewZoom, Axis } from "../../lab/address";
 import { useLabContext, useView, useLab, useReadOnly } from "../../lab/context";
-import { makeScene, axisKey, type Scene } from "../../lab/resultView";
+import { makeResultView, axisKey, type ResultView } from "../../lab/resultView";
 import { StrategyChoice } from "./StrategyChoice";
 import bar from "../../ui/toolbar.module.css";
 import { valueAt } from "../../lib/samples";
 import { cursor } from "../../lab/cursor";
-import type { Router } from "../../lab/labAddress";
+import type { LabAddress } from "../../lab/labAddress";
 
 interface Props {
   readonly strategies: readonly Strategy[];
@@ -20,7 +20,7 @@ interface Props {
 }
 
 export const Toolbar = memo(function Toolbar({ strategies, part, hasBump }: Props) {
-  const { router, lab } = useLabContext();
+  const { labAddress, lab } = useLabContext();
   const { axis } = useView();
   const ref = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => (ref.current ? publishHeight(ref.current) : undefined), []);
@@ -39,7 +39,7 @@ export const Toolbar = memo(function Toolbar({ strategies, part, hasBump }: Prop
           ]}
           onChange={(next) => {
             const { shown, strategies: selected } = lab.get();
-            switchAxis(router, shown && makeScene(shown, strategies, selected, router.get().view), next);
+            switchAxis(labAddress, shown && makeResultView(shown, strategies, selected, labAddress.get().view), next);
           }}
         />
         <Button.Group>
@@ -75,7 +75,7 @@ interface ZoomProps {
 }
 
 function ZoomButton({ label, tip, zoom, shown, disabled }: ZoomProps) {
-  const { router } = useLabContext();
+  const { labAddress } = useLabContext();
   return (
     <Tooltip label={tip} openDelay={500}>
       <Button
@@ -83,7 +83,7 @@ function ZoomButton({ label, tip, zoom, shown, disabled }: ZoomProps) {
         variant={shown ? "light" : "default"}
         aria-pressed={shown}
         disabled={disabled}
-        onClick={() => router.setView({ zoom })}
+        onClick={() => labAddress.setView({ zoom })}
       >
         {label}
       </Button>
@@ -92,15 +92,15 @@ function ZoomButton({ label, tip, zoom, shown, disabled }: ZoomProps) {
 }
 
 /** From distance to time and back: zoom and cursor stay on the same piece of the run. */
-function switchAxis(router: Router, scene: Scene | null, axis: Axis): void {
-  const first = scene?.ids[0];
-  const series = first === undefined ? undefined : scene?.series[first];
-  const from = scene && series?.[axisKey(scene.axis)];
+function switchAxis(router: LabAddress, resultView: ResultView | null, axis: Axis): void {
+  const first = resultView?.ids[0];
+  const series = first === undefined ? undefined : resultView?.series[first];
+  const from = resultView && series?.[axisKey(resultView.axis)];
   const to = series?.[axisKey(axis)];
   const convert = (x: number) => (from && to ? valueAt(from, to, x) : null);
 
   const { zoom } = router.get().view;
-  const at = scene && cursor.get(scene.axis);
+  const at = resultView && cursor.get(resultView.axis);
   cursor.set(axis, at === null ? null : convert(at));
   router.setView({ axis, zoom: converted(zoom, convert) });
 }

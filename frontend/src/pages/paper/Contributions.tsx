@@ -9,7 +9,7 @@ import classes from "./paper.module.css";
 import { attributionQuery } from "./queries";
 import { ShareBars } from "./ShareBars";
 import { Fault, Waiting } from "./Waiting";
-import type { Words } from "./labels";
+import type { Labels } from "./labels";
 import type { Attribution } from "../../api/types";
 import { formatPercent } from "../../features/tables/change";
 import changes from "../../features/tables/tables.module.css";
@@ -19,7 +19,7 @@ import { DataTable, type Column } from "../../ui/DataTable";
 
 interface Props {
   readonly choices: Choices;
-  readonly words: Words;
+  readonly words: Labels;
   /** The cells come first. */
   readonly enabled: boolean;
 }
@@ -72,7 +72,7 @@ export function Contributions({ choices, words, enabled }: Props) {
 
 interface EqualSpeedProps {
   readonly pairs: Attribution["equal_speed"];
-  readonly words: Words;
+  readonly words: Labels;
 }
 
 type Pair = Attribution["equal_speed"][number];

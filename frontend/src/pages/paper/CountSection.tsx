@@ -21,13 +21,13 @@ import {
 import type { Choices } from "./choices";
 import { Interpretations } from "./Interpretations";
 import { typeset } from "./numbers";
-import type { Words } from "./labels";
+import type { Labels } from "./labels";
 import { Fault } from "../../ui/Fault";
 import ui from "../../ui/ui.module.css";
 
 interface Props {
   readonly paper: Paper;
-  readonly words: Words;
+  readonly words: Labels;
 }
 
 interface CountProps extends Props {
@@ -173,5 +173,5 @@ function Missed({ paper, words }: Props) {
   );
 }
 
-const cellName = ({ table, strategy, against, signal }: PaperCell, words: Words) =>
+const cellName = ({ table, strategy, against, signal }: PaperCell, words: Labels) =>
   `Table ${table}, ${words.signal(signal).toLowerCase()}: ${words.strategy(strategy)} against ${words.strategy(against)}`;

@@ -5,13 +5,13 @@ import { formatPercent } from "../../features/tables/change";
 import { formatFixed } from "../../units/format";
 import classes from "./parts.module.css";
 import ui from "../../ui/ui.module.css";
-import type { Words } from "./labels";
+import type { Labels } from "./labels";
 import { DataTable, type Column } from "../../ui/DataTable";
 import type { Attribution } from "../../api/types";
 
 interface Props {
   readonly shares: readonly Share[];
-  readonly words: Words;
+  readonly words: Labels;
 }
 
 export function ShareBars({ shares, words }: Props) {

@@ -2,7 +2,7 @@
 
 import { Box } from "@mantine/core";
 import type { BatchSummary, Strategy } from "../../api/types";
-import { fullName, type Figure } from "../../server/metrics";
+import { fullName, type Metric } from "../../server/metrics";
 import { ChartButton } from "../../plots/FigureButton";
 import { formatNumber, formatResult, prettyUnit } from "../../units/format";
 import { spreadChart } from "./paperSpread";
@@ -11,7 +11,7 @@ import styles from "./bars.module.css";
 import ui from "../../ui/ui.module.css";
 
 interface Props extends Pick<StudyParts, "summary" | "strategies"> {
-  readonly figure: Figure;
+  readonly figure: Metric;
 }
 
 export function Intervals({ summary, strategies, figure }: Props) {
@@ -65,7 +65,7 @@ interface TrackProps {
   readonly summary: BatchSummary;
   readonly strategy: Strategy;
   readonly figureSummary: FigureSummary;
-  readonly figure: Figure;
+  readonly figure: Metric;
   readonly end: number;
 }
 

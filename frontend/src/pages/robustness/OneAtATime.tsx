@@ -6,7 +6,7 @@ import { useState, type CSSProperties } from "react";
 import { isFinal } from "../../jobs/follow";
 import { ChartButton } from "../../plots/FigureButton";
 import type { Batch } from "../../api/types";
-import { type Figure, fullName, OPENING_FIGURE } from "../../server/metrics";
+import { type Metric, fullName, OPENING_METRIC } from "../../server/metrics";
 import { tableQuery } from "../../features/sweep/table";
 import { BATCH, jobQuery } from "../../jobs/useJob";
 import { formatPercent } from "../../features/tables/change";
@@ -25,12 +25,12 @@ import ui from "../../ui/ui.module.css";
 interface Props extends Pick<StudyParts, "figures" | "strategies"> {
   readonly id: string;
   /** The keys offered first are these figures'. */
-  readonly paper: readonly Figure[];
+  readonly paper: readonly Metric[];
 }
 
 const REFRESH_MS = 2_000;
 
-export function OneByOne({ id, ...rest }: Props) {
+export function OneAtATime({ id, ...rest }: Props) {
   // Its end is asked for: the page's one stream of events is the study's.
   const { data: batch, error } = useQuery({
     ...jobQuery(BATCH, id),
@@ -54,7 +54,7 @@ function Message({ text }: { readonly text: string }) {
 
 function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & { readonly batch: Batch }) {
   const offered = [...paper, ...figures.filter(({ key }) => key === TRAVEL)];
-  const [figureKey, setFigure] = useState(OPENING_FIGURE);
+  const [figureKey, setFigure] = useState(OPENING_METRIC);
   const [strategyId, setStrategy] = useState(strategies.find(({ id }) => id === "lv")?.id ?? strategies[0]?.id ?? "");
   const figure = offered.find(({ key }) => key === figureKey) ?? offered[0];
   const table = useQuery({
@@ -128,7 +128,7 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
 
 interface BarsProps extends Pick<StudyParts, "batch" | "opening"> {
   readonly tornado: Tornado;
-  readonly figure: Figure;
+  readonly figure: Metric;
 }
 
 /** Lengths are shares of the widest bar's; the style adds room for labels. */

@@ -3,7 +3,7 @@
 import { SegmentedControl, Text } from "@mantine/core";
 import { useState } from "react";
 import type { BatchSummary, Strategy } from "../../api/types";
-import type { Figure } from "../../server/metrics";
+import type { Metric } from "../../server/metrics";
 import { formatPercent } from "../../features/tables/change";
 import { StrategyName } from "../../ui/StrategyKey";
 import { formatResult, prettyUnit } from "../../units/format";
@@ -61,7 +61,7 @@ export function Spread({ summary, strategies, figures, opening }: Props) {
 
 interface Row {
   readonly strategy: Strategy;
-  readonly figure: Figure;
+  readonly figure: Metric;
   readonly results: FigureSummary;
 }
 

@@ -17,7 +17,7 @@ import { Fault, Problems } from "../../ui/Fault";
 import { ask } from "../../api/http";
 import { withKey } from "../../api/jobs";
 import { STUDY_LABEL } from "../../features/sweep/SweepList";
-import { useSubmission } from "../../features/jobForm/useJobForm";
+import { useJobForm } from "../../features/jobForm/useJobForm";
 
 interface Props {
   readonly defaults: RobustnessDefaults;
@@ -175,7 +175,7 @@ function titleOf(name: string, title: string): string {
 /** A study written in the form, as batches to submit: the cube and, on request, each field alone. */
 function useStudy(draft: StudyDraft, scenario: Scenario | undefined, onSubmitted: () => void) {
   const parsed = useMemo(() => readStudy(draft), [draft]);
-  return useSubmission({
+  return useJobForm({
     kind: "batch",
     body:
       parsed.ok && scenario

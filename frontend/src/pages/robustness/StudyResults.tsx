@@ -6,11 +6,11 @@ import { useNavigate, useSearch } from "@tanstack/react-router";
 import { useMemo } from "react";
 import { isFinal } from "../../jobs/follow";
 import type { Catalogue, BatchSummary, Strategy, StrategyId } from "../../api/types";
-import { paperFigures } from "../../server/metrics";
+import { paperMetrics } from "../../server/metrics";
 import { formatWhole } from "../../units/format";
 import { Limits } from "./Limits";
 import { Matters } from "./Matters";
-import { OneByOne } from "./OneAtATime";
+import { OneAtATime } from "./OneAtATime";
 import { Spread } from "./Spread";
 import { AIRBORNE, summaryQuery, TRAVEL, quantile, type Margin, type StudyParts } from "./summary";
 import { useOpenRun } from "../../features/sweep/useOpenRun";
@@ -36,7 +36,7 @@ export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
   const { baseline = null, one } = useSearch({ from: "/robustness/$id" });
   const navigate = useNavigate({ from: "/robustness/$id" });
   const paper = useMemo(
-    () => paperFigures(catalogue).flatMap((key) => figures.find((figure) => figure.key === key) ?? []),
+    () => paperMetrics(catalogue).flatMap((key) => figures.find((figure) => figure.key === key) ?? []),
     [catalogue, figures],
   );
   const columns = useMemo(() => [...paper.map(({ key }) => key), TRAVEL, AIRBORNE], [paper]);
@@ -94,7 +94,7 @@ export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
       <Spread {...shared} figures={paper} />
       <Limits {...shared} />
       <Matters {...{ summary, strategies, batch }} figures={paper} />
-      {one !== undefined && <OneByOne id={one} {...{ figures, strategies }} paper={paper} />}
+      {one !== undefined && <OneAtATime id={one} {...{ figures, strategies }} paper={paper} />}
       <Text size="xs" c="dimmed">
         Percentiles lie between two values by distance. Every strategy runs at the same points; changes are taken point
         by point. The ranges are ours, not the paper’s: 5 and 95 % of these points say nothing about 5 and 95 % of real

@@ -4,7 +4,7 @@ import { keepPreviousData, queryOptions } from "@tanstack/react-query";
 import { ask } from "../../api/http";
 import { isFinal } from "../../jobs/follow";
 import type { Batch, BatchSummary, StrategyId, Strategy } from "../../api/types";
-import type { Figure } from "../../server/metrics";
+import type { Metric } from "../../server/metrics";
 import type { Opening } from "../../features/sweep/useOpenRun";
 
 export type StrategySummary = BatchSummary["strategies"][string];
@@ -78,6 +78,6 @@ export interface StudyParts {
   readonly summary: BatchSummary;
   /** The study's, in the catalogue's order. */
   readonly strategies: readonly Strategy[];
-  readonly figures: readonly Figure[];
+  readonly figures: readonly Metric[];
   readonly opening: Opening;
 }

@@ -6,7 +6,7 @@ import bar from "../../ui/toolbar.module.css";
 import { Choice, Entry, labelled } from "../../ui/Entry";
 import { titleWithUnit, formatInput } from "../../units/format";
 import type { AxisOf } from "../../features/sweep/table";
-import { optionsOf, type Figure } from "../../server/metrics";
+import { optionsOf, type Metric } from "../../server/metrics";
 import { type PlotKind, NONE } from "./view";
 import type { SweepParts } from "./shownPlot";
 import { parseQuantity } from "../../units/quantity";
@@ -27,7 +27,7 @@ const KINDS: readonly { readonly value: PlotKind; readonly label: string }[] = [
 export function PlotTools({ axes, strategies, markers, figures, shown, view, onView }: Props) {
   const { kind, mappable } = shown;
   const offered = KINDS.filter(({ value }) => value !== "map" || mappable);
-  const metric = (label: string, figure: Figure, onPick: (key: string) => void) => (
+  const metric = (label: string, figure: Metric, onPick: (key: string) => void) => (
     <Select
       size="xs"
       label={label}

@@ -4,7 +4,7 @@ import { keepPreviousData, useQuery } from "@tanstack/react-query";
 import { useEffect, useEffectEvent, useMemo, useCallback } from "react";
 import type { Group, NumberField } from "../../scenario/schema";
 import { BatchRows } from "./SweepRows";
-import { paperFigures } from "../../server/metrics";
+import { paperMetrics } from "../../server/metrics";
 import { cell, lowest, rowsOf, type Columns, tableQuery, axesOf } from "../../features/sweep/table";
 import { CAVEAT_COLUMNS, describeRow } from "./describeRow";
 import { useOpenRun } from "../../features/sweep/useOpenRun";
@@ -40,7 +40,7 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
   const y = shown?.y;
   const plotted = shown && [shown.y.key, ...(shown.kind === "trade_off" ? [shown.versus.key] : [])].join(" ");
   const keys = useMemo(
-    () => [...new Set([...(plotted?.split(" ") ?? []), ...paperFigures(catalogue)])],
+    () => [...new Set([...(plotted?.split(" ") ?? []), ...paperMetrics(catalogue)])],
     [catalogue, plotted],
   );
   const requested = useMemo(() => [...new Set([...keys, ...CAVEAT_COLUMNS])], [keys]);

@@ -7,7 +7,7 @@ import type { LineTrace, PlotLayout, PointTrace } from "../../plots/plotly";
 import { humanise } from "../../scenario/schema";
 import { titleWithUnit } from "../../units/format";
 import type { AxisOf, Points } from "../../features/sweep/table";
-import { fullName, type Figure } from "../../server/metrics";
+import { fullName, type Metric } from "../../server/metrics";
 import type { LineEnd, Lines } from "./lines";
 
 interface Input {
@@ -15,7 +15,7 @@ interface Input {
   readonly strategies: readonly Strategy[];
   readonly markers: Markers;
   readonly x: AxisOf;
-  readonly y: Figure;
+  readonly y: Metric;
   /** The table's rows to ring. */
   readonly ringed: readonly number[];
   /** What joins the ringed ones. */

@@ -2,7 +2,7 @@
 
 import type { Batch, Strategy, StrategyId, Catalogue } from "../../api/types";
 import { axesOf, type AxisOf, type Columns } from "../../features/sweep/table";
-import { OPENING_FIGURE, type Figure } from "../../server/metrics";
+import { OPENING_METRIC, type Metric } from "../../server/metrics";
 import { NONE, type BatchView, type PlotKind } from "./view";
 import type { Markers } from "../../plots/markers";
 
@@ -13,9 +13,9 @@ export interface ShownPlot {
   readonly x: AxisOf;
   /** A map's other field. */
   readonly other: AxisOf | null;
-  readonly y: Figure;
+  readonly y: Metric;
   /** The metric across in a trade-off. */
-  readonly versus: Figure;
+  readonly versus: Metric;
   readonly strategy: StrategyId;
   readonly against: StrategyId | null;
   readonly threshold: number | null;
@@ -28,13 +28,13 @@ const TRADED = "travel_time";
 export function shownPlot(
   batch: Pick<Batch, "fields" | "sweep">,
   strategies: readonly Strategy[],
-  figures: readonly Figure[],
+  figures: readonly Metric[],
   view: BatchView,
 ): ShownPlot | null {
   const axes = axesOf(batch.fields);
   const find = (key: string | null) => figures.find((figure) => figure.key === key);
   const x = axes.find(({ name }) => name === view.x) ?? axes[0];
-  const y = find(view.y) ?? find(OPENING_FIGURE) ?? figures[0];
+  const y = find(view.y) ?? find(OPENING_METRIC) ?? figures[0];
   const ids = strategies.map(({ id }) => id);
   const strategy = ids.find((id) => id === view.strategy) ?? ids[0];
   if (!x || !y || strategy === undefined) return null;
@@ -63,7 +63,7 @@ export interface SweepParts {
   /** The batch's, in the catalogue's order. */
   readonly strategies: readonly Strategy[];
   readonly markers: Markers;
-  readonly figures: readonly Figure[];
+  readonly figures: readonly Metric[];
   readonly shown: ShownPlot;
   readonly view: BatchView;
   /** The row with the lowest value of the plotted metric. */

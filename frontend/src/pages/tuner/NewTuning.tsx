@@ -3,7 +3,7 @@
 import { Input, MultiSelect, SegmentedControl, Switch } from "@mantine/core";
 import { useMemo } from "react";
 import type { Catalogue, Strategy, Scenario } from "../../api/types";
-import type { Figure } from "../../server/metrics";
+import type { Metric } from "../../server/metrics";
 import type { PageScenario } from "../../features/scenarioSource/scenarioSource";
 import { ScenarioChoice } from "../../features/scenarioSource/ScenarioChoice";
 import { optionTitle, type Group } from "../../scenario/schema";
@@ -21,14 +21,14 @@ import { Choice, Entry } from "../../ui/Entry";
 import { ask } from "../../api/http";
 import { withKey } from "../../api/jobs";
 import { TUNING } from "../../jobs/useJob";
-import { useSubmission } from "../../features/jobForm/useJobForm";
+import { useJobForm } from "../../features/jobForm/useJobForm";
 
 interface Props {
   readonly form: Group;
   readonly catalogue: Catalogue;
   readonly strategies: readonly Strategy[];
   /** Those that are numbers. */
-  readonly figures: readonly Figure[];
+  readonly figures: readonly Metric[];
   readonly source: PageScenario;
 }
 
@@ -185,12 +185,12 @@ function Part({
 function useNewTuning(
   draft: TuningDraft,
   numbers: readonly TunableNumber[],
-  figures: readonly Figure[],
+  figures: readonly Metric[],
   scenario: Scenario | undefined,
   onSubmitted: () => void,
 ) {
   const parsed = useMemo(() => readDraft(draft, numbers, figures), [draft, numbers, figures]);
-  return useSubmission({
+  return useJobForm({
     kind: "tuning",
     body: parsed.ok && scenario ? { scenario, ...parsed.body } : null,
     errors: parsed.ok ? null : parsed.errors,

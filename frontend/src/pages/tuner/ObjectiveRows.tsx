@@ -2,13 +2,13 @@
 
 import { Group } from "@mantine/core";
 import type { Catalogue } from "../../api/types";
-import { fullName, type Figure, optionsOf } from "../../server/metrics";
+import { fullName, type Metric, optionsOf } from "../../server/metrics";
 import type { DraftErrors } from "../../features/jobForm/problems";
 import { prettyUnit } from "../../units/format";
 import {
   MOST_OBJECTIVES,
   objectiveOf,
-  type Kind,
+  type ObjectiveKind,
   type ObjectiveDraft,
   limitOf,
   MOST_LIMITS,
@@ -20,13 +20,13 @@ import { Choice, Entry, EntryRow, Finder } from "../../ui/Entry";
 
 interface Props {
   readonly objectives: readonly ObjectiveDraft[];
-  readonly figures: readonly Figure[];
+  readonly figures: readonly Metric[];
   readonly windows: Catalogue["windows"];
   readonly errors: DraftErrors;
   readonly onChange: (objectives: readonly ObjectiveDraft[]) => void;
 }
 
-const SUMS: readonly { readonly value: Kind; readonly label: string; readonly text: string }[] = [
+const SUMS: readonly { readonly value: ObjectiveKind; readonly label: string; readonly text: string }[] = [
   {
     value: "paper",
     label: "The paper’s sum (Eq. 16): RMS",
@@ -117,7 +117,7 @@ export function ObjectiveRows({ objectives, figures, windows, errors, onChange }
 
 interface FigureSelectProps {
   readonly label: string;
-  readonly figures: readonly Figure[];
+  readonly figures: readonly Metric[];
   /** What stands before the figures. */
   readonly first?: readonly { readonly value: string; readonly label: string }[];
   readonly error?: string | undefined;
@@ -143,7 +143,7 @@ export function FigureSelect({ figures, first = [], ...props }: FigureSelectProp
 
 interface LimitRowsProps {
   readonly limits: readonly LimitDraft[];
-  readonly figures: readonly Figure[];
+  readonly figures: readonly Metric[];
   readonly errors: DraftErrors;
   readonly onChange: (limits: readonly LimitDraft[]) => void;
 }

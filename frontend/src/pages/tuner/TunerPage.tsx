@@ -7,7 +7,7 @@ import { NewTuning } from "./NewTuning";
 import classes from "./tuner.module.css";
 import { useNumericCatalogues, ofLimit, ofObjective } from "./figures";
 import type { Strategy } from "../../api/types";
-import type { Figure } from "../../server/metrics";
+import type { Metric } from "../../server/metrics";
 import { JobList } from "../../jobs/JobList";
 import { TUNING } from "../../jobs/useJob";
 
@@ -35,7 +35,7 @@ export function TunerPage() {
 
 interface Props {
   readonly strategies: readonly Strategy[];
-  readonly figures: readonly Figure[];
+  readonly figures: readonly Metric[];
 }
 
 /** The tunings there are. */

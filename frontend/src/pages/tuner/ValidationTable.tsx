@@ -4,7 +4,7 @@ import { Skeleton, Text } from "@mantine/core";
 import { IconAlertTriangle, IconCheck, IconEqual } from "../../ui/icons";
 import type { ComparedPoint, TunedFigure, Tuning, Comparison } from "../../api/types";
 import { isFinal } from "../../jobs/follow";
-import type { Figure } from "../../server/metrics";
+import type { Metric } from "../../server/metrics";
 import { formatPercent } from "../../features/tables/change";
 import tables from "../../features/tables/tables.module.css";
 import { formatResult, prettyUnit } from "../../units/format";
@@ -17,7 +17,7 @@ import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
 
 interface Props extends Pick<TuningParts, "tuning" | "objectives"> {
-  readonly figures: readonly Figure[];
+  readonly figures: readonly Metric[];
 }
 
 const SIGN: Readonly<Record<Keeps, typeof IconCheck>> = {
@@ -116,7 +116,7 @@ interface Row extends Shown {
   readonly most: number | undefined;
 }
 
-function rowOf(key: string, tuning: Tuning, figures: readonly Figure[]): Row {
+function rowOf(key: string, tuning: Tuning, figures: readonly Metric[]): Row {
   const isLimit = key.startsWith("limits.");
   return {
     ...ofKey(key, tuning, figures),

@@ -2,7 +2,7 @@
 
 import { useMemo } from "react";
 import type { Limit, Objective, Tuning } from "../../api/types";
-import { fullName, type Figure } from "../../server/metrics";
+import { fullName, type Metric } from "../../server/metrics";
 import { useCatalogues, type Catalogues } from "../../server/useCatalogues";
 
 export interface Shown {
@@ -12,16 +12,16 @@ export interface Shown {
   readonly scale: number;
 }
 
-const ofFigure = (name: string, figures: readonly Figure[]): Shown | null => {
+const ofFigure = (name: string, figures: readonly Metric[]): Shown | null => {
   const figure = figures.find(({ key }) => key === name);
   return figure ? { label: fullName(figure), unit: figure.unit, scale: figure.scale } : null;
 };
 
-export function ofObjective({ figure, label, unit }: Objective, figures: readonly Figure[]): Shown {
+export function ofObjective({ figure, label, unit }: Objective, figures: readonly Metric[]): Shown {
   return (figure === null ? null : ofFigure(figure, figures)) ?? { label, unit, scale: 1 };
 }
 
-export function ofLimit({ figure, label, unit }: Limit, figures: readonly Figure[]): Shown {
+export function ofLimit({ figure, label, unit }: Limit, figures: readonly Metric[]): Shown {
   return ofFigure(figure, figures) ?? { label, unit, scale: 1 };
 }
 
@@ -29,7 +29,7 @@ export function ofLimit({ figure, label, unit }: Limit, figures: readonly Figure
 export function ofKey(
   key: string,
   { objectives, limits }: Pick<Tuning, "objectives" | "limits">,
-  figures: readonly Figure[],
+  figures: readonly Metric[],
 ): Shown {
   const [, list, index] = /^(objectives|limits)\.(\d+)$/.exec(key) ?? [];
   const objective = list === "objectives" ? objectives[Number(index)] : undefined;
