@@ -4,7 +4,7 @@ import { Button, Menu } from "@mantine/core";
 import { Link, linkOptions, useNavigate, useRouterState, useSearch } from "@tanstack/react-router";
 import { IconChevronDown } from "../ui/icons";
 import type { Address } from "../lab/address";
-import { useCommands } from "../lab/commands";
+import { usePaletteEntries } from "../lab/actions";
 import { useLabContext, useLab } from "../lab/context";
 import { labLink } from "../lab/labAddress";
 import { useStore } from "../lib/store";
@@ -33,7 +33,7 @@ export function Nav() {
   const path = useRouterState({ select: ({ matches }) => matches[1]?.routeId.split("/")[1] });
   const section = path === "b" ? "sweeps" : path;
   const navigate = useNavigate();
-  useCommands(entries.map(({ label, link }) => ({ group: "Pages", label, run: () => void navigate(link) })));
+  usePaletteEntries(entries.map(({ label, link }) => ({ group: "Pages", label, run: () => void navigate(link) })));
   const current = entries.find((entry) => entry.section === section);
   return (
     <>

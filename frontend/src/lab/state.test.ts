@@ -33,9 +33,7 @@ describe("the address", () => {
       reference: "before",
       differences: true,
     } as const;
-    expect(there(view)).toBe(
-      "?axis=time&baseline=lqr&hide=passive,lv&zoom=98.5~112&against=before&plots=differences",
-    );
+    expect(there(view)).toBe("?axis=time&baseline=lqr&hide=passive,lv&zoom=98.5~112&against=before&plots=differences");
     expect(back(there(view))).toEqual(view);
     const pinned = { ...DEFAULT_VIEW, reference: pinReference("9l2MI3odkPqmWr5qapN1vZ") };
     expect(there(pinned)).toBe("?against=9l2MI3odkPqmWr5qapN1vZ");

@@ -6,7 +6,7 @@ import { useEffect, useEffectEvent, useState, type ReactNode } from "react";
 import { IconPlayerPauseFilled, IconPlayerPlayFilled, IconAdjustmentsHorizontal } from "../../ui/icons";
 import type { StrategyId } from "../../api/types";
 import { axisUnit } from "../../plots/figure";
-import { useCommands } from "../../lab/commands";
+import { runAction, useAction } from "../../lab/actions";
 import { cursor, useCursor } from "../../lab/cursor";
 import type { ResultView } from "../../lab/resultView";
 import classes from "./car.module.css";
@@ -52,8 +52,7 @@ export function CarView({ resultView }: { readonly resultView: ResultView }) {
     );
   }, [playing]);
 
-  const toggle = () => setPlaying(!playing);
-  useCommands([{ group: "Lab", label: playing ? "Pause the car" : "Play the car", keys: "Space", run: toggle }]);
+  useAction("play", first ? () => setPlaying(!playing) : null);
 
   if (!first) return null;
   return (
@@ -72,7 +71,12 @@ export function CarView({ resultView }: { readonly resultView: ResultView }) {
       </div>
       <div className={classes.controls}>
         <Tooltip label={playing ? "Pause (Space)" : "Play (Space)"}>
-          <ActionIcon variant="light" size={30} aria-label={playing ? "Pause" : "Play"} onClick={toggle}>
+          <ActionIcon
+            variant="light"
+            size={30}
+            aria-label={playing ? "Pause" : "Play"}
+            onClick={() => runAction("play")}
+          >
             {playing ? <IconPlayerPauseFilled size={15} /> : <IconPlayerPlayFilled size={15} />}
           </ActionIcon>
         </Tooltip>

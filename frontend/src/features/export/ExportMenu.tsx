@@ -16,7 +16,7 @@ import { useState } from "react";
 import { address } from "../../api/http";
 import { explain } from "../../api/problem";
 import { useCompared } from "../compare/useCompared";
-import { useCommands } from "../../lab/commands";
+import { useAction, useActionButton, type ActionId } from "../../lab/actions";
 import { whyNotCompared } from "../../lab/compare";
 import { useLabContext, useLab, useView } from "../../lab/context";
 import { figuresQuery, schemaQuery, strategiesQuery } from "../../server/queries";
@@ -32,17 +32,6 @@ import { download } from "../../lib/download";
 const FORMATS = [
   { format: "csv", label: "CSV" },
   { format: "parquet", label: "Parquet" },
-] as const;
-
-const FIGURES = [
-  { format: "png", label: "PNG picture" },
-  { format: "svg", label: "SVG drawing" },
-] as const;
-
-const COPIES = [
-  { label: "Copy as Python", icon: IconBrandPython, write: asPython },
-  { label: "Copy as command line", icon: IconTerminal2, write: asCommand },
-  { label: "Copy as curl", icon: IconWorldUpload, write: asCurl },
 ] as const;
 
 export function ExportMenu() {
@@ -87,17 +76,13 @@ export function ExportMenu() {
 
   const saveController = () => save(lab.get().history?.present ?? shown?.scenario ?? {});
 
-  useCommands([
-    ...(runId === null ? [] : [{ group: "Lab", label: "Export HTML report", run: saveReport } as const]),
-    ...(shown?.missing === null
-      ? FIGURES.map(
-          ({ format, label }) =>
-            ({ group: "Lab", label: `Export plots: ${label}`, run: () => picture.mutate(format) }) as const,
-        )
-      : []),
-    { group: "Lab", label: "Export controller (C)", run: saveController },
-    ...COPIES.map(({ label, write }) => ({ group: "Lab", label, run: () => copyAs(write) }) as const),
-  ]);
+  useAction("report", runId === null ? null : saveReport);
+  useAction("png", shown?.missing === null ? () => picture.mutate("png") : null);
+  useAction("svg", shown?.missing === null ? () => picture.mutate("svg") : null);
+  useAction("controller", saveController);
+  useAction("python", () => copyAs(asPython));
+  useAction("command", () => copyAs(asCommand));
+  useAction("curl", () => copyAs(asCurl));
 
   return (
     <>
@@ -143,30 +128,16 @@ export function ExportMenu() {
               </div>
             ))}
           <Menu.Label>Everything in one file</Menu.Label>
-          <Menu.Item leftSection={<IconFileText size={16} />} disabled={runId === null} onClick={saveReport}>
-            HTML report
-          </Menu.Item>
+          <ActionItem id="report" icon={IconFileText} />
           <Menu.Label>Plots as shown</Menu.Label>
-          {FIGURES.map(({ format, label }) => (
-            <Menu.Item
-              key={format}
-              leftSection={<IconPhoto size={16} />}
-              disabled={shown?.missing !== null}
-              onClick={() => picture.mutate(format)}
-            >
-              {label}
-            </Menu.Item>
-          ))}
+          <ActionItem id="png" icon={IconPhoto} />
+          <ActionItem id="svg" icon={IconPhoto} />
           <Menu.Label>As a program</Menu.Label>
-          <Menu.Item leftSection={<IconCpu size={16} />} onClick={saveController}>
-            Export controller (C)
-          </Menu.Item>
+          <ActionItem id="controller" icon={IconCpu} />
           <Menu.Label>This run again, elsewhere</Menu.Label>
-          {COPIES.map(({ label, icon: Icon, write }) => (
-            <Menu.Item key={label} leftSection={<Icon size={16} />} onClick={() => copyAs(write)}>
-              {label}
-            </Menu.Item>
-          ))}
+          <ActionItem id="python" icon={IconBrandPython} />
+          <ActionItem id="command" icon={IconTerminal2} />
+          <ActionItem id="curl" icon={IconWorldUpload} />
         </Menu.Dropdown>
       </Menu>
       <Modal
@@ -204,5 +175,14 @@ export function ExportMenu() {
         />
       </Modal>
     </>
+  );
+}
+
+function ActionItem({ id, icon: Icon }: { readonly id: ActionId; readonly icon: typeof IconPhoto }) {
+  const { label, ...item } = useActionButton(id);
+  return (
+    <Menu.Item leftSection={<Icon size={16} />} {...item}>
+      {label}
+    </Menu.Item>
   );
 }

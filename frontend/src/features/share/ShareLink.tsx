@@ -6,7 +6,7 @@ import { IconLink, IconCheck, IconCopy } from "../../ui/icons";
 import { explain } from "../../api/problem";
 import type { NewLink } from "../../api/types";
 import { copyWhenThere, useCopied } from "../../ui/useCopied";
-import { useCommands } from "../../lab/commands";
+import { useAction, useActionButton } from "../../lab/actions";
 import { compact } from "../../ui/compact";
 import classes from "./share.module.css";
 
@@ -42,7 +42,8 @@ export function ShareLink({ make, obstacle, opens }: Props) {
       .catch((error: unknown) => land({ kind: "failed", message: reasonOf(error) }));
   };
 
-  useCommands(obstacle === null ? [{ group: "Lab", label: "Share: make a link", run: share }] : []);
+  useAction("share", obstacle === null ? share : null);
+  const { label, onClick } = useActionButton("share");
 
   return (
     <Popover
@@ -60,18 +61,16 @@ export function ShareLink({ make, obstacle, opens }: Props) {
           <Button
             size="xs"
             variant="light"
-            aria-label="Share"
+            aria-label={label}
             classNames={{ ...compact, root: `${compact.root} ${classes.button}` }}
             leftSection={<IconLink size={15} />}
             loading={outcome?.kind === "making"}
             {...(obstacle === null ? {} : { "data-disabled": true })}
             aria-disabled={obstacle !== null}
             {...(obstacle === null ? {} : { "aria-description": obstacle })}
-            onClick={() => {
-              if (obstacle === null) share();
-            }}
+            onClick={onClick}
           >
-            Share
+            {label}
           </Button>
         </Tooltip>
       </Popover.Target>

@@ -6,7 +6,7 @@ import { standardScenario } from "../../scenario/differences";
 import { DropFiles } from "../../features/library/OpenFiles";
 import { EditorPane } from "./EditorPane";
 import { LabMain } from "./LabMain";
-import { LabCommands } from "./LabCommands";
+import { LabActions } from "./LabActions";
 import { LabTools } from "./LabTools";
 import { Notices } from "./Notices";
 import { ShellSlot } from "../../ui/Page";
@@ -68,7 +68,7 @@ function LabContent() {
       <ShellSlot name="tools">
         <LabTools presets={presets.data ?? NONE} />
       </ShellSlot>
-      <LabCommands form={schema.data} presets={presets.data ?? NONE} strategies={strategies.data ?? NONE} />
+      <LabActions form={schema.data} presets={presets.data ?? NONE} strategies={strategies.data ?? NONE} />
       <PrintedTitle />
       <div className={classes.body}>
         <EditorPane form={schema.data} />

@@ -3,8 +3,8 @@
 import { Text } from "@mantine/core";
 import { IconArrowBackUp, IconArrowForwardUp } from "../../ui/icons";
 import type { Preset } from "../../api/types";
-import { useLabContext, useLab } from "../../lab/context";
-import { hasInvalidInput } from "../../lab/labState";
+import { useActionButton } from "../../lab/actions";
+import { useLab } from "../../lab/context";
 import { ExportMenu } from "../../features/export/ExportMenu";
 import { LibraryButton } from "../../features/library/LibraryButton";
 import { ShareRun } from "../../features/share/ShareRun";
@@ -14,18 +14,13 @@ import classes from "../../ui/shell.module.css";
 import type { Result } from "../../lab/result";
 
 export function LabTools({ presets }: { readonly presets: readonly Preset[] }) {
-  const { lab } = useLabContext();
-  const canUndo = useLab(
-    (state) => state.shared === null && (hasInvalidInput(state) || (state.history?.past.length ?? 0) > 0),
-  );
-  const canRedo = useLab((state) => state.shared === null && (state.history?.future.length ?? 0) > 0);
   return (
     <>
       <LibraryButton presets={presets} />
-      <IconButton label="Undo" disabled={!canUndo} onClick={lab.undo}>
+      <IconButton {...useActionButton("undo")}>
         <IconArrowBackUp size={18} stroke={1.7} />
       </IconButton>
-      <IconButton label="Redo" disabled={!canRedo} onClick={lab.redo}>
+      <IconButton {...useActionButton("redo")}>
         <IconArrowForwardUp size={18} stroke={1.7} />
       </IconButton>
       <StatusLine position="header" />
