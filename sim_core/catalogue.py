@@ -13,7 +13,7 @@ from typing import Any
 class Quantity:
     """One named quantity: `unit` is the SI unit, '1' for none; `symbol` as in docs/nomenclature.md.
 
-    From `notable` on [unit] it is worth a warning, where it is one that warns.
+    Of those in LIMITS_EXCEEDED, `notable` is the value [unit] from which on a warning is shown.
     """
 
     key: str

@@ -14,12 +14,12 @@ from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Preview, Road, Scenario
 from sim_core.simulate import simulate
-from sim_core.strategies import make_controller, speed_plan, strategy_named
+from sim_core.strategies import STRATEGIES, make_controller, speed_plan, strategy_named
 from sim_core.vehicle.model import SemiActiveDampers
 
 _SHORT = Scenario(road=Road(length=60, bump=Bump(start=30)))
 _SAME_LAW = 1e-4  # relative: a solver's answer is no closer to the law's
-_NOTHING = 1e-6  # in SI units: less than that is nobody's difference
+_NEGLIGIBLE = 1e-6  # in SI units: smaller differences do not count
 _ID = re.compile("[a-z][a-z0-9_]*")
 
 
@@ -48,7 +48,7 @@ def check_controller(controller: str | type[Controller] | Controller, scenario: 
     """
     if isinstance(controller, str):
         controller = strategy_named(controller)
-    kind = controller if isinstance(controller, type) else type(controller)
+    kind: type = controller if isinstance(controller, type) else type(controller)
     if not issubclass(kind, Controller):
         return ["A controller is a class derived from sim_core.Controller, or an object of one"]
     wrong = _declared(kind)
@@ -70,12 +70,12 @@ def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> li
         return [_raised(error, controller)]
     if first.summary() != other.summary():
         return [
-            "Two runs of new objects differ: it keeps something outside the object, such as a list of the class or "
-            "random numbers; make it in start"
+            "Two runs of new objects differ: it uses something that changes outside the object, such as a list of the "
+            "class, a random number or the time; make it in start, a random generator with a seed"
         ]
     if first.summary() != again.summary():
         return ["A second run of the same object differs: start has to forget the run before"]
-    if not instance.actuated and any(first.metrics["whole"][f"{axle}_force"]["peak"] for axle in ("front", "rear")):
+    if not instance.actuated and first.events["limited_steps"]:
         return ["It says that it has no actuators, and gives a force"]
     if not _close(first, by_force):
         return ["force and linear_law give different forces where no limit binds"]
@@ -85,27 +85,39 @@ def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> li
 def _declared(kind: type[Controller]) -> list[str]:
     """What is wrong with its id, label, description and fields."""
     wrong = []
-    if not _ID.fullmatch(kind.id):
+    name: object = kind.id  # a visitor's class may hold anything
+    label: object = kind.label
+    if not (isinstance(name, str) and _ID.fullmatch(name)):
         wrong.append("id begins with a small letter and has small letters, digits and underscores only")
-    if not kind.label:
+    elif STRATEGIES.get(name, kind) is not kind:
+        wrong.append(f"id is that of a strategy of Ridelab's; taken are {', '.join(STRATEGIES)}")
+    if not isinstance(label, str):
+        wrong.append("label is no text")
+    elif not label:
         wrong.append("label is empty")
     if kind.__doc__ is None or not kind.description():
         wrong.append("It has no docstring, whose first line describes it")
-    if isinstance(kind.preview, str) and kind.preview not in get_args(Preview):
+    if "preview" not in kind.declared and kind.preview not in get_args(Preview):
         wrong.append(f"preview is one of {', '.join(get_args(Preview))}")
+    if "prediction_horizon" not in kind.declared and not _is_count(kind.prediction_horizon):
+        wrong.append("prediction_horizon is a whole number, 0 or more")
     if kind.speed_plan not in ("planned", "constant"):
         wrong.append("speed_plan is planned or constant")
     if kind.force is Controller.force and kind.linear_law is Controller.linear_law:
         wrong.append("It defines neither force nor linear_law")
-    for name, field in kind.declared.items():
+    for declared, field in kind.declared.items():
         try:
             if isinstance(field, Option):
-                checked_value(kind, name, field.default)
+                checked_value(kind, declared, field.default)
             else:
                 scenario_value(Scenario(), field.name)
         except RidelabError as error:
-            wrong.append(f"{name}: {error.message}")
+            wrong.append(f"{declared}: {error.message}")
     return wrong
+
+
+def _is_count(value: object) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and value >= 0
 
 
 class _ByForce(Controller):
@@ -136,16 +148,16 @@ class _ByForce(Controller):
 def _close(first: StrategyResult, second: StrategyResult) -> bool:
     of_signals = [metric for metric in METRICS.values() if metric.path[0] == "metrics"]
     ours, theirs = ([metric.of(each.summary()) for metric in of_signals] for each in (first, second))
-    return np.allclose(ours, theirs, rtol=_SAME_LAW, atol=_NOTHING)
+    return np.allclose(ours, theirs, rtol=_SAME_LAW, atol=_NEGLIGIBLE)
 
 
 def _raised(error: Exception, controller: type[Controller] | Controller) -> str:
-    """An error of a run in a sentence, with the last line of the controller's own file, if that is among its causes."""
+    """An error of a run in a sentence, with the last line of the controller's own file, if it came from there."""
     if isinstance(error, RidelabError):
         return error.message
-    frames = traceback.extract_tb(error.__traceback__)
-    file = inspect.getfile(controller if isinstance(controller, type) else type(controller))
-    frame = next((each for each in reversed(frames) if each.filename == file), frames[-1])
+    kind = controller if isinstance(controller, type) else type(controller)
+    frames = [each for each in traceback.extract_tb(error.__traceback__) if each.filename == inspect.getfile(kind)]
+    place = f" at {frames[-1].filename}, line {frames[-1].lineno}" if frames else ""
     if "read-only" in str(error):
-        return f"It changes what it was given, at {frame.filename}, line {frame.lineno}: copy it first"
-    return f"{type(error).__name__} at {frame.filename}, line {frame.lineno}: {error}"
+        return f"It changes what it was given{place}: copy it first"
+    return f"{type(error).__name__}{place}: {error}"

@@ -6,7 +6,7 @@ because it is shown to whoever asked, over HTTP too.
 
 
 class RidelabError(Exception):
-    """Base of everything the core raises on purpose.
+    """Base of everything the core raises on purpose; its subclasses are in `sim_core.errors`.
 
     Args:
         message: What is wrong, for a person to read.
@@ -28,7 +28,7 @@ class RidelabError(Exception):
 
 
 class UnknownNameError(RidelabError):
-    """A strategy, preset, signal or figure that does not exist; the message lists those that do."""
+    """A strategy, preset, field, signal or metric that does not exist; the message lists those that do."""
 
 
 class UnstableVehicleError(RidelabError):
@@ -40,7 +40,7 @@ class MissingRoadError(RidelabError):
 
 
 class TooExpensiveError(RidelabError):
-    """The run would do more than one run may; the same scenario always does.
+    """The run costs more than one run may, on any machine: it depends on the scenario alone.
 
     Args:
         message: What there is too much of.

@@ -69,14 +69,16 @@ class StrategyResult:
 
     Attributes:
         strategy: Strategy id.
-        metrics: window -> signal -> statistic -> value, SI units (catalogue.WINDOWS, METRIC_SIGNALS, STATISTICS).
-        comfort: catalogue.COMFORT key -> value.
-        events: catalogue.EVENTS key -> value (a count, a time, true/false or None).
-        reference: catalogue.REFERENCES key -> value, or None where it does not apply.
+        metrics: Window -> signal -> statistic -> value in the signal's unit: `rough_road`, `bump` or `whole`; a signal
+            from `body_acceleration` on; `rms` or `peak` (catalogue.WINDOWS, METRIC_SIGNALS, STATISTICS).
+        comfort: Key -> value; keys and units are in catalogue.COMFORT.
+        events: Key -> a count, a time, true or false, or None where it does not apply (catalogue.EVENTS).
+        reference: Lines for plots, such as static loads: key -> value, None where it does not apply
+            (catalogue.REFERENCES).
         stages: The driving stages in order, without gaps.
         travel_time: Front axle from x = 0 to the road's end [s].
         arrival_speed_kmh: Speed when the front axle meets the bump [km/h].
-        series: catalogue.SIGNALS key -> float64 array, all of one length, time ascending.
+        series: Time histories: signal -> array (samples,), `time` ascending from 0; units are in catalogue.SIGNALS.
 
     Example:
         >>> from sim_core import Scenario, simulate

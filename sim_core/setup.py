@@ -6,6 +6,7 @@ from pathlib import Path
 from setuptools import Extension, find_namespace_packages, setup
 from setuptools.command.bdist_wheel import bdist_wheel
 from setuptools.command.build_ext import build_ext
+from setuptools.command.build_py import build_py
 
 
 class BuildLibrary(build_ext):
@@ -22,6 +23,16 @@ class BuildLibrary(build_ext):
         self.spawn(BUILD["command"](BUILD["default_compiler"](), library, "-fPIC"))
 
 
+class BuildPackage(build_py):
+    """The package without this file."""
+
+    def find_package_modules(self, package: str, package_dir: str) -> list[tuple[str, str, str]]:
+        """Its modules: package, name and file of each."""
+        return [
+            each for each in super().find_package_modules(package, package_dir) if each[:2] != ("sim_core", "setup")
+        ]
+
+
 class WheelForEveryPython(bdist_wheel):
     """The library knows nothing of Python: one wheel a platform serves every version."""
 
@@ -34,6 +45,6 @@ BUILD = runpy.run_path("kernel/build.py")
 LIBRARY = Extension("sim_core.kernel.libridelab", [str(file.relative_to(Path.cwd())) for file in BUILD["SOURCES"]])
 setup(
     packages=["sim_core", *(f"sim_core.{name}" for name in find_namespace_packages(exclude=["build*"]))],
-    cmdclass={"build_ext": BuildLibrary, "bdist_wheel": WheelForEveryPython},
+    cmdclass={"build_py": BuildPackage, "build_ext": BuildLibrary, "bdist_wheel": WheelForEveryPython},
     ext_modules=[LIBRARY],
 )

@@ -2,6 +2,7 @@
 
 from sim_core.blas import one_thread
 from sim_core.control.controller import Controller
+from sim_core.errors import RidelabError
 from sim_core.loop.drive import Run
 from sim_core.loop.excitation import excite, step_sizes
 from sim_core.metrics.evaluate import evaluate
@@ -23,7 +24,8 @@ def simulate(scenario: Scenario, strategy: str | type[Controller] | Controller) 
     Raises:
         UnknownNameError: No such strategy.
         TooExpensiveError: Its QPs take more than one run's may.
-        RidelabError: The vehicle and weights admit no stabilising controller, or a controller's forces are none.
+        RidelabError: The vehicle and weights admit no stabilising controller, or the controller does not give what it
+            has to, or an argument is of another type.
 
     Example:
         >>> from sim_core import Scenario, simulate
@@ -42,8 +44,13 @@ def prepare(scenario: Scenario, strategy: str | type[Controller] | Controller) -
 
     Raises:
         UnknownNameError: No such strategy.
-        RidelabError: It is neither an id nor a controller.
+        RidelabError: An argument is of another type.
     """
+    if not isinstance(scenario, Scenario):
+        raise RidelabError(
+            "A scenario is a sim_core.Scenario: Scenario.model_validate makes one of plain values, "
+            "sim_core.scenario.presets.preset of a preset's name"
+        )
     controller = make_controller(strategy).for_scenario(scenario)
     plan = speed_plan(type(controller), scenario.speed.policy)
     profile = plan_speed(scenario, plan)

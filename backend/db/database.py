@@ -7,6 +7,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from datetime import datetime
 from functools import partial
 from typing import ParamSpec, TypeVar
 
@@ -18,6 +19,7 @@ from sqlalchemy import Connection, ExceptionContext, Table, event, inspect, make
 from sqlalchemy.dialects import postgresql, sqlite
 from sqlalchemy.exc import DBAPIError, OperationalError
 
+from backend.db.clock import Now
 from backend.db.commits import Commits
 from backend.db.server import ReadOnlyError, SilentServerError, is_silent, server_engine
 from backend.db.sqlite import (
@@ -105,6 +107,12 @@ class Database:
                 yield connection
             finally:
                 del self._readers[connection]
+
+    def now(self) -> datetime:
+        """The time by the database's clock."""
+        with self.reading() as connection:
+            time_there: datetime = connection.execute(select(Now())).scalar_one()
+        return time_there
 
     def guarded(self, check: Callable[[Connection], None], method: Callable[[], T]) -> T:
         """Call the method, and at the beginning of each of its transactions that write `check`, which may raise."""

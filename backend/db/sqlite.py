@@ -4,11 +4,14 @@ import os
 import sqlite3
 import tempfile
 from contextlib import closing
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
 from sqlalchemy import URL, Connection, Engine, create_engine, event
 from sqlalchemy.exc import DBAPIError, OperationalError
+
+from backend.db.clock import SQLITE_FUNCTION
 
 LOCK_TIMEOUT = 1.0  # a lock of another program is waited for so long, then it is an error [s]
 # While a commit waits for the last reader, SQLite lets no other reader begin: it is rolled back and tried again [s].
@@ -137,6 +140,12 @@ def _set_up(connection: sqlite3.Connection, _: object) -> None:
     mode = "WAL" if wal_is_safe(sqlite3.sqlite_version_info) else "DELETE"
     for pragma in (f"journal_mode={mode}", "synchronous=FULL", "foreign_keys=ON"):
         connection.execute(f"PRAGMA {pragma}").close()
+    connection.create_function(SQLITE_FUNCTION, 0, _now)
+
+
+def _now() -> str:
+    """The machine's clock, which all who share the file have, in the form of times in the file."""
+    return f"{datetime.now(UTC):%Y-%m-%d %H:%M:%S.%f}"
 
 
 def _begin(connection: Connection) -> None:

@@ -16,6 +16,7 @@ from sqlalchemy import (
     text,
 )
 
+from backend.db.clock import Now
 from backend.db.types import Json, Utc
 
 metadata = MetaData(
@@ -39,7 +40,7 @@ results = Table(
     Column("status", String(16), nullable=False),
     Column("summary", Text, nullable=False),
     Column("compute_ms", Float, nullable=False),
-    Column("created_at", Utc, nullable=False),
+    Column("created_at", Utc, nullable=False, default=Now()),
     Index("ix_results_created_at", "created_at", sqlite_where=UNEXPIRED, postgresql_where=UNEXPIRED),
 )
 
@@ -50,7 +51,7 @@ roads = Table(
     Column("id", String(22), primary_key=True),
     Column("samples", Integer, nullable=False),
     Column("content", LargeBinary, nullable=False),
-    Column("created_at", Utc, nullable=False, index=True),
+    Column("created_at", Utc, nullable=False, default=Now(), index=True),
 )
 
 run_roads = Table(
@@ -74,7 +75,7 @@ runs = Table(
     Column("core_version", String(32), nullable=False),
     Column("schema_version", Integer, nullable=False),
     Column("scenario", Json, nullable=False),
-    Column("created_at", Utc, nullable=False),
+    Column("created_at", Utc, nullable=False, default=Now()),
     Column("roads", Integer, nullable=False, server_default="1"),
     Column("baseline", String(64), nullable=True),
 )
@@ -114,7 +115,7 @@ jobs = Table(
     Column("failed", Integer, nullable=False),
     Column("idempotency_key", String(255), nullable=True),
     Column("request_hash", String(43), nullable=False),
-    Column("created_at", Utc, nullable=False, index=True),
+    Column("created_at", Utc, nullable=False, default=Now(), index=True),
     Column("started_at", Utc, nullable=True),
     Column("finished_at", Utc, nullable=True),
     UniqueConstraint("kind", "idempotency_key"),
@@ -167,7 +168,7 @@ links = Table(
     Column("run_id", String(22), ForeignKey("runs.id"), nullable=True, index=True),
     Column("job_id", String(22), ForeignKey("jobs.id"), nullable=True, index=True),
     Column("view", Json, nullable=False),
-    Column("created_at", Utc, nullable=False),
+    Column("created_at", Utc, nullable=False, default=Now()),
 )
 
 pinned_series = Table(
@@ -175,7 +176,7 @@ pinned_series = Table(
     metadata,
     Column("result_key", String(43), ForeignKey("results.key"), primary_key=True),
     Column("content", LargeBinary, nullable=False),
-    Column("created_at", Utc, nullable=False),
+    Column("created_at", Utc, nullable=False, default=Now()),
 )
 
 # Of the page, ended before their time.
@@ -183,5 +184,5 @@ ended_logins = Table(
     "ended_logins",
     metadata,
     Column("login", String(43), primary_key=True),
-    Column("ended_at", Utc, nullable=False),
+    Column("ended_at", Utc, nullable=False, default=Now()),
 )

@@ -112,7 +112,8 @@ class GuardedProtocol(H11Protocol):
     @property
     def reader(self) -> str:
         """The client that reads."""
-        client = self.scope["client"] if self.scope else self.client  # the scope's is the one behind a proxy
+        # No scope before the first request, whatever uvicorn says; its client is the one behind a proxy.
+        client = self.scope["client"] if self.scope else self.client  # type: ignore[redundant-expr]
         return client_key(client[0]) if client else ""
 
     @property
@@ -161,7 +162,8 @@ class GuardedProtocol(H11Protocol):
         return self.conn.their_state in (h11.SEND_BODY, h11.ERROR)
 
     def _answering(self) -> bool:
-        return self.cycle is not None and not self.cycle.response_complete
+        # None before the first request, as above
+        return self.cycle is not None and not self.cycle.response_complete  # type: ignore[redundant-expr]
 
     def _watch(self) -> None:
         if self._timer is None and not self.transport.is_closing():

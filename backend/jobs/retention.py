@@ -4,7 +4,7 @@ import asyncio
 import logging
 import time
 from collections.abc import Awaitable, Callable
-from datetime import UTC, datetime, timedelta
+from datetime import datetime, timedelta
 from typing import Any
 
 from backend.jobs.leadership import LeadershipLostError
@@ -60,12 +60,13 @@ class Retention:
         await self._purge()
         if self._days is None and self._bytes is None:
             return
+        now = await self._store.read(self._store.now)
         if self._days is not None:
-            await self._remove_before(datetime.now(UTC) - timedelta(days=self._days))
+            await self._remove_before(now - timedelta(days=self._days))
         size = await self._store.read(self._store.retention.size)
         while self._bytes is not None and size > self._bytes:
             before = await self._store.read(self._store.retention.oldest)
-            if before is None or before > datetime.now(UTC) - YOUNGEST:
+            if before is None or before > now - YOUNGEST:
                 logger.warning("The database has %d bytes, and nothing more of it may be removed", size)
                 break
             await self._remove_before(before + timedelta(microseconds=1))

@@ -3,7 +3,6 @@
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from datetime import UTC, datetime
 from typing import Any, Literal
 
 from backend import digest
@@ -158,7 +157,7 @@ class Links:
         """The new link's slug; None where a result of the run, or the batch, was removed meanwhile."""
         slug = digest.random_id()
         sent = view.model_dump(mode="json", exclude_unset=True)
-        link = StoredLink(slug=slug, kind=kind, target=target, view=sent, created_at=datetime.now(UTC))
+        link = StoredLink(slug=slug, kind=kind, target=target, view=sent)
         return slug if await self._store.write(self._store.links.save, link, series) else None
 
     async def _load(self, slug: str) -> StoredLink | None:

@@ -4,7 +4,7 @@ import asyncio
 import contextlib
 from collections.abc import Sequence
 from dataclasses import dataclass
-from datetime import UTC, datetime, timedelta
+from datetime import timedelta
 from functools import partial
 
 import orjson
@@ -85,7 +85,7 @@ class PaperRows:
         if existing is not None:
             ended = existing.finished_at
             failed_lately = existing.failed and not patient
-            if ended is None or (failed_lately and datetime.now(UTC) - ended < TRY_AGAIN):
+            if ended is None or (failed_lately and await self._store.read(self._store.now) - ended < TRY_AGAIN):
                 return existing
             await self._store.write(self._store.jobs.delete, existing.id)
         counts = await self._store.read(self._store.jobs.counts)

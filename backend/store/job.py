@@ -1,10 +1,11 @@
 """A job as it is stored."""
 
 from dataclasses import dataclass, field
-from datetime import UTC, datetime
+from datetime import datetime
 from typing import Literal
 
 from backend import digest
+from backend.db.clock import UNSTORED
 from backend.json_types import JsonObject
 from backend.store.roads import measured_roads, swept_roads
 from sim_core import __version__ as CORE_VERSION
@@ -63,7 +64,7 @@ class StoredJob:
     done: int = 0
     failed: int = 0
     request_hash: str
-    created_at: datetime = field(default_factory=lambda: datetime.now(UTC))
+    created_at: datetime = UNSTORED
     started_at: datetime | None = None
     finished_at: datetime | None = None
 

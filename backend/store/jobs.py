@@ -5,14 +5,15 @@ A job that has not ended is driven until it has, whatever crashes: what is still
 
 import hashlib
 from collections.abc import Iterable, Sequence
-from dataclasses import fields
-from datetime import UTC, datetime
+from dataclasses import fields, replace
+from datetime import datetime
 from itertools import islice
 from typing import Any
 
 from sqlalchemy import Connection, Row, Select, and_, delete, func, insert, or_, select, update
 from sqlalchemy.exc import IntegrityError
 
+from backend.db.clock import UNSTORED, Now
 from backend.db.database import Database, insert_new
 from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, trials
 from backend.job_run import JobRun
@@ -53,6 +54,8 @@ class JobStore:
         """
         stored_key = None if idempotency_key is None else _shortened(idempotency_key)
         row = {name: getattr(job, name) for name in NAMES} | {"idempotency_key": stored_key}
+        if job.created_at is UNSTORED:
+            del row["created_at"]
         try:
             with self._database.writing() as connection:
                 if job.parent_id is not None:
@@ -66,7 +69,7 @@ class JobStore:
                     .where(jobs.c.state == "cancelled")
                     .values(idempotency_key=None)
                 )
-                connection.execute(insert(jobs), row)
+                created = connection.execute(insert(jobs).returning(jobs.c.created_at), row).scalar_one()
                 if job.road_ids:
                     insert_new(connection, job_roads, [{"job_id": job.id, "road_id": each} for each in job.road_ids])
                 rows = (run.row(job.id) for run in runs)
@@ -79,7 +82,7 @@ class JobStore:
                 raise
             return existing, False
         self._database.changed(job.id)
-        return job, True
+        return replace(job, created_at=created), True
 
     def load(self, job_id: str) -> StoredJob | None:
         """The job of that id, if it is stored."""
@@ -139,7 +142,7 @@ class JobStore:
 
     def start(self, job_id: str) -> None:
         """Set a queued job to running."""
-        self._change_state(job_id, ("queued",), "running", started_at=datetime.now(UTC))
+        self._change_state(job_id, ("queued",), "running", started_at=Now())
 
     def finish(self, job_id: str) -> bool:
         """Set a job to done; False, and no change, while one of its runs waits."""
@@ -148,19 +151,18 @@ class JobStore:
             lock(connection, job_id)
             if connection.execute(waiting.limit(1)).first() is not None:
                 return False
-            change_state(connection, job_id, UNFINISHED, "done", finished_at=datetime.now(UTC))
+            change_state(connection, job_id, UNFINISHED, "done")
         self._database.changed(job_id)
         return True
 
     def fail(self, job: StoredJob, reason: str) -> None:
         """Set a job to failed, unless it has ended or has advanced beyond `job`."""
-        self.advance(job, event="state", state="failed", reason=reason, finished_at=datetime.now(UTC))
+        self.advance(job, event="state", state="failed", reason=reason)
 
     def give_up(self, job_id: str, reason: str) -> None:
         """Set a sweep to failed, with its waiting runs, whose results can never be stored."""
         with self._database.writing() as connection:
-            now = datetime.now(UTC)
-            if change_state(connection, job_id, UNFINISHED, "failed", reason=reason, finished_at=now):
+            if change_state(connection, job_id, UNFINISHED, "failed", reason=reason):
                 waiting = update(job_runs).where(job_runs.c.job_id == job_id, job_runs.c.status == "waiting")
                 connection.execute(waiting.values(status="cancelled", reason=reason))
         self._database.changed(job_id)
@@ -171,7 +173,7 @@ class JobStore:
             children = select(jobs.c.id).where(jobs.c.parent_id == job_id, jobs.c.state.in_(UNFINISHED))
             family = [job_id, *connection.execute(children).scalars()]
             for each in family:
-                if change_state(connection, each, UNFINISHED, "cancelled", finished_at=datetime.now(UTC)):
+                if change_state(connection, each, UNFINISHED, "cancelled"):
                     waiting = update(job_runs).where(job_runs.c.job_id == each, job_runs.c.status == "waiting")
                     connection.execute(waiting.values(status="cancelled"))
         self._database.changed(*family)
@@ -180,7 +182,7 @@ class JobStore:
         """Continue a job that has ended, with these values changed: its cancelled runs wait again."""
         with self._database.writing() as connection:
             lock(connection, job_id)
-            if change_state(connection, job_id, FINAL, "queued", reason=None, finished_at=None, **values):
+            if change_state(connection, job_id, FINAL, "queued", reason=None, **values):
                 cancelled = update(job_runs).where(job_runs.c.job_id == job_id, job_runs.c.status == "cancelled")
                 connection.execute(cancelled.values(status="waiting"))
         self._database.changed(job_id)
@@ -210,6 +212,8 @@ class JobStore:
             now = _job(connection.execute(select(*WITHOUT_SWEEP).where(jobs.c.id == job.id)).one())
             if now.state not in UNFINISHED or _step(now) != _step(job):
                 return False
+            if "state" in values:
+                values |= _times(values["state"])
             if drop_trials:
                 connection.execute(delete(trials).where(trials.c.job_id == job.id))
             if new_trials:
@@ -294,10 +298,17 @@ def mark_removed(connection: Connection, ids: Sequence[str]) -> None:
 def change_state(connection: Connection, job_id: str, before: Sequence[str], state: State, **values: Any) -> bool:
     """Change a job's state and add an event; False where it was in none of the states `before`."""
     matching = update(jobs).where(jobs.c.id == job_id, jobs.c.state.in_(before))
-    if not connection.execute(matching.values(state=state, **values)).rowcount:
+    if not connection.execute(matching.values(state=state, **{**_times(state), **values})).rowcount:
         return False
     add_event(connection, job_id, "state")
     return True
+
+
+def _times(state: State) -> dict[str, Any]:
+    """The columns that change with a job's state, by the database's clock."""
+    if state == "running":
+        return {"started_at": func.coalesce(jobs.c.started_at, Now())}
+    return {"finished_at": Now() if state in FINAL else None}
 
 
 def _job(row: Row[Any]) -> StoredJob:

@@ -7,6 +7,7 @@ from typing import Literal
 
 from sqlalchemy import Connection, select
 
+from backend.db.clock import UNSTORED
 from backend.db.database import Database, insert_new
 from backend.db.tables import EXPIRED, REMOVED, jobs, links, pinned_series, results, run_results
 from backend.json_types import JsonObject
@@ -20,7 +21,7 @@ class StoredLink:
     kind: Literal["run", "batch"]
     target: str
     view: JsonObject
-    created_at: datetime
+    created_at: datetime = UNSTORED
 
 
 class LinkStore:
@@ -41,11 +42,8 @@ class LinkStore:
             "run_id": link.target if link.kind == "run" else None,
             "job_id": link.target if link.kind == "batch" else None,
             "view": link.view,
-            "created_at": link.created_at,
         }
-        contents = [
-            {"result_key": key, "content": content, "created_at": link.created_at} for key, content in pins.items()
-        ]
+        contents: list[dict[str, object]] = [{"result_key": key, "content": content} for key, content in pins.items()]
         with self._database.writing() as connection:
             if not _lock_target(connection, link):
                 return False

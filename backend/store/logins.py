@@ -1,9 +1,10 @@
 """Logins of the page that were ended before their time, so that no replica takes their cookies any more."""
 
-from datetime import UTC, datetime, timedelta
+from datetime import timedelta
 
 from sqlalchemy import delete, select
 
+from backend.db.clock import Now
 from backend.db.database import Database, insert_new
 from backend.db.tables import ended_logins
 
@@ -18,10 +19,10 @@ class LoginStore:
 
     def end(self, login: str) -> None:
         """Commit that a login has ended; those whose cookies are too old by now are forgotten."""
-        now = datetime.now(UTC)
         with self._database.writing() as connection:
+            now = connection.execute(select(Now())).scalar_one()
             connection.execute(delete(ended_logins).where(ended_logins.c.ended_at < now - KEPT))
-            insert_new(connection, ended_logins, [{"login": login, "ended_at": now}])
+            insert_new(connection, ended_logins, [{"login": login}])
 
     def has_ended(self, login: str) -> bool:
         """Whether it has."""

@@ -2,10 +2,10 @@
 
 import re
 from collections.abc import Iterable
-from datetime import UTC, datetime
 
 from sqlalchemy import select, update
 
+from backend.db.clock import Now
 from backend.db.database import Database, insert_new
 from backend.db.tables import roads
 from backend.json_types import JsonObject
@@ -36,10 +36,10 @@ class RoadStore:
 
     def save(self, road: MeasuredRoad) -> None:
         """Commit a road; for one already stored, restart its retention."""
-        row = {"id": road.id, "samples": road.samples, "content": road.content, "created_at": datetime.now(UTC)}
+        row = {"id": road.id, "samples": road.samples, "content": road.content}
         with self._database.writing() as connection:
             insert_new(connection, roads, [row])
-            connection.execute(update(roads).where(roads.c.id == road.id).values(created_at=row["created_at"]))
+            connection.execute(update(roads).where(roads.c.id == road.id).values(created_at=Now()))
 
     def load(self, ids: Iterable[str]) -> dict[str, MeasuredRoad]:
         """The stored ones of these roads, by id."""

@@ -1,13 +1,14 @@
 """Runs, and each strategy's result stored once under its content's key."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
-from datetime import UTC, datetime
+from dataclasses import dataclass
+from datetime import datetime
 from typing import Any
 
 from sqlalchemy import Connection, bindparam, delete, insert, select, update
 from sqlalchemy.dialects import postgresql, sqlite
 
+from backend.db.clock import UNSTORED
 from backend.db.database import Database, insert_new
 from backend.db.tables import EXPIRED, results, run_results, run_roads, runs
 from backend.json_types import JsonObject
@@ -30,7 +31,7 @@ class StoredRun:
     schema_version: int
     scenario: JsonObject
     results: tuple[Outcome, ...]
-    created_at: datetime = field(default_factory=lambda: datetime.now(UTC))
+    created_at: datetime = UNSTORED
     roads: int = 1
     baseline: str | None = None
 
@@ -59,6 +60,7 @@ class StoredRun:
         return {item.strategy: self.results[index::count] for index, item in enumerate(self.first_road)}
 
 
+_STORED_NAMES = [column.name for column in runs.c if column.name != "created_at"]
 # Made once: to make them takes as long as to run them.
 _HEAD = select(runs).where(runs.c.id == bindparam("run"))
 _MEMBERS = (
@@ -94,7 +96,7 @@ class RunStore:
         """
         with self._database.writing() as connection:
             insert_results(connection, run.results, run.core_version)
-            insert_new(connection, runs, [{column.name: getattr(run, column.name) for column in runs.c}])
+            insert_new(connection, runs, [{name: getattr(run, name) for name in _STORED_NAMES}])
             insert_new(connection, run_results, _members(run.id, run.results))
             for road in measured_roads(run.scenario):
                 insert_new(connection, run_roads, [{"run_id": run.id, "road_id": road}])
@@ -114,7 +116,6 @@ class RunStore:
 
 def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_version: str) -> None:
     """Insert the results that are missing or have expired; in the key's order, as `insert_new`."""
-    now = datetime.now(UTC)
     rows = [
         {
             "key": item.key,
@@ -123,7 +124,6 @@ def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_ver
             "status": item.status,
             "summary": item.json.decode(),
             "compute_ms": item.compute_ms,
-            "created_at": now,
         }
         for item in sorted(outcomes, key=lambda item: item.key)
     ]

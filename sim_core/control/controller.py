@@ -122,19 +122,22 @@ class Report:
 class Controller:
     """A suspension controller and the speed plan it is driven with: a strategy.
 
-    A subclass sets `id`, `label` and fields, and defines `force` or `linear_law`. Each run drives a shallow copy of the
-    object; `start` has to forget the run before, and what is made in it belongs to one run.
+    A subclass sets `id`, `label` and fields (`option`, `scenario_field`), and defines `force` or `linear_law`. A run
+    calls `start` once with a `Setup`, then `force` with a `Seen` in each control step that no law decides, then `end`.
+    Each run drives a shallow copy of the object: attributes that `start` sets belong to one run, while a list or array
+    made before is shared by all, so that `start` has to make it anew.
 
     Attributes:
         id: Name in scenarios, files and addresses: a small letter, then small letters, digits and underscores.
         label: Name in tables and plots.
-        speed_plan: `planned` brakes for the bump, `constant` does not; a scenario's `speed.policy` goes before it.
+        speed_plan: `planned` brakes for the bump, `constant` does not; a scenario's `speed.policy` may overrule it.
         actuated: Whether there are actuators; False is a passive suspension.
         delayed: Whether its commands take effect when `arrivals` says, not at once.
-        preview: What of the road ahead `Seen` reports: none, wheelbase, lookahead or obstacle.
-        prediction_horizon: For how many control steps ahead.
-        report: Of the present run; new at each start.
-        declared: Its fields by their names.
+        preview: What of the road ahead `Seen` reports: none, wheelbase, lookahead or obstacle (`mpc.preview` in
+            docs/scenario.md). By default the scenario's; a controller that does not look ahead sets "none".
+        prediction_horizon: For how many control steps ahead; by default the scenario's, 0 for none.
+        report: Counts of the present run, for its events; new at each start.
+        declared: Its options and scenario fields by their names.
 
     Example:
         >>> from sim_core import Controller, Scenario, option, simulate
@@ -161,7 +164,7 @@ class Controller:
     declared: ClassVar[Mapping[str, ScenarioField | Option]] = {}
 
     def __init_subclass__(cls, **options: Any) -> None:
-        """List its fields; one that a subclass replaces by a plain value is none any more."""
+        """List its options and scenario fields; one that a subclass replaces by a plain value is no longer listed."""
         super().__init_subclass__(**options)
         names = dict.fromkeys(name for each in reversed(cls.__mro__) for name in vars(each))
         values = {name: getattr(cls, name) for name in names}
@@ -188,7 +191,7 @@ class Controller:
         return self.prediction_horizon
 
     def for_scenario(self, scenario: Scenario) -> Self:
-        """A copy of it for one run, whose scenario fields have that scenario's values where none were given."""
+        """A copy for one run: a scenario field has that scenario's value, unless the object was made with one."""
         ready = copy(self)
         ready.report = Report()
         ready._set(scenario)

@@ -19,7 +19,7 @@ from sim_core.scenario import Vehicle
 from sim_core.scenario.fields import Weights
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, half_car
 
-KILO = 1000.0  # controllers reckon forces in kN: in N the problem is badly scaled
+KILO = 1000.0  # controllers compute with forces in kN: in N the problem is badly scaled
 REFERENCE_ROUGHNESS = 64e-6  # class B, whatever the road: so weights mean the same everywhere [m^3]
 COST_OUTPUTS = 6  # the first six of half_car.OUTPUTS
 _NODES, _NODE_WEIGHTS = np.polynomial.legendre.leggauss(16)
@@ -74,15 +74,15 @@ def _interval_means(vehicle: Vehicle, sample_time: float) -> FloatArray:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CostTerms:
-    """All that the cost of one stage depends on.
+    """All that the cost of one stage depends on (docs/physics.md, "Cost"); `Setup.cost` gives those of a run.
 
     Attributes:
         vehicle: The car.
-        speed: Initial speed, at which σ is taken [m/s].
+        speed: Initial speed, at which the passive car's σ are taken [m/s].
         sample_time: Length of the interval [s].
-        weights: q1, q2, q3.
-        deflection_weight: q4.
-        deflection_limit: d_max [m].
+        weights: Of body acceleration, pitch acceleration and tyre loads: q1, q2, q3 [1].
+        deflection_weight: Of the suspension deflections: q4 [1].
+        deflection_limit: By which those are divided: d_max [m].
         force_weight: R [1/N²].
 
     Example:
@@ -106,7 +106,7 @@ class CostTerms:
 
 @lru_cache(maxsize=512)
 def stage_cost(terms: CostTerms) -> FloatArray:
-    """One interval's cost as z'S z, shape (13, 13), z as in `_interval_means`: forces in kN."""
+    """One interval's cost [1] as z'S z, S (13, 13); z as in `_interval_means`, with forces in kN."""
     sigma = np.array(passive_rms(terms.vehicle, terms.speed))
     q1, q2, q3 = terms.weights
     scale = np.empty(COST_OUTPUTS)

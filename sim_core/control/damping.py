@@ -32,7 +32,7 @@ class DampingController(Controller):
     max_damping: float | None = scenario_field("hook.max_damping")
 
     def damping(self, setup: Setup) -> FloatArray:
-        """The forces front and rear for each number of the state (2, 8), in N.
+        """Gains of the forces front and rear [N] on the state (2, 8), whose order `Seen.state` has.
 
         Raises:
             RidelabError: The class does not define it.
@@ -48,7 +48,7 @@ class DampingController(Controller):
         return self._law
 
     def dampers(self) -> SemiActiveDampers | None:
-        """Dampers whose coefficients the law sets, where the scenario has such."""
+        """Semi-active dampers where `hook.semi_active` asks for them; None where actuators act beside the dampers."""
         if not self.semi_active:
             return None
         return SemiActiveDampers(
@@ -58,7 +58,7 @@ class DampingController(Controller):
 
 
 def axle_velocities(setup: Setup) -> tuple[FloatArray, FloatArray]:
-    """Velocity of the body above both axles, and of both wheels, as rows on the state (2, 8).
+    """Velocities [m/s] of the body above both axles, and of both wheels, each as rows on the state (2, 8).
 
     Example:
         >>> from types import SimpleNamespace

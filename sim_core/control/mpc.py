@@ -34,8 +34,9 @@ class StageQp(QpProblem):
 
 
 class PredictiveController(Controller):
-    """MPC over what is previewed: the law where it holds, else a QP, verified; else the other solver; else hold.
+    """MPC with preview: a linear law while no limit binds, else a QP (docs/physics.md, "MPC").
 
+    A QP's answer is verified. Where it fails the other solver is asked, and where both fail the previous force is held.
     A subclass gives the weights of each driving stage.
 
     Example:
@@ -87,7 +88,7 @@ class PredictiveController(Controller):
         return self._designs[stage].law
 
     def force(self, seen: Seen) -> FloatArray | None:
-        """The first forces of the constrained optimum.
+        """The first forces of the constrained optimum (2,) [N].
 
         Raises:
             TooExpensiveError: The run's QPs have taken all that one run's may.

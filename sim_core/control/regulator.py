@@ -14,7 +14,12 @@ from sim_core.vehicle.half_car import FORCES, STATES, discrete
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Regulator:
-    """u = -K x in kN: K (2, 8); P (8, 8) is the cost to go x'P x."""
+    """The optimal force u = -K x, in kN, and its cost.
+
+    Attributes:
+        K: Gain on the state, for forces in kN (2, 8).
+        P: The cost [1] of all intervals to come is x'P x (8, 8).
+    """
 
     K: FloatArray
     P: FloatArray
@@ -22,7 +27,10 @@ class Regulator:
 
 @lru_cache(maxsize=512)
 def regulator(terms: CostTerms) -> Regulator:
-    """Solve P = A'PA + Q - (A'PB + N)(R + B'PB)⁻¹(B'PA + N').
+    """The LQR of that cost: P = A'PA + Q - (A'PB + N)(R + B'PB)⁻¹(B'PA + N').
+
+    Returns:
+        Its `K` (2, 8), on the state and in kN, and its `P` (8, 8).
 
     Raises:
         RidelabError: No stabilising solution was found for these weights.
@@ -52,7 +60,10 @@ def regulator(terms: CostTerms) -> Regulator:
 
 @lru_cache(maxsize=64)
 def feedforward(terms: CostTerms, horizon: int) -> FloatArray:
-    """The optimal force's part that a known future adds, in N: (2, 3 · horizon) on a preview window.
+    """What the LQR's force has beside -K x where disturbances to come are known: gains on them (2, 3 · horizon).
+
+    For forces in N, as `LinearLaw.preview_gain`: on the front road velocity [m/s] in all steps, then on the rear one,
+    then on the deceleration [m/s^2].
 
     Dynamic programming with cost to go x'Px + 2 x's (Tomizuka 1976, cross terms added): with w_i the disturbances of
     interval i and nothing known beyond the horizon,

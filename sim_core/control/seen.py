@@ -20,10 +20,11 @@ class Setup:
         vehicle: The car as controllers believe it to be; the real one may differ (`mismatch`).
         sample_time: Length of a control step [s].
         steps: Control steps of the run.
-        short_steps: Short steps in a control step, of a delayed controller; else 1.
+        short_steps: Of a delayed controller: into how many short steps of the car a control step is divided, so that
+            a command may arrive within it; 1 of any other.
         initial_speed: Speed before the car brakes [m/s].
         force_limit: Greatest magnitude of each force [N].
-        deflection_limit: Greatest magnitude of each suspension deflection that should be kept [m].
+        deflection_limit: Magnitude that each suspension deflection should not exceed [m].
         preview_steps: Control steps for which the road ahead is reported.
         stages: Names of the driving stages.
 
@@ -54,11 +55,11 @@ class Setup:
         return self.sample_time / self.short_steps
 
     def cost(self, weights: Weights, deflection_weight: float, force_weight: float) -> CostTerms:
-        """The normalised cost that LQR and MPC minimise, of this run's car and limits.
+        """The normalised cost that LQR and MPC minimise, of this run's car and limits (docs/physics.md, "Cost").
 
         Args:
-            weights: Of body acceleration, pitch acceleration and tyre load: q1, q2, q3.
-            deflection_weight: q4.
+            weights: Of body acceleration, pitch acceleration and tyre load: q1, q2, q3 [1].
+            deflection_weight: q4 [1].
             force_weight: R [1/N²].
         """
         return CostTerms(
@@ -83,7 +84,7 @@ class RunInputs:
         stage: Driving stage of each control step.
         windows: `Seen.disturbances` of each control step (3, steps, preview_steps).
         road_height: Of the road under both axles as the preview has it (2, steps) [m].
-        noise: Gives that of the car's own sensors (steps, 4), in the units of what they measure.
+        noise: Function that gives the noise of the car's own sensors (steps, 4), in the units of what they measure.
         sample_time: Length of a control step [s].
     """
 
@@ -103,7 +104,8 @@ class Seen:
 
     Attributes:
         step: Number of the control step, from 0; the first ones are before x = 0.
-        previous_force: What the actuators were told before, front and rear (2,) [N].
+        previous_force: Previous command to the actuators, front and rear, within their limits (2,) [N]; where they lag,
+            the force is not there yet.
 
     Example:
         >>> from sim_core import Controller, Scenario, simulate
@@ -125,7 +127,7 @@ class Seen:
 
     @property
     def state(self) -> FloatArray:
-        """The half-car's (8,), exact or estimated as the scenario says.
+        """The half-car's state (8,), exact or estimated as `estimation.kind` says.
 
         Suspension deflections front and rear [m], tyre deflections front and rear [m], body velocity [m/s], pitch rate
         [rad/s], wheel velocities front and rear [m/s]. Up and nose-down are positive; a suspension deflection is body
@@ -135,17 +137,17 @@ class Seen:
 
     @property
     def time(self) -> float:
-        """[s], 0 when the front axle is at x = 0."""
+        """Time [s], 0 when the front axle is at x = 0 and below 0 in the run-in before."""
         return float(self._inputs.time[self.step])
 
     @property
     def position(self) -> float:
-        """Of the front axle [m]."""
+        """Position of the front axle [m]."""
         return float(self._inputs.position[self.step])
 
     @property
     def speed(self) -> float:
-        """Of the car [m/s]."""
+        """Speed of the car [m/s]."""
         return float(self._inputs.speed[self.step])
 
     @property
@@ -155,23 +157,24 @@ class Seen:
 
     @property
     def next_stage(self) -> str:
-        """The next control step's."""
+        """The driving stage of the next control step, of the last one again at the end."""
         return self._inputs.stage[min(self.step + 1, len(self._inputs.stage) - 1)]
 
     @property
     def measurement(self) -> FloatArray:
-        """By the car's own sensors, with their noise: deflections front and rear, body acceleration, pitch rate (4,).
+        """By the car's own sensors, with the noise that `estimation` states, whether its filter is used or not (4,).
 
-        [m, m, m/s^2, rad/s]
+        Suspension deflections front and rear [m], body acceleration [m/s^2], pitch rate [rad/s].
         """
         noise: FloatArray = self._inputs.noise()[self.step]
         return self._car.measure(self._car_step, self._car_state, self.previous_force) + noise
 
     @property
     def disturbances(self) -> FloatArray:
-        """What is expected in each of the coming control steps (3, preview_steps).
+        """What is expected in each of the coming control steps, the present one first (3, preview_steps).
 
-        Mean velocity of the road under the front and the rear axle [m/s], braking deceleration [m/s^2].
+        Mean vertical velocity of the road under the front and the rear axle [m/s], braking deceleration [m/s^2]. It is
+        what `LinearLaw.preview_gain` multiplies; `preview` has the same as heights.
         """
         windows: FloatArray = self._inputs.windows[:, self.step]
         return windows

@@ -40,7 +40,7 @@ class Calibration:
     Attributes:
         intervals: Prediction horizon Np.
         moves: Control horizon Nc.
-        predicts: Whether the state is reckoned ahead to the moment the command takes effect.
+        predicts: Whether the state is predicted for the moment the command takes effect.
         iterations: The solver stops after so many.
         bits: Of the converters.
         input_steps: What one code stands for: 8 states, then the three preview channels (11,).

@@ -148,10 +148,10 @@ class Function:
 
 
 def require(agreed: bool, what: str) -> None:
-    """Let C have arrays that fit each other alone.
+    """Refuse arrays that do not fit each other before C gets them.
 
     Raises:
-        ValueError: They do not; the message says which.
+        ValueError: They were not `agreed`; the message is `what` has to be.
     """
     if not agreed:
         raise ValueError(what)

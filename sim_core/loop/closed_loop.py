@@ -63,6 +63,8 @@ class ClosedLoop:
             if law is None:
                 limited += sum(self._step(k, loop) for k in range(segment.first, segment.last))
                 continue
+            if not isinstance(law, LinearLaw):
+                raise RidelabError(f"{self._controller.label}: linear_law gives a LinearLaw or None")
             if law not in prepared:
                 arrays = law_arrays(law, self._forecast, self._limits, clips=clips)
                 prepared[law] = self._car.follow_law(arrays, loop)
@@ -123,7 +125,7 @@ def law_arrays(law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, 
 @cached
 def _norms(law: LinearLaw) -> tuple[FloatArray, FloatArray]:
     """`LawArrays.scale` (10,) and `norms` (rows, 5): on the state and force in units that make the largest gain 1."""
-    assert law.limits is not None  # noqa: S101 - who asks has looked
+    assert law.limits is not None  # noqa: S101 - `law_arrays` asks only then
     rows, columns = law.limits.shape
     on_state = law.limits[:, :LAW_INPUTS]
     by_disturbance = law.limits[:, LAW_INPUTS:].reshape(rows, DISTURBANCES, (columns - LAW_INPUTS) // DISTURBANCES)
@@ -140,19 +142,21 @@ def checked_force(controller: Controller, force: object, step: int) -> FloatArra
         RidelabError: They are not two finite numbers.
     """
     try:
-        asked = np.array(force, dtype=np.float64)
-    except (TypeError, ValueError):
-        asked = np.empty(0)
-    if asked.shape != (FORCES,):
-        came = (
-            "None" if force is None else f"an array of the shape {np.shape(asked)}" if asked.size else "something else"
-        )
-        raise RidelabError(
-            f"{controller.label}: force gives two numbers, front and rear; in step {step} it gave {came}"
-        )
-    if not all(map(isfinite, asked.tolist())):
-        raise RidelabError(f"{controller.label}: force gave a value that is not finite in control step {step}")
-    return asked
+        forces = np.asarray(force)
+    except ValueError:  # rows of different lengths
+        forces = np.asarray(None)
+    numbers = forces.dtype.kind in "biuf"
+    if numbers and forces.shape == (FORCES,):
+        if not all(map(isfinite, forces.tolist())):
+            raise RidelabError(f"{controller.label}: force gave a value that is not finite in control step {step}")
+        return forces.astype(np.float64)
+    if force is None:
+        came = "None"
+    elif numbers:
+        came = f"an array of the shape {forces.shape}"
+    else:
+        came = f"an object of type {type(force).__name__} that does not hold real numbers"
+    raise RidelabError(f"{controller.label}: force gives two numbers, front and rear; in step {step} it gave {came}")
 
 
 def read_only(array: FloatArray) -> FloatArray:

@@ -102,7 +102,8 @@ class Run:
         """Drive it.
 
         Raises:
-            RidelabError: The vehicle and weights admit no stabilising controller, or the controller's forces are none.
+            RidelabError: The vehicle and weights admit no stabilising controller, or the controller does not give what
+                it has to.
         """
         controller, setup = self.controller, self.setup()
         before = self.excitation.grid.before * self.steps.short

@@ -153,7 +153,7 @@ def excite(road: Road, wheelbase: float, drive: SpeedProfile, step: float, fine:
 
 @cached
 def under_axles(excitation: Excitation) -> RoadUnderAxles:
-    """The road that `disturbance` has straight within each fine step."""
+    """The road itself within each fine step, which `disturbance` has as a straight line there."""
     return road_under_axles(excitation.surface, excitation.grid.axles)
 
 

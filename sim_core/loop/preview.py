@@ -1,4 +1,4 @@
-"""What the MPC knows of the road and the braking over its horizon (docs/physics.md, "Preview").
+"""What a controller knows of the road and the braking ahead (docs/physics.md, "Sensors that look ahead").
 
 none: the road ahead is taken as level. wheelbase: the rear axle will meet what the front has already driven.
 lookahead: the sensors that find the bump give the road for the whole horizon, and the speed plan is known.
@@ -126,7 +126,7 @@ def _level(grid: TimeGrid, drive: SpeedProfile, horizon: int) -> tuple[FloatArra
 def _behind_the_front(
     excitation: Excitation, drive: SpeedProfile, horizon: int, wheelbase: float
 ) -> tuple[FloatArray, FloatArray]:
-    """The same where the rear axle meets what the front has met."""
+    """`Forecast.windows` and `sizes` where the rear axle meets the road that the front one has passed."""
     grid, surface = excitation.grid, excitation.surface
     level, level_sizes = _level(grid, drive, horizon)
     windows, sizes = level.copy(), level_sizes.copy()

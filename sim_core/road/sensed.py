@@ -41,7 +41,7 @@ def expected_errors(mpc: Mpc) -> ExpectedErrors:
 def sensed_road(
     surface: RoadProfile, road: Road, mismatch: Mismatch, expected: ExpectedErrors, *, obstacle_alone: bool
 ) -> RoadProfile:
-    """The road on which a controller plans, but for offset, gain and delay.
+    """The road that a controller plans with, before the sensors' offset, gain and delay are applied.
 
     Args:
         surface: The true road.

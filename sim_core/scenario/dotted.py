@@ -57,7 +57,11 @@ def field(name: str) -> DottedField:
     try:
         return fields()[name]
     except KeyError:
-        raise UnknownNameError(f"Unknown field; there are {', '.join(offered(name))}") from None
+        raise _unknown(name) from None
+
+
+def _unknown(name: str) -> UnknownNameError:
+    return UnknownNameError(f"Unknown field; there are {', '.join(offered(name))}")
 
 
 def value(scenario: Mapping[str, Any], name: str) -> Any:
@@ -69,9 +73,21 @@ def value(scenario: Mapping[str, Any], name: str) -> Any:
 
 
 def with_changes(scenario: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
-    """A copy of a complete plain scenario with these fields changed; what is not changed is shared with it."""
+    """A copy of a complete plain scenario with these fields, or whole parts, changed; it shares what is not changed.
+
+    The values are not checked: `Scenario.model_validate` does that.
+
+    Args:
+        scenario: As `Scenario.model_dump(mode="json")` gives it.
+        changes: Dotted name -> value.
+
+    Raises:
+        UnknownNameError: There is no such field; the message lists the names to choose from.
+    """
     changed = dict(scenario)
     for name, value in changes.items():
+        if name not in fields() and not any(each.startswith(f"{name}.") for each in fields()):
+            raise _unknown(name)
         *parts, last = name.split(".")
         part: Any = changed
         for step in parts:

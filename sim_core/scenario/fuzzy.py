@@ -92,8 +92,8 @@ class FuzzyInputs(Part):
 class Condition(Part):
     """What a rule asks for: a set of one input, or of both."""
 
-    speed_error: str | None = Field(None, title="Speed error")
-    distance: str | None = Field(None, title="Distance")
+    speed_error: str | None = Field(default=None, title="Speed error")
+    distance: str | None = Field(default=None, title="Distance")
 
     @model_validator(mode="after")
     def _asks_for_something(self) -> Self:

@@ -117,8 +117,8 @@ class Hil(Part):
     compensation: Literal["predict", "none"] = field(
         "predict",
         "Delay compensation",
-        "A command takes effect one control step after its measurement: predict (ours) lets the ECU reckon "
-        "the state ahead to that moment, none lets it answer the past.",
+        "A command takes effect one control step after its measurement: predict (ours) lets the ECU predict "
+        "the state at that moment, none lets it act on the measured one.",
     )
     iterations: Annotated[int, quantity("1", soft=(1, 60), ge=0, le=200)] = field(
         30, "Iterations", "The ECU's solver stops after so many, whatever it has."

@@ -162,8 +162,8 @@ class Mpc(Part):
         1e-10, "Force change weight", "On the moves of the force (ours)."
     )
     solver: Literal["daqp", "osqp"] = field("daqp", "QP solver", "Used where a limit binds; the other is the fallback.")
-    stage_weights: StageWeights = Field(StageWeights(), title="LV weights per driving stage")
-    road_weights: RoadWeights = Field(RoadWeights(), title="Single suspension control's weights per road")
+    stage_weights: StageWeights = Field(default=StageWeights(), title="LV weights per driving stage")
+    road_weights: RoadWeights = Field(default=RoadWeights(), title="Single suspension control's weights per road")
 
 
 class Lqr(Part):
@@ -222,18 +222,18 @@ class Scenario(Part):
 
     model_config = ConfigDict(json_schema_extra=_without_example)
 
-    vehicle: Vehicle = Field(Vehicle(), title="Vehicle")
-    road: Road = Field(Road(), title="Road")
-    speed: Speed = Field(Speed(), title="Speed")
-    fuzzy: Annotated[Fuzzy, ADDED] = Field(Fuzzy(), title="Fuzzy speed control")
-    brake: Brake = Field(Brake(), title="Brake")
-    actuator: Actuator = Field(Actuator(), title="Actuator")
-    mismatch: Mismatch = Field(Mismatch(), title="Model mismatch")
-    estimation: Annotated[Estimation, ADDED] = Field(Estimation(), title="State estimation")
-    mpc: Mpc = Field(Mpc(), title="MPC")
-    lqr: Lqr = Field(Lqr(), title="LQR")
-    hook: Annotated[Hook, ADDED] = Field(Hook(), title="Skyhook and groundhook")
-    hil: Hil = Field(Hil(), title="Hardware in the loop")
+    vehicle: Vehicle = Field(default=Vehicle(), title="Vehicle")
+    road: Road = Field(default=Road(), title="Road")
+    speed: Speed = Field(default=Speed(), title="Speed")
+    fuzzy: Annotated[Fuzzy, ADDED] = Field(default=Fuzzy(), title="Fuzzy speed control")
+    brake: Brake = Field(default=Brake(), title="Brake")
+    actuator: Actuator = Field(default=Actuator(), title="Actuator")
+    mismatch: Mismatch = Field(default=Mismatch(), title="Model mismatch")
+    estimation: Annotated[Estimation, ADDED] = Field(default=Estimation(), title="State estimation")
+    mpc: Mpc = Field(default=Mpc(), title="MPC")
+    lqr: Lqr = Field(default=Lqr(), title="LQR")
+    hook: Annotated[Hook, ADDED] = Field(default=Hook(), title="Skyhook and groundhook")
+    hil: Hil = Field(default=Hil(), title="Hardware in the loop")
 
     def on(self, measured: MeasuredRoad) -> "Scenario":
         """The scenario with the heights of its `road.profile`: no name of a road holds any, and the core reads none.

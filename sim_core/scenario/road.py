@@ -87,7 +87,7 @@ class Road(Part):
         "none is given beside a measured profile, it is the profile's.",
     )
     profile: Annotated[str | None, ADDED] = Field(
-        None,
+        default=None,
         pattern=ID_PATTERN,
         title="Measured profile",
         description="Id of a measured road, in place of one made from roughness and seed. Its file "

@@ -35,7 +35,7 @@ class KalmanFilter:
 
     Attributes:
         gain: (8, 4).
-        covariance: (8, 8), of what x̂ is off by.
+        covariance: Of the estimate's error (8, 8).
     """
 
     gain: FloatArray
@@ -128,8 +128,8 @@ def sensor_noise(scenario: Scenario, steps: int, per_control: int = 1) -> FloatA
     Args:
         scenario: Whose sensors and seed.
         steps: Measurements.
-        per_control: Measurements in a control step: each has so many times the variance, so that together they tell as
-            much as one.
+        per_control: Measurements in a control step. The variance of each is multiplied by it, so that together they
+            carry the information of one.
     """
     white = np.random.default_rng((scenario.road.seed, _NOISE_STREAM)).standard_normal((steps, len(MEASURED_OUTPUTS)))
     return white * _deviations(scenario.estimation, per_control)

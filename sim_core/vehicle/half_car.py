@@ -49,7 +49,7 @@ def _arms(vehicle: Vehicle) -> FloatArray:
 
 
 def deflection_speeds(vehicle: Vehicle) -> FloatArray:
-    """The rates of both suspension deflections as rows on the state (2, 8)."""
+    """The rates of both suspension deflections [m/s] as rows on the state (2, 8)."""
     eye = np.eye(2)
     return np.hstack([np.zeros((2, 4)), np.ones((2, 1)), _arms(vehicle)[:, None], -eye])
 
@@ -93,7 +93,7 @@ MEASURED_OUTPUTS = ("front_deflection", "rear_deflection", "body_acceleration", 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Measurement:
-    """y = C x + D u + F a of MEASURED_OUTPUTS: C (4, 8), D (4, 2), F (4,); u [N] the forces that act, a the braking."""
+    """y = C x + D u + F a of MEASURED_OUTPUTS: C (4, 8), D (4, 2), F (4,); u the forces [N], a the braking [m/s^2]."""
 
     C: FloatArray
     D: FloatArray

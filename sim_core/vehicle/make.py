@@ -31,8 +31,8 @@ def make_vehicle(
         before: Control steps before those on record.
         estimator: Between car and controller; None where that has the state itself.
         dampers: Its dampers where they are semi-active; None where actuators act beside passive ones.
-        road: What a nonlinear car drives on, whose stops, tyres and limits make much of how the road runs within a fine
-            step; None where that is straight, as `disturbance` has it and a linear car takes it.
+        road: The road itself within each fine step, to which a nonlinear car's stops, tyres and limits are sensitive;
+            None where it is straight there, as `disturbance` has it and a linear car takes it.
     """
     if is_linear(vehicle, dampers):
         matrices = plant(vehicle, actuator, step, disturbance.shape[1] // DISTURBANCES)

@@ -22,7 +22,7 @@ class LinearLaw:
         gain: On the state (8,), then on the previous force [N] (2, 10).
         preview_gain: On the expected disturbances, all steps of the front road velocity, then of the rear one, then of
             the deceleration (2, 3 · preview_steps); None for nothing.
-        limits: Limits beside the greatest force: the law holds where each row times
+        limits: Limits beside the greatest force, each a row divided by its limit: the law holds where every row times
             [state; previous force; disturbances] is between -1 and 1 (rows, 10 + 3 · preview_steps); None for none.
 
     Example:
@@ -77,10 +77,10 @@ class SemiActiveDampers:
     """Dampers of both axles whose coefficients the actuators set, so that all they do is take energy out.
 
     Attributes:
-        least: What a damper can be set to, the passive one included [N s/m].
-        most: The same; infinite where there is no limit.
-        most_force: What control changes of the passive damper's force at most [N]; `least` and `most` go before it. A
-            run sets it from the limits of forces.
+        least: Smallest coefficient that a damper as a whole, the passive one included, can be set to [N s/m].
+        most: Largest one [N s/m]; infinite where there is no limit.
+        most_force: By how much control changes the passive damper's force at most [N]; where `least` or `most` asks for
+            more, they are kept. A run sets it from the limits of forces.
 
     Example:
         >>> from sim_core import DampingController, Scenario, SemiActiveDampers, axle_velocities, simulate
@@ -97,6 +97,15 @@ class SemiActiveDampers:
     least: float
     most: float
     most_force: float = inf
+
+    def __post_init__(self) -> None:
+        """Check the coefficients.
+
+        Raises:
+            RidelabError: They are not 0 or more, or the least is above the most.
+        """
+        if not 0 <= self.least <= self.most:
+            raise RidelabError("A semi-active damper's least damping is 0 or more, and at most its greatest one")
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)

@@ -195,7 +195,7 @@ def test_what_has_ended_is_deleted_with_its_children_unless_a_link_shows_it(stor
     child = store.jobs.load("child")
     assert child is not None
     assert child.state == "cancelled", "nobody waits for it"
-    link = StoredLink(slug="s" * 22, kind="batch", target=batch.id, view={}, created_at=BATCH.created_at)
+    link = StoredLink(slug="s" * 22, kind="batch", target=batch.id, view={})
     store.links.save(link, {})
     assert not store.jobs.delete(batch.id), "a link shows it"
     with store.writing() as connection:

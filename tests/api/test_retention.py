@@ -27,7 +27,7 @@ from tests.servers.process import HANG_TIMEOUT
 LONG_AGO = datetime.now(UTC) - timedelta(days=40)
 
 
-LINK = StoredLink(slug="s" * 22, kind="run", target="linked", view={}, created_at=LONG_AGO)
+LINK = StoredLink(slug="s" * 22, kind="run", target="linked", view={})
 
 
 @pytest.fixture
@@ -46,7 +46,7 @@ def fill(store: Store) -> Store:
     """Runs `plain`, `linked` and `pinned`, jobs `plain`, `labelled` and `linked` with a child, all of them long ago."""
     for name in ("plain", "linked"):
         save(store, name, f"{name}-1", "shared")
-    link = StoredLink(slug="r" * 22, kind="run", target="linked", view={}, created_at=LONG_AGO)
+    link = StoredLink(slug="r" * 22, kind="run", target="linked", view={})
     store.links.save(link, {"linked-1": b"histories"})
     for name in ("plain", "labelled", "linked"):
         store.jobs.create(replace(BATCH, id=name), rows(name))
@@ -57,7 +57,7 @@ def fill(store: Store) -> Store:
         store.job_runs.save(name, computed(*(f"{name}-{number}" for number in range(12))), "1")
         assert store.jobs.finish(name)
     store.jobs.set_label("labelled", "winter")
-    store.links.save(StoredLink(slug="j" * 22, kind="batch", target="linked", view={}, created_at=LONG_AGO), {})
+    store.links.save(StoredLink(slug="j" * 22, kind="batch", target="linked", view={}), {})
     with store.writing() as connection:
         connection.execute(update(jobs).values(finished_at=LONG_AGO))
         connection.execute(update(results).values(created_at=LONG_AGO))
@@ -92,7 +92,7 @@ def test_a_child_that_is_named_or_linked_keeps_its_family(store: Store) -> None:
     apply(store, retention_days=30)
     assert store.jobs.load("plain") is not None
     store.jobs.set_label("child", None)
-    store.links.save(StoredLink(slug="c" * 22, kind="batch", target="child", view={}, created_at=LONG_AGO), {})
+    store.links.save(StoredLink(slug="c" * 22, kind="batch", target="child", view={}), {})
     apply(store, retention_days=30)
     assert store.jobs.load("child") is not None
     assert not store.jobs.delete("child"), "it belongs to a job"

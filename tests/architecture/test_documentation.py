@@ -32,10 +32,11 @@ def test_a_reference_page_is_what_the_core_says(page: Callable[[], str], name: s
     assert path.read_text(encoding="utf-8") == page()
 
 
-def test_the_core_computes_the_formulas_of_physics_md() -> None:
-    """Its Python blocks in order, each with the names of those before; a traceback has the page's lines."""
-    path = ROOT / "docs" / "physics.md"
-    page, names = path.read_text(encoding="utf-8"), dict[str, object]()
+@pytest.mark.parametrize("name", ["README.md", "sim_core/README.md", "docs/physics.md"])
+def test_the_python_blocks_of_a_page_run(name: str) -> None:
+    """In order, each with the names of those before; a traceback has the page's lines. Those of physics.md compare."""
+    path = ROOT / name
+    page, names = path.read_text(encoding="utf-8"), dict[str, object](__name__="page")
     blocks = list(BLOCK.finditer(page))
     assert blocks
     for block in blocks:

@@ -2,9 +2,12 @@
 
 import re
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
+
+import sim_core
 
 ROOT = Path(__file__).parents[2]
 TARGET = re.compile(r"\bmake ([a-z][a-z-]*)")
@@ -70,3 +73,36 @@ def test_every_make_target_named_exists(page: Path) -> None:
     targets = {name for file in makefiles for name in re.findall(r"^([a-z][a-z-]*):", file.read_text(), re.MULTILINE)}
     code = "\n".join(re.findall(r"```.*?```|`[^`\n]+`", page.read_text(), re.DOTALL))
     assert set(TARGET.findall(code)) <= targets
+
+
+def test_the_index_of_decisions_has_each_with_its_date_and_status() -> None:
+    folder = ROOT / "docs/decisions"
+    index = (folder / "README.md").read_text()
+    for page in folder.glob("0*.md"):
+        title, empty, dated, *_ = page.read_text().splitlines()
+        date, status = dated.split(" · ")
+        assert not empty
+        number, name = title.removeprefix("# ").split(" ", 1)
+        assert f"| [{number}]({page.name}) | {name} | {date} | {status} |" in index
+
+
+@pytest.mark.parametrize(
+    ("schema", "pattern"),
+    [
+        ("vendor.citation-file-format", "CITATION.cff"),
+        ("vendor.github-workflows", ".github/workflows/*.yml"),
+        ("vendor.github-issue-forms", ".github/ISSUE_TEMPLATE/[!c]*.yml"),
+        ("vendor.github-issue-config", ".github/ISSUE_TEMPLATE/config.yml"),
+        ("vendor.dependabot", ".github/dependabot.yml"),
+    ],
+)
+def test_files_for_other_programs_are_what_their_schema_asks(schema: str, pattern: str) -> None:
+    files = [str(path) for path in ROOT.glob(pattern)]
+    command = [sys.executable, "-m", "check_jsonschema", "--builtin-schema", schema, *files]
+    checked = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert files
+    assert not checked.returncode, checked.stdout
+
+
+def test_the_citation_names_this_version() -> None:
+    assert f"\nversion: {sim_core.__version__}\n" in (ROOT / "CITATION.cff").read_text()

@@ -6,11 +6,8 @@ its share of those it shares with the others.
 
 import contextlib
 import time
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-
-import pytest
 
 from backend.http.server import GuardedProtocol
 from tests.servers.api import Api, ask
@@ -25,21 +22,6 @@ LONGEST = {"road": {"length": 3000}, "speed": {"initial_speed_kmh": 5, "target_s
 LONG = {"road": {"length": 1500}, "speed": {"initial_speed_kmh": 5, "target_speed_kmh": 5}}
 # As many samples as bands over several roads may have.
 BANDS = {"road": {"length": 700}, "speed": {"initial_speed_kmh": 5, "target_speed_kmh": 5}}
-
-
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("downloads")
-
-
-@pytest.fixture(scope="module")
-def api(folder: Path) -> Iterator[Api]:
-    api = Api(folder)
-    try:
-        api.wait_until_ready()
-        yield api
-    finally:
-        api.end()
 
 
 def report(name: str, watch: Watch) -> None:

@@ -1,6 +1,6 @@
 """One client sends the dearest requests it may, again as soon as each is answered: another client's runs are answered.
 
-Five loads, each by an address of its own, one after the other on one service with shipped settings; beside each the
+Six loads, each by an address of its own, one after the other on one service with shipped settings; beside each the
 other client compares three strategies in scenarios nobody drove before. A load ends when its client hangs up, in
 mid-run. DRILL_SECONDS= changes how long each lasts.
 """
@@ -11,7 +11,7 @@ import json
 import os
 import time
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -147,6 +147,7 @@ async def all_loads(port: int) -> list[Load]:
     road = await upload(port)
     loads = [
         Load("nothing else", 0, osqp),
+        Load("plain runs", 64, lambda: ("POST", "/api/v1/runs", new_run())),
         Load("OSQP runs at the sliders' ends", 4, osqp),
         Load("`lv_hil` runs on a long road", 4, ecu),
         Load("`/solve` over 50 roads", 4, solve),
@@ -159,22 +160,12 @@ async def all_loads(port: int) -> list[Load]:
     return loads
 
 
-@pytest.fixture(scope="module")
-def port(tmp_path_factory: pytest.TempPathFactory) -> Iterator[int]:
-    api = Api(tmp_path_factory.mktemp("fair"))
-    try:
-        api.wait_until_ready()
-        yield api.port
-    finally:
-        api.end()
-
-
-@pytest.mark.timeout(180 + 8 * SECONDS)
-def test_a_greedy_client_keeps_no_other_waiting(port: int) -> None:
+@pytest.mark.timeout(180 + 9 * SECONDS)
+def test_a_greedy_client_keeps_no_other_waiting(api: Api) -> None:
     print(
         "\n| one client sends | its answers | the other's runs | refused | median | p95 | most |\n" + 7 * "|---" + "|"
     )
-    loads = loops.run(lambda: all_loads(port))
+    loads = loops.run(lambda: all_loads(api.port))
     for load in loads:
         assert not load.refused, load.name
         assert quantile(load.times, 0.95) <= 1000 * LONGEST, load.name

@@ -5,13 +5,11 @@ Shipped settings. Each is sent by a client of its own, which sends it again as s
 
 import asyncio
 import time
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import httpx
-import pytest
 
-from tests.drill.callers import Caller, new_run, quantile
+from tests.drill.callers import quantile, served
 from tests.servers import loops
 from tests.servers.api import Api
 from tests.servers.process import HANG_TIMEOUT
@@ -52,16 +50,6 @@ UPLOADS = {
 }
 
 
-@pytest.fixture(scope="module")
-def port(tmp_path_factory: pytest.TempPathFactory) -> Iterator[int]:
-    api = Api(tmp_path_factory.mktemp("uploads"))
-    try:
-        api.wait_until_ready()
-        yield api.port
-    finally:
-        api.end()
-
-
 async def again_and_again(port: int, upload: Upload, address: str, end: float) -> None:
     transport = httpx.AsyncHTTPTransport(local_address=address)
     async with httpx.AsyncClient(
@@ -86,28 +74,13 @@ async def again_and_again(port: int, upload: Upload, address: str, end: float) -
             assert answer.json()["detail"].startswith(upload.detail)
 
 
-async def served(port: int, end: float) -> tuple[list[float], list[float]]:
-    """Times of health checks and of new runs, one after another [s]."""
-    caller, health, runs = Caller(port, OTHER), list[float](), list[float]()
-    try:
-        while time.monotonic() < end:
-            for into, request in ((health, ("GET", "/healthz")), (runs, ("POST", "/api/v1/runs", new_run()))):
-                begin = time.monotonic()
-                status, _, _ = await caller.call(*request)
-                into.append(time.monotonic() - begin)
-                assert status == 200
-    finally:
-        await caller.close()
-    return health, runs
-
-
 async def drive(port: int) -> None:
     end = time.monotonic() + SECONDS
     addresses = [f"127.0.0.{number}" for number in range(3, 3 + len(UPLOADS))]
     async with asyncio.TaskGroup() as group:
         for address, upload in zip(addresses, UPLOADS.values(), strict=True):
             group.create_task(again_and_again(port, upload, address, end))
-        other = group.create_task(served(port, end))
+        other = group.create_task(served(port, [OTHER], end))
     for name, upload in UPLOADS.items():
         print(
             f"\n{name}: {upload.status}, {len(upload.times)} times, {upload.put_off} put off, "
@@ -115,14 +88,10 @@ async def drive(port: int) -> None:
             end="",
         )
     health, runs = other.result()
-    print(
-        f"\nanother client's {len(health)} /healthz {quantile(health, 0.5):.0f} ms, p99 {quantile(health, 0.99):.0f}; "
-    )
-    print(f"its runs {quantile(runs, 0.5):.0f} ms, p99 {quantile(runs, 0.99):.0f}")
     assert all(upload.times for upload in UPLOADS.values())
     assert quantile(health, 0.99) < 500
     assert quantile(runs, 0.5) < 2000
 
 
-def test_bad_files_are_refused_at_their_line_and_disturb_nobody(port: int) -> None:
-    loops.run(lambda: drive(port))
+def test_bad_files_are_refused_at_their_line_and_disturb_nobody(api: Api) -> None:
+    loops.run(lambda: drive(api.port))

@@ -89,6 +89,6 @@ def test_what_may_take_long_is_waited_for_and_only_that(url: str, monkeypatch: p
             connection.exec_driver_sql("SELECT pg_sleep(1)")
         store.ping()
         with store.engine.connect() as connection:
-            driver = connection.connection.dbapi_connection
+            driver = connection.connection.driver_connection
             assert isinstance(driver, LimitedConnection)
             assert driver.answer_timeout == 0.5

@@ -12,7 +12,7 @@ import httpx
 import pytest
 
 from sim_core.strategies import STRATEGIES
-from tests.packaging.environments import Environment, built
+from tests.packaging.environments import ROOT, Environment, built
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
 
@@ -54,9 +54,13 @@ def address(server: Environment, tmp_path_factory: pytest.TempPathFactory) -> It
 
 def test_each_distribution_is_typed_and_only_the_cores_belongs_to_a_platform(wheels: dict[str, Path]) -> None:
     for name, package in (("ridelab-core", "sim_core"), ("ridelab", "ridelab"), ("ridelab-server", "backend")):
-        files = ZipFile(wheels[name]).namelist()
+        wheel = ZipFile(wheels[name])
+        files = wheel.namelist()
         assert f"{package}/py.typed" in files
         assert {file.split("/")[0] for file in files if ".dist-info/" not in file} == {package}
+        assert f"{package}/setup.py" not in files, "what builds it is no part of it"
+        (licence,) = [file for file in files if file.endswith(".dist-info/licenses/LICENSE")]
+        assert wheel.read(licence) == (ROOT / "LICENSE").read_bytes()
     tags = {name: path.stem.split("-")[2:] for name, path in wheels.items()}
     assert tags["ridelab"] == tags["ridelab-server"] == ["py3", "none", "any"]
     assert tags["ridelab-core"][:2] == ["py3", "none"], "its library needs no Python headers"
@@ -83,6 +87,37 @@ for scenario, names in (Scenario(), STRATEGIES), (osqp, ["lv"]):
     assert (run.returncode, run.stderr) == (0, "")
     assert run.stdout == here.stdout, "the same numbers as from the sources"
     assert len(run.stdout.splitlines()) == len(STRATEGIES) + 1
+
+
+def test_a_program_that_uses_the_core_is_type_checked_without_plugins(core: Environment, tmp_path: Path) -> None:
+    program = """
+from sim_core import Bump, Controller, Mpc, Road, Scenario, Seen, option, simulate
+
+class BodyDamper(Controller):
+    "Damps the body's vertical motion."
+    id, label = "body_damper", "Body damper"
+    damping: float = option(2000.0, unit="N s/m", ge=0, le=20_000, help="Force per body velocity.")
+
+    def force(self, seen: Seen) -> tuple[float, float]:
+        each = -self.damping * float(seen.state[4]) / 2
+        return each, each
+
+scenario = Scenario(road=Road(length=60, bump=Bump(start=30)), mpc=Mpc(force_limit=2000))
+peak: float = simulate(scenario, BodyDamper).metrics["bump"]["body_acceleration"]["peak"]
+"""
+    (tmp_path / "right.py").write_text(program)
+    (tmp_path / "wrong.py").write_text(f"{program}Scenario(rod=Road())\nsimulate(scenario, 3)\n")
+    words = ["--strict", "--config-file=", "--python-executable", core.program("python")]
+    checks = [
+        subprocess.run(
+            [sys.executable, "-m", "mypy", *words, name], capture_output=True, text=True, check=False, cwd=tmp_path
+        )
+        for name in ("right.py", "wrong.py")
+    ]
+    assert checks[0].stdout == "Success: no issues found in 1 source file\n"
+    assert 'Unexpected keyword argument "rod" for "Scenario"' in checks[1].stdout
+    assert 'Argument 2 to "simulate" has incompatible type "int"' in checks[1].stdout
+    assert checks[1].stdout.endswith("Found 2 errors in 1 file (checked 1 source file)\n"), checks[1].stdout
 
 
 def test_the_client_alone_is_small_and_asks_a_service(client: Environment, address: str) -> None:

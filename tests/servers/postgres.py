@@ -55,7 +55,7 @@ class Postgres:
         with (self.folder / "log").open("ab") as log:
             self._process = subprocess.Popen(command, cwd=self.folder, stdout=log, stderr=log, **self._as_user)
         end = time.monotonic() + HANG_TIMEOUT
-        while time.monotonic() < end and self.running:
+        while time.monotonic() < end and self._process.poll() is None:
             try:
                 self._connect().close()
             except psycopg.OperationalError:

@@ -2,7 +2,6 @@
 
 import json
 import pickle
-from typing import Any
 
 import pytest
 
@@ -13,9 +12,7 @@ from backend.jobs.sweep.plan import plan
 from backend.jobs.sweep.points import Sweep, SweepError
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
-from backend.runs import compute_run
 from sim_core import __version__ as CORE_VERSION
-from sim_core.errors import TooExpensiveError
 from sim_core.scenario import Scenario
 
 BASE = Scenario().model_dump(mode="json")
@@ -51,20 +48,6 @@ def test_equal_runs_are_computed_once_and_each_has_its_own_scenario() -> None:
 
 def test_out_of_time_it_gives_what_it_has_and_always_something() -> None:
     assert len(computed(waiting(0.05, 0.06, 0.07), budget=0)) == 1
-
-
-def test_what_takes_too_much_is_a_result_that_names_what_to_change(monkeypatch: pytest.MonkeyPatch) -> None:
-    def refuse(*_: Any) -> None:
-        raise TooExpensiveError("Too many steps", fields=("road.length",))
-
-    monkeypatch.setattr(compute_run, "simulate", refuse)
-    (run,) = computed(waiting(0.05))
-    assert (run.status, run.cacheable) == ("failed", True)
-    assert run.summary == {
-        "reason": "Too many steps; change road.length",
-        "kind": "too-expensive",
-        "fields": ["road.length"],
-    }
 
 
 def test_without_its_measured_road_a_run_fails_and_the_failure_is_not_stored() -> None:

@@ -48,11 +48,11 @@ def image(calibration: Calibration) -> firmware.Image:
     return firmware.image(calibration)
 
 
-def test_the_zip_builds_with_its_own_makefile_and_drives_bit_for_bit_like_ridelabs_program(
-    tmp_path: Path, calibration: Calibration
-) -> None:
-    content = export.archive(SMALL)
-    assert content == export.archive(SMALL)
+def test_the_zip_builds_with_its_own_makefile_and_drives_bit_for_bit_like_ridelabs_programs(tmp_path: Path) -> None:
+    """The one in a process of its own and the one in this process; with limits, and iterations it does not have."""
+    rushed = SMALL.model_copy(update={"hil": Hil(bits=16, iterations=3)})
+    content = export.archive(rushed)
+    assert content == export.archive(rushed)
     with zipfile.ZipFile(io.BytesIO(content)) as archive:
         archive.extractall(tmp_path)
     folder = tmp_path / export.FOLDER
@@ -61,12 +61,14 @@ def test_the_zip_builds_with_its_own_makefile_and_drives_bit_for_bit_like_ridela
         ["make", f"CC={compiler}", "CFLAGS=-std=c99 -O1 -Wall -Wextra -Werror"], cwd=folder, check=False
     )
     assert make.returncode == 0
-    assert Scenario.model_validate_json((folder / "scenario.json").read_text()) == SMALL
-    exported = simulate(SMALL, LvHil(connect=partial(connected, program=folder / "ridelab_ecu")))
-    loaded = simulate(SMALL, LvHil(connect=connected))
-    assert exported.summary() == loaded.summary()
-    assert all(np.array_equal(exported.series[key], loaded.series[key]) for key in loaded.series)
-    assert event(loaded, "limited_steps") > 5
+    assert Scenario.model_validate_json((folder / "scenario.json").read_text()) == rushed
+    exported = simulate(rushed, LvHil(connect=partial(connected, program=folder / "ridelab_ecu")))
+    for ours in (LvHil(connect=connected), "lv_hil"):
+        result = simulate(rushed, ours)
+        assert exported.summary() == result.summary()
+        assert all(np.array_equal(exported.series[key], result.series[key]) for key in result.series)
+    assert event(exported, "limited_steps") > 5
+    assert event(exported, "qp_failures") > 0
 
 
 def test_the_rest_of_ridelabs_program_compiles_without_a_warning_too(tmp_path: Path) -> None:

@@ -5,8 +5,6 @@ import re
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -19,14 +17,10 @@ from backend.ecu.build import EcuError
 from backend.ecu.link import connected
 from backend.ecu.tables import fingerprint
 from sim_core.ecu.calibration import Calibration
-from sim_core.ecu.interface import Ecu, Frame, Reply
-from sim_core.ecu.program import CompiledEcu
-from sim_core.scenario import Hil, Mpc, Scenario
-from sim_core.simulate import simulate
+from sim_core.ecu.interface import Frame
+from sim_core.scenario import Mpc, Scenario
 from sim_core.strategies.calibration import ecu_calibration
-from sim_core.strategies.lv_hil import LvHil
 from tests.servers.process import HANG_TIMEOUT, wait_until
-from tests.validation.ecu_drives import DRIVES, SHORT, SLOWER
 
 ROOT = Path(__file__).parents[2]
 SMALL = Scenario(mpc=Mpc(prediction_horizon=4, control_horizon=2))
@@ -177,31 +171,3 @@ def test_a_folder_of_somebody_else_is_not_used(monkeypatch: pytest.MonkeyPatch, 
         build.folder()
     (tmp_path / f"ridelab-ecu-{os.getuid()}").chmod(0o700)
     assert build.folder().parent == tmp_path
-
-
-class Twins(Ecu):
-    """The program in this process and in one of its own."""
-
-    def __init__(self, calibration: Calibration, process: Ecu) -> None:
-        self._here, self._process = CompiledEcu(calibration), process
-        self.asked = 0
-
-    def exchange(self, frame: Frame) -> Reply:
-        here, there = self._here.exchange(frame), self._process.exchange(frame)
-        assert here == there, frame.step
-        self.asked += 1
-        return here
-
-
-@pytest.mark.parametrize(("mpc", "hil"), DRIVES.values(), ids=DRIVES)
-def test_in_the_process_it_answers_as_in_one_of_its_own_to_the_bit(mpc: Mpc, hil: Hil) -> None:
-    twins: list[Twins] = []
-
-    @contextmanager
-    def connect(calibration: Calibration) -> Iterator[Ecu]:
-        with connected(calibration) as process:
-            twins.append(Twins(calibration, process))
-            yield twins[0]
-
-    simulate(Scenario(road=SHORT, speed=SLOWER, mpc=mpc, hil=hil), LvHil(connect=connect))
-    assert twins[0].asked > 500

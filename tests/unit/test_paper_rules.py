@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from backend.intervals import change_with_interval, mean_with_interval
 from backend.paper import claims
 from backend.paper.attribution import FACTORS, VARIANTS, shares
 from backend.paper.claims import FIGURES, Verdict, judge, scenario_for, verdict
@@ -124,28 +123,6 @@ def test_a_verdict_is_certain_where_its_whole_interval_gets_it() -> None:
     item = next(each for each in judge(values) if each.cell.claim == -31.3)
     assert item.change.low < -31.3 < item.change.high
     assert not item.certain
-
-
-def test_the_interval_of_a_mean_is_students() -> None:
-    """1, 2, 3 and 4: s² = 5/3 with three degrees of freedom, whose two-sided 5 % point is 3.182 446 in the tables."""
-    interval, half = mean_with_interval([1, 2, 3, 4]), 3.182446 * (5 / 3 / 4) ** 0.5
-    assert (interval.value, interval.low, interval.high) == pytest.approx((2.5, 2.5 - half, 2.5 + half), rel=1e-6)
-
-
-def test_the_interval_of_a_change_covers_the_truth_as_often_as_it_says() -> None:
-    """2000 samples of 20 pairs whose means stand as 0.8 to 1, strongly correlated as results on the same road are.
-
-    95 % of them must cover -20 %: 93.5 to 96.5 % are three standard errors around it.
-    """
-    random = np.random.default_rng(4)
-    common = random.normal(0, 1, (2000, 20))
-    base = 10 + 2 * common + 0.3 * random.normal(size=common.shape)
-    ours = 8 + 1.6 * common + 0.3 * random.normal(size=common.shape)
-    intervals = [change_with_interval(one, other) for one, other in zip(ours, base, strict=True)]
-    covered = np.mean([item.low <= -20 <= item.high for item in intervals])
-    assert 0.935 < covered < 0.965
-    # Unpaired, the interval would be wider by the roads' own spread.
-    assert np.mean([item.high - item.low for item in intervals]) < 5
 
 
 def test_every_reading_changes_fields_that_exist_and_the_first_choice_is_ours() -> None:

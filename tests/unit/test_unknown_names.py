@@ -7,7 +7,8 @@ from pydantic import BaseModel, Field
 
 from backend.http.validation import locate_in_body
 from backend.unknown_names import pointer
-from sim_core.scenario import dotted
+from sim_core.errors import UnknownNameError
+from sim_core.scenario import Scenario, dotted
 
 
 class Circle(BaseModel):
@@ -53,3 +54,13 @@ def test_a_name_that_is_unknown_may_have_meant_those_below_the_part_it_begins_wi
     }
     assert {name.partition(".")[0] for name in dotted.offered("brake.strength")} == {"brake"}
     assert dotted.offered("brakes.lag") == list(dotted.fields())
+
+
+def test_a_name_that_is_unknown_changes_nothing() -> None:
+    plain = Scenario().model_dump(mode="json")
+    changes = {"vehicle": {**plain["vehicle"], "body_mass": 700.0}, "mpc.stage_weights.cruise.0": 4.0}
+    changed = Scenario.model_validate(dotted.with_changes(plain, changes))
+    assert (changed.vehicle.body_mass, changed.mpc.stage_weights.cruise) == (700.0, (4.0, 1.0, 1.0))
+    for name in ("road.bumb.height", "road.lenght", "road.length.x", "mpc.stage_weights.cruise.3"):
+        with pytest.raises(UnknownNameError, match="Unknown field; there are "):
+            dotted.with_changes(plain, {name: 1.0})

@@ -62,7 +62,7 @@ def test_each_of_our_laws_needs_nothing_but_what_is_public_and_drives_the_same_o
         assert outside.summary() == ours.summary()
         assert all(np.array_equal(outside.series[name], ours.series[name]) for name in ours.series)
         assert reads(law) == reads(STRATEGIES[law.id])
-        assert check_controller(law) == []
+        assert check_controller(type(law.__name__, (law,), {"__doc__": law.__doc__, "id": f"my_{law.id}"})) == []
 
 
 def test_all_strategies_are_one_file_each() -> None:
@@ -193,78 +193,16 @@ def test_without_sensors_the_road_ahead_is_level() -> None:
     np.testing.assert_allclose(np.diff(seen["preview"], axis=1), 0, atol=1e-15)
 
 
-class Faulty(Controller):
-    """Does something wrong."""
-
-    id = "faulty"
-    label = "Faulty"
-    fault: str = option("none")
-    gain: float = scenario_field("hook.skyhook_damping")
-    calls = 0
-
-    def start(self, setup: Setup) -> None:
-        if self.fault != "keeps state":
-            self.memory = [0.0]
-
-    def force(self, seen: Seen) -> Any:
-        Faulty.calls += 1
-        self.memory[0] += 1.0
-        if self.fault == "writes":
-            seen.state[0] = 0.0
-        if self.fault == "raises":
-            raise KeyError("front")
-        forces: dict[str, Any] = {
-            "three numbers": (0.0, 0.0, 0.0),
-            "words": "none",
-            "not finite": (float("nan"), 0.0),
-            "nothing": None,
-            "keeps state": (self.memory[0] % 100, 0.0),
-            "not repeatable": (Faulty.calls % 100, 0.0),
-        }
-        return forces.get(self.fault, (0.0, 0.0))
+@pytest.mark.parametrize(("least", "most"), [(-1.0, 10.0), (20.0, 10.0), (float("nan"), 10.0)])
+def test_semi_active_dampers_have_a_range(least: float, most: float) -> None:
+    with pytest.raises(RidelabError, match="least damping is 0 or more, and at most its greatest one"):
+        sim_core.SemiActiveDampers(least=least, most=most)
 
 
-@pytest.mark.parametrize(
-    ("fault", "said"),
-    [
-        ("three numbers", "two numbers"),
-        ("words", "two numbers"),
-        ("nothing", "two numbers"),
-        ("not finite", "not finite"),
-        ("writes", "changes what it was given"),
-        ("raises", "KeyError at "),
-        ("keeps state", "start has to forget"),
-        ("not repeatable", "A second run of the same object differs"),
-    ],
-)
-def test_the_check_says_what_is_wrong(fault: str, said: str) -> None:
-    controller = Faulty(fault=fault)
-    controller.memory = [0.0]
-    (sentence,) = check_controller(controller, SHORT)
-    assert said in sentence
-    if fault == "raises":
-        assert f"{Path(__file__).name}, line " in sentence
-
-
-def test_the_check_reads_the_declaration() -> None:
-    class Bare(Controller):
-        id = "Bare one"
-        number: float = option(-1.0, ge=0)
-        other: float = scenario_field("hook.skyhok_damping")
-
-    sentences = "\n".join(check_controller(Bare))
-    for said in ("id begins", "label is empty", "no docstring", "neither force nor linear_law", "number", "skyhok"):
-        assert said in sentences
-
-
-def test_the_check_takes_an_id_and_refuses_what_is_no_controller() -> None:
-    assert check_controller("skyhook") == []
-    with pytest.raises(RidelabError, match="skyhook"):
-        check_controller("skyhok")
-    nothing: Any = 5
-    assert "derived from sim_core.Controller" in check_controller(nothing)[0]
-    with pytest.raises(RidelabError, match=r"derived from sim_core\.Controller"):
-        simulate(SHORT, nothing)
+@pytest.mark.parametrize("scenario", ["paper", {}, Scenario])
+def test_what_is_no_scenario_is_refused(scenario: Any) -> None:
+    with pytest.raises(RidelabError, match=r"A scenario is a sim_core\.Scenario"):
+        simulate(scenario, "passive")
 
 
 @pytest.mark.parametrize(

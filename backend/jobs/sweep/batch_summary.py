@@ -19,7 +19,7 @@ from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRICS
 from sim_core.scenario.measured import MeasuredRoad
 
-POINTS_A_CALL = 100  # whose stability one task of a worker reckons; with unequal dampers one of LV takes some 13 ms
+POINTS_A_CALL = 100  # whose stability one task of a worker computes; with unequal dampers one of LV takes some 13 ms
 
 
 async def summarised(

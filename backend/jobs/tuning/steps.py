@@ -9,7 +9,6 @@ import asyncio
 import logging
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
-from datetime import UTC, datetime
 from functools import partial
 from typing import Any, Literal
 
@@ -164,7 +163,6 @@ class TuningSteps:
             job,
             event="state",
             state="done",
-            finished_at=datetime.now(UTC),
             progress=_waiting_for(job, "comparison", sweep),
             answer=Comparison(batch=sweep.id, figures=comparison.columns(aims), points=points).model_dump(),
         )
@@ -175,8 +173,7 @@ class TuningSteps:
         """The metrics of each set of weights on each road; None where the tuning has ended meanwhile."""
         progress = _waiting_for(job, step, sweep)
         event = "state" if job.state != "running" or job.progress["step"] != step else None
-        started = job.started_at or datetime.now(UTC)
-        if not await self._advance(job, event=event, state="running", started_at=started, progress=progress):
+        if not await self._advance(job, event=event, state="running", progress=progress):
             await self._store.write(self._store.jobs.cancel, sweep.id)
             return None
         passive: dict[int, Summary] = {}

@@ -20,18 +20,16 @@ from ridelab.cli.reporting import (
     print_json,
 )
 from ridelab.cli.service import Services
-from ridelab.client import Ridelab
 from ridelab.errors import RidelabClientError
 from ridelab.jobs import Job, Tuning
 
 AnyJob = TypeVar("AnyJob", bound=Job)
 
 
-def detached_service(services: Services) -> Ridelab:
-    """The service that goes on with a job that is left to it."""
+def check_detachable(services: Services) -> None:
+    """Refuse to leave a job to a service that ends with this command."""
     if services.private:
         raise InputError("--detach needs --server: a private service ends with this command")
-    return services.at()
 
 
 def submit_job(submit: Callable[[str], AnyJob], services: Services, *options: str) -> tuple[AnyJob, int]:

@@ -52,6 +52,8 @@ def sweep(
     if (samples is not None) != bool(latin_hypercube):
         raise InputError("--latin-hypercube and --samples belong together")
     kind = None if out is None else output_format(out, file_format)
+    if detach:
+        following.check_detachable(services)
     swept: dict[str, Any]
     if points is not None:
         swept = {"list": targets.document(points.read_bytes(), str(points))}
@@ -62,10 +64,7 @@ def sweep(
         swept = {"latin_hypercube": {"ranges": ranges, "samples": samples, "seed": seed}}
     if link:
         swept["linked"] = fields.links_of(link)
-    ridelab, names = (
-        following.detached_service(services) if detach else services.at(),
-        options.listed(strategy) or ["lv"],
-    )
+    ridelab, names = services.at(), options.listed(strategy) or ["lv"]
     start = fields.scenario_of(scenario, changes, services, _set_in_every_point(swept))
     if dry_run:
         following.show_estimate(ridelab.estimate(start, names, swept), "total", "points", as_json=as_json)

@@ -100,7 +100,8 @@ def _document(content: bytes, name: str, services: Services) -> Target:
         return Target(name=name, scenario=_upgraded(value, 1) if _is_written_out(value) else value)
     try:
         run = RunResult.of({**value, "scenario": _upgraded(value["scenario"], 1)})
-        whole = isinstance(run.scenario, dict) and all(outcome.figures() for outcome in run if outcome.status == "ok")
+        complete = all(outcome.figures() for outcome in run if outcome.status == "ok")
+        whole = isinstance(value["scenario"], dict) and complete
     except (KeyError, TypeError, AttributeError):
         whole = False
     if not whole:

@@ -61,7 +61,9 @@ def tune(
 
     Ctrl-C cancels; --resume goes on where it stopped. With several objectives --out takes the front's knee.
     """
-    ridelab = services.at() if not detach else following.detached_service(services)
+    if detach:
+        following.check_detachable(services)
+    ridelab = services.at()
     if resume is not None:
         tuning, code = ridelab.get_tuning(resume), 0
         if tuning.state != "done" or trials not in (None, tuning.total):  # else it is only shown

@@ -1,0 +1,25 @@
+"""A service with shipped settings, one for all drills of a file."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from tests.servers.api import Api
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Where it stores what it has."""
+    return tmp_path_factory.mktemp("drill")
+
+
+@pytest.fixture(scope="module")
+def api(folder: Path) -> Iterator[Api]:
+    """The service, ready."""
+    api = Api(folder)
+    try:
+        api.wait_until_ready()
+        yield api
+    finally:
+        api.end()
