@@ -17,7 +17,7 @@ export function KeyList({ onClose }: { readonly onClose: () => void }) {
     return keys.length > 0 ? [{ label, keys: keys.map(keyNames).join(" or ") }] : [];
   });
   return (
-    <Modal opened onClose={onClose} title="Keys" closeButtonProps={{ "aria-label": "Close" }}>
+    <Modal opened onClose={onClose} title="Keys">
       <DataTable
         label="Keys"
         rows={[...named, ...EVERYWHERE]}

@@ -1,4 +1,4 @@
-import { MantineProvider, createTheme, Menu, type MantineColorsTuple } from "@mantine/core";
+import { MantineProvider, createTheme, Menu, Modal, type MantineColorsTuple } from "@mantine/core";
 import { QueryClientProvider } from "@tanstack/react-query";
 import { RouterProvider } from "@tanstack/react-router";
 import { StrictMode } from "react";
@@ -42,6 +42,7 @@ const theme = createTheme({
   respectReducedMotion: true,
   components: {
     // The placeholder would be a child that a menu may not have.
+    Modal: Modal.extend({ defaultProps: { closeButtonProps: { "aria-label": "Close" } } }),
     Menu: Menu.extend({ defaultProps: { withInitialFocusPlaceholder: false } }),
   },
 });
@@ -67,7 +68,7 @@ const readOwn = () => {
 window.addEventListener("storage", readOwn); // another tab has changed them
 window.addEventListener("pageshow", readOwn); // or may have while the browser kept this page aside
 
-const context = { lab, labAddress, standard: {}, restored: restored?.lab.history?.present ?? null };
+const context = { lab, labAddress, restored: restored?.lab.history?.present ?? null };
 
 const root = document.getElementById("root");
 if (!root) throw new Error("index.html has no #root");

@@ -1,7 +1,7 @@
 /** What the lab asks of the server, and how an answer changes what is shown. */
 
 import { isTransient } from "../api/problem";
-import type { Link, Run, Scenario, StrategyId } from "../api/types";
+import type { Scenario, StrategyId } from "../api/types";
 import { DEFAULT_VIEW } from "./address";
 import { cursor } from "./cursor";
 import { createExactRequests } from "./exactRequest";
@@ -10,7 +10,7 @@ import { begin, record } from "./history";
 import type { LabState, LabForm, Services } from "./labState";
 import { createLive } from "./live";
 import { NO_ERRORS, problemOf } from "./problems";
-import { linkKey, runKey } from "../server/queries";
+import { fromCache, linkKey, runKey } from "../server/queries";
 import { readSharedView } from "./sharing";
 import { fromRun, resultsAfterEdit, resultsAfterOpening } from "./result";
 import type { Store } from "../lib/store";
@@ -92,9 +92,8 @@ export function createRequests(
     start({
       work: async (signal, isCurrent) => {
         const startedAt = performance.now();
-        const run = queries.getQueryData<Run>(runKey(id)) ?? (await api.run(id, signal));
+        const run = await fromCache(queries, runKey(id), () => api.run(id, signal));
         if (!isCurrent()) return;
-        queries.setQueryData(runKey(id), run);
         const histories = await historiesOf(run, queries, api.series, signal);
         if (!isCurrent()) return;
         const { history } = store.get();
@@ -120,9 +119,8 @@ export function createRequests(
     start({
       work: async (signal, isCurrent) => {
         const startedAt = performance.now();
-        const link = queries.getQueryData<Link>(linkKey(slug)) ?? (await api.link(slug, signal));
+        const link = await fromCache(queries, linkKey(slug), () => api.link(slug, signal));
         if (!isCurrent()) return;
-        queries.setQueryData(linkKey(slug), link);
         if (!link.run && !link.batch) throw new Error("There is nothing behind this link that this page can show");
         const histories = link.run && (await historiesOf(link.run, queries, api.series, signal));
         if (!isCurrent()) return;

@@ -1,5 +1,6 @@
 /** Fills a figure template with series: what plotly draws in one panel. Pure, so that it can be tested and exported. */
 
+import { stepAbove, stepBelow } from "../lib/steps";
 import { maximumOf, minimumOf } from "../api/decode";
 import type { Axis, Zoom } from "../lab/address";
 import type { FigureInput, Layer } from "./curves";
@@ -123,9 +124,7 @@ function verticalRange(
 
 /** Outwards to multiples of a tenth of the span (1, 2 or 5 × 10ⁿ), so that small changes leave the axis alone. */
 function rounded(low: number, high: number): readonly [number, number] {
-  const tenth = (high - low) / 10;
-  const power = 10 ** Math.floor(Math.log10(tenth));
-  const step = ([5, 2, 1].find((digit) => digit * power <= tenth) ?? 1) * power;
+  const step = stepBelow((high - low) / 10);
   // A little beyond, or the outermost label would stand in the corner of both axes.
   return [Math.floor(low / step) * step - EDGE * step, Math.ceil(high / step) * step + EDGE * step];
 }
@@ -184,19 +183,13 @@ interface Ticks {
 
 /** At most about `most` multiples of 1, 2 or 5 × 10ⁿ; the last one carries the unit. */
 export function ticksFor([low, high]: Range, most: number, suffix = ""): Ticks {
-  const step = stepFor((high - low) / most);
+  const step = stepAbove((high - low) / most);
   const first = Math.ceil(low / step - 1e-9);
   const count = Math.max(0, Math.floor(high / step + 1e-9) - first + 1);
   const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const values = Array.from({ length: count }, (_, index) => (first + index) * step);
   const texts = values.map((value, index) => labelOf(value, decimals) + (index === count - 1 ? suffix : ""));
   return { values, texts };
-}
-
-/** The smallest 1, 2 or 5 × 10ⁿ that is not below. */
-function stepFor(least: number): number {
-  const power = 10 ** Math.floor(Math.log10(Math.max(least, Number.MIN_VALUE)));
-  return ([1, 2, 5].find((digit) => digit * power >= least * (1 - 1e-9)) ?? 10) * power;
 }
 
 function labelOf(value: number, decimals: number): string {

@@ -4,7 +4,13 @@ import { changedFields, standardScenario } from "./differences";
 import type { ScenarioSchema } from "./schema";
 import { setAt } from "./path";
 
-const PROFILE = { kind: "text", pointer: "/road/profile", title: "Profile", description: "", standard: null } as const;
+const PROFILE = {
+  kind: "text",
+  pointer: "/road/profile",
+  title: "Profile",
+  description: "",
+  paperValue: null,
+} as const;
 const WITH_ROADS: ScenarioSchema = { ...FORM, members: [...FORM.members, PROFILE] };
 const NONE = standardScenario(WITH_ROADS);
 const on = (id: string) => setAt(NONE, "/road/profile", id);

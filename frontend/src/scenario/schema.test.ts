@@ -43,10 +43,10 @@ describe("the form from the schema", () => {
       minimum: -1,
       maximum: 1,
       soft: [-0.15, 0.2],
-      standard: 0.1,
+      paperValue: 0.1,
     });
-    expect(numberField("/mpc/weights/1")).toMatchObject({ title: "Pitch", minimum: 0, maximum: 1000, standard: 1 });
-    expect(numberField("/mpc/lag")).toMatchObject({ nullable: true, minimum: 0.5, standard: null });
+    expect(numberField("/mpc/weights/1")).toMatchObject({ title: "Pitch", minimum: 0, maximum: 1000, paperValue: 1 });
+    expect(numberField("/mpc/lag")).toMatchObject({ nullable: true, minimum: 0.5, paperValue: null });
     expect(numberField("/road/seed").integer).toBe(true);
   });
 

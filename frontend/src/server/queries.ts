@@ -38,6 +38,13 @@ export const figuresQuery = queryOptions({
   ...FOR_EVER,
 });
 
+/** From the cache, else fetched under the caller's own signal and put there: whoever asks for something else stops it. */
+export async function fromCache<T>(queries: QueryClient, key: readonly unknown[], fetch: () => Promise<T>): Promise<T> {
+  const data = queries.getQueryData<T>(key) ?? (await fetch());
+  queries.setQueryData<T>(key, data);
+  return data;
+}
+
 export const runKey = (id: string) => ["run", id] as const;
 
 /** A shared result; it never changes, apart from the version of the server that shows it. */

@@ -103,7 +103,7 @@ function Differences({ resultView: { shown, before, reference } }: { readonly re
 
 /** Keeps the shown result under a name, beside whatever comes next. */
 function PinButton() {
-  const { lab, standard } = useLabContext();
+  const { lab, paperScenario } = useLabContext();
   const form = useQuery(schemaQuery).data;
   const pins = useStore(ownPins);
   const run = useLab(({ shown, stale, shared }) =>
@@ -114,7 +114,7 @@ function PinButton() {
   const pin = () => {
     const { shown } = lab.get();
     if (run === null || !shown || !form) return;
-    const differs = changesText(changedFields(form, standard, shown.scenario), 2) || "Paper’s scenario";
+    const differs = changesText(changedFields(form, paperScenario, shown.scenario), 2) || "Paper’s scenario";
     ownPins.add({ name: defaultName(differs, pins), run });
   };
   const why = isPinned

@@ -17,7 +17,7 @@ import type { Run, PairedChanges } from "../../api/types";
 import { useLab } from "../../lab/context";
 import { historiesOf } from "../../lab/histories";
 import { createPins, type Pin } from "../../lab/pins";
-import { runKey, changesQuery } from "../../server/queries";
+import { fromCache, runKey, changesQuery } from "../../server/queries";
 import { fromRun, type Result, beforeEdit, isUndone, roadsOf } from "../../lab/result";
 import { ownStorage, readStored, writeStored } from "../../lib/storage";
 import { baselineOf, type PartShown } from "../../lab/resultView";
@@ -48,8 +48,7 @@ export const pinnedKey = (run: string) => ["pinned", run] as const;
 
 /** The pinned run; where the lab drives another number of roads, its scenario over as many. */
 async function pinnedRun(id: string, roads: number | null, queries: QueryClient, signal: AbortSignal): Promise<Run> {
-  const run = queries.getQueryData<Run>(runKey(id)) ?? (await api.run(id, signal));
-  queries.setQueryData(runKey(id), run);
+  const run = await fromCache(queries, runKey(id), () => api.run(id, signal));
   if (roads === null || roads === (run.over?.roads ?? 1)) return run;
   return api.createRun(run.scenario, Object.keys(run.strategies), signal, roads > 1 ? { roads } : null);
 }

@@ -83,7 +83,7 @@ export const ResetButton = memo(function ResetButton({ field, standard, changed 
   const disabled = useReadOnly() || !changed;
   const reset = () => {
     for (const { pointer } of field.kind === "vector" ? field.items : [field]) edit.accept(pointer);
-    edit.commit(setAt(edit.newest(), field.pointer, field.standard));
+    edit.commit(setAt(edit.newest(), field.pointer, field.paperValue));
   };
   return (
     <Tooltip label={`Differs from the paper (${standard}). Reset`} withArrow>
@@ -125,7 +125,7 @@ export function ChoiceFieldRow({ field, leaf }: { readonly field: ChoiceField; r
   return (
     <FieldFrame
       {...{ id, field, leaf }}
-      standard={optionTitle(optionOf(field.standard))}
+      standard={optionTitle(optionOf(field.paperValue))}
       aside={
         <NativeSelect
           id={id}

@@ -47,7 +47,7 @@ function MemberControl({ member }: { readonly member: Member }) {
 }
 
 function Leaf({ field }: { readonly field: NumberField | ChoiceField }) {
-  const leaf = useLeaf(field.pointer, field.standard);
+  const leaf = useLeaf(field.pointer, field.paperValue);
   if (field.kind === "choice") return <ChoiceFieldRow {...{ field, leaf }} />;
   return field.pointer === ROUGHNESS ? <RoadClassRow {...{ field, leaf }} /> : <NumberFieldRow {...{ field, leaf }} />;
 }
@@ -78,7 +78,7 @@ function RoadClassRow({ field, leaf }: { readonly field: NumberField; readonly l
   return (
     <FieldFrame
       {...{ id, field, leaf }}
-      standard={typeof field.standard === "number" ? inMillionths(field.standard) : ""}
+      standard={typeof field.paperValue === "number" ? inMillionths(field.paperValue) : ""}
       aside={<NumberEntry id={id} field={field} leaf={leaf} />}
     >
       <SegmentedControl
@@ -122,7 +122,7 @@ function nearestClass(roughness: number): RoadClass | undefined {
 
 /** Data that files and scripts set, such as a rule base: whether it is the paper's, and a way back to it. */
 function DataRow({ field }: { readonly field: DataField }) {
-  const leaf = useLeaf(field.pointer, field.standard);
+  const leaf = useLeaf(field.pointer, field.paperValue);
   const name = `data-${field.pointer}`;
   return (
     <FieldFrame id={name} {...{ field, leaf }} standard="Table 1">

@@ -28,7 +28,7 @@ interface Props {
 export function NumberFieldRow({ field, leaf, withSlider = true }: Props) {
   const id = useId();
   const isOff = leaf.value === null;
-  const standard = typeof field.standard === "number" ? valueText(field, field.standard) : OFF;
+  const standard = typeof field.paperValue === "number" ? valueText(field, field.paperValue) : OFF;
   return (
     <FieldFrame
       {...{ id, field, leaf }}
@@ -149,7 +149,7 @@ export function NumberSlider({ field, leaf, label }: NumberSliderProps) {
 
   const clamp = (value: number) => Math.min(scale.maximum, Math.max(scale.minimum, scale.toSlider(value)));
   const value = typeof leaf.value === "number" ? clamp(leaf.value) : scale.minimum;
-  const standard = typeof field.standard === "number" ? scale.toSlider(field.standard) : null;
+  const standard = typeof field.paperValue === "number" ? scale.toSlider(field.paperValue) : null;
   const marked = standard !== null && standard >= scale.minimum && standard <= scale.maximum;
   const spoken =
     typeof leaf.value === "number" ? formatWithUnit(inShownUnit(field, leaf.value), field.shown.unit, 4) : "";

@@ -17,7 +17,7 @@ import { useLeaf } from "./useLeaf";
 const NONE = { value: "", label: "None" };
 
 export function RoadProfileRow({ field }: { readonly field: TextField }) {
-  const leaf = useLeaf(field.pointer, field.standard);
+  const leaf = useLeaf(field.pointer, field.paperValue);
   const edit = useEdit();
   const openItem = useOpenItem();
   const own = useItems("road");

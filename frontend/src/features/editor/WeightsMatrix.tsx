@@ -47,7 +47,7 @@ function MatrixRow({ vector }: { readonly vector: VectorField }) {
           <ResetButton
             field={vector}
             standard={vector.items
-              .map(({ standard }) => (typeof standard === "number" ? formatInput(standard) : "–"))
+              .map(({ paperValue }) => (typeof paperValue === "number" ? formatInput(paperValue) : "–"))
               .join(", ")}
             changed={changed}
           />
@@ -67,7 +67,7 @@ function MatrixRow({ vector }: { readonly vector: VectorField }) {
 
 function MatrixCell({ field, rowTitle }: { readonly field: NumberField; readonly rowTitle: string }) {
   const id = useId();
-  const leaf = useLeaf(field.pointer, field.standard);
+  const leaf = useLeaf(field.pointer, field.paperValue);
   const label = `${rowTitle}, ${field.title}`;
   return (
     <div className={classes.cell} data-changed={leaf.changed || undefined}>

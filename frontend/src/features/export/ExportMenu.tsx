@@ -140,20 +140,10 @@ export function ExportMenu() {
           <ActionItem id="curl" icon={IconWorldUpload} />
         </Menu.Dropdown>
       </Menu>
-      <Modal
-        opened={unsaved !== null}
-        onClose={reset}
-        title="The controller could not be exported"
-        closeButtonProps={{ "aria-label": "Close" }}
-      >
+      <Modal opened={unsaved !== null} onClose={reset} title="The controller could not be exported">
         <Text size="sm">{unsaved?.message}</Text>
       </Modal>
-      <Modal
-        opened={picture.isError}
-        onClose={picture.reset}
-        title="The plots could not be saved"
-        closeButtonProps={{ "aria-label": "Close" }}
-      >
+      <Modal opened={picture.isError} onClose={picture.reset} title="The plots could not be saved">
         <Text size="sm">{picture.error && explain(picture.error)}</Text>
       </Modal>
       <Modal
@@ -161,7 +151,6 @@ export function ExportMenu() {
         onClose={() => setRefused(null)}
         title="Select the address and copy it"
         size="lg"
-        closeButtonProps={{ "aria-label": "Close" }}
       >
         <Textarea
           readOnly

@@ -38,7 +38,7 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
     setDeleted(null);
   };
   return (
-    <Modal opened onClose={onClose} title="Library" size="lg" closeButtonProps={{ "aria-label": "Close" }}>
+    <Modal opened onClose={onClose} title="Library" size="lg">
       <SaveForm form={form} kind={saving} onSaved={onClose} />
       <div className={classes.import}>
         <OpenFiles name="Files for the library" size="xs">

@@ -1,5 +1,6 @@
 /** Opens items and files in the lab, as an edit that can be undone; what came from a file is in the library too. */
 
+import { messageOf } from "../../api/problem";
 import { useQuery, useQueryClient } from "@tanstack/react-query";
 import type { Scenario } from "../../api/types";
 import { withItem, type Content } from "../../scenario/withItem";
@@ -30,8 +31,6 @@ export function useOpenItem(): (item: Content) => void {
   };
 }
 
-const problemText = (error: unknown) => (error instanceof Error ? error.message : String(error));
-
 /** Saves an item as a file. */
 export function useExportItem(): (item: Exported) => Promise<void> {
   const edit = useEdit();
@@ -43,7 +42,7 @@ export function useExportItem(): (item: Exported) => Promise<void> {
     } catch (error) {
       dialog.set(null);
       notice.set({
-        lines: [`The ${item.kind} “${item.name}” is not exported: ${problemText(error)}`],
+        lines: [`The ${item.kind} “${item.name}” is not exported: ${messageOf(error)}`],
         isWrong: true,
         scenario: edit.newest(),
       });
@@ -70,7 +69,7 @@ export function useOpenFiles(): (files: readonly File[], wanted?: ItemKind) => P
       if (!sameValue(scenario, edit.newest())) edit.commit(scenario);
       say(lines, isWrong);
     } catch (error) {
-      say([problemText(error)], true);
+      say([messageOf(error)], true);
     }
   };
 }

@@ -3,7 +3,7 @@
 import type { QueryClient } from "@tanstack/react-query";
 import { api } from "../../api/client";
 import { ask, askFile } from "../../api/http";
-import { ApiProblem, type FieldError } from "../../api/problem";
+import { ApiProblem, type FieldError, messageOf } from "../../api/problem";
 import type { JsonObject, JsonValue, Scenario } from "../../api/types";
 import { completed, namedLeaves, type Leaf } from "../../scenario/differences";
 import { sameValue, setAt, getAt, type Pointer } from "../../scenario/path";
@@ -53,7 +53,7 @@ export async function openAll(
     try {
       opened.push(await upload(file, form, wanted));
     } catch (error) {
-      wrong.push(`${file.name}: ${problemText(error)}`);
+      wrong.push(`${file.name}: ${messageOf(error)}`);
     }
   }
   // A vehicle and a road belong into the scenario that came with them.
@@ -120,11 +120,9 @@ function addToLibrary({ kind, name, value }: Opened, known: readonly (JsonValue 
   try {
     return `The ${kind} “${ownLibrary.add(kind, name, value)}” is opened, and in the library.`;
   } catch (error) {
-    return `The ${kind} “${name}” is opened, but not in the library. ${problemText(error)}.`;
+    return `The ${kind} “${name}” is opened, but not in the library. ${messageOf(error)}.`;
   }
 }
-
-const problemText = (error: unknown) => (error instanceof Error ? error.message : String(error));
 
 /** A sentence for each error; what the form cannot explain stays as the server says it. */
 export function faultsOf(form: ScenarioSchema, scenario: Scenario, errors: readonly FieldError[]): readonly string[] {

@@ -34,7 +34,7 @@ describe("what differs from the paper", () => {
       pointer: "/road/profile",
       title: "Profile",
       description: "",
-      standard: null,
+      paperValue: null,
     } as const;
     const form = { ...FORM, members: [...FORM.members, profile] };
     expect(otherThanPaper(setAt(paper, "/road/profile", "A".repeat(22)), form)).toBe(

@@ -96,7 +96,6 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
       onClose={onClose}
       title="How large may it be?"
       size="lg"
-      closeButtonProps={{ "aria-label": "Close" }}
       classNames={{ title: sweep.title ?? "", body: sweep.body ?? "" }}
     >
       <Text size="sm" c="dimmed">

@@ -61,7 +61,6 @@ export function SweepDialog({ form: schema, strategies, onClose }: Props) {
       title="Sweep"
       size="xl"
       fullScreen={narrow}
-      closeButtonProps={{ "aria-label": "Close" }}
       classNames={{ title: classes.title ?? "", body: classes.body ?? "" }}
     >
       <Text size="sm" c="dimmed">

@@ -48,7 +48,7 @@ function Setting({
   const leaf: LeafState = {
     value,
     readOnly: false,
-    changed: !sameValue(value, field.standard),
+    changed: !sameValue(value, field.paperValue),
     rejected,
     error: rejected?.message ?? errors[field.pointer],
     drag: commit,

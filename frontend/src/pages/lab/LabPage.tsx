@@ -1,8 +1,7 @@
 import { useQuery } from "@tanstack/react-query";
-import { lazy, useEffect, useMemo } from "react";
+import { lazy, useEffect } from "react";
 import { useDocumentTitle } from "@mantine/hooks";
 import { isTransient } from "../../api/problem";
-import { standardScenario } from "../../scenario/differences";
 import { DropFiles } from "../../features/library/OpenFiles";
 import { EditorPane } from "./EditorPane";
 import { LabMain } from "./LabMain";
@@ -11,9 +10,8 @@ import { LabTools } from "./LabTools";
 import { Notices } from "./Notices";
 import { ShellSlot } from "../../ui/Page";
 import classes from "../../ui/shell.module.css";
-import { LabContextProvider, useLabContext, useFromScenario, useLab } from "../../lab/context";
+import { useLabContext, useFromScenario, useLab } from "../../lab/context";
 import { catalogueQuery, figuresQuery, presetsQuery, schemaQuery, strategiesQuery } from "../../server/queries";
-import { useSelect } from "../../lib/store";
 import { useSchemeColours } from "../../server/useCatalogues";
 import { LazyPart } from "../../ui/LazyPart";
 import type { Scenario } from "../../api/types";
@@ -23,21 +21,13 @@ const SharedSweep = lazy(() => import("../sweep/SweepPage").then((module) => ({ 
 
 /** The lab, or the sweep that a link shows in its place. */
 export function LabPage() {
-  const context = useLabContext();
-  const form = useQuery(schemaQuery).data;
-  const standard = useMemo(() => (form ? standardScenario(form) : {}), [form]);
-  const value = useMemo(() => ({ ...context, standard }), [context, standard]);
-  const shared = useSelect(context.lab, (state) => state.shared);
-  return (
-    <LabContextProvider value={value}>
-      {shared?.batch ? (
-        <LazyPart>
-          <SharedSweep key={shared.slug} link={shared} id={shared.batch.id} />
-        </LazyPart>
-      ) : (
-        <LabContent />
-      )}
-    </LabContextProvider>
+  const shared = useLab((state) => state.shared);
+  return shared?.batch ? (
+    <LazyPart>
+      <SharedSweep key={shared.slug} link={shared} id={shared.batch.id} />
+    </LazyPart>
+  ) : (
+    <LabContent />
   );
 }
 

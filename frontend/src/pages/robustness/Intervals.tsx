@@ -1,5 +1,6 @@
 /** One figure under every strategy on one scale from zero: quantiles as bars. */
 
+import { stepAbove } from "../../lib/steps";
 import { Box } from "@mantine/core";
 import type { BatchSummary, Strategy } from "../../api/types";
 import { fullName, type Metric } from "../../server/metrics";
@@ -97,14 +98,10 @@ function Track({ summary, strategy, figureSummary, figure: { label, unit, scale 
   );
 }
 
-const STEPS = [1, 2, 2.5, 5, 10];
-
 /** A scale from zero that ends on a round number. */
 export function scaleTo(most: number): { readonly end: number; readonly ticks: readonly number[] } {
   if (!(most > 0)) return { end: 1, ticks: [0] };
-  const rough = most / 4;
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * (STEPS.find((each) => each * power >= rough * (1 - 1e-9)) ?? 10);
+  const step = stepAbove(most / 4);
   const count = Math.ceil(most / step - 1e-9);
   // Multiples of the step, without the dust of binary fractions.
   const at = (index: number) => Number((index * step).toPrecision(10));

@@ -115,7 +115,7 @@ function alone({ latin_hypercube: cube }: Sweep): Sweep | null {
 export function exactText({ leaf }: SweepField, scenario: Scenario | undefined): string {
   const value = scenario && getAt(scenario, leaf.pointer);
   if (value === null) return leaf.title === "Saturation" ? "exact: the force limit" : "exact: ideal";
-  if (leaf.pointer.startsWith("/mismatch/") && value === leaf.standard) return "exact";
+  if (leaf.pointer.startsWith("/mismatch/") && value === leaf.paperValue) return "exact";
   return typeof value === "number" && leaf.kind === "number" ? `always ${valueText(leaf, value)}` : "exact";
 }
 

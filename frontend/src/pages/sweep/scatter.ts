@@ -1,5 +1,6 @@
 /** What plotly draws of a sweep. */
 
+import { spansDecades } from "../../lib/steps";
 import type { Strategy } from "../../api/types";
 import { type Palette, chartLayout } from "../../plots/palettes";
 import type { Markers, MarkerSymbol } from "../../plots/markers";
@@ -52,7 +53,6 @@ export interface Dots extends Points {
 /** More points than these are drawn on a canvas: as elements, 10 000 of them block the page for half a second. */
 export const MANY = 2000;
 const SIZE = 7;
-const DECADES_RATIO = 100;
 
 /** Whether an axis of these values has decades. */
 export function isSpreadByRatio(values: readonly (number | string)[]): boolean {
@@ -63,7 +63,7 @@ export function isSpreadByRatio(values: readonly (number | string)[]): boolean {
     low = Math.min(low, value);
     high = Math.max(high, value);
   }
-  return low > 0 && high / low >= DECADES_RATIO;
+  return spansDecades(low, high);
 }
 
 /** Decades have a line each, and are written as powers. */
