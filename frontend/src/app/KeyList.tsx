@@ -1,7 +1,7 @@
 /** Which keys there are on this page. */
 
 import { Kbd, Modal } from "@mantine/core";
-import { ACTION_IDS, ACTIONS, canRun } from "../lab/actions";
+import { ACTION_IDS, ACTIONS, isOffered } from "../lab/actions";
 import { DataTable } from "../ui/DataTable";
 import { keyNames } from "./keys";
 
@@ -12,7 +12,7 @@ const EVERYWHERE = [
 ];
 
 export function KeyList({ onClose }: { readonly onClose: () => void }) {
-  const named = ACTION_IDS.filter(canRun).flatMap((id) => {
+  const named = ACTION_IDS.filter(isOffered).flatMap((id) => {
     const { label, keys = [] } = ACTIONS[id];
     return keys.length > 0 ? [{ label, keys: keys.map(keyNames).join(" or ") }] : [];
   });

@@ -37,8 +37,14 @@ export type ActionId = keyof typeof DECLARED;
 export const ACTIONS: Readonly<Record<ActionId, Declared>> = DECLARED;
 export const ACTION_IDS = Object.keys(DECLARED) as readonly ActionId[];
 
-/** Who does each action that can be done now. */
-const available = createStore<ReadonlyMap<ActionId, { readonly current: () => void }>>(new Map());
+interface Offered {
+  /** It can be done now. */
+  readonly can: boolean;
+  readonly run: { readonly current: () => void };
+}
+
+/** Who does each action of the page that is shown. */
+const offered = createStore<ReadonlyMap<ActionId, Offered>>(new Map());
 
 const NOTHING = () => undefined;
 
@@ -50,19 +56,21 @@ export function useAction(id: ActionId, run: (() => void) | null): void {
   });
   const can = run !== null;
   useEffect(() => {
-    if (!can) return undefined;
-    available.set((before) => new Map(before).set(id, newest));
-    return () => available.set((before) => new Map([...before].filter(([, by]) => by !== newest)));
+    offered.set((before) => new Map(before).set(id, { can, run: newest }));
+    return () => offered.set((before) => new Map([...before].filter(([, by]) => by.run !== newest)));
   }, [id, can]);
 }
 
-export const canRun = (id: ActionId): boolean => available.get().has(id);
+/** The page that is shown has it, whether or not it can be done now. */
+export const isOffered = (id: ActionId): boolean => offered.get().has(id);
 
-export const runAction = (id: ActionId): void => available.get().get(id)?.current();
+export const canRun = (id: ActionId): boolean => offered.get().get(id)?.can === true;
+
+export const runAction = (id: ActionId): void => offered.get().get(id)?.run.current();
 
 /** For a button or a menu entry of it. */
 export function useActionButton(id: ActionId) {
-  const disabled = !useSelect(available, (all) => all.has(id));
+  const disabled = !useSelect(offered, (all) => all.get(id)?.can === true);
   const { label, short = label } = ACTIONS[id];
   return { label: short, disabled, onClick: () => runAction(id) };
 }
