@@ -11,9 +11,9 @@ RUN npm run build
 FROM python:3.11-slim AS packages
 WORKDIR /build
 RUN python -m venv /opt/ridelab
-COPY requirements.lock requirements-ecu.lock ./
+COPY requirements-cluster.lock requirements-ecu.lock ./
 RUN /opt/ridelab/bin/python -m pip install --no-cache-dir --disable-pip-version-check --require-hashes \
-    -r requirements.lock -r requirements-ecu.lock
+    -r requirements-cluster.lock -r requirements-ecu.lock
 COPY sim_core/kernel/ sim_core/kernel/
 COPY sim_core/ecu/source/ sim_core/ecu/source/
 RUN /opt/ridelab/bin/python sim_core/kernel/build.py libridelab.so.1
@@ -31,7 +31,7 @@ RUN /opt/ridelab/bin/python -m compileall -q sim_core backend ridelab \
     && mkdir /data \
     && chown 10001:10001 /data
 # The ECU's program as a process, for drives by the clock: /app is read-only later, and /tmp runs no programs.
-RUN mkdir ecu && RIDELAB_ECU_DIR=/app/ecu /opt/ridelab/bin/python -c "from backend.ecu import build; build.program()" \
+RUN mkdir ecu && RIDELAB_ECU_DIR=/app/ecu /opt/ridelab/bin/python -c "from backend.controller import build; build.program()" \
     && rm -rf ecu/zig
 ENV PATH=/opt/ridelab/bin:$PATH PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1 RIDELAB_DATA_DIR=/data RIDELAB_ECU_DIR=/app/ecu
 USER 10001:10001

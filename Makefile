@@ -23,7 +23,7 @@ test: development ## everything: style, types, import rules, all tests, browser 
 suite: development ## the tests alone
 	$(BIN)/python -m pytest tests --ignore tests/drill $(PYTEST)
 
-drill: development ## at length: new random scenarios, fifty kills, load, locks, backups, fuzzing, costs; DRILL_KILLS= and DRILL_SEED= change it
+drill: development $(VENV)/clients/.installed ## at length: new random scenarios, fifty kills, load, locks, backups, fuzzing, costs; DRILL_KILLS= and DRILL_SEED= change it
 	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/validation --numprocesses 2
 	$(BIN)/python -m pytest tests/drill -s
 
@@ -47,7 +47,7 @@ frontend/node_modules/.checked: frontend/node_modules/.installed $(CHECKED)
 	touch $@
 
 audit: development ## known vulnerabilities of what is locked; asks PyPI and npm, so it needs the internet
-	$(BIN)/pip-audit --require-hashes --disable-pip -r requirements.lock
+	$(BIN)/pip-audit --require-hashes --disable-pip -r requirements-cluster.lock
 	cd frontend && $(NODE) npm audit --omit=dev
 
 bench: development ## speed, as ratios in one run
@@ -103,6 +103,11 @@ $(VENV)/.ecu: requirements-ecu.lock $(VENV)/.build
 	$(INSTALL) $<
 	touch $@
 
+$(VENV)/clients/.installed: requirements-clients.lock $(VENV)/.build
+	$(PYTHON) -m venv $(@D)
+	$(@D)/bin/python -m pip install --disable-pip-version-check --progress-bar off --require-hashes -r $<
+	touch $@
+
 $(BIN)/ridelab: pyproject.toml setup.py client/pyproject.toml sim_core/pyproject.toml sim_core/setup.py $(wildcard sim_core/kernel/*.[ch] sim_core/ecu/source/*.[ch]) sim_core/kernel/build.py $(VENV)/.runtime  # the three distributions, from their folders
 	@command -v cc || command -v gcc || command -v clang || $(MAKE) $(VENV)/.ecu
 	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index -e sim_core -e client -e .
@@ -118,10 +123,12 @@ frontend/dist/index.html: frontend/node_modules/.installed $(shell find frontend
 COMPILE_LOCK := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header \
 	--no-emit-package ridelab-core --no-emit-package ridelab
 lock: ## new lock files, without download addresses
-	$(COMPILE_LOCK) pyproject.toml -o requirements.lock
+	$(COMPILE_LOCK) --extra parquet pyproject.toml -o requirements.lock
+	$(COMPILE_LOCK) --extra parquet --extra cluster pyproject.toml -o requirements-cluster.lock
 	$(COMPILE_LOCK) --group build -o requirements-build.lock
 	$(COMPILE_LOCK) --group ecu -o requirements-ecu.lock
-	$(COMPILE_LOCK) --extra dev --extra ecu --group build pyproject.toml -o requirements-dev.lock
+	$(COMPILE_LOCK) --group clients -o requirements-clients.lock
+	$(COMPILE_LOCK) --extra parquet --extra cluster --extra dev --extra ecu --group build pyproject.toml -o requirements-dev.lock
 
 pin: ## base images by digest, in Dockerfile and docker-compose.yml; needs docker and its registry
 	backend/deploy/pin_images.sh

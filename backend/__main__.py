@@ -125,7 +125,7 @@ def _back_up(data_dir: str | None, file: Path, *, overwrite: bool) -> int:
         return _refuse(str(error))
     except OSError as error:
         return _refuse(_named(error))
-    print(f"{file}: {copy.size / 1e6:.1f} MB, a copy of {copy.database}; writes waited {copy.seconds:.2f} s")
+    print(f"{file}: {copy.size / 1e6:.1f} MB, a copy of {copy.database}; writes waited {copy.seconds:.2f} s at most")
     return 0
 
 
@@ -133,8 +133,8 @@ def _drive(program: Path) -> int:
     """A built ECU program drives the scenario on standard input."""
     from pydantic import ValidationError
 
-    from backend.ecu.build import EcuError
-    from backend.ecu.program import driven
+    from backend.controller.build import EcuError
+    from backend.controller.program import driven
     from sim_core.errors import RidelabError
     from sim_core.scenario import Scenario
 
@@ -157,9 +157,10 @@ def _application(settings: "Settings") -> "FastAPI":
         SettingsError: The database cannot be used.
     """
     from backend.compute.workers import RESERVED, Workers
+    from backend.runs.warm_up import warm_up
     from backend.settings import SettingsError
 
-    workers = Workers(settings.workers, timeout=settings.run_timeout, reserved=RESERVED)
+    workers = Workers(settings.workers, timeout=settings.run_timeout, warm_up=warm_up, reserved=RESERVED)
     workers.spawn()
     gc.disable()  # what is imported stays: to look for garbage in it takes a tenth of the start
 

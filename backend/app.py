@@ -3,14 +3,20 @@
 import asyncio
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from functools import partial
 
 from fastapi import FastAPI
+from fastapi.responses import JSONResponse
 from starlette.middleware import Middleware
 from starlette.middleware.gzip import GZipMiddleware
 
 from backend.api import batches, controller, health, links, login, paper, roads, runs, schema, site, tunings, vehicles
-from backend.compute.workers import RESERVED, Workers
-from backend.ecu.service import Controllers
+from backend.batches.kind import SWEEP
+from backend.batches.service import BatchService
+from backend.compute.executor import Executor
+from backend.compute.local_executor import LocalExecutor
+from backend.compute.workers import BATCH_NICE, RESERVED, Workers
+from backend.controller.service import Controllers
 from backend.gate import Gate
 from backend.http import openapi, problems
 from backend.http.guard import GuardMiddleware
@@ -20,19 +26,20 @@ from backend.http.spool import Spool
 from backend.http.token_middleware import TokenMiddleware
 from backend.http.tokens import Tokens
 from backend.jobs.scheduler import Scheduler
-from backend.jobs.sweep.service import BatchService
-from backend.jobs.tuning.service import TuningService
-from backend.jobs.tuning.steps import TuningSteps
 from backend.links.service import Links
 from backend.metrics import service_registry
+from backend.paper.rows import REPRODUCTION
 from backend.paper.service import Paper
 from backend.roads.service import MeasuredRoads
 from backend.runs.result_cache import ResultCache
 from backend.runs.result_finder import ResultFinder
 from backend.runs.service import Runs
 from backend.runs.solve.service import Solver
+from backend.runs.warm_up import warm_up
 from backend.settings import Settings
 from backend.store import Store
+from backend.tunings.service import TuningService
+from backend.tunings.steps import TuningSteps
 from sim_core import __version__
 
 DESCRIPTION = """A what-if laboratory for active suspension over bumps.
@@ -62,7 +69,6 @@ ROUTERS = (
     login.login,
     health.health,
 )
-BACKGROUND_NICE = 5  # of 19: planning and summaries stand behind interactive runs, before batches
 COMPRESS_FROM = 2048  # shorter answers fit two network packets as they are [bytes]
 
 
@@ -88,6 +94,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
         title="Ridelab",
         version=__version__,
         description=DESCRIPTION,
+        openapi_url=None,  # served below
         docs_url=None,
         redoc_url=None,
         lifespan=_lifespan,
@@ -103,12 +110,16 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
     app.state.tokens = tokens
     app.state.logins = logins
     app.state.store = store
-    app.state.workers = workers or Workers(settings.workers, timeout=settings.run_timeout, reserved=RESERVED)
+    app.state.workers = workers or Workers(
+        settings.workers, timeout=settings.run_timeout, warm_up=warm_up, reserved=RESERVED
+    )
     problems.register(app)
     for router in ROUTERS:
         app.include_router(router)
     site.add_site(app, settings.frontend_dir)
     app.openapi = lambda: openapi.describe(app)  # type: ignore[method-assign]  # FastAPI's own way to change it
+    # Made on the first request, in a thread: it takes half a second.
+    app.add_route("/openapi.json", lambda _: JSONResponse(app.openapi()), include_in_schema=False)
     return app
 
 
@@ -118,7 +129,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     store: Store = app.state.store
     workers: Workers = app.state.workers
     workers.start()
-    background = Workers(1, timeout=settings.run_timeout, nice=BACKGROUND_NICE)  # starts with its first task
+    batch_workers = _batch_workers(settings)  # start with their first task
     scheduler: Scheduler | None = None
     steps: TuningSteps | None = None
     try:
@@ -142,16 +153,22 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         sweeps = BatchService(
             store=store,
             workers=workers,
-            background=background,
+            batch_workers=batch_workers,
             gate=gate,
             settings=settings,
             roads=measured,
             spool=spool,
         )
         app.state.sweeps = sweeps
-        app.state.tunings = TuningService(store=store, background=background, gate=gate, settings=settings)
+        app.state.tunings = TuningService(store=store, batch_workers=batch_workers, gate=gate, settings=settings)
         steps = TuningSteps(store, sweeps)
-        scheduler = Scheduler(store=store, settings=settings, background=background, steppers={"tuning": steps})
+        scheduler = Scheduler(
+            store=store,
+            settings=settings,
+            kinds=(SWEEP, REPRODUCTION, steps.kind),
+            connect=partial(_connect, settings, batch_workers),
+            workers=batch_workers,
+        )
         scheduler.start()
         yield
         await warming
@@ -161,5 +178,20 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
         if steps is not None:
             steps.close()
         await workers.close()
-        await background.close()
+        await batch_workers.close()
         store.close()
+
+
+def _batch_workers(settings: Settings) -> Workers:
+    """Processes for jobs, longer planning and summaries; where Dask computes the jobs, for the others."""
+    count = settings.batch_workers if settings.dask_scheduler is None else 1
+    return Workers(count, timeout=settings.run_timeout, warm_up=warm_up, nice=BATCH_NICE)
+
+
+async def _connect(settings: Settings, batch_workers: Workers) -> Executor:
+    """What computes the runs of jobs."""
+    if settings.dask_scheduler is None:
+        return LocalExecutor(batch_workers)
+    from backend.compute.dask_executor import DaskExecutor  # takes half a second to import: not before there is a job
+
+    return await DaskExecutor.connected(settings, warm_up)

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from sim_core.errors import RidelabError
 
 # What a refused run's sender can do; the solver first, since it changes most.
-CHEAPER_RUN = "the solver DAQP, a shorter road, a higher speed, a longer sample time or shorter horizons cost less"
+CHEAPER_RUN = "the solver daqp, a shorter road, a higher speed, a longer sample time or shorter horizons cost less"
 TIME_LIMIT = f"The computation took longer than the limit and was ended; fewer roads, {CHEAPER_RUN}."
 
 
@@ -126,6 +126,16 @@ class TooManyRequestsError(TemporaryError):
 
     kind = "too-many-requests"
     retry_after = 2
+
+
+class DamagedResultError(TemporaryError):
+    """What was stored turned out to be damaged just now, and was dropped: the next request finds it missing."""
+
+    kind = "store-unavailable"
+    retry_after = 1
+
+    def __init__(self) -> None:
+        super().__init__("A stored time history was damaged and has been dropped: ask again.")
 
 
 class NewerSchemaError(TemporaryError):

@@ -27,6 +27,12 @@ WORKER_FAILURES = Counter(
     "ridelab_worker_failures", "Worker processes lost during a task", ["reason"], registry=REGISTRY
 )
 STORE_ERRORS = Counter("ridelab_store_errors", "Requests the database did not answer", registry=REGISTRY)
+DAMAGED_RESULTS = Counter(
+    "ridelab_damaged_results",
+    "Stored results whose checksum was wrong, dropped to be computed again",
+    ["what"],
+    registry=REGISTRY,
+)
 REFUSED = Counter("ridelab_refused", "Requests refused to protect the service", ["reason"], registry=REGISTRY)
 LATENCY = Histogram(
     "ridelab_request_seconds",
@@ -56,6 +62,8 @@ for _reason in ("died", "timeout"):
     WORKER_FAILURES.labels(_reason)
 for _what in ("jobs", "results"):
     REMOVED.labels(_what)
+for _what in ("result", "series"):
+    DAMAGED_RESULTS.labels(_what)
 BUILD.labels(__version__, python_version()).set(1)
 
 

@@ -3,6 +3,7 @@
 import os
 from collections.abc import Mapping
 from difflib import get_close_matches
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, Literal, Self
 
@@ -72,7 +73,7 @@ class Settings(BaseModel):
     )
     max_unfinished_batches: int = Field(1000, ge=1, description="Batches waiting or running; beyond it 503.")
     dask_scheduler: SchedulerAddress | None = Field(
-        None, description="Address of a Dask scheduler; without one it is embedded."
+        None, description="Address of a Dask scheduler; without one this machine's processes compute the batches."
     )
     dask_tls_ca_file: Path | None = Field(None, description="Certificate authority of the Dask cluster (PEM).")
     dask_tls_cert_file: Path | None = Field(None, description="This service's certificate for Dask (PEM).")
@@ -83,7 +84,7 @@ class Settings(BaseModel):
     max_client_connections: int = Field(
         200,
         ge=1,
-        description="Connections one client may have open; beyond it its oldest idle one is closed, else 503.",
+        description="Connections one client may have open; beyond it its oldest idle one is closed, else 429.",
     )
     max_body_bytes: int = Field(MEBIBYTE, ge=1024, description="Longest request body.")
     body_timeout: float = Field(20, gt=0, le=600, description="A request body may take this long to come [s].")
@@ -149,7 +150,9 @@ class Settings(BaseModel):
 
     @model_validator(mode="after")
     def _check_dask(self) -> Self:
-        """TLS needs its three files; a scheduler's address and those files go together."""
+        """A scheduler's address needs Dask; TLS needs its three files, and they go together."""
+        if self.dask_scheduler is not None and find_spec("distributed") is None:
+            raise ValueError(f"{_variable('dask_scheduler')} needs Dask: pip install 'ridelab-server[cluster]'")
         names = ("dask_tls_ca_file", "dask_tls_cert_file", "dask_tls_key_file")
         files: dict[str, Path | None] = {name: getattr(self, name) for name in names}
         encrypted = self.dask_scheduler is not None and self.dask_scheduler.startswith("tls://")

@@ -13,8 +13,8 @@ from typing import Any
 import httpx
 import psutil
 
-from backend.jobs.cluster import NICE
-from backend.jobs.sweep.points import Sweep, points
+from backend.batches.points import Sweep, points
+from backend.compute.workers import BATCH_NICE
 from backend.scenario_at import scenario_at
 from benchmarks.api_latency import TOGETHER, server, timed
 from benchmarks.timing import table
@@ -48,7 +48,7 @@ def run() -> None:
     """Print the tables."""
     spawn = multiprocessing.get_context("spawn")
     # It stands as far behind other programs as the service's processes do: what else the machine does slows both alike.
-    with spawn.Pool(1, initializer=os.nice, initargs=(NICE,)) as alone:
+    with spawn.Pool(1, initializer=os.nice, initargs=(BATCH_NICE,)) as alone:
         with server(("taskset", "--cpu-list", "0"), RIDELAB_BATCH_WORKERS="1") as client:
             _small_batch(client, 6)  # starts its process
             one_core, _, _ = _measured(client, alone, "one core", FEW, 1)

@@ -1,6 +1,7 @@
 """What an operation of the ECU's controller costs on its processor, by emulation: `python -m benchmarks.ecu`.
 
-backend/ecu/effort.py has the result as CYCLES_PER_OPERATION and SPREAD; tests/unit/test_ecu_export.py holds it to them.
+backend/controller/effort.py has the result as CYCLES_PER_OPERATION and SPREAD, to which tests/unit/test_ecu_export.py
+holds it.
 """
 
 import struct
@@ -9,8 +10,8 @@ from contextlib import contextmanager
 
 import numpy as np
 
-from backend.ecu import effort, firmware
-from backend.ecu.link import ProcessEcu, connected
+from backend.controller import effort, firmware
+from backend.controller.link import ProcessEcu, connected
 from benchmarks.cortex_m3 import CortexM3
 from sim_core.ecu.calibration import Calibration, Checked
 from sim_core.ecu.interface import Ecu, Frame, Reply

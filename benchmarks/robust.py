@@ -17,8 +17,8 @@ import numpy as np
 import optuna
 from scipy.stats import qmc
 
+from backend.batches.robustness import UNCERTAINTIES
 from backend.compute.processes import keep_freed_memory
-from backend.jobs.sweep.robustness import UNCERTAINTIES
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRICS, PAPER_METRICS
 from sim_core.scenario import Scenario, dotted

@@ -3,12 +3,17 @@
 The matrices are small: a second thread only costs, many times over on a busy machine, and sums in another order.
 """
 
+import os
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from functools import cache
 from threading import Lock
 
-from threadpoolctl import LibController, ThreadpoolController
+_SET = "KMP_DUPLICATE_LIB_OK" in os.environ  # threadpoolctl sets it when it is imported, for its host too
+from threadpoolctl import LibController, ThreadpoolController  # noqa: E402
+
+if not _SET:
+    os.environ.pop("KMP_DUPLICATE_LIB_OK", None)
 
 ThreadCounts = list[tuple[LibController, int]]
 

@@ -11,26 +11,24 @@ import sim_core
 from sim_core.control.controller import Controller
 from sim_core.kernel.library import DIGEST
 
-SOLVERS = ("daqp", "osqp")
-
 
 def program(strategy: type[Controller]) -> dict[str, str]:
     """What computes its results.
 
-    The core's version, the digest of the kernel's sources and flags, the versions of the QP solvers, and the digest of
-    the controller's own file. Another processor or another BLAS computes the same within rounding
+    The core's version, the digest of the kernel's sources and flags, OSQP's version, and the digest of the controller's
+    own file. Another processor or another BLAS computes the same within rounding
     (docs/decisions/0018-c-beneath-numpy.md).
 
     Raises:
         OSError: The controller's file cannot be read.
         TypeError: It is in no file: `sys.modules` has no such module.
     """
-    return {"core": sim_core.__version__, "kernel": DIGEST, **_solvers(), "controller": _source(strategy)}  # type: ignore[arg-type]  # a class can be hashed
+    return {"core": sim_core.__version__, "kernel": DIGEST, "osqp": _osqp(), "controller": _source(strategy)}  # type: ignore[arg-type]  # a class can be hashed
 
 
 @cache
-def _solvers() -> dict[str, str]:
-    return {name: version(name) for name in SOLVERS}
+def _osqp() -> str:
+    return version("osqp")
 
 
 @cache

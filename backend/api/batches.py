@@ -1,20 +1,14 @@
 """Batches: submit, follow, cancel, read."""
 
 from collections.abc import Iterable
-from typing import Annotated, Literal
+from typing import Annotated
 
 from fastapi import Query, Request, Response
 
 from backend.api import jobs, router
 from backend.api.deps import Client, service
-from backend.api.runs import MEDIA_TYPES
-from backend.errors import InvalidError
-from backend.http import problems
-from backend.http.answers import IMMUTABLE, Download, cancel_on_disconnect, content_answer, json_answer
-from backend.http.routing import ComputingRoute
-from backend.http.tokens import Caller
-from backend.jobs.sweep import robustness
-from backend.jobs.sweep.models import (
+from backend.batches import robustness
+from backend.batches.models import (
     Batch,
     Batches,
     BatchRequest,
@@ -23,8 +17,14 @@ from backend.jobs.sweep.models import (
     BatchTable,
     Estimate,
 )
-from backend.jobs.sweep.service import BatchService
-from backend.jobs.sweep.summary_models import RobustnessDefaults
+from backend.batches.service import BatchService
+from backend.batches.summary_models import RobustnessDefaults
+from backend.errors import InvalidError
+from backend.file_formats import MEDIA_TYPES, FileFormat
+from backend.http import problems
+from backend.http.answers import IMMUTABLE, Download, cancel_on_disconnect, content_answer, json_answer
+from backend.http.routing import ComputingRoute
+from backend.http.tokens import Caller
 from sim_core.catalogue import METRICS, NUMBERS, PAPER_METRICS
 
 Service = Annotated[BatchService, service("sweeps")]
@@ -90,7 +90,7 @@ async def get_batch_results(
     job_id: jobs.JobId,
     service: Service,
     client: Client,
-    file_format: Annotated[Literal["json", "csv", "parquet"], Query(alias="format", description="Of it")] = "json",
+    file_format: Annotated[FileFormat, Query(alias="format", description="Of it")] = "json",
 ) -> Response:
     """One row a run, in order, streamed; a batch that still runs has rows that wait."""
     batch, stream, counted = await service.results(job_id, file_format, client)

@@ -9,7 +9,7 @@ from fastapi import Path, Request, Response
 
 from backend.api import router
 from backend.api.deps import Client, LinksService
-from backend.http.answers import answer_unless_cached, json_answer
+from backend.http.answers import is_cached, json_answer, tagged
 from backend.http.routing import ComputingRoute
 from backend.links import models as models_links
 
@@ -41,4 +41,4 @@ async def get_link(slug: Slug, request: Request, service: LinksService, client: 
     # Of the content: what is shared never changes, but the service's own version and a batch's progress do.
     digest = hashlib.sha256(content).digest()[:16]
     tag = f'W/"{base64.urlsafe_b64encode(digest).decode().rstrip("=")}"'  # weak: the body may be compressed
-    return answer_unless_cached(request, tag, content, "no-cache")
+    return tagged(tag, "no-cache", None if is_cached(request, tag) else content)

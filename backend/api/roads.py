@@ -7,6 +7,7 @@ from fastapi import Path, Query, Request, Response
 from backend.api import API, router
 from backend.api.deps import Client, service
 from backend.http.answers import IMMUTABLE
+from backend.http.openapi import BYTES
 from backend.http.routing import ComputingRoute, CsvRoute
 from backend.models import MAX_POINTS
 from backend.roads.models import CreatedRoad, RoadAnswer
@@ -25,9 +26,7 @@ RoadsService = Annotated[MeasuredRoads, service("roads")]
     operation_id="createRoad",
     status_code=201,
     response_model=CreatedRoad,
-    openapi_extra={
-        "requestBody": {"required": True, "content": {"text/csv": {"schema": {"type": "string"}, "example": EXAMPLE}}}
-    },
+    openapi_extra={"requestBody": {"required": True, "content": {"text/csv": {"schema": BYTES, "example": EXAMPLE}}}},
 )
 async def create_road(request: Request, response: Response, service: RoadsService, client: Client) -> CreatedRoad:
     """Store a measured profile: distance and height, or left and right height, each column's unit in the header."""

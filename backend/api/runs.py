@@ -10,12 +10,14 @@ from backend.api import router
 from backend.api.deps import Client, RunsService, SolverService, html_answer
 from backend.digest import RUN_ID_LENGTH
 from backend.errors import InvalidError
+from backend.file_formats import MEDIA_TYPES, FileFormat
 from backend.http.answers import (
     IMMUTABLE,
-    answer_unless_cached,
     cancel_on_disconnect,
     content_answer,
+    is_cached,
     json_answer,
+    tagged,
     takes_gzip,
 )
 from backend.http.routing import ComputingRoute, ScenarioRoute
@@ -35,11 +37,6 @@ Points = Annotated[int | None, Query(ge=2, le=models.MAX_POINTS, description="Ab
 RunId = Annotated[str, Path(alias="id", description=f"{RUN_ID_LENGTH} characters", max_length=64)]
 Axis = Annotated[Literal["position", "time"], Query(description="What is on the x axis")]
 CACHED_FOR_AN_HOUR = {"Cache-Control": "public, max-age=3600"}
-MEDIA_TYPES = {
-    "json": "application/json",
-    "csv": "text/csv; charset=utf-8; header=present",
-    "parquet": "application/vnd.apache.parquet",
-}
 
 
 @computing.post("/runs", operation_id="createRun", response_model=models.CreatedRun | CreatedRoadsRun)
@@ -69,8 +66,10 @@ async def solve(body: SolveRequest, solver: SolverService, client: Client) -> Re
 )
 async def get_run(run_id: RunId, request: Request, service: RunsService, client: Client) -> Response:
     """A stored run; it changes only where its results were removed and another core version computes them again."""
-    answer = await cancel_on_disconnect(request, service.get(run_id, client))
-    return answer_unless_cached(request, f'W/"{run_id}"', answer, IMMUTABLE)  # weak: the body may be compressed
+    tag = f'W/"{run_id}"'  # weak: the body may be compressed
+    if is_cached(request, tag) and await service.is_stored(run_id):
+        return tagged(tag, IMMUTABLE)
+    return tagged(tag, IMMUTABLE, await cancel_on_disconnect(request, service.get(run_id, client)))
 
 
 @runs.get("/runs/{id}/changes", operation_id="getChanges", response_model=PairedChanges)
@@ -99,7 +98,7 @@ async def get_series(
     client: Client,
     strategy: Annotated[str | None, Query(description="Ids with commas; may be omitted where the run has one")] = None,
     signals: Signals = None,
-    file_format: Annotated[Literal["json", "csv", "parquet"], Query(alias="format", description="Of it")] = "json",
+    file_format: Annotated[FileFormat, Query(alias="format", description="Of it")] = "json",
     points: Points = None,
     encoding: Annotated[Literal["list", "base64"], Query(description="Of JSON only")] = "list",
 ) -> Response:

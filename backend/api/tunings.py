@@ -10,9 +10,9 @@ from backend.http import problems
 from backend.http.answers import json_answer
 from backend.http.routing import ScenarioRoute
 from backend.http.tokens import Caller
-from backend.jobs.tuning.answers import Trials, Tuning, TuningEstimate, Tunings
-from backend.jobs.tuning.models import MOST_TRIALS, TuningRequest
-from backend.jobs.tuning.service import TuningService
+from backend.tunings.answers import Trials, Tuning, TuningEstimate, Tunings
+from backend.tunings.models import MOST_TRIALS, TuningRequest
+from backend.tunings.service import TuningService
 
 Service = Annotated[TuningService, service("tunings")]
 

@@ -1,4 +1,4 @@
-"""What a worker process does around its tasks. It imports the core itself, so it can be spawned before the service."""
+"""What a worker process does around its tasks."""
 
 import ctypes
 import os
@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 T = TypeVar("T")
+WarmUp = Callable[[], object]
 INTERRUPT = signal.SIGUSR1
 _interruptible = False  # while a task runs
 
@@ -51,15 +52,6 @@ def _set_allocator(*settings: tuple[int, int]) -> None:
             mallopt(parameter, value)
 
 
-def make_room() -> None:
-    """Empty the caches, and have glibc give back what it keeps, before a task that takes much memory."""
-    from sim_core.caching import SHARED
-
-    SHARED.clear()
-    with suppress(OSError, AttributeError):  # another C library
-        ctypes.CDLL(None).malloc_trim(0)
-
-
 def start(nice: int) -> None:
     """Make a new worker keep its memory and end with the service, even a killed one, and tasks end by INTERRUPT.
 
@@ -87,14 +79,9 @@ def _interrupt(*_: object) -> None:
         raise _Interrupt
 
 
-def warm_up() -> int:
-    """Run the paper's scenario with every strategy once: the first request finds filled caches; the process's id."""
-    from backend.ecu.drive import simulate
-    from sim_core.scenario import Scenario
-    from sim_core.strategies import STRATEGIES
-
-    for strategy in STRATEGIES.values():
-        simulate(Scenario(), strategy.id)
+def prepare(warm_up: WarmUp) -> int:
+    """Do before the first task what the first would else have to do; the process's id."""
+    warm_up()
     return os.getpid()
 
 

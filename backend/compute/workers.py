@@ -1,7 +1,6 @@
-"""Warm worker processes for interactive runs, which clients share fairly.
+"""Warm worker processes, which clients share fairly.
 
-A process that dies or hangs takes only its slot with it, and a new one is warmed while the others serve. A process
-whose memory has grown too large is replaced, once a fresh one is warm.
+One that dies or hangs is replaced while the others serve; one whose memory has grown too large, once another is warm.
 """
 
 import asyncio
@@ -15,7 +14,8 @@ from typing import Any, TypeVar
 from pebble import ProcessExpired
 
 from backend.compute.fair_queue import SHORT, FairQueue, Task
-from backend.compute.slots import Slot
+from backend.compute.processes import WarmUp
+from backend.compute.worker_process import WorkerProcess
 from backend.errors import WorkerLostError, WorkersBusyError, WorkerTimeoutError
 from backend.metrics import WORKER_FAILURES
 
@@ -25,6 +25,7 @@ T = TypeVar("T")
 WAIT_FOR_PROCESS = 60.0  # for a free worker [s]
 ATTEMPTS = 2
 INTERRUPTED = 2.0  # a task that is interrupted may still take; then its worker is ended [s]
+BATCH_NICE = 10  # of 19: a process of batches beside one that computes for a person gets a tenth of a core
 RESERVED = 1  # of the interactive processes for short runs, beside those that are set
 MAX_WORKER_MEMORY = 256 * 1024 * 1024  # resident, shared libraries included; beyond it a process is replaced [bytes]
 ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
@@ -36,48 +37,57 @@ class Workers:
     Args:
         count: How many tasks of one client may run at once.
         timeout: A task may take this long [s].
+        warm_up: What each process does before its first task; a function of a module.
         nice: How far behind other processes these stand (0 to 19).
         max_memory: Resident, after a task; beyond it a process is replaced [bytes].
         reserved: So many processes more are left to short tasks of clients that have none running.
     """
 
     def __init__(
-        self, count: int, *, timeout: float, nice: int = 0, max_memory: int = MAX_WORKER_MEMORY, reserved: int = 0
+        self,
+        count: int,
+        *,
+        timeout: float,
+        warm_up: WarmUp,
+        nice: int = 0,
+        max_memory: int = MAX_WORKER_MEMORY,
+        reserved: int = 0,
     ) -> None:
         self._count = count
         self._reserved = reserved
         self._max_memory = max_memory
         self._timeout = timeout
+        self._warm_up = warm_up
         self._nice = nice
         self._queue = FairQueue(reserved=reserved)
-        self._turns: dict[Task, asyncio.Future[Slot]] = {}  # of the tasks that wait
-        self._idle: list[Slot] = []
-        self._slots: set[Slot] = set()
+        self._turns: dict[Task, asyncio.Future[WorkerProcess]] = {}  # of the tasks that wait
+        self._idle: list[WorkerProcess] = []
+        self._processes: set[WorkerProcess] = set()
         self._chores: set[asyncio.Task[Any]] = set()
-        self._spawned: list[Slot] = []
+        self._spawned: list[WorkerProcess] = []
         self._warm = asyncio.Event()
         self._started = False
 
     def spawn(self) -> None:
-        """Begin to spawn and warm slots, one core left to this process; needs no event loop yet, `start` goes on."""
+        """Begin to spawn and warm processes, one core left to this one; needs no event loop yet, `start` goes on."""
         os.environ.update(ONE_THREAD)  # before they are spawned: BLAS reads it once
         for _ in range(min(self._count, max(1, (os.cpu_count() or 1) - 1))):
             with contextlib.suppress(OSError, BrokenProcessPool):  # `start` tries again
-                self._spawned.append(Slot(self._nice))
+                self._spawned.append(WorkerProcess(self._warm_up, self._nice))
 
     def start(self) -> None:
-        """Begin to spawn and warm every slot, unless that has begun, and use each once it is warm."""
+        """Begin to spawn and warm every process, unless that has begun, and use each once it is warm."""
         self._started = True
         os.environ.update(ONE_THREAD)
         for _ in range(self._count):
-            self._chore(self._add_slot(self._spawned.pop() if self._spawned else None))
+            self._chore(self._add_process(self._spawned.pop() if self._spawned else None))
         for _ in range(self._reserved):
             self._chore(self._add_reserved())
 
     def abandon(self) -> None:
         """End the processes that `spawn` began, where the application does not start."""
-        for slot in self._spawned:
-            slot.end()
+        for process in self._spawned:
+            process.end()
 
     async def wait_until_warm(self) -> None:
         """Wait until the first worker is warm."""
@@ -91,13 +101,13 @@ class Workers:
     @property
     def ready(self) -> bool:
         """Whether a warm worker is there, busy or idle."""
-        return any(slot.active for slot in self._slots)
+        return any(process.active for process in self._processes)
 
     @property
     def load(self) -> dict[str, int]:
         """How many processes are busy and idle, and how many tasks wait for one."""
         idle = len(self._idle)
-        return {"busy": max(0, len(self._slots) - idle), "idle": idle, "waiting": self._queue.waiting}
+        return {"busy": max(0, len(self._processes) - idle), "idle": idle, "waiting": self._queue.waiting}
 
     async def call(self, function: Callable[..., T], *args: Any, client: str = "", cost: float = 0.0) -> T:
         """Run `function(*args)` in a worker; a task whose worker dies is tried once more. The first starts the workers.
@@ -119,13 +129,13 @@ class Workers:
             self.start()
         deaths = 0
         for _ in range(self._count + self._reserved + ATTEMPTS):
-            task, slot = await self._free_slot(client, cost)
-            # Shielded: whoever asked may go away, the slot is given back all the same.
-            attempt = self._chore(self._attempt(task, slot, function, args))
+            task, process = await self._free_process(client, cost)
+            # Shielded: whoever asked may go away, the process is given back all the same.
+            attempt = self._chore(self._attempt(task, process, function, args))
             try:
                 return await asyncio.shield(attempt)
             except asyncio.CancelledError:
-                self._call_off(task, slot, attempt)
+                self._call_off(task, process, attempt)
                 raise
             except BrokenProcessPool:
                 logger.warning("A worker was found dead before it took a task")
@@ -140,16 +150,18 @@ class Workers:
                 raise WorkerTimeoutError from None
         raise WorkerLostError
 
-    async def _attempt(self, task: Task, slot: Slot, function: Callable[..., T], args: tuple[Any, ...]) -> T:
-        """Run it in that slot; afterwards the slot is idle again, or discarded where its process is not well."""
+    async def _attempt(
+        self, task: Task, process: WorkerProcess, function: Callable[..., T], args: tuple[Any, ...]
+    ) -> T:
+        """Run it in that process, which then is idle again, or discarded where it is not well."""
         healthy = False
         try:
-            result, memory = await slot.call(function, args, self._timeout)
+            result, memory = await process.call(function, args, self._timeout)
             healthy = True
-            if memory > self._max_memory and all(each.state == "serving" for each in self._slots):  # one at a time
+            if memory > self._max_memory and all(each.state == "serving" for each in self._processes):  # one at a time
                 logger.info("A worker has grown to %d MB and is replaced", memory >> 20)
-                slot.state = "grown"
-                self._chore(self._replace(slot))
+                process.state = "grown"
+                self._chore(self._replace(process))
             return result
         except (ProcessExpired, BrokenProcessPool, TimeoutError):
             raise
@@ -157,29 +169,29 @@ class Workers:
             healthy = True  # the function raised, its process is well
             raise
         finally:
-            self._give_back(task, slot, healthy=healthy)
+            self._give_back(task, process, healthy=healthy)
 
-    def _call_off(self, task: Task, slot: Slot, attempt: "asyncio.Task[Any]") -> None:
+    def _call_off(self, task: Task, process: WorkerProcess, attempt: "asyncio.Task[Any]") -> None:
         """Interrupt a task that nobody waits for; a short one may end by itself, as an interrupt empties the caches."""
         loop = asyncio.get_running_loop()
 
         def interrupt() -> None:
             if not attempt.done():
-                slot.interrupt()
+                process.interrupt()
                 loop.call_later(INTERRUPTED, attempt.cancel)
 
         loop.call_later(0.0 if task.cost > SHORT else max(0.0, SHORT - self._queue.elapsed(task)), interrupt)
 
     async def close(self) -> None:
         """End every process; takes at most a few seconds."""
-        ending, self._slots = self._slots, set()
+        ending, self._processes = self._processes, set()
         chores = tuple(self._chores)
         for chore in chores:
             chore.cancel()
         await asyncio.gather(*chores, return_exceptions=True)
-        await asyncio.gather(*(asyncio.to_thread(slot.end) for slot in ending))
+        await asyncio.gather(*(asyncio.to_thread(process.end) for process in ending))
 
-    async def _free_slot(self, client: str, cost: float) -> tuple[Task, Slot]:
+    async def _free_process(self, client: str, cost: float) -> tuple[Task, WorkerProcess]:
         """A task that begins now, and the process that is to run it."""
         task = self._queue.add(client, cost)
         turn = self._turns[task] = asyncio.get_running_loop().create_future()
@@ -199,65 +211,65 @@ class Workers:
 
     def _dispatch(self) -> None:
         """Hand idle processes to the tasks that are next."""
-        for slot in [each for each in self._idle if not each.active]:  # died while idle: no task's doing
-            self._idle.remove(slot)
-            self._discard(slot)
-        while self._idle and (task := self._queue.begin_next(len(self._slots))) is not None:
+        for process in [each for each in self._idle if not each.active]:  # died while idle: no task's doing
+            self._idle.remove(process)
+            self._discard(process)
+        while self._idle and (task := self._queue.begin_next(len(self._processes))) is not None:
             turn = self._turns[task]
             if turn.cancelled():  # whoever asked for it goes away just now
                 self._queue.end(task)
             else:
                 turn.set_result(self._idle.pop())
 
-    def _give_back(self, task: Task, slot: Slot, *, healthy: bool) -> None:
-        """A task has ended: its slot takes the next one, or is discarded."""
+    def _give_back(self, task: Task, process: WorkerProcess, *, healthy: bool) -> None:
+        """A task has ended: its process takes the next one, or is discarded."""
         self._queue.end(task, killed=not healthy)
-        if healthy and slot.state != "succeeded":
-            self._idle.append(slot)
+        if healthy and process.state != "succeeded":
+            self._idle.append(process)
         else:
-            self._discard(slot)
+            self._discard(process)
         self._dispatch()
 
-    def _discard(self, slot: Slot) -> None:
-        if slot not in self._slots:  # the service is closing, and ends it
+    def _discard(self, process: WorkerProcess) -> None:
+        if process not in self._processes:  # the service is closing, and ends it
             return
-        self._slots.discard(slot)
-        self._chore(asyncio.to_thread(slot.end))
-        if slot.state == "serving":  # else its successor is warm, or soon will be
-            self._chore(self._add_slot())
+        self._processes.discard(process)
+        self._chore(asyncio.to_thread(process.end))
+        if process.state == "serving":  # else its successor is warm, or soon will be
+            self._chore(self._add_process())
 
-    async def _replace(self, slot: Slot) -> None:
-        """Warm a successor, then end that slot as soon as it is idle."""
-        await self._add_slot()
-        slot.state = "succeeded"
-        if slot in self._idle:
-            self._idle.remove(slot)
-            self._discard(slot)
+    async def _replace(self, process: WorkerProcess) -> None:
+        """Warm a successor, then end that process as soon as it is idle."""
+        await self._add_process()
+        process.state = "succeeded"
+        if process in self._idle:
+            self._idle.remove(process)
+            self._discard(process)
 
     async def _add_reserved(self) -> None:
         """Add a process that the service needs only once another one has something to do."""
         await self._warm.wait()
-        await self._add_slot()
+        await self._add_process()
 
-    async def _add_slot(self, slot: Slot | None = None) -> None:
+    async def _add_process(self, process: WorkerProcess | None = None) -> None:
         """Spawn a process, warm it and hand it out; keep trying, more slowly, while that fails."""
         for delay in (0.1, 1.0, 5.0, *[30.0] * 1000):
             try:
-                slot = slot or Slot(self._nice)
-                await slot.wait_until_warm()
+                process = process or WorkerProcess(self._warm_up, self._nice)
+                await process.wait_until_warm()
             except asyncio.CancelledError:
-                if slot is not None:
-                    await asyncio.shield(asyncio.to_thread(slot.end))
+                if process is not None:
+                    await asyncio.shield(asyncio.to_thread(process.end))
                 raise
             except Exception:  # whatever kept it from starting, the service goes on trying
                 logger.exception("A worker did not start")
-                if slot is not None:
-                    await asyncio.to_thread(slot.end)
-                slot = None
+                if process is not None:
+                    await asyncio.to_thread(process.end)
+                process = None
                 await asyncio.sleep(delay)
             else:
-                self._slots.add(slot)
-                self._idle.append(slot)
+                self._processes.add(process)
+                self._idle.append(process)
                 self._warm.set()
                 self._dispatch()
                 return

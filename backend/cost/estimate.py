@@ -9,7 +9,7 @@ from math import sqrt
 
 from backend.cost.binding_limits import LimitShares, expected_limits
 from sim_core import Controller, DampingController, EcuController, PredictiveController
-from sim_core.control.qp import OsqpSolver
+from sim_core.control.qp import osqp_effort
 from sim_core.errors import TooExpensiveError
 from sim_core.loop.drive import run_dampers
 from sim_core.loop.excitation import StepSizes, fine_step, step_sizes
@@ -190,7 +190,7 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, expected: 
         "QP entries": solved * unknowns * inputs,
     }
     if mpc.solver == "osqp":
-        counts["OSQP"] = solved * OsqpSolver.effort(expected.iterations, unknowns, 4 * mpc.prediction_horizon)
+        counts["OSQP"] = solved * osqp_effort(expected.iterations, unknowns, 4 * mpc.prediction_horizon)
     return counts
 
 

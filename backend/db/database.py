@@ -101,7 +101,9 @@ class Database:
         """
         if self._file is not None:
             self._file.check()
-        with self.engine.connect().execution_options(large=large) as connection:
+        with self.engine.connect() as connection:
+            if large:
+                connection.execution_options(large=True)
             self._readers[connection] = time.monotonic()
             try:
                 yield connection

@@ -18,7 +18,11 @@ LOCK_TIMEOUT = 1.0  # a lock of another program is waited for so long, then it i
 COMMIT_TIMEOUT = 0.1
 LARGE_CACHE = 25_000  # pages of 4 KiB that a large transaction keeps in memory; SQLite takes a multiple of 256 for 0
 APPLICATION_ID = int.from_bytes(b"Ride")  # in the file's header
-SERVER_DAMAGED = ("XX001", "XX002")  # of PostgreSQL: data corrupted, index corrupted
+# A page, the header or the file's end is not what was written; or its disk cannot read it any more.
+DAMAGED = (sqlite3.SQLITE_CORRUPT, sqlite3.SQLITE_NOTADB)
+UNREADABLE = (sqlite3.SQLITE_IOERR_READ, sqlite3.SQLITE_IOERR_SHORT_READ, sqlite3.SQLITE_IOERR_CORRUPTFS)
+# Of PostgreSQL: data corrupted, index corrupted, a file of a table gone, its disk cannot read it.
+SERVER_DAMAGED = ("XX001", "XX002", "58P01", "58030")
 REASONS = {
     sqlite3.SQLITE_BUSY: "another program holds a lock on it",
     sqlite3.SQLITE_CANTOPEN: "it cannot be opened",
@@ -152,14 +156,15 @@ def _begin(connection: Connection) -> None:
     """A writer takes its lock at once: one that upgrades a read lock may fail without waiting."""
     options = connection.get_execution_options()
     lock_timeout: float | None = options.get("lock_timeout")
+    driver: Any = connection.connection.dbapi_connection  # where nothing can fail: SQLAlchemy takes ten times as long
     # A transaction that outgrows the cache would lock readers out before it commits: only a migration's does.
-    connection.exec_driver_sql(f"PRAGMA cache_spill={LARGE_CACHE if options.get('large') else 'OFF'}")
-    connection.exec_driver_sql(
-        f"PRAGMA busy_timeout={1000 * (LOCK_TIMEOUT if lock_timeout is None else lock_timeout):.0f}"
-    )
-    connection.exec_driver_sql("BEGIN" if lock_timeout is None else "BEGIN IMMEDIATE")
-    if lock_timeout is not None:
-        connection.exec_driver_sql(f"PRAGMA busy_timeout={1000 * min(lock_timeout, COMMIT_TIMEOUT):.0f}")
+    driver.execute(f"PRAGMA cache_spill={LARGE_CACHE if options.get('large') else 'OFF'}")
+    driver.execute(f"PRAGMA busy_timeout={1000 * (LOCK_TIMEOUT if lock_timeout is None else lock_timeout):.0f}")
+    if lock_timeout is None:
+        driver.execute("BEGIN")  # which locks nothing yet
+    else:
+        connection.exec_driver_sql("BEGIN IMMEDIATE")
+        driver.execute(f"PRAGMA busy_timeout={1000 * min(lock_timeout, COMMIT_TIMEOUT):.0f}")
 
 
 def try_writing(engine: Engine) -> None:
@@ -185,8 +190,8 @@ def is_locked(error: DBAPIError) -> bool:
 
 def is_damaged(error: BaseException | None) -> bool:
     """Whether a driver's error says that the database's own pages are damaged."""
-    code = getattr(error, "sqlite_errorcode", 0) & 0xFF
-    return code == sqlite3.SQLITE_CORRUPT or getattr(error, "sqlstate", None) in SERVER_DAMAGED
+    code = getattr(error, "sqlite_errorcode", 0)
+    return code & 0xFF in DAMAGED or code in UNREADABLE or getattr(error, "sqlstate", None) in SERVER_DAMAGED
 
 
 def reason(error: DBAPIError | sqlite3.Error) -> str:

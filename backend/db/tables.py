@@ -29,6 +29,7 @@ metadata = MetaData(
 )
 
 EXPIRED = "expired"  # the status of a result whose summary is gone; runs keep which strategies they have
+EXPIRED_RESULT = {"status": EXPIRED, "summary": "{}", "compute_ms": 0, "checksum": None}
 UNEXPIRED = text(f"status <> '{EXPIRED}'")
 
 results = Table(
@@ -41,6 +42,7 @@ results = Table(
     Column("summary", Text, nullable=False),
     Column("compute_ms", Float, nullable=False),
     Column("created_at", Utc, nullable=False, default=Now()),
+    Column("checksum", String(16), nullable=True),  # see backend/store/damage.py; none until 0.3.0
     Index("ix_results_created_at", "created_at", sqlite_where=UNEXPIRED, postgresql_where=UNEXPIRED),
 )
 
@@ -169,6 +171,7 @@ links = Table(
     Column("job_id", String(22), ForeignKey("jobs.id"), nullable=True, index=True),
     Column("view", Json, nullable=False),
     Column("created_at", Utc, nullable=False, default=Now()),
+    Column("damaged_at", Utc, nullable=True),  # something that it shows was found damaged then
 )
 
 pinned_series = Table(
@@ -177,6 +180,7 @@ pinned_series = Table(
     Column("result_key", String(43), ForeignKey("results.key"), primary_key=True),
     Column("content", LargeBinary, nullable=False),
     Column("created_at", Utc, nullable=False, default=Now()),
+    Column("checksum", String(16), nullable=True),
 )
 
 # Of the page, ended before their time.

@@ -64,13 +64,16 @@ def takes_gzip(request: Request) -> bool:
     return "gzip" in request.headers.get("accept-encoding", "")
 
 
-def answer_unless_cached(request: Request, tag: str, content: Any, cache_control: str) -> Response:
-    """JSON with that entity tag, or 304 where the client has it (weak comparison, RFC 9110, 13.1.2)."""
-    headers = {"ETag": tag, "Cache-Control": cache_control}
+def is_cached(request: Request, tag: str) -> bool:
+    """Whether the client has what that entity tag names (weak comparison, RFC 9110, 13.1.2)."""
     offered = {item.strip().removeprefix("W/") for item in request.headers.get("if-none-match", "").split(",")}
-    if "*" in offered or tag.removeprefix("W/") in offered:
-        return Response(status_code=304, headers=headers)
-    return json_answer(content, headers)
+    return "*" in offered or tag.removeprefix("W/") in offered
+
+
+def tagged(tag: str, cache_control: str, content: Any = None) -> Response:
+    """JSON with that entity tag; 304 without content, where the client has it."""
+    headers = {"ETag": tag, "Cache-Control": cache_control}
+    return Response(status_code=304, headers=headers) if content is None else json_answer(content, headers)
 
 
 async def cancel_on_disconnect(request: Request, work: Coroutine[Any, Any, T]) -> T:

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from enum import Enum, auto
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 from backend.http.client_key import client_key
 
@@ -21,12 +21,24 @@ class Connection(Protocol):
         """Close it while it is idle, to make room for another one."""
 
 
-class Decision(Enum):
-    """Whether a new connection is accepted."""
+class Served(Enum):
+    """What a new connection may ask for."""
 
-    SERVE = auto()
-    HEALTH_ONLY = auto()
-    REFUSE = auto()
+    ALL = auto()
+    HEALTH = auto()
+    NOTHING = auto()
+
+
+class Admission(NamedTuple):
+    """How a new connection is treated.
+
+    Attributes:
+        served: What it may ask for.
+        status: Of the answer to all else: 429 where its client has used its share, 503 where the service is full.
+    """
+
+    served: Served
+    status: int = 503
 
 
 class Connections:
@@ -45,16 +57,18 @@ class Connections:
         self._groups: dict[str, dict[Connection, None]] = {}  # by client, the longest unused first
         self._group_of: dict[Connection, str] = {}
 
-    def add(self, connection: Connection, address: str) -> Decision:
+    def add(self, connection: Connection, address: str) -> Admission:
         """Count a new connection, where there is room or an idle one can be closed."""
         group = PROXIES if self._is_proxy(address) else client_key(address)
-        if self._make_room(group):
+        within_share = group == PROXIES or self._size(group) < self._per_client or self._evict(group)
+        if within_share and (self._has_room() or self._evict_of_largest_client()):
             self._insert(connection, group)
-            return Decision.SERVE
+            return Admission(Served.ALL)
+        status = 503 if within_share else 429
         if self._size(HEALTH) < HEALTH_CONNECTIONS or self._evict(HEALTH):
             self._insert(connection, HEALTH)
-            return Decision.HEALTH_ONLY
-        return Decision.REFUSE
+            return Admission(Served.HEALTH, status)
+        return Admission(Served.NOTHING, status)
 
     def mark_used(self, connection: Connection) -> None:
         """Note that it answered a request: of its client's idle connections it is closed last."""
@@ -70,11 +84,8 @@ class Connections:
             if not self._groups[name]:
                 del self._groups[name]
 
-    def _make_room(self, group: str) -> bool:
-        """Close an idle connection where one more of that group is over a limit; returns whether there is room now."""
-        if group != PROXIES and self._size(group) >= self._per_client and not self._evict(group):
-            return False
-        return len(self._group_of) - self._size(HEALTH) < self._total or self._evict_of_largest_client()
+    def _has_room(self) -> bool:
+        return len(self._group_of) - self._size(HEALTH) < self._total
 
     def _size(self, group: str) -> int:
         return len(self._groups.get(group, ()))

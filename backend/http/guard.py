@@ -45,7 +45,9 @@ LONGEST_ADDRESS = 8192  # [bytes]
 LONGEST_HEADERS = 16384  # [bytes]; a head that comes in pieces ends in the server's parser at the same length
 SAFE = frozenset({"GET", "HEAD", "OPTIONS"})  # methods that change nothing
 HEALTH = frozenset({"/healthz", "/readyz", "/metrics"})  # asked inside a deployment, by any host name
-HEALTH_ONLY = "health_only"  # key in a scope's state: its connection may ask for HEALTH alone
+HEALTH_ONLY = (
+    "health_only"  # key in a scope's state: its connection may ask for HEALTH alone, all else gets that status
+)
 MATCHED = ("route", "root_path", "app_root_path")  # what routing leaves in a scope
 
 
@@ -109,7 +111,7 @@ class GuardMiddleware:
         if self._is_of_another_site(scope):
             return problem("cross-site")
         if scope["path"] not in HEALTH and HEALTH_ONLY in scope.get("state", ()):
-            return problem("connections", headers=CLOSE | RETRY_SOON)
+            return problem("connections", status=scope["state"][HEALTH_ONLY], headers=CLOSE | RETRY_SOON)
         if (
             self._hosts
             and scope["path"] not in HEALTH

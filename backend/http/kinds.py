@@ -16,110 +16,281 @@ class ProblemKind:
         name: End of its `type`, for machines.
         statuses: HTTP statuses it comes with, nearly always one.
         title: Of every such problem the same.
-        meaning: What happened, and what to do about it; the default of `detail`.
+        meaning: What happened; the default of `detail`.
+        remedy: What whoever asked can do about it.
     """
 
     name: str
     statuses: tuple[int, ...]
     title: str
     meaning: str
+    remedy: str
 
 
-def _kind(name: str, statuses: int | tuple[int, ...], title: str, meaning: str) -> ProblemKind:
-    return ProblemKind(
-        name=name, statuses=statuses if isinstance(statuses, tuple) else (statuses,), title=title, meaning=meaning
-    )
+def _kind(name: str, statuses: int | tuple[int, ...], title: str, meaning: str, remedy: str) -> ProblemKind:
+    several = statuses if isinstance(statuses, tuple) else (statuses,)
+    return ProblemKind(name=name, statuses=several, title=title, meaning=meaning, remedy=remedy)
 
 
 # By status; the first of a status is the default for it.
 _LIST = (
-    _kind("malformed-request", 400, "Malformed request", "The request could not be read."),
-    _kind("two-lengths", 400, "Two lengths", "The request has both Content-Length and Transfer-Encoding."),
+    _kind(
+        "malformed-request",
+        400,
+        "Malformed request",
+        "The request could not be read.",
+        "Send HTTP/1.1; a proxy or a program of your own between may have changed the request.",
+    ),
+    _kind(
+        "two-lengths",
+        400,
+        "Two lengths",
+        "The request has both Content-Length and Transfer-Encoding.",
+        "Send one of the two; HTTP libraries do.",
+    ),
     _kind(
         "token-required",
         401,
         "Token required",
         "The service answers those with a token: Authorization: Bearer, or the page's login.",
+        "Send a token of the service: its operator gives them out.",
     ),
-    _kind("forbidden", 403, "Forbidden", "The proxy before the service does not pass this request on."),
+    _kind(
+        "forbidden",
+        403,
+        "Forbidden",
+        "The proxy before the service does not pass this request on.",
+        "Ask the service itself, from inside.",
+    ),
     _kind(
         "cross-site",
         403,
         "Request of another site",
         "Another site's page sent this request through a browser, and it would change or compute something.",
-    ),
-    _kind("other-token", 403, "Another token's", "It belongs to another token, which alone may change it."),
-    _kind("not-found", 404, "Not found", "There is nothing at this address, or nothing of this id."),
-    _kind(
-        "method-not-allowed", 405, "Method not allowed", "This address does not answer that method; Allow names those."
-    ),
-    _kind("slow-body", 408, "Slow body", "The request body did not come in time."),
-    _kind("slow-head", 408, "Slow head", "The request's head did not come in time."),
-    _kind(
-        "idempotency-key-reused", 409, "Idempotency key reused", "The Idempotency-Key came with another request before."
+        "Send it from the service's own page, or from a program.",
     ),
     _kind(
-        "not-ended", 409, "Not ended", "A tuning that still runs cannot get another number of trials: cancel it first."
+        "other-token",
+        403,
+        "Another token's",
+        "It belongs to another token, which alone may change it.",
+        "Use the token that submitted it.",
     ),
-    _kind("done", 409, "Done", "Nothing is left to do; a tuning goes on with a greater number of trials."),
-    _kind("not-deletable", 409, "Not deletable", "It has not ended, or a link shows it."),
+    _kind(
+        "not-found",
+        404,
+        "Not found",
+        "There is nothing at this address, or nothing of this id.",
+        "Check the address and the id; what retention or somebody removed is gone.",
+    ),
+    _kind(
+        "method-not-allowed",
+        405,
+        "Method not allowed",
+        "This address does not answer that method; Allow names those.",
+        "Use one of the methods in Allow.",
+    ),
+    _kind(
+        "slow-body",
+        408,
+        "Slow body",
+        "The request body did not come in time.",
+        "Send it again at once, over a faster connection.",
+    ),
+    _kind("slow-head", 408, "Slow head", "The request's head did not come in time.", "Send it again at once."),
+    _kind(
+        "idempotency-key-reused",
+        409,
+        "Idempotency key reused",
+        "The Idempotency-Key came with another request before.",
+        "Give every new request a key of its own.",
+    ),
+    _kind(
+        "not-ended",
+        409,
+        "Not ended",
+        "A tuning that still runs cannot get another number of trials: cancel it first.",
+        "Cancel it, then resume it with the new number.",
+    ),
+    _kind(
+        "done",
+        409,
+        "Done",
+        "Nothing is left to do; a tuning goes on with a greater number of trials.",
+        "Resume it with a greater number of trials.",
+    ),
+    _kind(
+        "not-deletable",
+        409,
+        "Not deletable",
+        "It has not ended, or a link shows it.",
+        "Cancel it or wait for its end; what a link shows stays.",
+    ),
     _kind(
         "other-core-version",
         410,
         "Other core version",
         "Another version computed the run, and its time histories are gone; its metrics stay.",
+        "Post the scenario again: this version computes it anew.",
     ),
-    _kind("road-gone", 410, "Road gone", "The measured road of the run is not stored any more; send its file again."),
-    _kind("too-long", 413, "Too long", "The request body is longer than allowed."),
-    _kind("address-too-long", 414, "Address too long", "The address with its parameters is longer than allowed."),
+    _kind(
+        "road-gone",
+        410,
+        "Road gone",
+        "The measured road of the run is not stored any more; send its file again.",
+        "Send the road's file again, then ask again.",
+    ),
+    _kind(
+        "too-long",
+        413,
+        "Too long",
+        "The request body is longer than allowed.",
+        "Send less, such as a sweep as ranges in place of a list.",
+    ),
+    _kind(
+        "address-too-long",
+        414,
+        "Address too long",
+        "The address with its parameters is longer than allowed.",
+        "Name fewer strategies or signals, or ask several times.",
+    ),
     _kind(
         "unsupported-media-type",
         415,
         "Unsupported media type",
         "The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv.",
+        "Set the header, and send the body uncompressed.",
     ),
     _kind(
         "other-host",
         421,
         "Other host",
         "The service does not answer to the name in the Host header; RIDELAB_ALLOWED_HOSTS lists the names it does.",
+        "Use one of those names, or have the operator add this one.",
     ),
-    _kind("invalid-request", 422, "Invalid request", "The request has values that cannot be used; errors names each."),
-    _kind("refused", 422, "Refused", "The values fit one by one, but the simulation cannot work with them together."),
+    _kind(
+        "invalid-request",
+        422,
+        "Invalid request",
+        "The request has values that cannot be used; errors names each.",
+        "Change what errors names.",
+    ),
+    _kind(
+        "refused",
+        422,
+        "Refused",
+        "The values fit one by one, but the simulation cannot work with them together.",
+        "Change the values that detail names.",
+    ),
     _kind(
         "unknown",
         422,
         "Unknown",
         "The body names a run, a batch or a road that is not there, or a field it does not sweep.",
+        "Check the id or the name; a road's file has to be sent first.",
     ),
-    _kind("cost-limit", 422, "Cost limit", "The estimated cost or the number of runs is over the limit."),
     _kind(
-        "too-expensive", 422, "Too expensive", "A run takes more computing than one may; errors names what to change."
+        "cost-limit",
+        422,
+        "Cost limit",
+        "The estimated cost or the number of runs is over the limit.",
+        "Ask for fewer runs, or for shorter or simpler ones.",
     ),
-    _kind("no-solution", 422, "No solution", "No value in the range keeps the limit."),
+    _kind(
+        "too-expensive",
+        422,
+        "Too expensive",
+        "A run takes more computing than one may; errors names what to change.",
+        "Change the fields that errors names.",
+    ),
+    _kind(
+        "no-solution",
+        422,
+        "No solution",
+        "No value in the range keeps the limit.",
+        "Widen the range, or raise the limit.",
+    ),
     _kind(
         "strict-json",
         (422, 400, 413),
         "Strict JSON",
         "The body is not JSON (400), holds too many values (413), or something that two readers may understand "
         "differently (422): a key twice, NaN, an integer no double holds.",
+        "Send plain JSON with each key once.",
     ),
-    _kind("too-many-requests", 429, "Too many requests", "One client has too much open or asks too often."),
-    _kind("headers-too-long", 431, "Headers too long", "The request's headers are longer than allowed."),
-    _kind("internal-error", 500, "Internal error", "Something went wrong in the service. It is in its log."),
-    _kind("unavailable", (503, 502, 504), "Unavailable", "The service, or the proxy before it, cannot answer now."),
-    _kind("full", 503, "Full", "The service has too much to do at the moment."),
-    _kind("connections", 503, "Too many connections", "Too many connections are open, of this client or of all."),
-    _kind("store-unavailable", 503, "Database unavailable", "The database does not answer."),
-    _kind("worker-lost", 503, "Computation lost", "The computation ended unexpectedly, twice."),
-    _kind("newer-schema", 503, "Newer schema", "A newer version of the service stored this; it is being updated."),
+    _kind(
+        "too-many-requests",
+        429,
+        "Too many requests",
+        "One client has too much open or asks too often.",
+        "Wait for Retry-After, and have fewer requests open.",
+    ),
+    _kind(
+        "headers-too-long",
+        431,
+        "Headers too long",
+        "The request's headers are longer than allowed.",
+        "Send fewer or shorter headers; delete the site's cookies.",
+    ),
+    _kind(
+        "internal-error",
+        500,
+        "Internal error",
+        "Something went wrong in the service. It is in its log.",
+        "Report it with the request_id; the same again may fail again.",
+    ),
+    _kind(
+        "unavailable",
+        (503, 502, 504),
+        "Unavailable",
+        "The service, or the proxy before it, cannot answer now.",
+        "Wait for Retry-After, then ask again.",
+    ),
+    _kind(
+        "full", 503, "Full", "The service has too much to do at the moment.", "Wait for Retry-After, then ask again."
+    ),
+    _kind(
+        "connections",
+        (503, 429),
+        "Too many connections",
+        "Too many connections are open: of this client (429), or of all (503).",
+        "Close connections that you do not need; wait for Retry-After.",
+    ),
+    _kind(
+        "store-unavailable",
+        503,
+        "Database unavailable",
+        "The database does not answer.",
+        "Wait for Retry-After, then ask again; operators find the reason in the log and at /readyz.",
+    ),
+    _kind(
+        "worker-lost",
+        503,
+        "Computation lost",
+        "The computation ended unexpectedly, twice.",
+        "Ask again once; if it ends again, ask for something shorter.",
+    ),
+    _kind(
+        "newer-schema",
+        503,
+        "Newer schema",
+        "A newer version of the service stored this; it is being updated.",
+        "Wait for Retry-After, until the update has ended.",
+    ),
     _kind(
         "ecu-unavailable",
         503,
         "ECU unavailable",
         "The ECU's program cannot be built here; detail names the remedy, and waiting is none.",
+        "Do what detail says; waiting does not help.",
     ),
-    _kind("not-built", 503, "Dashboard not built", "The dashboard's files are not there. The API answers."),
+    _kind(
+        "not-built",
+        503,
+        "Dashboard not built",
+        "The dashboard's files are not there. The API answers.",
+        "Run make setup, or use the API.",
+    ),
 )
 
 KINDS = {kind.name: kind for kind in _LIST}

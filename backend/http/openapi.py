@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
+from backend.http.field_descriptions import EVERYWHERE, OF_MODELS
 from backend.http.kinds import KINDS
 from backend.http.logins import COOKIE
 from backend.http.problems import MEDIA_TYPE, Problem
@@ -46,6 +47,7 @@ OF_STATUS = {
     "503": ["Retry-After"],
 }
 OF_ROWS = frozenset({"EqualSpeed"})  # its `strategy` is a row's id
+BYTES: JsonObject = {"type": "string", "format": "binary"}
 FILES = frozenset({"text/csv", "application/zip", "text/html"})  # answers that come with a file's name
 
 SCENARIO = {"road": {"length": 130, "bump": {"height": 0.08}}, "speed": {"target_speed_kmh": 25}}
@@ -124,6 +126,8 @@ def describe(app: FastAPI) -> JsonObject:
         }
         for name, example in EXAMPLES.items():
             components["schemas"][name]["examples"] = [example]
+        for name, schema in components["schemas"].items():
+            _describe_fields(name, schema, components["schemas"])
         for schema in components["schemas"].values():
             for name, field in schema.get("properties", {}).items() if schema["title"] not in OF_ROWS else ():
                 _name_strategies(name, field)
@@ -137,6 +141,25 @@ def describe(app: FastAPI) -> JsonObject:
     return app.openapi_schema
 
 
+def _describe_fields(model: str, schema: JsonObject, schemas: JsonObject) -> None:
+    """Give the schema a title of its own, and each field without a description one."""
+    schema["title"] = model.replace("-", "")  # Scenario-Input: what is sent may leave out what answers always have
+    for name, field in schema.get("properties", {}).items():
+        if "description" not in field:
+            shown = _shown_model(field)
+            of_shown = None if shown is None else schemas[shown]["description"].partition("\n")[0]
+            if described := OF_MODELS.get(f"{model}.{name}") or of_shown or EVERYWHERE.get(name):
+                field["description"] = described
+
+
+def _shown_model(field: JsonObject) -> str | None:
+    """The name of the schema that a field holds, or holds several of."""
+    if "$ref" in field:
+        return str(field["$ref"]).rpartition("/")[2]
+    parts = (field.get("items"), field.get("additionalProperties"), *field.get("anyOf", ()), *field.get("oneOf", ()))
+    return next((name for part in parts if isinstance(part, dict) and (name := _shown_model(part))), None)
+
+
 def _operations(whole: JsonObject) -> Iterator[tuple[str, JsonObject]]:
     for path, operations in whole["paths"].items():
         for operation in operations.values():
@@ -147,9 +170,11 @@ def _describe_answers(operation: JsonObject) -> None:
     answers: dict[str, JsonObject] = operation["responses"]
     for status, answer in answers.items():
         content = answer.get("content", {})
+        for media_type, described in content.items():
+            described.setdefault("schema", {"type": "string"} if media_type.startswith("text/") else BYTES)
         if MEDIA_TYPE in content:
             kinds = [kind for kind in KINDS.values() if int(status) in kind.statuses]
-            answer["description"] = " ".join(f"`{kind.name}`: {kind.meaning}" for kind in kinds)
+            answer["description"] = " ".join(f"`{kind.name}`: {kind.meaning} {kind.remedy}" for kind in kinds)
         elif answer.get("description") == "Successful Response":
             answer["description"] = operation["description"].partition("\n")[0]
         names = [HEADER, *OF_STATUS.get(status, [])]

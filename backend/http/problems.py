@@ -1,5 +1,6 @@
 """Every error is answered as RFC 9457 `application/problem+json`; no answer repeats what was sent."""
 
+import asyncio
 import logging
 from collections.abc import Mapping, Sequence
 from typing import Annotated, cast
@@ -153,7 +154,8 @@ async def _http(request: Request, error: Exception) -> Response:
     headers = dict(error.headers or {})
     if error.status_code == 405:
         # It names the methods of one route, and an address may have several.
-        described = request.app.openapi()["paths"].get(getattr(request.scope.get("route"), "path", None), {})
+        description = await asyncio.to_thread(request.app.openapi)
+        described = description["paths"].get(getattr(request.scope.get("route"), "path", None), {})
         allowed = {name.strip() for name in headers.get("allow", headers.get("Allow", "")).split(",") if name}
         headers = {"Allow": ", ".join(sorted(allowed | {method.upper() for method in described}))}
     return problem(OF_STATUS[error.status_code].name, headers=headers)

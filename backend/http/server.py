@@ -20,7 +20,7 @@ from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from backend.http.client_key import client_key
-from backend.http.connections import Connections, Decision
+from backend.http.connections import Connections, Served
 from backend.http.guard import CLOSE, HEADERS, HEALTH_ONLY
 from backend.http.lingering import LingeringTransport
 from backend.http.problems import RETRY_SOON, problem
@@ -53,12 +53,12 @@ class GuardedProtocol(H11Protocol):
         """Count the connection, and begin to wait for a request."""
         self._lingering = LingeringTransport(transport, self._body_comes, self.HEAD_TIMEOUT)
         super().connection_made(cast(asyncio.Transport, self._lingering))
-        match self.OPEN.add(self, self.client[0] if self.client else ""):
-            case Decision.REFUSE:
-                self._refuse("connections")
-                return
-            case Decision.HEALTH_ONLY:
-                self.app_state = {**self.app_state, HEALTH_ONLY: True}
+        admission = self.OPEN.add(self, self.client[0] if self.client else "")
+        if admission.served is Served.NOTHING:
+            self._refuse("connections", status=admission.status)
+            return
+        if admission.served is Served.HEALTH:
+            self.app_state = {**self.app_state, HEALTH_ONLY: admission.status}
         self._watch()
 
     def connection_lost(self, exc: Exception | None) -> None:
@@ -184,7 +184,7 @@ class GuardedProtocol(H11Protocol):
         else:
             self.transport.close()
 
-    def _refuse(self, kind: str, detail: str | None = None) -> None:
+    def _refuse(self, kind: str, detail: str | None = None, *, status: int | None = None) -> None:
         """Answer without the application, and close."""
         if self.conn.our_state not in (h11.IDLE, h11.SEND_RESPONSE):
             self.transport.abort()  # in the middle of another answer
@@ -193,7 +193,7 @@ class GuardedProtocol(H11Protocol):
         headers = {**HEADERS, HEADER: name, "Cache-Control": "no-store", **CLOSE}
         if kind == "connections":
             headers |= RETRY_SOON
-        response = problem(kind, detail, headers=headers, name=name)
+        response = problem(kind, detail, status=status, headers=headers, name=name)
         logger.warning("Refused a connection: %s", kind, extra={"request_id": name})
         head = h11.Response(status_code=response.status_code, headers=response.raw_headers)
         for event in (head, h11.Data(data=bytes(response.body)), h11.EndOfMessage()):

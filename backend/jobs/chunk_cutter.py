@@ -5,6 +5,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 
 from backend import digest
+from backend.compute.chunk_messages import ComputeRun
 from backend.job_run import JobRun
 from backend.store import Store, StoredJob
 
@@ -22,10 +23,11 @@ class RunningJob:
 
     Attributes:
         job: The stored job as it was at the start.
+        compute: What a worker computes of each run.
         group: Cancels all its chunks together.
         position: Runs up to this one are computed or sent.
-        returned: Dispatch to send again before new ones are cut.
-        open_chunks: Dispatch sent and not yet stored.
+        returned: Chunks to send again before new ones are cut.
+        open_chunks: Chunks sent and not yet stored.
         exhausted: Whether the last look saw no waiting run behind `position`.
         last_send: Number of its last chunk among all chunks sent.
         run_seconds: Mean time of a run in the chunks so far [s].
@@ -33,6 +35,7 @@ class RunningJob:
     """
 
     job: StoredJob
+    compute: ComputeRun
     group: str = field(default_factory=digest.random_id)
     position: int = -1
     returned: list[list[JobRun]] = field(default_factory=list)

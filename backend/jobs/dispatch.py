@@ -1,31 +1,29 @@
-"""Chunks are sent to the cluster, come back, and are stored in the database."""
+"""Chunks are sent to what computes them, come back, and are stored in the database."""
 
 import asyncio
 import logging
 from collections.abc import Coroutine, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, cast
+from typing import Any
 
 import orjson
 from sqlalchemy.exc import DataError, IntegrityError, ProgrammingError, SQLAlchemyError
 
 from backend import metrics
+from backend.compute.chunk_messages import Chunk, ChunkOutcome, Trouble
+from backend.compute.executor import Executor, ExecutorLostError
 from backend.errors import CHEAPER_RUN
 from backend.job_run import JobRun
 from backend.jobs.chunk_cutter import RunningJob
-from backend.jobs.chunk_messages import Chunk, ChunkOutcome, ClusterLostError, Computed, Trouble
 from backend.outcome import Outcome
 from backend.store import Store, StoredJob
 from backend.store.roads import PROFILE
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario.measured import MeasuredRoad
 
-if TYPE_CHECKING:
-    from backend.jobs.cluster import Cluster
-
 logger = logging.getLogger(__name__)
 
 CHUNK_BUDGET = 2.0  # a chunk is cut short after this, where its runs take longer than those before [s]
-PAUSE_AFTER_FAILURE = 2.0  # after the database or the cluster failed [s]
+PAUSE_AFTER_FAILURE = 2.0  # after the database or the executor failed [s]
 PERMANENT = (IntegrityError, DataError, ProgrammingError)  # what the database will never take
 REASONS: dict[Trouble, str] = {
     "lost": "The computation ended unexpectedly, twice",
@@ -54,11 +52,11 @@ class Dispatch:
         """Chunks being computed or waiting to be stored."""
         return len(self._computing) + len(self._committing)
 
-    def send(self, cluster: "Cluster", running: RunningJob, runs: list[JobRun]) -> None:
-        """Send these runs to the cluster, and store their results; a job's first goes before others' later ones."""
+    def send(self, executor: Executor, running: RunningJob, runs: list[JobRun]) -> None:
+        """Have these runs computed, and store their results; a job's first goes before others' later ones."""
         priority = -running.open_chunks
         running.open_chunks += 1
-        _keep(self._computing, self._compute(cluster, running, runs, priority))
+        _keep(self._computing, self._compute(executor, running, runs, priority))
 
     async def wait_until_computed(self, seconds: float) -> None:
         """Wait until every chunk is back, at most `seconds`; the chunks then wait to be stored."""
@@ -79,13 +77,13 @@ class Dispatch:
         await _cancel(self._computing)
         await _cancel(self._committing)
 
-    async def _compute(self, cluster: "Cluster", running: RunningJob, runs: list[JobRun], priority: int) -> None:
+    async def _compute(self, executor: Executor, running: RunningJob, runs: list[JobRun], priority: int) -> None:
         committing = False
         try:
             chunk = await self._chunk(running, runs, priority)
             if chunk is None:
                 return
-            outcome = await _outcome(cluster, chunk)
+            outcome = await _outcome(executor, chunk)
             if outcome.computed is not None:
                 computed, failures = _split(running, runs, outcome.computed)
             elif await self._retry(running, runs, outcome):
@@ -108,7 +106,7 @@ class Dispatch:
             await asyncio.sleep(PAUSE_AFTER_FAILURE)  # the database may be back by then
             return None
         return Chunk(
-            kind=cast(Computed, running.job.kind),
+            compute=running.compute,
             group=running.group,
             core_version=CORE_VERSION,
             schema_version=running.job.schema_version,
@@ -167,12 +165,11 @@ class Dispatch:
         self.returned.set()
 
 
-async def _outcome(cluster: "Cluster", chunk: Chunk) -> ChunkOutcome:
-    """The chunk's outcome; a cluster that is connected and returned nothing has lost the process."""
+async def _outcome(executor: Executor, chunk: Chunk) -> ChunkOutcome:
     try:
-        return await cluster.compute(chunk)
-    except ClusterLostError as error:
-        return ChunkOutcome(trouble="lost" if cluster.connected else "busy", detail=str(error))
+        return await executor.compute(chunk)
+    except ExecutorLostError as error:
+        return ChunkOutcome(trouble="busy", detail=str(error))
     except Exception:  # a bug of ours: this chunk's run fails and says so, the others go on
         logger.exception("A chunk could not be sent")
         return ChunkOutcome(trouble="bug")

@@ -1,65 +1,41 @@
-"""A task for each job that is no sweep: the steps of the other kinds, and new keys after an upgrade."""
+"""A task for each job that is not computed run by run: its steps, or new keys after an upgrade."""
 
 import asyncio
 import logging
-from collections.abc import Callable, Coroutine, Mapping
+from collections.abc import Awaitable, Callable, Coroutine
 from functools import partial
-from typing import Any, Protocol
+from typing import Any
 
 from sqlalchemy.exc import SQLAlchemyError
 
 from backend.errors import TemporaryError
+from backend.jobs.kind import JobFailedError
 from backend.jobs.leadership import LeadershipLostError
 from backend.store import Store, StoredJob
-from backend.store.job import UNFINISHED, Kind
+from backend.store.job import UNFINISHED
 
 logger = logging.getLogger(__name__)
 
-MAX_TASKS = 4  # beyond it no job is driven; the others wait in the order they were accepted
+MAX_TASKS = 4  # beyond it no job's steps are taken; the others wait in the order they were accepted
 PAUSE_AFTER_FAILURE = 2.0  # after the database failed, or the service was full [s]
 TRANSIENT = (SQLAlchemyError, OSError, TemporaryError, LeadershipLostError)
 UNFORESEEN = "It failed with an unforeseen error, which is in the service's log"
 
-
-class JobFailedError(Exception):
-    """The job cannot go on; the message tells its owner why."""
-
-
-class Stepper(Protocol):
-    """Takes the steps of one kind of job."""
-
-    async def step(self, job: StoredJob) -> None:
-        """Take the next step of the job to its end; the stored state says which it is.
-
-        Raises:
-            JobFailedError: The job cannot go on.
-            TemporaryError: It can be tried again later.
-        """
+Step = Callable[[StoredJob], Awaitable[None]]
 
 
 class JobDrivers:
-    """A task for each job.
+    """A task for each job; `ended` is set when one has ended."""
 
-    Args:
-        store: The database.
-        steppers: By kind, of the kinds that are not computed run by run.
-        ended: Set when a task has ended.
-    """
-
-    def __init__(self, store: Store, steppers: Mapping[Kind, Stepper], ended: asyncio.Event) -> None:
+    def __init__(self, store: Store, ended: asyncio.Event) -> None:
         self._store = store
-        self._steppers = steppers
         self._ended = ended
         self._tasks: dict[str, asyncio.Task[None]] = {}
 
-    def drives(self, kind: Kind) -> bool:
-        """Whether jobs of that kind have steps."""
-        return kind in self._steppers
-
-    def drive(self, job: StoredJob) -> None:
+    def take_steps(self, job_id: str, step: Step) -> None:
         """Start a task that takes the job's steps to its end, if there is room."""
         if len(self._tasks) < MAX_TASKS:
-            self.begin(job.id, partial(self._drive, job.id, self._steppers[job.kind]))
+            self.begin(job_id, partial(self._take_steps, job_id, step))
 
     def begin(self, job_id: str, work: Callable[[], Coroutine[Any, Any, None]]) -> None:
         """Start a task with that work for the job, unless it has one."""
@@ -85,11 +61,10 @@ class JobDrivers:
             del self._tasks[job_id]
             self._ended.set()
 
-    async def _drive(self, job_id: str, stepper: Stepper) -> None:
-        """Take the job's steps to its end."""
+    async def _take_steps(self, job_id: str, step: Step) -> None:
         while (job := await self._store.read(self._store.jobs.load, job_id)) is not None and job.state in UNFINISHED:
             try:
-                await stepper.step(job)
+                await step(job)
             except TRANSIENT:
                 raise
             except JobFailedError as error:

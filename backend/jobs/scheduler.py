@@ -1,7 +1,7 @@
-"""Drives every job: runs of sweeps go to the cluster in chunks, jobs of other kinds go step by step.
+"""Leads every job to its end: run by run, in chunks that an executor computes, or step by step.
 
 The database is the truth. This keeps no state that a crash could lose: what is unfinished is a query, and a chunk that
-was on its way when a process died is waiting still. Of several services on one database one drives (`leadership`).
+was on its way when a process died is waiting still. Of several services on one database one leads (`leadership`).
 """
 
 import asyncio
@@ -9,35 +9,31 @@ import contextlib
 import itertools
 import logging
 import time
-from collections.abc import Mapping
+from collections.abc import Awaitable, Callable, Iterable
 from functools import partial
-from typing import TYPE_CHECKING, get_args
+from typing import get_args
 
 from sqlalchemy.exc import SQLAlchemyError
 
-from backend import metrics
+from backend.compute.executor import Executor, ExecutorLostError
 from backend.compute.workers import Workers
 from backend.db.commits import Follower
 from backend.jobs.chunk_cutter import RunningJob
-from backend.jobs.chunk_messages import ClusterLostError
 from backend.jobs.dispatch import Dispatch
-from backend.jobs.job_drivers import JobDrivers, Stepper
+from backend.jobs.job_drivers import JobDrivers
+from backend.jobs.kind import JobKind, Rekey
 from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.jobs.retention import Retention
-from backend.jobs.sweep.plan import rekeyed
 from backend.settings import Settings
 from backend.store import Store, StoredJob
-from backend.store.job import UNFINISHED, Kind, State
+from backend.store.job import UNFINISHED, State
 from sim_core import __version__ as CORE_VERSION
-
-if TYPE_CHECKING:
-    from backend.jobs.cluster import Cluster
 
 logger = logging.getLogger(__name__)
 
 CHUNKS_PER_PROCESS = 2  # one is computed, one waits
 JOB_POLL_INTERVAL = 1.0  # between two looks at what other services accepted or cancelled [s]
-PAUSE_AFTER_FAILURE = 2.0  # after the database or the cluster failed [s]
+PAUSE_AFTER_FAILURE = 2.0  # after the database or the executor failed [s]
 PARTING = 10.0  # chunks being computed when the lead is lost may take so long to come back [s]
 REKEYED_AT_ONCE = 500  # runs given new keys in one transaction
 REPORT = 5.0  # between two updates of the metrics [s]
@@ -50,34 +46,42 @@ class Scheduler:
     Args:
         store: The database.
         settings: Of the service.
-        background: Processes for what would hold up the event loop.
-        steppers: By kind, of the kinds that are not computed run by run.
+        kinds: Of jobs.
+        connect: Gives what computes runs, when it is first needed and where it was lost.
+        workers: Processes for what would hold up the event loop.
     """
 
     def __init__(
-        self, *, store: Store, settings: Settings, background: Workers, steppers: Mapping[Kind, Stepper]
+        self,
+        *,
+        store: Store,
+        settings: Settings,
+        kinds: Iterable[JobKind],
+        connect: Callable[[], Awaitable[Executor]],
+        workers: Workers,
     ) -> None:
         self._store = store
-        self._settings = settings
-        self._background = background
+        self._kinds = {kind.name: kind for kind in kinds}
+        self._connect = connect
+        self._workers = workers
         self._leadership = Leadership(store)
         self._retention = Retention(store, settings, self._leadership.write)
         self._task: asyncio.Task[None] | None = None
         self._closed = False
-        self._cluster: Cluster | None = None
+        self._executor: Executor | None = None
         self._running_jobs: dict[str, RunningJob] = {}
         self._rekeyed: set[str] = set()  # jobs of another core version whose waiting runs have this one's keys
         self._chunks = Dispatch(store, settings.run_timeout)
-        self._job_tasks = JobDrivers(store, steppers, self._chunks.returned)
+        self._job_tasks = JobDrivers(store, self._chunks.returned)
         self._send_counter = itertools.count(1)
         self._reported = -REPORT
 
     def start(self) -> None:
-        """Start driving in the background."""
+        """Start leading in the background."""
         self._task = asyncio.create_task(self._run())
 
     async def close(self) -> None:
-        """Stop driving; unfinished jobs wait for another service or the next start."""
+        """Stop leading; unfinished jobs wait for another service or the next start."""
         self._closed = True
         if self._task is not None:
             self._task.cancel()
@@ -86,7 +90,7 @@ class Scheduler:
         await self._chunks.close()
 
     async def _run(self) -> None:
-        """Drive the jobs whenever this service is the leader."""
+        """Lead the jobs whenever this service is the leader."""
         while not self._closed:  # an error while leaving takes the place of a cancellation
             try:
                 try:
@@ -95,14 +99,14 @@ class Scheduler:
                         with self._store.commits.following() as changes:
                             await self._lead(changes)
                 except LeadershipLostError:
-                    logger.warning("Another service drives the jobs now")
+                    logger.warning("Another service leads the jobs now")
                     await self._chunks.wait_until_computed(PARTING)
                 finally:
                     await self._leave()
             except (SQLAlchemyError, OSError) as error:
                 logger.warning("The jobs rest: %s", type(error).__name__)
             except Exception:  # whatever it was, jobs must not rest for ever
-                logger.exception("Driving the jobs failed")
+                logger.exception("Leading the jobs failed")
             await asyncio.sleep(PAUSE_AFTER_FAILURE)
 
     async def _lead(self, changes: Follower) -> None:
@@ -115,12 +119,12 @@ class Scheduler:
                 await self._send_chunks()
                 await self._report()
                 self._retention.begin_if_due()
-            except SQLAlchemyError as error:  # what the cluster computes meanwhile is not thrown away
+            except SQLAlchemyError as error:  # what is computed meanwhile is not thrown away
                 logger.warning("The jobs rest: %s", type(error).__name__)
                 await asyncio.sleep(PAUSE_AFTER_FAILURE)
-            except (ClusterLostError, OSError, TimeoutError) as error:
-                logger.warning("The Dask scheduler does not answer: %s", error)
-                await self._end_cluster()
+            except (ExecutorLostError, OSError, TimeoutError) as error:
+                logger.warning("What computes jobs does not answer: %s", error)
+                await self._end_executor()
                 await asyncio.sleep(PAUSE_AFTER_FAILURE)
             await self._rest(changes)
 
@@ -136,53 +140,54 @@ class Scheduler:
     async def _look(self) -> None:
         """Start jobs that were accepted and end jobs that were cancelled, by this service or another."""
         unfinished = {job.id: job for job in await self._store.read(self._store.jobs.unfinished)}
-        if self._cluster is not None and not self._cluster.connected:
-            logger.warning("The Dask scheduler is gone; its chunks are sent again")
-            await self._end_cluster()
         self._rekeyed &= unfinished.keys()
         for job_id in self._running_jobs.keys() - unfinished.keys():
-            await self._end_sweep(job_id)
+            await self._stop(job_id)
         for job in unfinished.values():
-            if self._job_tasks.drives(job.kind):
-                self._job_tasks.drive(job)
-            elif job.kind == "reproduction" and job.core_version != CORE_VERSION:  # its page asks for other rows now
-                await self._leadership.write(self._store.jobs.cancel, job.id)
-                await self._leadership.write(self._store.jobs.delete, job.id)
+            kind = self._kinds.get(job.kind)
+            if kind is None:  # a newer version's
+                continue
+            if kind.step is not None:
+                self._job_tasks.take_steps(job.id, kind.step)
             elif job.id not in self._running_jobs:
-                await self._begin(job)
+                await self._begin(job, kind)
             elif job.state == "queued":  # it was cancelled and resumed between two looks
-                await self._end_sweep(job.id)
-                await self._begin(job)
+                await self._stop(job.id)
+                await self._begin(job, kind)
 
-    async def _end_sweep(self, job_id: str) -> None:
+    async def _stop(self, job_id: str) -> None:
         self._rekeyed.discard(job_id)  # what was cancelled meanwhile has its old keys
         stopped = self._running_jobs.pop(job_id)
-        if stopped.open_chunks and self._cluster is not None:
-            await self._cluster.stop(stopped.group)
+        if stopped.open_chunks and self._executor is not None:
+            await self._executor.stop(stopped.group)
 
-    async def _begin(self, job: StoredJob) -> None:
+    async def _begin(self, job: StoredJob, kind: JobKind) -> None:
+        """Begin to compute a job's runs."""
         if job.core_version != CORE_VERSION and job.id not in self._rekeyed:
-            self._job_tasks.begin(job.id, partial(self._rekey, job))
+            if kind.rekey is None:
+                await self._leadership.write(self._store.jobs.cancel, job.id)
+                await self._leadership.write(self._store.jobs.delete, job.id)
+            else:
+                self._job_tasks.begin(job.id, partial(self._rekey, job, kind.rekey))
             return
-        if self._cluster is None:
-            from backend.jobs.cluster import Cluster  # Dask takes half a second to import: not before there is a job
-
-            self._cluster = Cluster(self._settings)
-            await self._cluster.start()
+        if kind.compute is None:
+            raise TypeError(f"Jobs of the kind {kind.name} have neither steps nor runs")
+        if self._executor is None:
+            self._executor = await self._connect()
         await self._leadership.write(self._store.jobs.start, job.id)
-        self._running_jobs[job.id] = RunningJob(job=job)
+        self._running_jobs[job.id] = RunningJob(job=job, compute=kind.compute)
 
     async def _send_chunks(self) -> None:
         """Keep every process busy; the next chunk is of the job with the fewest open chunks.
 
         A job that has none need not wait until one of another comes back.
         """
-        cluster = self._cluster
-        if cluster is None or not self._running_jobs:
+        executor = self._executor
+        if executor is None or not self._running_jobs:
             return
-        max_chunks = CHUNKS_PER_PROCESS * max(1, await cluster.slots())
+        max_chunks = CHUNKS_PER_PROCESS * max(1, await executor.capacity())
         looked_at: set[str] = set()
-        while self._chunks.count < 2 * max_chunks and cluster.connected:
+        while self._chunks.count < 2 * max_chunks:
             waiting = [each for each in self._running_jobs.values() if each.job.id not in looked_at]
             if not waiting:
                 return
@@ -192,7 +197,7 @@ class Scheduler:
             runs = await running.next_chunk(self._store, max_chunks)
             if runs:
                 running.last_send = next(self._send_counter)
-                self._chunks.send(cluster, running, runs)
+                self._chunks.send(executor, running, runs)
             else:
                 looked_at.add(running.job.id)
                 if not running.open_chunks and not running.returned:  # one may have come back meanwhile
@@ -202,25 +207,25 @@ class Scheduler:
         job_id = running.job.id
         if await self._leadership.write(self._store.jobs.finish, job_id):
             self._running_jobs.pop(job_id, None)
-            if running.job.kind == "reproduction":
+            if self._kinds[running.job.kind].passing:
                 await self._forget(job_id)
         else:  # something waits after all: from the start
             running.position, running.exhausted = -1, False
 
     async def _forget(self, job_id: str) -> None:
-        """Delete a reproduction that is done: its rows are stored results. One with failures stays and says why."""
+        """Delete a job that is done; one with failures stays and says why."""
         job = await self._store.read(self._store.jobs.load, job_id)
         if job is not None and not job.failed:
             await self._leadership.write(self._store.jobs.delete, job_id)
 
-    async def _rekey(self, job: StoredJob) -> None:
+    async def _rekey(self, job: StoredJob, rekey: Rekey) -> None:
         """Give the runs that another core version left uncomputed the keys of this one, which computes them."""
         logger.warning("Job %s goes on with core %s", job.id, CORE_VERSION)
         last: int | None = -1
         while last is not None:
             last, runs = await self._leadership.write(self._store.job_runs.waiting, job.id, last, REKEYED_AT_ONCE)
             if runs:
-                keys = await self._background.call(rekeyed, job.request["scenario"], job.schema_version, runs)
+                keys = await self._workers.call(rekey, job.request["scenario"], job.schema_version, runs)
                 await self._leadership.write(self._store.job_runs.rekey, job.id, keys)
         self._rekeyed.add(job.id)
 
@@ -231,25 +236,28 @@ class Scheduler:
             return
         self._reported = now
         counts = await self._store.read(self._store.jobs.counts)
-        for state in STATES:
-            sweeps, runs = counts.get(("sweep", state), (0, 0))
-            metrics.BATCHES.labels(state=state).set(sweeps)
-            if state in UNFINISHED:
-                metrics.BATCH_QUEUE.labels(state=state).set(runs)
+        for kind, state in itertools.product(self._kinds.values(), STATES):
+            jobs, runs = counts.get((kind.name, state), (0, 0))
+            if kind.jobs_gauge is not None:
+                kind.jobs_gauge.labels(state=state).set(jobs)
+            if kind.runs_gauge is not None and state in UNFINISHED:
+                kind.runs_gauge.labels(state=state).set(runs)
 
     async def _leave(self) -> None:
         """End everything except chunks that wait to be stored; the next leader reports the metrics."""
         self._retention.cancel()
         self._rekeyed.clear()
-        metrics.BATCHES.clear()
-        metrics.BATCH_QUEUE.clear()
+        for kind in self._kinds.values():
+            for gauge in (kind.jobs_gauge, kind.runs_gauge):
+                if gauge is not None:
+                    gauge.clear()
         self._reported = -REPORT
         self._job_tasks.cancel()
-        await self._end_cluster()
+        await self._end_executor()
 
-    async def _end_cluster(self) -> None:
+    async def _end_executor(self) -> None:
         self._running_jobs.clear()
         await self._chunks.stop_computing()
-        if self._cluster is not None:
-            cluster, self._cluster = self._cluster, None
-            await cluster.close()
+        if self._executor is not None:
+            executor, self._executor = self._executor, None
+            await executor.close()

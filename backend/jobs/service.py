@@ -1,7 +1,7 @@
 """What every kind of job does: accept once, list, follow, label, cancel, delete."""
 
 import hashlib
-from collections.abc import AsyncIterator, Iterable, Mapping
+from collections.abc import AsyncIterator, Iterable
 from datetime import UTC, datetime, timedelta
 from typing import Any
 
@@ -10,22 +10,41 @@ from backend.errors import CHEAPER_RUN, BusyError, ConflictError, CostLimitError
 from backend.gate import Gate
 from backend.job_run import JobRun
 from backend.jobs.events import server_sent
+from backend.jobs.kind import JobKind
 from backend.settings import Settings
 from backend.store import Store, StoredJob
-from backend.store.job import UNFINISHED, Kind, State
+from backend.store.job import UNFINISHED, State
 
 RETRY_AFTER = 30
 CURSOR = r"^\d{16}_[A-Za-z0-9_-]{1,22}$"  # when the last job of a page was created, and its id
 EPOCH, MICROSECOND = datetime(1970, 1, 1, tzinfo=UTC), timedelta(microseconds=1)
-WORDS: Mapping[Kind, str] = {"sweep": "batch", "tuning": "tuning", "reproduction": "reproduction"}  # users' words
-PLURALS: Mapping[Kind, str] = {"sweep": "batches", "tuning": "tunings", "reproduction": "reproductions"}
 
 
 class Jobs:
-    """The service of one kind of job."""
+    """The service of one kind of job.
 
-    def __init__(self, kind: Kind, *, store: Store, gate: Gate, settings: Settings) -> None:
+    Args:
+        kind: Which.
+        store: The database.
+        gate: What is accepted at once.
+        settings: Of the service.
+        size_pointer: What of a request makes its job large.
+        run_pointer: What makes one of its runs expensive.
+    """
+
+    def __init__(
+        self,
+        kind: JobKind,
+        *,
+        store: Store,
+        gate: Gate,
+        settings: Settings,
+        size_pointer: str,
+        run_pointer: str,
+    ) -> None:
         self._kind = kind
+        self._size_pointer = size_pointer
+        self._run_pointer = run_pointer
         self._store = store
         self._gate = gate
         self._settings = settings
@@ -38,7 +57,7 @@ class Jobs:
         """
         if key is None:
             return None
-        job = await self._store.read(self._store.jobs.by_idempotency_key, self._kind, key)
+        job = await self._store.read(self._store.jobs.by_idempotency_key, self._kind.name, key)
         return None if job is None else _same(job, request_hash)
 
     async def check_room(self) -> None:
@@ -49,11 +68,10 @@ class Jobs:
         """
         counts = await self._store.read(self._store.jobs.counts)
         waiting = sum(
-            count for (kind, state), (count, _) in counts.items() if kind == self._kind and state in UNFINISHED
+            count for (kind, state), (count, _) in counts.items() if kind == self._kind.name and state in UNFINISHED
         )
         if waiting >= self._settings.max_unfinished_batches:
-            plural = PLURALS[self._kind]
-            raise BusyError(f"The service is full: too many {plural} are waiting.", retry_after=RETRY_AFTER)
+            raise BusyError(f"The service is full: too many {self._kind.plural} are waiting.", retry_after=RETRY_AFTER)
 
     def check_runs(self, runs: float) -> None:
         """Refuse a job of too many runs; raises CostLimitError."""
@@ -70,12 +88,11 @@ class Jobs:
             raise CostLimitError(
                 f"One run's estimated cost of {max_run_cost:.3g} s of computing is over the limit of {each:g} s; "
                 f"{CHEAPER_RUN}",
-                pointer="/sweep" if self._kind == "sweep" else "/scenario",
+                pointer=self._run_pointer,
             )
 
     def _over_limit(self, message: str) -> CostLimitError:
-        pointer = "/sweep" if self._kind == "sweep" else "/trials"
-        return CostLimitError(f"{message} a {WORDS[self._kind]}", pointer=pointer)
+        return CostLimitError(f"{message} a {self._kind.word}", pointer=self._size_pointer)
 
     async def accept(self, job: StoredJob, runs: Iterable[JobRun], key: str | None) -> StoredJob:
         """Commit a job with its runs; where one was accepted with that key meanwhile, return that one.
@@ -93,8 +110,8 @@ class Jobs:
             NotFoundError: There is none.
         """
         job = await self._store.read(self._store.jobs.load, job_id)
-        if job is None or job.kind != self._kind:
-            raise NotFoundError(f"There is no {WORDS[self._kind]} of this id.")
+        if job is None or job.kind != self._kind.name:
+            raise NotFoundError(f"There is no {self._kind.word} of this id.")
         return job
 
     async def page(
@@ -103,7 +120,7 @@ class Jobs:
         """The newest jobs without their sweeps, and the cursor of the next page (None: this is the last one)."""
         before = None if cursor is None else _position_of(cursor)
         page = await self._store.read(
-            self._store.jobs.page, self._kind, limit + 1, before=before, state=state, label=label
+            self._store.jobs.page, self._kind.name, limit + 1, before=before, state=state, label=label
         )
         more, shown = len(page) > limit, page[:limit]
         return shown, _cursor(shown[-1]) if more else None
@@ -112,7 +129,7 @@ class Jobs:
         """By id the number of runs of earlier jobs that wait; 0 for a job that runs or has ended."""
         unfinished = []
         if any(job.state == "queued" for job in jobs):
-            unfinished = [job for job in await self._store.read(self._store.jobs.unfinished) if job.kind != "tuning"]
+            unfinished = await self._store.read(self._store.jobs.unfinished)
         return {
             job.id: sum(
                 other.open_runs

@@ -13,7 +13,7 @@ from pydantic import (
 )
 from pydantic_core import PydanticCustomError
 
-from backend.jobs.sweep.models import Batch
+from backend.batches.models import Batch
 from backend.models import Answer, RequestModel, Run, StrategyName, inconsistent
 from backend.plain_text import PlainText
 from backend.runs.over_roads import RoadsRun
@@ -155,3 +155,7 @@ class Link(Answer):
     run: Run | RoadsRun | None
     batch: Batch | None
     series_pinned: bool
+    damaged_at: datetime | None = Field(
+        description="When something stored that the link shows was found damaged; since then it shows what "
+        "`core_version` computed again, which may differ from what was shared. null where nothing was"
+    )

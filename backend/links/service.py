@@ -1,16 +1,18 @@
 """Share links: an unguessable slug that opens a run or a batch as it was computed, in the view it was shared in."""
 
+import asyncio
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 from backend import digest
+from backend.batches.kind import SWEEP
+from backend.batches.models import Batch
 from backend.compute.workers import Workers
 from backend.cost.estimate import cost_of
 from backend.errors import InvalidError, NotFoundError
 from backend.gate import Gate
-from backend.jobs.sweep.models import Batch
 from backend.json_types import JsonObject
 from backend.links import preview
 from backend.links.models import SLUG_PATTERN, CreatedLink, LinkView
@@ -83,7 +85,7 @@ class Links:
             TooManyRequestsError: Too many new links.
         """
         stored = await self._store.read(self._store.jobs.load, batch_id)
-        if stored is None or stored.kind != "sweep":
+        if stored is None or stored.kind != SWEEP.name:
             raise _unknown("batch_id", "There is no batch of this id")
         if view.x not in (None, *stored.request["fields"]):
             raise _unknown("view/x", f"This batch sweeps {', '.join(stored.request['fields'])}")
@@ -110,10 +112,15 @@ class Links:
         if stored.expired:
             again = await self._runs.stored(stored.id, client)
             stored = replace(again, schema_version=stored.schema_version)
+            link = await self._load(slug) or link  # now it knows that something was damaged
         keys = set(_histories(stored).values())
         pinned = await self._store.read(self._store.links.pinned, keys)
         return _opened(
-            link, stored, stored.scenario, run=run_answer(stored), series_pinned=bool(keys) and keys <= pinned
+            link,
+            stored,
+            stored.scenario,
+            series_pinned=bool(keys) and keys <= pinned,
+            run=await asyncio.to_thread(run_answer, stored),
         )
 
     async def preview(self, slug: str) -> Preview | None:
@@ -128,7 +135,7 @@ class Links:
         if run.expired:  # its numbers are computed for whoever opens the link, not for a preview
             answer = {"core_version": run.core_version, "scenario": run.scenario, "strategies": {}}
         else:
-            answer = as_plain(run_answer(run))
+            answer = await asyncio.to_thread(lambda: as_plain(run_answer(run)))
         return preview.of_run(answer, link.view, run.created_at)
 
     async def _pin(self, shared: _SharedRun, client: str) -> dict[str, bytes]:
@@ -208,6 +215,7 @@ def _opened(link: StoredLink, shown: StoredRun | StoredJob, scenario: JsonObject
         "run": None,
         "batch": None,
         "series_pinned": False,
+        "damaged_at": link.damaged_at,
         **content,
     }
 

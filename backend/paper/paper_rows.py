@@ -12,7 +12,7 @@ from typing import Any
 import orjson
 
 from backend import digest
-from backend.ecu.drive import simulate
+from backend.cost.affordable import simulate
 from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from backend.outcome import JSON_OPTIONS, Outcome, elapsed_ms

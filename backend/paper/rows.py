@@ -12,8 +12,10 @@ import orjson
 from backend.compute.shared_computations import SharedComputations
 from backend.errors import BusyError
 from backend.job_run import JobRun
+from backend.jobs.kind import JobKind
 from backend.jobs.service import request_hash
 from backend.json_types import JsonObject
+from backend.paper.paper_rows import compute_row
 from backend.store import Store, StoredJob
 from backend.store.job import FINAL, UNFINISHED
 from sim_core.scenario import Scenario
@@ -23,6 +25,9 @@ MAX_JOBS = 8  # that compute rows, of all visitors
 TRY_AGAIN = timedelta(minutes=1)  # rows that failed are not tried again before, for those who ask every second
 JOB_POLL_INTERVAL = 1.0  # between two looks at a job of another process [s]
 ROW_COST = 0.02  # [s of one core]
+REPRODUCTION = JobKind(
+    name="reproduction", word="reproduction", plural="reproductions", compute=compute_row, passing=True
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -81,7 +86,7 @@ class PaperRows:
     async def _job(self, requests: Sequence[JobRun], *, patient: bool) -> StoredJob:
         """The job that computes these rows: an unfinished one, or (unless `patient`) one that failed lately."""
         key = f"paper {request_hash([request.key for request in requests])}"
-        existing = await self._store.read(self._store.jobs.by_idempotency_key, "reproduction", key)
+        existing = await self._store.read(self._store.jobs.by_idempotency_key, REPRODUCTION.name, key)
         if existing is not None:
             ended = existing.finished_at
             failed_lately = existing.failed and not patient
@@ -89,12 +94,12 @@ class PaperRows:
                 return existing
             await self._store.write(self._store.jobs.delete, existing.id)
         counts = await self._store.read(self._store.jobs.counts)
-        waiting = [n for (kind, state), (n, _) in counts.items() if kind == "reproduction" and state in UNFINISHED]
+        waiting = [n for (kind, state), (n, _) in counts.items() if kind == REPRODUCTION.name and state in UNFINISHED]
         if sum(waiting) >= MAX_JOBS:
             detail = "The service is full: too much of the paper page is being computed."
             raise BusyError(detail, retry_after=RETRY_AFTER)
         job = StoredJob(
-            kind="reproduction",
+            kind=REPRODUCTION.name,
             request={"scenario": Scenario().model_dump(mode="json"), "strategies": [], "fields": []},
             estimated_cost=ROW_COST * len(requests),
             total=len(requests),

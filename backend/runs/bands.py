@@ -14,7 +14,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import NDArray
 
-from backend.ecu.drive import simulate
+from backend.cost.affordable import simulate
 from backend.json_types import JsonObject
 from backend.pieces import render_to, write_json
 from backend.runs import exports

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 
 import orjson
 
-from backend.ecu.drive import simulate
+from backend.cost.affordable import simulate
 from backend.outcome import JSON_OPTIONS, Outcome, elapsed_ms
 from backend.runs.series import pack
 from sim_core.errors import RidelabError

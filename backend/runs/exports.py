@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import IO, Literal
 
 import numpy as np
-import pyarrow as pa
-from pyarrow import csv, parquet
+import orjson
 
-from backend.ecu.drive import simulate
+from backend.cost.affordable import simulate
+from backend.file_formats import FormatName
 from backend.json_types import JsonObject
 from backend.pieces import render_to, write_json
 from backend.runs import pins
@@ -27,7 +27,6 @@ VALUE_BYTES = {"csv": 12.0, "json": 12.0, "parquet": 5.0}
 BASE64_BYTES = 16 / 3  # four bytes become 16/3 characters (RFC 4648, section 4)
 NAME_BYTES = 16  # of a strategy in each row of CSV [bytes]
 BYTE_COST = 2e-8  # of one byte [s of one core]
-pa.set_memory_pool(pa.system_memory_pool())  # the C library's: `processes.make_room` gives back what it keeps
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +58,7 @@ class Export:
     strategies: Sequence[str]
     signals: Sequence[str]
     points: int | None
-    file_format: Literal["json", "csv", "parquet"]
+    file_format: FormatName
     encoding: Literal["list", "base64"]
     provenance: Mapping[str, str]
 
@@ -133,17 +132,22 @@ def _write_json(members: Members, export: Export, file: IO[bytes]) -> None:
 
 def _write_csv(members: Members, export: Export, file: IO[bytes]) -> None:
     """A table with units in its header and nothing else, as spreadsheets read it."""
-    with csv.CSVWriter(file, _schema(export), write_options=csv.WriteOptions(quoting_header="none")) as writer:
-        for table in _tables(members, export):
-            writer.write_table(table)
+    several = len(export.strategies) > 1
+    header = (["strategy"] if several else []) + [column_name(key) for key in export.signals]
+    file.write(",".join(header).encode() + b"\n")
+    for name, samples in _tables(members, export):
+        begin = f"{name},".encode() if several else b""
+        # A list of rows as JSON has the same numbers; what is none is null there, and an empty cell here.
+        text = orjson.dumps(np.column_stack(samples), option=orjson.OPT_SERIALIZE_NUMPY)[2:-2]
+        file.write(begin + text.replace(b"null", b"").replace(b"],[", b"\n" + begin) + b"\n")
 
 
 def _write_parquet(members: Members, export: Export, file: IO[bytes]) -> None:
-    """The table as Parquet; units are field metadata, the provenance is the file's."""
-    # Of numbers that hardly repeat dictionaries take more than they save.
-    with parquet.ParquetWriter(file, _schema(export), compression="zstd", use_dictionary=["strategy"]) as writer:
-        for table in _tables(members, export):
-            writer.write_table(table)
+    from backend.runs import parquet
+
+    columns = {key: column_name(key) for key in export.signals}
+    with_strategy = len(export.strategies) > 1
+    parquet.write(_tables(members, export), columns, export.provenance, file, with_strategy=with_strategy)
 
 
 def column_name(key: str) -> str:
@@ -151,32 +155,10 @@ def column_name(key: str) -> str:
     return f"{key} [{SIGNALS[key].unit}]"
 
 
-def _schema(export: Export) -> pa.Schema:
-    """A column for each signal; a first one names the strategy where there are several."""
-    named = [pa.field("strategy", pa.string())] if len(export.strategies) > 1 else []
-    fields = [
-        pa.field(column_name(key), pa.float32(), metadata={"signal": key, "unit": SIGNALS[key].unit})
-        for key in export.signals
-    ]
-    provenance = {f"ridelab.{key}": value for key, value in export.provenance.items()}
-    return pa.schema(named + fields, metadata=provenance)
-
-
-def _tables(members: Members, export: Export) -> Iterator[pa.Table]:
-    """Tables of that schema with a row for each sample."""
-    for name, columns in members.items():
-        yield from _tables_of(name, columns(), export)
-
-
-def _tables_of(name: str, columns: Columns, export: Export) -> Iterator[pa.Table]:
-    schema = _schema(export)
-    for start in range(0, columns.count, AT_ONCE):
-        end = min(columns.count, start + AT_ONCE)
-        named = [pa.repeat(name, end - start)] if len(export.strategies) > 1 else []
-        values = [_arrow(columns.values(key, start, end)) for key in export.signals]
-        yield pa.Table.from_arrays(named + values, schema=schema)
-
-
-def _arrow(values: SeriesArray) -> pa.Array:
-    """The same numbers; `pa.array` would import pandas, where it is installed, for 30 MB of each worker."""
-    return pa.Array.from_buffers(pa.float32(), len(values), [None, pa.py_buffer(np.ascontiguousarray(values))])
+def _tables(members: Members, export: Export) -> Iterator[tuple[str, list[SeriesArray]]]:
+    """Strategy after strategy some samples of each signal."""
+    for name, make in members.items():
+        columns = make()
+        for start in range(0, columns.count, AT_ONCE):
+            end = min(columns.count, start + AT_ONCE)
+            yield name, [columns.values(key, start, end) for key in export.signals]

@@ -12,7 +12,7 @@ from backend import digest
 from backend.compute.shared_computations import SharedComputations
 from backend.compute.workers import Workers
 from backend.cost.estimate import cost_of, estimate
-from backend.errors import CostLimitError, GoneError, InvalidError, RoadGoneError
+from backend.errors import CostLimitError, DamagedResultError, GoneError, InvalidError, RoadGoneError
 from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile, refused_where_full
 from backend.means_over_roads import seeded
@@ -209,6 +209,8 @@ class Histories:
         size = SAMPLE_BYTES * sum(most_samples(scenario, name) for name in keys)
         with self._gate.hold(client, pinned_bytes=size):
             contents = await self._store.read(self._store.links.load_pins, wanted)
+            if not wanted <= contents.keys():
+                raise DamagedResultError
             yield {name: contents[key] for name, key in keys.items()}
 
 

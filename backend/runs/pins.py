@@ -1,24 +1,35 @@
-"""Pinned time histories: one strategy's, full resolution, float32, as a self-describing Parquet file.
+"""Pinned time histories: one strategy's, full resolution, float32, with the signals' names and units.
 
-Columns are named after their signals, their units and the core's version are metadata: a later catalogue of signals
-takes from an old file what it still knows, and any Parquet reader the rest. Runs in worker processes; why this format:
-docs/decisions/0007-links-pin-series.md.
+A pin is the line `ridelab pin 1`, a line of JSON (`units` by signal in the order of the rows, `strategy`,
+`core_version`), and by zlib the samples row by row: of each row all first bytes, then the second, third and fourth.
+A later catalogue of signals takes from an old pin what it still knows. Pins of versions until 0.3.0 are Parquet, which
+needs the extra `parquet`. Runs in worker processes; why this format: docs/decisions/0031-parquet-is-an-extra.md.
 """
 
-import io
+import zlib
 from collections.abc import Mapping, Sequence
+from types import ModuleType
 
 import numpy as np
-import pyarrow as pa
-from pyarrow import parquet
+import orjson
 
-from backend.ecu.drive import simulate
+from backend.cost.affordable import simulate
+from backend.errors import ServiceError
+from backend.file_formats import NO_PARQUET, has_parquet
 from backend.runs.series import ROWS, SamplingHints, SeriesArray, decimate, pack
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Scenario
 
-LEVEL = 1  # of zstd; 9 takes three times as long for 2 % (docs/decisions/0007)
+LEVEL = 1  # of zlib; 6 takes half as long again for 3 %
+MAGIC, PARQUET = b"ridelab pin 1\n", b"PAR1"  # how pins begin
+FLOAT = np.dtype("<f4")
+
+
+class ParquetPinError(ServiceError):
+    """An old link's time histories cannot be read here."""
+
+    kind = "unavailable"
 
 
 def make(scenario: Scenario, strategies: Sequence[str]) -> dict[str, bytes]:
@@ -27,41 +38,56 @@ def make(scenario: Scenario, strategies: Sequence[str]) -> dict[str, bytes]:
 
 
 def write(series: SeriesArray, strategy: str, core_version: str = CORE_VERSION) -> bytes:
-    """The file of one strategy's time histories, shape (signals, samples)."""
-    schema = pa.schema(
-        [pa.field(key, pa.float32(), False, {"unit": SIGNALS[key].unit}) for key in ROWS],
-        metadata={"ridelab.core_version": core_version, "ridelab.strategy": strategy},
-    )
-    table = pa.table([pa.array(series[row]) for row in ROWS.values()], schema=schema)
-    sink = io.BytesIO()
+    """The pin of one strategy's time histories, shape (signals, samples)."""
+    units = {key: SIGNALS[key].unit for key in ROWS}
+    head = orjson.dumps({"units": units, "strategy": strategy, "core_version": core_version})
+    samples = np.ascontiguousarray(series[list(ROWS.values())], dtype=FLOAT)
     # Split by byte, neighbouring samples share their sign and exponent bytes, which then compress to little.
-    parquet.write_table(
-        table,
-        sink,
-        compression="zstd",
-        compression_level=LEVEL,
-        use_byte_stream_split=True,
-        use_dictionary=False,
-        write_statistics=False,
-    )
-    return sink.getvalue()
+    apart = samples.view(np.uint8).reshape(*samples.shape, FLOAT.itemsize).transpose(0, 2, 1)
+    return MAGIC + head + b"\n" + zlib.compress(apart.tobytes(), LEVEL)
 
 
 def signals(content: bytes) -> set[str]:
     """The pinned signals of the current catalogue with the same unit."""
-    schema = parquet.read_schema(pa.BufferReader(content))
-    units = {field.name: (field.metadata or {}).get(b"unit", b"").decode() for field in schema}
+    units = _parquet().pinned_units(content) if content.startswith(PARQUET) else _opened(content)[0]
     return {key for key, quantity in SIGNALS.items() if units.get(key) == quantity.unit}
 
 
 def columns(content: bytes, stages: SamplingHints, points: int | None) -> dict[str, SeriesArray]:
     """By signal about so many of its samples; `signals` in the catalogue's order."""
     present = signals(content)
-    table = parquet.read_table(pa.BufferReader(content), columns=[key for key in SIGNALS if key in present])
-    samples = {key: column.to_numpy() for key, column in zip(table.column_names, table.columns, strict=True)}
+    reads = _parquet().pinned_samples if content.startswith(PARQUET) else _samples
+    samples: dict[str, SeriesArray] = reads(content, [key for key in SIGNALS if key in present])
     if points is None:
         return samples
     return dict(zip(samples, decimate(np.stack(list(samples.values())), points, stages), strict=True))
+
+
+def _samples(content: bytes, wanted: Sequence[str]) -> dict[str, SeriesArray]:
+    units, packed = _opened(content)
+    apart = np.frombuffer(zlib.decompress(packed), np.uint8).reshape(len(units), FLOAT.itemsize, -1)
+    samples = np.ascontiguousarray(apart.transpose(0, 2, 1)).view(FLOAT)[..., 0]
+    rows = dict(zip(units, samples, strict=True))
+    return {key: rows[key] for key in wanted}
+
+
+def _opened(content: bytes) -> tuple[dict[str, str], bytes]:
+    """The unit of each signal, and the packed samples."""
+    head, _, packed = content.removeprefix(MAGIC).partition(b"\n")
+    return orjson.loads(head)["units"], packed
+
+
+def _parquet() -> ModuleType:
+    """What reads the pins of versions until 0.3.0.
+
+    Raises:
+        ParquetPinError: It is not installed.
+    """
+    if not has_parquet():
+        raise ParquetPinError(f"The time histories of this link are stored as Parquet. {NO_PARQUET}")
+    from backend.runs import parquet
+
+    return parquet
 
 
 def opened(

@@ -1,5 +1,6 @@
 """Runs: stored results are answered; missing ones are computed once, committed, then answered."""
 
+import asyncio
 import logging
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -18,6 +19,7 @@ from backend.errors import (
     NotFoundError,
     RoadGoneError,
 )
+from backend.file_formats import FormatName
 from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile
 from backend.json_types import JsonObject
@@ -88,7 +90,7 @@ class Runs:
                 passive does not run.
         """
         saved, cached = await self.drive(scenario, strategies, client, roads=roads, baseline=baseline)
-        return run_answer(saved, cached=cached)
+        return await asyncio.to_thread(run_answer, saved, cached=cached)
 
     async def drive(
         self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None
@@ -97,11 +99,10 @@ class Runs:
         names, scenario = ordered(strategies), await self._roads.with_length(scenario)
         against = None if roads == 1 else baseline or default_baseline(names)
         run_id = digest.run_id(scenario, names, roads, against)
-        plain = scenario.model_dump(mode="json")
-        stored = await self._store.read(self._store.runs.load, run_id)
+        stored = await self._load(run_id)
         if stored is not None and not stored.expired:
             CACHE.labels("hit").inc(len(names) * roads)
-            return replace(stored, scenario=plain), dict.fromkeys(names, True)  # the id says that they are the same
+            return stored, dict.fromkeys(names, True)
         self._gate.check_cost(roads * cost_of(scenario, names))
         outcomes = await self._computed(scenario, names, roads, client)
         if not all(item.cacheable for item in outcomes):  # asked again: tried again
@@ -110,7 +111,7 @@ class Runs:
             id=run_id,
             core_version=CORE_VERSION,
             schema_version=SCHEMA_VERSION,
-            scenario=plain,
+            scenario=scenario.model_dump(mode="json"),
             results=tuple(outcomes),
             roads=roads,
             baseline=against,
@@ -119,13 +120,17 @@ class Runs:
         saved = await self._store.write(self._store.runs.save, run)
         return saved, {name: all(item.cached for item in outcomes if item.strategy == name) for name in names}
 
+    async def is_stored(self, run_id: str) -> bool:
+        """Whether there is a run of this id, whatever has become of its results."""
+        return await self._store.read(self._store.runs.is_stored, run_id)
+
     async def get(self, run_id: str, client: str) -> JsonObject:
         """The stored run.
 
         Raises:
             NotFoundError: There is none.
         """
-        return run_answer(await self.stored(run_id, client))
+        return await asyncio.to_thread(run_answer, await self.stored(run_id, client))
 
     async def changes(self, run_id: str, client: str, *, against: str | None, baseline: str | None) -> JsonObject:
         """What a run over several roads changes against another one, or its strategies against one of them.
@@ -136,9 +141,9 @@ class Runs:
         """
         stored = await self.stored(run_id, client)
         if against is not None and baseline is None:
-            return changes_to_run(stored, await self._other(against, client))
+            return await asyncio.to_thread(changes_to_run, stored, await self._other(against, client))
         if baseline is not None and against is None:
-            return changes_to_strategy(stored, baseline)
+            return await asyncio.to_thread(changes_to_strategy, stored, baseline)
         raise InvalidError(
             "Name either a run, `against`, or one of this run's strategies, `baseline`", parameter="against"
         )
@@ -165,7 +170,7 @@ class Runs:
         strategies: Sequence[str] | None,
         signals: Sequence[str] | None,
         points: int | None,
-        file_format: Literal["json", "csv", "parquet"],
+        file_format: FormatName,
         encoding: Literal["list", "base64"],
     ) -> bytes | SpoolFile:
         """Time histories of a stored run in one of the formats.
@@ -273,13 +278,13 @@ class Runs:
         except GoneError as error:
             gone = error.message
         base = baseline or stored.baseline or default_baseline(names)
-        answer = as_plain(run_answer(stored, baseline=base))
+        answer = await asyncio.to_thread(lambda: as_plain(run_answer(stored, baseline=base)))
         other: JsonObject | None = None
         if against is not None:
             run = await self._other(against, client)
-            other = as_plain(run_answer(run))
+            other = await asyncio.to_thread(lambda: as_plain(run_answer(run)))
             if stored.roads > 1 or run.roads > 1:
-                answer["changes"] = changes_to_run(stored, run)["changes"]
+                answer["changes"] = (await asyncio.to_thread(changes_to_run, stored, run))["changes"]
         facts = run_report.RunFacts(
             answer=answer,
             created_at=stored.created_at,
@@ -315,8 +320,8 @@ class Runs:
     async def _load(self, run_id: str) -> StoredRun | None:
         """The run as it is stored, its scenario today's."""
         stored = await self._store.read(self._store.runs.load, run_id)
-        if stored is None:
-            return None
+        if stored is None or (stored.core_version, stored.schema_version) == (CORE_VERSION, SCHEMA_VERSION):
+            return stored  # as this very version wrote it
         scenario = upgraded_scenario(stored.scenario, stored.schema_version)
         return replace(stored, scenario=scenario, schema_version=SCHEMA_VERSION)
 

@@ -13,7 +13,6 @@ from sim_core.scenario import SCHEMA_VERSION
 from sim_core.scenario.versions import upgraded
 
 State = Literal["queued", "running", "done", "cancelled", "failed"]
-Kind = Literal["sweep", "tuning", "reproduction"]
 UNFINISHED = ("queued", "running")
 FINAL = ("done", "cancelled", "failed")
 
@@ -47,7 +46,7 @@ class StoredJob:
     """
 
     id: str = field(default_factory=digest.random_id)
-    kind: Kind
+    kind: str
     parent_id: str | None = None
     label: str | None = None
     owner: str | None = None
@@ -80,5 +79,5 @@ class StoredJob:
 
     @property
     def open_runs(self) -> int:
-        """How many have not come to an end."""
-        return self.total - self.done - self.failed
+        """How many have not come to an end; none of a job that is taken step by step, whose runs are other jobs'."""
+        return 0 if self.progress else self.total - self.done - self.failed

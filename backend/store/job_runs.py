@@ -3,15 +3,18 @@
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from sqlalchemy import Connection, Select, Update, bindparam, select, update
+from sqlalchemy import Connection, Row, Select, Update, bindparam, select, update
 
 from backend.db.database import Database
 from backend.db.tables import EXPIRED, job_runs, jobs, results
 from backend.job_run import JobRow, JobRun
 from backend.outcome import Outcome
+from backend.store.damage import drop_results, is_intact
 from backend.store.job_events import add_event
 from backend.store.jobs import lock
 from backend.store.runs import insert_results
+
+RESULT = ("key", "status", "core_version", "summary", "compute_ms", "checksum")
 
 
 class JobRunStore:
@@ -69,18 +72,34 @@ class JobRunStore:
         self._database.changed(job_id)
 
     def rows(self, job_id: str, after: int, limit: int) -> list[JobRow]:
-        """The next runs behind position `after`, each with its result if it has one."""
+        """The next runs behind position `after`, each with its result if it has one; where that is damaged it waits."""
         settled = (job_runs.c.result_key == results.c.key) & job_runs.c.status.in_(("ok", "failed"))
-        run = (job_runs.c.position, job_runs.c.changes, job_runs.c.strategy, job_runs.c.status, job_runs.c.reason)
+        run = (job_runs.c.position, job_runs.c.changes, job_runs.c.strategy, job_runs.c.reason)
         query = (
-            select(*run, results.c.core_version, results.c.summary, results.c.compute_ms)
+            select(*run, job_runs.c.status.label("of_run"), *(results.c[name] for name in RESULT))
             .join_from(job_runs, results, settled, isouter=True)
             .where(job_runs.c.job_id == job_id, job_runs.c.position > after)
             .order_by(job_runs.c.position)
             .limit(limit)
         )
         with self._database.reading() as connection:
-            return [JobRow(**row._asdict()) for row in connection.execute(query).all()]
+            rows = connection.execute(query).all()
+        if damaged := {row.key for row in rows if row.key is not None and not is_intact(row)}:
+            drop_results(self._database, damaged)
+        return [_row(row, lost=row.key in damaged) for row in rows]
+
+
+def _row(row: Row[Any], *, lost: bool) -> JobRow:
+    return JobRow(
+        position=row.position,
+        changes=row.changes,
+        strategy=row.strategy,
+        status="waiting" if lost else row.of_run,
+        reason=row.reason,
+        core_version=None if lost else row.core_version,
+        summary=None if lost else row.summary,
+        compute_ms=None if lost else row.compute_ms,
+    )
 
 
 def _waiting_runs(job_id: str) -> Select[Any]:

@@ -18,7 +18,7 @@ from backend.db.database import Database, insert_new
 from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, trials
 from backend.job_run import JobRun
 from backend.json_types import JsonObject
-from backend.store.job import FINAL, UNFINISHED, Kind, State, StoredJob
+from backend.store.job import FINAL, UNFINISHED, State, StoredJob
 from backend.store.job_events import add_event
 from backend.store.trials import StoredTrial
 
@@ -88,7 +88,7 @@ class JobStore:
         """The job of that id, if it is stored."""
         return self._one(select(*WHOLE).where(jobs.c.id == job_id, jobs.c.kind != REMOVED))
 
-    def by_idempotency_key(self, kind: Kind, key: str) -> StoredJob | None:
+    def by_idempotency_key(self, kind: str, key: str) -> StoredJob | None:
         """The job that was accepted with that key and was not cancelled."""
         keys = {key, _shortened(key)}  # until 0.3.0 SQLite took long ones as they were
         of_key = and_(jobs.c.kind == kind, jobs.c.idempotency_key.in_(keys), jobs.c.state != "cancelled")
@@ -96,7 +96,7 @@ class JobStore:
 
     def page(
         self,
-        kind: Kind,
+        kind: str,
         limit: int,
         *,
         before: tuple[datetime, str] | None = None,
@@ -131,7 +131,7 @@ class JobStore:
             rows = connection.execute(query).all()
         return [_job(row) for row in rows]
 
-    def counts(self) -> dict[tuple[Kind, State], tuple[int, int]]:
+    def counts(self) -> dict[tuple[str, State], tuple[int, int]]:
         """The numbers of jobs and of their open runs, by kind and state."""
         open_runs = func.sum(jobs.c.total - jobs.c.done - jobs.c.failed)
         query = select(jobs.c.kind, jobs.c.state, func.count(), open_runs).group_by(jobs.c.kind, jobs.c.state)
@@ -170,6 +170,7 @@ class JobStore:
     def cancel(self, job_id: str) -> None:
         """Cancel a job and the jobs it submitted; those that have ended stay unchanged."""
         with self._database.writing() as connection:
+            lock(connection, job_id)  # what it submits at this moment is seen, or refused
             children = select(jobs.c.id).where(jobs.c.parent_id == job_id, jobs.c.state.in_(UNFINISHED))
             family = [job_id, *connection.execute(children).scalars()]
             for each in family:

@@ -11,17 +11,19 @@ from backend.db.clock import UNSTORED
 from backend.db.database import Database, insert_new
 from backend.db.tables import EXPIRED, REMOVED, jobs, links, pinned_series, results, run_results
 from backend.json_types import JsonObject
+from backend.store.damage import drop_pins, is_intact_pin, of_series
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StoredLink:
-    """What a link opens: a run or a batch, and how it is looked at; immutable once stored."""
+    """What a link opens: a run or a batch, and how it is looked at; only `damaged_at` ever changes."""
 
     slug: str
     kind: Literal["run", "batch"]
     target: str
     view: JsonObject
     created_at: datetime = UNSTORED
+    damaged_at: datetime | None = None
 
 
 class LinkStore:
@@ -43,7 +45,10 @@ class LinkStore:
             "job_id": link.target if link.kind == "batch" else None,
             "view": link.view,
         }
-        contents: list[dict[str, object]] = [{"result_key": key, "content": content} for key, content in pins.items()]
+        contents: list[dict[str, object]] = [
+            {"result_key": key, "content": content, "checksum": of_series(key, content)}
+            for key, content in pins.items()
+        ]
         with self._database.writing() as connection:
             if not _lock_target(connection, link):
                 return False
@@ -64,6 +69,7 @@ class LinkStore:
             target=row.run_id or row.job_id,
             view=row.view,
             created_at=row.created_at,
+            damaged_at=row.damaged_at,
         )
 
     def pinned(self, keys: Iterable[str]) -> set[str]:
@@ -73,11 +79,13 @@ class LinkStore:
             return set(connection.execute(select(column).where(column.in_(list(keys)))).scalars())
 
     def load_pins(self, keys: Iterable[str]) -> dict[str, bytes]:
-        """Pinned time histories by result key, as `backend.runs.pins` wrote them, of those that are pinned."""
-        query = select(pinned_series.c.result_key, pinned_series.c.content)
+        """Pinned time histories by result key, as `backend.runs.pins` wrote them, of those pinned and undamaged."""
+        query = select(pinned_series)
         with self._database.reading() as connection:
             rows = connection.execute(query.where(pinned_series.c.result_key.in_(list(keys)))).all()
-        return {row.result_key: bytes(row.content) for row in rows}
+        if damaged := [row.result_key for row in rows if not is_intact_pin(row)]:
+            drop_pins(self._database, damaged)
+        return {row.result_key: bytes(row.content) for row in rows if row.result_key not in damaged}
 
 
 def _lock_target(connection: Connection, link: StoredLink) -> bool:

@@ -8,13 +8,13 @@ meanwhile has committed that by then, or waits and finds it removed (SQLite lets
 
 from collections.abc import Sequence
 from datetime import datetime
-from typing import Any
+from typing import Any, NamedTuple
 
 from sqlalchemy import Column, Connection, Select, and_, delete, exists, func, or_, select, update
 
 from backend.db.database import Database
 from backend.db.tables import (
-    EXPIRED,
+    EXPIRED_RESULT,
     REMOVED,
     UNEXPIRED,
     job_roads,
@@ -34,6 +34,13 @@ REMOVED_AT_ONCE = 500  # results or roads in one transaction
 JOBS_REMOVED_AT_ONCE = 20  # jobs of users, each with up to some hundred that it submitted
 
 Removable = Select[str, datetime]
+
+
+class Removed(NamedTuple):
+    """What was removed: how many rows, and on a server how many bytes of those that `size` counts."""
+
+    rows: int
+    size: int
 
 
 class RetentionStore:
@@ -62,6 +69,10 @@ class RetentionStore:
             ]
         return int(sum(sizes))
 
+    def size_without(self, size: int, removed: int) -> int:
+        """The size that is left; PostgreSQL would have to read every row for it, so that it is subtracted [bytes]."""
+        return self.size() if self._database.engine.dialect.name == "sqlite" else size - removed
+
     def oldest(self) -> datetime | None:
         """When the last row of the oldest removable page was stored; None where nothing is removable."""
         with self._database.reading() as connection:
@@ -71,8 +82,8 @@ class RetentionStore:
             ]
         return min((created for created in pages if created is not None), default=None)
 
-    def remove_jobs(self, before: datetime) -> int:
-        """Remove a page of jobs that ended before then, with the jobs they submitted; returns how many.
+    def remove_jobs(self, before: datetime) -> Removed:
+        """Remove a page of jobs that ended before then, with the jobs they submitted.
 
         `JobStore.purge` then deletes their rows.
         """
@@ -81,11 +92,14 @@ class RetentionStore:
             ids = _ids(connection, removable)
             _lock(connection, jobs.c.id, _family(connection, ids))
             ids = _ids(connection, removable.where(jobs.c.id.in_(ids)))
-            mark_removed(connection, _family(connection, ids))
-        return len(ids)
+            family = _family(connection, ids)
+            size = _size(connection, jobs.c.sweep, jobs.c.id, family)
+            size += _size(connection, job_runs.c.changes, job_runs.c.job_id, family)
+            mark_removed(connection, family)
+        return Removed(len(ids), size)
 
-    def remove_results(self, before: datetime) -> int:
-        """Remove a page of results stored before then that no job and no link needs; returns how many.
+    def remove_results(self, before: datetime) -> Removed:
+        """Remove a page of results stored before then that no job and no link needs.
 
         Of a result that runs have, the summary alone is removed.
         """
@@ -94,23 +108,23 @@ class RetentionStore:
             keys = _ids(connection, removable)
             _lock(connection, results.c.key, keys)
             keys = _ids(connection, removable.where(results.c.key.in_(keys)))
+            size = _size(connection, results.c.summary, results.c.key, keys)
             in_runs = select(run_results.c.result_key).where(run_results.c.result_key.in_(keys))
             in_use = list(connection.execute(in_runs.distinct()).scalars())
-            connection.execute(
-                update(results).where(results.c.key.in_(in_use)).values(status=EXPIRED, summary="{}", compute_ms=0)
-            )
+            connection.execute(update(results).where(results.c.key.in_(in_use)).values(**EXPIRED_RESULT))
             connection.execute(delete(results).where(results.c.key.in_(set(keys) - set(in_use))))
-        return len(keys)
+        return Removed(len(keys), size)
 
-    def remove_roads(self, before: datetime) -> int:
-        """Remove a page of roads stored before then that no run and no job names; returns how many."""
+    def remove_roads(self, before: datetime) -> Removed:
+        """Remove a page of roads stored before then that no run and no job names."""
         removable = _removable_roads(before)
         with self._database.writing() as connection:
             ids = _ids(connection, removable)
             _lock(connection, roads.c.id, ids)
             ids = _ids(connection, removable.where(roads.c.id.in_(ids)))
+            size = _size(connection, roads.c.content, roads.c.id, ids)
             connection.execute(delete(roads).where(roads.c.id.in_(ids)))
-        return len(ids)
+        return Removed(len(ids), size)
 
 
 def _ids(connection: Connection, removable: Removable) -> list[str]:
@@ -120,6 +134,14 @@ def _ids(connection: Connection, removable: Removable) -> list[str]:
 def _lock(connection: Connection, column: Column[Any], ids: Sequence[str]) -> None:
     """Lock these rows, in an order that every writer keeps to."""
     connection.execute(select(column).where(column.in_(ids)).order_by(column).with_for_update())
+
+
+def _size(connection: Connection, column: Column[Any], key: Column[Any], ids: Sequence[str]) -> int:
+    """Of that column in these rows; 0 where `size_without` measures [bytes]."""
+    if connection.dialect.name == "sqlite":
+        return 0
+    total = select(func.coalesce(func.sum(func.octet_length(column)), 0)).where(key.in_(ids))
+    return int(connection.execute(total).scalar_one())
 
 
 def _family(connection: Connection, ids: Sequence[str]) -> list[str]:

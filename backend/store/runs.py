@@ -1,7 +1,7 @@
 """Runs, and each strategy's result stored once under its content's key."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import Any
 
@@ -13,6 +13,7 @@ from backend.db.database import Database, insert_new
 from backend.db.tables import EXPIRED, results, run_results, run_roads, runs
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
+from backend.store.damage import drop_results, is_intact, of_result
 from backend.store.roads import measured_roads
 
 
@@ -63,8 +64,9 @@ class StoredRun:
 _STORED_NAMES = [column.name for column in runs.c if column.name != "created_at"]
 # Made once: to make them takes as long as to run them.
 _HEAD = select(runs).where(runs.c.id == bindparam("run"))
+_STORED = select(runs.c.id).where(runs.c.id == bindparam("run"))
 _MEMBERS = (
-    select(results.c.key, results.c.strategy, results.c.status, results.c.summary, results.c.compute_ms)
+    select(*(results.c[name] for name in ("key", "strategy", "status", "summary", "compute_ms", "checksum")))
     .join(run_results, run_results.c.result_key == results.c.key)
     .where(run_results.c.run_id == bindparam("run"))
     .order_by(run_results.c.position)
@@ -80,30 +82,46 @@ class RunStore:
     def load(self, run_id: str) -> StoredRun | None:
         """The run of that id, if it is stored."""
         with self._database.reading() as connection:
-            return _load_run(connection, run_id)
+            run, damaged = _load_run(connection, run_id)
+        if damaged:
+            drop_results(self._database, damaged)
+        return run
+
+    def is_stored(self, run_id: str) -> bool:
+        """Whether there is a run of that id."""
+        with self._database.reading() as connection:
+            return connection.execute(_STORED, {"run": run_id}).first() is not None
 
     def load_results(self, keys: Iterable[str]) -> dict[str, Outcome]:
         """The stored ones of these results, by key."""
         query = select(results).where(results.c.key.in_(list(keys)), results.c.status != EXPIRED)
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
-        return {row.key: _result(row) for row in rows}
+        if damaged := [row.key for row in rows if not is_intact(row)]:
+            drop_results(self._database, damaged)
+        return {row.key: _result(row) for row in rows if row.key not in damaged}
 
     def save(self, run: StoredRun) -> StoredRun:
         """Commit a run and those of its results that are not stored; returns the run in the database.
 
         Where another process stored the same run first, that one stays: content-addressed results never change.
         """
+        stored, damaged = self._save(run)
+        if damaged:
+            drop_results(self._database, damaged)
+            stored, _ = self._save(run)
+        if stored is None:
+            raise RuntimeError("A run was not there right after it was stored")
+        return stored
+
+    def _save(self, run: StoredRun) -> tuple[StoredRun | None, list[str]]:
         with self._database.writing() as connection:
             insert_results(connection, run.results, run.core_version)
             insert_new(connection, runs, [{name: getattr(run, name) for name in _STORED_NAMES}])
             insert_new(connection, run_results, _members(run.id, run.results))
             for road in measured_roads(run.scenario):
                 insert_new(connection, run_roads, [{"run_id": run.id, "road_id": road}])
-            stored = _load_run(connection, run.id)
-        if stored is None:
-            raise RuntimeError("A run was not there right after it was stored")
-        return stored
+            return _load_run(connection, run.id)
 
     def recompute(self, run_id: str, core_version: str, outcomes: Sequence[Outcome]) -> None:
         """Replace the expired results of a run by these, which that core version computed."""
@@ -124,13 +142,14 @@ def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_ver
             "status": item.status,
             "summary": item.json.decode(),
             "compute_ms": item.compute_ms,
+            "checksum": of_result(item.key, item.status, item.json),
         }
         for item in sorted(outcomes, key=lambda item: item.key)
     ]
     if not rows:
         return
     new = postgresql.insert(results) if connection.dialect.name == "postgresql" else sqlite.insert(results)
-    columns = ("core_version", "status", "summary", "compute_ms", "created_at")
+    columns = ("core_version", "status", "summary", "compute_ms", "created_at", "checksum")
     replacing = new.on_conflict_do_update(
         index_elements=[results.c.key],
         set_={name: new.excluded[name] for name in columns},
@@ -139,12 +158,15 @@ def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_ver
     connection.execute(replacing, rows)
 
 
-def _load_run(connection: Connection, run_id: str) -> StoredRun | None:
+def _load_run(connection: Connection, run_id: str) -> tuple[StoredRun | None, list[str]]:
+    """The run and the keys of its results that are damaged, which it has as expired."""
     head = connection.execute(_HEAD, {"run": run_id}).one_or_none()
     if head is None:
-        return None
+        return None, []
     members = connection.execute(_MEMBERS, {"run": run_id}).all()
-    return StoredRun(**head._asdict(), results=tuple(_result(row) for row in members))
+    damaged = [row.key for row in members if not is_intact(row)]
+    outcomes = (_result(row) if row.key not in damaged else replace(_result(row), status=EXPIRED) for row in members)
+    return StoredRun(**head._asdict(), results=tuple(outcomes)), damaged
 
 
 def _result(row: Any) -> Outcome:

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
+from sim_core.control.qp import Qp
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RidelabError, UnknownNameError
 from sim_core.scenario import Preview, Scenario, dotted
@@ -226,6 +227,10 @@ class Controller:
         asked. It should be the same object in each call, so that what is prepared for it is kept. A delayed controller
         is not asked for a law.
         """
+        return None
+
+    def qp(self, stage: str) -> Qp | None:
+        """What decides the steps of a driving stage in which a limit of its law binds; None where `force` does."""
         return None
 
     def dampers(self) -> SemiActiveDampers | None:

@@ -4,33 +4,14 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller, scenario_field, undefined
-from sim_core.control.cost import KILO
-from sim_core.control.mpc_design import CENTI, SLACK_LINEAR, MpcDesign, design
-from sim_core.control.qp import MAX_EFFORT, SOLVERS, QpProblem
+from sim_core.control.mpc_design import MpcDesign, design
+from sim_core.control.qp import SOLVERS, Qp, Qps
 from sim_core.control.seen import Seen, Setup
-from sim_core.errors import TooExpensiveError
+from sim_core.errors import RidelabError, TooExpensiveError
 from sim_core.scenario import Weights
 from sim_core.vehicle.model import LinearLaw
 
 _COSTLY_FIELDS = "mpc.control_horizon", "mpc.prediction_horizon", "mpc.sample_time", "road.length"
-
-
-class StageQp(QpProblem):
-    """One stage's QPs in one run."""
-
-    def __init__(self, design: MpcDesign) -> None:
-        super().__init__(design.shape)
-        self.f[-2:] = SLACK_LINEAR / CENTI
-        self._design = design
-
-    def set(self, state: FloatArray, previous_force: FloatArray, disturbances: FloatArray) -> None:
-        """Make it the QP of a control step: state (8,), previous force (2,) [N], disturbances (3, Np)."""
-        parameters = np.concatenate([state, previous_force, disturbances.ravel()])
-        values = self._design.by_parameters @ parameters
-        free = len(self.f) - 2
-        self.f[:-2], travel = values[:free], values[free:]
-        self.b[: len(travel)] = self._design.travel_limit - travel
-        self.b[len(travel) :] = self._design.travel_limit + travel
 
 
 class PredictiveController(Controller):
@@ -54,6 +35,7 @@ class PredictiveController(Controller):
     force_weight: float = scenario_field("mpc.force_weight")
     force_change_weight: float = scenario_field("mpc.force_change_weight")
     solver: str = scenario_field("mpc.solver")
+    _qps: Qps | None = None  # of the present run
 
     def weights(self, stage: str) -> Weights:
         """Of body acceleration, pitch acceleration and tyre load in a driving stage.
@@ -80,33 +62,41 @@ class PredictiveController(Controller):
             RidelabError: The vehicle and weights admit no stabilising controller.
         """
         self._designs = self.designs(setup)
-        self._order = (self.solver, *(name for name in SOLVERS if name != self.solver))
-        self._qps: dict[str, StageQp] = {}
+        self._qps = Qps(self._designs[setup.stages[0]].qp)
+
+    def end(self) -> None:
+        """Report what the QPs took."""
+        if self._qps is not None:  # else it did not start
+            self.report.solves = self._qps.solves + self.report.failures
+            self.report.max_slack = self._qps.most_slack
 
     def linear_law(self, stage: str) -> LinearLaw | None:
         """The stage's unconstrained optimum."""
         return self._designs[stage].law
+
+    def qp(self, stage: str) -> Qp | None:
+        """The stage's, where C solves it: none if a subclass decides these steps by a `force` of its own."""
+        in_c = self.solver == "daqp" and type(self).force is PredictiveController.force
+        return Qp(self._designs[stage].qp, self._qps) if self._qps and in_c else None
 
     def force(self, seen: Seen) -> FloatArray | None:
         """The first forces of the constrained optimum (2,) [N].
 
         Raises:
             TooExpensiveError: The run's QPs have taken all that one run's may.
+            RidelabError: No run has started.
         """
-        qp = self._qps.get(seen.stage)
-        if qp is None:
-            qp = self._qps[seen.stage] = StageQp(self._designs[seen.stage])
-        if sum([each.spent for each in self._qps.values()]) > MAX_EFFORT:
+        qps = self._qps
+        if qps is None:
+            raise RidelabError(f"{type(self).__name__} has to be started before it is asked")
+        if qps.exhausted:
             faster = () if self.solver == "daqp" else ("mpc.solver",)
             raise TooExpensiveError("The run's QPs take too many iterations", fields=(*faster, *_COSTLY_FIELDS))
-        qp.set(seen.state, seen.previous_force, seen.disturbances)
-        report = self.report
-        report.solves += 1
-        for attempt, name in enumerate(self._order):
-            y = qp.solve(name)
-            if y is not None:
-                report.fallbacks += attempt
-                report.max_slack = max(report.max_slack, y.item(-2) / CENTI, y.item(-1) / CENTI)
-                return y[:2] * KILO
-        report.failures += 1
+        inputs = np.concatenate([seen.state, seen.previous_force, seen.disturbances.ravel()])
+        for name in (self.solver, *(name for name in SOLVERS if name != self.solver)):
+            force = qps.solve(self._designs[seen.stage].qp, name, inputs)
+            if force is not None:
+                self.report.fallbacks += name != self.solver
+                return force
+        self.report.failures += 1
         return seen.previous_force

@@ -11,37 +11,28 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.control.cost import KILO, CostTerms, stage_cost
-from sim_core.control.qp import QpShape
+from sim_core.control.qp import AXLES, CENTI, MOST_ITERATIONS
 from sim_core.control.regulator import regulator
+from sim_core.kernel.qp import QpDesign
 from sim_core.matrices import solve
 from sim_core.scenario import Vehicle
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, discrete
 from sim_core.vehicle.model import LAW_INPUTS, LinearLaw
 
-CENTI = 100.0  # the QP reckons deflections and slacks in cm
 SLACK_LINEAR, SLACK_QUADRATIC = 1e5, 1e6  # exact penalty per m and per m² on the normalised cost
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class MpcDesign:
-    """One stage's QP over y = [forces (2 Nc) in kN; slack front, rear in cm].
+    """One stage's MPC.
 
     Attributes:
-        shape: What no state changes.
-        law: The unconstrained optimum's first force; its limits are the forces of all moves, then the deflections at
-            the end of all intervals, front ones first, each over its bound.
-        bounds: Those bounds [N and m].
-        by_parameters: The QP's linear term but for the slacks, then the deflections without a force [cm], on [state;
-            previous force in N; preview (3 Np)]. With either sign the deflections are taken from `travel_limit` to give
-            the row limits.
-        travel_limit: [cm].
+        law: The unconstrained optimum's first force; its limits are the QP's `optimum`.
+        qp: What decides where one of them binds.
     """
 
-    shape: QpShape
     law: LinearLaw
-    bounds: FloatArray
-    by_parameters: FloatArray
-    travel_limit: float
+    qp: QpDesign
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -135,32 +126,32 @@ def design(terms: CostTerms, horizon: int, moves: int, force_limit: float, force
     linear[:, LAW_INPUTS:] += weighted[-DISTURBANCES * horizon :].T  # the preview is the last of z as it stands
     optimum = -solve(H, linear)
 
-    constraint_rows = np.vstack([optimum * KILO, p.travel_parameters + p.travel_moves @ optimum])
-    bounds = np.repeat([force_limit, terms.deflection_limit], [free, 2 * horizon])
-    constraint_rows /= bounds[:, None]
-    return MpcDesign(
-        shape=_shape(H, p.rows, force_limit),
-        law=LinearLaw(
-            gain=optimum[:FORCES, :LAW_INPUTS] * KILO,
-            preview_gain=np.ascontiguousarray(optimum[:FORCES, LAW_INPUTS:] * KILO),
-            limits=constraint_rows,
-        ),
-        bounds=bounds,
-        by_parameters=np.vstack([2 * linear, p.travel_parameters * CENTI]),
-        travel_limit=terms.deflection_limit * CENTI,
+    constraint_rows = np.vstack([optimum, CENTI * (p.travel_parameters + p.travel_moves @ optimum)])
+    bounds = np.repeat([force_limit / KILO, terms.deflection_limit * CENTI], [free, AXLES * horizon])
+    law = LinearLaw(
+        gain=optimum[:FORCES, :LAW_INPUTS] * KILO,
+        preview_gain=np.ascontiguousarray(optimum[:FORCES, LAW_INPUTS:] * KILO),
+        limits=constraint_rows / bounds[:, None],
     )
-
-
-def _shape(H: FloatArray, rows: FloatArray, force_limit: float) -> QpShape:
-    """The QP's constant matrices: H on the moves, and the slacks' price beside it."""
-    free, axles = len(H), 2
-    full = np.zeros((free + axles, free + axles))
-    full[:free, :free] = 2 * H
-    full[free:, free:] = 2 * SLACK_QUADRATIC / CENTI**2 * np.eye(axles)
-    force = np.full(free, force_limit / KILO)
-    return QpShape(
-        H=full,
-        A=rows,
-        low=np.concatenate([-force, np.zeros(axles)]),
-        high=np.concatenate([force, np.full(axles, 1e4)]),  # 100 m: no limit, but a finite one
+    assert law.limits is not None  # noqa: S101 - they are given
+    with_slacks, no_slack = np.diag(np.repeat(2 * SLACK_QUADRATIC / CENTI**2, free + AXLES)), np.zeros(AXLES)
+    with_slacks[:free, :free] = 2 * H
+    effects = np.vstack([np.eye(free), p.rows[: AXLES * horizon, :free]])
+    gram = effects @ solve(2 * H, effects.T)
+    return MpcDesign(
+        law=law,
+        qp=QpDesign(
+            H=with_slacks,
+            columns=np.ascontiguousarray(p.rows.T),
+            low=np.concatenate([-bounds[:free], no_slack]),
+            high=np.concatenate([bounds[:free], no_slack + 1e4]),  # 100 m: no limit, but a finite one
+            by_inputs=np.vstack([2 * linear, p.travel_parameters * CENTI]),
+            optimum=law.limits,
+            bounds=bounds,
+            axles=np.repeat(np.array([-1, 0, 1], dtype=np.int8), [free, horizon, horizon]),
+            gram=(gram + gram.T) / 2,
+            slack_price=SLACK_LINEAR / CENTI,
+            slack_yield=CENTI**2 / (2 * SLACK_QUADRATIC),
+            iterations=MOST_ITERATIONS,
+        ),
     )

@@ -14,12 +14,12 @@ from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.control.cost import KILO
-from sim_core.control.mpc_design import CENTI, SLACK_LINEAR, SLACK_QUADRATIC, MpcDesign
+from sim_core.control.mpc_design import MpcDesign
+from sim_core.control.qp import AXLES
 from sim_core.ecu.channels import PREVIEW, SENSORS, STAGES, highest_code
 from sim_core.scenario import Hil
 from sim_core.vehicle.half_car import FORCES, STATES, LinearModel
 
-AXLES = 2
 FORCE_ROW = -1  # in place of an axle
 MOST_ACTIVE = 44  # limits that may bind together; the program's working memory is made for so many
 Checked = Literal["all", "few"]
@@ -96,16 +96,13 @@ def calibrate(
         force_limit: Of each force [N].
         checked: `all` limits of the horizon, or a `few`: the first move's forces and every third deflection.
     """
-    first = designs[STAGES[0]]
-    free = len(first.shape.H) - AXLES
-    intervals = (len(first.bounds) - free) // AXLES
-    checked_rows = _rows_checked(free, intervals, checked)
+    first = designs[STAGES[0]].qp
+    intervals = (len(first.bounds) - first.moves) // AXLES
+    checked_rows = _rows_checked(first.moves, intervals, checked)
     highest = highest_code(hil.bits)
-    unit = np.concatenate([np.full(free, 1 / KILO), np.full(AXLES * intervals, CENTI)])[checked_rows]
-    axles = np.concatenate([np.full(free, FORCE_ROW), np.repeat(np.arange(AXLES), intervals)])[checked_rows]
     return Calibration(
         intervals=intervals,
-        moves=free // FORCES,
+        moves=first.moves // FORCES,
         predicts=hil.compensation == "predict",
         iterations=hil.iterations,
         bits=hil.bits,
@@ -115,11 +112,11 @@ def calibrate(
         A=model.A,
         B=model.B * KILO,
         E=model.E,
-        bounds=first.bounds[checked_rows] * unit,
-        axles=tuple(int(axle) for axle in axles),
-        slack_price=SLACK_LINEAR / CENTI,
-        slack_yield=CENTI**2 / (2 * SLACK_QUADRATIC),
-        stages=tuple(_tables(designs[stage], checked_rows, unit) for stage in STAGES),
+        bounds=first.bounds[checked_rows],
+        axles=tuple(first.axles[checked_rows].tolist()),
+        slack_price=first.slack_price,
+        slack_yield=first.slack_yield,
+        stages=tuple(_tables(designs[stage], checked_rows) for stage in STAGES),
     )
 
 
@@ -131,12 +128,7 @@ def _rows_checked(free: int, intervals: int, checked: Checked) -> NDArray[np.int
     return np.concatenate([np.arange(FORCES), free + some, free + intervals + some])
 
 
-def _tables(design: MpcDesign, checked_rows: NDArray[np.intp], unit: FloatArray) -> StageTables:
-    free = len(design.shape.H) - AXLES
-    assert design.law.limits is not None  # noqa: S101 - an MPC's law has them
-    rows = (design.law.limits * design.bounds[:, None])[checked_rows] * unit[:, None]
+def _tables(design: MpcDesign, checked_rows: NDArray[np.intp]) -> StageTables:
+    rows = (design.qp.optimum * design.qp.bounds[:, None])[checked_rows]
     rows[:, STATES : STATES + FORCES] *= KILO
-    travel = design.shape.A[: (len(design.shape.A)) // 2, :free]
-    effects = np.vstack([np.eye(free), travel])[checked_rows]
-    gram = effects @ np.linalg.solve(design.shape.H[:free, :free], effects.T)
-    return StageTables(rows=rows, gram=(gram + gram.T) / 2)
+    return StageTables(rows=rows, gram=design.qp.gram[np.ix_(checked_rows, checked_rows)])

@@ -14,7 +14,7 @@ from sim_core.arrays import FloatArray
 from sim_core.control.controller import scenario_field
 from sim_core.control.cost import KILO
 from sim_core.control.mpc import PredictiveController
-from sim_core.control.mpc_design import CENTI
+from sim_core.control.qp import CENTI
 from sim_core.control.seen import Seen, Setup
 from sim_core.ecu.calibration import Calibration, Checked, calibrate
 from sim_core.ecu.channels import STAGES, convert, full_scales

@@ -100,6 +100,15 @@ class Prepared:
         return value
 
 
+class Optional(Prepared):
+    """The type of an argument that may be None."""
+
+    @staticmethod
+    def from_param(value: Any) -> Any:
+        """As Prepared's; None is C's NULL."""
+        return None if value is None else Prepared.from_param(value)
+
+
 class Function:
     """A function of the library: whatever it is called with is checked against its arguments' types.
 

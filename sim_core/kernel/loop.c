@@ -6,7 +6,6 @@
 #include <stddef.h>
 #include <string.h>
 
-enum { TOGETHER = 8, SIZES = 5 };
 static const double WITHIN = 1 - 1e-9; /* of a limit: so that rounding does not pass it */
 static const double SAME_FORCE = 1e-6; /* [N]: rounding */
 
@@ -35,36 +34,25 @@ int ridelab_limit_force(const double *limits, const double *wanted, const double
     return shaped;
 }
 
-/* Some sums beside each other: one alone would wait for each addition. */
-static double dot(const double *a, const double *b, int count)
-{
-    double sum[TOGETHER] = {0};
-    int i = 0;
-    for (; i + TOGETHER <= count; i += TOGETHER)
-        for (int part = 0; part < TOGETHER; part++)
-            sum[part] += a[i + part] * b[i + part];
-    for (; i < count; i++)
-        sum[0] += a[i] * b[i];
-    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
-}
-
 void ridelab_add_columns(const double (*restrict columns)[10], const double *restrict factors, int count,
                          double *restrict sum)
 {
-    for (int column = 0; column < count; column++)
+    for (int i = 0; i < 10; i++)
+        sum[i] = columns[0][i] * factors[0];
+    for (int column = 1; column < count; column++)
         for (int i = 0; i < 10; i++)
             sum[i] += columns[column][i] * factors[column];
 }
 
-/* What the law knows in a control step: the car's state, the previous force, the preview, one kind after another. */
+/* What the law multiplies in a control step: the car's state, the previous force, the preview, one kind after another. */
 static void look(const struct law *law, int step, const double *now, const double *previous)
 {
     const double *preview = law->preview + (ptrdiff_t)law->numbers->step_stride * step;
     size_t horizon = (size_t)law->numbers->horizon;
-    memcpy(law->known, now, STATE * sizeof(double));
-    memcpy(law->known + STATE, previous, FORCES * sizeof(double));
+    memcpy(law->inputs, now, STATE * sizeof(double));
+    memcpy(law->inputs + STATE, previous, FORCES * sizeof(double));
     for (size_t kind = 0; kind < DISTURBANCES; kind++)
-        memcpy(law->known + INPUTS + kind * horizon, preview + (ptrdiff_t)law->numbers->kind_stride * (ptrdiff_t)kind,
+        memcpy(law->inputs + INPUTS + kind * horizon, preview + (ptrdiff_t)law->numbers->kind_stride * (ptrdiff_t)kind,
                horizon * sizeof(double));
 }
 
@@ -74,26 +62,28 @@ static int holds(const struct law *law, int step)
 {
     int rows = (int)law->numbers->rows, steps = (int)law->numbers->steps;
     int columns = INPUTS + DISTURBANCES * (int)law->numbers->horizon;
-    double size[SIZES], squares = 0;
+    const double *restrict norms = law->norms, *size = law->sizes + step;
+    double *restrict on_preview = law->inputs + columns, squares = 0;
     for (int i = 0; i < INPUTS; i++)
-        squares += law->scale[i] * law->scale[i] * law->known[i] * law->known[i];
-    size[0] = sqrt(squares);
-    for (int i = 1; i < SIZES; i++)
-        size[i] = law->sizes[step + (ptrdiff_t)steps * (i - 1)];
+        squares += law->scale[i] * law->scale[i] * law->inputs[i] * law->inputs[i];
+    double on_state = sqrt(squares), mean = size[0], front = size[steps], rear = size[2 * (ptrdiff_t)steps];
+    double braking = size[3 * (ptrdiff_t)steps];
+    for (int i = 0; i < rows; i++)
+        on_preview[i] = norms[rows + i] * mean + norms[2 * rows + i] * front + norms[3 * rows + i] * rear +
+                        norms[4 * rows + i] * braking;
     for (int i = 0; i < rows; i++) {
-        const double *norms = law->norms + SIZES * i, *row = law->limits + (ptrdiff_t)columns * i;
-        double on_preview = norms[1] * size[1] + norms[2] * size[2] + norms[3] * size[3] + norms[4] * size[4];
-        if (!(norms[0] * size[0] + on_preview <= WITHIN) &&
-            !(fabs(dot(row, law->known, INPUTS)) + on_preview <= WITHIN) &&
-            !(fabs(dot(row, law->known, columns)) <= WITHIN))
+        const double *row = law->limits + (ptrdiff_t)columns * i;
+        if (!(norms[i] * on_state + on_preview[i] <= WITHIN) &&
+            !(fabs(dot(row, law->inputs, INPUTS)) + on_preview[i] <= WITHIN) &&
+            !(fabs(dot(row, law->inputs, columns)) <= WITHIN))
             return 0;
     }
     return 1;
 }
 
 /* Control steps from `first` to before `last`, in rows of `loop`, [car; previous command], of which the first is given.
-   Returns the first step that the law does not decide, or `last`; `limited` counts those in which a limit of forces or
-   actuators shaped the command. */
+   Returns the first step that neither the law nor its QP decides, or `last`; `limited` counts those in which a limit
+   shaped the command. */
 int ridelab_follow_law(struct car *car, const struct law *law, double *loop, int *limited, int first, int last)
 {
     const struct law_numbers *numbers = law->numbers;
@@ -101,17 +91,21 @@ int ridelab_follow_law(struct car *car, const struct law *law, double *loop, int
     for (int step = first; step < last; step++) {
         double *now = loop + (ptrdiff_t)width * step, *next = now + width, wanted[FORCES], command[FORCES];
         const double *previous = now + car->size;
-        int beyond = 0, lost = 0;
+        int beyond = 0, lost = 0, by_qp = 0;
         look(law, step, now, previous);
         for (int axle = 0; axle < FORCES; axle++) {
-            wanted[axle] = dot(law->gain + INPUTS * axle, law->known, INPUTS) +
-                           dot(law->preview_gain + previewed * axle, law->known + INPUTS, previewed);
+            wanted[axle] = dot(law->gain + INPUTS * axle, law->inputs, INPUTS) +
+                           dot(law->preview_gain + previewed * axle, law->inputs + INPUTS, previewed);
             beyond |= !(fabs(wanted[axle]) <= numbers->force_limits[0] * WITHIN);
             lost |= isnan(wanted[axle]);
         }
-        if (lost || (beyond && !numbers->clips) || !holds(law, step))
-            return step;
-        *limited += ridelab_limit_force(numbers->force_limits, wanted, previous, command);
+        if (lost || (beyond && !numbers->clips) || !holds(law, step)) {
+            by_qp = law->qp && ridelab_may_solve(law->qp_run) &&
+                    ridelab_solve_qp(law->qp, law->qp_run, law->inputs, wanted);
+            if (!by_qp)
+                return step;
+        }
+        *limited += ridelab_limit_force(numbers->force_limits, wanted, previous, command) | by_qp;
         car->advance(car, step, now, command, next);
         memcpy(next + car->size, command, sizeof command);
     }
@@ -127,10 +121,11 @@ void ridelab_advance(struct car *car, double *loop, int step)
 
 void ridelab_prepare_law(struct law *law, const struct law_numbers *numbers, const double *gain,
                          const double *preview_gain, const double *limits, const double *scale, const double *norms,
-                         const double *preview, const double *sizes, double *known)
+                         const double *preview, const double *sizes, double *inputs, const struct qp *qp,
+                         struct qp_run *qp_run)
 {
     _Static_assert(sizeof *law <= RIDELAB_PREPARED, "a law is prepared in memory of that size");
-    *law = (struct law){numbers, gain, preview_gain, limits, scale, norms, preview, sizes, known};
+    *law = (struct law){numbers, gain, preview_gain, limits, scale, norms, preview, sizes, inputs, qp, qp_run};
 }
 
 /* A linear car: p' = A p + B u + forcing; A is size x size, B size x 2, forcing steps x size. */

@@ -2,7 +2,7 @@
 #ifndef RIDELAB_LOOP_H
 #define RIDELAB_LOOP_H
 
-enum { STATE = 8, FORCES = 2, INPUTS = STATE + FORCES, DISTURBANCES = 3 };
+enum { STATE = 8, AXLES = 2, FORCES = 2, INPUTS = STATE + FORCES, DISTURBANCES = 3 };
 
 /* All numbers, as they come from outside. */
 struct law_numbers {
@@ -13,6 +13,19 @@ struct law_numbers {
     double force_limits[3];          /* of the law, of the actuators' change in a step, of the actuators [N] */
 };
 
+/* What decides the steps in which a limit of a law binds, and its memory in a run. */
+struct qp;
+struct qp_run;
+
+/* All numbers: QPs solved, about the time of one core that they took and that they may take [s], the largest slack [m]. */
+struct qp_counts {
+    double solves, spent, allowed, most_slack;
+};
+
+/* The optimal forces [N] by what the law multiplies; whether they are proven to be. */
+int ridelab_solve_qp(const struct qp *qp, struct qp_run *run, const double *inputs, double *force);
+int ridelab_may_solve(const struct qp_run *run);
+
 /* u = gain [state; previous force] + preview_gain preview, where each of the limits' rows is between -1 and 1. */
 struct law {
     const struct law_numbers *numbers;
@@ -20,10 +33,12 @@ struct law {
     const double *preview_gain; /* 2 x 3 horizon */
     const double *limits;       /* rows x (10 + 3 horizon) */
     const double *scale;        /* 10: of the state and the previous force, where `norms` have them together */
-    const double *norms;        /* rows x 5: of a row's parts on what `sizes` measures */
+    const double *norms;        /* 5 x rows: of a row's parts on what `sizes` measures */
     const double *preview;      /* both road velocities and the deceleration in each coming step */
     const double *sizes;        /* 4 x steps: of the mean deceleration previewed, both velocities, its difference */
-    double *known;              /* 10 + 3 horizon numbers: what the law knows in the present step */
+    double *inputs;             /* 10 + 3 horizon numbers that the law multiplies in the present step; and one a row */
+    const struct qp *qp;        /* NULL: C solves none */
+    struct qp_run *qp_run;
 };
 
 /* What a car's state is at the end of a control step from what it is now, and the command [N]. */
@@ -36,7 +51,21 @@ struct car {
     int size; /* numbers of its state */
 };
 
-/* Add columns of ten numbers, each times its factor. */
+/* Some sums beside each other: one alone would wait for each addition. */
+static inline double dot(const double *a, const double *b, int count)
+{
+    enum { TOGETHER = 8 };
+    double sum[TOGETHER] = {0};
+    int i = 0;
+    for (; i + TOGETHER <= count; i += TOGETHER)
+        for (int part = 0; part < TOGETHER; part++)
+            sum[part] += a[i + part] * b[i + part];
+    for (; i < count; i++)
+        sum[0] += a[i] * b[i];
+    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+}
+
+/* The sum of columns of ten numbers, each times its factor. */
 void ridelab_add_columns(const double (*columns)[10], const double *factors, int count, double *sum);
 
 /* Bytes that are enough for a law or a car of any kind. */

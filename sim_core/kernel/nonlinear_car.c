@@ -9,7 +9,7 @@
 #include "loop.h"
 #include "road.h"
 
-enum { AXLES = 2, SIGNALS = 5, MEASURED = 4 };
+enum { SIGNALS = 5, MEASURED = 4 };
 enum { TRAVEL = 0, TYRE = 2, BODY = 4, WHEEL = 6, FORCE = 8, NUMBERS = 10 }; /* places in a state, two numbers each */
 enum { MOST_EVENTS = 4 };          /* that a step ends at; both axles' dampers may turn again and again around rest */
 enum { PARTS = 8 };                /* of a fine step in which a tyre lifts off or lands */
@@ -40,8 +40,9 @@ struct mode {
     double damping[AXLES], spring[AXLES], stop[AXLES], tyre[AXLES], lifted[AXLES];
 };
 
-/* What a step of Runge-Kutta depends on: the state, the road's velocity as a polynomial, braking, 1, the command. */
-enum { ROAD = NUMBERS, BRAKING = ROAD + 3 * AXLES, ONE, COMMAND, CAUSES = COMMAND + FORCES };
+/* What a step of Runge-Kutta depends on: the command, which counts where actuators lag, the road's velocity as a
+   polynomial, braking, 1, and last, as it is known last, the state. */
+enum { COMMAND, ROAD = COMMAND + FORCES, BRAKING = ROAD + 3 * AXLES, ONE, NOW, CAUSES = NOW + NUMBERS };
 
 /* Such a step in a mode, that of `sides`: it is linear. */
 struct linear_step {
@@ -57,7 +58,7 @@ struct nonlinear_car {
     int states; /* 8, or 10 with a lagging actuator's */
     const struct vehicle *vehicle;
     const struct estimator *estimator; /* NULL: none */
-    const double *known;               /* its input, 8 numbers a control step */
+    const double *estimator_input;     /* 8 numbers a control step */
     struct road road;                  /* without samples: straight within a fine step */
     const double *position;            /* of both axles at every fine instant, 2 x (steps fine + 1) [m] */
     const double *within;              /* 4 a fine step: both roads' means above their chords, then moments [m] */
@@ -66,6 +67,7 @@ struct nonlinear_car {
     double time;                       /* of a fine step [s] */
     double *table;                     /* 10 x (fine + 1) x columns samples, of the last control steps */
     int columns;
+    int where;        /* `side` of the present state */
     int linear_steps; /* that were made */
     struct linear_step kept[LINEAR_STEPS];
 };
@@ -217,9 +219,9 @@ static const struct linear_step *linear_step(struct nonlinear_car *me, int sides
         double command[FORCES] = {cause == COMMAND, cause == COMMAND + 1};
         for (int axle = 0; axle < AXLES && cause != ONE; axle++)
             mode.stop[axle] = mode.lifted[axle] = 0;
-        if (cause < ROAD)
-            x.at[cause] = 1;
-        else if (cause < BRAKING)
+        if (cause >= NOW)
+            x.at[cause - NOW] = 1;
+        else if (cause >= ROAD && cause < BRAKING)
             w.velocity[(cause - ROAD) / AXLES][(cause - ROAD) % AXLES] = 1;
         first = derivative_in(&mode, me->vehicle, &x, command, &w, 0);
         x = advance_in(&mode, me->vehicle, h, command, &w, 0, &first, &x);
@@ -228,24 +230,22 @@ static const struct linear_step *linear_step(struct nonlinear_car *me, int sides
     return step;
 }
 
-static void advance_linearly(const struct linear_step *step, const double *command, const struct piece *w, double time,
-                             const struct state *x, struct state *next)
+static void advance_linearly(const struct linear_step *step, int lagging, const double *command, const struct piece *w,
+                             double time, const struct state *x, struct state *next)
 {
     double cause[CAUSES];
-    for (int i = 0; i < NUMBERS; i++) {
-        cause[i] = x->at[i];
-        next->at[i] = 0;
-    }
     for (int axle = 0; axle < AXLES; axle++) {
         double v0 = w->velocity[0][axle], v1 = w->velocity[1][axle], v2 = w->velocity[2][axle];
+        cause[COMMAND + axle] = command[axle];
         cause[ROAD + axle] = v0 + time * (v1 + time * v2);
         cause[ROAD + AXLES + axle] = v1 + 2 * time * v2;
         cause[ROAD + 2 * AXLES + axle] = v2;
-        cause[COMMAND + axle] = command[axle];
     }
     cause[BRAKING] = w->braking;
     cause[ONE] = 1;
-    ridelab_add_columns(step->effects, cause, CAUSES, next->at);
+    memcpy(cause + NOW, x->at, sizeof x->at);
+    int first = lagging ? COMMAND : ROAD;
+    ridelab_add_columns(step->effects + first, cause + first, CAUSES - first, next->at);
 }
 
 /* The share of a step at which a number crosses zero, if that is before `share`. */
@@ -290,10 +290,10 @@ static void advance_by_events(const struct vehicle *vehicle, double h, const dou
     }
 }
 
-static void sample(const struct vehicle *vehicle, const struct state *x, const double *command, const struct piece *w,
+static void sample(const struct vehicle *vehicle, int where, const struct state *x, const double *command, const struct piece *w,
                    double time, double *table, size_t signal)
 {
-    struct mode mode = mode_of(vehicle, side(vehicle, x));
+    struct mode mode = mode_of(vehicle, where);
     struct state rate = derivative_in(&mode, vehicle, x, command, w, time);
     for (int axle = 0; axle < AXLES; axle++) {
         double speed = rate.at[TRAVEL + axle], control = x->at[FORCE + axle];
@@ -333,21 +333,21 @@ static void cross(struct nonlinear_car *me, int steps, const double *command, co
 {
     const struct vehicle *vehicle = me->vehicle;
     double h = w->time / steps;
-    int where = side(vehicle, x);
+    int lagging = vehicle->corner != 0;
     for (int step = 0; step < steps; step++) {
         struct state next;
         int there = MAY_TURN;
-        if (!(where & MAY_TURN)) {
-            advance_linearly(linear_step(me, where, h), command, w, step * h, x, &next);
+        if (!(me->where & MAY_TURN)) {
+            advance_linearly(linear_step(me, me->where, h), lagging, command, w, step * h, x, &next);
             there = side(vehicle, &next);
         }
-        if (there & MAY_TURN || there != where) {
+        if (there & MAY_TURN || there != me->where) {
             next = *x;
             advance_by_events(vehicle, h, command, w, step * h, &next);
             there = side(vehicle, &next);
         }
         *x = next;
-        where = there;
+        me->where = there;
     }
 }
 
@@ -400,11 +400,13 @@ static void hold(struct nonlinear_car *me, int first, const double *command, str
     const struct vehicle *vehicle = me->vehicle;
     size_t columns = (size_t)me->columns, signal = columns * (size_t)(me->fine + 1);
     struct piece w = {.time = 0};
+    me->where = side(vehicle, x);
     for (int j = 0; j < me->fine; j++) {
         w = fine_step(me, first + j);
         if (column)
-            sample(vehicle, x, command, &w, 0, column + (size_t)j * columns, signal);
+            sample(vehicle, me->where, x, command, &w, 0, column + (size_t)j * columns, signal);
         struct state before = *x;
+        int where = me->where;
         int parts = me->road.samples ? cells(me, first + j) : 1;
         if (parts > 1)
             cross_parts(me, first + j, parts, command, x);
@@ -412,11 +414,12 @@ static void hold(struct nonlinear_car *me, int first, const double *command, str
             cross(me, me->substeps, command, &w, x);
         if (me->road.samples && may_lift(vehicle, &w, &before, x)) {
             *x = before;
+            me->where = where;
             cross_parts(me, first + j, PARTS, command, x);
         }
     }
     if (column)
-        sample(vehicle, x, command, &w, w.time, column + (size_t)me->fine * columns, signal);
+        sample(vehicle, me->where, x, command, &w, w.time, column + (size_t)me->fine * columns, signal);
 }
 
 struct estimator {
@@ -467,7 +470,7 @@ static void advance_nonlinear(struct car *car, int step, const double *now, cons
     if (me->estimator) {
         double y[MEASURED], braking = me->disturbance[(ptrdiff_t)DISTURBANCES * (first + me->fine) - 1];
         measure(me->vehicle, &x, command, braking, y);
-        estimate(me->estimator, y, command, me->known + (ptrdiff_t)STATE * step, now, next);
+        estimate(me->estimator, y, command, me->estimator_input + (ptrdiff_t)STATE * step, now, next);
     }
 }
 
@@ -481,14 +484,14 @@ void ridelab_measure(const struct nonlinear_car *me, const double *now, const do
 /* The state is an estimator's where it `estimates`, then the car's; the road has no samples where it is straight within
    a fine step. The others as the struct has them. */
 void ridelab_prepare_nonlinear_car(struct nonlinear_car *me, const struct vehicle *vehicle, int states, int estimates,
-                                   const struct estimator *estimator, const double *known, int samples,
+                                   const struct estimator *estimator, const double *estimator_input, int samples,
                                    const double *roughness, const struct layout *layout, const double *position,
                                    const double *within, const double *disturbance, int steps, int fine, int substeps,
                                    double time, double *table, int columns)
 {
     _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a car is prepared in memory of that size");
     *me = (struct nonlinear_car){
-        {advance_nonlinear, states + (estimates ? STATE : 0)}, states, vehicle, estimates ? estimator : NULL, known,
-        {roughness, samples, *layout}, position, within, disturbance, steps, fine, substeps, time, table, columns, 0,
+        {advance_nonlinear, states + (estimates ? STATE : 0)}, states, vehicle, estimates ? estimator : NULL, estimator_input,
+        ridelab_road(roughness, samples, layout), position, within, disturbance, steps, fine, substeps, time, table, columns, 0, 0,
         {{.time = 0}}};
 }

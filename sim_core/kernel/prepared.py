@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.kernel.binding import LAYOUT
-from sim_core.kernel.library import DOUBLE, INT, Array, Function, Prepared, require
+from sim_core.kernel.library import DOUBLE, INT, Array, Function, Optional, Prepared, require
+from sim_core.kernel.qp import QpDesign, QpMemory
 
 CAR, ESTIMATOR = 33, 112  # numbers of `struct vehicle` and `struct estimator` of nonlinear_car.c
 ECU_ANSWER, _STAGES = 5, 3  # numbers of an answer in ecu.c, stages of the ECU's tables
@@ -21,7 +22,6 @@ _STATES, _LAGGING, _FORCES, _LAW_INPUTS, _DISTURBANCES, _MEASURED, _SIGNALS = 8,
 _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
 _LINE_OUT, _TABLE_OUT, _LINES_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2, 3))
 
-_residual = Function("residual", INT, INT, _TABLE, _TABLE, *[_LINE] * 3, _LINE_OUT, _LINE, _LINE, result=DOUBLE)
 _ecu_step = Function(
     "ecu_step",
     *(
@@ -38,7 +38,7 @@ _ecu_step = Function(
 _prepare_law = Function(
     "prepare_law",
     *(Array(_LAW_NUMBERS), Array(_FORCES, _LAW_INPUTS), _TABLE, _TABLE),
-    *(Array(_LAW_INPUTS), _TABLE, Array(), _TABLE, _LINE_OUT),
+    *(Array(_LAW_INPUTS), _TABLE, Array(), _TABLE, _LINE_OUT, Optional, Optional),
 )
 _prepare_linear_car = Function("prepare_linear_car", INT, _TABLE, _TABLE, _TABLE)
 _prepare_nonlinear_car = Function(
@@ -55,25 +55,6 @@ _limit_force = Function(
 )
 _advance = Function("advance", Prepared, _TABLE_OUT, INT)
 _measure = Function("measure", Prepared, _LINE, Array(_FORCES), DOUBLE, Array(_MEASURED, written=True))
-
-
-def residual(
-    H: FloatArray,
-    columns: FloatArray,
-    lower: FloatArray,
-    upper: FloatArray,
-    f: FloatArray,
-    y: FloatArray,
-    multipliers: FloatArray,
-) -> Callable[[], float]:
-    """The largest violation of the KKT conditions, whenever it is called, by what is in these arrays then.
-
-    H (n, n), columns (n, rows), lower, upper and multipliers (n + rows,), f and y (n,).
-    """
-    n, rows = columns.shape
-    fits = H.shape == (n, n) and len(f) == len(y) == n
-    require(fits and len(lower) == len(upper) == len(multipliers) == n + rows, "One number for each unknown and limit")
-    return _residual.bind(n, rows, H, columns, lower, upper, f, np.empty(n + rows), y, multipliers)
 
 
 def ecu_step(
@@ -130,12 +111,13 @@ class LawArrays:
         limits: (rows, 10 + 3 · horizon).
         scale: Of the state and the previous force, where `norms` have them together (10,).
         norms: Of each row's parts on the scaled state and force, on the mean deceleration, on both road velocities, and
-            on the deceleration's difference from its mean (rows, 5).
+            on the deceleration's difference from its mean (5, rows).
         preview: An array with all that is previewed.
         strides: How many numbers further the next kind of disturbance and the next control step are in it.
         sizes: Magnitudes of what is previewed in each step, for the last four of the norms (4, steps).
         force_limits: As `limit_force` has them (3,).
         clips: Whether a force beyond the limit is clipped, or not decided by the law.
+        qp: What decides the steps in which a limit binds, and its memory in this run; None where C does not.
     """
 
     gain: FloatArray
@@ -148,6 +130,7 @@ class LawArrays:
     sizes: FloatArray
     force_limits: FloatArray
     clips: bool
+    qp: tuple[QpDesign, QpMemory] | None = None
 
     def prepared(self) -> Prepared:
         """What C gets.
@@ -162,13 +145,17 @@ class LawArrays:
         require(
             self.limits.shape == (rows, _LAW_INPUTS + _DISTURBANCES * horizon), "Limits on everything the law knows"
         )
-        require(self.norms.shape == (rows, _SIZES) and len(self.sizes) == _SIZES - 1, "Norms of each limit and step")
+        require(self.norms.shape == (_SIZES, rows) and len(self.sizes) == _SIZES - 1, "Norms of each limit and step")
         require(
             min(kind, step) >= 0 and (beyond <= self.preview.size or not horizon), "What is previewed in every step"
         )
         numbers = np.array([rows, horizon, kind, step, steps, self.clips, *self.force_limits], dtype=np.float64)
-        by_row, known = (self.limits, self.scale, self.norms), np.empty(_LAW_INPUTS + _DISTURBANCES * horizon)
-        return _prepare_law.prepare(numbers, self.gain, self.preview_gain, *by_row, self.preview, self.sizes, known)
+        inputs = _LAW_INPUTS + _DISTURBANCES * horizon
+        by_row, work = (self.limits, self.scale, self.norms), np.empty(inputs + rows)
+        design, memory = self.qp or (None, None)
+        qp = memory.both(design, inputs) if memory and design else (None, None)
+        previewed = self.preview, self.sizes
+        return _prepare_law.prepare(numbers, self.gain, self.preview_gain, *by_row, *previewed, work, *qp)
 
     @property
     def steps(self) -> int:
@@ -264,7 +251,7 @@ def nonlinear_car(
     car: FloatArray,
     states: int,
     estimator: FloatArray | None,
-    known: FloatArray,
+    estimator_input: FloatArray,
     road: tuple[FloatArray, FloatArray, FloatArray, FloatArray] | None,
     disturbance: FloatArray,
     substeps: int,
@@ -277,7 +264,7 @@ def nonlinear_car(
         car: (33,), as `struct vehicle` has them.
         states: 8, or 10 with a lagging actuator's.
         estimator: (112,), as `struct estimator` has them; None without one.
-        known: What the estimator knows beforehand (steps, 8); of no steps without one.
+        estimator_input: Known beforehand (steps, 8); of no steps without one.
         road: Its samples (m,) [m] and layout (9,), the positions (2, n + 1) [m] of both axles at the ends of all fine
             steps, means and moments above chords (n, 4) [m]; None where the road is straight within a fine step.
         disturbance: (steps, 3 · fine).
@@ -293,13 +280,13 @@ def nonlinear_car(
     require(states in (_STATES, _LAGGING) and substeps > 0 < fine, "A state of 8 or 10 numbers, and a step or more")
     require(disturbance.shape[1] == _DISTURBANCES * fine, "Three disturbances in a fine step")
     require(table.shape == (_SIGNALS, fine + 1, columns) and columns <= steps, "A record within the drive")
-    require(not estimates or known.shape == (steps, _STATES), "What is known of every step")
+    require(not estimates or estimator_input.shape == (steps, _STATES), "The estimator's input in every step")
     samples, layout, position, within = road or (np.empty(0), np.zeros(LAYOUT), np.empty((0, 0)), np.empty((0, 0)))
     if road is not None:
         require(len(samples) > 1, "A road has two samples at least")
         require(position.shape == (2, all_fine + 1) and within.shape == (all_fine, 4), "The road of every fine step")
     prepared = _prepare_nonlinear_car.prepare(
-        *(car, states, int(estimates), np.zeros(ESTIMATOR) if estimator is None else estimator, known),
+        *(car, states, int(estimates), np.zeros(ESTIMATOR) if estimator is None else estimator, estimator_input),
         *(len(samples), samples, layout, position, within),
         *(disturbance, steps, fine, substeps, fine_step, table, columns),
     )

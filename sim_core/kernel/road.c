@@ -63,9 +63,14 @@ static double bump_height(const struct bump *bump, double position)
     return bump->shape == KERB ? height + met * bump->height : height;
 }
 
+struct road ridelab_road(const double *roughness, int samples, const struct layout *layout)
+{
+    return (struct road){roughness, samples, *layout, 1 / layout->grid};
+}
+
 double ridelab_road_height(const struct road *road, double position)
 {
-    double place = within(0, (position - road->at.first) / road->at.grid, road->samples - 1.000001);
+    double place = within(0, (position - road->at.first) * road->cells, road->samples - 1.000001);
     if (!(place >= 0)) /* not a number has no cell */
         return place;
     int cell = (int)place;
@@ -94,7 +99,7 @@ double ridelab_roughness(double *samples, int count, double deviation, double ke
 void ridelab_road_heights(const double *roughness, int samples, const struct layout *layout, const double *position,
                           int n, double *height)
 {
-    const struct road road = {roughness, samples, *layout};
+    const struct road road = ridelab_road(roughness, samples, layout);
     for (int i = 0; i < n; i++)
         height[i] = ridelab_road_height(&road, position[i]);
 }
@@ -122,14 +127,14 @@ double ridelab_above_chord(const struct road *road, double begin, double end, do
     double length = end - begin, all = *moment = 0;
     if (!(length > 0))
         return 0;
-    double per_grid = 1 / road->at.grid, per_length = 1 / length;
-    int last = (int)within(0, (end - road->at.first) * per_grid, road->samples - 2);
-    for (int i = (int)within(0, (begin - road->at.first) * per_grid, road->samples) + 1; i <= last; i++) {
+    double per_length = 1 / length, first = (begin - road->at.first) * road->cells;
+    int last = (int)within(0, first + length * road->cells, road->samples - 2);
+    for (int i = (int)within(0, first, road->samples) + 1; i <= last; i++) {
         const double *z = road->roughness + i;
         double a = road->at.first + i * road->at.grid - begin, b = length - a;
-        double mean = -(z[1] - 2 * z[0] + z[-1]) * per_grid * a * b * per_length / 2;
+        double mean = -(z[1] - 2 * z[0] + z[-1]) * (road->cells / 2) * (a * b * per_length);
         all += mean;
-        *moment += mean * (a - b) * per_length / 6;
+        *moment += mean * (a - b) * (per_length / 6);
     }
     if (end > road->at.bump.start && begin < road->at.bump.until) {
         double first = bump_height(&road->at.bump, begin), rise = bump_height(&road->at.bump, end) - first;
@@ -148,7 +153,7 @@ double ridelab_above_chord(const struct road *road, double begin, double end, do
 void ridelab_within_steps(const double *roughness, int samples, const struct layout *layout, const double *position,
                           int steps, double *within)
 {
-    const struct road road = {roughness, samples, *layout};
+    const struct road road = ridelab_road(roughness, samples, layout);
     const double *rear = position + steps + 1;
     for (int i = 0; i < steps; i++, within += 4) {
         within[0] = ridelab_above_chord(&road, position[i], position[i + 1], within + 2);
@@ -184,7 +189,7 @@ void ridelab_kink_peaks(const double *roughness, int samples, const struct layou
                         int commands, const double *tyre, const double *kinks, const double *ends, const double *rise,
                         int sections, double *peaks)
 {
-    const struct road road = {roughness, samples, *layout};
+    const struct road road = ridelab_road(roughness, samples, layout);
     for (int number = 0; number < 2 * sections; number++) {
         int axle = number / sections, section = number % sections, start = instants * (axle + 1) - fine * commands - 1;
         const double *loads = load + (ptrdiff_t)(fine + 1) * commands * axle, *most = highest + commands * axle;

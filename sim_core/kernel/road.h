@@ -20,7 +20,10 @@ struct road {
     const double *roughness;
     int samples; /* two at least */
     struct layout at;
+    double cells; /* in a metre */
 };
+
+struct road ridelab_road(const double *roughness, int samples, const struct layout *layout);
 
 /* Linear between the roughness' samples, level beyond them, and the bumps [m]. */
 double ridelab_road_height(const struct road *road, double position);

@@ -13,6 +13,7 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.control.controller import Controller
+from sim_core.control.qp import Qp
 from sim_core.control.seen import RunInputs, Seen
 from sim_core.errors import RidelabError
 from sim_core.kernel.prepared import FollowLaw, LawArrays, limit_force
@@ -66,7 +67,8 @@ class ClosedLoop:
             if not isinstance(law, LinearLaw):
                 raise RidelabError(f"{self._controller.label}: linear_law gives a LinearLaw or None")
             if law not in prepared:
-                arrays = law_arrays(law, self._forecast, self._limits, clips=clips)
+                qp = self._controller.qp(segment.stage)
+                arrays = law_arrays(law, self._forecast, self._limits, clips=clips, qp=qp)
                 prepared[law] = self._car.follow_law(arrays, loop)
             follow, k = prepared[law], segment.first
             while k < segment.last:
@@ -89,7 +91,9 @@ class ClosedLoop:
         return limited or self._controller.report.limited_steps > counted
 
 
-def law_arrays(law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, clips: bool) -> LawArrays:
+def law_arrays(
+    law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, clips: bool, qp: Qp | None = None
+) -> LawArrays:
     """A law with all that decides where it holds.
 
     Args:
@@ -97,6 +101,7 @@ def law_arrays(law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, 
         forecast: What its controller previews.
         force_limits: As `limit_force` has them.
         clips: Whether a force beyond the limit is clipped, or not decided by the law.
+        qp: What decides where a limit binds.
 
     Raises:
         RidelabError: It is a law for another horizon.
@@ -106,7 +111,7 @@ def law_arrays(law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, 
     rows = np.zeros((0, LAW_INPUTS + previewed)) if law.limits is None else law.limits
     if preview_gain.shape[1] != previewed or rows.shape[1] != LAW_INPUTS + previewed:
         raise RidelabError("A linear law has three columns for each control step that is previewed")
-    scale, norms = (np.ones(LAW_INPUTS), np.zeros((0, 5))) if law.limits is None else _norms(law)
+    scale, norms = (np.ones(LAW_INPUTS), np.zeros((5, 0))) if law.limits is None else _norms(law)
     kind, step, _ = (stride // forecast.windows.itemsize for stride in forecast.windows.strides)
     return LawArrays(
         gain=law.gain,
@@ -119,12 +124,13 @@ def law_arrays(law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, 
         sizes=forecast.sizes,
         force_limits=force_limits,
         clips=clips,
+        qp=None if qp is None else (qp.design, qp.run.in_c),
     )
 
 
 @cached
 def _norms(law: LinearLaw) -> tuple[FloatArray, FloatArray]:
-    """`LawArrays.scale` (10,) and `norms` (rows, 5): on the state and force in units that make the largest gain 1."""
+    """`LawArrays.scale` (10,) and `norms` (5, rows): on the state and force in units that make the largest gain 1."""
     assert law.limits is not None  # noqa: S101 - `law_arrays` asks only then
     rows, columns = law.limits.shape
     on_state = law.limits[:, :LAW_INPUTS]
@@ -132,7 +138,7 @@ def _norms(law: LinearLaw) -> tuple[FloatArray, FloatArray]:
     scale = np.abs(on_state).max(axis=0, initial=0.0)
     state = np.linalg.norm(on_state / np.where(scale > 0, scale, 1.0), axis=1)
     mean = np.abs(by_disturbance[:, 2].sum(axis=1))
-    return scale, np.column_stack([state, mean, np.linalg.norm(by_disturbance, axis=2)])
+    return scale, np.ascontiguousarray([state, mean, *np.linalg.norm(by_disturbance, axis=2).T])
 
 
 def checked_force(controller: Controller, force: object, step: int) -> FloatArray:

@@ -124,20 +124,20 @@ def fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool) -> float:
 
 
 @cached
-def excite(road: Road, wheelbase: float, drive: SpeedProfile, step: float, fine: int) -> Excitation:
+def excite(road: Road, wheelbase: float, speed_profile: SpeedProfile, step: float, fine: int) -> Excitation:
     """Sample a drive and look its road up.
 
     Args:
         road: What it drives over.
         wheelbase: L [m].
-        drive: Its speed plan.
+        speed_profile: How it is driven.
         step: Control step [s].
         fine: Fine steps in it.
     """
-    grid = _sampled(drive, road.length, wheelbase, step, fine)
+    grid = _sampled(speed_profile, road.length, wheelbase, step, fine)
     surface = profile(road)
     height = surface.height(grid.axles)
-    braking = _braking(drive, grid, step)
+    braking = _braking(speed_profile, grid, step)
     held = np.empty((len(grid.time) - 1, fine * DISTURBANCES))
     binding.disturbances(height, braking, grid.fine_step, held)
     height.flags.writeable = False
@@ -158,21 +158,21 @@ def under_axles(excitation: Excitation) -> RoadUnderAxles:
 
 
 @cached
-def _sampled(drive: SpeedProfile, length: float, wheelbase: float, step: float, fine: int) -> TimeGrid:
+def _sampled(speed_profile: SpeedProfile, length: float, wheelbase: float, step: float, fine: int) -> TimeGrid:
     """The part of `excite` that needs no height; length of the road in m."""
-    before, steps = drive.control_steps(length, step)
+    before, steps = speed_profile.control_steps(length, step)
     h = step / fine
 
     time = h * np.arange(-before * fine, (steps - before) * fine + 1, dtype=np.float64)
-    position, speed = drive.at(time)
+    position, speed = speed_profile.at(time)
     first = before * fine
-    record = slice(first, first + int(drive.time_at(length) / h + 1e-6) + 1)
+    record = slice(first, first + int(speed_profile.time_at(length) / h + 1e-6) + 1)
     series = {
         "time": time[record],
         "position": position[record],
         "speed": speed[record],
-        "brake_pressure": _on_record(drive, drive.pressure, time[record]),
-        "brake_deceleration": _on_record(drive, drive.braking, time[record]),
+        "brake_pressure": _on_record(speed_profile, speed_profile.pressure, time[record]),
+        "brake_deceleration": _on_record(speed_profile, speed_profile.braking, time[record]),
     }
     for values in series.values():
         values.flags.writeable = False
@@ -189,13 +189,13 @@ def _sampled(drive: SpeedProfile, length: float, wheelbase: float, step: float, 
 
 
 @cached
-def _braking(drive: SpeedProfile, grid: TimeGrid, step: float) -> FloatArray:
+def _braking(speed_profile: SpeedProfile, grid: TimeGrid, step: float) -> FloatArray:
     """Deceleration, held over each fine step (n,) [m/s^2]; apart from the grid, which lives longer."""
     first, h = -grid.before * grid.fine, step / grid.fine
     begins = h * np.arange(first, first + grid.axles.shape[1] - 1, dtype=np.float64)
-    return drive.sample(drive.braking, begins + h / 2)
+    return speed_profile.sample(speed_profile.braking, begins + h / 2)
 
 
-def _on_record(drive: SpeedProfile, values: FloatArray, time: FloatArray) -> FloatArray:
+def _on_record(speed_profile: SpeedProfile, values: FloatArray, time: FloatArray) -> FloatArray:
     """A sampled column of the drive; one that is zero throughout takes no memory."""
-    return drive.sample(values, time) if values.any() else np.broadcast_to(0.0, time.shape)
+    return speed_profile.sample(values, time) if values.any() else np.broadcast_to(0.0, time.shape)

@@ -39,13 +39,15 @@ class Forecast:
     height_now: FloatArray
 
 
-def preview(mode: Preview, scenario: Scenario, drive: SpeedProfile, excitation: Excitation, horizon: int) -> Forecast:
+def preview(
+    mode: Preview, scenario: Scenario, speed_profile: SpeedProfile, excitation: Excitation, horizon: int
+) -> Forecast:
     """The disturbances over the horizon as expected at each control step.
 
     Args:
         mode: none, wheelbase, lookahead or obstacle.
         scenario: Whose road, sensors and expected errors.
-        drive: How the road is driven.
+        speed_profile: How the road is driven.
         excitation: The same, grid.
         horizon: Prediction horizon.
     """
@@ -54,11 +56,11 @@ def preview(mode: Preview, scenario: Scenario, drive: SpeedProfile, excitation: 
         surface, expected = excitation.surface, expected_errors(scenario.mpc)
         if mode == "obstacle" or mismatch.preview_noise or mismatch.preview_resolution or expected != ExpectedErrors():
             surface = sensed_road(surface, scenario.road, mismatch, expected, obstacle_alone=mode == "obstacle")
-        return _by_sensors(surface, drive, excitation.grid, horizon, wheelbase, mismatch)
+        return _by_sensors(surface, speed_profile, excitation.grid, horizon, wheelbase, mismatch)
     if mode == "wheelbase":
-        windows, sizes = _behind_the_front(excitation, drive, horizon, wheelbase)
+        windows, sizes = _behind_the_front(excitation, speed_profile, horizon, wheelbase)
     else:
-        windows, sizes = _level(excitation.grid, drive, horizon)
+        windows, sizes = _level(excitation.grid, speed_profile, horizon)
     height_now = excitation.height[:, : -1 : excitation.grid.fine]
     return Forecast(windows=windows, source=windows, sizes=sizes, height_now=height_now)
 
@@ -91,10 +93,17 @@ def _sums(values: FloatArray, count: int) -> FloatArray:
 
 @cached
 def _by_sensors(
-    surface: RoadProfile, drive: SpeedProfile, grid: TimeGrid, horizon: int, wheelbase: float, mismatch: Mismatch
+    surface: RoadProfile,
+    speed_profile: SpeedProfile,
+    grid: TimeGrid,
+    horizon: int,
+    wheelbase: float,
+    mismatch: Mismatch,
 ) -> Forecast:
     """What sensors and speed plan predict for every interval to come."""
-    axles, braking = _sensed_places(drive, grid, horizon, wheelbase, mismatch.preview_offset, mismatch.preview_delay)
+    axles, braking = _sensed_places(
+        speed_profile, grid, horizon, wheelbase, mismatch.preview_offset, mismatch.preview_delay
+    )
     height = mismatch.preview_gain * surface.height(axles)
     disturbances = np.vstack([np.diff(height) / grid.step, braking])
     return sliding_forecast(disturbances, horizon, height[:, : len(grid.time) - 1])
@@ -102,20 +111,20 @@ def _by_sensors(
 
 @cached
 def _sensed_places(
-    drive: SpeedProfile, grid: TimeGrid, horizon: int, wheelbase: float, offset: float, delay: float
+    speed_profile: SpeedProfile, grid: TimeGrid, horizon: int, wheelbase: float, offset: float, delay: float
 ) -> tuple[FloatArray, FloatArray]:
     """Where sensors take the axles to be at every control instant to come (2, n + 1) [m]; the braking in between."""
     time, h = grid.time, grid.step
     further = np.concatenate([time, time[-1] + h * np.arange(1, horizon)])
-    position = drive.at(further - delay)[0] - offset
+    position = speed_profile.at(further - delay)[0] - offset
     axles = np.stack([position, position - wheelbase])
-    return axles, drive.sample(drive.braking, further[:-1] + h / 2)
+    return axles, speed_profile.sample(speed_profile.braking, further[:-1] + h / 2)
 
 
 @cached
-def _level(grid: TimeGrid, drive: SpeedProfile, horizon: int) -> tuple[FloatArray, FloatArray]:
+def _level(grid: TimeGrid, speed_profile: SpeedProfile, horizon: int) -> tuple[FloatArray, FloatArray]:
     """`Forecast.windows` and `sizes` of a level road; braking stays as it is."""
-    braking = drive.sample(drive.braking, grid.time[:-1])
+    braking = speed_profile.sample(speed_profile.braking, grid.time[:-1])
     windows = np.zeros((DISTURBANCES, len(braking), horizon))
     windows[2] = braking[:, None]
     none = np.zeros(len(braking))
@@ -124,11 +133,11 @@ def _level(grid: TimeGrid, drive: SpeedProfile, horizon: int) -> tuple[FloatArra
 
 @cached
 def _behind_the_front(
-    excitation: Excitation, drive: SpeedProfile, horizon: int, wheelbase: float
+    excitation: Excitation, speed_profile: SpeedProfile, horizon: int, wheelbase: float
 ) -> tuple[FloatArray, FloatArray]:
     """`Forecast.windows` and `sizes` where the rear axle meets the road that the front one has passed."""
     grid, surface = excitation.grid, excitation.surface
-    level, level_sizes = _level(grid, drive, horizon)
+    level, level_sizes = _level(grid, speed_profile, horizon)
     windows, sizes = level.copy(), level_sizes.copy()
     further = grid.speed[:, None] * grid.step * np.arange(horizon + 1)
     driven = further[:, 1:] <= wheelbase

@@ -35,10 +35,10 @@ _FORCES = slice(_ROW["front_force"], _ROW["rear_force"] + 1)
 
 def evaluate(run: Run, recording: Recording) -> StrategyResult:
     """Everything a run reports, from its recording."""
-    scenario, controller, drive = run.scenario, run.controller, run.profile
+    scenario, controller, speed_profile = run.scenario, run.controller, run.profile
     bump, excitation, report = scenario.road.bump, run.excitation, controller.report
     speeds, signals = recording.table[:_SPEEDS], recording.table[_SPEEDS:]
-    windows = windows_of(excitation.grid, drive, bump.start, scenario.bump_left, scenario.road.length)
+    windows = windows_of(excitation.grid, speed_profile, bump.start, scenario.bump_left, scenario.road.length)
     values = over_sections(signals, _INTEGRANDS, windows.ends)
     metrics = _by_window(values, signals[_LOADS], windows, excitation, scenario.real_vehicle)
 
@@ -81,7 +81,7 @@ def evaluate(run: Run, recording: Recording) -> StrategyResult:
             "target_band": TARGET_BAND if planned else None,
         },
         stages=run.stages,
-        travel_time=drive.time_at(scenario.road.length),
+        travel_time=speed_profile.time_at(scenario.road.length),
         arrival_speed_kmh=arrival / KMH,
         series=Series(excitation.series, dict(zip(METRIC_SIGNALS, signals, strict=True))),
     )
@@ -105,12 +105,14 @@ def _by_window(
     }
 
 
-def rms_between(series: Series, drive: SpeedProfile, intervals: Sequence[tuple[float, float]]) -> dict[str, float]:
+def rms_between(
+    series: Series, speed_profile: SpeedProfile, intervals: Sequence[tuple[float, float]]
+) -> dict[str, float]:
     """RMS of METRIC_SIGNALS over all the time in which the front axle is in one of these intervals of the road.
 
     Args:
         series: Of a run; as exact as its metrics, whose windows `intervals` may differ from.
-        drive: How that run drove.
+        speed_profile: Of that run.
         intervals: First and last position [m], from x = 0 to the road's end at most; none overlap.
 
     Raises:
@@ -119,7 +121,7 @@ def rms_between(series: Series, drive: SpeedProfile, intervals: Sequence[tuple[f
     time = series["time"]
     fine_step = float(time[-1]) / (len(time) - 1)
     table = np.ascontiguousarray([series.columns(signal) for signal in METRIC_SIGNALS])
-    times = [(drive.time_at(first), drive.time_at(last)) for first, last in intervals]
+    times = [(speed_profile.time_at(first), speed_profile.time_at(last)) for first, last in intervals]
     ends = section_ends([(first / fine_step, last / fine_step) for first, last in times])
     durations = ends[:, 1] - ends[:, 0]
     if (durations <= 0).any() or ends.min() < 0 or ends.max() > (table.shape[1] - 1) * table.shape[2]:

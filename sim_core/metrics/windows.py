@@ -41,23 +41,25 @@ class Windows:
 
 
 @cached
-def windows_of(grid: TimeGrid, drive: SpeedProfile, bump_start: float, bump_end: float, length: float) -> Windows:
+def windows_of(
+    grid: TimeGrid, speed_profile: SpeedProfile, bump_start: float, bump_end: float, length: float
+) -> Windows:
     """The windows of a record.
 
     Args:
         grid: The drive, sampled.
-        drive: The same.
+        speed_profile: The same.
         bump_start: Of the bump [m].
         bump_end: Where the front axle is when the rear one has left it [m].
         length: Of the road [m].
     """
     h = grid.fine_step
-    bounds = [0.0, *(drive.time_at(position) / h for position in (bump_start, min(bump_end, length), length))]
+    bounds = [0.0, *(speed_profile.time_at(position) / h for position in (bump_start, min(bump_end, length), length))]
     ends = section_ends(list(pairwise(bounds)))
     distance = np.diff(grid.axles[0, grid.on_record.start :])
     return Windows(
         ends=ends,
         fine_step=h,
         step_distance=np.array([distance[int(first) : ceil(last)].max(initial=0) for first, last in ends.tolist()]),
-        arrival_speed=float(drive.at(np.array(drive.time_at(bump_start)))[1]),
+        arrival_speed=float(speed_profile.at(np.array(speed_profile.time_at(bump_start)))[1]),
     )

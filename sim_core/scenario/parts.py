@@ -161,7 +161,11 @@ class Mpc(Part):
     force_change_weight: Annotated[float, quantity("1/N^2", soft=(0, 1e-8), ge=0, le=1e-3)] = field(
         1e-10, "Force change weight", "On the moves of the force (ours)."
     )
-    solver: Literal["daqp", "osqp"] = field("daqp", "QP solver", "Used where a limit binds; the other is the fallback.")
+    solver: Literal["daqp", "osqp"] = field(
+        "daqp",
+        "QP solver",
+        "Where a limit binds: a dual active-set method as DAQP's, or OSQP; the other is the fallback.",
+    )
     stage_weights: StageWeights = Field(default=StageWeights(), title="LV weights per driving stage")
     road_weights: RoadWeights = Field(default=RoadWeights(), title="Single suspension control's weights per road")
 

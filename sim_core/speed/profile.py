@@ -72,22 +72,22 @@ class SpeedProfile:
 
 
 @lru_cache(maxsize=32)
-def _time_at(drive: SpeedProfile, position: float) -> float:
+def _time_at(profile: SpeedProfile, position: float) -> float:
     """The inverse of `SpeedProfile.at`, kept: every run over a drive asks for the same few places."""
-    if position <= drive.position[0]:
-        return float(drive.time[0] + (position - drive.position[0]) / drive.speed[0])
-    if position >= drive.position[-1]:
-        return float(drive.time[-1] + (position - drive.position[-1]) / drive.speed[-1])
-    i = int(np.searchsorted(drive.position, position)) - 1
-    x0, x1 = float(drive.position[i]), float(drive.position[i + 1])
-    v0, v1 = float(drive.speed[i]), float(drive.speed[i + 1])
-    step = float(drive.time[1] - drive.time[0])
+    if position <= profile.position[0]:
+        return float(profile.time[0] + (position - profile.position[0]) / profile.speed[0])
+    if position >= profile.position[-1]:
+        return float(profile.time[-1] + (position - profile.position[-1]) / profile.speed[-1])
+    i = int(np.searchsorted(profile.position, position)) - 1
+    x0, x1 = float(profile.position[i]), float(profile.position[i + 1])
+    v0, v1 = float(profile.speed[i]), float(profile.speed[i + 1])
+    step = float(profile.time[1] - profile.time[0])
     low, high = 0.0, 1.0
     for _ in range(50):  # bisection: the cubic of `at` is monotonic here
         s = (low + high) / 2
         reached = x0 + s * s * (3 - 2 * s) * (x1 - x0) + step * s * (1 - s) * ((1 - s) * v0 - s * v1)
         low, high = (s, high) if reached < position else (low, s)
-    return float(drive.time[i]) + step * high
+    return float(profile.time[i]) + step * high
 
 
 def plan_speed(scenario: Scenario, plan: SpeedPlan) -> SpeedProfile:

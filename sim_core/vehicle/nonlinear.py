@@ -54,7 +54,7 @@ class NonlinearCar(VehicleModel):
             car=_numbers(vehicle, actuator, dampers),
             states=states,
             estimator=None if estimator is None else _matrices(estimator),
-            known=np.empty((0, STATES)) if estimator is None else np.ascontiguousarray(estimator.input),
+            estimator_input=np.empty((0, STATES)) if estimator is None else np.ascontiguousarray(estimator.input),
             road=None if road is None else (road.surface.roughness, road.surface.layout, road.position, road.within),
             disturbance=self._disturbance,
             substeps=substeps(vehicle, actuator, dampers, step / fine),

@@ -1,15 +1,15 @@
 """One real service for all these tests: uvicorn in a thread, workers in processes of their own."""
 
 import asyncio
+import itertools
 import json
 import re
 import socket
 import threading
 from collections.abc import Callable, Coroutine, Iterator
 from contextlib import closing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache, partial
-from pathlib import Path
 from typing import Any, TypeVar
 
 import httpx
@@ -23,13 +23,16 @@ from backend.compute import workers
 from backend.http.server import server_config
 from backend.settings import Settings
 from backend.store import Store
-from tests.api.cli import Cli
+from sim_core.scenario import Scenario
+from tests.servers.postgres import Postgres
 from tests.servers.process import HANG_TIMEOUT, wait_until
 from tests.servers.reproduction import store_in
 
 T = TypeVar("T")
 # Kinds of problems that any request may meet; they belong to no operation.
 BEFORE_ANY_ROUTE = ("address-too-long", "connections", "cross-site", "headers-too-long", "other-host", "two-lengths")
+TOKENS = {"ann": "ann-0123456789abcdef", "ben": "ben/+~.0123456789==", "o" * 64: "of-the-longest-name"}
+HEIGHTS = (0.04 + 1e-5 * number for number in itertools.count(1))
 ROAD = {"length": 130, "bump": {"start": 90}}  # not the paper's, so that stored paper runs never matter here
 
 
@@ -125,6 +128,18 @@ def service(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
 
 
 @pytest.fixture(scope="session")
+def with_tokens(
+    postgres: Postgres, migrated_postgres: str, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[Service]:
+    """One on PostgreSQL for whoever has a token: TOKENS, by name."""
+    folder = tmp_path_factory.mktemp("guarded")
+    file = folder / "tokens"
+    file.write_text("".join(f"{name} {token}\n" for name, token in TOKENS.items()))
+    settings = {"workers": 1, "batch_workers": 1, "tokens_file": file, "data_dir": folder}
+    yield from serve(Settings.model_validate({**settings, "database_url": postgres.new_database(migrated_postgres)}))
+
+
+@pytest.fixture(scope="session")
 def reproduced(service: Service) -> None:
     """The service has the paper's reproduction stored."""
     store_in(service.app.state.store)
@@ -149,24 +164,39 @@ def run(service: Service) -> Any:
 
 
 @pytest.fixture
-def cli(
-    client: httpx.Client,
-    capfdbinary: pytest.CaptureFixture[bytes],
-    monkeypatch: pytest.MonkeyPatch,
-    tmp_path_factory: pytest.TempPathFactory,
-) -> Cli:
-    """The command, with the tests' service."""
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path_factory.getbasetemp()))
-    monkeypatch.setenv("RIDELAB_SERVER", str(client.base_url))
-    return Cli(capfdbinary)
+def fresh(service: Service, road: dict[str, Any]) -> Any:
+    """A stored run of two strategies that no other test has, as its POST answered."""
+    scenario = {"road": {**road, "bump": {**road["bump"], "height": next(HEIGHTS)}}}
+    return service.run(["lv", "passive"], scenario).raise_for_status().json()
 
 
 @pytest.fixture
-def scenario(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
-    """The test module's SCENARIO as a file."""
-    path = tmp_path / "scenario.json"
-    path.write_text(json.dumps(request.module.SCENARIO), encoding="utf-8")
-    return path
+def worker_calls(service: Service, monkeypatch: pytest.MonkeyPatch) -> list[tuple[Any, ...]]:
+    """What the workers are asked for during the test: function and arguments of each call, cost at the end."""
+    calls, call = list[tuple[Any, ...]](), service.app.state.workers.call
+
+    async def noted(function: Any, *arguments: Any, **queued: Any) -> Any:
+        calls.append((function, *arguments, queued.get("cost", 0.0)))
+        return await call(function, *arguments, **queued)
+
+    monkeypatch.setattr(service.app.state.workers, "call", noted)
+    return calls
+
+
+@pytest.fixture
+def lqr_fails(service: Service, monkeypatch: pytest.MonkeyPatch) -> int:
+    """During the test no run of LQR succeeds on the road of the seed that this gives."""
+    call, seed = service.app.state.workers.call, 72
+
+    async def refused(function: Any, scenario: Scenario, *arguments: Any, **queued: Any) -> Any:
+        outcomes = await call(function, scenario, *arguments, **queued)
+        if isinstance(outcomes, dict) and "lqr" in outcomes and scenario.road.seed == seed:
+            reason = b'{"reason":"no controller"}'
+            outcomes["lqr"] = replace(outcomes["lqr"], status="failed", json=reason, compute_ms=1.0, series=None)
+        return outcomes
+
+    monkeypatch.setattr(service.app.state.workers, "call", refused)
+    return seed
 
 
 @pytest.fixture

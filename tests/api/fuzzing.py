@@ -8,6 +8,8 @@ from typing import Any
 
 import httpx
 
+from tests.servers.process import HANG_TIMEOUT
+
 PHASES = "examples,coverage,fuzzing,stateful"
 
 # What JSON Schema cannot say about a good request: a bump has to lie on its road, horizons to fit each other, a sweep
@@ -112,7 +114,7 @@ def fuzz(client: httpx.Client, folder: Path, *arguments: str, short: bool) -> No
     (folder / "schemathesis.toml").write_text(text + FEW_OF_THE_PAPER + SHORTLY * short)
     address = str(client.base_url.join("/openapi.json"))
     command = [str(Path(sys.executable).parent / "schemathesis"), "--no-color", "--config-file", "schemathesis.toml"]
-    command += ["run", address, "--phases", PHASES, *arguments]
+    command += ["run", address, "--phases", PHASES, "--request-timeout", str(HANG_TIMEOUT), *arguments]
     ended = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
     assert ended.returncode == 0, ended.stdout[-20_000:] + ended.stderr[-5_000:]
     for phase in ("Examples", "Coverage", "Fuzzing", "Stateful"):

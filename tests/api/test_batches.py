@@ -4,6 +4,7 @@ import csv
 import io
 import itertools
 import json
+import uuid
 from typing import Any
 
 import httpx
@@ -13,11 +14,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
-from backend.jobs.sweep import points as sweep_points
+from backend.batches import points as sweep_points
 from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate
 from tests.api.streams import read_events
-from tests.servers.batches import rows, wait_for
+from tests.servers.batches import computed, rows, wait_for
 from tests.servers.process import wait_until
 
 BASE = {"road": {"length": 125, "bump": {"start": 88}}}  # nobody else's, so that nothing is stored yet
@@ -132,19 +133,19 @@ def test_events_tell_everything_once_and_replay_after_a_number(client: httpx.Cli
     assert events(client, batch["id"], headers={"Last-Event-ID": "what\u00a0ever".encode()}) == heard
 
 
-def test_a_latin_hypercube_is_spread_over_its_ranges_and_the_same_for_a_seed(client: httpx.Client) -> None:
+def test_a_latin_hypercube_is_spread_over_its_ranges_and_the_same_for_a_seed() -> None:
     ranges: dict[str, list[float]] = {
         "road.bump.height": [0.02, 0.1],
         "mpc.prediction_horizon": [22, 26],
         "mpc.stage_weights.bump.2": [1, 9],
     }
-    sweep = {"latin_hypercube": {"ranges": ranges, "samples": 20, "seed": 5}}
-    batches = [wait_for(client, submit(client, sweep, strategies=["speed_only"]).json()["id"]) for _ in range(2)]
-    first, second = (rows(client, batch["id"]) for batch in batches)
-    for one, other in zip(first, second, strict=True):
-        assert {name: one[name] for name in ranges} == {name: other[name] for name in ranges}
+    cube = {"latin_hypercube": {"ranges": ranges, "samples": 20, "seed": 5}}
+    sweep, base = sweep_points.Sweep.model_validate(cube), Scenario().model_dump(mode="json")
+    names, points = sweep_points.points(sweep, base)
+    assert names == list(ranges)
+    assert sweep_points.points(sweep, base) == (names, points)
     for name, (low, high) in ranges.items():
-        values = [row[name] for row in first]
+        values = [dotted.value(dotted.with_changes(base, point), name) for point in points]
         assert all(low <= value <= high for value in values)
         if name != "mpc.prediction_horizon":
             width = (high - low) / 20
@@ -154,11 +155,12 @@ def test_a_latin_hypercube_is_spread_over_its_ranges_and_the_same_for_a_seed(cli
 
 
 def test_a_list_takes_points_as_they_are_and_fills_what_they_leave_out(client: httpx.Client) -> None:
-    sweep = {"list": [{"road.bump.height": 0.03}, {"lqr.weights": [2, 1, 1]}, {}]}
+    sweep = {"list": [{"road.bump.height": 0.03}, {"lqr.weights": [2, 1, 1]}, {"road.roughness": "C"}]}
     batch = wait_for(client, submit(client, sweep, strategies=["lqr"]).json()["id"])
     runs = rows(client, batch["id"])
     assert [row["road.bump.height"] for row in runs] == [0.03, 0.1, 0.1]
     assert [row["lqr.weights"] for row in runs] == [[1, 1, 1], [2, 1, 1], [1, 1, 1]]
+    assert [row["road.roughness"] for row in runs] == [64e-6, 64e-6, 256e-6], "a class of ISO 8608 has a number"
 
 
 def test_points_that_contradict_themselves_are_failed_rows_with_a_reason(client: httpx.Client) -> None:
@@ -232,7 +234,7 @@ def test_too_large_a_batch_is_refused_with_limit_and_estimate_and_nothing_is_sto
     }
     answer = submit(client, dear, scenario=heavy)
     assert answer.status_code == 422
-    assert "over the limit of 30 s; the solver DAQP, a shorter road" in answer.json()["detail"]
+    assert "over the limit of 30 s; the solver daqp, a shorter road" in answer.json()["detail"]
     assert listed(client) == before
 
 
@@ -289,27 +291,39 @@ def test_what_a_sweeps_runs_do_not_depend_on_is_said(client: httpx.Client) -> No
     assert submit(client, targets, dry_run=True, **alike).json()["notes"] == []
 
 
-def test_cancelling_keeps_what_is_finished_and_the_rest_says_cancelled(client: httpx.Client) -> None:
+def test_a_small_batch_does_not_wait_for_a_large_one_which_is_cancelled_and_goes_on(client: httpx.Client) -> None:
+    """`position` counts the runs before it; cancelling keeps what is finished."""
+    key = f"large-{uuid.uuid4()}"
     sweep = {"grid": {"road.seed": list(range(1, 41))}}
-    batch = submit(client, sweep, scenario=LONG, strategies=["passive", "lv"]).json()
-    wait_until(lambda: client.get(f"/api/v1/batches/{batch['id']}").json()["done"], "the first runs are done")
-    answer = client.post(f"/api/v1/batches/{batch['id']}/cancel")
-    assert answer.status_code == 200
-    assert answer.json()["state"] == "cancelled"
-    runs = rows(client, batch["id"])
+    large = submit(client, sweep, scenario=LONG, strategies=["passive", "lv"], key=key).json()
+    path = f"/api/v1/batches/{large['id']}"
+    wait_until(lambda: client.get(path).json()["done"], "the first runs are done")
+    small = submit(client, {"grid": {"road.bump.height": [0.0311]}}).json()
+    assert 0 < small["position"] < 80
+    assert wait_for(client, small["id"])["done"] == 2
+    running = client.get(path).json()
+    assert (running["state"], running["position"]) == ("running", 0)
+    assert running["done"] < 60, "it was far from its end"
+    assert client.delete(path).json()["type"].endswith(":not-deletable")
+    answer = client.post(f"{path}/cancel")
+    assert (answer.status_code, answer.json()["state"]) == (200, "cancelled")
+    runs = rows(client, large["id"])
     statuses = [row["status"] for row in runs]
     assert statuses.count("ok") == answer.json()["done"] >= 1
     assert statuses.count("cancelled") == 80 - statuses.count("ok")
-    assert client.post(f"/api/v1/batches/{batch['id']}/cancel").json() == answer.json()
-    after = submit(client, {"grid": {"road.bump.height": [0.031]}}).json()
-    assert wait_for(client, after["id"])["done"] == 2, "the processes serve the next batch"
-    assert rows(client, batch["id"]) == runs
-    assert events(client, batch["id"])[-1]["state"] == "cancelled"
+    assert client.post(f"{path}/cancel").json() == answer.json()
+    assert events(client, large["id"])[-1]["state"] == "cancelled"
+    anew = submit(client, sweep, scenario=LONG, strategies=["passive", "lv"], key=key).json()["id"]
+    assert anew != large["id"], "a cancelled one gives its key away"
+    assert client.post(f"{path}/resume").json()["state"] in ("queued", "running")
+    wait_until(lambda: client.get(path).json()["done"] > answer.json()["done"], "it goes on")
+    for each in (large["id"], anew):
+        client.post(f"/api/v1/batches/{each}/cancel").raise_for_status()
 
 
 def test_a_batch_gets_a_label_is_listed_by_it_and_deleted(client: httpx.Client) -> None:
     body = {"strategies": ["passive"], "sweep": {"list": [{"road.seed": 77}]}, "label": "winter tyres"}
-    batch = wait_for(client, client.post("/api/v1/batches", json=body).json()["id"])
+    batch = computed(client, **body)
     path = f"/api/v1/batches/{batch['id']}"
     assert (batch["label"], batch["position"]) == ("winter tyres", 0)
     assert client.patch(path, json={"label": "summer tyres"}).json()["label"] == "summer tyres"
@@ -317,6 +331,7 @@ def test_a_batch_gets_a_label_is_listed_by_it_and_deleted(client: httpx.Client) 
     assert ([each["id"] for each in page["batches"]], page["next"]) == ([batch["id"]], None)
     assert client.patch(path, json={"label": None}).json()["label"] is None
     assert client.patch(path, json={"label": ""}).json()["errors"][0]["pointer"] == "/label"
+    assert client.post(f"{path}/resume").json()["type"].endswith(":done")
     assert client.delete(path).status_code == 204
     assert client.delete(path).status_code == client.get(path).status_code == 404
 
@@ -332,39 +347,6 @@ def test_pages_follow_each_other_by_their_cursors(client: httpx.Client) -> None:
             break
         parameters["cursor"] = page["next"]
     assert listed == everything
-    refused = client.get("/api/v1/batches", params={"cursor": "yesterday"}).json()
-    assert refused["errors"][0]["parameter"] == "cursor"
-
-
-def test_a_cancelled_batch_goes_on_and_its_key_begins_a_new_one(client: httpx.Client) -> None:
-    body = {"strategies": ["passive"], "sweep": {"list": [{"road.seed": 5000 + seed} for seed in range(300)]}}
-    key = {"Idempotency-Key": "begun-anew"}
-    first = client.post("/api/v1/batches", json=body, headers=key).json()
-    path = f"/api/v1/batches/{first['id']}"
-    assert client.delete(path).json()["type"].endswith(":not-deletable")
-    assert client.post(f"{path}/cancel").json()["state"] == "cancelled"
-    assert client.post("/api/v1/batches", json=body, headers=key).json()["id"] != first["id"]
-    assert client.post(f"{path}/resume").json()["state"] in ("queued", "running", "done")
-    ended = wait_for(client, first["id"])
-    assert (ended["state"], ended["done"]) == ("done", 300)
-    assert client.post(f"{path}/resume").json()["type"].endswith(":done")
-
-
-def test_a_small_batch_does_not_wait_for_a_large_one(client: httpx.Client) -> None:
-    """Both are computed in alternation, and `position` counts the runs of the earlier batch."""
-    many = [{"road.seed": 10_000 + seed, "road.length": 300} for seed in range(2500)]
-    large = client.post("/api/v1/batches", json={"strategies": ["lv"], "sweep": {"list": many}}).json()
-    few = [{"road.seed": 20_000 + seed} for seed in range(4)]
-    small = client.post("/api/v1/batches", json={"strategies": ["lv"], "sweep": {"list": few}}).json()
-    assert 2400 < small["position"] <= 2500
-    behind = client.post("/api/v1/batches", json={"strategies": ["passive"], "sweep": {"list": many}}).json()
-    assert wait_for(client, small["id"])["done"] == 4
-    running = client.get(f"/api/v1/batches/{behind['id']}").json()
-    assert (running["state"], running["position"]) == ("running", 0)
-    client.post(f"/api/v1/batches/{behind['id']}/cancel").raise_for_status()
-    now = client.post(f"/api/v1/batches/{large['id']}/cancel").json()
-    assert now["state"] == "cancelled", "it was far from its end"
-    assert now["done"] < 1250
 
 
 @given(st.data())

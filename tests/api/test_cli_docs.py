@@ -19,7 +19,7 @@ import httpx
 import pytest
 
 from ridelab.cli import app
-from tests.api.cli import environment
+from tests.client.cli import environment
 from tests.servers.programs import find
 
 ROOT = Path(__file__).parents[2]

@@ -6,8 +6,10 @@ import json
 import os
 import re
 import signal
+import sqlite3
 import subprocess
 from collections.abc import Iterator
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
@@ -19,8 +21,8 @@ from ridelab.cli.following import submit_job
 from ridelab.cli.service import Services
 from ridelab.client import Ridelab
 from ridelab.jobs import Batch
-from tests.api.cli import Cli, command, environment
 from tests.api.conftest import Service
+from tests.client.cli import Cli, command, environment
 from tests.servers.process import HANG_TIMEOUT, request, wait_until
 
 # Half a second of one core each, so that a sweep of them is still running when it is interrupted.
@@ -57,22 +59,20 @@ def private_services() -> list[int]:
 
 
 @pytest.mark.usefixtures("no_service_left")
-def test_without_a_server_a_private_one_works_and_keeps_what_it_stored(alone: Cli, elsewhere: Path) -> None:
-    run_id = alone("run", "bump_only", "--strategy", "passive").split()[-1]
-    assert alone.error == ""
-    assert (elsewhere / "data" / "ridelab.sqlite").is_file()
-    # The next one opens it, and serves it until Ctrl-C.
+def test_without_a_server_a_private_one_works_until_ctrl_c_and_keeps_what_it_stored(elsewhere: Path) -> None:
     log = elsewhere / "out"
     with log.open("wb") as out:
-        arguments = command("open", run_id, "--print")
+        arguments = command("open", "bump_only", "--strategy", "passive", "--print")
         process = subprocess.Popen(arguments, cwd=elsewhere, env=environment(), stdout=out, stderr=out)
     said(process, log, "Serving until Ctrl-C")
     address = log.read_text().splitlines()[0]
     assert request("GET", address).status_code in (200, 503)  # 503 where the dashboard is not built
-    stored = request("GET", address.replace(f"/r/{run_id}", f"/api/v1/runs/{run_id}")).json()
+    stored = request("GET", address.replace("/r/", "/api/v1/runs/")).json()
     assert list(stored["strategies"]) == ["passive"]
     process.send_signal(signal.SIGINT)
     assert process.wait(HANG_TIMEOUT) == 0
+    with closing(sqlite3.connect(elsewhere / "data" / "ridelab.sqlite")) as database:
+        assert database.execute("SELECT id FROM runs").fetchall() == [(stored["id"],)]
 
 
 def said(process: subprocess.Popen[bytes], log: Path, pattern: str) -> re.Match[str]:

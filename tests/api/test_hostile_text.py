@@ -10,13 +10,13 @@ from typing import Any
 import httpx
 import pytest
 
+from backend.batches import table as batch_table
 from backend.http.guard import CONTENT_SECURITY_POLICY, HEADERS
-from backend.jobs.sweep import table as batch_table
 from backend.settings import Settings
 from sim_core.catalogue import METRICS, SIGNALS
 from sim_core.strategies import STRATEGIES
 from tests.api.test_hostile_connections import exchange, head
-from tests.servers.batches import wait_for
+from tests.servers.batches import computed
 
 SCRIPT = "<script>alert(1)</script>"
 NAMES = [SCRIPT, "'\"><img src=x onerror=alert(1)>", "=HYPERLINK(1)", "{{7*7}}${7*7}", "%3Cscript%3Ea\u202eb"]
@@ -120,14 +120,8 @@ def batch(client: httpx.Client) -> str:
         {"road.bump.shape": "cosine", "lqr.weights": [1, 2, 3], "road.bump.height": -0.05, "road.bump.start": 80},
         {"road.bump.shape": "cosine", "lqr.weights": [3, 2, 1], "road.bump.height": 0.05, "road.bump.start": 119},
     ]
-    body = {
-        "scenario": {"road": {"length": 121, "bump": {"start": 80}}},
-        "strategies": ["lqr", "passive"],
-        "sweep": {"list": changes},
-    }
-    accepted = client.post("/api/v1/batches", json=body)
-    assert accepted.status_code == 202, accepted.text
-    return str(wait_for(client, accepted.json()["id"])["id"])
+    scenario, sweep = {"road": {"length": 121, "bump": {"start": 80}}}, {"list": changes}
+    return str(computed(client, scenario=scenario, strategies=["lqr", "passive"], sweep=sweep)["id"])
 
 
 def test_every_kind_of_answer_has_every_header(service: Any, run: dict[str, Any], batch: str, monkeypatch: Any) -> None:

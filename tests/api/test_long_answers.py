@@ -2,7 +2,6 @@
 
 import json
 import socket
-import time
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -17,6 +16,7 @@ from backend.runs import bands
 from backend.runs.series import most_samples, ordered_signals
 from sim_core.scenario import Scenario
 from tests.api.test_hostile_connections import impatient, rest
+from tests.servers.batches import computed
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
 
@@ -82,14 +82,9 @@ def test_a_long_one_is_compressed_and_asked_for_by_its_head(
     assert int(head.headers["content-length"]) == len(plain.content)
 
 
-def test_a_batchs_table_is_the_same(service: Any, client: httpx.Client, monkeypatch: pytest.MonkeyPatch) -> None:
-    body = {
-        "scenario": {"road": {"length": 131.7}},
-        "strategies": ["passive"],
-        "sweep": {"grid": {"road.bump.height": [0.05, 0.06]}},
-    }
-    batch = client.post("/api/v1/batches", json=body).json()["id"]
-    wait_until(lambda: client.get(f"/api/v1/batches/{batch}").json()["state"] == "done", "the batch is done")
+def test_a_batchs_table_is_the_same(client: httpx.Client, monkeypatch: pytest.MonkeyPatch) -> None:
+    scenario, sweep = {"road": {"length": 131.7}}, {"grid": {"road.bump.height": [0.05, 0.06]}}
+    batch = computed(client, scenario=scenario, strategies=["passive"], sweep=sweep)["id"]
     short, long = both(client, monkeypatch, f"/batches/{batch}/table", figures="travel_time")
     assert short.content == long.content
     assert json.loads(long.content)["columns"]["run"] == [0, 1]
@@ -122,22 +117,15 @@ def test_no_room_is_said(
 
 
 def test_space_is_reserved_before_anything_is_computed(
-    service: Any, client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+    service: Any, client: httpx.Client, worker_calls: list[tuple[Any, ...]], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(spool, "MAX_IN_MEMORY", 0)
     body = {"scenario": {"road": {"length": 131.9}}, "strategies": ["passive"], "roads": 2}
     run = client.post("/api/v1/runs", json=body).json()
-    body = {"scenario": body["scenario"], "strategies": ["passive"], "sweep": {"list": [{"road.seed": 1}]}}
-    batch = client.post("/api/v1/batches", json=body).json()["id"]
-    wait_until(lambda: client.get(f"/api/v1/batches/{batch}").json()["state"] == "done", "the batch is done")
+    sweep = {"list": [{"road.seed": 1}]}
+    batch = computed(client, scenario=body["scenario"], strategies=["passive"], sweep=sweep)["id"]
     files = service.app.state.runs._histories._spool
-    calls, original = [], service.app.state.workers.call
-
-    async def counted(function: Any, *arguments: Any, **queued: Any) -> Any:
-        calls.append((function, queued.get("cost", 0.0)))
-        return await original(function, *arguments, **queued)
-
-    monkeypatch.setattr(service.app.state.workers, "call", counted)
+    worker_calls.clear()
     with monkeypatch.context() as limited:
         size = bands.Band.most_nbytes(Scenario.model_validate(run["scenario"]), "passive")
         limited.setattr(files, "_longest", 1.1 * size)  # the band's own file fits
@@ -146,9 +134,9 @@ def test_space_is_reserved_before_anything_is_computed(
         quotas = service.app.state.gate.quotas
         limited.setitem(quotas, "long_answers", replace(quotas["long_answers"], per_client=1))  # no second one
         assert client.get(f"/api/v1/batches/{batch}/table?figures=travel_time").status_code == 429
-    assert not calls
+    assert not worker_calls
     assert client.get(f"/api/v1/runs/{run['id']}/bands").status_code == 200
-    ((function, cost),) = calls[-1:]
+    function, *_, cost = worker_calls[-1]
     assert function is bands.render
     assert cost > 0, "what takes long does not count as short"
 
@@ -184,23 +172,3 @@ def test_who_takes_nothing_or_hangs_up_keeps_no_file(
         wait_until(lambda: not files(folder), "its file is gone")
         if not hangs_up:
             assert len(rest(connection)) < 1_000_000
-
-
-def test_a_slow_reader_gets_all(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(GuardedProtocol, "WRITE_TIMEOUT", 1.0)
-    monkeypatch.setattr(spool, "MAX_IN_MEMORY", 0)
-    run = service.run(["passive"], {"road": {"length": 400}}).json()["id"]
-    path = f"/api/v1/runs/{run}/series?format=csv"
-    whole = service.client.get(path).content
-    with impatient(service.app) as (address, _), socket.socket() as connection:
-        connection.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
-        connection.settimeout(HANG_TIMEOUT)
-        connection.connect(address)
-        connection.sendall(f"GET {path} HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n".encode())
-        received, end = b"", time.monotonic() + 2  # longer than nothing may be taken
-        while time.monotonic() < end:
-            received += connection.recv(2000)
-            time.sleep(0.02)
-        received += rest(connection)
-    assert received.endswith(whole[-1000:])
-    assert len(received) > len(whole)

@@ -2,7 +2,6 @@
 
 import csv
 import io
-import json
 from pathlib import Path
 from typing import Any
 
@@ -16,12 +15,11 @@ from backend.roads.samples import HUMP as HUMP_OF_STREET
 from backend.roads.samples import POTHOLE, SAMPLES
 from backend.roads.survey import read
 from backend.runs.result_cache import ResultCache
-from ridelab import Ridelab
-from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
-from tests.api.cli import Cli
 from tests.api.conftest import Service
-from tests.servers.process import wait_until
+from tests.servers.batches import computed
+from tests.servers.batches import rows as rows_of
 
 HEAD = "distance [m],height [mm]\n"
 X = np.arange(0, 140, 0.1)
@@ -72,8 +70,7 @@ def test_a_stored_road_is_exported_and_the_same_when_sent_again(client: httpx.Cl
     table = np.loadtxt(exported.text.splitlines()[2:], delimiter=",")
     np.testing.assert_allclose(table[:, 1], read(FILE.encode()).road.heights(), atol=1e-9)
     assert (table[0, 0], table[-1, 0]) == (0, sent["length"])
-    with Ridelab(str(client.base_url)) as ridelab:
-        again = ridelab.upload_road(b"".join(ridelab.road_content(sent["id"])))
+    again = send(client, exported.content).json()
     assert (again["id"], again["bumps"]) == (sent["id"], sent["bumps"])
     missing = client.get(f"/api/v1/roads/{MISSING}", params={"format": "csv"})
     assert (missing.status_code, missing.headers["content-type"]) == (404, "application/problem+json")
@@ -102,14 +99,12 @@ def test_a_batch_drives_several_roads(client: httpx.Client, scenario: dict[str, 
     sweep = {"grid": {"road.profile": [sent["id"], None], "speed.target_speed_kmh": [20, 30]}}
     body = {"scenario": scenario, "strategies": ["passive", "speed_only"], "sweep": sweep}
     assert client.post("/api/v1/batches", json={**body, "dry_run": True}).json()["estimated_seconds"] > 0
-    batch = client.post("/api/v1/batches", json=body).json()
-    path = f"/api/v1/batches/{batch['id']}"
-    wait_until(lambda: client.get(path).json()["state"] == "done", "the batch is done")
-    rows = client.get(f"{path}/results").json()["rows"]
+    batch = computed(client, **body)["id"]
+    rows = rows_of(client, batch)
     assert [row["status"] for row in rows] == ["ok"] * 8
     peaks = {row["road.profile"]: row["metrics"]["bump"]["body_acceleration"]["peak"] for row in rows}
     assert peaks[sent["id"]] > 3 * peaks[None], "the hump is in the profile"
-    nominal = client.get(f"{path}/summary").json()["strategies"]["passive"]
+    nominal = client.get(f"/api/v1/batches/{batch}/summary").json()["strategies"]["passive"]
     assert nominal["figures"]["bump.body_acceleration.peak"]["nominal"] > 0
 
 
@@ -142,11 +137,8 @@ def test_a_scenario_without_a_length_ends_with_its_road(service: Service, client
     assert beyond.json()["errors"][0]["pointer"] == "/scenario/road/bump/start"
 
     def travel_times(base: dict[str, Any], sweep: dict[str, Any]) -> list[float | None]:
-        body = {"scenario": base, "strategies": ["passive"], "sweep": sweep}
-        batch = client.post("/api/v1/batches", json=body).json()
-        path = f"/api/v1/batches/{batch['id']}"
-        wait_until(lambda: client.get(path).json()["state"] == "done", "the batch is done")
-        rows = client.get(f"{path}/results").json()["rows"]
+        batch = computed(client, scenario=base, strategies=["passive"], sweep=sweep)
+        rows = rows_of(client, batch["id"])
         return [row["travel_time"] if row["status"] == "ok" else None for row in rows]
 
     speed = 50 / 3.6
@@ -254,83 +246,6 @@ def test_what_is_no_road_is_refused(
     answer = send(client, content, **headers)
     assert (answer.status_code, answer.headers["content-type"]) == (status, "application/problem+json")
     assert said in answer.json()["detail"]
-
-
-def test_the_client_and_the_command_send_a_road_and_drive_it(cli: Cli, client: httpx.Client, tmp_path: Path) -> None:
-    gravel, scenario_file = ROADS / "gravel.csv", tmp_path / "gravel.json"
-    with Ridelab(str(client.base_url)) as ridelab:
-        sent = ridelab.upload_road(gravel)
-        assert ridelab.upload_road(gravel.read_bytes()) == sent
-        assert ridelab.road(sent["id"], points=50)["length"] == sent["length"] == 150
-    printed = cli("road", gravel)
-    assert printed.startswith(f"road.profile={sent['id']}, 150 m")
-    assert all(f"- {warning}" in printed for warning in sent["warnings"])
-    assert cli("road", sent["id"]).startswith(f"road.profile={sent['id']}, 150 m")
-    cli("road", gravel, "--out", scenario_file)
-    run = json.loads(cli("run", scenario_file, "-s", "passive", "--json"))
-    bump = sent["bumps"][0]
-    assert (run["scenario"]["road"]["profile"], run["scenario"]["road"]["length"]) == (sent["id"], 150)
-    assert (run["scenario"]["road"]["bump"]["start"], run["scenario"]["road"]["bump"]["height"]) == (bump["start"], 0)
-    again = json.loads(cli("run", scenario_file, "-s", "passive", "--set", f"road.profile={sent['id']}", "--json"))
-    assert again["id"] == run["id"]
-    shorter = tmp_path / "shorter.csv"
-    shorter.write_text(HEAD + "0,0\n" + "".join(f"{x},{x % 3}\n" for x in range(1, 121)))
-    id_of_it = json.loads(cli("road", shorter, "--json"))["id"]
-    chosen = ("--set", f"road.profile={id_of_it}", "--set", "road.bump.height=0")
-    for target in ("paper", scenario_file):
-        run = json.loads(cli("run", target, "-s", "passive", *chosen, "--set", "road.bump.start=100", "--json"))
-        assert run["scenario"]["road"]["length"] == 120
-    run = json.loads(cli("run", "-s", "passive", *chosen, "--set", "road.length=110", "--json"))
-    assert run["scenario"]["road"]["length"] == 110
-    (tmp_path / "bad.csv").write_text("distance [m],height [mm]\n0,0\n1,NaN\n")
-    cli("road", tmp_path / "bad.csv", code=2)
-    assert "Line 3: A value is not a finite number" in cli.error
-
-
-def test_the_command_drives_a_librarys_file_with_its_road(
-    cli: Cli, client: httpx.Client, scenario: dict[str, Any], sent: dict[str, Any], tmp_path: Path
-) -> None:
-    """Where the scenario names a road that the service does not have, the file's own is sent to it."""
-    csv = client.get(f"/api/v1/roads/{sent['id']}", params={"format": "csv"}).text
-    there = {"road": {**scenario["road"], "profile": MISSING}, "estimation": {"kind": "kalman"}}
-    file = tmp_path / "street.json"
-    file.write_text(json.dumps({"schema_version": 1, "label": "Street", "scenario": there, "measured_road": csv}))
-    run = json.loads(cli("run", file, "-s", "passive", "--json"))
-    assert run["scenario"]["road"]["profile"] == sent["id"]
-    estimation = run["scenario"]["estimation"]
-    assert (estimation["kind"], estimation["knows_preview"]) == ("kalman", False), "a file of core 0.3.0"
-    file.write_text(json.dumps({"schema_version": 99, "scenario": there}))
-    cli("run", file, "-s", "passive", code=2)
-    newest = f"this service reads up to {SCHEMA_VERSION}: update Ridelab"
-    assert f"street.json: its schema version is 99, and {newest}" in cli.error
-
-
-@pytest.mark.parametrize(
-    ("length", "hump", "bump"),
-    [
-        (50, None, {"height": 0, "start": 46, "width": 4}),
-        (200, None, {"height": 0, "start": 100, "width": 4}),
-        (5, None, {"height": 0, "start": 1, "width": 4}),
-        (2500, 2300, {"height": 0, "start": pytest.approx(2300, abs=0.5), "width": pytest.approx(3, abs=1)}),
-    ],
-)
-def test_the_commands_scenario_can_be_driven(
-    cli: Cli, tmp_path: Path, length: int, hump: int | None, bump: dict[str, Any]
-) -> None:
-    x = np.arange(0, length + 0.05, 0.1)
-    inside = np.zeros(len(x), bool) if hump is None else (x > hump) & (x < hump + 3)
-    height = 80 * np.where(inside, (1 - np.cos(2 * np.pi * (x - (hump or 0)) / 3)) / 2, 0)
-    file, scenario_file = tmp_path / "road.csv", tmp_path / "road.json"
-    file.write_text(HEAD + "".join(f"{x:.1f},{h:.2f}\n" for x, h in zip(x, height, strict=True)))
-    cli("road", file, "--out", scenario_file)
-    assert json.loads(scenario_file.read_text())["road"]["bump"] == bump
-    run = json.loads(cli("run", scenario_file, "-s", "passive", "--json"))
-    assert run["strategies"]["passive"]["status"] == "ok"
-
-
-def test_a_file_that_is_not_there_is_named(cli: Cli) -> None:
-    cli("road", "nofile.csv", code=2)
-    assert "nofile.csv: neither a file nor a measured road's id" in cli.error
 
 
 @pytest.mark.parametrize("name", SAMPLES)

@@ -18,6 +18,7 @@ import pytest
 from backend.api.schema import Catalogue, PresetAnswer, StrategyAnswer
 from backend.app import create_app
 from backend.errors import BusyError, RoadGoneError, ServiceError, TooManyRequestsError
+from backend.http.field_descriptions import EVERYWHERE, OF_MODELS
 from backend.runs.service import Runs
 from backend.settings import Settings
 from sim_core.catalogue import SIGNALS
@@ -132,6 +133,32 @@ def test_headers_tags_links_and_names_are_described(description: dict[str, Any])
     assert all(parameter["description"] for each in operations.values() for parameter in each.get("parameters", ()))
 
 
+def test_schemas_have_titles_of_their_own_and_every_field_is_described(description: dict[str, Any]) -> None:
+    """Generators name types by titles, and put descriptions beside each field."""
+    schemas = description["components"]["schemas"]
+    titles = [schema["title"] for schema in schemas.values()]
+    assert len(set(titles)) == len(titles)
+    fields = {
+        f"{name}.{field}": each
+        for name, schema in schemas.items()
+        for field, each in schema.get("properties", {}).items()
+    }
+    assert [name for name, each in fields.items() if not each.get("description")] == []
+    unused = {
+        field for field in EVERYWHERE if not any(each["description"] == EVERYWHERE[field] for each in fields.values())
+    }
+    assert unused | (OF_MODELS.keys() - fields.keys()) == set()
+
+
+def test_files_are_bytes_or_text(description: dict[str, Any]) -> None:
+    operations = [each for methods in description["paths"].values() for each in methods.values()]
+    contents = [answer.get("content", {}) for each in operations for answer in each["responses"].values()]
+    contents += [each["requestBody"]["content"] for each in operations if "requestBody" in each]
+    files = {name: each["schema"] for content in contents for name, each in content.items() if "json" not in name}
+    assert {"text/csv", "application/zip", "application/vnd.apache.parquet"} <= files.keys()
+    assert all(schema["type"] == "string" or name == "text/event-stream" for name, schema in files.items())
+
+
 def test_what_no_id_names_is_not_found(client: httpx.Client, description: dict[str, Any]) -> None:
     for path, operations in description["paths"].items():
         address = re.sub(r"\{(id|slug)\}", "A" * 22, path).replace("{name}", "speed")
@@ -197,7 +224,7 @@ def test_the_dashboard_is_served_at_its_addresses(built: Path) -> None:
             assert (await client.get("/assets/index-abc123.js.br")).status_code == 404, "no script"
             assert (await client.get("/favicon.svg")).headers["content-type"] == "image/svg+xml"
             assert (await client.get("/docs-assets/swagger-ui-bundle.js")).status_code == 200
-            for path in ("/assets/../index.html", "/assets/%2e%2e/index.html", "/r/a/b", "/index.htm", "/s", "/b"):
+            for path in ("/r/a/b", "/index.htm", "/s", "/b"):
                 assert (await client.get(path)).status_code == 404
 
     loops.run(visit)

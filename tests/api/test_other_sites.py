@@ -9,7 +9,7 @@ from starlette.responses import Response
 from backend.http.guard import GuardMiddleware
 from backend.settings import Settings
 from tests.api.test_problems import check
-from tests.servers import loops
+from tests.servers.loops import ask
 
 
 @pytest.mark.parametrize("path", ["batches/nobody/cancel", "tunings/nobody/resume", "runs", "live"])
@@ -38,7 +38,8 @@ def test_the_own_page_and_the_hosts_that_are_listed_are_no_other_site(client: ht
     assert client.post("/api/v1/live", headers=behind).status_code == 415
     guard = GuardMiddleware(Response("here"), Settings(allowed_hosts="lab.example.com,127.0.0.1").hosts)
     for origin, status in (("https://LAB.example.com", 200), ("http://lab.example.com:81", 200), ("http://x.com", 403)):
-        assert ask(guard, "POST", "/", {"Host": "127.0.0.1:8000", "Origin": origin}).status_code == status
+        headers = {"Host": "127.0.0.1:8000", "Origin": origin}
+        assert ask(guard, "POST", "/", headers=headers).status_code == status
 
 
 def browsers(mode: str, destination: str, **more: str) -> dict[str, str]:
@@ -74,19 +75,11 @@ def test_another_sites_picture_has_nothing_computed(
     assert client.get("/", headers=headers).status_code == 200, "the page itself computes nothing"
 
 
-def ask(guard: GuardMiddleware, method: str, path: str, headers: dict[str, str]) -> httpx.Response:
-    async def answer() -> httpx.Response:
-        async with httpx.AsyncClient(transport=httpx.ASGITransport(guard), base_url="http://x") as client:
-            return await client.request(method, path, headers=headers)
-
-    return loops.run(answer)
-
-
 def test_only_hosts_that_are_listed_are_served() -> None:
     guard = GuardMiddleware(Response("here"), Settings(allowed_hosts="Lab.example.com, *.example.org,::1").hosts)
 
     def get(path: str, host: str) -> httpx.Response:
-        return ask(guard, "GET", path, {"Host": host})
+        return ask(guard, "GET", path, headers={"Host": host})
 
     for host in ("lab.example.com", "LAB.example.com:8000", "a.example.org", "a.b.example.org:1", "[::1]:8000"):
         assert get("/", host).status_code == 200

@@ -1,5 +1,8 @@
 """Every error is a problem with the security headers, and the service goes on."""
 
+import asyncio
+import itertools
+import threading
 from typing import Any
 
 import httpx
@@ -18,13 +21,15 @@ from backend.http.kinds import KINDS
 from backend.http.problems import Problem
 from sim_core.errors import RidelabError, TooExpensiveError
 from sim_core.scenario import Scenario
-from tests.servers.process import HANG_TIMEOUT
+from tests.servers.process import HANG_TIMEOUT, wait_until
 
 HARD = {
     "road": {"length": 3000},
     "speed": {"initial_speed_kmh": 20},
     "mpc": {"sample_time": 0.002, "prediction_horizon": 200, "control_horizon": 100, "solver": "osqp"},
 }
+
+SOLVE = {"strategy": "passive", "field": "road.bump.height", "metric": "travel_time", "range": [0.05, 0.1], "limit": 99}
 
 
 def check(response: httpx.Response, status: int, kind: str) -> Problem:
@@ -46,8 +51,6 @@ def test_unknown_addresses_are_404(client: httpx.Client) -> None:
     for path in ("/nowhere", "/api/v1", "/api/v1/nothing", "/api/v2/runs", "/assets/none.js", "/docs-assets/none.js"):
         check(client.get(path), 404, "not-found")
     check(client.post("/api/v1/nothing", json={}), 404, "not-found")
-    for things in ("runs", "batches", "tunings", "links"):
-        check(client.get(f"/api/v1/{things}/nothing"), 404, "not-found")
 
 
 @pytest.mark.parametrize(("method", "path", "allowed"), [("DELETE", "runs", {"POST"}), ("POST", "schema", {"GET"})])
@@ -115,18 +118,17 @@ def test_a_scenario_that_costs_too_much_is_refused_with_limit_and_estimate(servi
         ("live", {"strategies": ["passive"], "scenario": {"road": {"length": 133.3}}}),
         ("runs", {"strategies": ["passive"], "scenario": {"road": {"length": 133.4}}}),
         ("controller", {"scenario": {"road": {"length": 133.3}}}),
+        ("solve", {**SOLVE, "scenario": {"road": {"length": 133.5}}}),
     ],
 )
 def test_a_client_that_goes_away_calls_its_request_off(
     service: Any, monkeypatch: pytest.MonkeyPatch, path: str, asked: dict[str, Any]
 ) -> None:
     """While somebody drags on, the waiting computation of the old position is cancelled."""
-    import asyncio
-    import threading
-
-    waiting, called_off = threading.Event(), threading.Event()
+    calls, waiting, called_off = itertools.count(), threading.Event(), threading.Event()
 
     async def never(*_: Any, **__: Any) -> Any:
+        next(calls)
         waiting.set()
         try:
             await asyncio.Event().wait()
@@ -138,5 +140,7 @@ def test_a_client_that_goes_away_calls_its_request_off(
     with service.begun("POST", f"/api/v1/{path}", asked):
         assert waiting.wait(HANG_TIMEOUT)
     assert called_off.wait(HANG_TIMEOUT)
+    wait_until(lambda: service.app.state.gate.load["requests"] == 0, "it is over")
+    assert next(calls) == 1, "nothing more was begun"
     monkeypatch.undo()
     assert service.client.post(f"/api/v1/{path}", json=asked).status_code == 200

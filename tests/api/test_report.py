@@ -13,7 +13,6 @@ import plotly.graph_objects as go
 import pytest
 
 from backend.runs.figures import PANELS
-from ridelab import Ridelab, RidelabAPIError
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS
 from tests.html import Element, check, read
 
@@ -175,14 +174,6 @@ def test_it_is_compressed_where_that_is_taken(
     with client.stream("GET", path) as response:
         raw = b"".join(response.iter_raw())
     assert gzip.decompress(raw) == answer.content
-
-
-def test_the_client_takes_it_along(client: httpx.Client, run: dict[str, Any], answer: httpx.Response) -> None:
-    with Ridelab(str(client.base_url)) as ridelab:
-        stored = ridelab.get_run(run["id"])
-        assert b"".join(ridelab.run_report(stored)) == answer.content
-        with pytest.raises(RidelabAPIError, match="baseline"):
-            b"".join(ridelab.run_report(stored, baseline="speed_only"))
 
 
 def test_a_run_without_histories_keeps_its_tables(service: Any, run: dict[str, Any]) -> None:

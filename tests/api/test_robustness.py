@@ -1,18 +1,16 @@
-"""A batch's summary and the robustness command, over HTTP: against the exported rows, and what is refused."""
+"""A batch's summary over HTTP: against the exported rows, and what is refused."""
 
-import json
 import statistics
 from typing import Any
 
 import httpx
 import pytest
 
-from backend.jobs.sweep.models import BatchSummary
-from backend.jobs.sweep.robustness import FIGURES, UNCERTAINTIES
-from backend.jobs.sweep.summary_models import RobustnessDefaults
-from ridelab.cli.app import run as command
+from backend.batches.models import BatchSummary
+from backend.batches.robustness import FIGURES, UNCERTAINTIES
+from backend.batches.summary_models import RobustnessDefaults
 from sim_core.scenario import dotted
-from tests.servers.batches import wait_for
+from tests.servers.batches import computed
 
 # Nobody else's, so that nothing is stored yet; short, so that it is quick.
 BASE: dict[str, Any] = {"road": {"length": 92, "bump": {"start": 70}}, "speed": {"detection_distance": 50}}
@@ -31,10 +29,8 @@ POINTS = [
 
 @pytest.fixture(scope="module")
 def batch(client: httpx.Client) -> str:
-    body = {"scenario": BASE, "strategies": ["passive", "lqr", "lv"], "sweep": {"list": POINTS}}
-    answer = client.post("/api/v1/batches", json=body)
-    assert answer.status_code == 202, answer.text
-    ended = wait_for(client, answer.json()["id"])
+    sweep = {"list": POINTS}
+    ended = computed(client, scenario=BASE, strategies=["passive", "lqr", "lv"], sweep=sweep)
     assert (ended["state"], ended["failed"]) == ("done", 24)
     return str(ended["id"])
 
@@ -96,12 +92,12 @@ def test_the_nominal_values_are_those_of_the_batchs_own_scenario(client: httpx.C
 
 def test_a_running_batch_is_summarised_by_its_finished_runs(client: httpx.Client) -> None:
     body = {"scenario": {**BASE, "road": {**BASE["road"], "seed": 77}}, "strategies": ["passive"]}
-    sweep = {"latin_hypercube": {"ranges": {"mismatch.body_mass": [0.8, 1.2]}, "samples": 400}}
+    sweep = {"latin_hypercube": {"ranges": {"mismatch.body_mass": [0.8, 1.2]}, "samples": 100}}
     batch = client.post("/api/v1/batches", json={**body, "sweep": sweep}).json()["id"]
     summary = read(client, batch)
     of = summary["strategies"]["passive"]
     assert summary["baseline"] == "passive"
-    assert of["ok"] + of["unfinished"] == 400
+    assert of["ok"] + of["unfinished"] == 100
     assert of["figures"][PEAK]["n"] == of["ok"]
     client.post(f"/api/v1/batches/{batch}/cancel")
 
@@ -138,38 +134,3 @@ def test_the_defaults_are_ranges_that_a_batch_takes(client: httpx.Client) -> Non
     body = {"scenario": BASE, "strategies": usual["strategies"], "sweep": sweep, "dry_run": True}
     estimate = client.post("/api/v1/batches", json=body).json()
     assert (estimate["points"], estimate["contradictory"]) == (usual["samples"], 0)
-
-
-def test_the_command_prints_the_summary_the_service_gives(
-    client: httpx.Client, capsys: pytest.CaptureFixture[str]
-) -> None:
-    server = str(client.base_url).rstrip("/")
-    options = ["--server", server, "--samples", "12", "--strategy", "lv,passive", "--exact", "road.seed"]
-    options += ["--range", "mismatch.damping=0.5:1.5", "--set", "road.length=92", "--set", "road.bump.start=70"]
-    assert command(["robustness", *options, "--json"]) == 0
-    summary = json.loads(capsys.readouterr().out)
-    ranges = client.get(f"/api/v1/batches/{summary['batch']}").json()["sweep"]["latin_hypercube"]["ranges"]
-    assert ranges["mismatch.damping"] == [0.5, 1.5]
-    assert len(ranges) == len(UNCERTAINTIES) - 1
-    assert summary == client.get(f"/api/v1/batches/{summary['batch']}/summary").json()
-
-    assert command(["robustness", *options]) == 0
-    printed = capsys.readouterr().out
-    median = summary["strategies"]["lv"]["figures"][PEAK]["quantiles"][3]
-    assert f"{median:.4g}" in printed.split(PEAK)[1].split("\n\n")[0]
-    assert "unstable" in printed
-
-
-@pytest.mark.parametrize(
-    ("options", "said"),
-    [
-        (["--exact", ",".join(each.field for each in UNCERTAINTIES)], "Nothing is uncertain: every field is exact"),
-        (["--exact", "road.bump.height"], "--exact: road.bump.height is not varied"),
-        (["--baseline", "groundhook"], "--baseline: groundhook is not among the strategies"),
-    ],
-)
-def test_a_study_of_nothing_is_refused(
-    client: httpx.Client, capsys: pytest.CaptureFixture[str], options: list[str], said: str
-) -> None:
-    assert command(["robustness", "--server", str(client.base_url).rstrip("/"), *options]) == 2
-    assert said in capsys.readouterr().err

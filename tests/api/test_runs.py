@@ -5,20 +5,23 @@ from typing import Any
 
 import pytest
 
+from backend.digest import run_id
 from backend.models import CreatedRun, LiveRun, Run
+from backend.store.runs import RunStore
 from sim_core import __version__
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STATISTICS, WINDOWS
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
+from tests.api.conftest import Service
 
-heights = itertools.count(1)
+lengths = itertools.count(1)
 
 
 @pytest.fixture
-def fresh(road: dict[str, Any]) -> dict[str, Any]:
+def unseen(road: dict[str, Any]) -> dict[str, Any]:
     """A scenario that no test has run yet."""
-    return {"road": {**road, "bump": {**road["bump"], "height": 0.05 + 1e-5 * next(heights)}}}
+    return {"road": {**road, "length": 130 + 1e-3 * next(lengths)}}
 
 
 def plain(result: StrategyResult) -> dict[str, Any]:
@@ -96,66 +99,40 @@ def test_get_is_the_same_run_without_cached_and_immutable(client: Any, run: dict
     assert client.get(f"/api/v1/runs/{run['id']}", headers={"If-None-Match": '"other"'}).status_code == 200
 
 
-def test_live_answers_series_and_stores_nothing(service: Any, client: Any, fresh: dict[str, Any]) -> None:
-    first = service.live(["lv", "passive"], fresh)
+def test_what_the_client_has_is_neither_read_nor_rendered(
+    service: Any, client: Any, run: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path, tag = f"/api/v1/runs/{run['id']}", f'W/"{run["id"]}"'
+    monkeypatch.delattr(RunStore, "load")
+    assert client.get(path, headers={"If-None-Match": tag}).status_code == 304
+    monkeypatch.undo()
+    unknown = f'W/"{"A" * 22}"'
+    assert client.get(f"/api/v1/runs/{'A' * 22}", headers={"If-None-Match": unknown}).status_code == 404
+
+
+def test_live_answers_series_and_stores_nothing(service: Any, client: Any, unseen: dict[str, Any]) -> None:
+    first = service.live(["lv", "passive"], unseen)
     assert first.status_code == 200
     answer = first.json()
     LiveRun.model_validate(answer)
     assert set(answer) == {"core_version", "scenario", "strategies"}
+    identifier = run_id(Scenario.model_validate(answer["scenario"]), ["lv", "passive"])
+    assert client.get(f"/api/v1/runs/{identifier}").status_code == 404
     for entry in answer["strategies"].values():
         assert entry["cached"] is False
         assert list(entry["series"]) == list(SIGNALS)
-    assert all(entry["cached"] for entry in service.live(["lv", "passive"], fresh).json()["strategies"].values())
-    posted = service.run(["lv", "passive"], fresh).json()
+    assert all(entry["cached"] for entry in service.live(["lv", "passive"], unseen).json()["strategies"].values())
+    posted = service.run(["lv", "passive"], unseen).json()
     assert all(entry["cached"] for entry in posted["strategies"].values()), "what a drag computed is stored as it is"
     for name, entry in posted["strategies"].items():
         assert entry["metrics"] == answer["strategies"][name]["metrics"]
         assert entry["compute_ms"] == answer["strategies"][name]["compute_ms"]
 
 
-def test_a_live_run_is_no_stored_run(service: Any, client: Any, fresh: dict[str, Any]) -> None:
-    from backend.digest import run_id
-
-    answer = service.live(["passive"], fresh).json()
-    assert (
-        client.get(f"/api/v1/runs/{run_id(Scenario.model_validate(answer['scenario']), ['passive'])}").status_code
-        == 404
-    )
-
-
-def test_live_takes_points_and_signals(service: Any, run: dict[str, Any]) -> None:
-    entry = service.live(["passive"], run["scenario"], points=50, signals=["speed"]).json()["strategies"]["passive"]
-    assert list(entry["series"]) == ["time", "position", "speed"]
-    fewer = len(entry["series"]["time"]["bdata"])
-    entry = service.live(["passive"], run["scenario"], points=2000).json()["strategies"]["passive"]
-    assert len(entry["series"]["time"]["bdata"]) > fewer
-
-
-def test_a_refused_strategy_fails_alone_and_says_why(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_refused_strategy_fails_alone_and_says_why(service: Service, lqr_fails: int) -> None:
     """A failure is a deterministic result like any other: stored, with its reason, beside those that succeeded."""
-    from backend.outcome import Outcome
-
-    workers = service.app.state.workers
-    original = workers.call
-
-    async def refused(
-        function: Any, scenario: Scenario, keys: dict[str, str], points: int | None, **queued: Any
-    ) -> Any:
-        outcomes = await original(function, scenario, keys, points, **queued)
-        outcomes["lqr"] = Outcome(
-            key=keys["lqr"],
-            strategy="lqr",
-            status="failed",
-            json=b'{"reason":"no controller"}',
-            compute_ms=1.0,
-            points=points,
-        )
-        return outcomes
-
-    monkeypatch.setattr(workers, "call", refused)
-    scenario = {"road": {"length": 131.9}}
+    scenario = {"road": {"length": 131.9, "seed": lqr_fails}}
     answer = service.run(["lqr", "passive"], scenario).json()
-    monkeypatch.undo()
     CreatedRun.model_validate(answer)
     assert answer["strategies"]["lqr"] == {
         "status": "failed",

@@ -210,7 +210,7 @@ def changed(path: Path, statement: str) -> None:
         (lambda path: path.write_bytes(b"no database at all" * 100), "it is no SQLite database"),
         (lambda path: path.write_bytes(b""), "is empty: put a backup in its place"),
         (damaged, "it is damaged; put a backup in its place"),
-        (newer, "is of a newer version of Ridelab (schema 9999, this one knows 0009)"),
+        (newer, "is of a newer version of Ridelab (schema 9999, this one knows 0010)"),
         (older, "is of a version of Ridelab before 0.2.0 (schema 0003): start 0.2.0 on it once"),
         (strange, "is another program's database"),
         (lambda path: (path.unlink(), path.mkdir()), "it cannot be opened"),
@@ -229,13 +229,31 @@ def test_a_start_says_what_is_wrong_with_the_database(path: Path, spoil: Callabl
     assert there is None or path.read_bytes() == there
 
 
-def test_a_damaged_page_is_said_once_it_is_met(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+def damage_rows(path: Path) -> None:
+    damage_pages(path, b'"metrics"')
+
+
+def damage_header(path: Path) -> None:
+    with path.open("r+b") as file:
+        file.write(b"\xff" * 100)
+
+
+def tear(path: Path) -> None:
+    """As a power cut may leave it: the second half never reached the disk."""
+    with path.open("r+b") as file:
+        file.truncate(path.stat().st_size // 2)
+
+
+@pytest.mark.parametrize("spoil", [damage_rows, damage_header, tear])
+def test_a_damaged_page_is_said_once_it_is_met(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture, spoil: Callable[[Path], None]
+) -> None:
     """The header and most rows are as they were: only who reads the page can know."""
     body = {"scenario": {"road": {"length": 12, "bump": {"start": 5, "width": 2}}}, "strategies": ["passive"]}
     for service in serve(Settings(data_dir=tmp_path, workers=1, batch_workers=1)):
         run = service.client.post("/api/v1/runs", json=body).raise_for_status().json()
         assert service.client.get("/readyz").json()["reason"] is None
-        damage_pages(tmp_path / "ridelab.sqlite", b'"metrics"')
+        spoil(tmp_path / "ridelab.sqlite")
         assert service.client.get(f"/api/v1/runs/{run['id']}").status_code == 503
         unready = service.client.get("/readyz")
         assert (unready.status_code, unready.json()["store"]) == (503, False)

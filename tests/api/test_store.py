@@ -1,7 +1,6 @@
 """The store on both databases it knows: SQLite, and a real PostgreSQL."""
 
 import contextlib
-import json
 import os
 import shutil
 import socket
@@ -19,7 +18,8 @@ from sqlalchemy import func, select
 from sqlalchemy.exc import IntegrityError, SQLAlchemyError
 
 import backend.db.migrations
-from backend.db.sqlite import wal_is_safe
+from backend.db.database import DAMAGED
+from backend.db.sqlite import DamagedDatabaseError, wal_is_safe
 from backend.db.tables import metadata, results
 from backend.outcome import Outcome
 from backend.store import Store, StoredLink, StoredRun
@@ -115,23 +115,6 @@ def test_a_database_of_a_release_keeps_every_row(open_store: OpenStore, version:
             assert any(same.items() <= each.items() for each in there), (table, row)
 
 
-def test_batches_and_tunings_of_release_0_2_0_are_kinds_of_job(open_store: OpenStore) -> None:
-    store = open_store()
-    release.restore(store, "0.2.0")
-    store.migrate()
-    old = release.content("0.2.0")["tables"]
-    jobs = {row["id"]: job for row in release.rows("0.2.0", "jobs") if (job := store.jobs.load(row["id"]))}
-    for row in old["batches"]:
-        job = jobs[row["id"]]
-        assert job.request == {name: json.loads(row[name]) for name in ("scenario", "strategies", "fields")}
-        key = row["idempotency_key"] or ""
-        assert (job.kind, job.parent_id) == ("sweep", key.split()[1] if " " in key else None)
-    for row in old["tunings"]:
-        job, counted = jobs[row["id"]], ("step", "attempt", "generation", "feasible")
-        assert job.progress == {name: row[name] for name in counted} | {"batch": row["batch_id"]}
-        assert (job.kind, job.parent_id) == ("tuning", None)
-
-
 def test_migrating_again_and_from_many_processes_changes_nothing(open_store: OpenStore) -> None:
     stores = [open_store() for _ in range(4)]
     assert not in_threads(*(store.migrate for store in stores))
@@ -202,6 +185,22 @@ def test_a_lost_database_is_reported_and_used_again_when_it_is_back(postgres: Po
         assert server_store.runs.load("before") == saved
         assert server_store.runs.load("during") is None
     save(server_store, "during", "b")
+
+
+def test_a_damaged_page_of_a_server_is_said_once_it_is_met(postgres: Postgres, server_store: Store) -> None:
+    save(server_store, "run", "a")
+    with server_store.reading() as connection:
+        path = connection.exec_driver_sql("SELECT pg_relation_filepath('results')").scalar_one()
+    server_store.ping()
+    postgres.stop()
+    with (postgres.folder / "data" / path).open("r+b") as file:
+        file.write(b"\xff" * 8192)
+    postgres.start()
+    with pytest.raises(SQLAlchemyError):
+        server_store.runs.load("run")
+    assert server_store.damage == DAMAGED
+    with pytest.raises(DamagedDatabaseError):
+        server_store.ping()
 
 
 def test_a_connection_the_server_closed_is_replaced(postgres: Postgres, server_store: Store) -> None:

@@ -11,36 +11,22 @@ import pytest
 from sqlalchemy import update
 
 from backend.db.tables import jobs
-from backend.settings import Settings
 from backend.store import Store
-from tests.api.conftest import serve
+from tests.api.conftest import TOKENS, Service
 from tests.api.test_job_store import BATCH
 from tests.api.test_problems import check
-from tests.servers.postgres import Postgres
 from tests.servers.process import HANG_TIMEOUT
 
-OWNER, TOKEN = "o" * 64, "0123456789abcdef"
+OWNER = max(TOKENS, key=len)
 SWEEP: dict[str, Any] = {"strategies": ["passive"], "sweep": {"list": [{"road.seed": 1}]}}
 
 
 @pytest.fixture(scope="module")
-def client(
-    postgres: Postgres, migrated_postgres: str, tmp_path_factory: pytest.TempPathFactory
-) -> Iterator[httpx.Client]:
-    """A service on PostgreSQL, and a token with the longest name."""
-    folder: Path = tmp_path_factory.mktemp("text")
-    (folder / "tokens").write_text(f"{OWNER} {TOKEN}\n")
-    settings = {
-        "data_dir": folder,
-        "database_url": postgres.new_database(migrated_postgres),
-        "workers": 1,
-        "batch_workers": 1,
-        "tokens_file": folder / "tokens",
-    }
-    for service in serve(Settings.model_validate(settings)):
-        headers = {"Authorization": f"Bearer {TOKEN}"}
-        with httpx.Client(base_url=service.client.base_url, headers=headers, timeout=HANG_TIMEOUT) as client:
-            yield client
+def client(with_tokens: Service) -> Iterator[httpx.Client]:
+    """Of the token with the longest name, at a service on PostgreSQL."""
+    headers = {"Authorization": f"Bearer {TOKENS[OWNER]}"}
+    with httpx.Client(base_url=with_tokens.client.base_url, headers=headers, timeout=HANG_TIMEOUT) as client:
+        yield client
 
 
 @pytest.mark.parametrize("text", ["a\0b", "a\nb", "\tx", "a\x7f", "a\u2028b", "a\u202eb"])

@@ -2,7 +2,7 @@
 
 import re
 import time
-from collections.abc import Awaitable, Callable, Iterator
+from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 
@@ -22,15 +22,15 @@ from backend.settings import Settings, SettingsError
 from backend.store import Store
 from backend.token_file import read_tokens
 from tests.api import tuning
-from tests.api.conftest import Service, serve
+from tests.api.conftest import TOKENS, Service
 from tests.api.test_problems import check
 from tests.servers import loops
+from tests.servers.loops import ask
 from tests.servers.process import HANG_TIMEOUT
 
-ANN, BEN = "ann-0123456789abcdef", "ben/+~.0123456789=="
+ANN, BEN = TOKENS["ann"], TOKENS["ben"]
 LINES = f"# who may\n\nann {ANN}\n  ben\t{BEN}  \n"
 API = "/api/v1/strategies"
-Ask = Callable[[httpx.AsyncClient], Awaitable[httpx.Response]]
 
 
 @pytest.fixture
@@ -52,15 +52,6 @@ def app(tmp_path: Path, file: Path) -> FastAPI:
         return caller
 
     return app
-
-
-def ask(app: FastAPI, method: str, path: str, *, scheme: str = "http", **more: object) -> httpx.Response:
-    async def answer() -> httpx.Response:
-        transport = httpx.ASGITransport(app)
-        async with httpx.AsyncClient(transport=transport, base_url=f"{scheme}://lab.example") as client:
-            return await client.request(method, path, **more)  # type: ignore[arg-type]  # passed on as they came
-
-    return loops.run(answer)
 
 
 def bearer(token: str) -> dict[str, str]:
@@ -94,7 +85,7 @@ def test_a_link_shows_nothing_of_what_it_opens(app: FastAPI) -> None:
 @pytest.mark.parametrize("scheme", ["http", "https"])
 def test_the_page_logs_in_once_and_keeps_a_cookie(app: FastAPI, scheme: str) -> None:
     check(ask(app, "POST", "/api/v1/login", json={"token": "wrong"}), 401, "token-required")
-    logged_in = ask(app, "POST", "/api/v1/login", scheme=scheme, json={"token": ANN})
+    logged_in = ask(app, "POST", f"{scheme}://lab.example/api/v1/login", json={"token": ANN})
     assert logged_in.status_code == 204
     cookie = logged_in.headers["set-cookie"]
     assert cookie.startswith(f"{COOKIE}=")
@@ -228,16 +219,6 @@ SUBMITTED = {
     "batches": {"scenario": {}, "strategies": ["passive"], "sweep": {"grid": {"road.seed": [1, 2]}}},
     "tunings": tuning.REQUEST,
 }
-
-
-@pytest.fixture(scope="module")
-def with_tokens(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
-    """A service with two tokens."""
-    folder = tmp_path_factory.mktemp("guarded")
-    file = folder / "tokens"
-    file.write_text(LINES)
-    limits = {"workers": 1, "batch_workers": 1, "tokens_file": file}
-    yield from serve(Settings.model_validate({"data_dir": folder, **limits}))
 
 
 @pytest.fixture(scope="module")

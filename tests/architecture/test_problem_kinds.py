@@ -9,7 +9,7 @@ from pathlib import Path
 from backend.http.kinds import KINDS, OF_STATUS, TYPES
 
 ROOT = Path(__file__).parents[2]
-ROW = re.compile(r"^\| `([a-z-]+)` \| ([\d, ]+) \| ([^|]+) \| ([^|]+) \|$", re.MULTILINE)
+ROW = re.compile(r"^\| `([a-z-]+)` \| ([\d, ]+) \| ([^|]+) \| ([^|]+) \| ([^|]+) \|$", re.MULTILINE)
 PROXY = re.compile(r"http-error status (\d+) content-type application/problem\+json lf-string '(.*?)'")
 
 
@@ -55,10 +55,10 @@ def test_the_proxys_problems_are_of_the_list() -> None:
         assert content["request_id"] == "%[unique-id]"
 
 
-def test_the_page_shows_each_with_its_statuses_its_meaning_and_an_example() -> None:
+def test_the_page_shows_each_with_its_statuses_its_meaning_what_to_do_and_an_example() -> None:
     rows = ROW.findall((ROOT / "docs" / "api.md").read_text(encoding="utf-8"))
-    shown = {name: (statuses, meaning) for name, statuses, meaning, _ in rows}
-    listed = {kind.name: (", ".join(map(str, kind.statuses)), kind.meaning) for kind in KINDS.values()}
+    shown = {name: (statuses, meaning, remedy) for name, statuses, meaning, remedy, _ in rows}
+    listed = {kind.name: (", ".join(map(str, kind.statuses)), kind.meaning, kind.remedy) for kind in KINDS.values()}
     assert shown == listed
     assert [name for name, *_ in rows] == list(KINDS)
     assert all(example.strip() for *_, example in rows)

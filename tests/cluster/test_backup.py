@@ -6,10 +6,12 @@ That a batch goes on from a copy is shown in tests/drill/test_database.py.
 import os
 import re
 import shlex
+import sqlite3
 import subprocess
 import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -17,11 +19,12 @@ from sqlalchemy import make_url
 
 from backend.outcome import Outcome
 from backend.store import Store, StoredRun
-from tests.api.cli import Cli
+from tests.client.cli import Cli
 from tests.servers.postgres import Postgres, program
 from tests.servers.process import wait_until
 
 ROOT = Path(__file__).parents[2]
+PAGE_SIZE = 4096
 PAGE = (ROOT / "docs/operations.md").read_text()
 
 Backup = Callable[..., str]
@@ -30,6 +33,18 @@ Backup = Callable[..., str]
 def save(store: Store, run_id: str) -> StoredRun:
     result = Outcome(key=f"of {run_id}", strategy="lv", status="ok", json='{"a":"ä"}'.encode(), compute_ms=2.0)
     return store.runs.save(StoredRun(id=run_id, core_version="1", schema_version=1, scenario={}, results=(result,)))
+
+
+def page_of(database: Path, name: str) -> int:
+    """The number of the first page of that table, from 1."""
+    with closing(sqlite3.connect(database)) as connection:
+        (page,) = connection.execute("SELECT rootpage FROM sqlite_master WHERE name = ?", [name]).fetchone()
+    return int(page)
+
+
+def damaged(content: bytes, page: int) -> bytes:
+    """With that page overwritten."""
+    return content[: (page - 1) * PAGE_SIZE] + b"\xff" * PAGE_SIZE + content[page * PAGE_SIZE :]
 
 
 def documented(pattern: str) -> list[str]:
@@ -90,7 +105,7 @@ def test_no_copy_is_half_and_none_is_lost(sqlite_store: Store, tmp_path: Path, b
     assert "is there already; --force replaces it" in backup(code=2)
     database = tmp_path / "data/ridelab.sqlite"
     whole = database.read_bytes()
-    database.write_bytes(whole[:-4096] + b"\xff" * 4096)
+    database.write_bytes(damaged(whole, page_of(database, "results")))
     assert "damaged" in backup("--force", code=2)
     database.write_bytes(b"no database at all" * 100)
     assert "it is no SQLite database" in backup("--force", code=2)
@@ -99,7 +114,9 @@ def test_no_copy_is_half_and_none_is_lost(sqlite_store: Store, tmp_path: Path, b
     assert (tmp_path / "copy.sqlite").read_text() == "older"
     database.write_bytes(whole)
     backup("--force")
-    assert (tmp_path / "copy.sqlite").stat().st_size == len(whole)
+    with closing(Store(f"sqlite:///{tmp_path}/copy.sqlite")) as copy:
+        assert copy.runs.load("before") is not None
+        assert len(copy.runs.load_results(["of before"])) == 1
     assert {path.name for path in tmp_path.iterdir()} == {"data", "copy.sqlite"}
 
 

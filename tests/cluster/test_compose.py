@@ -4,7 +4,6 @@ import os
 import re
 import shlex
 import shutil
-import ssl
 import subprocess
 import sys
 from pathlib import Path
@@ -13,7 +12,6 @@ from typing import Any
 import pytest
 import yaml
 
-from backend.http.routing import CsvRoute
 from backend.settings import Settings
 from sim_core.kernel import build
 from sim_core.kernel.library import load
@@ -129,16 +127,11 @@ def make_secrets(folder: Path) -> list[Path]:
     return sorted((folder / "secrets").iterdir())
 
 
-def test_the_script_makes_secrets_that_fit_together_and_keeps_them(tmp_path: Path) -> None:
+def test_the_script_makes_secrets_for_nobody_else_and_keeps_them(tmp_path: Path) -> None:
     files = {path.name: path.read_bytes() for path in make_secrets(tmp_path)}
     folder = tmp_path / "secrets"
     assert folder.stat().st_mode & 0o077 == 0, "nobody else looks into the folder"
     assert len(files["database_password"].strip()) >= 32
-    context = ssl.create_default_context(cafile=str(folder / "dask_ca.pem"))
-    context.load_cert_chain(folder / "dask_cert.pem", folder / "dask_key.pem")
-    verify = ["openssl", "verify", "-CAfile", f"{folder}/dask_ca.pem", f"{folder}/dask_cert.pem"]
-    subprocess.run(verify, check=True, capture_output=True)
-    ssl.SSLContext(ssl.PROTOCOL_TLS_SERVER).load_cert_chain(folder / "proxy.pem")
     assert {path.name: path.read_bytes() for path in make_secrets(tmp_path)} == files
 
 
@@ -157,23 +150,20 @@ def test_data_outlives_the_containers(instructions: list[list[str]]) -> None:
     assert ["VOLUME", "/data"] in instructions
 
 
-def test_the_proxy_waits_longer_than_the_service_and_takes_bodies_as_long() -> None:
+def test_the_proxy_waits_longer_than_the_service_and_holds_its_longest_body() -> None:
     text = (ROOT / "backend/deploy/haproxy.cfg").read_text()
     timeout = re.search(r"timeout server (\d+)s", text)
     assert timeout
     assert int(timeout[1]) > Settings().run_timeout
-    longest = Settings().max_body_bytes
-    assert re.findall(r"set-var\(txn.longest\) int\((\d+)\)", text) == [str(longest), str(CsvRoute.MAX_BYTES)]
-    assert len(re.findall(r"deny status 413 default-errorfiles if \{ .*,sub\(txn.longest\) gt 0 \}", text)) == 2
     buffer = re.search(r"tune.bufsize (\d+)", text)
     assert buffer
-    assert int(buffer[1]) > longest + 2 * 16384, "headers, and room for what the proxy writes itself"
+    assert int(buffer[1]) > Settings().max_body_bytes + 2 * 16384, "headers, and room for what the proxy writes itself"
 
 
 def test_the_image_holds_packages_to_their_hashes_and_runs_as_nobody_special(instructions: list[list[str]]) -> None:
     installs = [words for words in instructions if "pip" in words]
     assert installs
-    assert all("--require-hashes" in words and "requirements.lock" in words for words in installs)
+    assert all("--require-hashes" in words and "requirements-cluster.lock" in words for words in installs)
     assert any("npm" in words and "ci" in words for words in instructions)
     last_stage = instructions[max(i for i, words in enumerate(instructions) if words[0] == "FROM") :]
     assert ["USER", SERVICES["api"]["user"]] in last_stage
@@ -189,7 +179,7 @@ def test_everything_copied_into_the_image_exists_and_is_not_ignored(instructions
         if words[0] == "COPY" and not words[1].startswith("--from")
         for source in words[1:-1]
     ]
-    assert {"sim_core", "backend", "requirements.lock"} <= set(copied)
+    assert {"sim_core", "backend", "requirements-cluster.lock"} <= set(copied)
     for source in copied:
         assert (ROOT / source).exists(), source
         assert source.split("/")[0] in allowed, source

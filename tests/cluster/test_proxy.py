@@ -13,13 +13,14 @@ import httpx
 import pytest
 
 from backend.http.problems import Problem
+from backend.http.routing import CsvRoute
+from backend.settings import Settings
 from tests.cluster.replica import Replica
 from tests.servers.haproxy import Proxy
 from tests.servers.process import HANG_TIMEOUT, ROOT, request, wait_until
 from tests.servers.programs import find
 
-LONGEST = 1024 * 1024
-LONGEST_ROAD = 4 * LONGEST
+LONGEST, LONGEST_ROAD = Settings().max_body_bytes, CsvRoute.MAX_BYTES
 REQUEST_TIMEOUT = 2.0  # what the hasty proxy gives a request to arrive; ten seconds in production [s]
 
 

@@ -178,13 +178,13 @@ def kind_of_port(port: int) -> str:
 def test_a_batch_goes_on_when_the_replica_that_drives_is_killed(topology: Topology, client: httpx.Client) -> None:
     """That requests go to the other one is shown in tests/cluster/test_proxy.py."""
     wait_until(lambda: both_serve(topology), "both replicas serve")
-    killed, identifier = driver(topology), submit(client, 0.06, 500)
+    killed, identifier = driver(topology), submit(client, 0.06, 300)
     stored = wait_until_begun(client, identifier)
     killed.kill(stays_dead=True)
     try:
         wait_until(lambda: done(client, identifier) > stored, "the batch goes on")
         assert driver(topology) is not killed
-        assert_completes(client, identifier, 500)
+        assert_completes(client, identifier, 300)
     finally:
         killed.revive()
     wait_until(lambda: both_serve(topology), "it is back")

@@ -12,9 +12,11 @@ import psutil
 import pytest
 from distributed import Client
 
+from backend.compute.chunk_messages import Chunk, ChunkOutcome
+from backend.compute.dask_executor import DaskExecutor
 from backend.job_run import JobRun
-from backend.jobs.chunk_messages import Chunk, ChunkOutcome
-from backend.jobs.cluster import Cluster
+from backend.runs.compute_run import compute as compute_run
+from backend.runs.warm_up import warm_up
 from backend.settings import Settings
 from sim_core import __version__
 from sim_core.scenario import SCHEMA_VERSION, Scenario
@@ -54,7 +56,7 @@ def address(tmp_path: Path) -> Iterator[str]:
 def chunk(seed: int) -> Chunk:
     run = JobRun(0, f'{{"road.seed":{seed}}}', "passive", str(seed))
     return Chunk(
-        kind="sweep",
+        compute=compute_run,
         group="group",
         core_version=__version__,
         schema_version=SCHEMA_VERSION,
@@ -68,17 +70,16 @@ def chunk(seed: int) -> Chunk:
 
 async def compute(address: str, seeds: list[int]) -> list[ChunkOutcome]:
     """The chunks' outcomes for a service that uses that scheduler."""
-    cluster = Cluster(Settings(dask_scheduler=address))
     for _ in range(60):
         with contextlib.suppress(OSError):
-            await cluster.start()
+            executor = await DaskExecutor.connected(Settings(dask_scheduler=address), warm_up)
             break
     try:
-        while await cluster.slots() < 2:
+        while await executor.capacity() < 2:
             await asyncio.sleep(0.1)
-        return await asyncio.gather(*(cluster.compute(chunk(seed)) for seed in seeds))
+        return await asyncio.gather(*(executor.compute(chunk(seed)) for seed in seeds))
     finally:
-        await cluster.close()
+        await executor.close()
 
 
 def test_workers_of_both_kinds_compute_in_processes_of_their_own(address: str) -> None:

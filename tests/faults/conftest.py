@@ -92,20 +92,6 @@ def starter(folder: Path) -> Iterator[Start]:
             service.end()
 
 
-@pytest.fixture
-def start(tmp_path: Path) -> Iterator[Start]:
-    """Start a service; one data directory for the whole test."""
-    yield from starter(tmp_path)
-
-
-@pytest.fixture(scope="session")
-def built(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """A built frontend, as far as the service cares."""
-    folder = tmp_path_factory.mktemp("dist")
-    (folder / "index.html").write_text(PAGE)
-    return str(folder)
-
-
 @pytest.fixture(scope="session")
 def database(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The database of core 0.2.0, killed in the middle of a batch and a tuning."""
@@ -118,14 +104,13 @@ def database(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="session")
-def start_beside(database: Path) -> Iterator[Start]:
-    """Start a service on the database of `service`."""
-    yield from starter(database.parent.parent)
-
-
-@pytest.fixture(scope="session")
-def service(start_beside: Start, built: str) -> Process:
+def service(database: Path) -> Iterator[Process]:
     """One service for every test it can outlive: workers killed, batches cancelled, no room on the disk."""
-    started = start_beside(RIDELAB_WORKERS="2", RIDELAB_MAX_REQUEST_COST="1000", RIDELAB_FRONTEND_DIR=built)
-    started.finish()
-    return started
+    frontend = database.parent.parent / "dist"
+    frontend.mkdir()
+    (frontend / "index.html").write_text(PAGE)  # a built one, as far as the service cares
+    limits = {"RIDELAB_WORKERS": "2", "RIDELAB_MAX_REQUEST_COST": "1000"}
+    for start in starter(database.parent.parent):
+        started = start(**limits, RIDELAB_FRONTEND_DIR=str(frontend))
+        started.finish()
+        yield started

@@ -4,7 +4,7 @@ from typing import Any
 
 import psutil
 
-from backend.jobs.cluster import NICE
+from backend.compute.workers import BATCH_NICE
 from tests.faults.conftest import Process
 from tests.servers.batches import rows, wait_for
 
@@ -48,10 +48,10 @@ def test_batches_open_no_port(service: Process) -> None:
 def test_heavy_runs_stop_when_their_batch_is_cancelled(service: Process) -> None:
     finished(service, submit(service, {"road": {"length": 127.3}}, 12), 12)  # afterwards its process is warm
     batch_id = submit(service, HEAVY, 6)
-    busy = service.wait_for_busy(NICE)
-    before = service.cpu_times(NICE)[busy]
+    busy = service.wait_for_busy(BATCH_NICE)
+    before = service.cpu_times(BATCH_NICE)[busy]
     assert service.client.post(f"/api/v1/batches/{batch_id}/cancel").json()["state"] == "cancelled"
     assert wait_for(service.client, batch_id)["done"] == 0
     finished(service, submit(service, {"road": {"length": 127.4}}, 4), 4)
-    spent = service.cpu_times(NICE).get(busy, before) - before
+    spent = service.cpu_times(BATCH_NICE).get(busy, before) - before
     assert spent < 20, "it was interrupted in the middle of its first run"

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from backend.ecu import build
+from backend.controller import build
 from backend.store import Store
 from tests.faults.conftest import Process
 from tests.faults.test_batches import finished, submit

@@ -75,6 +75,10 @@ def test_a_start_that_cannot_work_says_why(
         assert message.startswith("Ridelab does not start: ")
         return message
 
+    for port in ("99999", "-1", "http"):
+        with pytest.raises(SystemExit, match="2"):
+            main(["--port", port])
+        assert capsys.readouterr().err.endswith("error: argument --port: a number from 0 to 65535\n")
     with socket.create_server(("127.0.0.1", 0)) as taken:
         assert "in use; --port names another" in fails("--port", str(taken.getsockname()[1]))
     assert "RIDELAB_WORKERS" in fails("--port", "0", RIDELAB_WORKERS="many")

@@ -10,14 +10,14 @@ from typing import Any
 import httpx
 import psutil
 
-from backend.jobs.cluster import NICE
+from backend.compute.workers import BATCH_NICE
 from tests.faults.conftest import Process
 from tests.faults.test_batches import finished, state, submit
 from tests.servers.process import wait_until
 
 FREE = (resource.RLIM_INFINITY, resource.RLIM_INFINITY)
 SHORT: dict[str, Any] = {"road": {"length": 121.3, "bump": {"start": 80}}}
-LONG_BATCH = 300  # runs: some seconds of one core, so that it is under way when the store goes away
+LONG_BATCH = 200  # runs: some seconds of one core, so that it is under way when the store goes away
 WAITS = "A chunk waits for the database"  # the driver's word for results that it cannot store
 COUNTER = "ridelab_store_errors_total "
 
@@ -59,7 +59,7 @@ def store_errors(service: Process) -> float:
 def halted(service: Process, batch_id: str) -> psutil.Process:
     """The process that computes a batch, halted once some results of it are stored and others are on their way."""
     wait_until(lambda: state(service, batch_id)["done"] > 0, "the batch begins")
-    (process,) = service.workers(NICE)
+    (process,) = service.workers(BATCH_NICE)
     process.suspend()
     assert state(service, batch_id)["state"] == "running", "the test needs a longer batch"
     return process

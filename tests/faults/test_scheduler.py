@@ -1,4 +1,4 @@
-"""The driver with a cluster that misbehaves on purpose: what cannot be computed fails alone, all else completes."""
+"""The scheduler with an executor that misbehaves: what cannot be computed fails alone, all else completes."""
 
 import asyncio
 import contextlib
@@ -13,15 +13,17 @@ import numpy as np
 import pytest
 from sqlalchemy.exc import IntegrityError, OperationalError
 
+from backend.batches.kind import SWEEP
+from backend.batches.plan import plan
+from backend.batches.points import Sweep
+from backend.compute.chunk_messages import Chunk, ChunkOutcome
+from backend.compute.executor import ExecutorLostError
 from backend.db import database, sqlite
 from backend.db.sqlite import DatabaseLockedError
 from backend.job_run import JobRow
-from backend.jobs import chunk_cutter, cluster, dispatch, scheduler
-from backend.jobs.chunk_messages import Chunk, ChunkOutcome, ClusterLostError
+from backend.jobs import chunk_cutter, dispatch, scheduler
 from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.jobs.scheduler import Scheduler
-from backend.jobs.sweep.plan import plan
-from backend.jobs.sweep.points import Sweep
 from backend.metrics import REGISTRY
 from backend.outcome import Outcome
 from backend.settings import Settings
@@ -50,30 +52,32 @@ def seeds(chunk: Chunk) -> list[int]:
 
 
 class Misbehaving:
-    """Stands for `backend.jobs.cluster.Cluster`; every chunk goes to `behaviour`, and is counted."""
+    """An executor; every chunk goes to `behaviour`, and is counted."""
 
     behaviour: Behaviour = staticmethod(answered)
     chunks: Sequence[Chunk] = ()
     starts = 0
     delay = 0.0  # of every chunk [s]
 
-    def __init__(self, _: Settings) -> None:
+    def __init__(self) -> None:
         self.connected = True
-
-    async def start(self) -> None:
         type(self).starts += 1
 
-    async def slots(self) -> int:
+    async def capacity(self) -> int:
+        if not self.connected:
+            raise ExecutorLostError("gone")
         return 2
 
     async def compute(self, chunk: Chunk) -> ChunkOutcome:
+        if not self.connected:
+            raise ExecutorLostError("gone")
         type(self).chunks = [*self.chunks, chunk]
         await asyncio.sleep(self.delay)
         try:
             return type(self).behaviour(chunk)
         except ConnectionError:
             self.connected = False
-            raise ClusterLostError("gone") from None
+            raise ExecutorLostError("gone") from None
 
     async def stop(self, _: str) -> None:
         pass
@@ -84,12 +88,15 @@ class Misbehaving:
 
 @pytest.fixture(autouse=True)
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(cluster, "Cluster", Misbehaving)
     monkeypatch.setattr(Misbehaving, "chunks", ())
     monkeypatch.setattr(Misbehaving, "starts", 0)
     monkeypatch.setattr(scheduler, "PAUSE_AFTER_FAILURE", 0.01)
     monkeypatch.setattr(dispatch, "PAUSE_AFTER_FAILURE", 0.01)
     monkeypatch.setattr(scheduler, "JOB_POLL_INTERVAL", 0.02)
+
+
+async def connected() -> Misbehaving:
+    return Misbehaving()
 
 
 class Here:
@@ -123,7 +130,7 @@ def drive(
     behaviour: Behaviour,
     *,
     core_version: str = CORE_VERSION,
-    background: Any = Here(),  # noqa: B008  # it has no state
+    workers: Any = Here(),  # noqa: B008  # it has no state
     road: MeasuredRoad | None = None,
     others: int = 0,
     **patches: Any,
@@ -139,14 +146,16 @@ def drive(
         for name, value in patches.items():
             setattr(store.job_runs, name, value(getattr(store.job_runs, name)))
         Misbehaving.behaviour = staticmethod(behaviour)
-        driving = Scheduler(store=store, settings=Settings(data_dir=folder), background=background, steppers={})
-        driving.start()
+        leading = Scheduler(
+            store=store, settings=Settings(data_dir=folder), kinds=[SWEEP], connect=connected, workers=workers
+        )
+        leading.start()
         try:
             async with asyncio.timeout(HANG_TIMEOUT):
                 while not await ended(store, batch.id):
                     await asyncio.sleep(0.02)
         finally:
-            await driving.close()
+            await leading.close()
             rows = store.job_runs.rows(batch.id, -1, 1000)
             store.close()
         return rows
@@ -223,7 +232,7 @@ def test_a_worker_that_is_lost_at_once_each_time_fails_its_run_and_no_other(tmp_
 
     def unreadable(chunk: Chunk) -> ChunkOutcome:
         if 17 in seeds(chunk):
-            raise ClusterLostError("the worker is gone")
+            return ChunkOutcome(trouble="lost", detail="the worker is gone")
         return answered(chunk)
 
     rows = drive(tmp_path, unreadable)
@@ -287,7 +296,7 @@ def test_results_wait_for_a_database_that_is_away(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, reads_fail: bool
 ) -> None:
     """Where reads fail too the lead is lost."""
-    fails, away = threading.Semaphore(6), threading.Event()
+    fails, away = threading.Semaphore(40), threading.Event()
 
     def unreliable(save: Callable[..., None]) -> Callable[..., None]:
         def saving(*args: Any) -> None:
@@ -374,7 +383,7 @@ def test_new_keys_for_one_job_hold_up_no_other(tmp_path: Path) -> None:
         async def call(self, function: Callable[..., Any], *args: Any, **_: Any) -> Any:
             await asyncio.Event().wait()
 
-    assert {row.status for row in drive(tmp_path, answered, background=SlowWorkers())} == {"ok"}
+    assert {row.status for row in drive(tmp_path, answered, workers=SlowWorkers())} == {"ok"}
     assert store.job_runs.waiting(old.id, -1, 1)[1], "it is still to come"
     store.close()
 

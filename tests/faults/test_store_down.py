@@ -17,7 +17,7 @@ from tests.faults.test_disk_full import LONG_BATCH, SHORT, check_refused, halted
 from tests.servers.postgres import Postgres, url
 from tests.servers.process import HANG_TIMEOUT, ROOT, reserved_port, wait_until
 
-RESTS = ("The jobs rest", "Another service drives the jobs now")  # the driver's words where it lost the database
+RESTS = ("The jobs rest", "Another service leads the jobs now")  # the driver's words where it lost the database
 
 
 @pytest.fixture(scope="module")

@@ -14,6 +14,7 @@ import pytest
 from backend.compute.workers import Workers
 from backend.errors import WorkerTimeoutError
 from backend.runs.compute_run import compute_run
+from backend.runs.warm_up import warm_up
 from sim_core.scenario import Scenario
 from tests.servers import loops
 from tests.servers.process import HANG_TIMEOUT
@@ -26,7 +27,7 @@ Do = Callable[[Callable[[Workers], Coroutine[Any, Any, Any]]], Any]
 @pytest.fixture(scope="module")
 def do() -> Iterator[Do]:
     """Runs a coroutine with one worker, in an event loop of its own that lives as long as the tests here."""
-    loop, workers = asyncio.new_event_loop(), Workers(1, timeout=HANG_TIMEOUT)
+    loop, workers = asyncio.new_event_loop(), Workers(1, timeout=HANG_TIMEOUT, warm_up=warm_up)
     thread = threading.Thread(target=loop.run_forever)
     thread.start()
 
@@ -129,7 +130,7 @@ def test_clients_take_turns(do: Do) -> None:
 
 def test_a_reserved_worker_answers_while_one_client_has_long_runs() -> None:
     async def use() -> None:
-        workers = Workers(1, timeout=HANG_TIMEOUT, reserved=1)
+        workers = Workers(1, timeout=HANG_TIMEOUT, warm_up=warm_up, reserved=1)
         workers.start()
         try:
             async with asyncio.timeout(HANG_TIMEOUT):
@@ -150,7 +151,7 @@ def test_a_reserved_worker_answers_while_one_client_has_long_runs() -> None:
 
 def test_a_worker_that_has_grown_is_replaced_while_it_serves() -> None:
     async def use() -> None:
-        workers = Workers(1, timeout=HANG_TIMEOUT, max_memory=1)  # any is too large
+        workers = Workers(1, timeout=HANG_TIMEOUT, warm_up=warm_up, max_memory=1)  # any is too large
         workers.start()
         try:
             await workers.wait_until_warm()

@@ -15,6 +15,8 @@ from sim_core.strategies import STRATEGIES
 from tests.packaging.environments import ROOT, Environment, built
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
+PARQUET = "pip install 'ridelab-server[parquet]'"
+
 
 @pytest.fixture(scope="module")
 def wheels(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
@@ -68,7 +70,7 @@ def test_each_distribution_is_typed_and_only_the_cores_belongs_to_a_platform(whe
 
 
 def test_the_core_alone_simulates(core: Environment) -> None:
-    declared = {"numpy", "scipy", "osqp", "daqp", "scikit-fuzzy", "pydantic", "cachetools", "threadpoolctl"}
+    declared = {"numpy", "scipy", "osqp", "scikit-fuzzy", "pydantic", "cachetools", "threadpoolctl"}
     assert declared < core.packages
     web = {"fastapi", "starlette", "uvicorn", "httpx", "SQLAlchemy", "psycopg", "distributed", "orjson", "ridelab"}
     assert not web & core.packages
@@ -166,3 +168,25 @@ def test_the_servers_command_line_starts_its_own_service(server: Environment) ->
     assert "\nrun " in run.stdout
     copy = server.run("ridelab", "backup", "copy.sqlite")
     assert copy.stdout.startswith("copy.sqlite: "), copy.stderr
+
+
+def test_without_its_extras_the_server_says_what_to_install(server: Environment, address: str) -> None:
+    assert not {"distributed", "dask", "pyarrow"} & server.packages
+    run = server.run("ridelab", "serve", "--port", "0", RIDELAB_DASK_SCHEDULER="tcp://127.0.0.1:8786")
+    assert run.returncode == 2
+    assert "RIDELAB_DASK_SCHEDULER needs Dask: pip install 'ridelab-server[cluster]'" in run.stderr
+    grid = {"strategies": ["passive"], "sweep": {"grid": {"road.seed": [1, 2]}}}
+    batch = httpx.post(f"{address}/api/v1/batches", json=grid, timeout=HANG_TIMEOUT).json()["id"]
+    sentence = (
+        "There is no Parquet here: whoever runs this service installs it by pip install 'ridelab-server[parquet]'"
+    )
+    answer = httpx.get(f"{address}/api/v1/batches/{batch}/results?format=parquet", timeout=HANG_TIMEOUT)
+    assert answer.status_code == 422
+    (error,) = answer.json()["errors"]
+    assert (error["parameter"], error["message"]) == ("format", sentence)
+    export = server.run("ridelab", "export", batch, "--out", "rows.parquet", RIDELAB_SERVER=address)
+    assert export.returncode == 2
+    assert sentence in " ".join(export.stderr.split())
+    assert (
+        "\n" in server.run("ridelab", "export", batch, "--out", "-", "--format", "csv", RIDELAB_SERVER=address).stdout
+    )

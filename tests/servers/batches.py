@@ -7,6 +7,13 @@ import httpx
 from tests.servers.process import HANG_TIMEOUT
 
 
+def computed(client: httpx.Client, **body: Any) -> Any:
+    """The batch of that request once it has ended."""
+    answer = client.post("/api/v1/batches", json=body)
+    assert answer.status_code == 202, answer.text
+    return wait_for(client, answer.json()["id"])
+
+
 def wait_for(client: httpx.Client, batch_id: str) -> Any:
     """The batch once it has ended."""
     client.get(

@@ -6,6 +6,8 @@ from collections.abc import Callable, Coroutine
 from concurrent.futures import Future
 from typing import Any, TypeVar
 
+import httpx
+
 T = TypeVar("T")
 
 
@@ -24,3 +26,13 @@ def run(main: Callable[[], Coroutine[Any, Any, T]]) -> T:
 
     threading.Thread(target=drive, daemon=True).start()
     return result.result()
+
+
+def ask(app: Any, method: str, address: str, **more: Any) -> httpx.Response:
+    """The answer of an application that was not started to one request, at `http://lab.example` unless it says."""
+
+    async def answer() -> httpx.Response:
+        async with httpx.AsyncClient(transport=httpx.ASGITransport(app), base_url="http://lab.example") as client:
+            return await client.request(method, address, **more)
+
+    return run(answer)

@@ -1,5 +1,6 @@
 """A real PostgreSQL of our own: its files in a new folder, a port of its own, gone afterwards."""
 
+import contextlib
 import itertools
 import os
 import shutil
@@ -75,12 +76,13 @@ class Postgres:
         """Kill -9 every process of it at once."""
         if self._process is not None:
             first = psutil.Process(self._process.pid)
-            for process in (first, *first.children(recursive=True)):
-                try:
+            first.suspend()  # it starts no other meanwhile
+            family = [first, *first.children(recursive=True)]
+            for process in family:
+                with contextlib.suppress(psutil.NoSuchProcess):
                     process.kill()
-                except psutil.NoSuchProcess:
-                    continue
             self._process.wait()
+            psutil.wait_procs(family[1:], timeout=HANG_TIMEOUT)  # one that still dies holds the memory they share
             self._process = None
 
     def new_database(self, template: str | None = None) -> str:

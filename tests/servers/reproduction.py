@@ -45,7 +45,7 @@ SOURCES = (
     "backend/errors.py",
     "backend/intervals.py",
     "backend/cost",
-    "backend/ecu",
+    "backend/controller",
     "backend/paper",
     "tests/servers/reproduction.py",
 )

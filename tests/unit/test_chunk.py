@@ -5,13 +5,14 @@ import pickle
 
 import pytest
 
+from backend.batches.plan import plan
+from backend.batches.points import Sweep, SweepError
+from backend.compute.chunk_messages import Chunk
+from backend.compute.compute_chunk import compute_chunk
 from backend.job_run import JobRun, PackedRuns
-from backend.jobs.chunk_messages import Chunk
-from backend.jobs.compute_chunk import compute_chunk
-from backend.jobs.sweep.plan import plan
-from backend.jobs.sweep.points import Sweep, SweepError
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
+from backend.runs.compute_run import compute
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
 
@@ -26,7 +27,7 @@ def waiting(*heights: float, strategy: str = "passive") -> list[JobRun]:
 def computed(runs: list[JobRun], base: JsonObject = BASE, budget: float = 60) -> list[Outcome]:
     return compute_chunk(
         Chunk(
-            kind="sweep",
+            compute=compute,
             group="",
             core_version=CORE_VERSION,
             schema_version=1,

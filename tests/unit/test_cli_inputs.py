@@ -18,6 +18,7 @@ from ridelab.cli.names import Names
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
 from ridelab.cli.targets import find
+from sim_core.catalogue import METRICS
 from sim_core.scenario import Estimation, Scenario, dotted
 from sim_core.simulate import simulate
 
@@ -198,7 +199,7 @@ def test_comparing_files_needs_no_service(
     Path(a).write_text(json.dumps(answer), encoding="utf-8")
     Path(b).write_text(json.dumps(other), encoding="utf-8")
     assert app.run(["compare", a, a]) == 0
-    assert "Equal within the tolerance: 140 metrics of passive, lv" in capsys.readouterr().out
+    assert f"Equal within the tolerance: {2 * len(METRICS)} metrics of passive, lv" in capsys.readouterr().out
     assert app.run(["compare", a, b]) == 1
     assert "travel_time [s]" in capsys.readouterr().out
     for words, code in (
@@ -223,7 +224,7 @@ def test_comparing_files_needs_no_service(
         assert app.run(["compare", a, b, *words.split()]) == code, words
     assert app.run(["compare", b, a, "--worse"]) == 0
     printed = capsys.readouterr()
-    assert printed.out.endswith("Not worse beyond the tolerance: 140 metrics of passive, lv\n")
+    assert printed.out.endswith(f"Not worse beyond the tolerance: {2 * len(METRICS)} metrics of passive, lv\n")
     said = printed.err
     assert "it has no lqr, only passive, lv" in said
     assert "--metric: bmp.* fits no metric; their names begin with arrival_speed_kmh, bump, comfort, events," in said

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from backend.http.connections import HEALTH_CONNECTIONS, Connections, Decision
+from backend.http.connections import HEALTH_CONNECTIONS, Admission, Connections, Served
 
 
 @dataclass(eq=False)
@@ -19,7 +19,7 @@ class Fake:
 def several(connections: Connections, address: str, count: int, *, idle: bool = True) -> list[Fake]:
     connected = [Fake(idle=idle) for _ in range(count)]
     for each in connected:
-        assert connections.add(each, address) is Decision.SERVE
+        assert connections.add(each, address).served is Served.ALL
     return connected
 
 
@@ -35,7 +35,9 @@ def test_a_clients_longest_unused_connection_goes_for_its_next() -> None:
 def test_a_client_whose_connections_are_all_in_use_gets_no_more() -> None:
     connections = Connections(per_client=3, total=100)
     busy = several(connections, "2001:db8::1", 3, idle=False)
-    assert connections.add(Fake(), "2001:db8::2") is Decision.HEALTH_ONLY, "the same network is the same client"
+    assert connections.add(Fake(), "2001:db8::2") == Admission(Served.HEALTH, 429), (
+        "the same network is the same client"
+    )
     several(connections, "2001:db8:0:1::1", 1)
     for _ in range(2):  # what has ended takes no room, and ends once
         connections.remove(busy[0])
@@ -60,7 +62,7 @@ def test_a_known_proxy_is_no_client_and_keeps_its_connections() -> None:
     (other,) = several(connections, "192.0.2.1", 1)
     several(connections, "10.0.0.1", 1)
     assert other.closed
-    assert connections.add(Fake(), "192.0.2.2") is Decision.HEALTH_ONLY
+    assert connections.add(Fake(), "192.0.2.2") == Admission(Served.HEALTH, 503)
     assert not any(each.closed for each in of_proxy)
 
 
@@ -69,8 +71,8 @@ def test_whoever_asks_for_health_finds_room_as_long_as_any_of_it_is_idle() -> No
     several(connections, "192.0.2.1", 5, idle=False)
     asking = [Fake() for _ in range(HEALTH_CONNECTIONS + 3)]
     for each in asking:
-        assert connections.add(each, "192.0.2.1") is Decision.HEALTH_ONLY
+        assert connections.add(each, "192.0.2.1") == Admission(Served.HEALTH, 503)
     assert [each.closed for each in asking] == [True] * 3 + [False] * HEALTH_CONNECTIONS
     for each in asking:
         each.idle = False
-    assert connections.add(Fake(), "192.0.2.2") is Decision.REFUSE
+    assert connections.add(Fake(), "192.0.2.2") == Admission(Served.NOTHING, 503)

@@ -11,16 +11,18 @@ from typing import Any
 
 import pytest
 
+from backend.compute.chunk_messages import Chunk
+from backend.compute.compute_chunk import compute_chunk
 from backend.compute.fair_queue import SHORT
+from backend.controller import program, realtime, report
+from backend.cost import affordable
 from backend.cost import estimate as cost
 from backend.cost.binding_limits import LimitShares, expected_limits
 from backend.cost.estimate import SECONDS, check_affordable, duration, estimate, expected_time, memory, work
-from backend.ecu import drive, program, realtime, report
 from backend.job_run import JobRun
-from backend.jobs.chunk_messages import Chunk
-from backend.jobs.compute_chunk import compute_chunk
 from backend.runs import bands, compute_run, exports, pins
-from sim_core.control import mpc as mpc_module
+from sim_core.control import qp
+from sim_core.control.mpc import PredictiveController
 from sim_core.errors import TooExpensiveError
 from sim_core.scenario import SCHEMA_VERSION, Actuator, Brake, Bump, Estimation, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
@@ -131,7 +133,7 @@ def test_a_long_walk_is_no_short_task() -> None:
 def test_a_run_with_too_many_steps_ends_before_it_begins(strategy: str) -> None:
     if strategy in ("lv", "suspension_only", "lv_hil"):
         with pytest.raises(TooExpensiveError) as refused:
-            drive.simulate(ENDLESS, strategy)
+            affordable.simulate(ENDLESS, strategy)
         assert "road.length" in refused.value.fields
         assert all(field in refused.value.message for field in refused.value.fields)
     else:
@@ -160,7 +162,7 @@ def test_runs_and_jobs_store_the_refusal() -> None:
     outcome = compute_run.compute(ENDLESS, "lv", "k")
     [of_job] = compute_chunk(
         Chunk(
-            kind="sweep",
+            compute=compute_run.compute,
             group="",
             core_version="1",
             schema_version=SCHEMA_VERSION,
@@ -184,7 +186,13 @@ def test_nothing_simulates_past_the_check() -> None:
         for path in BACKEND.rglob("*.py")
         if "from sim_core.simulate import simulate" in path.read_text()
     }
-    assert takers == {"ecu/drive.py", "ecu/program.py", "ecu/realtime.py", "ecu/report.py", "paper/paper_rows.py"}
+    assert takers == {
+        "controller/program.py",
+        "controller/realtime.py",
+        "controller/report.py",
+        "cost/affordable.py",
+        "paper/paper_rows.py",
+    }
 
 
 @pytest.mark.parametrize("factor", [0.0, 1e6])
@@ -210,26 +218,26 @@ def test_work_is_counted_in_whole_steps_and_an_ecu_has_none_at_a_limit() -> None
     assert (counts["exchanges"], counts["limited steps"]) == (2000, 0)
 
 
-def test_a_run_whose_qps_take_too_much_ends_at_the_same_qp_each_time(monkeypatch: pytest.MonkeyPatch) -> None:
-    whole = simulate(AT_LIMITS, "lv").events["qp_solves"]
-    assert whole is not None
-    monkeypatch.setattr(mpc_module, "MAX_EFFORT", 0.05)
+@pytest.mark.parametrize(("solver", "effort"), [("osqp", 0.05), ("daqp", 0.002)])
+def test_a_run_whose_qps_take_too_much_ends_at_the_same_qp_each_time(
+    solver: str, effort: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    scenario = AT_LIMITS.model_copy(update={"mpc": AT_LIMITS.mpc.model_copy(update={"solver": solver})})
+    whole = event(simulate(scenario, "lv"), "qp_solves")
+    monkeypatch.setattr(qp, "MAX_EFFORT", effort)
     solved = []
+    end = PredictiveController.end
+
+    def counting(controller: PredictiveController) -> None:
+        end(controller)
+        solved.append(controller.report.solves)
+
+    monkeypatch.setattr(PredictiveController, "end", counting)
     for _ in range(2):
-        counted = list[int]()
-        step = mpc_module.PredictiveController.force
-
-        def counting(*arguments: object, step: object = step, counted: list[int] = counted) -> object:
-            counted.append(1)
-            return step(*arguments)  # type: ignore[operator]  # the method, bound as a default
-
-        with monkeypatch.context() as patched:
-            patched.setattr(mpc_module.PredictiveController, "force", counting)
-            with pytest.raises(TooExpensiveError) as refused:
-                simulate(AT_LIMITS, "lv")
-        solved.append(len(counted))
+        with pytest.raises(TooExpensiveError) as refused:
+            simulate(scenario, "lv")
     assert 1 < solved[0] == solved[1] < whole
-    assert refused.value.fields[0] == "mpc.solver"
+    assert refused.value.fields[0] == ("mpc.solver" if solver == "osqp" else "mpc.control_horizon")
     sent = pickle.loads(pickle.dumps(refused.value))  # noqa: S301 - our own, as between processes
     assert (sent.message, sent.fields) == (refused.value.message, refused.value.fields)
 

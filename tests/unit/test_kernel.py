@@ -9,13 +9,14 @@ import pytest
 from numpy.random import default_rng
 
 from sim_core.arrays import FloatArray
-from sim_core.control.qp import QpProblem, QpShape
 from sim_core.kernel import binding, build, library, prepared
 from sim_core.kernel.library import load
+from sim_core.kernel.qp import QpMemory
 from sim_core.loop.closed_loop import _norms
 from sim_core.loop.preview import sliding_forecast
 from sim_core.metrics.sections import Integrand, over_sections
 from sim_core.vehicle.model import LinearLaw
+from tests.unit.qp_design import qp_design
 
 INTEGRAL_OF = {  # over one fine step from a to b
     Integrand.VALUE: lambda a, b: (a + b) / 2,
@@ -163,30 +164,31 @@ def test_a_law_is_followed_up_to_the_first_step_in_which_a_limit_binds(seed: int
 def test_a_residual_is_the_largest_violation() -> None:
     """The violations are of stationarity, box, rows, their multipliers' signs and gaps: each is largest in some."""
     rng = default_rng(1)
-    n, rows = 5, 7
+    moves, travels = 3, 4
+    n, rows = moves + 2, 2 * travels
     root = rng.normal(size=(n, n))
-    shape = QpShape(H=root @ root.T, A=rng.normal(size=(rows, n)), low=-np.ones(n), high=np.ones(n))
+    H, A, low, high = root @ root.T, rng.normal(size=(rows, n)), -np.ones(n), np.ones(n)
+    matrices = qp_design(H=H, columns=np.ascontiguousarray(A.T), low=low, high=high)
     largest = set()
     for _ in range(300):
         scale = 10 ** rng.uniform(-3, 3, size=4)
         y, multipliers = scale[0] * rng.normal(size=n), scale[1] * rng.normal(size=n + rows)
         box, of_rows = multipliers[:n], multipliers[n:]
-        f = scale[2] * rng.normal(size=n) - (shape.H @ y + box + shape.A.T @ of_rows)
-        b = scale[3] * rng.normal(size=rows) + shape.A @ y
-        slack, force = b - shape.A @ y, 1 + np.abs(multipliers).max()
-        gap = np.where(box < 0, y - shape.low, shape.high - y)
+        f = scale[2] * rng.normal(size=n) - (H @ y + box + A.T @ of_rows)
+        b = scale[3] * rng.normal(size=rows) + A @ y
+        slack, force = b - A @ y, 1 + np.abs(multipliers).max()
+        gap = np.where(box < 0, y - low, high - y)
         violations = [
-            np.abs(shape.H @ y + f + box + shape.A.T @ of_rows) / (1 + np.abs(f)),
-            np.maximum(shape.low - y, y - shape.high),
+            np.abs(H @ y + f + box + A.T @ of_rows) / (1 + np.abs(f)),
+            np.maximum(low - y, y - high),
             -slack,
             -of_rows / force,
             np.abs(np.concatenate([box * gap, of_rows * slack])) / force,
         ]
         worst = [float(each.max()) for each in violations]
         largest.add(int(np.argmax(worst)))
-        problem = QpProblem(shape)
-        problem.f[:], problem.b[:] = f, b
-        assert problem.residual(y, multipliers) == pytest.approx(max(worst), rel=1e-9)
+        violation = QpMemory(np.zeros(4), f, b, y, multipliers).residual(matrices)
+        assert violation == pytest.approx(max(worst), rel=1e-9)
     assert largest == set(range(5))
-    problem.f[0] = np.nan
-    assert not problem.residual(y, multipliers) < np.inf
+    f[0] = np.nan
+    assert not QpMemory(np.zeros(4), f, b, y, multipliers).residual(matrices) < np.inf

@@ -12,6 +12,8 @@ import pytest
 
 from sim_core.arrays import FloatArray
 from sim_core.kernel import binding, prepared
+from sim_core.kernel.qp import QpDesign, QpMemory
+from tests.unit.qp_design import qp_design
 
 
 def unaligned(array: FloatArray) -> FloatArray:
@@ -50,7 +52,7 @@ def test_no_array_is_misread(kind: str) -> None:
     with pytest.raises(REFUSED):
         binding.recurrence(misread, np.zeros((5, 3)))
     with pytest.raises(REFUSED):
-        prepared.residual(misread, np.ones((3, 1)), np.ones(4), np.ones(4), np.ones(3), np.ones(3), np.ones(4))
+        qp_design(H=MISREAD[kind](np.eye(5)))
 
 
 def test_nothing_is_written_where_nobody_may() -> None:
@@ -61,15 +63,19 @@ def test_nothing_is_written_where_nobody_may() -> None:
 
 
 def test_what_a_call_is_prepared_with_lives_as_long() -> None:
-    cost = np.full((50, 50), 2.0)
+    cost = np.full((5, 5), 2.0)
     alive = weakref.ref(cost)
-    limits = np.zeros(51)
-    violation = prepared.residual(cost, np.zeros((50, 1)), limits, limits, np.ones(50), np.ones(50), limits)
+    matrices = qp_design(H=cost)
     del cost
     assert alive() is not None
-    assert violation() == pytest.approx((1 + 2 * 50) / 2)
-    del violation
+    assert memory(f=np.ones(5), y=np.ones(5)).residual(matrices) == pytest.approx((1 + 2 * 5) / 2)
+    del matrices
     assert alive() is None
+
+
+def memory(**changed: FloatArray) -> QpMemory:
+    right = {"counts": np.zeros(4), "f": np.zeros(5), "b": np.zeros(8), "y": np.zeros(5), "multipliers": np.zeros(13)}
+    return QpMemory(**(right | changed))
 
 
 A_DRIVE = """
@@ -81,13 +87,13 @@ from sim_core.kernel.prepared import LawArrays, nonlinear_car
 REFUSED = ValueError, TypeError, ArgumentError
 STEPS, FINE = 6, 2
 RIGHT = dict(
-    car=np.ones(33), states=8, estimator=None, known=np.empty((0, 8)), substeps=3, fine_step=1e-3,
+    car=np.ones(33), states=8, estimator=None, estimator_input=np.empty((0, 8)), substeps=3, fine_step=1e-3,
     disturbance=np.zeros((STEPS, 3 * FINE)), table=np.zeros((10, FINE + 1, STEPS - 1)),
     road=(np.zeros(50), np.ones(9), np.zeros((2, STEPS * FINE + 1)), np.zeros((STEPS * FINE, 4))),
 )
 LAW = dict(
     gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 9)),
-    limits=np.zeros((4, 19)), scale=np.ones(10), norms=np.zeros((4, 5)),
+    limits=np.zeros((4, 19)), scale=np.ones(10), norms=np.zeros((5, 4)),
     preview=np.zeros((3, STEPS + 2)), strides=(STEPS + 2, 1), sizes=np.zeros((4, STEPS)),
     force_limits=np.full(3, inf), clips=True,
 )
@@ -115,7 +121,7 @@ MISUSES = {
     "preview by axle": "preview_gain=np.zeros((2, 9), order='F')",
     "big-endian preview": "preview_gain=np.zeros((2, 9), dtype='>f8')",
     "limits on the state alone": "limits=np.zeros((4, 10))",
-    "norms of other limits": "norms=np.zeros((3, 5))",
+    "norms of other limits": "norms=np.zeros((5, 3))",
     "norms of four parts": "norms=np.zeros((4, 4))",
     "a scale of the state alone": "scale=np.ones(8)",
     "a preview that ends before the drive": "preview=np.zeros((3, STEPS + 1))",
@@ -133,7 +139,7 @@ MISUSES = {
     "a car of too few numbers": "car=np.ones(32)",
     "a state of nine": "states=9",
     "an estimator that knows nothing": "estimator=np.zeros(112)",
-    "half an estimator": "estimator=np.zeros(100), known=np.zeros((STEPS, 8))",
+    "half an estimator": "estimator=np.zeros(100), estimator_input=np.zeros((STEPS, 8))",
     "a road without heights": "road=road(samples=np.zeros(0))",
     "a road shorter than the drive": "road=road(position=np.zeros((2, STEPS * FINE)))",
     "chords of half the road": "road=road(within=np.zeros((STEPS, 4)))",
@@ -199,11 +205,25 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     ),
     "linear drive, another's steps": lambda: linear_drive(forcing=np.zeros((5, 8))),
     "linear drive, no row after the last": lambda: linear_drive(loop=np.zeros((6, 10))),
-    "residual, columns": lambda: prepared.residual(
-        np.eye(2), np.zeros((3, 1)), np.zeros(4), np.zeros(4), np.zeros(3), np.zeros(3), np.zeros(4)
-    ),
-    "residual, multipliers": lambda: prepared.residual(
-        np.eye(2), np.zeros((2, 1)), np.zeros(3), np.zeros(3), np.zeros(2), np.zeros(2), np.zeros(2)
+    "qp, a column less": lambda: qp_design(columns=np.zeros((4, 8))),
+    "qp, one limit of a deflection": lambda: qp_design(columns=np.zeros((5, 7))),
+    "qp, slacks alone": lambda: qp_design(columns=np.zeros((2, 8)), H=np.eye(2), low=np.zeros(2), high=np.zeros(2)),
+    "qp, too many moves": lambda: qp_design(columns=np.zeros((203, 8)), H=np.eye(203)),
+    "qp, half a box": lambda: qp_design(low=np.zeros(4)),
+    "qp, no slacks in the box": lambda: qp_design(high=np.zeros(3)),
+    "qp, inputs": lambda: qp_design(optimum=np.zeros((7, 18))),
+    "qp, fewer values": lambda: qp_design(by_inputs=np.zeros((6, 19)), optimum=np.zeros((6, 19))),
+    "qp, bounds": lambda: qp_design(bounds=np.zeros(6)),
+    "qp, axles": lambda: qp_design(axles=np.zeros(6, dtype=np.int8)),
+    "qp, a third axle": lambda: qp_design(axles=np.full(7, 2, dtype=np.int8)),
+    "qp, gram": lambda: qp_design(gram=np.zeros((7, 6))),
+    "qp, answers": lambda: memory(y=np.zeros(4)),
+    "qp, multipliers": lambda: memory(multipliers=np.zeros(12)),
+    "qp, another's memory": lambda: memory(b=np.zeros(10), multipliers=np.zeros(15)).residual(qp_design()),
+    "qp, other inputs": lambda: memory().solve(qp_design(), np.zeros(18)),
+    "qp, other inputs to be posed": lambda: memory().pose(qp_design(), np.zeros(20)),
+    "linear drive, another law's qp": lambda: linear_drive(
+        qp=(qp_design(by_inputs=np.zeros((7, 13)), optimum=np.zeros((7, 13))), memory())
     ),
 }
 
@@ -239,18 +259,19 @@ def kink_peaks(**changed: Any) -> None:
     binding.kink_peaks(*ROAD, **(right | changed))
 
 
-def linear_drive(**changed: Any) -> None:
+def linear_drive(qp: tuple[QpDesign, QpMemory] | None = None, **changed: Any) -> None:
     law = prepared.LawArrays(
         gain=np.zeros((2, 10)),
         preview_gain=np.zeros((2, 9)),
         limits=np.zeros((4, 19)),
         scale=np.ones(10),
-        norms=np.zeros((4, 5)),
+        norms=np.zeros((5, 4)),
         preview=np.zeros((3, 8)),
         strides=(8, 1),
         sizes=np.zeros((4, 6)),
         force_limits=np.full(3, np.inf),
         clips=True,
+        qp=qp,
     )
     right = {"A": np.eye(8), "B": np.zeros((8, 2)), "forcing": np.zeros((6, 8)), "loop": np.zeros((7, 10))}
     *car, loop = (right | changed).values()
@@ -268,4 +289,6 @@ def test_what_fits_is_taken() -> None:
     fuzzy()
     sections(["value", "value"])
     kink_peaks()
-    linear_drive()
+    linear_drive(qp=(qp_design(), memory()))
+    memory().pose(qp_design(), np.zeros(19))
+    assert memory().solve(qp_design(), np.zeros(19)) is not None

@@ -1,4 +1,4 @@
-"""Pinned time histories: exactly what was computed, readable by any catalogue of signals and any Parquet reader."""
+"""Pinned time histories: exactly what was computed, readable by any catalogue of signals."""
 
 import io
 from collections.abc import Mapping
@@ -11,7 +11,7 @@ import pytest
 from pyarrow import parquet
 
 from backend.runs import exports, pins
-from backend.runs.series import ROWS, SamplingHints, decimate, pack
+from backend.runs.series import ROWS, SamplingHints, SeriesArray, decimate, pack
 from sim_core import __version__
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import Bump, Road, Scenario, Speed
@@ -46,25 +46,18 @@ def test_a_pin_is_every_sample_bit_for_bit(pinned: dict[str, bytes], stages: dic
         assert array.dtype == np.float32
 
 
-def test_any_parquet_reader_learns_names_units_and_version(pinned: dict[str, bytes]) -> None:
-    schema = parquet.read_schema(io.BytesIO(pinned["lv"]))
-    assert schema.names == list(SIGNALS)
-    assert [schema.field(key).metadata[b"unit"].decode() for key in SIGNALS] == [
-        quantity.unit for quantity in SIGNALS.values()
-    ]
-    assert schema.metadata[b"ridelab.core_version"].decode() == __version__
-    assert schema.metadata[b"ridelab.strategy"] == b"lv"
+def test_a_pin_names_its_signals_units_strategy_and_version(pinned: dict[str, bytes]) -> None:
+    magic, head, _ = pinned["lv"].split(b"\n", 2)
+    assert magic == b"ridelab pin 1"
+    units = {key: quantity.unit for key, quantity in SIGNALS.items()}
+    assert orjson.loads(head) == {"units": units, "strategy": "lv", "core_version": __version__}
 
 
-def rewritten(content: bytes, columns: Mapping[str, str], units: Mapping[str, str]) -> bytes:
-    """The pin as a core with other signals would have written it: new name -> old name, and other units."""
-    table = parquet.read_table(io.BytesIO(content))
-    fields = [
-        pa.field(new, pa.float32(), False, {"unit": units.get(new, table.field(old).metadata[b"unit"].decode())})
-        for new, old in columns.items()
-    ]
+def rewritten(columns: Mapping[str, SeriesArray], units: Mapping[str, str]) -> bytes:
+    """The pin of a core until 0.3.0 with these signals and units."""
+    fields = [pa.field(key, pa.float32(), False, {"unit": units[key]}) for key in columns]
     sink = io.BytesIO()
-    parquet.write_table(pa.table([table[old] for old in columns.values()], schema=pa.schema(fields)), sink)
+    parquet.write_table(pa.table(list(columns.values()), schema=pa.schema(fields)), sink)
     return sink.getvalue()
 
 
@@ -72,11 +65,11 @@ def rewritten(content: bytes, columns: Mapping[str, str], units: Mapping[str, st
 def test_another_catalogue_reads_what_it_knows(stages: dict[str, SamplingHints], points: int | None) -> None:
     """Columns in another order, one that today's core does not know, one missing, one in another unit."""
     signals = [key for key in reversed(SIGNALS) if key not in ("rear_force", "brake_pressure")]
-    content = pins.make(SCENARIO, ["lv"])["lv"]
+    own = pins.columns(pins.make(SCENARIO, ["lv"])["lv"], stages["lv"], None)
+    units = {key: SIGNALS[key].unit for key in signals}
     old = rewritten(
-        content,
-        {**{key: key for key in signals}, "tyre_temperature": "speed", "brake_pressure": "brake_pressure"},
-        {"brake_pressure": "bar"},
+        {**{key: own[key] for key in signals}, "tyre_temperature": own["speed"], "brake_pressure": own["time"]},
+        {**units, "tyre_temperature": "K", "brake_pressure": "bar"},
     )
     (array,) = pins.opened({"lv": old}, stages, points).values()
     shared = [key for key in SIGNALS if key in signals]
@@ -91,3 +84,12 @@ def test_another_catalogue_reads_what_it_knows(stages: dict[str, SamplingHints],
     assert list(answer["series"]) == list(answer["units"]) == shared
     text = exports.render_pinned({"lv": old}, stages, export(strategies=["lv"], file_format="csv"), None).decode()
     assert text.splitlines()[0].split(",") == [f"{key} [{SIGNALS[key].unit}]" for key in shared]
+
+
+def test_without_parquet_an_old_pin_says_what_to_install(
+    stages: dict[str, SamplingHints], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    old = rewritten({"time": np.zeros(3, np.float32)}, {"time": "s"})
+    monkeypatch.setattr(pins, "has_parquet", lambda: False)
+    with pytest.raises(pins.ParquetPinError, match=r"pip install 'ridelab-server\[parquet\]'"):
+        pins.opened({"lv": old}, stages, None)

@@ -11,15 +11,15 @@ from sim_core.program import program as named
 from sim_core.strategies import STRATEGIES
 
 
-def test_it_is_named_by_version_c_and_solvers() -> None:
+def test_it_is_named_by_version_c_and_osqp() -> None:
     for strategy in STRATEGIES.values():
-        assert set(named(strategy)) == {"core", "kernel", "daqp", "osqp", "controller"}
+        assert set(named(strategy)) == {"core", "kernel", "osqp", "controller"}
 
 
-@pytest.mark.parametrize("part", ["DIGEST", "_solvers"])
+@pytest.mark.parametrize("part", ["DIGEST", "_osqp"])
 def test_another_c_or_solver_is_another_program(part: str, monkeypatch: pytest.MonkeyPatch) -> None:
     before = named(STRATEGIES["lv"])
-    monkeypatch.setattr(program, part, "another" if part == "DIGEST" else lambda: {"daqp": "0", "osqp": "0"})
+    monkeypatch.setattr(program, part, "another" if part == "DIGEST" else lambda: "0")
     assert named(STRATEGIES["lv"]) != before
 
 

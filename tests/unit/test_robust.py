@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from backend.jobs.sweep.robustness import UNCERTAINTIES
+from backend.batches.robustness import UNCERTAINTIES
 from benchmarks import robust
 from sim_core.scenario import Scenario, dotted
 from sim_core.scenario.presets import preset

@@ -15,11 +15,11 @@ from typing import IO
 import orjson
 import pytest
 
+from backend.batches.table import ColumnPages
 from backend.errors import BusyError, CostLimitError, TooManyRequestsError
 from backend.gate import Gate
 from backend.http import spool
 from backend.http.spool import MAX_IN_MEMORY, Spool, SpoolFile
-from backend.jobs.sweep.table import ColumnPages
 from backend.pieces import render_to, write_json
 from backend.settings import Settings
 from tests.servers import loops

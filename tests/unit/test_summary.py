@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from backend.jobs.sweep import summary
-from backend.jobs.sweep.summary import QUANTILES, Study
+from backend.batches import summary
+from backend.batches.summary import QUANTILES, Study
 
 FIGURE = "bump.body_acceleration.peak"
 

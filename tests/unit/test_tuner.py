@@ -12,15 +12,16 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic import ValidationError
 
+from backend.batches import robustness
 from backend.job_run import JobRow
 from backend.jobs.chunk_cutter import RunningJob
-from backend.jobs.sweep import robustness
-from backend.jobs.tuning import comparison, front, space
-from backend.jobs.tuning.measure import Aims, Failure
-from backend.jobs.tuning.models import TuningRequest
-from backend.jobs.tuning.objectives import StoredLimit, StoredObjective, UndefinedObjectiveError
-from backend.jobs.tuning.search import Search, ask
+from backend.runs.compute_run import compute
 from backend.store.trials import StoredTrial
+from backend.tunings import comparison, front, space
+from backend.tunings.measure import Aims, Failure
+from backend.tunings.models import TuningRequest
+from backend.tunings.objectives import StoredLimit, StoredObjective, UndefinedObjectiveError
+from backend.tunings.search import Search, ask
 from sim_core.scenario import Scenario, dotted
 from tests.api.test_job_store import BATCH
 
@@ -286,10 +287,10 @@ def test_what_cannot_be_tuned_is_refused_at_its_field(body: dict[str, Any], plac
 
 
 def test_the_rest_of_a_batch_is_shared_among_its_processes() -> None:
-    running = RunningJob(job=replace(BATCH, total=64), position=31)
+    running = RunningJob(compute=compute, job=replace(BATCH, total=64), position=31)
     running.record_time(32, 0.64)
     assert running.size(max_chunks=4) == 8, "32 are left"
     running.position = 55
     assert running.size(max_chunks=4) == 5, "no shorter than a tenth of a second"
-    long = RunningJob(job=replace(BATCH, total=10_000), run_seconds=0.02)
+    long = RunningJob(compute=compute, job=replace(BATCH, total=10_000), run_seconds=0.02)
     assert long.size(max_chunks=4) == 50, "about a second while there is enough"

@@ -24,7 +24,7 @@ from tests.validation.reference.ecu import ModelEcu
 
 
 def test_the_ecus_optimum_is_the_qps() -> None:
-    """Random states, roads and previous forces in every stage; DAQP's answers are exact to about 1e-9 N here."""
+    """Random states, roads and previous forces in every stage; the QP's answers are exact to about 1e-9 N here."""
     scenario = Scenario(mpc=HARD, hil=Hil(compensation="none", iterations=200))
     rng, run = np.random.default_rng(1), prepare(scenario, "lv")
     calibration, car = ecu_calibration(scenario), run.car()
@@ -43,6 +43,7 @@ def test_the_ecus_optimum_is_the_qps() -> None:
         inputs = replace(run.inputs(forecast), stage=[STAGES[i % 3]])
         force = lv.force(Seen(inputs, car, 0, 0, state, previous * 1000))
         assert force is not None
+        lv.end()
         if finished:
             np.testing.assert_allclose(rows[:FORCES] * 1000, force, atol=1e-6)
             assert max(slack, 0) / 100 == pytest.approx(lv.report.max_slack, abs=1e-9)

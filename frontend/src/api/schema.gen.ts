@@ -648,6 +648,7 @@ export interface components {
             readonly core_version: string;
             readonly created_at: string;
             readonly current_core_version: string;
+            readonly damaged_at: string | null;
             /** @enum {string} */
             readonly kind: "run" | "batch";
             readonly run: components["schemas"]["Run"] | components["schemas"]["RoadsRun"] | null;
@@ -1590,8 +1591,8 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/json": components["schemas"]["BatchResults"];
-                    readonly "application/vnd.apache.parquet": unknown;
-                    readonly "text/csv": unknown;
+                    readonly "application/vnd.apache.parquet": string;
+                    readonly "text/csv": string;
                 };
             };
         };
@@ -1663,7 +1664,7 @@ export interface operations {
         readonly responses: {
             readonly 200: {
                 content: {
-                    readonly "application/zip": unknown;
+                    readonly "application/zip": string;
                 };
             };
         };
@@ -1910,7 +1911,7 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/json": components["schemas"]["RoadAnswer"];
-                    readonly "text/csv": unknown;
+                    readonly "text/csv": string;
                 };
             };
         };
@@ -2061,8 +2062,8 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/json": components["schemas"]["Series"] | components["schemas"]["SeriesOfSeveral"];
-                    readonly "application/vnd.apache.parquet": unknown;
-                    readonly "text/csv": unknown;
+                    readonly "application/vnd.apache.parquet": string;
+                    readonly "text/csv": string;
                 };
             };
         };

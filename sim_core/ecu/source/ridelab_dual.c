@@ -3,37 +3,40 @@
 #include "ridelab_controller.h"
 #include "ridelab_count.h"
 
-#define TOLERANCE 1e-4f /* kN or cm: 0.1 N, 1 um */
-#define SINGULAR 1e-6f  /* below this share of its own size a row depends on those that bind */
+#define IN_DOUBLE (sizeof(ridelab_real) > sizeof(float))
+#define TOLERANCE ((ridelab_real)(IN_DOUBLE ? 1e-9 : 1e-4)) /* kN or cm; in float 0.1 N, 1 um */
+/* Below this share of its own size a row depends on those that bind. */
+#define SINGULAR ((ridelab_real)(IN_DOUBLE ? 1e-12 : 1e-6))
 #define NO_STEP 3.0e38f
 
-static float magnitude(float value)
+static ridelab_real magnitude(ridelab_real value)
 {
     return value < 0.0f ? -value : value;
 }
 
 /* a' H^-1 b of two limits. */
-static float coupling(const ridelab_tables *known, const float *gram, const ridelab_limit *one,
+static ridelab_real coupling(const ridelab_tables *tables, const ridelab_real *gram, const ridelab_limit *one,
                       const ridelab_limit *two)
 {
-    float sum = 0.0f;
+    ridelab_real sum = 0.0f;
     if (one->sign != 0 && two->sign != 0) {
-        const float entry = gram[(int32_t)one->row * known->rows + two->row];
+        const ridelab_real entry = gram[(int32_t)one->row * tables->rows + two->row];
         sum = one->sign == two->sign ? entry : -entry;
     }
     if (one->axle >= 0 && one->axle == two->axle) {
-        sum += known->slack_yield;
+        sum += tables->slack_yield;
     }
     return sum;
 }
 
 /* A further row of L D L': `solved` becomes it times D. Returns its own entry of D. */
-static float reduce(ridelab_dual *me, const ridelab_tables *known, const float *gram, const ridelab_limit *limit)
+static ridelab_real reduce(ridelab_dual *me, const ridelab_tables *tables, const ridelab_real *gram,
+                           const ridelab_limit *limit)
 {
-    float left = coupling(known, gram, limit, limit);
+    ridelab_real left = coupling(tables, gram, limit, limit);
     for (int32_t i = 0; i < me->count; i++) {
         RIDELAB_COUNT(i + 3); /* the products below, the coupling, the division */
-        float sum = coupling(known, gram, limit, &me->limits[i]);
+        ridelab_real sum = coupling(tables, gram, limit, &me->limits[i]);
         for (int32_t j = 0; j < i; j++) {
             sum -= me->factor[i][j] * me->solved[j];
         }
@@ -43,7 +46,7 @@ static float reduce(ridelab_dual *me, const ridelab_tables *known, const float *
     return left;
 }
 
-static void append(ridelab_dual *me, const ridelab_limit *limit, float multiplier, float left)
+static void append(ridelab_dual *me, const ridelab_limit *limit, ridelab_real multiplier, ridelab_real left)
 {
     const int32_t place = me->count;
     RIDELAB_COUNT(place);
@@ -57,15 +60,15 @@ static void append(ridelab_dual *me, const ridelab_limit *limit, float multiplie
 }
 
 /* Drop the limit at `place`; those behind it are appended anew. */
-static void drop(ridelab_dual *me, const ridelab_tables *known, const float *gram, int32_t place)
+static void drop(ridelab_dual *me, const ridelab_tables *tables, const ridelab_real *gram, int32_t place)
 {
     const int32_t count = me->count;
     me->count = place;
     for (int32_t i = place + 1; i < count; i++) {
         const ridelab_limit limit = me->limits[i];
-        const float multiplier = me->multipliers[i];
-        const float own = coupling(known, gram, &limit, &limit);
-        float left = reduce(me, known, gram, &limit);
+        const ridelab_real multiplier = me->multipliers[i];
+        const ridelab_real own = coupling(tables, gram, &limit, &limit);
+        ridelab_real left = reduce(me, tables, gram, &limit);
         if (left < SINGULAR * own) { /* rounding only: it was independent before */
             left = SINGULAR * own;
         }
@@ -74,14 +77,15 @@ static void drop(ridelab_dual *me, const ridelab_tables *known, const float *gra
 }
 
 /* The limit that is broken most, and by how much. */
-static float worst(const ridelab_dual *me, const ridelab_tables *known, const float *values, ridelab_limit *found)
+static ridelab_real worst(const ridelab_dual *me, const ridelab_tables *tables, const ridelab_real *values,
+                          ridelab_limit *found)
 {
-    float most = 0.0f;
-    RIDELAB_COUNT(known->rows);
-    for (int32_t row = 0; row < known->rows; row++) {
-        const int8_t axle = known->axles[row];
-        const float slack = axle >= 0 ? me->slacks[axle] : 0.0f;
-        const float excess = magnitude(values[row]) - known->bounds[row] - slack;
+    ridelab_real most = 0.0f;
+    RIDELAB_COUNT(tables->rows);
+    for (int32_t row = 0; row < tables->rows; row++) {
+        const int8_t axle = tables->axles[row];
+        const ridelab_real slack = axle >= 0 ? me->slacks[axle] : 0.0f;
+        const ridelab_real excess = magnitude(values[row]) - tables->bounds[row] - slack;
         if (excess > most) {
             most = excess;
             found->row = (int16_t)row;
@@ -101,19 +105,19 @@ static float worst(const ridelab_dual *me, const ridelab_tables *known, const fl
 }
 
 /* values and slacks as a multiplier of that limit grows by `step`. */
-static void move(ridelab_dual *me, const ridelab_tables *known, const float *gram, float *values,
-                 const ridelab_limit *limit, float step)
+static void move(ridelab_dual *me, const ridelab_tables *tables, const ridelab_real *gram, ridelab_real *values,
+                 const ridelab_limit *limit, ridelab_real step)
 {
     if (limit->sign != 0) {
-        const float *column = &gram[(int32_t)limit->row * known->rows]; /* gram is symmetric */
-        const float signed_step = limit->sign > 0 ? step : -step;
-        RIDELAB_COUNT(known->rows);
-        for (int32_t row = 0; row < known->rows; row++) {
+        const ridelab_real *column = &gram[(int32_t)limit->row * tables->rows]; /* gram is symmetric */
+        const ridelab_real signed_step = limit->sign > 0 ? step : -step;
+        RIDELAB_COUNT(tables->rows);
+        for (int32_t row = 0; row < tables->rows; row++) {
             values[row] -= signed_step * column[row];
         }
     }
     if (limit->axle >= 0) {
-        me->slacks[limit->axle] += step * known->slack_yield;
+        me->slacks[limit->axle] += step * tables->slack_yield;
     }
 }
 
@@ -121,7 +125,7 @@ static void move(ridelab_dual *me, const ridelab_tables *known, const float *gra
 static void find_direction(ridelab_dual *me)
 {
     for (int32_t i = me->count - 1; i >= 0; i--) {
-        float sum = me->solved[i] / me->factor[i][i];
+        ridelab_real sum = me->solved[i] / me->factor[i][i];
         RIDELAB_COUNT(me->count - i);
         for (int32_t j = i + 1; j < me->count; j++) {
             sum -= me->factor[j][i] * me->direction[j];
@@ -131,7 +135,7 @@ static void find_direction(ridelab_dual *me)
 }
 
 /* The binding limit whose multiplier reaches zero first, and the step that takes; -1 for none. */
-static int32_t find_blocking(const ridelab_dual *me, float *step)
+static int32_t find_blocking(const ridelab_dual *me, ridelab_real *step)
 {
     int32_t blocking = -1;
     *step = NO_STEP;
@@ -145,13 +149,13 @@ static int32_t find_blocking(const ridelab_dual *me, float *step)
 }
 
 /* One step towards meeting `limit`; whether it is met now. */
-static int32_t advance(ridelab_dual *me, const ridelab_tables *known, const float *gram, float *values,
-                       const ridelab_limit *limit, float *excess, float *added)
+static int32_t advance(ridelab_dual *me, const ridelab_tables *tables, const ridelab_real *gram, ridelab_real *values,
+                       const ridelab_limit *limit, ridelab_real *excess, ridelab_real *added)
 {
-    const float own = coupling(known, gram, limit, limit);
-    const float rate = reduce(me, known, gram, limit);
-    const float full = rate > SINGULAR * own ? *excess / rate : NO_STEP;
-    float step;
+    const ridelab_real own = coupling(tables, gram, limit, limit);
+    const ridelab_real rate = reduce(me, tables, gram, limit);
+    const ridelab_real full = rate > SINGULAR * own ? *excess / rate : NO_STEP;
+    ridelab_real step;
     int32_t blocking;
     find_direction(me);
     blocking = find_blocking(me, &step);
@@ -162,9 +166,9 @@ static int32_t advance(ridelab_dual *me, const ridelab_tables *known, const floa
     if (step >= NO_STEP) { /* nothing would help: cannot be, for the slacks always do */
         return 1;
     }
-    move(me, known, gram, values, limit, step);
+    move(me, tables, gram, values, limit, step);
     for (int32_t i = 0; i < me->count; i++) {
-        move(me, known, gram, values, &me->limits[i], -step * me->direction[i]);
+        move(me, tables, gram, values, &me->limits[i], -step * me->direction[i]);
         me->multipliers[i] -= step * me->direction[i];
         if (me->multipliers[i] < 0.0f) {
             me->multipliers[i] = 0.0f;
@@ -176,11 +180,11 @@ static int32_t advance(ridelab_dual *me, const ridelab_tables *known, const floa
         append(me, limit, *added, rate);
         return 1;
     }
-    drop(me, known, gram, blocking);
+    drop(me, tables, gram, blocking);
     return 0;
 }
 
-static void start(ridelab_dual *me, const ridelab_tables *known)
+static void start(ridelab_dual *me, const ridelab_tables *tables)
 {
     me->count = 0;
     me->iterations = 0;
@@ -189,41 +193,42 @@ static void start(ridelab_dual *me, const ridelab_tables *known)
         for (int32_t j = 0; j < me->count; j++) {
             me->solved[j] = 0.0f;
         }
-        append(me, &limit, known->slack_price, known->slack_yield);
+        append(me, &limit, tables->slack_price, tables->slack_yield);
         me->slacks[axle] = 0.0f;
     }
 }
 
-int32_t ridelab_dual_solve(ridelab_dual *me, const ridelab_tables *known, const float *gram, float *values)
+int32_t ridelab_dual_solve(ridelab_dual *me, const ridelab_tables *tables, const ridelab_real *gram,
+                           ridelab_real *values)
 {
     int32_t flags = 0;
     int32_t met = 1;
-    float excess = 0.0f;
-    float added = 0.0f;
+    ridelab_real excess = 0.0f;
+    ridelab_real added = 0.0f;
     ridelab_limit limit = {-1, 0, -1};
-    start(me, known);
+    start(me, tables);
     /* One pass more than there are iterations, to see whether the last one was enough. */
-    for (int32_t pass = 0; pass <= known->iterations; pass++) {
+    for (int32_t pass = 0; pass <= tables->iterations; pass++) {
         if (met != 0) {
-            excess = worst(me, known, values, &limit);
+            excess = worst(me, tables, values, &limit);
             added = 0.0f;
             if (excess <= TOLERANCE) {
                 return flags;
             }
             flags |= RIDELAB_LIMITED;
         }
-        if (pass == known->iterations || me->count == RIDELAB_MOST_ACTIVE) {
+        if (pass == tables->iterations || me->count == RIDELAB_MOST_ACTIVE) {
             break;
         }
         me->iterations = pass + 1;
-        met = advance(me, known, gram, values, &limit, &excess, &added);
+        met = advance(me, tables, gram, values, &limit, &excess, &added);
     }
     return flags | RIDELAB_UNFINISHED;
 }
 
-float ridelab_dual_slack(const ridelab_dual *me)
+ridelab_real ridelab_dual_slack(const ridelab_dual *me)
 {
-    float most = 0.0f;
+    ridelab_real most = 0.0f;
     for (int32_t axle = 0; axle < RIDELAB_AXLES; axle++) {
         if (me->slacks[axle] > most) {
             most = me->slacks[axle];

@@ -15,16 +15,17 @@ typedef struct {
     int32_t count; /* limits that bind */
     int32_t iterations;
     ridelab_limit limits[RIDELAB_MOST_ACTIVE];
-    float multipliers[RIDELAB_MOST_ACTIVE];
-    float direction[RIDELAB_MOST_ACTIVE];
-    float solved[RIDELAB_MOST_ACTIVE];
-    float factor[RIDELAB_MOST_ACTIVE][RIDELAB_MOST_ACTIVE]; /* L below the diagonal, D on it */
-    float slacks[RIDELAB_AXLES];                            /* [cm] */
+    ridelab_real multipliers[RIDELAB_MOST_ACTIVE];
+    ridelab_real direction[RIDELAB_MOST_ACTIVE];
+    ridelab_real solved[RIDELAB_MOST_ACTIVE];
+    ridelab_real factor[RIDELAB_MOST_ACTIVE][RIDELAB_MOST_ACTIVE]; /* L below the diagonal, D on it */
+    ridelab_real slacks[RIDELAB_AXLES];                            /* [cm] */
 } ridelab_dual;
 
 /* Moves `values` (rows) from the unconstrained optimum to the constrained one; returns the controller's flags. */
-int32_t ridelab_dual_solve(ridelab_dual *me, const ridelab_tables *known, const float *gram, float *values);
+int32_t ridelab_dual_solve(ridelab_dual *me, const ridelab_tables *tables, const ridelab_real *gram,
+                           ridelab_real *values);
 
-float ridelab_dual_slack(const ridelab_dual *me);
+ridelab_real ridelab_dual_slack(const ridelab_dual *me);
 
 #endif

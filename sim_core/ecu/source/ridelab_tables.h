@@ -12,6 +12,12 @@
 #define RIDELAB_STAGES 3    /* cruise, brake, bump */
 #define RIDELAB_AXLES 2
 
+/* What the control unit reckons in. The simulation builds the solver in double as well. */
+#ifndef RIDELAB_REAL
+#define RIDELAB_REAL float
+#endif
+typedef RIDELAB_REAL ridelab_real;
+
 /* Matrices are stored row after row. */
 typedef struct {
     int32_t intervals;  /* of the prediction, Np */
@@ -20,18 +26,18 @@ typedef struct {
     int32_t predicts;   /* 1: reckon the state ahead to the moment the command takes effect */
     int32_t iterations; /* the solver stops after so many */
     int32_t highest;    /* greatest code of a command */
-    float command_step; /* what one code of a command stands for [kN] */
-    float force_limit;  /* [kN] */
-    float slack_price;  /* of a deflection beyond its limit [1/cm] */
-    float slack_yield;  /* inverse of its quadratic price [cm^2] */
-    const float *input_steps;              /* what one code stands for: states, then previewed (11) */
-    const float *a;                        /* (8, 8): the car over one control step */
-    const float *b;                        /* (8, 2): forces in kN */
-    const float *e;                        /* (8, 3): road velocities, deceleration */
-    const float *bounds;                   /* (rows): greatest magnitude [kN or cm] */
+    ridelab_real command_step; /* what one code of a command stands for [kN] */
+    ridelab_real force_limit;  /* [kN] */
+    ridelab_real slack_price;  /* of a deflection beyond its limit [1/cm] */
+    ridelab_real slack_yield;  /* inverse of its quadratic price [cm^2] */
+    const ridelab_real *input_steps;              /* what one code stands for: states, then previewed (11) */
+    const ridelab_real *a;                        /* (8, 8): the car over one control step */
+    const ridelab_real *b;                        /* (8, 2): forces in kN */
+    const ridelab_real *e;                        /* (8, 3): road velocities, deceleration */
+    const ridelab_real *bounds;                   /* (rows): greatest magnitude [kN or cm] */
     const int8_t *axles;                   /* (rows): whose slack softens it, 0 or 1; -1 none */
-    const float *effects[RIDELAB_STAGES];  /* (rows, 10 + 3 Np) on state, previous command [kN], preview */
-    const float *gram[RIDELAB_STAGES];     /* (rows, rows): how a multiplier of one row moves the others */
+    const ridelab_real *effects[RIDELAB_STAGES];  /* (rows, 10 + 3 Np) on state, previous command [kN], preview */
+    const ridelab_real *gram[RIDELAB_STAGES];     /* (rows, rows): how a multiplier of one row moves the others */
 } ridelab_tables;
 
 #endif

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
-from sim_core.ecu.calibration import AXLES, FORCE_ROW, MOST_ACTIVE, Calibration, StageTables
+from sim_core.control.qp import AXLES
+from sim_core.ecu.calibration import FORCE_ROW, MOST_ACTIVE, Calibration, StageTables
 from sim_core.ecu.channels import highest_code
 from sim_core.ecu.interface import Ecu, Frame, Reply
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES

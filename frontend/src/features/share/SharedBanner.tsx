@@ -87,6 +87,8 @@ export function SharedNote({
       <IconLock size={17} stroke={1.7} aria-hidden />
       <Text size="sm" flex="1 1 14rem">
         Shared {what}, computed on {formatDay(link.computed_at)} by core {link.core_version}. Read-only.
+        {link.damaged_at !== null &&
+          ` Something stored of it was found damaged on ${formatDay(link.damaged_at)} and computed again by that core: it may differ from what was shared.`}
         {link.core_version !== link.current_core_version && ` This server now runs core ${link.current_core_version}.`}
       </Text>
       {children}

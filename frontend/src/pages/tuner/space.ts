@@ -1,4 +1,4 @@
-/** What of a strategy can be tuned, as backend/jobs/tuning/space.py has it; names, units and limits are the form's. */
+/** What of a strategy can be tuned, as backend/tunings/space.py has it; names, units and limits are the form's. */
 
 import type { Scenario, StrategyId, Weights } from "../../api/types";
 import { getAt, type Pointer } from "../../scenario/path";

@@ -1,0 +1,146 @@
+"""The shapes of batch requests and answers."""
+
+from datetime import datetime
+from typing import Annotated, Literal, Self
+
+from pydantic import ConfigDict, Field
+
+from backend.batches.points import Sweep
+from backend.batches.summary_models import Cell, StrategySummary
+from backend.jobs.models import Label
+from backend.json_types import JsonObject
+from backend.models import Answer, RequestModel, StrategyName
+from backend.store import StoredJob
+from backend.store.job import State
+from sim_core.scenario import Scenario, dotted
+
+
+class BatchRequest(RequestModel):
+    """What to run: each point of the sweep under each strategy."""
+
+    scenario: Scenario = Scenario()
+    strategies: list[StrategyName] = Field(min_length=1, max_length=32)
+    sweep: Sweep
+    label: Label = None
+    dry_run: bool = Field(False, description="Only check and estimate: nothing is stored or computed")
+
+
+class BatchField(Answer):
+    """A field the sweep changes."""
+
+    name: str
+    title: str
+    unit: str
+    linked_to: str | None = Field(None, description="The swept field whose value it takes")
+
+
+class BatchItem(Answer):
+    """A batch in a list; `done` runs succeeded, `failed` runs did not and say why in their rows."""
+
+    id: str
+    state: State
+    reason: str | None = Field(description="Why the batch as a whole failed")
+    label: str | None
+    position: int = Field(description="Runs of batches accepted earlier that wait, until it runs: then they take turns")
+    total: int
+    done: int
+    failed: int
+    core_version: str = Field(description="That accepted it; each row names the one that computed it")
+    scenario: JsonObject
+    strategies: list[str]
+    fields: list[BatchField]
+    notes: list[str] = Field([], description="What its runs do not depend on; empty of old batches")
+    estimated_cost: float = Field(description="Estimate [s of one core]")
+    created_at: datetime
+    started_at: datetime | None
+    finished_at: datetime | None
+
+    @classmethod
+    def of(cls, job: StoredJob, position: int) -> Self:
+        """A stored sweep with its place in the queue."""
+        linked = job.request.get("linked", {})
+        leaders = {field: name for name, fields in linked.items() for field in fields}
+        fields = [_field(name, leaders.get(name)) for name in job.request["fields"]]
+        own = {name: getattr(job, name) for name in cls.model_fields if hasattr(job, name)}
+        return cls(**job.request | own | {"fields": fields}, position=position)
+
+
+def _field(name: str, leader: str | None) -> BatchField:
+    described = dotted.fields().get(name)
+    title, unit = (name, "1") if described is None else (described.title, described.unit)
+    return BatchField(name=name, title=title, unit=unit, linked_to=leader)
+
+
+class Batch(BatchItem):
+    """A batch in its present state."""
+
+    sweep: JsonObject
+
+
+class Estimate(Answer):
+    """The size and the estimated time of a batch."""
+
+    points: int
+    total: int = Field(description="Runs: points times strategies")
+    contradictory: int = Field(description="Runs whose fields contradict each other: they would be failed rows")
+    estimated_cost: float = Field(description="Estimate, which is compared with the limit [s of one core]")
+    notes: list[str] = Field(description="What its runs do not depend on: fields a strategy does not read, and such")
+    estimated_seconds: float | None = Field(description="By some runs tried just now [s]; none where trying takes long")
+
+
+class Batches(Answer):
+    """A page of batches, the newest first."""
+
+    batches: list[BatchItem]
+    next: str | None = Field(description="Cursor of the next page; null on the last one")
+
+
+class BatchTable(Answer):
+    """A batch's rows column by column."""
+
+    batch: str
+    state: State
+    units: dict[str, str]
+    columns: dict[str, list[Cell]]
+
+
+class BatchRow(Answer):
+    """A run of a batch; further members are the swept fields by name and, of a run with status ok, its figures."""
+
+    model_config = ConfigDict(json_schema_serialization_defaults_required=False)
+
+    run: int
+    strategy: str
+    status: Literal["ok", "failed", "waiting", "cancelled"]
+    reason: Annotated[str | None, Field(description="Of a failed run")] = None
+    kind: Annotated[
+        Literal["too-expensive"] | None,
+        Field(description="`too-expensive` where a failed run would take more computing than one may"),
+    ] = None
+    fields: Annotated[list[str] | None, Field(description="Which scenario fields make such a run cheaper")] = None
+
+
+class BatchResults(Answer):
+    """Every run of a batch, in order."""
+
+    batch: str
+    core_version: str
+    scenario: JsonObject
+    sweep: JsonObject
+    units: dict[str, str]
+    rows: list[BatchRow]
+
+
+class BatchSummary(Answer):
+    """What a batch's finished runs say as a whole."""
+
+    batch: str
+    state: State
+    core_version: str = Field(
+        description="That computes `nominal` and `stability`; the rows' metrics are those of the versions rows name"
+    )
+    points: int
+    baseline: str
+    quantiles: list[float] = Field(description="Percentages of every list of quantiles below")
+    units: dict[str, str]
+    strategies: dict[str, StrategySummary]

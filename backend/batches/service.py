@@ -1,0 +1,295 @@
+"""Batches: accepted whole or refused, then read while the scheduler has them computed."""
+
+import asyncio
+from collections.abc import AsyncIterator, Awaitable, Callable, Iterable, Mapping, Sequence
+from contextlib import ExitStack
+from functools import partial
+from pathlib import Path
+from typing import Any, TypeVar
+
+from backend.batches import plan, rendering, table
+from backend.batches.kind import SWEEP
+from backend.batches.models import Batch, Batches, BatchItem, BatchSummary, Estimate
+from backend.batches.points import Sweep, SweepError, size
+from backend.batches.summaries import Summaries
+from backend.compute.workers import Workers
+from backend.errors import ConflictError, InvalidError
+from backend.file_formats import FormatName
+from backend.gate import Gate
+from backend.http.spool import Spool, SpoolFile
+from backend.job_run import JobRow
+from backend.jobs.service import Jobs, request_hash
+from backend.json_types import JsonObject
+from backend.roads.service import MeasuredRoads
+from backend.runs.service import ordered
+from backend.settings import Settings
+from backend.store import Store, StoredJob
+from backend.store.job import UNFINISHED, State
+from backend.store.roads import measured_roads, swept_roads
+from sim_core.scenario import Road, Scenario
+from sim_core.scenario.measured import MeasuredRoad
+
+ROWS_AT_ONCE = 250  # rows read in one transaction
+PLAN_COST = 0.0002  # of one run [s of one core]
+QUICK = 0.3  # what takes less delays no interactive run [s of one core]
+T = TypeVar("T")
+
+
+class BatchService:
+    """The service of batches.
+
+    Args:
+        store: The database.
+        workers: Processes for interactive runs; they also do what is quick.
+        batch_workers: Processes for longer planning and summaries, so that these delay no interactive run.
+        gate: What is accepted at once.
+        settings: Of the service.
+        roads: The measured ones.
+        spool: For long tables.
+    """
+
+    def __init__(
+        self,
+        *,
+        store: Store,
+        workers: Workers,
+        batch_workers: Workers,
+        gate: Gate,
+        settings: Settings,
+        roads: MeasuredRoads,
+        spool: Spool,
+    ) -> None:
+        self._spool = spool
+        self.jobs = Jobs(SWEEP, store=store, gate=gate, settings=settings, size_pointer="/sweep", run_pointer="/sweep")
+        self._store = store
+        self._workers = workers
+        self._batch_workers = batch_workers
+        self._gate = gate
+        self._roads = roads
+        self._settings = settings
+        self._summaries = Summaries(rows=self.rows, call=self._call, gate=gate, roads=roads)
+
+    async def estimate(self, scenario: Scenario, strategies: Iterable[str], sweep: Sweep, client: str) -> Estimate:
+        """The size and the estimated time of that batch.
+
+        It is refused where `create` refuses it.
+        """
+        names, given = ordered(strategies), scenario
+        scenario = await self._roads.with_length(scenario)
+        base = scenario.model_dump(mode="json")
+        roads = await self._named_roads(base, _sent(sweep))
+        lengths = _lengths(given, roads)
+        planned = await self._planned(base, names, sweep, lengths, client)
+        cost = plan.PILOTS * len(names) * min(plan.PILOT_LIMIT, planned.max_run_cost)
+        with self._gate.hold(client, requests=1, background_cost=cost):
+            seconds = await self._call(client, cost, plan.pilot, base, names, sweep, lengths, roads)
+        points = planned.total // len(names)
+        if seconds is not None:
+            seconds *= points / self._settings.batch_workers
+            seconds *= 1 + await self._queued_cost(planned.cost) / planned.cost if planned.cost else 1
+        return Estimate(
+            points=points,
+            total=planned.total,
+            contradictory=planned.contradictory,
+            notes=planned.notes,
+            estimated_cost=planned.cost,
+            estimated_seconds=seconds,
+        )
+
+    async def create(
+        self,
+        scenario: Scenario,
+        strategies: Iterable[str],
+        sweep: Sweep,
+        *,
+        client: str,
+        key: str | None = None,
+        label: str | None = None,
+        owner: str | None = None,
+        parent_id: str | None = None,
+    ) -> StoredJob:
+        """Accept a batch: when this returns, it is committed.
+
+        Args:
+            scenario: Whose fields the sweep changes.
+            strategies: Ids.
+            sweep: The points.
+            client: Who asks.
+            key: The same key and request again give the same batch.
+            label: A name for it.
+            owner: The token's name.
+            parent_id: The job that submits it.
+
+        Raises:
+            ConflictError: The key had another request.
+            InvalidError: Fields or values cannot be used.
+            CostLimitError: It is over a limit.
+            TemporaryError: Too much is waiting.
+        """
+        names, sent, given = ordered(strategies), _sent(sweep), scenario
+        scenario = await self._roads.with_length(scenario)
+        base = scenario.model_dump(mode="json")
+        hashed = request_hash({"scenario": scenario.identity(), "strategies": names, "sweep": sent})
+        existing = await self.jobs.existing(key, hashed)
+        if existing is not None:
+            return existing
+        lengths = _lengths(given, await self._named_roads(base, sent))
+        self.jobs.check_runs(size(sweep) * len(names))
+        await self.jobs.check_room()
+        planned = await self._planned(base, names, sweep, lengths, client)
+        job = StoredJob(
+            kind=SWEEP.name,
+            parent_id=parent_id,
+            label=label,
+            owner=owner,
+            request={
+                "scenario": base,
+                "strategies": names,
+                "fields": planned.fields,
+                "linked": sweep.linked or {},
+                "notes": planned.notes,
+            },
+            sweep=sent,
+            estimated_cost=planned.cost,
+            total=planned.total,
+            failed=planned.contradictory,
+            request_hash=hashed,
+        )
+        return await self.jobs.accept(job, planned.runs, key)
+
+    async def answer(self, job: StoredJob) -> Batch:
+        """The batch as it is answered."""
+        return Batch.of(job, (await self.jobs.positions(job))[job.id])
+
+    async def page(self, *, limit: int, cursor: str | None, state: State | None, label: str | None) -> Batches:
+        """The newest batches, without their sweeps."""
+        jobs, after = await self.jobs.page(limit=limit, cursor=cursor, state=state, label=label)
+        positions = await self.jobs.positions(*jobs)
+        return Batches(batches=[BatchItem.of(job, positions[job.id]) for job in jobs], next=after)
+
+    async def resume(self, job_id: str, owner: str | None) -> StoredJob:
+        """Continue a cancelled batch; one that has not ended is returned unchanged.
+
+        Raises:
+            NotFoundError: There is none.
+            ForbiddenError: It belongs to another token.
+            ConflictError: It is done.
+        """
+        job = await self.jobs.owned(job_id, owner)
+        if job.state in UNFINISHED:
+            return job
+        if job.state == "done":
+            raise ConflictError("It is done: nothing is left to run.", kind="done")
+        return await self.jobs.resume(job_id)
+
+    async def table(self, job_id: str, figures: Sequence[str], client: str) -> bytes | SpoolFile:
+        """Every row column by column, with those figures, as JSON of `BatchTable`.
+
+        Raises:
+            NotFoundError: There is no such batch.
+            TemporaryError: Too much is being computed, or waits to be read.
+        """
+        job = await self.jobs.get(job_id)
+        fields = job.request["fields"]
+        names = [*table.FIXED, *fields, *figures]
+        size, call = table.TABLE_VALUE_BYTES * job.total * len(names), self._page_call(client)
+        with (
+            self._gate.computing(client, rendering.ROW_COST * job.total),
+            self._spool.reserved(client, size) as write,
+            self._spool.scratch(client, size) as scratch,
+        ):
+            pages = table.ColumnPages(names, scratch)
+            async for rows in self.rows(job.id):
+                pages.add(await call(rendering.column_texts, rows, fields, figures))
+            units = {name: unit for name, unit in table.units(job).items() if name in names}
+            head = {"batch": job.id, "state": job.state, "units": units}
+
+            async def assembled(path: Path | None) -> bytes:
+                return await asyncio.to_thread(pages.assembled, head, path)
+
+            return await write(assembled)
+
+    async def summary(self, job_id: str, figures: Sequence[str], baseline: str | None, client: str) -> BatchSummary:
+        """The summary of its finished rows.
+
+        Raises:
+            NotFoundError: There is no such batch.
+            InvalidError: It does not have that baseline.
+            TemporaryError: Too much is being read.
+        """
+        return await self._summaries.get(await self.jobs.get(job_id), figures, baseline, client)
+
+    async def results(
+        self, job_id: str, file_format: FormatName, client: str
+    ) -> tuple[StoredJob, AsyncIterator[bytes], ExitStack]:
+        """The batch, its rows in that format piece by piece, and what counts them as open until it is closed.
+
+        Raises:
+            NotFoundError: There is no such batch.
+            TemporaryError: Too much is being computed.
+        """
+        job, counted = await self.jobs.get(job_id), ExitStack()
+        counted.enter_context(self._gate.hold(client, computing=1, cost=rendering.ROW_COST * job.total))
+        return job, table.RENDERERS[file_format](job, self.rows(job.id), self._page_call(client)), counted
+
+    async def rows(self, job_id: str) -> AsyncIterator[list[JobRow]]:
+        """Its rows in order, page by page."""
+        last = -1
+        while rows := await self._store.read(self._store.job_runs.rows, job_id, last, ROWS_AT_ONCE):
+            yield rows
+            last = rows[-1].position
+
+    async def _named_roads(self, base: JsonObject, sent: JsonObject) -> dict[str, MeasuredRoad]:
+        """The measured roads that scenario and sweep name.
+
+        Raises:
+            InvalidError: One is not there.
+        """
+        of_base = await self._roads.named(measured_roads(base))
+        return {**of_base, **await self._roads.named(swept_roads(sent), "/sweep")}
+
+    async def _planned(
+        self,
+        base: JsonObject,
+        names: Sequence[str],
+        sweep: Sweep,
+        lengths: Mapping[str | None, float],
+        client: str,
+    ) -> plan.SweepPlan:
+        self.jobs.check_runs(size(sweep) * len(names))
+        try:
+            cost = PLAN_COST * size(sweep) * len(names)
+            with self._gate.hold(client, requests=1, background_cost=cost):
+                planned = await self._call(client, cost, plan.plan, base, names, sweep, lengths)
+        except SweepError as error:
+            raise InvalidError(
+                "The sweep has fields that cannot be used; errors names each.", errors=error.problems()
+            ) from None
+        self.jobs.check_cost(planned.cost, planned.max_run_cost)
+        return planned
+
+    async def _call(self, client: str, cost: float, function: Callable[..., T], *args: Any) -> T:
+        """Run a function in a process; a long one behind interactive runs."""
+        workers = self._workers if cost < QUICK else self._batch_workers
+        return await workers.call(function, *args, client=client, cost=cost)
+
+    def _page_call(self, client: str) -> Callable[..., Awaitable[Any]]:
+        """Runs a function of a page of rows in a worker, so that clients take turns page by page."""
+        return partial(self._workers.call, client=client, cost=rendering.ROW_COST * ROWS_AT_ONCE)
+
+    async def _queued_cost(self, own: float) -> float:
+        """Cost of other jobs' runs before a new job of that cost ends, as all share the processes [s of one core]."""
+        unfinished = await self._store.read(self._store.jobs.unfinished)
+        return sum(min(own, job.estimated_cost * job.open_runs / job.total) for job in unfinished)
+
+
+def _lengths(scenario: Scenario, roads: Mapping[str, MeasuredRoad]) -> dict[str | None, float]:
+    """Lengths of the roads that a sweep may name, by profile [m]; none where the scenario was given a length."""
+    if "length" in scenario.road.model_fields_set:
+        return {}
+    return {None: Road().length} | {profile: road.length for profile, road in roads.items()}
+
+
+def _sent(sweep: Sweep) -> JsonObject:
+    """The sweep as it was sent."""
+    return sweep.model_dump(mode="json", by_alias=True, exclude_none=True)

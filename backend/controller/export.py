@@ -1,0 +1,72 @@
+"""The controller of one scenario as C sources: the files, and a zip of them that is always the same to the byte."""
+
+import io
+import json
+import zipfile
+from pathlib import Path
+
+from backend.controller import tables
+from sim_core.ecu.calibration import Calibration
+from sim_core.ecu.sources import SOURCES
+from sim_core.scenario import Scenario
+from sim_core.strategies.calibration import ecu_calibration
+
+CONTROLLER = (
+    "ridelab_tables.h",
+    "ridelab_count.h",
+    "ridelab_controller.h",
+    "ridelab_controller.c",
+    "ridelab_dual.h",
+    "ridelab_dual.c",
+)
+HOST = ("host/ridelab_prepare.h", "host/ridelab_compiled.c", "host/ridelab_main.c")
+TARGET = ("target/ridelab_firmware.c", "target/stm32f103.ld")
+FOLDER = "ridelab-controller"
+_OLDEST = (1980, 1, 1, 0, 0, 0)  # the only time a zip can have that says nothing
+
+
+def generated(calibration: Calibration) -> dict[str, str]:
+    """Name -> text of the files that hold the scenario's numbers."""
+    return {
+        "ridelab_sizes.h": tables.sizes_header(calibration),
+        "ridelab_calibration.h": tables.calibration_header(calibration),
+        "ridelab_tables.c": tables.tables_source(calibration),
+    }
+
+
+def files(calibration: Calibration, scenario: str) -> dict[str, str]:
+    """Name -> text of everything an exported controller consists of.
+
+    Args:
+        calibration: Its numbers.
+        scenario: JSON text of `scenario.json` beside them.
+    """
+    fixed = {name: (SOURCES / name).read_text() for name in (*CONTROLLER, *HOST, *TARGET, "Makefile", "README.md")}
+    return {**fixed, **generated(calibration), "scenario.json": scenario}
+
+
+def written(folder: Path, calibration: Calibration, scenario: str) -> list[Path]:
+    """Write the files into a folder, created where missing; their paths."""
+    paths = []
+    for name, text in files(calibration, scenario).items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+        paths.append(path)
+    return paths
+
+
+def archive(scenario: Scenario) -> bytes:
+    """The scenario's controller as a zip of C sources.
+
+    Raises:
+        RidelabError: There is no stabilising controller.
+    """
+    content, plain = io.BytesIO(), json.dumps(scenario.model_dump(mode="json"), indent=1) + "\n"
+    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED, compresslevel=6) as zipped:
+        for name, text in sorted(files(ecu_calibration(scenario), plain).items()):
+            entry = zipfile.ZipInfo(f"{FOLDER}/{name}", _OLDEST)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.external_attr = 0o644 << 16
+            zipped.writestr(entry, text)
+    return content.getvalue()

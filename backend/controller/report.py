@@ -1,0 +1,130 @@
+"""Whether the controller fits the part: memory from the linked program, time from operations counted in the drive."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+from backend.controller import effort, firmware
+from backend.controller.build import EcuError
+from backend.controller.effort import STM32F103
+from backend.controller.link import connected
+from backend.controller.models import ControllerPart, ControllerReport, ControllerRow, Operations, StepTime
+from backend.controller.realtime import changes
+from backend.cost import affordable
+from backend.cost.estimate import check_affordable
+from backend.errors import EcuUnavailableError
+from sim_core.ecu.calibration import Calibration, Checked
+from sim_core.ecu.interface import Ecu
+from sim_core.result import StrategyResult
+from sim_core.scenario import Scenario
+from sim_core.simulate import simulate
+from sim_core.strategies.calibration import ecu_calibration
+from sim_core.strategies.lv_hil import LvHil
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ControllerVariant:
+    """A controller that may fit where the scenario's own does not; None takes the scenario's value."""
+
+    prediction: int | None = None
+    control: int | None = None
+    iterations: int | None = None
+    checked: Checked = "all"
+
+    def of(self, scenario: Scenario) -> Scenario:
+        """The scenario with this controller, never longer than its own."""
+        mpc, hil = scenario.mpc, scenario.hil
+        prediction = min(self.prediction or mpc.prediction_horizon, mpc.prediction_horizon)
+        control = min(self.control or mpc.control_horizon, mpc.control_horizon, prediction)
+        iterations = hil.iterations if self.iterations is None else min(self.iterations, hil.iterations)
+        return scenario.model_copy(
+            update={
+                "mpc": mpc.model_copy(update={"prediction_horizon": prediction, "control_horizon": control}),
+                "hil": hil.model_copy(update={"iterations": iterations}),
+            }
+        )
+
+
+VARIANTS = (
+    ControllerVariant(),
+    ControllerVariant(checked="few"),
+    ControllerVariant(checked="few", iterations=4),
+    ControllerVariant(prediction=20, control=10, checked="few", iterations=4),
+    ControllerVariant(prediction=15, control=5, iterations=4),
+    ControllerVariant(prediction=10, control=5, iterations=4),
+    ControllerVariant(prediction=5, control=3, iterations=4),
+)
+
+
+def report(scenario: Scenario) -> ControllerReport:
+    """Report on the scenario's own controller and on smaller ones.
+
+    Raises:
+        EcuUnavailableError: A program cannot be built, or fails.
+        RidelabError: As `simulate` raises.
+    """
+    part, rows, seen = STM32F103, [], set()
+    simulated = affordable.simulate(scenario, "lv")
+    for variant in VARIANTS:
+        changed = variant.of(scenario)
+        key = (changed.mpc.prediction_horizon, changed.mpc.control_horizon, changed.hil.iterations, variant.checked)
+        if key not in seen:
+            seen.add(key)
+            try:
+                rows.append(_row(changed, variant.checked, part, simulated))
+            except EcuError as error:
+                raise EcuUnavailableError(error.message) from None
+    return ControllerReport(
+        part=part,
+        sample_time=scenario.mpc.sample_time,
+        cycles_per_operation=effort.CYCLES_PER_OPERATION,
+        spread=effort.SPREAD,
+        rows=rows,
+    )
+
+
+def _row(scenario: Scenario, checked: Checked, part: ControllerPart, simulated: StrategyResult) -> ControllerRow:
+    calibration = ecu_calibration(scenario, checked)
+    linked = firmware.image(calibration)
+    operations: list[int] = []
+
+    @contextmanager
+    def counted(wanted: Calibration) -> Iterator[Ecu]:
+        with connected(wanted) as link:
+            yield link
+            operations.extend(link.operations)
+
+    check_affordable(scenario, "lv_hil")
+    result = simulate(scenario, LvHil(connect=counted, checked=checked))
+    least, most = effort.seconds(min(operations)), effort.seconds(max(operations))
+    reasons = _reasons(linked, most, scenario.mpc.sample_time, part)
+    return ControllerRow(
+        prediction_horizon=calibration.intervals,
+        control_horizon=calibration.moves,
+        checked=checked,
+        checked_rows=calibration.row_count,
+        iterations=calibration.iterations,
+        code=linked.sections.get(".text", 0),
+        constants=linked.sections.get(".rodata", 0),
+        variables=linked.ram,
+        operations=Operations(least=min(operations), most=max(operations)),
+        time=StepTime(least=least, most=most),
+        most_iterations=result.events["ecu_most_iterations"],
+        unfinished=result.events["qp_failures"],
+        fits=not reasons,
+        reasons=reasons,
+        changes=changes(result, simulated),
+    )
+
+
+def _reasons(linked: firmware.Image, most: float, sample_time: float, part: ControllerPart) -> list[str]:
+    """Why it does not fit; empty where it does."""
+    reasons = []
+    if linked.flash > part.flash:
+        reasons.append(f"code and constants take {linked.flash / 1024:.0f} KB of {part.flash / 1024:.0f} KB flash")
+    if linked.ram + part.stack > part.ram:
+        needed = (linked.ram + part.stack) / 1024
+        reasons.append(f"variables and stack take {needed:.0f} KB of {part.ram / 1024:.0f} KB RAM")
+    if most > sample_time:
+        reasons.append(f"the longest step takes about {1000 * most:.3g} ms of {1000 * sample_time:.3g} ms")
+    return reasons

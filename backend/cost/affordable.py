@@ -1,0 +1,34 @@
+"""`simulate` as the service does it: only what is affordable, with room made for what is large."""
+
+import ctypes
+from contextlib import suppress
+
+from backend.cost.estimate import check_affordable, expected_time, memory
+from sim_core.caching import SHARED
+from sim_core.result import StrategyResult
+from sim_core.scenario import Scenario
+from sim_core.simulate import simulate as simulate_core
+from sim_core.strategies import strategy_named
+
+LARGE = 100e6  # a run's arrays, before which everything that can be spared makes room [bytes]
+
+
+def simulate(scenario: Scenario, name: str) -> StrategyResult:
+    """Drive one strategy.
+
+    Raises:
+        TooExpensiveError: It does more than one run may.
+        RidelabError: As `sim_core.simulate.simulate` raises.
+    """
+    strategy = strategy_named(name)
+    if memory(scenario, strategy, expected_time(scenario, strategy)) > LARGE:
+        make_room()
+    check_affordable(scenario, name)
+    return simulate_core(scenario, strategy)
+
+
+def make_room() -> None:
+    """Empty the caches, and have glibc give back what it keeps."""
+    SHARED.clear()
+    with suppress(OSError, AttributeError):  # another C library
+        ctypes.CDLL(None).malloc_trim(0)

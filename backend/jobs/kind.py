@@ -1,0 +1,49 @@
+"""What the engine has to know of a kind of job; the kinds stand in the rooms that ask for them."""
+
+from collections.abc import Awaitable, Callable, Iterable, Mapping
+from dataclasses import dataclass
+
+from prometheus_client import Gauge
+
+from backend.compute.chunk_messages import ComputeRun
+from backend.job_run import JobRun
+from backend.json_types import JsonObject
+from backend.store import StoredJob
+
+# From a plain scenario, its schema version and some runs: by position a new key, or the reason why there is none.
+Rekey = Callable[[JsonObject, int, Iterable[JobRun]], Mapping[int, tuple[str | None, str | None]]]
+
+
+class JobFailedError(Exception):
+    """The job cannot go on; the message tells its owner why."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JobKind:
+    """A kind of job: computed run by run (`compute`), or taken step by step (`step`).
+
+    Functions that run in a worker are functions of a module, as they travel by their names.
+
+    Attributes:
+        name: As it is stored.
+        word: What users call one.
+        plural: What they call several.
+        compute: What a worker computes of each run.
+        rekey: Run in a worker after an upgrade: gives waiting runs the keys of this core version. Without it a job of
+            another version is deleted: who asked for it asks anew.
+        passing: A job is deleted when all its runs have succeeded: their results are what was asked for.
+        step: Takes the next step of a job to its end; the stored state says which it is. Raises JobFailedError where
+            the job cannot go on, TemporaryError where it can be tried again.
+        jobs_gauge: Of its jobs by state.
+        runs_gauge: Of their open runs by state.
+    """
+
+    name: str
+    word: str
+    plural: str
+    compute: ComputeRun | None = None
+    rekey: Rekey | None = None
+    passing: bool = False
+    step: Callable[[StoredJob], Awaitable[None]] | None = None
+    jobs_gauge: Gauge | None = None
+    runs_gauge: Gauge | None = None

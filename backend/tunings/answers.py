@@ -1,0 +1,196 @@
+"""The shapes of what is answered of tunings, made from what is stored."""
+
+from collections.abc import Sequence
+from datetime import datetime
+from typing import Any, Literal, Self
+
+from pydantic import Field
+
+from backend.json_types import JsonObject
+from backend.models import Answer
+from backend.store import StoredJob
+from backend.store.job import State
+from backend.store.trials import StoredTrial
+from backend.tunings import front
+from backend.tunings.comparison_models import Comparison, TunedValue
+from backend.tunings.measure import Aims
+from backend.tunings.space import first_weights, ranges_of
+
+
+class ObjectiveAnswer(Answer):
+    """An objective with its name; `window` is never null for `paper` and `peaks`."""
+
+    kind: Literal["paper", "peaks", "figure"]
+    q: list[float]
+    window: str | None
+    figure: str | None
+    label: str
+    unit: str
+
+
+class LimitAnswer(Answer):
+    """A limit with its name."""
+
+    figure: str
+    at_most: float
+    label: str
+    unit: str
+
+
+class Trial(Answer):
+    """A set of weights and what it gave on the training roads."""
+
+    number: int
+    generation: int
+    weights: dict[str, TunedValue] = Field(
+        description="The strategy's weights, and what else was searched, by dotted name, to be put into the scenario "
+        "as they are"
+    )
+    status: Literal["ok", "failed"]
+    reason: str | None = Field(description="Of a failed one")
+    feasible: bool = Field(description="Within every limit on every training road; failed ones are not")
+    values: list[float] | None = Field(description="An objective each: its mean, or quantile, over the training roads")
+    limits: list[float] | None = Field(description="A limit each: the largest over the training roads")
+
+
+class Generation(Answer):
+    """How far the search was after a generation."""
+
+    generation: int
+    trials: int = Field(description="So far")
+    feasible: int = Field(description="So far")
+    best: list[float | None] = Field(description="Smallest feasible value of each objective so far")
+    hypervolume: float | None = Field(
+        description="Share of the box between zero and the paper's weights' values that the front dominates: with one "
+        "objective how much smaller it got; null where the paper's value of an objective is zero or missing"
+    )
+
+    @classmethod
+    def of(cls, event: JsonObject) -> Self:
+        """From its event, which counts the generations that are complete."""
+        return cls(
+            generation=event["generation"] - 1,
+            trials=event["done"] + event["failed"],
+            feasible=event["feasible"],
+            best=event["best"],
+            hypervolume=event["hypervolume"],
+        )
+
+
+class TrialCounts(Answer):
+    """Numbers of trials."""
+
+    total: int
+    done: int
+    failed: int
+    feasible: int
+
+
+class TuningItem(Answer):
+    """A tuning in a list."""
+
+    id: str
+    state: State
+    reason: str | None = Field(description="Why it failed")
+    step: Literal["search", "comparison"] = Field(description="What it does, or did last")
+    label: str | None
+    position: int = Field(description="Runs waiting before it: 0, its batches have positions of their own")
+    strategy: str
+    objectives: list[ObjectiveAnswer]
+    limits: list[LimitAnswer]
+    search: dict[str, list[float]]
+    previews: list[str] | None = Field(description="Kinds of preview searched; null where only the scenario's is used")
+    seeds: list[int]
+    fresh_seeds: list[int]
+    uncertain: bool
+    quantile: float | None = Field(description="Of the objectives over the roads; null for their means")
+    population: int
+    seed: int
+    trials: TrialCounts
+    generation: int = Field(description="Generations that are complete")
+    batch: str | None = Field(description="The batch it waits for, or waited for last")
+    core_version: str
+    estimated_cost: float = Field(description="Estimate [s of one core]")
+    created_at: datetime
+    started_at: datetime | None
+    finished_at: datetime | None
+
+    @classmethod
+    def of(cls, job: StoredJob) -> Self:
+        """A stored tuning."""
+        return cls(**cls._fields(job))
+
+    @staticmethod
+    def _fields(job: StoredJob) -> dict[str, Any]:
+        request, progress, aims = job.request, job.progress, Aims.of(job.request)
+        times = ("created_at", "started_at", "finished_at")
+        same = ("id", "state", "reason", "label", "core_version", "estimated_cost", *times)
+        of_request = ("strategy", "search", "seeds", "fresh_seeds", "population", "seed")
+        return {
+            **{name: getattr(job, name) for name in same},
+            **{name: request[name] for name in of_request},
+            "previews": request.get("previews"),
+            "uncertain": request.get("uncertain", False),
+            "quantile": aims.quantile,
+            "position": 0,
+            "step": progress["step"],
+            "generation": progress["generation"],
+            "batch": progress["batch"],
+            "objectives": [ObjectiveAnswer.model_validate(each) for each in aims.objectives],
+            "limits": [LimitAnswer.model_validate(each) for each in aims.limits],
+            "trials": TrialCounts(total=job.total, done=job.done, failed=job.failed, feasible=progress["feasible"]),
+        }
+
+
+class Tuning(TuningItem):
+    """A tuning in its present state."""
+
+    scenario: JsonObject
+    paper: Trial | None = Field(description="The paper's weights; null until the first generation is complete")
+    own: Trial | None = Field(description="The scenario's own weights where they are not the paper's")
+    best: list[Trial | None] = Field(description="An objective each: the feasible trial with its smallest value")
+    knee: Trial | None = Field(description="Of several objectives: the point of the front nearest to its ideal corner")
+    front: list[Trial] = Field(description="Feasible trials that no other one betters, by the first objective")
+    history: list[Generation]
+    comparison: Comparison | None
+
+    @classmethod
+    def whole(cls, job: StoredJob, trials: Sequence[StoredTrial], history: Sequence[JsonObject]) -> Self:
+        """A stored tuning with its trials and the events of its generations."""
+        request = job.request
+        own = len(first_weights(request["scenario"], request["strategy"], ranges_of(request))) > 1
+        members = front.front(trials)
+        return cls(
+            **cls._fields(job),
+            scenario=job.scenario,
+            paper=trials[0] if trials else None,
+            own=trials[1] if own and len(trials) > 1 else None,
+            best=[front.best(trials, index) for index in range(len(request["objectives"]))],
+            knee=front.knee(members),
+            front=members,
+            history=[Generation.of(event) for event in history],
+            comparison=job.answer,
+        )
+
+
+class Tunings(Answer):
+    """A page of tunings, the newest first."""
+
+    tunings: list[TuningItem]
+    next: str | None = Field(description="Cursor of the next page; null on the last one")
+
+
+class Trials(Answer):
+    """Every trial, in order."""
+
+    tuning: str
+    trials: list[Trial]
+
+
+class TuningEstimate(Answer):
+    """The size and the estimated time of a tuning."""
+
+    runs: int = Field(description="Of the search and the comparison, the passive car's included")
+    generations: int
+    estimated_cost: float = Field(description="Estimate, which is compared with the limit [s of one core]")
+    estimated_seconds: float | None = Field(description="By some runs tried just now [s]; none where trying takes long")

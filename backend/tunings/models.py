@@ -1,0 +1,171 @@
+"""The shapes of tuning requests."""
+
+from typing import Annotated, Any, Literal, Self
+
+from pydantic import AfterValidator, BeforeValidator, Field, ValidationError, model_validator
+from pydantic_core import PydanticCustomError
+
+from backend.jobs.models import Label
+from backend.json_types import JsonObject
+from backend.models import MetricName, RequestModel, inconsistent
+from backend.tunings.objectives import NORMALISED
+from backend.tunings.space import LARGEST, STRATEGIES, default_search, searchable
+from sim_core.catalogue import WINDOWS
+from sim_core.scenario import Scenario, dotted
+from sim_core.scenario.parts import Preview
+
+ADDED = ("previews", "uncertain", "quantile")  # since 0.3.0: left out at their defaults, as requests before had none
+MOST_TRIALS = 5000
+MOST_POPULATION = 256
+MOST_SEEDS = 64
+
+
+def _increasing(ends: tuple[float, float]) -> tuple[float, float]:
+    if not ends[0] < ends[1]:
+        raise PydanticCustomError("empty_range", "A range is [lowest, highest], the first smaller than the second")
+    return ends
+
+
+def _each_once(items: list[Any]) -> list[Any]:
+    if len(set(items)) != len(items):
+        raise PydanticCustomError("repeated", "Each may be there once")
+    return items
+
+
+def _check_weights(search: Any) -> Any:
+    """Names first: what an unknown one holds is of no use."""
+    for name in search if isinstance(search, dict) else ():
+        if name not in WEIGHTS:
+            context = {"key": name, "what": "weight", "known": WEIGHTS}
+            raise PydanticCustomError("unknown_key", "Unknown weight", context)
+    return search
+
+
+WEIGHTS = list(dict.fromkeys(name for strategy in STRATEGIES for name in searchable(strategy)))
+Coefficient = Annotated[float, Field(ge=0, le=1000)]
+End = Annotated[float, Field(gt=0, le=LARGEST)]
+Range = Annotated[tuple[End, End], Field(strict=False), AfterValidator(_increasing)]
+Seed = Annotated[int, Field(ge=0, le=2**32 - 1)]
+Seeds = Annotated[list[Seed], AfterValidator(_each_once)]
+
+
+class Objective(RequestModel):
+    """What to make small, as its mean, or a quantile, over the training roads.
+
+    `paper` is Eq. 16: q1 (a/a_p)² + q2 (r/r_p)² + q3 (F/F_p)² of the RMS of body and pitch acceleration and tyre load
+    (both tyres) over the passive car's on the same road; `peaks` the same with peaks; `figure` one figure of a run.
+    """
+
+    kind: Literal["paper", "peaks", "figure"]
+    q: Annotated[tuple[Coefficient, Coefficient, Coefficient], Field(strict=False)] = Field(
+        (1, 1, 1), description="Of paper and peaks: q1 body acceleration, q2 pitch acceleration, q3 tyre load"
+    )
+    window: Literal[tuple(WINDOWS)] | None = Field(  # type: ignore[valid-type]  # from the core
+        None, description="Of paper (without one whole) and peaks (bump)", json_schema_extra={"enum": [*WINDOWS, None]}
+    )
+    figure: MetricName | None = Field(None, description="Of figure: a name of a batch's columns")
+
+    @model_validator(mode="after")
+    def _fits_its_kind(self) -> Self:
+        if (self.figure is not None) != (self.kind == "figure"):
+            raise inconsistent("figure", "A figure is named with the kind figure, and only there")
+        if self.kind == "figure" and (self.window is not None or self.q != (1, 1, 1)):
+            raise inconsistent("q" if self.window is None else "window", "Only the kinds paper and peaks take this")
+        if not any(self.q):
+            raise inconsistent("q", "At least one coefficient must be greater than 0")
+        return self
+
+    def stored(self) -> JsonObject:
+        """Written out, as it is kept; a figure is as it is and its `q` is not used."""
+        window = None if self.figure is not None else self.window or NORMALISED[self.kind][2]
+        return {"kind": self.kind, "q": list(self.q), "window": window, "figure": self.figure}
+
+
+class Limit(RequestModel):
+    """A figure that may not be exceeded on any training road."""
+
+    figure: MetricName
+    at_most: float = Field(ge=-1e12, le=1e12)
+
+
+class TuningRequest(RequestModel):
+    """What to tune, for what, on which roads and cars."""
+
+    scenario: Scenario = Scenario()
+    strategy: Literal[tuple(STRATEGIES)] = Field("lv", json_schema_extra={"enum": list(STRATEGIES)})  # type: ignore[valid-type]  # from space.py
+    objectives: list[Objective] = Field([Objective(kind="paper")], min_length=1, max_length=3)
+    limits: list[Limit] = Field([], max_length=8)
+    search: Annotated[dict[str, Range] | None, BeforeValidator(_check_weights)] = Field(
+        None,
+        min_length=1,
+        max_length=16,
+        description="Weight, horizon, sample time or what is expected of the preview -> [lowest, highest], searched "
+        "on a logarithmic scale, a horizon step by step; what is not named keeps the scenario's value. Without it "
+        "every weight of the strategy, 0.05 to 50.",
+        json_schema_extra={"propertyNames": {"enum": [*WEIGHTS]}},
+    )
+    previews: Annotated[list[Preview], AfterValidator(_each_once)] | None = Field(
+        None, min_length=2, description="Kinds of preview to try; without it only the scenario's is used"
+    )
+    seeds: Seeds = Field([1, 2, 3, 4], min_length=1, max_length=MOST_SEEDS, description="Roads trained on")
+    fresh_seeds: Seeds = Field(
+        list(range(101, 111)), min_length=2, max_length=MOST_SEEDS, description="Roads compared on, none trained on"
+    )
+    uncertain: bool = Field(
+        False,
+        description="Every road also draws, by its seed, what a robustness study varies by default: the car, its "
+        "sensors and actuators, none of which the controllers know",
+    )
+    quantile: float | None = Field(
+        None, ge=0.5, le=1, description="Minimise this quantile over the training roads, 1 the worst, not the mean"
+    )
+    trials: int = Field(
+        200, ge=1, le=MOST_TRIALS, description="Sets of weights, the paper's and the scenario's included"
+    )
+    population: int = Field(16, ge=1, le=MOST_POPULATION, description="Sets of weights tried at once: a generation")
+    seed: int = Field(0, ge=0, le=2**32 - 1, description="Of the search: same request, same trials")
+    label: Label = None
+    dry_run: bool = Field(False, description="Only check and estimate: nothing is stored or computed")
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        if self.scenario.road.profile is not None:
+            raise inconsistent("scenario.road.profile", "A measured road is one road: there is none to compare on")
+        if set(self.seeds) & set(self.fresh_seeds):
+            raise inconsistent("fresh_seeds", "A fresh road is none that was trained on")
+        written = [objective.stored() for objective in self.objectives]
+        if any(each in written[:index] for index, each in enumerate(written)):
+            raise inconsistent("objectives", "Each objective may be there once")
+        names = searchable(self.strategy)
+        if self.search is not None and not set(self.search) <= set(names):
+            raise inconsistent("search", f"Of this strategy can be searched {', '.join(names)}")
+        self._check_ends()
+        return self
+
+    def _check_ends(self) -> None:
+        """Both ends of what is searched fit the scenario, as all between them then does."""
+        plain = self.scenario.model_dump(mode="json")
+        for name, ends in self.ranges.items():
+            whole = dotted.field(name).kind == "integer"
+            if whole and not all(float(end).is_integer() for end in ends):
+                raise inconsistent("search", "Both ends have to be whole numbers", name)
+            for end in ends:
+                try:
+                    Scenario.model_validate(dotted.with_changes(plain, {name: int(end) if whole else end}))
+                except ValidationError as error:
+                    raise inconsistent("search", error.errors(include_input=False)[0]["msg"], name) from None
+
+    @property
+    def ranges(self) -> dict[str, Range]:
+        """What is searched, the default written out, in the strategy's order."""
+        ranges = default_search(self.strategy) if self.search is None else self.search
+        return {name: ranges[name] for name in searchable(self.strategy) if name in ranges}
+
+    def stored(self) -> JsonObject:
+        """All written out, without the number of trials, which resuming may change, and what `ADDED` says."""
+        added = {name for name in ADDED if getattr(self, name) == type(self).model_fields[name].default}
+        return {
+            **self.model_dump(mode="json", exclude={"trials", "dry_run", "label", *added}),
+            "objectives": [objective.stored() for objective in self.objectives],
+            "search": {name: list(ends) for name, ends in self.ranges.items()},
+        }

@@ -1,0 +1,151 @@
+"""The values that can be tuned: a strategy's weights, preview, horizon and sample time; with their ranges."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+from backend.batches import robustness
+from backend.json_types import JsonObject
+from sim_core.scenario import Scenario, dotted
+
+SMALLEST, LARGEST = 0.05, 1000.0  # of a searched range where none is named; the scenario's hard limit
+DEFAULT_RANGE = (SMALLEST, 50.0)
+DIGITS = 3  # of a value that is tried: the sums of Eq. 16 change by less than 0.1 % with the fourth
+TIMING = ("mpc.expected_offset", "mpc.expected_noise", "mpc.sample_time")  # every controller's
+SAMPLE_TIME = TIMING[-1]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Tunable:
+    """Dotted names of what can be tuned in a strategy.
+
+    Attributes:
+        triples: Its triples of weights (q1, q2, q3).
+        travel: The weight on the suspension's travel (q4).
+        preview: Its kind of preview.
+        horizon: How far ahead, in steps.
+    """
+
+    triples: tuple[str, ...]
+    travel: str = "mpc.deflection_weight"
+    preview: str = "mpc.preview"
+    horizon: str = "mpc.prediction_horizon"
+
+
+STRATEGIES = {
+    "lv": Tunable(triples=("mpc.stage_weights.cruise", "mpc.stage_weights.brake", "mpc.stage_weights.bump")),
+    "suspension_only": Tunable(triples=("mpc.road_weights.rough", "mpc.road_weights.bump")),
+    "lqr": Tunable(
+        triples=("lqr.weights",),
+        travel="lqr.deflection_weight",
+        preview="lqr.preview",
+        horizon="lqr.preview_horizon",
+    ),
+}
+
+Ranges = Mapping[str, Sequence[float] | Sequence[str]]  # field -> lowest and highest value searched, or the choices
+Weights = JsonObject  # dotted name -> three weights, or one value
+Point = dict[str, Any]  # of the searched space: field -> value
+
+
+def weights_in(strategy: str) -> list[str]:
+    """Each single weight of the strategy by its dotted name, without the travel weight."""
+    return [f"{name}.{index}" for name in STRATEGIES[strategy].triples for index in range(3)]
+
+
+def searchable(strategy: str) -> list[str]:
+    """Each number that can be searched by its dotted name, the weights first."""
+    tunable = STRATEGIES[strategy]
+    return [*weights_in(strategy), tunable.travel, tunable.horizon, *TIMING]
+
+
+def default_search(strategy: str) -> dict[str, tuple[float, float]]:
+    """Every weight but the travel weight.
+
+    None of a triple is held: q4 and R stay, so that a triple's scale is a choice as well as its ratios.
+    """
+    return dict.fromkeys(weights_in(strategy), DEFAULT_RANGE)
+
+
+def ranges_of(request: JsonObject) -> Ranges:
+    """The ranges that a tuning's stored request searches, and its kinds of preview."""
+    previews = request.get("previews")
+    return {**request["search"], **({STRATEGIES[request["strategy"]].preview: previews} if previews else {})}
+
+
+def road(request: JsonObject, seed: int) -> JsonObject:
+    """The changes for one road of a tuning's request: its seed, and with an uncertain car also the car's values."""
+    return {"road.seed": seed} | (robustness.drawn(seed) if request.get("uncertain") else {})
+
+
+def longest_run(request: JsonObject) -> JsonObject:
+    """The changes that give the request's longest run: the longest horizon and the shortest sample time."""
+    search, horizon = request["search"], STRATEGIES[request["strategy"]].horizon
+    longest = {horizon: int(search[horizon][1])} if horizon in search else {}
+    shortest = {SAMPLE_TIME: search[SAMPLE_TIME][0]} if SAMPLE_TIME in search else {}
+    return longest | shortest
+
+
+def weights_at(scenario: JsonObject, strategy: str, searched: Iterable[str]) -> Weights:
+    """The strategy's weights in a plain scenario; the travel weight and other values only where searched."""
+    triples = STRATEGIES[strategy].triples
+    others = [name for name in searched if name.rpartition(".")[0] not in triples]
+    return {name: dotted.value(scenario, name) for name in [*triples, *others]}
+
+
+def paper_weights(strategy: str, searched: Iterable[str]) -> Weights:
+    """The paper's weights (Tables 3 and 6, section 4.2.2); the travel weight, which it lacks, at its default."""
+    return weights_at(_paper(), strategy, searched)
+
+
+def first_weights(scenario: JsonObject, strategy: str, searched: Iterable[str]) -> list[Weights]:
+    """The first points of every search: the paper's weights, and the scenario's where they differ."""
+    papers, own = paper_weights(strategy, searched), weights_at(scenario, strategy, searched)
+    return [papers] if own == papers else [papers, own]
+
+
+def point_of(weights: Weights, search: Ranges, scenario: JsonObject) -> Point | None:
+    """Those weights as a point of the searched space; None where they lie outside it."""
+    flat = _flat(weights)
+    for name, value in flat.items():
+        if name not in search:
+            inside = value == dotted.value(scenario, name)
+        elif isinstance(value, str):
+            inside = value in search[name]
+        else:
+            inside = search[name][0] <= value <= search[name][1]
+        if not inside:
+            return None
+    return {name: flat[name] for name in search}
+
+
+def weights_of(point: Point, search: Ranges, own: Weights) -> Weights:
+    """The strategy's weights at a point of the searched space, rounded; others are the scenario's."""
+    weights: Weights = {name: list(value) if isinstance(value, list) else value for name, value in own.items()}
+    for name, value in point.items():
+        rounded = value if isinstance(value, str | int) else _rounded(value, search[name])
+        triple, _, index = name.rpartition(".")
+        if triple in weights:
+            weights[triple][int(index)] = rounded
+        else:
+            weights[name] = rounded
+    return weights
+
+
+def _rounded(value: float, ends: Sequence[Any]) -> float:
+    return float(min(max(float(f"{value:.{DIGITS}g}"), ends[0]), ends[1]))
+
+
+def _flat(weights: Weights) -> dict[str, Any]:
+    flat: dict[str, Any] = {}
+    for name, value in weights.items():
+        flat |= {f"{name}.{index}": item for index, item in enumerate(value)} if isinstance(value, list) else {}
+        if not isinstance(value, list):
+            flat[name] = value
+    return flat
+
+
+@cache
+def _paper() -> JsonObject:
+    return Scenario().model_dump(mode="json")

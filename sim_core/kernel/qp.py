@@ -1,0 +1,129 @@
+"""The C's functions of a predictive controller's QPs (kernel/qp.c)."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from sim_core.arrays import FloatArray
+from sim_core.kernel.library import DOUBLE, INT, Array, Function, Prepared, require
+
+_FORCES, _AXLES = 2, 2
+_MOST_MOVES = 200  # that C has memory for
+_LINE, _TABLE, _LINE_OUT = Array(ndim=1), Array(ndim=2), Array(ndim=1, written=True)
+_DUAL_BYTES: int = Function("dual_bytes", result=INT)()
+_prepare_qp = Function(
+    "prepare_qp",
+    *(INT, INT, INT, _TABLE, _TABLE, _LINE, _LINE, _TABLE, _TABLE, _LINE, Array(ndim=1, dtype=np.int8), _TABLE),
+    *(DOUBLE, DOUBLE, INT),
+)
+_prepare_qp_run = Function(
+    "prepare_qp_run", Array(4, written=True), *[_LINE_OUT] * 5, Array(_DUAL_BYTES, dtype=np.uint8, written=True)
+)
+_pose_qp = Function("pose_qp", Prepared, Prepared, _LINE)
+_solve_qp = Function("solve_qp", Prepared, Prepared, _LINE, Array(_FORCES, written=True), result=INT)
+_residual = Function("residual", Prepared, Prepared, result=DOUBLE)
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class QpDesign:
+    """What a driving stage's QPs share: min ½ y'Hy + f'y, low <= y <= high, A y <= b; y = [moves in kN; slacks in cm].
+
+    A y <= b keeps the deflections at the end of all intervals, front ones first, below their limit and slack, then
+    above it. f and b follow in each step from the law's inputs: state, previous force in N, preview. `values` are
+    moves and deflections.
+
+    Attributes:
+        H: (n, n), positive definite; the last two unknowns are the slacks, front and rear.
+        columns: Those of A (n, rows); two rows for each deflection.
+        low: (n,).
+        high: (n,).
+        by_inputs: The linear term but for the slacks, then the deflections without a force (values, inputs).
+        optimum: The values where no limit binds, each over its bound (values, inputs).
+        bounds: Those bounds (values,).
+        axles: Whose slack softens a bound: 0 front, 1 rear, -1 none (values,).
+        gram: How a multiplier of one value moves the others (values, values).
+        slack_price: Linear penalty of a slack [1/cm].
+        slack_yield: Inverse of its quadratic one, 1/H [cm²].
+        iterations: Most of the dual method in one QP.
+        prepared: All of it, as C has it.
+
+    Raises:
+        ValueError: Sizes disagree, or there are more moves than C has memory for.
+    """
+
+    H: FloatArray
+    columns: FloatArray
+    low: FloatArray
+    high: FloatArray
+    by_inputs: FloatArray
+    optimum: FloatArray
+    bounds: FloatArray
+    axles: NDArray[np.int8]
+    gram: FloatArray
+    slack_price: float
+    slack_yield: float
+    iterations: int
+    prepared: Prepared = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Check the arrays and hand them to C."""
+        (n, rows), (values, inputs) = self.columns.shape, self.by_inputs.shape
+        moves, travels = n - _AXLES, rows // 2
+        require(0 < moves <= _MOST_MOVES and rows == 2 * travels, "Moves, and two limits of each deflection")
+        require(self.H.shape == (n, n) and len(self.low) == len(self.high) == n, "A number for each unknown")
+        fits = self.optimum.shape == (values, inputs) and self.gram.shape == (values, values)
+        require(fits and values == moves + travels, "Every move and deflection by every input")
+        require(len(self.bounds) == len(self.axles) == values, "A bound and an axle for each move and deflection")
+        require(bool((self.axles < _AXLES).all()), "There are two axles")
+        arrays = self.H, self.columns, self.low, self.high, self.by_inputs, self.optimum
+        by_value = self.bounds, self.axles, self.gram
+        numbers = self.slack_price, self.slack_yield, self.iterations
+        object.__setattr__(self, "prepared", _prepare_qp.prepare(moves, travels, inputs, *arrays, *by_value, *numbers))
+
+    @property
+    def moves(self) -> int:
+        """Forces to be found."""
+        return len(self.H) - _AXLES
+
+
+class QpMemory:
+    """What the QPs of a run are reckoned in, one after another, as `struct qp_run` of kernel/qp.c has it.
+
+    counts (4,), f and y (n,), b (rows,), multipliers (n + rows,).
+
+    Raises:
+        ValueError: Sizes disagree.
+    """
+
+    def __init__(
+        self, counts: FloatArray, f: FloatArray, b: FloatArray, y: FloatArray, multipliers: FloatArray
+    ) -> None:
+        n, rows = self._size = len(f), len(b)
+        require(len(y) == n and len(multipliers) == n + rows, "A number for each unknown and limit")
+        work = np.empty(n + rows), np.empty(_DUAL_BYTES, dtype=np.uint8)
+        self.prepared = _prepare_qp_run.prepare(counts, f, b, y, multipliers, *work)
+        self._force = np.empty(_FORCES)
+
+    def both(self, design: QpDesign, inputs: int) -> tuple[Prepared, Prepared]:
+        """Those of a driving stage and this, for C.
+
+        Raises:
+            ValueError: Sizes disagree, also with the number of the law's inputs.
+        """
+        fits = design.columns.shape == self._size and design.by_inputs.shape[1] == inputs
+        require(fits, "A law, its QP and its memory of one size")
+        return design.prepared, self.prepared
+
+    def pose(self, design: QpDesign, inputs: FloatArray) -> None:
+        """Fill f and b for the control step in which the law has these inputs."""
+        _pose_qp(*self.both(design, len(inputs)), inputs)
+
+    def solve(self, design: QpDesign, inputs: FloatArray) -> FloatArray | None:
+        """The optimal forces (2,) [N] then, with f, b, y and multipliers; None without a proven answer."""
+        return self._force if _solve_qp(*self.both(design, len(inputs)), inputs, self._force) else None
+
+    def residual(self, design: QpDesign) -> float:
+        """The largest violation of the KKT conditions by what is in f, b, y and multipliers."""
+        violation: float = _residual(*self.both(design, design.by_inputs.shape[1]))
+        return violation

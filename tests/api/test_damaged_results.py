@@ -1,0 +1,167 @@
+"""A stored result of which a bit has flipped is noticed, computed again and counted; a link's reader is told."""
+
+import re
+from dataclasses import replace
+from typing import Any
+
+import httpx
+import pytest
+from sqlalchemy import Connection, select, update
+
+from backend.db.tables import job_runs, pinned_series, results, run_results
+from backend.metrics import DAMAGED_RESULTS
+from backend.store import Store
+from tests.api.conftest import HEIGHTS
+from tests.api.test_job_store import BATCH, computed, rows
+from tests.api.test_links import opened, share
+from tests.api.test_store import outcomes, save
+from tests.servers import batches
+
+
+def damage(store: Store, key: str) -> None:
+    """Change a digit of that result, which stays good JSON."""
+    with store.writing() as connection:
+        summary = text(connection, key)
+        digit = re.search("[1-9]", summary)
+        assert digit is not None
+        other = "2" if digit[0] == "1" else "1"
+        changed = summary[: digit.start()] + other + summary[digit.end() :]
+        connection.execute(update(results).where(results.c.key == key).values(summary=changed))
+
+
+def key_of(store: Store, run_id: str) -> str:
+    """Of the run's result of the passive car."""
+    query = select(results.c.key).join(run_results, run_results.c.result_key == results.c.key)
+    with store.reading() as connection:
+        passive = query.where(run_results.c.run_id == run_id, results.c.strategy == "passive")
+        return str(connection.execute(passive).scalar_one())
+
+
+def text(connection: Connection, key: str) -> str:
+    return str(connection.execute(select(results.c.summary).where(results.c.key == key)).scalar_one())
+
+
+def dropped(client: httpx.Client, what: str = "result") -> float:
+    (value,) = re.findall(
+        rf'^ridelab_damaged_results_total{{what="{what}"}} (.*)$', client.get("/metrics").text, re.MULTILINE
+    )
+    return float(value)
+
+
+def figures(run: Any) -> dict[str, Any]:
+    """Everything but what the computation took."""
+    return {name: {**each, "compute_ms": 0, "cached": None} for name, each in run["strategies"].items()}
+
+
+@pytest.mark.parametrize("ask", ["read", "requested again", "part of another run"])
+def test_a_damaged_result_of_a_run_is_computed_again(
+    service: Any, client: httpx.Client, fresh: dict[str, Any], ask: str
+) -> None:
+    store: Store = service.app.state.store
+    key, before = key_of(store, fresh["id"]), dropped(client)
+    with store.reading() as connection:
+        stored = text(connection, key)
+    damage(store, key)
+    if ask == "read":
+        answer = client.get(f"/api/v1/runs/{fresh['id']}").json()
+    else:
+        names = ["passive"] if ask == "part of another run" else ["passive", "lv"]
+        answer = service.run(names, fresh["scenario"]).json()
+    assert figures(answer)["passive"] == figures(fresh)["passive"]
+    assert dropped(client) == before + 1
+    with store.reading() as connection:
+        assert text(connection, key) == stored
+    assert figures(client.get(f"/api/v1/runs/{fresh['id']}").json()) == figures(fresh)
+    assert dropped(client) == before + 1, "it is whole again"
+
+
+def test_a_batch_computes_a_damaged_result_again(service: Any, client: httpx.Client, road: dict[str, Any]) -> None:
+    sweep = {"grid": {"road.bump.height": [next(HEIGHTS) for _ in range(3)]}}
+    body = {"scenario": {"road": road}, "strategies": ["passive"], "sweep": sweep}
+    batch = client.post("/api/v1/batches", json=body).raise_for_status().json()
+    whole = batches.wait_for(client, batch["id"]), batches.rows(client, batch["id"])
+    store: Store = service.app.state.store
+    with store.reading() as connection:
+        of_batch = select(job_runs.c.result_key).where(job_runs.c.job_id == batch["id"], job_runs.c.position == 1)
+        key = connection.execute(of_batch).scalar_one()
+    damage(store, key)
+    meanwhile = [row["status"] for row in batches.rows(client, batch["id"])]
+    assert meanwhile == ["ok", "waiting", "ok"]
+    again = batches.wait_for(client, batch["id"]), batches.rows(client, batch["id"])
+    assert (again[0]["done"], again[0]["state"]) == (3, "done")
+    took = {"compute_ms": 0.0}
+    assert [row | took for row in again[1]] == [row | took for row in whole[1]]
+
+
+def test_the_reader_of_a_link_is_told(service: Any, client: httpx.Client, fresh: dict[str, Any]) -> None:
+    slug = share(client, fresh["id"])["slug"]
+    before = opened(client, slug)
+    assert before["damaged_at"] is None
+    damage(service.app.state.store, key_of(service.app.state.store, fresh["id"]))
+    for _ in range(2):
+        link = opened(client, slug)
+        assert link["damaged_at"] > link["created_at"]
+        assert figures(link["run"]) == figures(fresh)
+
+
+def test_damaged_time_histories_of_a_link_are_made_again(
+    service: Any, client: httpx.Client, fresh: dict[str, Any]
+) -> None:
+    slug, path = share(client, fresh["id"])["slug"], f"/api/v1/runs/{fresh['id']}/series?strategy=passive&points=100"
+    whole, before = client.get(path).content, dropped(client, "series")
+    store: Store = service.app.state.store
+    pin = pinned_series.c.result_key == key_of(store, fresh["id"])
+    with store.writing() as connection:
+        content = bytearray(connection.execute(select(pinned_series.c.content).where(pin)).scalar_one())
+        content[len(content) // 2] ^= 1
+        connection.execute(update(pinned_series).where(pin).values(content=bytes(content)))
+    refused = client.get(path)
+    assert (refused.status_code, "damaged" in refused.json()["detail"]) == (503, True)
+    assert client.get(path).content == whole
+    assert dropped(client, "series") == before + 1
+    assert opened(client, slug)["damaged_at"] is not None
+
+
+def test_both_databases_drop_what_is_damaged_and_keep_what_has_no_checksum(store: Store) -> None:
+    save(store, "run", "a", "b", "c")
+    for key in ("a", "b"):
+        damage(store, key)
+    with store.writing() as connection:
+        connection.execute(update(results).where(results.c.key == "b").values(checksum=None))  # as until 0.3.0
+    assert store.runs.load_results(["a", "b", "c"]).keys() == {"b", "c"}
+    run = store.runs.load("run")
+    assert run is not None
+    assert [item.status for item in run.results] == ["expired", "ok", "ok"]
+    assert save(store, "run", "a", "b", "c").results[0] == outcomes("a")[0]
+
+
+def test_what_a_replica_of_0_3_0_expires_is_not_damaged(store: Store) -> None:
+    """It knows no checksums, and leaves them."""
+    save(store, "run", "a")
+    before = DAMAGED_RESULTS.labels("result")._value.get()
+    with store.writing() as connection:
+        connection.execute(update(results).values(status="expired", summary="{}", compute_ms=0))
+    run = store.runs.load("run")
+    assert run is not None
+    assert run.expired
+    assert DAMAGED_RESULTS.labels("result")._value.get() == before
+
+
+def test_jobs_count_what_they_have_lost_and_a_cancelled_one_waits_for_nothing(store: Store) -> None:
+    for job_id in ("done", "cancelled"):
+        store.jobs.create(replace(BATCH, id=job_id), rows())
+    good = computed(*(f"key-{number}" for number in range(11)))
+    store.job_runs.save("done", [*good, *computed("key-11", status="failed")], "1")
+    assert store.job_runs.waiting("cancelled", -1, 100)[1] == []
+    store.jobs.cancel("cancelled")
+    assert store.jobs.finish("done")
+    for key in ("key-3", "key-11"):
+        with store.writing() as connection:
+            connection.execute(update(results).where(results.c.key == key).values(summary='{"metrics":1}'))
+    for job_id, state, status in (("done", "queued", "waiting"), ("cancelled", "cancelled", "cancelled")):
+        store.job_runs.rows(job_id, -1, 100)
+        job, run_statuses = store.jobs.load(job_id), [row.status for row in store.job_runs.rows(job_id, -1, 100)]
+        assert job is not None
+        assert (job.state, job.done, job.failed) == (state, 10, 0)
+        assert [run_statuses[3], run_statuses[11]] == [status] * 2
+        assert run_statuses.count("ok") == 10

@@ -1,0 +1,100 @@
+"""A service on a machine without a C compiler: what builds a program says so, all else works.
+
+Nor did hardware in the loop drive the paper's roads there: its eight cells are not counted, the others stand.
+"""
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from backend.controller.build import NO_COMPILER, NO_CROSS_COMPILER
+from backend.paper import models
+from backend.settings import Settings
+from tests.api.conftest import Service, serve
+from tests.client.cli import Cli
+from tests.html import check, read
+from tests.servers.compilers import Bare
+from tests.servers.reproduction import store_without_ecu
+
+REASON = "Nobody drove there"
+SCENARIO: dict[str, Any] = {
+    "road": {"length": 20, "bump": {"start": 10, "width": 3, "height": 0.05}},
+    "speed": {"initial_speed_kmh": 50, "target_speed_kmh": 50},
+    "mpc": {"prediction_horizon": 6, "control_horizon": 3},
+}
+
+
+@pytest.fixture(scope="module")
+def bare(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
+    """Whatever builds and drives is a process of its own, with that machine's environment."""
+    with pytest.MonkeyPatch.context() as patch:
+        for name, value in Bare(tmp_path_factory.mktemp("machine")).environment.items():
+            patch.setenv(name, value)
+        for service in serve(Settings(data_dir=tmp_path_factory.mktemp("data"), workers=1, batch_workers=1)):
+            store_without_ecu(service.app.state.store, REASON)
+            yield service
+
+
+@pytest.fixture
+def command(bare: Service, capfdbinary: pytest.CaptureFixture[bytes], monkeypatch: pytest.MonkeyPatch) -> Cli:
+    monkeypatch.setenv("RIDELAB_SERVER", str(bare.client.base_url))
+    return Cli(capfdbinary)
+
+
+def test_a_run_needs_none(bare: Service) -> None:
+    run = bare.run(["lv_hil", "passive"], SCENARIO).json()
+    assert {name: each["status"] for name, each in run["strategies"].items()} == {"lv_hil": "ok", "passive": "ok"}
+
+
+@pytest.mark.parametrize(
+    ("path", "arguments", "sentence"),
+    [
+        ("/report", ("controller", "--report"), NO_CROSS_COMPILER),
+        ("/realtime", ("hil",), NO_COMPILER),
+    ],
+    ids=["report", "clock"],
+)
+def test_what_is_measured_is_refused_at_once(
+    bare: Service, command: Cli, tmp_path: Path, path: str, arguments: tuple[str, ...], sentence: str
+) -> None:
+    """Nobody is asked to wait: the client would, and then ask again for nothing."""
+    answer = bare.client.post(f"/api/v1/controller{path}", json={"scenario": SCENARIO})
+    problem = answer.json()
+    assert (answer.status_code, problem["type"]) == (503, "urn:problem-type:ridelab:ecu-unavailable")
+    assert problem["detail"] == f"{sentence}."
+    assert "retry-after" not in answer.headers
+    scenario = tmp_path / "scenario.json"
+    scenario.write_text(json.dumps(SCENARIO))
+    name, *options = arguments
+    assert not command(name, scenario, *options, code=3)
+    assert f"{sentence}. (request " in command.error
+
+
+def test_of_the_paper_the_simulated_cells_stand(bare: Service, command: Cli) -> None:
+    answer = bare.client.get("/api/v1/paper").raise_for_status().json()
+    models.PaperAnswer.model_validate(answer)
+    missing = [cell for cell in answer["cells"] if cell["verdict"] == "unavailable"]
+    assert answer["unavailable"] == {"cells": len(missing), "reason": REASON}
+    assert {(cell["table"], cell["strategy"]) for cell in missing} == {(9, "lv_hil"), (10, "lv_hil")}
+    assert (len(answer["cells"]), len(missing), answer["total"]) == (48, 8, 40)
+    for cell in missing:
+        assert cell["our_value"] is cell["our_change"] is cell["ci"] is cell["certain"] is None
+        assert cell["our_base"] > 0
+        assert cell["without_preview"]["verdict"] == "unavailable"
+    assert sum(answer["counts"].values()) == sum(answer["without_preview"]["counts"].values()) == 40
+    lines = command("paper").splitlines()
+    assert sum("not available" in line for line in lines[1:49]) == 8
+    assert f"8 cells not available here. {REASON}" in lines
+    assert lines[-1].startswith(f"{answer['reached']} of 40 cells reached")
+
+
+def test_so_do_they_in_the_report(bare: Service) -> None:
+    page = read(bare.client.get("/api/v1/paper/report.html").raise_for_status().text)
+    check(page)
+    assert next(page.all("h1")).text.endswith(" of 40 cells reached, 8 not available here")
+    assert f"not counted. {REASON}." in page.text
+    judged = [row for row in page.all("tr") if row.attributes.get("data-verdict") == "unavailable"]
+    assert [row.text.count("not available") for row in judged] == [2] * 8

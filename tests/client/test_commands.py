@@ -1,0 +1,357 @@
+"""What commands ask for and print, where the pages of docs/ do not show it."""
+
+import csv
+import io
+import json
+import re
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+
+from backend.batches.robustness import UNCERTAINTIES
+from backend.http.openapi import EXAMPLES
+from backend.runs.reports import inputs
+from sim_core.catalogue import METRICS
+from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
+from sim_core.scenario.vehicles import VEHICLES
+from tests.client.cli import Cli, command, environment
+from tests.client.conftest import ADDRESS, RUN, SHORT, SLUG, Prepared
+
+OLD = ("-s0h-wlxdeCgHw4J2eqW3g", "--0Zt9MhQy5rUqf5n_Xk7A", "-" + "k" * 21)  # the letters of options, alone and long
+PEAK = "bump.body_acceleration.peak"
+
+
+@pytest.fixture
+def scenario(tmp_path: Path) -> Path:
+    path = tmp_path / "scenario.json"
+    path.write_text(json.dumps(SHORT))
+    return path
+
+
+def test_the_command_a_report_prints_gives_the_same_scenario(cli: Cli) -> None:
+    changes = {"road.roughness": 256e-6, "road.seed": 7, "road.bump.shape": "flat_top", "lqr.weights": [1, 2.5, 3]}
+    expected = dotted.with_changes(Scenario().model_dump(mode="json"), changes)
+    words = inputs.command(expected, ["passive"]).split()
+    assert json.loads(cli(*words[1:], "--json"))["scenario"] == expected
+
+
+def test_a_saved_run_over_several_roads_is_compared_with_as_many(
+    cli: Cli, prepared: Prepared, scenario: Path, tmp_path: Path
+) -> None:
+    saved = tmp_path / "saved.json"
+    run = json.loads(cli("run", scenario, "--strategy", "lv,passive", "--json"))
+    saved.write_text(json.dumps({**run, "roads": 3}))
+    assert f"Equal within the tolerance: {2 * len(METRICS)} metrics" in cli("compare", saved, scenario)
+    assert prepared.bodies("POST /runs")[-1]["roads"] == 3
+
+
+def test_a_run_can_be_named_in_every_way(cli: Cli, prepared: Prepared, tmp_path: Path) -> None:
+    link: Any = {"slug": SLUG, "url": f"/s/{SLUG}", "kind": "run", "created_at": "", "core_version": "1", "batch": None}
+    link |= {"current_core_version": "1", "scenario": SHORT, "view": {}, "series_pinned": True}
+    prepared.answers[f"GET /links/{SLUG}"] = {**link, "run": prepared.answers[f"GET /runs/{RUN}"]}
+    saved, address = tmp_path / "saved.json", f"{ADDRESS}/r/{RUN}"
+    saved.write_text(cli("run", address, "-s", "lv", "-s", "passive", "--json"))
+    assert json.loads(saved.read_text())["units"][PEAK] == "m/s^2"
+    for name in (RUN, address, saved, SLUG, f"{ADDRESS}/s/{SLUG}"):
+        compared = cli("compare", name, RUN)
+        assert f"Equal within the tolerance: {2 * len(METRICS)} metrics of lv, passive" in compared, name
+    assert cli("open", RUN, "--print") == f"{address}\n"
+    assert cli("open", SLUG, "--print") == f"{ADDRESS}/s/{SLUG}\n"
+    for unknown, said in (("A" * 22, "no run, batch or link"), ("nothing", "neither a file, nor a preset (paper,")):
+        cli("open", unknown, "--print", code=2)
+        assert said in cli.error
+
+
+@pytest.mark.parametrize("old", OLD)
+def test_an_old_id_that_begins_with_a_sign_is_an_id(cli: Cli, prepared: Prepared, old: str) -> None:
+    """New ones begin with a letter or a digit; those given out before stand in papers and scripts."""
+    run: Any = prepared.answers[f"GET /runs/{RUN}"]
+    prepared.answers |= {f"GET /runs/{old}": {**run, "id": old}, f"GET /runs/{old}/series": b"time [s]"}
+    assert cli("export", "--strategy", "lv", old, "--signals", "speed", "--out", "-", "--format", "csv") == "time [s]"
+    assert old in cli("open", old, "--print")
+    assert "Equal within the tolerance" in cli("compare", old, RUN, "-s", "lv")
+    assert "Equal within the tolerance" in cli("compare", RUN, "-s", "lv", old)
+    assert cli("run", old, "--json", "-s", "lv").startswith("{")
+    cli("tune", "--resume", old, code=2)
+    assert "There is none of this id." in cli.error
+    cli("export", "--no-such-option-atall", "--out", "x.csv", code=2)
+    assert "No such option" in cli.error
+
+
+def test_a_run_says_what_its_numbers_do_not(
+    cli: Cli, outcomes: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    late = {"target_reached": False, "bump_complete": False, "qp_failures": 2}
+    monkeypatch.setitem(outcomes, "lv", outcomes["lv"] | {"events": outcomes["lv"]["events"] | late})
+    printed = cli("run", "-s", "lv,passive")
+    for said in ("target speed not reached", "the road ends before the rear axle", "2 QPs not solved"):
+        assert f"\nLV control  {said}" in printed
+    failed = {"status": "failed", "cached": False, "compute_ms": 1.0, "reason": "no controller"}
+    monkeypatch.setitem(outcomes, "lv", failed)
+    assert "\nLV control  failed: no controller" in cli("run", "-s", "lv,passive", code=1)
+
+
+def swept(prepared: Prepared, outcomes: dict[str, Any], **more: Any) -> str:
+    """A batch of 21 runs, the last of which failed; its id."""
+    ok = {"strategy": "lv", "status": "ok", **outcomes["lv"]}
+    rows = [{"run": number, "road.seed": number, **ok} for number in range(20)]
+    rows += [{"run": 20, "road.seed": 20, "strategy": "lv", "status": "failed", "reason": "too steep"}]
+    field = {"name": "road.seed", "unit": "1", "linked_to": None}
+    whole = {"total": 21, "done": 20, "failed": 1, "fields": [field], "scenario": SHORT, "strategies": ["lv"], **more}
+    identifier = prepared.job("batch", **whole)
+    prepared.answers[f"GET /batches/{identifier}/results"] = {"rows": rows}
+    return identifier
+
+
+def test_a_sweep_shows_its_first_rows_and_failed_runs_in_the_exit_code(
+    cli: Cli, prepared: Prepared, outcomes: dict[str, Any], scenario: Path
+) -> None:
+    batch = swept(prepared, outcomes)
+    head, first, *_, more = cli("sweep", scenario, "--grid", "road.seed=0:20:21", code=1).splitlines()
+    heads = ["road.seed", "strategy", "status", "rough_road.body_acceleration.rms [m/s^2]", f"{PEAK} [m/s^2]"]
+    assert re.split(r" {2,}", head.strip()) == [*heads, "bump.front_tyre_load.peak [N]"]
+    assert first.split()[:3] == ["0", "lv", "ok"]
+    assert more == "... 1 more; --out FILE writes all with every metric"
+    assert cli.error == f"batch {batch}: done, 20 of 21 done, 1 failed\n"
+    whole = json.loads(cli("sweep", scenario, "--grid", "road.seed=0:20:21", "--json", code=1))
+    assert (whole["total"], whole["rows"][-1]["reason"]) == (21, "too steep")
+
+
+def test_a_sweep_left_alone_is_exported_later(
+    cli: Cli, prepared: Prepared, outcomes: dict[str, Any], scenario: Path, tmp_path: Path
+) -> None:
+    batch = swept(prepared, outcomes)
+    assert cli("sweep", scenario, "--grid", "road.seed=0:20:21", "--detach") == f"{batch}\n"
+    assert f"ridelab export {batch} --wait --out FILE --server {ADDRESS}" in cli.error
+    out = tmp_path / "later.json"
+    assert cli("export", batch, "--wait", "--out", out) == ""
+    assert len(json.loads(out.read_text())["rows"]) == 21
+    prepared.answers["POST /links"] = {"slug": SLUG, "url": f"/s/{SLUG}"}
+    assert cli("open", batch, "--print") == f"{ADDRESS}/s/{SLUG}\n"
+    cli("compare", batch, "paper", code=2)
+    assert "compare takes single runs" in cli.error
+
+
+def test_a_runs_metrics_are_exported_and_a_refusal_leaves_the_file(cli: Cli, tmp_path: Path) -> None:
+    lines = list(csv.DictReader(io.StringIO(cli("export", RUN, "--metrics", "--out", "-", "--format", "csv"))))
+    assert lines[1] == {**lines[1], "strategy": "lv", "metric": "rough_road.body_acceleration.peak", "unit": "m/s^2"}
+    assert len(lines) == 2 * len(METRICS)
+    figures = tmp_path / "run.json"
+    cli("export", RUN, "--metrics", "--out", figures)
+    assert "Equal" in cli("compare", figures, RUN)
+    before = figures.read_bytes()
+    cli("export", RUN, "--out", figures, code=2)
+    assert "There is none of this id." in cli.error, "its time histories"
+    assert figures.read_bytes() == before
+
+
+def test_jobs_are_shown_followed_stopped_and_removed(cli: Cli, prepared: Prepared) -> None:
+    batch = prepared.job("batch", fields=[{"name": "road.seed"}], strategies=["lv"], created_at="2026-01-02T03:04:05")
+    tuning = prepared.job("tuning", "running", limits=[], strategy="lqr", created_at="2026-01-03T03:04:05")
+    job: Any = prepared.answers[f"GET /tunings/{tuning}"]
+    for name, changed in (("POST", "cancelled"), ("POST", "running")):
+        below = "cancel" if changed == "cancelled" else "resume"
+        prepared.answers[f"{name} /tunings/{tuning}/{below}"] = {**job, "state": changed}
+    for name, path in (("batches", batch), ("tunings", tuning)):
+        prepared.answers |= {f"DELETE /{name}/{path}": {}, f"PATCH /{name}/{path}": {}}
+        prepared.answers[f"GET /{name}"] = {name: [prepared.answers[f"GET /{name}/{path}"]], "next": None}
+    cli("jobs", "follow", batch)
+    assert cli.error == f"batch {batch}: done, 2 of 2 done, 0 failed\n"
+    cli("jobs", "follow", tuning, "--timeout", "0", code=3)
+    assert cli.error.startswith(f"The tuning {tuning} is running after 0 s")
+    cli("jobs", "cancel", tuning)
+    assert cli.error.startswith(f"tuning {tuning}: cancelled, ")
+    cli("jobs", "resume", tuning)
+    assert cli.error.startswith(f"tuning {tuning}: running, ")
+    listed = [line.split()[:3] for line in cli("jobs", "list").splitlines()[1:]]
+    assert listed == [["tuning", tuning, "running"], ["batch", batch, "done"]]
+    assert json.loads(cli("jobs", "list", "--json"))[0]["kind"] == "tuning"
+    shown = cli("jobs", "show", batch)
+    assert re.search(r"^swept: +road\.seed$", shown, re.MULTILINE)
+    assert f"ridelab export {batch} --wait --out FILE" in shown
+    cli("jobs", "label", batch, "winter")
+    cli("jobs", "label", batch, "")
+    assert prepared.bodies(f"PATCH /batches/{batch}") == [{"label": "winter"}, {"label": None}]
+    cli("jobs", "delete", tuning, batch)
+    assert cli.error == f"tuning {tuning}: deleted\nbatch {batch}: deleted\n"
+    cli("jobs", "show", "A" * 22, code=2)
+    assert "no batch or tuning of this id" in cli.error
+
+
+def test_what_a_tuning_is_asked_for(cli: Cli, prepared: Prepared) -> None:
+    tuning = prepared.job("tuning")
+    words = ("--strategy", "lqr", "--trials", "8", "--population", "4", "--seeds", "1-2", "--fresh", "11,12-13")
+    objectives = ("--objective", "peaks@whole:1,2,1", "--objective", "bump.front_tyre_load.peak")
+    printed = cli("tune", *words, *objectives, "--limit", "comfort.actuator_peak_power=50000", "--detach")
+    assert printed == f"{tuning}\n"
+    assert f"ridelab tune --resume {tuning} --server" in cli.error
+    (asked,) = prepared.bodies("POST /tunings")
+    assert asked.pop("scenario")
+    assert asked == {
+        "strategy": "lqr",
+        "seed": 0,
+        "objectives": [
+            {"kind": "peaks", "window": "whole", "q": [1, 2, 1]},
+            {"kind": "figure", "figure": "bump.front_tyre_load.peak"},
+        ],
+        "limits": [{"figure": "comfort.actuator_peak_power", "at_most": 50000}],
+        "trials": 8,
+        "population": 4,
+        "seeds": [1, 2],
+        "fresh_seeds": [11, 12, 13],
+    }
+
+
+def test_a_tuning_that_is_done_is_shown_again_or_goes_on(cli: Cli, prepared: Prepared) -> None:
+    best = {"number": 3, "weights": {"lqr.weights": [2, 1, 1]}}
+    tuning = prepared.job("tuning", best=[best], knee=None, scenario=SHORT)
+    job: Any = prepared.answers[f"GET /tunings/{tuning}"]
+    prepared.answers[f"POST /tunings/{tuning}/resume"] = job
+    assert json.loads(cli("tune", "--resume", tuning, "--json", "--out", "tuned.json")) == job
+    assert json.loads(Path("tuned.json").read_text()) == {**SHORT, "lqr": {"weights": [2, 1, 1]}}
+    assert not prepared.bodies(f"POST /tunings/{tuning}/resume"), "nothing is computed"
+    cli("tune", "--resume", tuning, "--json", "--trials", "12")
+    assert len(prepared.bodies(f"POST /tunings/{tuning}/resume")) == 1
+
+
+def test_where_nothing_keeps_the_limits_the_exit_code_is_1(cli: Cli, prepared: Prepared) -> None:
+    tuning = prepared.job("tuning", best=[None], knee=None)
+    cli("tune", "--json", code=1)
+    assert f"tuning {tuning}: done" in cli.error
+    problem = {"type": "urn:problem-type:ridelab:no-solution", "status": 422, "detail": "No value.", "errors": []}
+    prepared.answers["POST /solve"] = httpx.Response(422, json=problem)
+    cli("solve", "--field", "road.bump.height=0.1:0.2", "--limit", f"{PEAK}=4", "-s", "lv", code=1)
+    assert cli.error == "No value.\n"
+
+
+def test_a_robustness_study_is_a_sweep_of_what_is_uncertain(cli: Cli, prepared: Prepared) -> None:
+    batch = prepared.job("batch")
+    prepared.answers[f"GET /batches/{batch}/summary"] = {"batch": batch}
+    options = (
+        "--samples",
+        "12",
+        "--strategy",
+        "lv,passive",
+        "--exact",
+        "road.seed",
+        "--range",
+        "mismatch.damping=0.5:1.5",
+    )
+    assert json.loads(cli("robustness", *options, "--json")) == {"batch": batch}
+    (asked,) = prepared.bodies("POST /batches")
+    cube = asked["sweep"]["latin_hypercube"]
+    assert (asked["strategies"], cube["samples"], cube["ranges"]["mismatch.damping"]) == (
+        ["lv", "passive"],
+        12,
+        [0.5, 1.5],
+    )
+    assert cube["ranges"].keys() == {each.field for each in UNCERTAINTIES} - {"road.seed"}
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("tune --objective paper:a,b,c", "--objective paper:Q1,Q2,Q3 takes three numbers"),
+        ("tune --limit travel_time", "--limit takes METRIC=MOST"),
+        ("tune --seeds 4-1", "--seeds takes whole numbers and spans of them"),
+        ("solve --field road.bump.height=0.1:0.2:3 --limit travel_time=4 -s lv", "a range is LOW:HIGH"),
+        ("solve --field road.bump.height=0.1:0.2 --limit travel_time=4", "--strategy names the one that drives: lv, "),
+        ("solve --field road.bump.height=0.1:0.2 --limit 4 -s lv", "--limit takes METRIC=MOST"),
+        (
+            "robustness --exact " + ",".join(each.field for each in UNCERTAINTIES),
+            "Nothing is uncertain: every field is",
+        ),
+        ("robustness --exact road.bump.height", "--exact: road.bump.height is not varied"),
+        ("robustness --baseline groundhook", "--baseline: groundhook is not among the strategies"),
+        ("road nofile.csv", "nofile.csv: neither a file nor a measured road's id"),
+        ("run --set vehicle=vann", "vehicle: vann is neither a file nor a vehicle (small_car, sedan,"),
+        ("run --set vehicle=scenario.json", "scenario.json: this file has no member vehicle"),
+        ("vehicle --out a.json", "--out needs a VEHICLE or --sheet FILE"),
+        ("vehicle --sheet scenario.json", "front_axle_load: Field required"),
+        ("paper --reading preview", "--reading takes READING=CHOICE"),
+        ("paper --reading preview=none --reading preview=none", "--reading: one is given twice"),
+        ("paper --report /nowhere/paper.html", "--report: there is no folder /nowhere"),
+        ("paper --seeds few", "--seeds takes N or A-B"),
+    ],
+)
+@pytest.mark.usefixtures("scenario")
+def test_what_cannot_be_used_is_named(cli: Cli, words: str, said: str) -> None:
+    assert cli(*words.split(), code=2) == ""
+    assert said in cli.error
+
+
+def test_a_vehicle_file_goes_round(cli: Cli, tmp_path: Path) -> None:
+    van, own, run = tmp_path / "van.json", tmp_path / "own.json", tmp_path / "run.json"
+    cli("vehicle", "van", "--out", van)
+    assert json.loads(van.read_text())["sources"] == list(VEHICLES["van"].sources)
+    by_name, by_file = (json.loads(cli("run", "--set", f"vehicle={which}", "--json")) for which in ("van", van))
+    assert by_name["scenario"] == by_file["scenario"]
+    assert by_name["scenario"]["vehicle"] == VEHICLES["van"].vehicle.model_dump()
+    run.write_text(json.dumps(by_name))
+    changed = cli("run", "--set", "vehicle.cg_height=1", "--set", f"vehicle={run}", "--json")
+    assert json.loads(changed)["scenario"]["vehicle"] == {**VEHICLES["van"].vehicle.model_dump(), "cg_height": 1}
+    (tmp_path / "sheet.json").write_text(json.dumps(EXAMPLES["DataSheet"]))
+    cli("vehicle", "--sheet", tmp_path / "sheet.json", "--out", own)
+    assert json.loads(own.read_text())["data_sheet"] == EXAMPLES["DataSheet"]
+
+
+@pytest.mark.parametrize(
+    ("length", "bump", "driven"),
+    [
+        (50, None, {"start": 46, "width": 4}),
+        (200, None, {"start": 100, "width": 4}),
+        (5, None, {"start": 1, "width": 4}),
+        (2500, {"start": 2300.004, "width": 3.1, "height": 0.08}, {"start": 2300, "width": 3.1}),
+        (60, {"start": 59, "width": 3, "height": 0.08}, {"start": 59, "width": 1}),
+    ],
+)
+def test_the_scenario_of_a_road_can_be_driven(
+    cli: Cli, prepared: Prepared, length: float, bump: dict[str, float] | None, driven: dict[str, float]
+) -> None:
+    prepared.answers[f"GET /roads/{RUN}"] = {"id": RUN, "length": length, "bumps": [bump] if bump else []}
+    scenario = json.loads(cli("road", RUN, "--out", "-"))
+    assert scenario == {"road": {"profile": RUN, "length": length, "bump": {"height": 0, **driven}}}
+    Scenario.model_validate(scenario)
+
+
+def test_a_librarys_file_is_driven_with_its_road(cli: Cli, prepared: Prepared, tmp_path: Path) -> None:
+    """Where the scenario names a road that the service does not have, the file's own is sent to it."""
+    prepared.answers["POST /roads"] = {"id": RUN}
+    file = tmp_path / "street.json"
+    there = {"road": {"profile": "A" * 22}, "estimation": {"kind": "kalman"}}
+    file.write_text(json.dumps({"schema_version": 1, "label": "Street", "scenario": there, "measured_road": "a,b"}))
+    cli("run", file, "-s", "passive")
+    assert prepared.bodies("POST /roads") == [b"a,b"]
+    (sent,) = prepared.bodies("POST /runs")
+    assert sent["scenario"]["road"]["profile"] == RUN
+    assert sent["scenario"]["estimation"] == {"kind": "kalman", "knows_preview": False}, "a file of core 0.3.0"
+    file.write_text(json.dumps({"schema_version": 99, "scenario": there}))
+    cli("run", file, "-s", "passive", code=2)
+    newest = f"this service reads up to {SCHEMA_VERSION}: update Ridelab"
+    assert f"street.json: its schema version is 99, and {newest}" in cli.error
+
+
+def test_the_papers_count_is_asked_for_by_readings_and_seeds(cli: Cli, prepared: Prepared, tmp_path: Path) -> None:
+    prepared.answers |= {"GET /paper": {"reached": 36}, "GET /paper/report.html": b"<html>"}
+    file = tmp_path / "paper.html"
+    words = ("--seeds", "21-60", "--interpretation", "favourable", "--reading", "preview=none")
+    assert json.loads(cli("paper", "--json", "--report", file, *words)) == {"reached": 36}
+    assert str(file) in cli.error
+    assert file.read_bytes() == b"<html>"
+
+
+def test_the_shell_completes_names_that_a_service_gave(cli: Cli, tmp_path: Path) -> None:
+    cli("run", "-s", "passive")
+    for words, completed in (
+        ("run pap", "paper"),
+        ("run --set road.bump.he", "road.bump.height="),
+        ("sweep -s lv,lq", "lv,lqr"),
+        ("compare a b --metric comfort.vib", "comfort.vibration_dose"),
+    ):
+        variables = {"COMP_WORDS": f"ridelab {words}", "COMP_CWORD": str(len(words.split()))}
+        variables |= {"_RIDELAB_COMPLETE": "complete_bash", "XDG_CACHE_HOME": str(tmp_path / "cache")}
+        run = subprocess.run(command(), env=environment(**variables), capture_output=True, text=True, check=False)
+        assert completed in run.stdout.split(), (words, run)
