@@ -54,6 +54,9 @@ export function isTransient(error: unknown): boolean {
 export const explain = (error: Error): string =>
   (error instanceof ApiProblem ? error.errors[0]?.message : undefined) ?? error.message;
 
+/** What went wrong, whatever was thrown. */
+export const messageOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
 export function isNotFound(error: unknown): boolean {
   return error instanceof ApiProblem && error.status === 404;
 }

@@ -1,9 +1,9 @@
 /** Which keys there are on this page. */
 
 import { Kbd, Modal } from "@mantine/core";
-import { commands } from "../lab/commands";
+import { ACTION_IDS, ACTIONS, isOffered } from "../lab/actions";
 import { DataTable } from "../ui/DataTable";
-import { keyNames } from "./keyNames";
+import { keyNames } from "./keys";
 
 const EVERYWHERE = [
   { label: "Slider or plot cursor: one step back or forward", keys: "← →" },
@@ -12,9 +12,12 @@ const EVERYWHERE = [
 ];
 
 export function KeyList({ onClose }: { readonly onClose: () => void }) {
-  const named = commands().flatMap(({ label, keys }) => (keys === undefined ? [] : [{ label, keys: keyNames(keys) }]));
+  const named = ACTION_IDS.filter(isOffered).flatMap((id) => {
+    const { label, keys = [] } = ACTIONS[id];
+    return keys.length > 0 ? [{ label, keys: keys.map(keyNames).join(" or ") }] : [];
+  });
   return (
-    <Modal opened onClose={onClose} title="Keys" closeButtonProps={{ "aria-label": "Close" }}>
+    <Modal opened onClose={onClose} title="Keys">
       <DataTable
         label="Keys"
         rows={[...named, ...EVERYWHERE]}

@@ -1,7 +1,7 @@
-/** Keys that mean commands, the list of them, and the search for a command by its name. */
+/** Keys that mean actions, the list of them, and the search for an action by its name. */
 
 import { lazy, useEffect, useEffectEvent, useState } from "react";
-import { commands, useCommands } from "../lab/commands";
+import { ACTION_IDS, ACTIONS, canRun, runAction, useAction } from "../lab/actions";
 import { LazyPart } from "../ui/LazyPart";
 import { belongsToFocus, isPressed, watchTyping } from "./keys";
 
@@ -10,15 +10,17 @@ const KeyList = lazy(() => import("./KeyList").then((module) => ({ default: modu
 
 export function Keyboard() {
   const [opened, setOpened] = useState<"palette" | "keys" | null>(null);
-  useCommands([
-    { group: "Lab", label: "Search commands and fields", keys: "mod+K", run: () => setOpened("palette") },
-    { group: "Lab", label: "List of keys", keys: "?", run: () => setOpened("keys") },
-  ]);
+  useAction("search", () => setOpened("palette"));
+  useAction("keys", () => setOpened("keys"));
   const press = useEffectEvent((event: KeyboardEvent, isTyping: boolean) => {
-    const command = commands().find(({ keys }) => keys !== undefined && isPressed(event, keys));
-    if (!command?.keys || event.defaultPrevented || belongsToFocus(event.target, command.keys, isTyping)) return;
-    event.preventDefault();
-    command.run();
+    for (const id of ACTION_IDS) {
+      const keys = ACTIONS[id].keys?.find((each) => isPressed(event, each));
+      if (keys === undefined || !canRun(id)) continue;
+      if (event.defaultPrevented || belongsToFocus(event.target, keys, isTyping)) return;
+      event.preventDefault();
+      runAction(id);
+      return;
+    }
   });
   useEffect(() => {
     const { isTyping, stop } = watchTyping();

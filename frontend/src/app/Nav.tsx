@@ -4,11 +4,10 @@ import { Button, Menu } from "@mantine/core";
 import { Link, linkOptions, useNavigate, useRouterState, useSearch } from "@tanstack/react-router";
 import { IconChevronDown } from "../ui/icons";
 import type { Address } from "../lab/address";
-import { useCommands } from "../lab/commands";
+import { usePaletteEntries } from "../lab/actions";
 import { useLabContext, useLab } from "../lab/context";
 import { labLink } from "../lab/labAddress";
 import { useStore } from "../lib/store";
-import { Logo } from "./Logo";
 import classes from "./nav.module.css";
 
 /** The run whose scenario other pages start with: the page's own, else the lab's, which is known before its curves are. */
@@ -21,7 +20,7 @@ function useRun(lab: Address): { readonly run?: string } {
 }
 
 export function Nav() {
-  const lab = useStore(useLabContext().router);
+  const lab = useStore(useLabContext().labAddress);
   const search = useRun(lab);
   const entries = [
     { section: "lab", label: "Lab", link: labLink(lab) },
@@ -34,7 +33,7 @@ export function Nav() {
   const path = useRouterState({ select: ({ matches }) => matches[1]?.routeId.split("/")[1] });
   const section = path === "b" ? "sweeps" : path;
   const navigate = useNavigate();
-  useCommands(entries.map(({ label, link }) => ({ group: "Pages", label, run: () => void navigate(link) })));
+  usePaletteEntries(entries.map(({ label, link }) => ({ group: "Pages", label, run: () => void navigate(link) })));
   const current = entries.find((entry) => entry.section === section);
   return (
     <>
@@ -85,5 +84,22 @@ export function Nav() {
         </Menu>
       </nav>
     </>
+  );
+}
+
+function Logo() {
+  return (
+    <svg width="26" height="26" viewBox="0 0 32 32" aria-hidden style={{ flex: "none" }}>
+      <rect width="32" height="32" rx="7" fill="#0b6e6e" />
+      <path
+        d="M3 24h6c3 0 4-8 7-8s4 8 7 8h6"
+        fill="none"
+        stroke="#fff"
+        strokeWidth="2.6"
+        strokeLinecap="round"
+        strokeLinejoin="round"
+      />
+      <circle cx="16" cy="9.5" r="4" fill="none" stroke="#fff" strokeWidth="2.6" />
+    </svg>
   );
 }

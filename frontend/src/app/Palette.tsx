@@ -1,55 +1,61 @@
-/** Finds a command, a page or a field of the form by its name. */
+/** Finds an action, a page or a field of the form by its name. */
 
 import { Kbd } from "@mantine/core";
 import { createSpotlight, Spotlight, type SpotlightActionData } from "@mantine/spotlight";
 import "@mantine/spotlight/styles.layer.css";
 import { useEffect, useState } from "react";
-import { commands, type Command } from "../lab/commands";
-import { keyNames } from "./keyNames";
+import { ACTION_IDS, ACTIONS, canRun, paletteEntries, runAction, type PaletteEntry } from "../lab/actions";
+import { keyNames } from "./keys";
 
 const GROUPS = ["Pages", "Lab", "Strategies", "Library", "Presets", "Fields"] as const;
 const MOST = 40;
 const TRANSITION_MS = 100;
 
-const actionOf = (command: Command, index: number, choose: (command: Command) => void): SpotlightActionData => ({
+interface Item extends Omit<PaletteEntry, "group"> {
+  readonly group: (typeof GROUPS)[number];
+  readonly keys?: string | undefined;
+}
+
+const runnable = (): readonly Item[] =>
+  ACTION_IDS.filter(canRun).map((id) => ({
+    group: "Lab",
+    label: ACTIONS[id].label,
+    keys: ACTIONS[id].keys?.[0],
+    run: () => runAction(id),
+  }));
+
+const spotlightAction = (item: Item, index: number, choose: (item: Item) => void): SpotlightActionData => ({
   id: String(index),
-  label: command.label,
-  ...(command.description !== undefined && { description: command.description }),
-  ...(command.keys !== undefined && { rightSection: <Kbd size="xs">{keyNames(command.keys)}</Kbd> }),
-  onClick: () => choose(command),
+  label: item.label,
+  ...(item.description !== undefined && { description: item.description }),
+  ...(item.keys !== undefined && { rightSection: <Kbd size="xs">{keyNames(item.keys)}</Kbd> }),
+  onClick: () => choose(item),
 });
 
-/** One that has two keys stands there once. */
-const isFirst = (command: Command, index: number, all: readonly Command[]) =>
-  all.findIndex(
-    ({ group, label, description }) =>
-      group === command.group && label === command.label && description === command.description,
-  ) === index;
-
-/** Every word of the query somewhere in a command's texts; without a query everything but the many fields. */
-function found(all: readonly Command[], query: string): readonly Command[] {
+/** Every word of the query somewhere in an item's texts; without a query everything but the many fields. */
+function found(all: readonly Item[], query: string): readonly Item[] {
   const words = query.toLowerCase().split(/\s+/).filter(Boolean);
   if (words.length === 0) return all.filter(({ group }) => group !== "Fields");
   const matching = all.filter(({ label, description = "", group }) =>
     words.every((word) => `${label} ${description} ${group}`.toLowerCase().includes(word)),
   );
-  const begins = ({ label }: Command) => label.toLowerCase().startsWith(words[0] ?? "");
-  return [...matching.filter(begins), ...matching.filter((command) => !begins(command))].slice(0, MOST);
+  const begins = ({ label }: Item) => label.toLowerCase().startsWith(words[0] ?? "");
+  return [...matching.filter(begins), ...matching.filter((item) => !begins(item))].slice(0, MOST);
 }
 
 export function Palette({ onClose }: { readonly onClose: () => void }) {
-  const [all] = useState(() => commands().filter(isFirst));
+  const [all] = useState<readonly Item[]>(() => [...runnable(), ...paletteEntries()]);
   const [query, setQuery] = useState("");
   const [[store, { open }]] = useState(createSpotlight);
-  const [chosen, setChosen] = useState<Command | null>(null);
+  const [chosen, setChosen] = useState<Item | null>(null);
   const [focused] = useState(() => document.activeElement);
   useEffect(open, [open]);
   const shown = found(all, query);
   const actions = GROUPS.map((group) => ({
     group,
     actions: shown
-      .filter((command) => command.group === group)
-      .map((command) => actionOf(command, all.indexOf(command), setChosen)),
+      .filter((item) => item.group === group)
+      .map((item) => spotlightAction(item, all.indexOf(item), setChosen)),
   }));
   return (
     <Spotlight
@@ -65,7 +71,7 @@ export function Palette({ onClose }: { readonly onClose: () => void }) {
         duration: TRANSITION_MS,
         onExited: () => {
           onClose();
-          // A command may move it on.
+          // An action may move it on.
           if (focused instanceof HTMLElement) focused.focus({ preventScroll: true });
           chosen?.run();
         },

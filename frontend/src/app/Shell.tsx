@@ -1,17 +1,22 @@
 /** What stays from page to page: name, navigation, the colour scheme, and what is wrong with the connection. */
 
 import { Link, Outlet } from "@tanstack/react-router";
-import { useMemo, useState } from "react";
+import { useMemo, useState, lazy, type ReactNode } from "react";
+import { Box, Button, useComputedColorScheme, useMantineColorScheme } from "@mantine/core";
+import { useMutation, useQuery } from "@tanstack/react-query";
 import { useLabContext } from "../lab/context";
 import { ConnectionBanner } from "./ConnectionBanner";
-import { HeaderEnd } from "./HeaderEnd";
 import { Keyboard } from "./Keyboard";
-import { LoginGate } from "./LoginGate";
 import { Nav } from "./Nav";
-import { SlotsContext } from "../ui/slots";
+import { SlotsContext } from "../ui/Page";
 import classes from "../ui/shell.module.css";
-import { Box, Button } from "@mantine/core";
 import { Blank } from "../ui/Blank";
+import { tokenWanted } from "../api/connection";
+import { useStore } from "../lib/store";
+import { LazyPart } from "../ui/LazyPart";
+import { ask, query } from "../api/http";
+import { IconLogout, IconMoon, IconSun } from "../ui/icons";
+import { IconButton } from "../ui/IconButton";
 
 /** Not by an address with a fragment: the address belongs to what is shown. */
 function focusMain() {
@@ -74,5 +79,47 @@ export function PageFailed({ error }: { readonly error: unknown }) {
         <Button onClick={() => window.location.reload()}>Load again</Button>
       </Blank>
     </Box>
+  );
+}
+
+const Login = lazy(async () => ({ default: (await import("./Login")).Login }));
+
+/** The page, or what asks for a token where the service wants one. */
+function LoginGate({ children }: { readonly children: ReactNode }) {
+  if (!useStore(tokenWanted)) {
+    return children;
+  }
+  return (
+    <LazyPart>
+      <Login />
+    </LazyPart>
+  );
+}
+
+/** What every header ends with: dark or light, whatever the system says, and logging out where there is a login. */
+function HeaderEnd() {
+  const { setColorScheme } = useMantineColorScheme();
+  const isDark = useComputedColorScheme("light") === "dark";
+  const next = isDark ? "light" : "dark";
+  const name = useQuery({ ...query("/login", {}), staleTime: Infinity }).data?.name ?? null;
+  const logOut = useMutation({
+    mutationFn: () => ask("delete", "/login", {}),
+    onSuccess: () => window.location.reload(),
+  });
+  return (
+    <>
+      <IconButton label={`Use ${next} colours`} onClick={() => setColorScheme(next)}>
+        {isDark ? <IconSun size={18} stroke={1.7} /> : <IconMoon size={18} stroke={1.7} />}
+      </IconButton>
+      {name !== null && (
+        <IconButton
+          label={logOut.error?.message ?? `Log out ${name}`}
+          disabled={logOut.isPending}
+          onClick={() => logOut.mutate()}
+        >
+          <IconLogout size={18} stroke={1.7} />
+        </IconButton>
+      )}
+    </>
   );
 }

@@ -64,3 +64,9 @@ export function belongsToFocus(target: EventTarget | null, keys: string, isTypin
   if (keys.startsWith("mod+")) return isTyping;
   return keys === "Space" ? takesKeys(target) : takesText(target) || target instanceof HTMLSelectElement;
 }
+
+/** Keys as they are written on this machine's keyboard. */
+export const keyNames = (keys: string): string => {
+  const mod = /Mac|iPhone|iPad/.test(navigator.userAgent) ? "⌘" : "Ctrl";
+  return keys.replace("mod", mod).replace("shift", "Shift").replace(/\+/g, " + ");
+};

@@ -1,22 +1,51 @@
-import { MantineProvider } from "@mantine/core";
-import "./mantine.css";
+import { MantineProvider, createTheme, Menu, Modal, type MantineColorsTuple } from "@mantine/core";
 import { QueryClientProvider } from "@tanstack/react-query";
 import { RouterProvider } from "@tanstack/react-router";
 import { StrictMode } from "react";
 import { createRoot } from "react-dom/client";
+import "./mantine.css";
 import { api } from "../api/client";
-import { loadPinned, ownPins } from "../features/compare/usePins";
+import { loadPinned, ownPins } from "../features/compare/useCompared";
 import "./global.css";
-import { ownLibrary } from "../scenario/ownLibrary";
+import { ownLibrary } from "../scenario/library";
 import { createAppRouter } from "./router";
 import { LabContextProvider } from "../lab/context";
 import { createLab } from "../lab/lab";
-import { createQueryClient } from "../server/queryClient";
-import { restoreBefore, restoreTab, storeTab } from "../lab/reload";
-import { storeSession, restoreSession } from "../lab/session";
+import { createQueryClient } from "../server/queries";
+import { restoreBefore, restoreTab, storeTab, storeSession, restoreSession } from "../lab/session";
 import { watchPrinting } from "../lib/printing";
-import { createLabRouter, startsAnew } from "../lab/labAddress";
-import { theme } from "./theme";
+import { createLabAddress, startsAnew } from "../lab/labAddress";
+
+const petrol: MantineColorsTuple = [
+  "#e3f5f5",
+  "#cde9e9",
+  "#9dd3d3",
+  "#6abcbd",
+  "#42a9aa",
+  "#289d9e",
+  "#159798",
+  "#008484",
+  "#007677",
+  "#00696b",
+];
+
+const theme = createTheme({
+  primaryColor: "petrol",
+  // White text stands out on either.
+  primaryShade: { light: 9, dark: 8 },
+  autoContrast: true,
+  colors: { petrol },
+  defaultRadius: "sm",
+  cursorType: "pointer",
+  fontFamily: "Inter, system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif",
+  headings: { fontWeight: "650" },
+  respectReducedMotion: true,
+  components: {
+    // The placeholder would be a child that a menu may not have.
+    Modal: Modal.extend({ defaultProps: { closeButtonProps: { "aria-label": "Close" } } }),
+    Menu: Menu.extend({ defaultProps: { withInitialFocusPlaceholder: false } }),
+  },
+});
 
 const queries = createQueryClient();
 
@@ -24,13 +53,13 @@ const queries = createQueryClient();
 const pages = createAppRouter();
 // An address that names a result opens that, and nothing is behind it.
 const restored = startsAnew(pages) ? restoreSession() : null;
-const router = createLabRouter(pages, restored?.view);
-const tab = restoreTab({ runId: router.get().runId, scenario: restored?.lab.history?.present ?? null });
-const lab = createLab({ api, router, queries }, { ...restored?.lab, ...(tab && { history: tab.history }) });
+const labAddress = createLabAddress(pages, restored?.view);
+const tab = restoreTab({ runId: labAddress.get().runId, scenario: restored?.lab.history?.present ?? null });
+const lab = createLab({ api, labAddress, queries }, { ...restored?.lab, ...(tab && { history: tab.history }) });
 if (tab) restoreBefore(lab, tab, (run) => loadPinned(run, null, queries, new AbortController().signal));
-storeSession(lab, router);
+storeSession(lab, labAddress);
 storeTab(lab);
-router.onNavigate(lab.navigate);
+labAddress.onNavigate(lab.navigate);
 watchPrinting();
 const readOwn = () => {
   ownLibrary.refresh();
@@ -39,7 +68,7 @@ const readOwn = () => {
 window.addEventListener("storage", readOwn); // another tab has changed them
 window.addEventListener("pageshow", readOwn); // or may have while the browser kept this page aside
 
-const context = { lab, router, standard: {}, restored: restored?.lab.history?.present ?? null };
+const context = { lab, labAddress, restored: restored?.lab.history?.present ?? null };
 
 const root = document.getElementById("root");
 if (!root) throw new Error("index.html has no #root");

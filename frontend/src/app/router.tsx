@@ -2,7 +2,7 @@
 
 import { createRootRoute, createRoute, createRouter, lazyRouteComponent } from "@tanstack/react-router";
 import { LabPage } from "../pages/lab/LabPage";
-import { readOrigin } from "../features/scenarioSource/scenarioSource";
+import { readScenarioSource } from "../features/scenarioSource/scenarioSource";
 import { readChoices } from "../pages/paper/choices";
 import { PageFailed, PageNotFound } from "./Shell";
 import { Shell } from "./Shell";
@@ -26,7 +26,7 @@ const sweep = createRoute({
 const sweeps = createRoute({
   getParentRoute: () => root,
   path: "/sweeps",
-  component: lazyRouteComponent(() => import("../pages/sweep/SweepsPage"), "SweepsPage"),
+  component: lazyRouteComponent(() => import("../pages/sweep/SweepPage"), "SweepsPage"),
 });
 const paper = createRoute({
   getParentRoute: () => root,
@@ -37,7 +37,7 @@ const paper = createRoute({
 const tuner = createRoute({
   getParentRoute: () => root,
   path: "/tuner",
-  validateSearch: readOrigin,
+  validateSearch: readScenarioSource,
   component: lazyRouteComponent(() => import("../pages/tuner/TunerPage"), "TunerPage"),
 });
 const tuning = createRoute({
@@ -49,7 +49,7 @@ const tuning = createRoute({
 const robustness = createRoute({
   getParentRoute: () => root,
   path: "/robustness",
-  validateSearch: readOrigin,
+  validateSearch: readScenarioSource,
   component: lazyRouteComponent(() => import("../pages/robustness/RobustnessPage"), "RobustnessPage"),
 });
 const study = createRoute({
@@ -62,7 +62,7 @@ const study = createRoute({
 const ecu = createRoute({
   getParentRoute: () => root,
   path: "/ecu",
-  validateSearch: readOrigin,
+  validateSearch: readScenarioSource,
   component: lazyRouteComponent(() => import("../pages/ecu/EcuPage"), "EcuPage"),
 });
 

@@ -1,17 +1,23 @@
 /** The jobs of a kind there are, the newest first: opened, renamed, deleted. */
 
-import { Button, Skeleton, Text } from "@mantine/core";
-import { useInfiniteQuery } from "@tanstack/react-query";
+import { Button, Skeleton, Text, ActionIcon, Menu } from "@mantine/core";
+import { useInfiniteQuery, useMutation, useQueryClient } from "@tanstack/react-query";
+import { Link } from "@tanstack/react-router";
+import { useState } from "react";
 import { isFinal } from "./follow";
-import { JobEntry, type Description } from "./JobEntry";
 import classes from "./jobs.module.css";
-import type { Common, Kind } from "./useJob";
+import type { Common, JobKind, JobPath } from "./useJob";
 import { Fault } from "../ui/Fault";
 import ui from "../ui/ui.module.css";
 import { Card } from "../ui/Card";
+import { IconDots } from "../ui/icons";
+import { NameForm } from "../ui/NameForm";
+import { formatMinute } from "../units/dates";
+import { count, formatWhole } from "../units/format";
+import { waitsFor } from "./JobState";
 
 interface Props<Item extends Common, Job extends Item> {
-  readonly kind: Kind<Item, Job>;
+  readonly kind: JobKind<Item, Job>;
   readonly title: string;
   readonly describe: (item: Item) => Description;
   /** Where there is none. */
@@ -74,5 +80,144 @@ export function JobList<Item extends Common, Job extends Item>({
         </Button>
       )}
     </Card>
+  );
+}
+
+interface Description {
+  /** What it is called while it has no name. */
+  readonly title: string;
+  readonly details: readonly string[];
+  /** Where it is shown, if not where its kind is. */
+  readonly page?: JobPath;
+}
+
+interface JobEntryProps<Item extends Common, Job extends Item> {
+  readonly kind: JobKind<Item, Job>;
+  readonly item: Item;
+  readonly description: Description;
+  readonly current: boolean;
+}
+
+const STATE: Readonly<Record<Common["state"], string>> = {
+  queued: "waiting",
+  running: "running",
+  done: "done",
+  cancelled: "cancelled",
+  failed: "failed",
+};
+
+/** One job of a list. */
+function JobEntry<Item extends Common, Job extends Item>({
+  kind,
+  item,
+  description: { title, details, page },
+  current,
+}: JobEntryProps<Item, Job>) {
+  const [openForm, setOpenForm] = useState<"name" | "delete" | null>(null);
+  const { done, failed, total } = kind.counts(item);
+  const name = item.label ?? title;
+  const texts = [
+    ...(item.label === null ? [] : [title]),
+    ...details,
+    formatMinute(item.created_at),
+    count(total, kind.unit),
+  ];
+  const close = () => setOpenForm(null);
+  return (
+    <li className={classes.entry} data-state={item.state} aria-current={current || undefined}>
+      <Link to={page ?? kind.page} params={{ id: item.id }}>
+        <span className={classes.entryTitle}>{name}</span>
+        <span className={classes.entryState}>
+          {[
+            STATE[item.state] +
+              (item.state === "done" ? "" : `, ${formatWhole(done + failed)} of ${formatWhole(total)}`),
+            ...(item.position > 0 ? [waitsFor(item)] : []),
+          ].join(" · ")}
+        </span>
+        <span className={classes.entryText}>{texts.join(" · ")}</span>
+      </Link>
+      <Menu position="bottom-end" width={160}>
+        <Menu.Target>
+          <ActionIcon
+            variant="subtle"
+            color="gray"
+            size={28}
+            pos="absolute"
+            top="0.3rem"
+            right="0.5rem"
+            aria-label={`Rename or delete ${name}`}
+          >
+            <IconDots size={16} />
+          </ActionIcon>
+        </Menu.Target>
+        <Menu.Dropdown>
+          <Menu.Item onClick={() => setOpenForm("name")}>Rename</Menu.Item>
+          <Menu.Item disabled={!isFinal(item)} onClick={() => setOpenForm("delete")}>
+            {isFinal(item) ? "Delete" : "Delete (cancel it first)"}
+          </Menu.Item>
+        </Menu.Dropdown>
+      </Menu>
+      {openForm === "name" && <Rename {...{ kind, item }} onClose={close} />}
+      {openForm === "delete" && <Delete {...{ kind, item, name }} onClose={close} />}
+    </li>
+  );
+}
+
+/** A call that changes the list, and perhaps the job that the page shows. */
+function useChange<Item extends Common, Job extends Item, Value = void>(
+  { name }: JobKind<Item, Job>,
+  call: (value: Value) => Promise<unknown>,
+  onClose: () => void,
+) {
+  const queries = useQueryClient();
+  return useMutation({
+    mutationFn: call,
+    onSuccess: () => {
+      onClose();
+      return queries.invalidateQueries({ queryKey: [name] });
+    },
+  });
+}
+
+type FormProps<Item extends Common, Job extends Item> = Pick<JobEntryProps<Item, Job>, "kind" | "item"> & {
+  readonly onClose: () => void;
+};
+
+function Rename<Item extends Common, Job extends Item>({ kind, item, onClose }: FormProps<Item, Job>) {
+  const rename = useChange(kind, (name: string) => kind.calls.label(item.id, name.trim() || null), onClose);
+  return (
+    <NameForm
+      name={item.label ?? ""}
+      label="Name"
+      action="Save"
+      longest={200}
+      className={classes.entryForm}
+      error={rename.error?.message}
+      saving={rename.isPending}
+      onSave={rename.mutate}
+      onClose={onClose}
+    />
+  );
+}
+
+function Delete<Item extends Common, Job extends Item>({
+  kind,
+  item,
+  name,
+  onClose,
+}: FormProps<Item, Job> & { readonly name: string }) {
+  const deletion = useChange(kind, () => kind.calls.delete(item.id), onClose);
+  return (
+    <div className={classes.entryForm} role="group" aria-label={`Delete ${name}?`}>
+      <Text size="xs" flex={1} {...(deletion.isError && { role: "alert", c: "red" })}>
+        {deletion.error?.message ?? "Delete it for good?"}
+      </Text>
+      <Button size="xs" color="red" autoFocus loading={deletion.isPending} onClick={() => deletion.mutate()}>
+        Delete
+      </Button>
+      <Button size="xs" variant="default" onClick={onClose}>
+        Close
+      </Button>
+    </div>
   );
 }

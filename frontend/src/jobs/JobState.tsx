@@ -5,12 +5,12 @@ import type { ReactNode } from "react";
 import { count } from "../units/format";
 import { isFinal } from "./follow";
 import classes from "./jobs.module.css";
-import { useJobCall, type Common, type JobStatus, type Kind } from "./useJob";
+import { useJobCall, type Common, type JobStatus, type JobKind } from "./useJob";
 import { Fault } from "../ui/Fault";
 import { Card } from "../ui/Card";
 
 interface Props<Item extends Common, Job extends Item> extends Pick<JobStatus<Job>, "connected"> {
-  readonly kind: Kind<Item, Job>;
+  readonly kind: JobKind<Item, Job>;
   readonly job: Job;
   /** In place of the state's own words. */
   readonly texts?: Partial<Record<Common["state"], string>>;

@@ -1,8 +1,8 @@
 import { QueryObserver } from "@tanstack/react-query";
 import { afterEach, expect, it, vi } from "vitest";
 import type { Tuning, TuningItem } from "../api/types";
-import { createQueryClient } from "../server/queryClient";
-import { followJob, jobQuery, TUNING, type Kind } from "./useJob";
+import { createQueryClient } from "../server/queries";
+import { followJob, jobQuery, TUNING, type JobKind } from "./useJob";
 
 /** A stream whose events come when a test says so. */
 class Stream extends EventTarget {
@@ -32,7 +32,7 @@ it("A running tuning whose past events come all at once is asked for once at a t
       const done = 10 * asked.length;
       asked.push({ answer: () => resolve({ id, state: "running", trials: { done } } as unknown as Tuning), signal });
     });
-  const kind: Kind<TuningItem, Tuning> = { ...TUNING, calls: { ...TUNING.calls, get } };
+  const kind: JobKind<TuningItem, Tuning> = { ...TUNING, calls: { ...TUNING.calls, get } };
   const observer = new QueryObserver(queries, jobQuery(kind, "T"));
   const leave = observer.subscribe(() => undefined);
   asked[0]?.answer();

@@ -6,7 +6,6 @@ import { batches, tunings, type JobCalls } from "../api/jobs";
 import type { Batch, BatchItem, Tuning, TuningItem } from "../api/types";
 import { createLatest } from "../lib/latest";
 import { follow, isFinal, type Handlers, type JobEvent } from "./follow";
-import { secondsLeft, withMark, type Mark } from "./pace";
 
 export type Common = Pick<Batch, "id" | "state" | "reason" | "label" | "position" | "created_at">;
 
@@ -14,7 +13,7 @@ export type Common = Pick<Batch, "id" | "state" | "reason" | "label" | "position
 export type JobPath = "/b/$id" | "/tuner/$id" | "/robustness/$id";
 
 /** What a list shows of a job and what its own page has of it differ; what all have in common is `Common`. */
-export interface Kind<Item extends Common, Job extends Item> {
+export interface JobKind<Item extends Common, Job extends Item> {
   readonly name: "batch" | "tuning";
   /** What is counted. */
   readonly unit: "run" | "trial";
@@ -25,7 +24,7 @@ export interface Kind<Item extends Common, Job extends Item> {
   readonly withEvent: (job: Job, event: JobEvent) => Job | null;
 }
 
-export const BATCH: Kind<BatchItem, Batch> = {
+export const BATCH: JobKind<BatchItem, Batch> = {
   name: "batch",
   unit: "run",
   calls: batches,
@@ -38,7 +37,7 @@ export const BATCH: Kind<BatchItem, Batch> = {
   },
 };
 
-export const TUNING: Kind<TuningItem, Tuning> = {
+export const TUNING: JobKind<TuningItem, Tuning> = {
   name: "tuning",
   unit: "trial",
   calls: tunings,
@@ -47,7 +46,7 @@ export const TUNING: Kind<TuningItem, Tuning> = {
   withEvent: () => null,
 };
 
-export const jobQuery = <Item extends Common, Job extends Item>({ name, calls }: Kind<Item, Job>, id: string) =>
+export const jobQuery = <Item extends Common, Job extends Item>({ name, calls }: JobKind<Item, Job>, id: string) =>
   queryOptions({ queryKey: [name, id], queryFn: ({ signal }) => calls.get(id, signal), staleTime: Infinity });
 
 const REPLAY_MS = 1_000;
@@ -68,7 +67,7 @@ export interface JobStatus<Job> {
  * The job is asked for once at a time: of events that come meanwhile only the newest asks again.
  */
 export function followJob<Item extends Common, Job extends Item>(
-  kind: Kind<Item, Job>,
+  kind: JobKind<Item, Job>,
   id: string,
   queries: QueryClient,
   handlers: Handlers,
@@ -95,7 +94,7 @@ export function followJob<Item extends Common, Job extends Item>(
   };
 }
 
-export function useJob<Item extends Common, Job extends Item>(kind: Kind<Item, Job>, id: string): JobStatus<Job> {
+export function useJob<Item extends Common, Job extends Item>(kind: JobKind<Item, Job>, id: string): JobStatus<Job> {
   const queries = useQueryClient();
   const { data: job, error } = useQuery({
     ...jobQuery(kind, id),
@@ -123,7 +122,7 @@ export function useJob<Item extends Common, Job extends Item>(kind: Kind<Item, J
 
 /** A call that answers with the job as it is then. */
 export function useJobCall<Item extends Common, Job extends Item, Value = undefined>(
-  kind: Kind<Item, Job>,
+  kind: JobKind<Item, Job>,
   id: string,
   call: (value: Value) => Promise<Job>,
 ) {
@@ -132,4 +131,30 @@ export function useJobCall<Item extends Common, Job extends Item, Value = undefi
     mutationFn: call,
     onSuccess: (now) => queries.setQueryData<Job>([kind.name, id], now),
   });
+}
+
+/** How long a batch will still take, by how fast it went lately. */
+export interface Mark {
+  /** [ms] on any clock that does not jump. */
+  readonly at: number;
+  /** Runs finished by then. */
+  readonly finished: number;
+}
+
+/** Long enough to even out chunks of about a second, short enough to follow a change of pace [ms]. */
+const WINDOW_MS = 20_000;
+const LEAST_MS = 1_500;
+
+/** The marks with a new one, without those too old to tell of the pace; one older than the window stays as its start. */
+export function withMark(marks: readonly Mark[], mark: Mark): readonly Mark[] {
+  const all = [...marks, mark];
+  const start = all.findLastIndex(({ at }) => at <= mark.at - WINDOW_MS);
+  return all.slice(Math.max(0, start));
+}
+
+/** Seconds left, `null` while nobody can know. */
+export function secondsLeft(marks: readonly Mark[], total: number): number | null {
+  const [first, last] = [marks[0], marks.at(-1)];
+  if (!first || !last || last.at - first.at < LEAST_MS || last.finished <= first.finished) return null;
+  return ((total - last.finished) * (last.at - first.at)) / (last.finished - first.finished) / 1000;
 }

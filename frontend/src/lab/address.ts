@@ -1,7 +1,7 @@
 /** What addresses carry in their search part, and how the lab is looked at. */
 
 import type { StrategyId } from "../api/types";
-import { againstPin, runOf, type Against } from "./compare";
+import { pinReference, pinnedRunId, type Reference } from "./compare";
 
 export type Axis = "distance" | "time";
 
@@ -15,7 +15,7 @@ export interface View {
   readonly baseline: StrategyId;
   readonly hidden: readonly StrategyId[];
   readonly zoom: ViewZoom;
-  readonly against: Against;
+  readonly reference: Reference;
   /** Plots show differences to what changes are against. */
   readonly differences: boolean;
 }
@@ -34,7 +34,7 @@ export const DEFAULT_VIEW: View = {
   baseline: "passive",
   hidden: [],
   zoom: null,
-  against: "baseline",
+  reference: "baseline",
   differences: false,
 };
 
@@ -71,25 +71,25 @@ export const listOf = (text: string | undefined): readonly string[] => text?.spl
 const RUN = /^[\w-]{22}$/;
 
 /** In an address stand a pin's run, or `before`; nothing is the baseline. */
-const parseAgainst = (text = ""): Against =>
-  text === "before" ? text : RUN.test(text) ? againstPin(text) : "baseline";
+const parseReference = (text = ""): Reference =>
+  text === "before" ? text : RUN.test(text) ? pinReference(text) : "baseline";
 
 export const viewOf = ({ axis, baseline, hide, zoom, against, plots }: LabSearch): View => ({
   axis: axis === "time" ? "time" : "distance",
   baseline: baseline ?? DEFAULT_VIEW.baseline,
   hidden: listOf(hide),
   zoom: parseZoom(zoom),
-  against: parseAgainst(against),
+  reference: parseReference(against),
   differences: plots === "differences",
 });
 
 /** Only what is not as usual. */
-export const searchOf = ({ axis, baseline, hidden, zoom, against, differences }: View): LabSearch => ({
+export const searchOf = ({ axis, baseline, hidden, zoom, reference, differences }: View): LabSearch => ({
   ...(axis !== DEFAULT_VIEW.axis && { axis }),
   ...(baseline !== DEFAULT_VIEW.baseline && { baseline }),
   ...(hidden.length > 0 && { hide: hidden.join(",") }),
   ...(zoom && { zoom: zoom === "whole" ? zoom : zoom.map((value) => String(Number(value.toFixed(3)))).join("~") }),
-  ...(against !== "baseline" && { against: runOf(against) ?? against }),
+  ...(reference !== "baseline" && { against: pinnedRunId(reference) ?? reference }),
   ...(differences && { plots: "differences" }),
 });
 

@@ -3,12 +3,12 @@
 import type { OverRoads } from "../api/types";
 import { getAt } from "../scenario/path";
 import { count } from "../units/format";
-import { roadsOf, type Shown } from "./result";
+import { roadsOf, type Result } from "./result";
 
 /** A result with a name, of the strategies that are on. */
 export interface Variant {
   readonly name: string;
-  readonly shown: Shown;
+  readonly shown: Result;
   /** The run that was pinned: what is shown is its scenario over as many roads as the lab drives. */
   readonly run?: string;
   /** Its place among the pins, which gives it its line. */
@@ -16,7 +16,7 @@ export interface Variant {
 }
 
 /** What changes in percent are against: another strategy, the state before the last edit, or a pinned run. */
-export type Against = "baseline" | "before" | `pin:${string}`;
+export type Reference = "baseline" | "before" | `pin:${string}`;
 
 export interface Compared {
   readonly before: Variant | null;
@@ -24,26 +24,27 @@ export interface Compared {
 }
 
 /** By run over several roads its changes against what changes are against, where the run itself does not have them. */
-export type Paired = Readonly<Record<string, OverRoads["changes"]>>;
+export type RoadPairedChanges = Readonly<Record<string, OverRoads["changes"]>>;
 
 export const NOTHING_COMPARED: Compared = { before: null, pins: [] };
 
 const SEED = "/road/seed";
 const PIN = "pin:";
-export const againstPin = (runId: string): Against => `${PIN}${runId}`;
+export const pinReference = (runId: string): Reference => `${PIN}${runId}`;
 
-export const againstVariant = ({ run, shown }: Variant): Against => againstPin(run ?? shown.runId ?? "");
+export const referenceTo = ({ run, shown }: Variant): Reference => pinReference(run ?? shown.runId ?? "");
 
 /** The run of the pin that changes are against; `null` where they are against something else. */
-export const runOf = (against: Against): string | null => (against.startsWith(PIN) ? against.slice(PIN.length) : null);
+export const pinnedRunId = (against: Reference): string | null =>
+  against.startsWith(PIN) ? against.slice(PIN.length) : null;
 
 /** The variant that changes are against; `null` where that is a strategy. */
-export function againstOf({ before, pins }: Compared, against: Against): Variant | null {
-  return against === "before" ? before : (pins.find((pin) => against === againstVariant(pin)) ?? null);
+export function referenceVariant({ before, pins }: Compared, against: Reference): Variant | null {
+  return against === "before" ? before : (pins.find((pin) => against === referenceTo(pin)) ?? null);
 }
 
 /** Why a result has no changes against that other one, as what the other one is; `null` where it has. */
-export function whyNotCompared(shown: Shown, other: Shown): string | null {
+export function whyNotCompared(shown: Result, other: Result): string | null {
   if (roadsOf(shown) !== roadsOf(other)) return `over ${count(roadsOf(other), "road")}`;
   if (roadsOf(shown) === 1) return null;
   if (getAt(shown.scenario, SEED) !== getAt(other.scenario, SEED)) return "over roads of other seeds";

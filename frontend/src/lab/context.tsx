@@ -1,17 +1,20 @@
 /** The lab and the address, for components. */
 
-import { createContext, use, type ReactNode } from "react";
+import { useQuery } from "@tanstack/react-query";
+import { createContext, use, useMemo, type ReactNode } from "react";
 import type { Scenario } from "../api/types";
 import type { View } from "./address";
 import type { Lab, LabState } from "./labState";
-import type { Router } from "./labAddress";
+import type { LabAddress } from "./labAddress";
 import { useSelect } from "../lib/store";
+import { standardScenario } from "../scenario/differences";
+import { schemaQuery } from "../server/queries";
 
 interface LabContextValue {
   readonly lab: Lab;
-  readonly router: Router;
+  readonly labAddress: LabAddress;
   /** The paper's scenario, as the schema states it: what is edited until a run has been opened. */
-  readonly standard: Scenario;
+  readonly paperScenario: Scenario;
   /** What a closed tab came back with. */
   readonly restored: Scenario | null;
 }
@@ -22,10 +25,13 @@ export function LabContextProvider({
   value,
   children,
 }: {
-  readonly value: LabContextValue;
+  readonly value: Omit<LabContextValue, "paperScenario">;
   readonly children: ReactNode;
 }) {
-  return <LabContext value={value}>{children}</LabContext>;
+  // Fetched by the pages that need it.
+  const form = useQuery({ ...schemaQuery, enabled: false }).data;
+  const context = useMemo(() => ({ ...value, paperScenario: form ? standardScenario(form) : {} }), [value, form]);
+  return <LabContext value={context}>{children}</LabContext>;
 }
 
 export function useLabContext(): LabContextValue {
@@ -39,7 +45,7 @@ export function useLab<Part>(select: (state: LabState) => Part): Part {
 }
 
 export function useView(): View {
-  return useSelect(useLabContext().router, (address) => address.view);
+  return useSelect(useLabContext().labAddress, (address) => address.view);
 }
 
 /** Nothing can be edited: the page shows a shared result. */
@@ -49,27 +55,27 @@ export function useReadOnly(): boolean {
 
 /** The scenario as the form shows it: under a moving slider, else the last one set. */
 export function useScenario(): Scenario {
-  const { standard } = useLabContext();
-  return useLab((state) => state.drag ?? state.history?.present ?? standard);
+  const { paperScenario } = useLabContext();
+  return useLab((state) => state.drag ?? state.history?.present ?? paperScenario);
 }
 
 /** One stable piece of the edited scenario: the component renders anew only when that piece changes. */
 export function useFromScenario<Part>(select: (scenario: Scenario) => Part): Part {
-  const { standard } = useLabContext();
-  return useLab((state) => select(state.drag ?? state.history?.present ?? standard));
+  const { paperScenario } = useLabContext();
+  return useLab((state) => select(state.drag ?? state.history?.present ?? paperScenario));
 }
 
 /** How a field changes the scenario, always from its newest state. */
 export function useEdit() {
-  const { lab, standard } = useLabContext();
+  const { lab, paperScenario } = useLabContext();
   return {
     newest: (): Scenario => {
       const { drag, history } = lab.get();
-      return drag ?? history?.present ?? standard;
+      return drag ?? history?.present ?? paperScenario;
     },
     drag: lab.drag,
     commit: lab.commit,
     reject: lab.reject,
-    accept: lab.accept,
+    accept: lab.clearInvalid,
   };
 }

@@ -37,7 +37,7 @@ export function createExactRequests({ store, grace, onError }: Parts): ExactRequ
       const controller = new AbortController();
       current = controller;
       const isCurrent = () => current === controller;
-      patch({ busy: true, failure: null, refused: NO_ERRORS });
+      patch({ busy: true, failure: null, serverErrors: NO_ERRORS });
       grace.start();
       work(controller.signal, isCurrent)
         .catch((error: unknown) => {
@@ -50,7 +50,7 @@ export function createExactRequests({ store, grace, onError }: Parts): ExactRequ
           current = null;
           grace.stop();
           // After a failure the old curves stay dimmed: they are not what the form says.
-          patch({ busy: false, stale: store.get().failure !== null || hasErrors(store.get().refused) });
+          patch({ busy: false, stale: store.get().failure !== null || hasErrors(store.get().serverErrors) });
         });
     },
     cancel: () => {

@@ -3,7 +3,7 @@
 import type { QueryClient } from "@tanstack/react-query";
 import { ApiProblem, isTransient } from "../api/problem";
 import type { Run, SeriesByStrategy, StrategyId } from "../api/types";
-import { OVERVIEW_POINTS, seriesKey } from "../server/queries";
+import { fromCache, OVERVIEW_POINTS, seriesKey } from "../server/queries";
 import type { Histories } from "./result";
 
 /** What is final about missing time histories is told in their place; anything else may still pass. */
@@ -35,11 +35,8 @@ export async function historiesOf(
   const ids = computedOf(run);
   if (ids.length === 0) return { series: {}, missing: NOTHING_COMPUTED };
   const key = seriesKey(run.id, ids, OVERVIEW_POINTS);
-  const cached = queries.getQueryData<SeriesByStrategy>(key);
-  if (cached) return { series: cached, missing: null };
   try {
-    const series = await fetchSeries(run.id, ids, OVERVIEW_POINTS, signal);
-    queries.setQueryData(key, series);
+    const series = await fromCache(queries, key, () => fetchSeries(run.id, ids, OVERVIEW_POINTS, signal));
     return { series, missing: null };
   } catch (error) {
     return withoutSeries(error);

@@ -4,7 +4,7 @@ import type { LiveAnswer, Run, Scenario, SeriesByStrategy, StrategyId, Summary }
 import { DEFAULT_VIEW, type Address } from "./address";
 import type { LabApi } from "./labState";
 import { createLab } from "./lab";
-import type { Router } from "./labAddress";
+import type { LabAddress } from "./labAddress";
 import { createStore } from "../lib/store";
 
 const PAPER: Scenario = { height: 0.1 };
@@ -28,10 +28,10 @@ function runOf(scenario: Scenario, ids: readonly StrategyId[], roads = 1): Run {
   return { id: idOf(scenario, ids, roads), core_version: "1", scenario, strategies: byStrategy(ids, summary), over };
 }
 
-/** A router without a browser. */
+/** A labAddress without a browser. */
 function fakeRouter() {
   const store = createStore<Address>({ runId: null, slug: null, view: DEFAULT_VIEW });
-  const router: Router = {
+  const labAddress: LabAddress = {
     get: store.get,
     subscribe: store.subscribe,
     showRun: (runId, view) => store.set(({ view: old }) => ({ runId, slug: null, view: { ...old, ...view } })),
@@ -41,7 +41,7 @@ function fakeRouter() {
     cancelNavigation: () => undefined,
     clearFrom: () => undefined,
   };
-  return router;
+  return labAddress;
 }
 
 interface Held {
@@ -70,8 +70,8 @@ function harness() {
         signal,
       ),
   };
-  const router = fakeRouter();
-  const lab = createLab({ api, router, queries: new QueryClient() });
+  const labAddress = fakeRouter();
+  const lab = createLab({ api, labAddress, queries: new QueryClient() });
   const tick = () => new Promise((resolve) => setTimeout(resolve, 0));
   const answer = async (kind: keyof typeof held) => {
     held[kind].at(-1)?.answer();
@@ -84,7 +84,7 @@ function harness() {
   };
   const agree = () => {
     const { shown, strategies } = lab.get();
-    const { runId, view } = router.get();
+    const { runId, view } = labAddress.get();
     return {
       run: shown?.runId === runId,
       strategies: Object.keys(shown?.summaries ?? {}).filter((id) => !view.hidden.includes(id)),
@@ -92,17 +92,17 @@ function harness() {
     };
   };
   const start = async () => {
-    lab.open(router.get());
+    lab.open(labAddress.get());
     await respond();
   };
-  return { lab, router, held, answer, respond, tick, agree, start };
+  return { lab, labAddress, held, answer, respond, tick, agree, start };
 }
 
 describe("the lab's address and page", () => {
   it("agree when a strategy is switched on and off while others come back", async () => {
-    const { lab, router, respond, agree, start, held } = harness();
+    const { lab, labAddress, respond, agree, start, held } = harness();
     await start();
-    const first = router.get().runId;
+    const first = labAddress.get().runId;
     lab.setStrategies(["lqr", "passive"]);
     lab.setStrategies(["lqr", "passive", "speed_only"]); // not in the run yet: a new one, under way
     lab.setStrategies(["lqr", "passive"]);
@@ -110,7 +110,7 @@ describe("the lab's address and page", () => {
     expect(held.runs.at(-1)?.signal?.aborted).toBe(true);
     expect(lab.get()).toMatchObject({ busy: false, stale: false });
     await respond();
-    expect(router.get().runId).toBe(first);
+    expect(labAddress.get().runId).toBe(first);
     expect(agree()).toEqual({ run: true, strategies: OPENING, selected: OPENING });
   });
 
@@ -125,7 +125,7 @@ describe("the lab's address and page", () => {
   });
 
   it("agree with the newest edit, whose predecessor's curves are no longer waited for", async () => {
-    const { lab, router, held, answer, respond, start } = harness();
+    const { lab, labAddress, held, answer, respond, start } = harness();
     await start();
     lab.commit(LOW);
     await answer("runs");
@@ -135,7 +135,7 @@ describe("the lab's address and page", () => {
     late?.answer();
     await respond();
     expect(lab.get().shown?.scenario).toEqual({ height: 0.2 });
-    expect(router.get().runId).toBe(idOf({ height: 0.2 }, OPENING));
+    expect(labAddress.get().runId).toBe(idOf({ height: 0.2 }, OPENING));
   });
 
   it("keep an undo while the edit is under way", async () => {
@@ -144,7 +144,7 @@ describe("the lab's address and page", () => {
     lab.commit(LOW);
     lab.undo();
     await respond();
-    expect(lab.get()).toMatchObject({ shown: { scenario: PAPER }, history: { present: PAPER }, before: null });
+    expect(lab.get()).toMatchObject({ shown: { scenario: PAPER }, history: { present: PAPER }, previousResult: null });
   });
 });
 
@@ -155,7 +155,7 @@ it("Undo takes back a text that is no value before it takes back an edit", async
   await respond();
   lab.reject("/height", { text: "3 kg", message: "Takes cm" });
   lab.undo();
-  expect(lab.get()).toMatchObject({ rejected: {}, busy: false, history: { present: LOW } });
+  expect(lab.get()).toMatchObject({ invalidInput: {}, busy: false, history: { present: LOW } });
   lab.undo();
   expect(lab.get()).toMatchObject({ busy: true, history: { present: PAPER } });
 });
@@ -166,13 +166,17 @@ describe("the state before the last edit", () => {
     await start();
     lab.drag(LOW);
     await answer("live");
-    expect(lab.get()).toMatchObject({ shown: { source: "live" }, exact: { scenario: PAPER }, before: null });
+    expect(lab.get()).toMatchObject({
+      shown: { source: "live" },
+      latestResult: { scenario: PAPER },
+      previousResult: null,
+    });
     lab.commit(LOW);
     await respond();
-    expect(lab.get()).toMatchObject({ shown: { scenario: LOW }, before: { scenario: PAPER } });
+    expect(lab.get()).toMatchObject({ shown: { scenario: LOW }, previousResult: { scenario: PAPER } });
     lab.undo();
     await respond();
-    expect(lab.get().before?.scenario).toEqual(LOW);
+    expect(lab.get().previousResult?.scenario).toEqual(LOW);
   });
 
   it("stays when the strategies or the roads change", async () => {
@@ -183,6 +187,9 @@ describe("the state before the last edit", () => {
     lab.setStrategies(["lv"]);
     lab.setRoads(5);
     await respond();
-    expect(lab.get()).toMatchObject({ shown: { scenario: LOW, over: { roads: 5 } }, before: { scenario: PAPER } });
+    expect(lab.get()).toMatchObject({
+      shown: { scenario: LOW, over: { roads: 5 } },
+      previousResult: { scenario: PAPER },
+    });
   });
 });

@@ -1,7 +1,7 @@
 /** The page's one controller: what is edited, over what it is driven, and which of it is shown. */
 
 import { createRequests } from "./requests";
-import { type Form, type Services, hasRejected, type Lab, type LabState } from "./labState";
+import { type LabForm, type Services, hasInvalidInput, type Lab, type LabState } from "./labState";
 import type { Scenario, StrategyId } from "../api/types";
 import { sameValue } from "../scenario/path";
 import { begin, record, redo, undo, type History } from "./history";
@@ -14,13 +14,13 @@ const OPENING_STRATEGIES: readonly StrategyId[] = ["lv", "lqr", "passive"];
 const OPENING: LabState = {
   history: null,
   drag: null,
-  rejected: {},
-  refused: NO_ERRORS,
+  invalidInput: {},
+  serverErrors: NO_ERRORS,
   strategies: OPENING_STRATEGIES,
   roads: 1,
   shown: null,
-  exact: null,
-  before: null,
+  latestResult: null,
+  previousResult: null,
   shared: null,
   busy: false,
   stale: false,
@@ -29,10 +29,10 @@ const OPENING: LabState = {
 
 /** `initial` is what it opens with where no address says what. */
 export function createLab(services: Services, initial: Partial<LabState> = {}): Lab {
-  const { router } = services;
+  const { labAddress } = services;
   const store = createStore<LabState>({ ...OPENING, ...initial });
   const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
-  let form: Form = { group: null, signals: [] };
+  let form: LabForm = { group: null, signals: [] };
   const requests = createRequests(store, services, () => form);
   const { submit } = requests;
 
@@ -41,14 +41,14 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
     if (!history || shared) return;
     const next = step(history);
     if (next === history) return;
-    patch({ history: next, rejected: {}, drag: null });
+    patch({ history: next, invalidInput: {}, drag: null });
     submit("replace"); // the browser's Back goes through edits, not through each undo of them
   };
 
   /** Shows those of the result that is there; no other answer is waited for. */
   const hideOthers = (strategies: readonly StrategyId[], computed: readonly StrategyId[]) => {
     requests.cancel();
-    router.setView({ hidden: computed.filter((strategy) => !strategies.includes(strategy)) });
+    labAddress.setView({ hidden: computed.filter((strategy) => !strategies.includes(strategy)) });
   };
 
   const open: Lab["open"] = ({ runId, slug, view }) => {
@@ -67,8 +67,8 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
       patch({ stale: true });
     },
     openPaper: () => {
-      const { history, rejected, strategies, roads, shown, exact, before, shared } = OPENING;
-      patch({ history, rejected, strategies, roads, shown, exact, before, shared });
+      const { history, invalidInput, strategies, roads, shown, latestResult, previousResult, shared } = OPENING;
+      patch({ history, invalidInput, strategies, roads, shown, latestResult, previousResult, shared });
       submit("push");
     },
     openCopy: () => {
@@ -88,14 +88,14 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
       patch({ history: history ? record(history, scenario) : begin(scenario), drag: null });
       submit("push");
     },
-    reject: (pointer, rejected) => patch({ rejected: { ...store.get().rejected, [pointer]: rejected } }),
-    accept: (pointer) => {
-      const { [pointer]: removed, ...rejected } = store.get().rejected;
-      if (removed) patch({ rejected });
+    reject: (pointer, input) => patch({ invalidInput: { ...store.get().invalidInput, [pointer]: input } }),
+    clearInvalid: (pointer) => {
+      const { [pointer]: removed, ...rest } = store.get().invalidInput;
+      if (removed) patch({ invalidInput: rest });
     },
     undo: () => {
       // A text that is no value is the newest change.
-      if (hasRejected(store.get())) patch({ rejected: {} });
+      if (hasInvalidInput(store.get())) patch({ invalidInput: {} });
       else move(undo);
     },
     redo: () => move(redo),
@@ -115,8 +115,8 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
       submit("push");
     },
     compareWith: (scenario, result) => {
-      const { exact, before } = store.get();
-      if (before === null && sameValue(exact?.scenario, scenario)) patch({ before: result });
+      const { latestResult, previousResult } = store.get();
+      if (previousResult === null && sameValue(latestResult?.scenario, scenario)) patch({ previousResult: result });
     },
     resume: requests.resume,
   };

@@ -5,7 +5,7 @@ import { DEFAULT_VIEW, readLabSearch, searchOf, stringifySearch, viewOf, type Ad
 import { createStore, type Store } from "../lib/store";
 
 /** Its value is the address of what the lab shows, on whichever page the browser is. */
-export interface Router extends Pick<Store<Address>, "get" | "subscribe"> {
+export interface LabAddress extends Pick<Store<Address>, "get" | "subscribe"> {
   /** Shows another run; a new entry in the browser's history unless it is the same one. */
   readonly showRun: (runId: string, view: Partial<View>, mode: "push" | "replace") => void;
   /** The next run is no other page's: nothing leads back there. */
@@ -61,7 +61,7 @@ function readAddress(router: RegisteredRouter): Address | null {
 }
 
 /** `opening` is how a lab is looked at that opens as it was left; what an address says goes before. */
-export function createLabRouter(router: RegisteredRouter, opening = DEFAULT_VIEW): Router {
+export function createLabAddress(router: RegisteredRouter, opening = DEFAULT_VIEW): LabAddress {
   const named = readAddress(router);
   const saysNothing = named === null || isSame(named, START);
   const store = createStore<Address>(saysNothing ? { ...START, view: opening } : named);

@@ -7,13 +7,13 @@ import type { Pointer } from "../scenario/path";
 import type { Group } from "../scenario/schema";
 import type { Address } from "./address";
 import type { History } from "./history";
-import type { Shown } from "./result";
+import type { Result } from "./result";
 import type { Store } from "../lib/store";
 import type { Api } from "../api/client";
-import type { Router } from "./labAddress";
+import type { LabAddress } from "./labAddress";
 
 /** A text that is not a value the field can take; it stays in its input until somebody changes it. */
-export interface Rejected {
+export interface InvalidInput {
   readonly text: string;
   readonly message: string;
 }
@@ -27,25 +27,25 @@ export interface LabState {
   readonly history: History<Scenario> | null;
   /** The scenario under a moving slider. */
   readonly drag: Scenario | null;
-  readonly rejected: Readonly<Record<Pointer, Rejected>>;
-  readonly refused: ErrorsByField;
+  readonly invalidInput: Readonly<Record<Pointer, InvalidInput>>;
+  readonly serverErrors: ErrorsByField;
   readonly strategies: readonly StrategyId[];
   /** How many roads an exact run drives. */
   readonly roads: number;
-  readonly shown: Shown | null;
+  readonly shown: Result | null;
   /** The newest exact result: under a moving slider it is no longer what is shown. */
-  readonly exact: Shown | null;
+  readonly latestResult: Result | null;
   /** The exact result before the last edit. */
-  readonly before: Shown | null;
+  readonly previousResult: Result | null;
   /** The link this page shows: while there is one, nothing can be edited. */
   readonly shared: Link | null;
   readonly busy: boolean;
-  /** What is shown is older than what was asked for, for longer than an eye forgives. */
+  /** What is shown has been older than what was asked for long enough to be noticed. */
   readonly stale: boolean;
   readonly failure: Failure | null;
 }
 
-export const hasRejected = ({ rejected }: LabState): boolean => Object.keys(rejected).length > 0;
+export const hasInvalidInput = ({ invalidInput }: LabState): boolean => Object.keys(invalidInput).length > 0;
 
 export interface Lab extends Pick<Store<LabState>, "get" | "subscribe"> {
   readonly open: (address: Address) => void;
@@ -58,14 +58,14 @@ export interface Lab extends Pick<Store<LabState>, "get" | "subscribe"> {
   readonly configure: (form: Group, signals: readonly string[]) => void;
   readonly drag: (scenario: Scenario) => void;
   readonly commit: (scenario: Scenario) => void;
-  readonly reject: (pointer: Pointer, rejected: Rejected) => void;
-  readonly accept: (pointer: Pointer) => void;
+  readonly reject: (pointer: Pointer, rejected: InvalidInput) => void;
+  readonly clearInvalid: (pointer: Pointer) => void;
   /** Takes back the texts that are no values, else the last edit. */
   readonly undo: () => void;
   readonly redo: () => void;
   readonly setStrategies: (strategies: readonly StrategyId[]) => void;
   /** Takes a result for the state before the last edit where there is none, and the shown result is still of that scenario. */
-  readonly compareWith: (scenario: Scenario, before: Shown) => void;
+  readonly compareWith: (scenario: Scenario, before: Result) => void;
   readonly setRoads: (roads: number) => void;
   /** Asks again for what could not be had; does nothing where nothing is missing. */
   readonly resume: () => void;
@@ -75,13 +75,13 @@ export interface Lab extends Pick<Store<LabState>, "get" | "subscribe"> {
 export type LabApi = Pick<Api, "createRun" | "run" | "series" | "link" | "live">;
 
 /** What only the loaded form says: where an error belongs, and what the page draws. */
-export interface Form {
+export interface LabForm {
   readonly group: Group | null;
   readonly signals: readonly string[];
 }
 
 export interface Services {
   readonly api: LabApi;
-  readonly router: Router;
+  readonly labAddress: LabAddress;
   readonly queries: QueryClient;
 }

@@ -2,7 +2,7 @@
 
 import { ApiProblem, isTransient } from "../api/problem";
 import type { LiveAnswer, Scenario } from "../api/types";
-import type { Form, Services, LabState } from "./labState";
+import type { LabForm, Services, LabState } from "./labState";
 import { createLatest } from "../lib/latest";
 import { NO_ERRORS, refusal } from "./problems";
 import { ALL_POINTS } from "../server/queries";
@@ -19,19 +19,19 @@ interface LiveRequest {
   readonly startedAt: number;
 }
 
-interface Parts extends Pick<Services, "api" | "router"> {
+interface Parts extends Pick<Services, "api" | "labAddress"> {
   readonly store: Store<LabState>;
   /** Marks what is shown as stale when it ends. */
   readonly grace: Timer;
-  readonly form: () => Form;
+  readonly form: () => LabForm;
 }
 
-export function createLive({ store, grace, api, router, form }: Parts) {
+export function createLive({ store, grace, api, labAddress, form }: Parts) {
   const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
 
   /** The bump has half of all samples; zoomed in by hand, the same density takes more of them over the whole run. */
   const points = () => {
-    const { zoom, axis, differences } = router.get().view;
+    const { zoom, axis, differences } = labAddress.get().view;
     if (differences) return ALL_POINTS;
     const longest = Object.values(store.get().shown?.series ?? {}).map((series) => series[axisKey(axis)]?.at(-1) ?? 0);
     const part = Array.isArray(zoom) ? (zoom[1] - zoom[0]) / Math.max(1e-9, ...longest) : 1;
@@ -50,7 +50,7 @@ export function createLive({ store, grace, api, router, form }: Parts) {
       grace.stop();
       const isNewest = store.get().drag === scenario;
       const shown = fromLive(answer, performance.now() - startedAt);
-      patch({ shown, refused: NO_ERRORS, failure: null, ...(isNewest ? { busy: false, stale: false } : {}) });
+      patch({ shown, serverErrors: NO_ERRORS, failure: null, ...(isNewest ? { busy: false, stale: false } : {}) });
     },
     onError: (error) => {
       // While dragging, an overloaded or silent server only means no new curves; the release asks again.

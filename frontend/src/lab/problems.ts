@@ -9,11 +9,11 @@ export const NO_ERRORS: ErrorsByField = { fields: {}, general: [] };
 
 export const hasErrors = ({ fields, general }: ErrorsByField) => general.length > 0 || Object.keys(fields).length > 0;
 
-type Change = Partial<Pick<LabState, "refused" | "failure">>;
+type Change = Partial<Pick<LabState, "serverErrors" | "failure">>;
 
 /** What the server refuses: at its field, where it names one. */
 export function refusal(problem: ApiProblem, form: Group | null): Change {
-  if (problem.status === 422 && form) return { refused: errorsByField(form, problem.errors, problem.message) };
+  if (problem.status === 422 && form) return { serverErrors: errorsByField(form, problem.errors, problem.message) };
   return { failure: { kind: "failed", message: problem.message } };
 }
 

@@ -6,7 +6,7 @@ import type { AppRouter } from "../app/router";
 import { parseSearch, stringifySearch } from "./address";
 import type { LabApi, LabState } from "./labState";
 import { createLab } from "./lab";
-import { createLabRouter } from "./labAddress";
+import { createLabAddress } from "./labAddress";
 
 const OPENING = ["lv", "lqr", "passive"];
 const wait = () => new Promise((resolve) => setTimeout(resolve, 0));
@@ -98,12 +98,12 @@ function harness(path: string, initial: Partial<LabState> = {}, late = false) {
     link: () => Promise.reject(new Error("no link here")),
   };
   const { pages, ...page } = browser(path, late);
-  const router = createLabRouter(pages);
+  const labAddress = createLabAddress(pages);
   const lab = createLab(
-    { api, router, queries: new QueryClient({ defaultOptions: { queries: { gcTime: 0 } } }) },
+    { api, labAddress, queries: new QueryClient({ defaultOptions: { queries: { gcTime: 0 } } }) },
     initial,
   );
-  router.onNavigate(lab.navigate);
+  labAddress.onNavigate(lab.navigate);
   const respond = async () => {
     held.at(-1)?.();
     await wait();
@@ -116,7 +116,7 @@ function harness(path: string, initial: Partial<LabState> = {}, late = false) {
     await wait();
     return { bar: page.href(), shown: lab.get().shown?.runId };
   };
-  return { lab, router, ...page, respond, respondToAll };
+  return { lab, labAddress, ...page, respond, respondToAll };
 }
 
 /** A lab with the runs h1 and h2 behind it. */
@@ -177,10 +177,10 @@ it("The paper's scenario leads back to no page; an edit and other strategies of 
 
 it("A run that is merely opened has no state before the last edit", async () => {
   const { lab, follow, respondToAll } = await twoRuns();
-  expect(lab.get().before?.runId).toBe("h1");
+  expect(lab.get().previousResult?.runId).toBe("h1");
   follow("/r/h7");
   await respondToAll();
-  expect(lab.get()).toMatchObject({ shown: { runId: "h7" }, before: null });
+  expect(lab.get()).toMatchObject({ shown: { runId: "h7" }, previousResult: null });
 });
 
 it("A run of the same scenario that is opened is no step to undo", async () => {
@@ -199,14 +199,14 @@ it("A run of the same scenario that is opened is no step to undo", async () => {
 });
 
 it("What the lab itself writes into the address bar is no link that was followed, however late it stands there", async () => {
-  const { lab, router, respond, href, entries } = harness("/", {}, true);
+  const { lab, labAddress, respond, href, entries } = harness("/", {}, true);
   await respond();
   await wait();
   expect(href()).toBe("/r/h1");
-  router.setView({ axis: "time" });
-  router.setView({ baseline: "lqr" });
+  labAddress.setView({ axis: "time" });
+  labAddress.setView({ baseline: "lqr" });
   await wait();
   expect(lab.get()).toMatchObject({ busy: false, stale: false });
-  expect(router.get().view).toMatchObject({ axis: "time", baseline: "lqr" });
+  expect(labAddress.get().view).toMatchObject({ axis: "time", baseline: "lqr" });
   expect([href(), entries.length]).toEqual(["/r/h1?axis=time&baseline=lqr", 1]);
 });

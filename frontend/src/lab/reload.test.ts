@@ -5,13 +5,13 @@ import { DEFAULT_VIEW } from "./address";
 import { begin, record, undo } from "./history";
 import { createLab } from "./lab";
 import type { LabState } from "./labState";
-import { restoreBefore, restoreTab, storeTab } from "./reload";
-import type { Shown } from "./result";
+import { restoreBefore, restoreTab, storeTab } from "./session";
+import type { Result } from "./result";
 import { createStore } from "../lib/store";
 
 const [PAPER, LOW, HIGH]: readonly Scenario[] = [{ height: 1 }, { height: 2 }, { height: 3 }];
 const resultOf = (runId: string, scenario: Scenario | undefined) =>
-  ({ source: "exact", runId, scenario, over: null }) as unknown as Shown;
+  ({ source: "exact", runId, scenario, over: null }) as unknown as Result;
 
 beforeEach(() => {
   const texts = new Map<string, string>();
@@ -26,7 +26,7 @@ afterEach(() => {
 
 const router = createStore({ runId: null, slug: null, view: DEFAULT_VIEW });
 const labWith = (state: Partial<LabState>) =>
-  createLab({ api: {} as never, router: router as never, queries: new QueryClient() }, state);
+  createLab({ api: {} as never, labAddress: router as never, queries: new QueryClient() }, state);
 
 /** A lab that has shown and stored this. */
 function left(state: Partial<LabState>) {
@@ -39,7 +39,7 @@ function left(state: Partial<LabState>) {
 const HISTORY = undo(record(record(begin(PAPER ?? {}), LOW ?? {}), HIGH ?? {}));
 
 it("A tab that is loaded again has its undo, its redo and the run before the last edit, at the address it was at", () => {
-  left({ history: HISTORY, exact: resultOf("R2", LOW), before: resultOf("R3", HIGH) });
+  left({ history: HISTORY, latestResult: resultOf("R2", LOW), previousResult: resultOf("R3", HIGH) });
   const tab = { run: "R2", before: "R3", history: HISTORY };
   expect(restoreTab({ runId: "R2", scenario: null })).toEqual(tab);
   expect(restoreTab({ runId: "R9", scenario: null })).toBeNull();
@@ -52,8 +52,12 @@ it("What is stored of a tab is bounded, and nothing of a link", () => {
   const scenarios = Array.from({ length: 150 }, (_, height) => ({ height }));
   const all = scenarios.reduce((history, scenario) => record(history, scenario), begin<Scenario>({}));
   const long = Array.from({ length: 75 }, () => undo<Scenario>).reduce((history, step) => step(history), all);
-  const patch = left({ history: long, exact: resultOf("R", { height: 74 }) });
-  patch({ history: begin<Scenario>({ height: 1000 }), exact: resultOf("L", { height: 1000 }), shared: {} as Link });
+  const patch = left({ history: long, latestResult: resultOf("R", { height: 74 }) });
+  patch({
+    history: begin<Scenario>({ height: 1000 }),
+    latestResult: resultOf("L", { height: 1000 }),
+    shared: {} as Link,
+  });
   const stored = restoreTab({ runId: "R", scenario: null })?.history;
   expect([stored?.past.length, stored?.future.length]).toEqual([50, 50]);
   expect([stored?.past.at(-1), stored?.present, stored?.future[0]]).toEqual([
@@ -85,18 +89,20 @@ it("The run before the last edit is asked for once, when the run that was shown 
   store.set((state) => ({ ...state, busy: true }));
   await Promise.resolve();
   expect(compareWith).not.toHaveBeenCalled();
-  store.set((state) => ({ ...state, exact: resultOf("R2", LOW) }));
+  store.set((state) => ({ ...state, latestResult: resultOf("R2", LOW) }));
   store.set((state) => ({ ...state, busy: false }));
   await vi.waitFor(() => expect(compareWith.mock.calls).toEqual([[LOW, resultOf("R1", PAPER)]]));
 });
 
 it("It is what changes are against again, unless there is another one, or another scenario is shown by then", () => {
   const compared = (state: Partial<LabState>) => {
-    const lab = labWith({ exact: resultOf("R2", LOW), ...state });
+    const lab = labWith({ latestResult: resultOf("R2", LOW), ...state });
     lab.compareWith(LOW ?? {}, resultOf("R1", PAPER));
-    return lab.get().before?.runId;
+    return lab.get().previousResult?.runId;
   };
-  expect([compared({}), compared({ before: resultOf("R8", HIGH) }), compared({ exact: resultOf("R3", HIGH) })]).toEqual(
-    ["R1", "R8", undefined],
-  );
+  expect([
+    compared({}),
+    compared({ previousResult: resultOf("R8", HIGH) }),
+    compared({ latestResult: resultOf("R3", HIGH) }),
+  ]).toEqual(["R1", "R8", undefined]);
 });

@@ -1,16 +1,16 @@
 /** What the lab asks of the server, and how an answer changes what is shown. */
 
 import { isTransient } from "../api/problem";
-import type { Link, Run, Scenario, StrategyId } from "../api/types";
+import type { Scenario, StrategyId } from "../api/types";
 import { DEFAULT_VIEW } from "./address";
 import { cursor } from "./cursor";
 import { createExactRequests } from "./exactRequest";
 import { historiesOf } from "./histories";
 import { begin, record } from "./history";
-import type { LabState, Form, Services } from "./labState";
+import type { LabState, LabForm, Services } from "./labState";
 import { createLive } from "./live";
 import { NO_ERRORS, problemOf } from "./problems";
-import { linkKey, runKey } from "../server/queries";
+import { fromCache, linkKey, runKey } from "../server/queries";
 import { readSharedView } from "./sharing";
 import { fromRun, resultsAfterEdit, resultsAfterOpening } from "./result";
 import type { Store } from "../lib/store";
@@ -31,10 +31,14 @@ export interface Requests {
   readonly resume: () => void;
 }
 
-export function createRequests(store: Store<LabState>, { api, router, queries }: Services, form: () => Form): Requests {
+export function createRequests(
+  store: Store<LabState>,
+  { api, labAddress, queries }: Services,
+  form: () => LabForm,
+): Requests {
   const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
   const grace = createTimer(STALE_AFTER_MS, () => patch({ stale: true }));
-  const live = createLive({ store, grace, api, router, form });
+  const live = createLive({ store, grace, api, labAddress, form });
   let unfinished: (() => void) | null = null;
 
   const exact = createExactRequests({
@@ -58,8 +62,8 @@ export function createRequests(store: Store<LabState>, { api, router, queries }:
   const submit: Requests["submit"] = (mode) => {
     const { history, strategies, roads } = store.get();
     if (strategies.length === 0) return;
-    if (mode === "push") router.cancelNavigation();
-    const { baseline } = router.get().view;
+    if (mode === "push") labAddress.cancelNavigation();
+    const { baseline } = labAddress.get().view;
     const over = roads > 1 ? { roads, ...(strategies.includes(baseline) ? { baseline } : {}) } : null;
     start({
       work: async (signal, isCurrent) => {
@@ -72,8 +76,8 @@ export function createRequests(store: Store<LabState>, { api, router, queries }:
         if (!isCurrent()) return;
         const selected = store.get().strategies;
         const hidden = Object.keys(run.strategies).filter((strategy) => !selected.includes(strategy));
-        if (history === null) router.clearFrom();
-        router.showRun(run.id, { hidden }, mode);
+        if (history === null) labAddress.clearFrom();
+        labAddress.showRun(run.id, { hidden }, mode);
         patch({
           ...resultsAfterEdit(store.get(), fromRun(run, histories, performance.now() - startedAt, false)),
           drag: null,
@@ -88,21 +92,20 @@ export function createRequests(store: Store<LabState>, { api, router, queries }:
     start({
       work: async (signal, isCurrent) => {
         const startedAt = performance.now();
-        const run = queries.getQueryData<Run>(runKey(id)) ?? (await api.run(id, signal));
+        const run = await fromCache(queries, runKey(id), () => api.run(id, signal));
         if (!isCurrent()) return;
-        queries.setQueryData(runKey(id), run);
         const histories = await historiesOf(run, queries, api.series, signal);
         if (!isCurrent()) return;
         const { history } = store.get();
-        router.confirmNavigation();
-        if (run.over && router.get().view.baseline === DEFAULT_VIEW.baseline)
-          router.setView({ baseline: run.over.baseline });
+        labAddress.confirmNavigation();
+        if (run.over && labAddress.get().view.baseline === DEFAULT_VIEW.baseline)
+          labAddress.setView({ baseline: run.over.baseline });
         patch({
           ...resultsAfterOpening(store.get(), fromRun(run, histories, performance.now() - startedAt, true)),
           roads: run.over?.roads ?? 1,
           history: history ? record(history, run.scenario) : begin(run.scenario),
           strategies: Object.keys(run.strategies).filter((strategy) => !hidden.includes(strategy)),
-          rejected: {},
+          invalidInput: {},
           drag: null,
           shared: null,
         });
@@ -116,15 +119,14 @@ export function createRequests(store: Store<LabState>, { api, router, queries }:
     start({
       work: async (signal, isCurrent) => {
         const startedAt = performance.now();
-        const link = queries.getQueryData<Link>(linkKey(slug)) ?? (await api.link(slug, signal));
+        const link = await fromCache(queries, linkKey(slug), () => api.link(slug, signal));
         if (!isCurrent()) return;
-        queries.setQueryData(linkKey(slug), link);
         if (!link.run && !link.batch) throw new Error("There is nothing behind this link that this page can show");
         const histories = link.run && (await historiesOf(link.run, queries, api.series, signal));
         if (!isCurrent()) return;
         const { view, strategies, at } = readSharedView(link);
-        router.confirmNavigation();
-        router.setView(view);
+        labAddress.confirmNavigation();
+        labAddress.setView(view);
         cursor.set(view.axis, at);
         const shown = link.run && histories ? fromRun(link.run, histories, performance.now() - startedAt, true) : null;
         const roads = link.run?.over?.roads ?? 1;
@@ -133,11 +135,11 @@ export function createRequests(store: Store<LabState>, { api, router, queries }:
           history: begin(link.scenario),
           strategies,
           roads,
-          rejected: {},
+          invalidInput: {},
           drag: null,
           shown,
-          exact: shown,
-          before: null,
+          latestResult: shown,
+          previousResult: null,
         });
       },
       again: () => openLink(slug),
@@ -145,10 +147,10 @@ export function createRequests(store: Store<LabState>, { api, router, queries }:
     });
   };
 
-  /** The address has nothing to show: neither is anything else shown under it. */
+  /** There is no result at the address, so none is shown. */
   const leaveLink = () => {
-    router.confirmNavigation();
-    patch({ shared: null, shown: null, exact: null, before: null });
+    labAddress.confirmNavigation();
+    patch({ shared: null, shown: null, latestResult: null, previousResult: null });
   };
 
   return {
@@ -157,7 +159,7 @@ export function createRequests(store: Store<LabState>, { api, router, queries }:
     openLink,
     preview: (scenario) => {
       exact.cancel();
-      router.cancelNavigation();
+      labAddress.cancelNavigation();
       const some = store.get().strategies.length > 0;
       patch({ busy: some });
       if (some) live.request(scenario);
@@ -166,8 +168,8 @@ export function createRequests(store: Store<LabState>, { api, router, queries }:
       live.cancel();
       unfinished = null;
       exact.cancel();
-      router.cancelNavigation();
-      patch({ busy: false, stale: false, failure: null, refused: NO_ERRORS });
+      labAddress.cancelNavigation();
+      patch({ busy: false, stale: false, failure: null, serverErrors: NO_ERRORS });
     },
     resume: () => unfinished?.(),
   };

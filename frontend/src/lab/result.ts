@@ -30,7 +30,7 @@ export interface Failed {
   readonly message: string;
 }
 
-export interface Shown {
+export interface Result {
   readonly source: "exact" | "live";
   readonly runId: string | null;
   readonly coreVersion: string;
@@ -47,7 +47,7 @@ export interface Shown {
 
 type Answers = Readonly<Record<StrategyId, Summary | Failure>>;
 
-function split(all: Answers): Pick<Shown, "summaries" | "failed"> {
+function split(all: Answers): Pick<Result, "summaries" | "failed"> {
   const summaries: Record<StrategyId, Summary> = {};
   const failed: Failed[] = [];
   for (const [strategy, answer] of Object.entries(all)) {
@@ -64,9 +64,9 @@ function timing(all: Answers, roundTripMs: number, opened: boolean): Timing {
   return { cached, computed: list.length - cached, computeMs, roundTripMs, opened };
 }
 
-export type Histories = Pick<Shown, "series" | "missing">;
+export type Histories = Pick<Result, "series" | "missing">;
 
-export function fromRun(run: Run, { series, missing }: Histories, roundTripMs: number, opened: boolean): Shown {
+export function fromRun(run: Run, { series, missing }: Histories, roundTripMs: number, opened: boolean): Result {
   return {
     source: "exact",
     runId: run.id,
@@ -80,7 +80,7 @@ export function fromRun(run: Run, { series, missing }: Histories, roundTripMs: n
   };
 }
 
-export function fromLive(answer: LiveAnswer, roundTripMs: number): Shown {
+export function fromLive(answer: LiveAnswer, roundTripMs: number): Result {
   const { summaries, failed } = split(answer.strategies);
   const decoded = Object.entries(answer.strategies).flatMap(([strategy, entry]) =>
     entry.status === "ok" ? [[strategy, decodeSeries(entry.series)] as const] : [],
@@ -99,37 +99,41 @@ export function fromLive(answer: LiveAnswer, roundTripMs: number): Shown {
   };
 }
 
-export const roadsOf = ({ over }: Shown): number => over?.roads ?? 1;
+export const roadsOf = ({ over }: Result): number => over?.roads ?? 1;
 
 interface Results {
-  readonly shown: Shown | null;
-  readonly exact: Shown | null;
-  readonly before: Shown | null;
+  readonly shown: Result | null;
+  readonly latestResult: Result | null;
+  readonly previousResult: Result | null;
 }
 
-const isOther = (exact: Shown | null, next: Shown) => exact !== null && !sameValue(exact.scenario, next.scenario);
+const isOther = (exact: Result | null, next: Result) => exact !== null && !sameValue(exact.scenario, next.scenario);
 
 /** A new exact result is shown. The one of another scenario before it stays to compare with. */
-export function resultsAfterEdit({ exact, before }: Results, next: Shown): Results {
-  return { shown: next, exact: next, before: isOther(exact, next) ? exact : before };
+export function resultsAfterEdit({ latestResult, previousResult }: Results, next: Result): Results {
+  return {
+    shown: next,
+    latestResult: next,
+    previousResult: isOther(latestResult, next) ? latestResult : previousResult,
+  };
 }
 
 /** An exact result is opened: what was shown before it is not the state before an edit. */
-export function resultsAfterOpening({ exact, before }: Results, next: Shown): Results {
-  return { shown: next, exact: next, before: isOther(exact, next) ? null : before };
+export function resultsAfterOpening({ latestResult, previousResult }: Results, next: Result): Results {
+  return { shown: next, latestResult: next, previousResult: isOther(latestResult, next) ? null : previousResult };
 }
 
 /** The state before the edit that is shown, one under way included. */
-export const beforeEdit = ({ shown, exact, before }: Results): Shown | null =>
-  shown?.source === "live" ? exact : before;
+export const beforeEdit = ({ shown, latestResult, previousResult }: Results): Result | null =>
+  shown?.source === "live" ? latestResult : previousResult;
 
 /** Whether the last step led back from this result: it can be done again. */
-export const isUndone = ({ scenario }: Shown, history: History<Scenario> | null): boolean =>
+export const isUndone = ({ scenario }: Result, history: History<Scenario> | null): boolean =>
   history?.future.some((undone) => sameValue(undone, scenario)) ?? false;
 
 /** Whether a result answers this question, for some of its strategies. */
 export function answers(
-  shown: Shown,
+  shown: Result,
   question: {
     readonly scenario: Scenario | undefined;
     readonly roads: number;

@@ -2,11 +2,11 @@
 
 import type { SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
 import type { Axis, View, ViewZoom, Zoom } from "./address";
-import { againstOf, NOTHING_COMPARED, type Compared, type Paired, type Variant } from "./compare";
-import type { Shown } from "./result";
+import { referenceVariant, NOTHING_COMPARED, type Compared, type RoadPairedChanges, type Variant } from "./compare";
+import type { Result } from "./result";
 
-export interface Scene {
-  readonly shown: Shown;
+export interface ResultView {
+  readonly shown: Result;
   /** Every strategy there is. */
   readonly catalogue: readonly Strategy[];
   /** Strategies that are on and have a result, in the catalogue's order. */
@@ -18,9 +18,9 @@ export interface Scene {
   /** The state before the last edit. */
   readonly before: Variant | null;
   readonly pins: readonly Variant[];
-  readonly paired: Paired;
+  readonly roadPairedChanges: RoadPairedChanges;
   /** What changes are against, where that is not the baseline. */
-  readonly against: Variant | null;
+  readonly reference: Variant | null;
   /** Plots show differences to what changes are against. */
   readonly differences: boolean;
   readonly axis: Axis;
@@ -37,21 +37,24 @@ function wholeRange(series: SeriesByStrategy, ids: readonly StrategyId[], axis: 
   return [0, Math.max(1e-3, ...ends)];
 }
 
-export function makeScene(
-  shown: Shown,
+export function makeResultView(
+  shown: Result,
   catalogue: readonly Strategy[],
   selected: readonly StrategyId[],
   view: View,
   compared: Compared = NOTHING_COMPARED,
-): Scene {
+): ResultView {
   return withBaseline(partShown(shown, catalogue, selected, view), view, compared);
 }
 
 /** What is drawn, whatever it is compared with. */
-export type PartShown = Omit<Scene, "baseline" | "differences" | "against" | "paired" | keyof Compared>;
+export type PartShown = Omit<
+  ResultView,
+  "baseline" | "differences" | "reference" | "roadPairedChanges" | keyof Compared
+>;
 
 export function partShown(
-  shown: Shown,
+  shown: Result,
   catalogue: readonly Strategy[],
   selected: readonly StrategyId[],
   { axis, zoom }: Pick<View, "axis" | "zoom">,
@@ -72,16 +75,16 @@ export const baselineOf = (
 
 export function withBaseline(
   part: PartShown,
-  { baseline, against, differences }: Pick<View, "baseline" | "against" | "differences">,
+  { baseline, reference, differences }: Pick<View, "baseline" | "reference" | "differences">,
   compared: Compared,
-  paired: Paired = {},
-): Scene {
+  roadPairedChanges: RoadPairedChanges = {},
+): ResultView {
   return {
     ...part,
     baseline: baselineOf(part, baseline),
     ...compared,
-    paired,
-    against: againstOf(compared, against),
+    roadPairedChanges,
+    reference: referenceVariant(compared, reference),
     differences,
   };
 }
@@ -94,7 +97,12 @@ function rangeOf(zoom: ViewZoom, bump: Zoom | null, whole: Zoom): Zoom {
 /** Parts of the bump's length that are shown before and behind it. */
 const [BEFORE, BEHIND] = [0.6, 0.9];
 
-function bumpRange(summaries: Scene["summaries"], ids: readonly StrategyId[], axis: Axis, whole: Zoom): Zoom | null {
+function bumpRange(
+  summaries: ResultView["summaries"],
+  ids: readonly StrategyId[],
+  axis: Axis,
+  whole: Zoom,
+): Zoom | null {
   const spans = ids.flatMap((id) => summaries[id]?.stages.find(({ stage }) => stage === "bump") ?? []);
   if (spans.length === 0) return null;
   const ends = spans.map((span) =>

@@ -6,14 +6,14 @@ import { storeSession, restoreSession } from "./session";
 import { createLab } from "./lab";
 import type { LabState } from "./labState";
 import { NO_ERRORS } from "./problems";
-import type { Shown } from "./result";
+import type { Result } from "./result";
 import { createStore } from "../lib/store";
 
 const LOW: Scenario = { height: 0.06 };
 const REFUSED: Scenario = { height: -1 };
 const THEIRS: Scenario = { height: 0.2 };
 const exactOf = (scenario: Scenario, opened = false) =>
-  ({ source: "exact", scenario, over: null, timing: { opened } }) as unknown as Shown;
+  ({ source: "exact", scenario, over: null, timing: { opened } }) as unknown as Result;
 
 beforeEach(() => {
   const texts = new Map<string, string>();
@@ -28,8 +28,8 @@ afterEach(() => {
 
 function open() {
   const router = createStore({ runId: null, slug: null, view: DEFAULT_VIEW });
-  const opening = createLab({ api: {} as never, router: router as never, queries: {} as never }).get();
-  const store = createStore<LabState>({ ...opening, history: begin(LOW), exact: exactOf(LOW), busy: true });
+  const opening = createLab({ api: {} as never, labAddress: router as never, queries: {} as never }).get();
+  const store = createStore<LabState>({ ...opening, history: begin(LOW), latestResult: exactOf(LOW), busy: true });
   const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
   storeSession(store, router);
   return patch;
@@ -41,7 +41,7 @@ it("A tab comes back with the last scenario that was computed, not with one on i
   expect(restoreSession()).toBeNull();
   patch({ busy: false });
   patch({ history: begin(REFUSED), busy: true });
-  patch({ refused: { ...NO_ERRORS, general: ["too low"] }, busy: false });
+  patch({ serverErrors: { ...NO_ERRORS, general: ["too low"] }, busy: false });
   expect(restoreSession()?.lab.history?.present).toEqual(LOW);
 });
 
@@ -49,14 +49,14 @@ it("A run or a link that is opened replaces nothing until it is edited", () => {
   const patch = open();
   const scenario = () => restoreSession()?.lab.history?.present;
   patch({ busy: false });
-  patch({ exact: exactOf(THEIRS, true) });
-  patch({ exact: exactOf(THEIRS), strategies: ["lv"] });
-  patch({ exact: exactOf(THEIRS, true), shared: {} as Link });
-  patch({ exact: exactOf(THEIRS), shared: null });
+  patch({ latestResult: exactOf(THEIRS, true) });
+  patch({ latestResult: exactOf(THEIRS), strategies: ["lv"] });
+  patch({ latestResult: exactOf(THEIRS, true), shared: {} as Link });
+  patch({ latestResult: exactOf(THEIRS), shared: null });
   expect(scenario()).toEqual(LOW);
-  patch({ exact: exactOf({ height: 0.3 }) });
+  patch({ latestResult: exactOf({ height: 0.3 }) });
   expect(scenario()).toEqual({ height: 0.3 });
-  patch({ exact: exactOf(THEIRS) });
+  patch({ latestResult: exactOf(THEIRS) });
   expect(scenario()).toEqual(THEIRS);
 });
 

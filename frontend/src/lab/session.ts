@@ -4,12 +4,12 @@ import type { Scenario, StrategyId } from "../api/types";
 import { sameValue } from "../scenario/path";
 import { SCHEMA_VERSION, upgraded } from "../scenario/versions";
 import { parseSearch, readLabSearch, searchOf, stringifySearch, viewOf, type View } from "./address";
-import { begin } from "./history";
+import { begin, type History } from "./history";
 import type { Lab, LabState } from "./labState";
 import { hasErrors } from "./problems";
-import type { Router } from "./labAddress";
-import { roadsOf } from "./result";
-import { readStored, writeStored } from "../lib/storage";
+import type { LabAddress } from "./labAddress";
+import { roadsOf, type Result } from "./result";
+import { readStored, writeStored, isLike } from "../lib/storage";
 
 const NAME = "ridelab-lab";
 
@@ -51,19 +51,19 @@ export function restoreSession(): RestoredSession | null {
   };
 }
 
-export function storeSession(lab: Pick<Lab, "get" | "subscribe">, router: Pick<Router, "get" | "subscribe">): void {
+export function storeSession(lab: Pick<Lab, "get" | "subscribe">, router: Pick<LabAddress, "get" | "subscribe">): void {
   let written: readonly unknown[] = [];
   /** Of a run or link that was opened: until it is edited, what somebody else made replaces nothing of one's own. */
   let unedited: Scenario | null = null;
   const write = () => {
-    const { exact, strategies, shared, busy, failure, refused } = lab.get();
+    const { latestResult, strategies, shared, busy, failure, serverErrors } = lab.get();
     // What the server has not taken yet, it may refuse.
-    if (!exact || busy || failure || hasErrors(refused)) return;
-    const { scenario } = exact;
-    if (shared || exact.timing.opened) unedited = scenario;
+    if (!latestResult || busy || failure || hasErrors(serverErrors)) return;
+    const { scenario } = latestResult;
+    if (shared || latestResult.timing.opened) unedited = scenario;
     if (sameValue(scenario, unedited)) return;
     unedited = null;
-    const roads = roadsOf(exact);
+    const roads = roadsOf(latestResult);
     const { view } = router.get();
     const parts = [scenario, strategies, roads, view];
     if (parts.every((part, index) => part === written[index])) return;
@@ -79,4 +79,68 @@ export function storeSession(lab: Pick<Lab, "get" | "subscribe">, router: Pick<R
   };
   lab.subscribe(write);
   router.subscribe(write);
+}
+
+const TAB = "ridelab-tab";
+/** Steps in either direction: a scenario takes some 4 kB, and a browser keeps 5 MB. */
+const MOST_STEPS = 50;
+
+/** What a tab has beside its address when it is loaded again: undo and redo, and the state before the last edit. */
+interface StoredTab {
+  /** The run that was shown. */
+  readonly run: string;
+  /** The run before the last edit. */
+  readonly before: string | null;
+  readonly history: History<Scenario>;
+}
+
+const TEMPLATE: StoredTab = { run: "", before: null, history: { past: [{}], present: {}, future: [{}] } };
+
+/** What was stored of this tab, where it is of the run at its address, or of the scenario (then its present) that the lab opens with; else `null`. */
+export function restoreTab(opens: {
+  readonly runId: string | null;
+  readonly scenario: Scenario | null;
+}): StoredTab | null {
+  const tab = readStored(TAB, "sessionStorage");
+  if (!isLike(TEMPLATE, tab)) return null;
+  const { runId, scenario } = opens;
+  if (runId !== null) return runId === tab.run ? tab : null;
+  return scenario !== null && sameValue(scenario, tab.history.present)
+    ? { ...tab, history: { ...tab.history, present: scenario } }
+    : null;
+}
+
+export function storeTab(lab: Pick<Lab, "get" | "subscribe">): void {
+  let written: readonly unknown[] = [];
+  lab.subscribe(() => {
+    const { latestResult, previousResult, history, shared } = lab.get();
+    const parts = [latestResult, previousResult, history];
+    if (shared || !latestResult?.runId || !history || parts.every((part, index) => part === written[index])) return;
+    written = parts;
+    const { past, present, future } = history;
+    const tab: StoredTab = {
+      run: latestResult.runId,
+      before: previousResult?.runId ?? null,
+      history: { past: past.slice(-MOST_STEPS), present, future: future.slice(0, MOST_STEPS) },
+    };
+    writeStored(TAB, tab, "sessionStorage");
+  });
+}
+
+/** Asks for the run before the last edit, once the run that was shown is there again. */
+export function restoreBefore(
+  lab: Pick<Lab, "get" | "subscribe" | "compareWith">,
+  { before }: StoredTab,
+  load: (run: string) => Promise<Result>,
+): void {
+  if (before === null) return;
+  const stop = lab.subscribe(() => {
+    const { latestResult } = lab.get();
+    if (!latestResult) return;
+    stop();
+    load(before).then(
+      (shown) => lab.compareWith(latestResult.scenario, shown),
+      () => undefined, // no longer stored, or no server: then there is none to compare with
+    );
+  });
 }

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Link, Summary } from "../api/types";
 import { DEFAULT_VIEW } from "./address";
-import type { Scene } from "./resultView";
+import type { ResultView } from "./resultView";
 import { readSharedView, viewToShare } from "./sharing";
 
 const summary = {} as Summary;
@@ -20,18 +20,18 @@ describe("a link's view", () => {
   });
 
   it("is what was shared", () => {
-    const scene = {
+    const resultView = {
       summaries: run.strategies,
       ids: ["lv", "passive"],
       baseline: "lv",
       axis: "time",
-      against: null,
+      reference: null,
       differences: false,
       pins: [{ name: "Soft", shown: { runId: "s" } }],
       whole: [0, 9],
       range: [1, 2.5],
-    } as unknown as Scene;
-    const shared = viewToShare(scene, 2);
+    } as unknown as ResultView;
+    const shared = viewToShare(resultView, 2);
     expect(shared).toEqual({
       strategies: ["lv", "lqr", "passive"],
       hidden: ["lqr"],
@@ -50,7 +50,7 @@ describe("a link's view", () => {
 
   const pin = { name: "Soft", shown: { runId: "s" } };
   const before = { name: "before the last edit", shown: { runId: "b" } };
-  const scene = (compared: object) =>
+  const resultView = (compared: object) =>
     ({
       summaries: run.strategies,
       ids: ["lv"],
@@ -58,22 +58,22 @@ describe("a link's view", () => {
       before,
       differences: true,
       ...compared,
-    }) as unknown as Scene;
+    }) as unknown as ResultView;
 
   it("is against the pin or the baseline it was shared with, differences too", () => {
-    const toPin = viewToShare(scene({ against: pin }), null);
+    const toPin = viewToShare(resultView({ reference: pin }), null);
     expect(toPin).toMatchObject({ reference: "s", differences: true });
-    expect(read(toPin).view).toMatchObject({ against: "pin:s", differences: true });
-    expect(read(viewToShare(scene({ against: null }), null)).view).toMatchObject({
-      against: "baseline",
+    expect(read(toPin).view).toMatchObject({ reference: "pin:s", differences: true });
+    expect(read(viewToShare(resultView({ reference: null }), null)).view).toMatchObject({
+      reference: "baseline",
       differences: true,
     });
   });
 
   it("leaves out the state before the last edit, which a reader has not", () => {
-    const view = viewToShare(scene({ against: before }), null);
+    const view = viewToShare(resultView({ reference: before }), null);
     expect(view).not.toHaveProperty("reference");
-    expect(read(view).view).toMatchObject({ against: "baseline", differences: false });
+    expect(read(view).view).toMatchObject({ reference: "baseline", differences: false });
   });
 
   it("never names what the run has not", () => {

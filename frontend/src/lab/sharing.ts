@@ -3,8 +3,8 @@
 import type { Link, SharedView } from "../api/types";
 import type { StrategyId } from "../api/types";
 import type { View, ViewZoom } from "./address";
-import { againstPin } from "./compare";
-import type { Scene } from "./resultView";
+import { pinReference } from "./compare";
+import type { ResultView } from "./resultView";
 
 export interface ReadView {
   readonly view: View;
@@ -25,7 +25,7 @@ export function readSharedView({ view, run }: Pick<Link, "view" | "run">): ReadV
       baseline: view.baseline ?? run?.over?.baseline ?? "passive",
       hidden: computed.filter((id) => !strategies.includes(id)),
       zoom: readZoom(view.zoom),
-      against: view.reference ? againstPin(view.reference) : "baseline",
+      reference: view.reference ? pinReference(view.reference) : "baseline",
       differences: view.differences ?? false,
     },
     strategies,
@@ -41,14 +41,18 @@ function readZoom(zoom: SharedView["zoom"]): ViewZoom {
 }
 
 /** The state before the last edit is this page's alone: neither it nor differences to it are shared. */
-function comparisonToShare({ against, before, differences }: Scene): Pick<SharedView, "reference" | "differences"> {
-  if (against === null) return differences ? { differences: true } : {};
-  const { runId } = against.shown;
-  return against === before || runId === null ? {} : { reference: runId, ...(differences && { differences: true }) };
+function comparisonToShare({
+  reference,
+  before,
+  differences,
+}: ResultView): Pick<SharedView, "reference" | "differences"> {
+  if (reference === null) return differences ? { differences: true } : {};
+  const { runId } = reference.shown;
+  return reference === before || runId === null ? {} : { reference: runId, ...(differences && { differences: true }) };
 }
 
-export function viewToShare(scene: Scene, at: number | null): SharedView {
-  const { summaries, ids, baseline, axis, whole, range, pins } = scene;
+export function viewToShare(resultView: ResultView, at: number | null): SharedView {
+  const { summaries, ids, baseline, axis, whole, range, pins } = resultView;
   const computed = Object.keys(summaries);
   return {
     strategies: computed,
@@ -60,6 +64,6 @@ export function viewToShare(scene: Scene, at: number | null): SharedView {
     ...(pins.length > 0
       ? { pins: pins.flatMap(({ name, shown: { runId } }) => (runId === null ? [] : [{ name, run: runId }])) }
       : {}),
-    ...comparisonToShare(scene),
+    ...comparisonToShare(resultView),
   };
 }

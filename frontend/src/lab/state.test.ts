@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { DEFAULT_VIEW, parseSearch, readLabSearch, searchOf, stringifySearch, viewOf, type View } from "./address";
-import { againstPin } from "./compare";
+import { pinReference } from "./compare";
 import { begin, record, redo, undo } from "./history";
 
 describe("undo and redo", () => {
@@ -30,12 +30,12 @@ describe("the address", () => {
       baseline: "lqr",
       hidden: ["passive", "lv"],
       zoom: [98.5, 112],
-      against: "before",
+      reference: "before",
       differences: true,
     } as const;
     expect(there(view)).toBe("?axis=time&baseline=lqr&hide=passive,lv&zoom=98.5~112&against=before&plots=differences");
     expect(back(there(view))).toEqual(view);
-    const pinned = { ...DEFAULT_VIEW, against: againstPin("9l2MI3odkPqmWr5qapN1vZ") };
+    const pinned = { ...DEFAULT_VIEW, reference: pinReference("9l2MI3odkPqmWr5qapN1vZ") };
     expect(there(pinned)).toBe("?against=9l2MI3odkPqmWr5qapN1vZ");
     expect(back(there(pinned))).toEqual(pinned);
   });

@@ -14,7 +14,7 @@ export interface Draft<Texts> {
   readonly forget: () => void;
 }
 
-interface Form<Texts> {
+interface DraftOptions<Texts> {
   readonly name: "sweep" | "study" | "changed study" | "tuning";
   /** What is changed by it, where that is one of several. */
   readonly of?: string | undefined;
@@ -29,14 +29,14 @@ export function restoreDraft<Texts>({
   name,
   of = "",
   restore,
-}: Pick<Form<Texts>, "name" | "of" | "restore">): Texts | null {
+}: Pick<DraftOptions<Texts>, "name" | "of" | "restore">): Texts | null {
   const stored = readStored(keyOf(name));
   return typeof stored === "object" && stored !== null && "of" in stored && stored.of === of && "draft" in stored
     ? restore(stored.draft)
     : null;
 }
 
-export function useDraft<Texts>({ name, of = "", initial, restore }: Form<Texts>): Draft<Texts> {
+export function useDraft<Texts>({ name, of = "", initial, restore }: DraftOptions<Texts>): Draft<Texts> {
   const [stored, setStored] = useState(() => restoreDraft({ name, of, restore }));
   const [opening, setOpening] = useState(initial);
   const remove = () => writeStored(keyOf(name), null);

@@ -5,8 +5,7 @@ import { useEffect, useEffectEvent, useRef, useState, type ReactNode, type RefOb
 import type { MadeTrace } from "../api/types";
 import classes from "./plots.module.css";
 import type { BarTrace, GridTrace, LineTrace, PlotElement, PlotLayout, PointTrace } from "./plotly";
-import { PlotlyFault } from "./PlotlyFault";
-import { useCharts } from "./usePlotly";
+import { PlotlyFault, useCharts } from "./usePlotly";
 
 export interface ChartFigure {
   readonly data: readonly (PointTrace | LineTrace | BarTrace | GridTrace | MadeTrace)[];

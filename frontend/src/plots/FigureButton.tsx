@@ -1,11 +1,12 @@
 /** Saves one figure as it is shown; what it takes is loaded at the first click. */
 
 import { ActionIcon } from "@mantine/core";
-import { lazy, useMemo, useState } from "react";
+import { lazy, useMemo, useState, type RefObject } from "react";
 import { IconDownload } from "../ui/icons";
 import { LazyPart } from "../ui/LazyPart";
 import classes from "./plots.module.css";
 import type { FigureSource } from "./saved";
+import type { ChartOnPaper } from "./paperChart";
 
 const FigureMenu = lazy(() => import("./FigureMenu").then((module) => ({ default: module.FigureMenu })));
 
@@ -48,4 +49,29 @@ export function FigureButton({ source }: { readonly source: FigureSource }) {
       </FigureMenu>
     </LazyPart>
   );
+}
+
+interface Props {
+  readonly title: string;
+  /** Name of the file without its ending. */
+  readonly file: string;
+  /** Where plotly draws it: the file shows what somebody has zoomed to. */
+  readonly hostRef?: RefObject<HTMLElement | null>;
+  readonly draw: () => ChartOnPaper;
+}
+
+/** Saves a chart as it is drawn, in the colours of light paper; the code that makes the file is loaded with the menu. */
+export function ChartButton({ title, file, hostRef, draw }: Props) {
+  const source: FigureSource = {
+    title,
+    file,
+    paper: async (size) => {
+      const { asZoomed, paperChart } = await import("./paperChart");
+      const { figure, ...rest } = draw();
+      return paperChart({ figure: asZoomed(figure, hostRef?.current ?? null), ...rest }, size);
+    },
+    csv: async () =>
+      (await import("./paperChart")).chartCsv(draw(), [`Ridelab: ${title}`, `page: ${window.location.href}`]),
+  };
+  return <FigureButton source={source} />;
 }

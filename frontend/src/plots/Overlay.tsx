@@ -3,9 +3,9 @@
 import { useEffect, useRef, type PointerEvent } from "react";
 import { cursor } from "../lab/cursor";
 import type { Axis, Zoom } from "../lab/address";
-import { brush } from "./brush";
 import { MARGIN } from "./figure";
 import classes from "./plots.module.css";
+import { createStore } from "../lib/store";
 
 interface Props {
   readonly axis: Axis;
@@ -87,3 +87,11 @@ export function Overlay({ axis, range, onZoom }: Props) {
     </div>
   );
 }
+
+/** The stretch being drawn with the pointer to zoom into; all panels show it. */
+interface Brush {
+  readonly from: number;
+  readonly to: number;
+}
+
+const brush = createStore<Brush | null>(null);

@@ -1,11 +1,11 @@
 /** Figures side by side, in the order the backend gives them. */
 
-import { useComputedColorScheme } from "@mantine/core";
+import { useComputedColorScheme, Box } from "@mantine/core";
 import { useCallback, useMemo } from "react";
 import type { FigureTemplate } from "../api/types";
 import type { Zoom } from "../lab/address";
 import { useLabContext } from "../lab/context";
-import type { Scene } from "../lab/resultView";
+import type { ResultView } from "../lab/resultView";
 import { layersOf } from "./curves";
 import { PALETTES } from "./palettes";
 import { PlotPanel } from "./PlotPanel";
@@ -13,28 +13,32 @@ import classes from "./plots.module.css";
 import { drawnOf, subtrahend } from "./differences";
 import { useCurves, useDetail, useLayered } from "./useDetail";
 import { usePlotly } from "./usePlotly";
+import { Card } from "../ui/Card";
+import { buildFigure, MARGIN } from "./figure";
+import { Overlay } from "./Overlay";
+import { Surface } from "./Surface";
 
 interface Props {
   readonly templates: readonly FigureTemplate[];
-  readonly scene: Scene;
+  readonly resultView: ResultView;
 }
 
-export function PlotGrid({ templates, scene }: Props) {
+export function PlotGrid({ templates, resultView }: Props) {
   const plotly = usePlotly();
   const palette = PALETTES[useComputedColorScheme("light")];
-  const { roads, ...pair } = useCurves(scene);
+  const { roads, ...pair } = useCurves(resultView);
   const own = useDetail(pair.own);
   const other = useDetail(pair.other);
   const onZoom = useZoom();
-  const layered = useLayered(scene);
-  const { strategies, axis, range, shown, differences, baseline, ids, summaries } = scene;
+  const layered = useLayered(resultView);
+  const { strategies, axis, range, shown, differences, baseline, ids, summaries } = resultView;
   // What changes are against is drawn only in plots of the differences.
-  const [base, against] = differences ? [baseline, scene.against] : [null, null];
+  const [base, reference] = differences ? [baseline, resultView.reference] : [null, null];
   const drawn = useMemo(
-    () => drawnOf({ differences, against, baseline: base, ids, axis, range, summaries }, own, other),
-    [differences, against, base, ids, axis, range, summaries, own, other],
+    () => drawnOf({ differences, reference, baseline: base, ids, axis, range, summaries }, own, other),
+    [differences, reference, base, ids, axis, range, summaries, own, other],
   );
-  const minus = differences ? subtrahend(scene) : undefined;
+  const minus = differences ? subtrahend(resultView) : undefined;
   const layers = useMemo(() => (differences ? [] : layersOf(layered)), [differences, layered]);
   const curves = useMemo(
     () => ({
@@ -69,12 +73,66 @@ export function PlotGrid({ templates, scene }: Props) {
 
 /** Zooms all plots; without a range from the bump to the whole run and back. */
 export function useZoom(): (zoom: Zoom | null) => void {
-  const { router } = useLabContext();
+  const { labAddress } = useLabContext();
   return useCallback(
     (zoom) => {
-      const { zoom: before } = router.get().view;
-      router.setView({ zoom: zoom ?? (before === "whole" ? null : "whole") });
+      const { zoom: before } = labAddress.get().view;
+      labAddress.setView({ zoom: zoom ?? (before === "whole" ? null : "whole") });
     },
-    [router],
+    [labAddress],
+  );
+}
+
+interface RoadStripProps {
+  readonly template: FigureTemplate;
+  readonly resultView: ResultView;
+}
+
+/** The whole road as a thin strip: where the plots below look, and a place to point and zoom. */
+export function RoadStrip({ template, resultView }: RoadStripProps) {
+  const plotly = usePlotly();
+  const palette = PALETTES[useComputedColorScheme("light")];
+  const onZoom = useZoom();
+  const { series, summaries, strategies, axis, whole, range, shown } = resultView;
+  const figure = useMemo(
+    () =>
+      buildFigure({
+        template,
+        series,
+        sourceSeries: series,
+        summaries,
+        strategies,
+        axis,
+        range: whole,
+        palette,
+        yTicks: 3,
+      }),
+    [template, series, summaries, strategies, axis, whole, palette],
+  );
+  const { meta } = template.layout;
+  const part = (x: number) => (x - whole[0]) / (whole[1] - whole[0]);
+  const [left, right] = [part(range[0]), 1 - part(range[1])];
+  return (
+    <Card className={classes.strip ?? ""} aria-label={`${meta.title}, curves`} data-figure={meta.signal}>
+      <div role="img" aria-label={`${meta.title} in ${meta.unit} over ${axis}, whole run`}>
+        <Surface plotly={plotly} figure={figure} live={shown.source === "live"} />
+        {range !== whole && (
+          <div
+            className={classes.stripWindow}
+            style={{ inset: `${MARGIN.t}px ${MARGIN.r}px ${MARGIN.b}px ${MARGIN.l}px` }}
+          >
+            <div style={{ left: 0, width: `${100 * left}%` }} />
+            <div style={{ right: 0, width: `${100 * right}%` }} />
+          </div>
+        )}
+        <Overlay axis={axis} range={whole} onZoom={onZoom} />
+      </div>
+      <h2 className={classes.stripTitle}>
+        {meta.title}{" "}
+        <Box component="span" fw={400} c="dimmed">
+          {meta.unit}
+        </Box>
+      </h2>
+    </Card>
   );
 }

@@ -2,7 +2,7 @@
 
 import type { FigureTemplate, SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
 import type { Axis, Zoom } from "../lab/address";
-import type { Scene } from "../lab/resultView";
+import type { ResultView } from "../lab/resultView";
 import type { Palette } from "./palettes";
 
 export interface Layer {
@@ -22,7 +22,7 @@ export const PIN_WIDTH = 1.2;
 
 export const pinDash = (index: number): string => PIN_DASHES[index % PIN_DASHES.length] ?? "2,2";
 
-export function layersOf({ shown, before, pins }: Pick<Scene, "shown" | "before" | "pins">): readonly Layer[] {
+export function layersOf({ shown, before, pins }: Pick<ResultView, "shown" | "before" | "pins">): readonly Layer[] {
   const ghost = before
     ? [{ name: before.name, series: before.shown.series, line: { width: BEFORE_WIDTH }, opacity: 0.65 }]
     : [];
@@ -41,7 +41,7 @@ export interface FigureInput {
   readonly template: FigureTemplate;
   readonly series: SeriesByStrategy;
   /** What was driven, which shades the stages; `series` where that is no difference. */
-  readonly driven: SeriesByStrategy;
+  readonly sourceSeries: SeriesByStrategy;
   /** Curves of other variants, under those of `series`. */
   readonly layers?: readonly Layer[];
   readonly summaries: Readonly<Record<StrategyId, Summary>>;
@@ -55,10 +55,10 @@ export interface FigureInput {
   readonly yTicks?: number;
 }
 
-/** What all panels draw, and nothing else of the scene: whatever else changes there, no curve is drawn anew. */
+/** What all panels draw, and nothing else of the result view: whatever else changes there, no curve is drawn anew. */
 export interface Curves {
   readonly series: SeriesByStrategy;
-  readonly driven: SeriesByStrategy;
+  readonly sourceSeries: SeriesByStrategy;
   readonly layers?: readonly Layer[];
   readonly summaries: Readonly<Record<StrategyId, Summary>>;
   readonly strategies: readonly Strategy[];

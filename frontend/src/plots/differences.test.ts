@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { maximumOf, minimumOf } from "../api/decode";
 import type { SeriesByStrategy } from "../api/types";
 import type { Axis } from "../lab/address";
-import type { Scene } from "../lab/resultView";
+import type { ResultView } from "../lab/resultView";
 import type { FigureInput } from "./curves";
 import { drawnOf } from "./differences";
 import { stageShapes } from "./shapes";
@@ -10,10 +10,10 @@ import { stageShapes } from "./shapes";
 const numbers = (...values: number[]) => new Float32Array(values);
 const now = { lv: { time: numbers(0, 1, 2), position: numbers(0, 10, 20), speed: numbers(5, 7, 9) } };
 
-const BEFORE = { shown: {}, name: "before" } as unknown as Scene["against"];
-const scene = (axis: Axis) => ({
+const BEFORE = { shown: {}, name: "before" } as unknown as ResultView["reference"];
+const resultView = (axis: Axis) => ({
   differences: true,
-  against: BEFORE,
+  reference: BEFORE,
   baseline: null,
   ids: ["lv"],
   axis,
@@ -21,7 +21,7 @@ const scene = (axis: Axis) => ({
   summaries: {},
 });
 const differences = (own: SeriesByStrategy, other: SeriesByStrategy, axis: Axis) =>
-  drawnOf(scene(axis), own, other).series;
+  drawnOf(resultView(axis), own, other).series;
 
 describe("curves as differences", () => {
   it("are taken at the same place, whatever the samples", () => {
@@ -48,7 +48,7 @@ describe("curves as differences", () => {
     ];
     const all = series(samples);
     const between = (own: SeriesByStrategy, subtracted: SeriesByStrategy, range: readonly [number, number]) =>
-      drawnOf({ ...scene("distance"), range }, own, subtracted).series.lv?.speed;
+      drawnOf({ ...resultView("distance"), range }, own, subtracted).series.lv?.speed;
     const largest = (values: Float32Array | undefined) => Math.max(...(values ?? [NaN]).map(Math.abs));
     expect(largest(between(one, other, [0, 20]))).toBeLessThan(1e-5); // where both have all samples, and nowhere else
     expect(between(one, other, [0, 20])).toHaveLength(40);
@@ -73,7 +73,7 @@ describe("curves as differences", () => {
 
   it("are shaded where the car itself braked", () => {
     const own = { lv: { ...now.lv, brake_pressure: numbers(0, 4e6, 4e6) } };
-    const { series, driven } = drawnOf(scene("time"), own, own);
+    const { series, sourceSeries } = drawnOf(resultView("time"), own, own);
     expect([...(series.lv?.brake_pressure ?? [])]).toEqual([0, 0, 0]);
     const stage = { stage: "brake", start_time: 0, end_time: 2, start_position: 0, end_position: 20 };
     const summaries = { lv: { stages: [stage] } } as unknown as FigureInput["summaries"];
@@ -82,7 +82,7 @@ describe("curves as differences", () => {
     } as unknown as FigureInput["template"];
     const shapes = stageShapes({
       template,
-      driven,
+      sourceSeries,
       summaries,
       strategies: [{ id: "lv", colour: "#123456" }],
       axis: "distance",

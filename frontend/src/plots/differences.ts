@@ -3,7 +3,7 @@
 import { isExtreme, type Series } from "../api/decode";
 import type { SeriesByStrategy, StrategyId, Summary } from "../api/types";
 import type { Axis, Zoom } from "../lab/address";
-import { axisKey, type Scene } from "../lab/resultView";
+import { axisKey, type ResultView } from "../lab/resultView";
 import type { FigureInput } from "./curves";
 import type { Numbers } from "../lib/samples";
 import { covering } from "../lib/samples";
@@ -119,11 +119,11 @@ function differencesOf(series: SeriesByStrategy, other: SeriesByStrategy, axis: 
 
 /** By strategy what its curves are compared with: the same one of another variant, or the baseline. */
 function seriesAgainst(
-  { against, baseline, ids }: Pick<Scene, "against" | "baseline" | "ids">,
+  { reference, baseline, ids }: Pick<ResultView, "reference" | "baseline" | "ids">,
   own: SeriesByStrategy,
   ofAgainst: SeriesByStrategy,
 ): SeriesByStrategy {
-  if (against !== null) return ofAgainst;
+  if (reference !== null) return ofAgainst;
   const base = baseline === null ? undefined : own[baseline];
   return base ? Object.fromEntries(ids.map((id) => [id, base])) : {};
 }
@@ -132,19 +132,19 @@ function seriesAgainst(
 const withoutReferences = (summaries: Readonly<Record<StrategyId, Summary>>): Readonly<Record<StrategyId, Summary>> =>
   Object.fromEntries(Object.entries(summaries).map(([id, summary]) => [id, { ...summary, reference: {} }]));
 
-type Drawn = Pick<FigureInput, "series" | "driven" | "summaries">;
+type Drawn = Pick<FigureInput, "series" | "sourceSeries" | "summaries">;
 
-/** What is drawn of a scene: the curves themselves, or what they differ by from what changes are against. */
+/** What is drawn of a result view: the curves themselves, or what they differ by from what changes are against. */
 export function drawnOf(
-  scene: Pick<Scene, "differences" | "against" | "baseline" | "ids" | "axis" | "range" | "summaries">,
+  resultView: Pick<ResultView, "differences" | "reference" | "baseline" | "ids" | "axis" | "range" | "summaries">,
   own: SeriesByStrategy,
   ofAgainst: SeriesByStrategy,
 ): Drawn {
-  if (!scene.differences) return { series: own, driven: own, summaries: scene.summaries };
-  const series = differencesOf(own, seriesAgainst(scene, own, ofAgainst), scene.axis, scene.range);
-  return { series, driven: own, summaries: withoutReferences(scene.summaries) };
+  if (!resultView.differences) return { series: own, sourceSeries: own, summaries: resultView.summaries };
+  const series = differencesOf(own, seriesAgainst(resultView, own, ofAgainst), resultView.axis, resultView.range);
+  return { series, sourceSeries: own, summaries: withoutReferences(resultView.summaries) };
 }
 
 /** What is taken away, in words. */
-export const subtrahend = ({ against, baseline, catalogue }: Scene): string =>
-  against?.name ?? catalogue.find(({ id }) => id === baseline)?.label ?? "";
+export const subtrahend = ({ reference, baseline, catalogue }: ResultView): string =>
+  reference?.name ?? catalogue.find(({ id }) => id === baseline)?.label ?? "";

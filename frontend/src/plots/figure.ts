@@ -1,11 +1,11 @@
 /** Fills a figure template with series: what plotly draws in one panel. Pure, so that it can be tested and exported. */
 
+import { stepAbove, stepBelow } from "../lib/steps";
 import { maximumOf, minimumOf } from "../api/decode";
 import type { Axis, Zoom } from "../lab/address";
 import type { FigureInput, Layer } from "./curves";
 import type { PanelFigure, PlotTrace } from "./plotly";
 import { covering, extent, type Numbers } from "../lib/samples";
-import { ticksFor } from "./ticks";
 import { airborneShapes, referenceShapes, referenceValues, stageShapes, type Shape } from "./shapes";
 
 export const MARGIN = { l: 46, r: 10, t: 6, b: 22 } as const;
@@ -124,9 +124,7 @@ function verticalRange(
 
 /** Outwards to multiples of a tenth of the span (1, 2 or 5 × 10ⁿ), so that small changes leave the axis alone. */
 function rounded(low: number, high: number): readonly [number, number] {
-  const tenth = (high - low) / 10;
-  const power = 10 ** Math.floor(Math.log10(tenth));
-  const step = ([5, 2, 1].find((digit) => digit * power <= tenth) ?? 1) * power;
+  const step = stepBelow((high - low) / 10);
   // A little beyond, or the outermost label would stand in the corner of both axes.
   return [Math.floor(low / step) * step - EDGE * step, Math.ceil(high / step) * step + EDGE * step];
 }
@@ -173,4 +171,28 @@ export function buildFigure(input: FigureInput): PanelFigure {
       shapes,
     },
   };
+}
+
+type Range = readonly [number, number];
+
+/** Where an axis has its marks and what they say: one definition for plotly and for the canvas. */
+interface Ticks {
+  readonly values: readonly number[];
+  readonly texts: readonly string[];
+}
+
+/** At most about `most` multiples of 1, 2 or 5 × 10ⁿ; the last one carries the unit. */
+export function ticksFor([low, high]: Range, most: number, suffix = ""): Ticks {
+  const step = stepAbove((high - low) / most);
+  const first = Math.ceil(low / step - 1e-9);
+  const count = Math.max(0, Math.floor(high / step + 1e-9) - first + 1);
+  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  const values = Array.from({ length: count }, (_, index) => (first + index) * step);
+  const texts = values.map((value, index) => labelOf(value, decimals) + (index === count - 1 ? suffix : ""));
+  return { values, texts };
+}
+
+function labelOf(value: number, decimals: number): string {
+  const text = value.toFixed(decimals);
+  return Number(text) === 0 ? "0" : text.replace("-", "−");
 }

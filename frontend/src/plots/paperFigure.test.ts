@@ -28,7 +28,7 @@ const x = new Float32Array([0, 1, 2, 3, 4]);
 const load = new Float32Array([0, -6000, -7000.5, 2000, 0]);
 const curves: Curves = {
   series: { lv: { position: x, load } },
-  driven: {},
+  sourceSeries: {},
   layers: [
     {
       name: "before the edit",

@@ -2,11 +2,10 @@ import { describe, expect, it, vi } from "vitest";
 import { maximumOf, minimumOf } from "../api/decode";
 import type { FigureTemplate, Summary } from "../api/types";
 import { drawOnCanvas } from "./canvas";
-import { buildFigure, MARGIN } from "./figure";
-import { type FigureInput } from "./curves";
+import { buildFigure, MARGIN, ticksFor } from "./figure";
+import type { FigureInput } from "./curves";
 import { loadPlotly, plotlyState, type Plotly } from "./plotly";
-import { ticksFor } from "./ticks";
-import { keepsRange } from "./painter";
+import { keepsRange } from "./Surface";
 import { stageShapes } from "./shapes";
 import CASE from "../../../tests/data/stage_shapes.json";
 import { covering, extent, stretchesBelow, valueAt } from "../lib/samples";
@@ -65,7 +64,7 @@ const summary = {
 const input: FigureInput = {
   template,
   series: { lv: { position: X, time: X, load: LOAD } },
-  driven: {},
+  sourceSeries: {},
   summaries: { lv: summary },
   strategies: [
     { id: "lv", colour: "#123456" },
@@ -189,7 +188,7 @@ describe("the stages", () => {
   const drawn = (axis: "distance" | "time") =>
     stageShapes({
       template: { ...template, layout: { meta } },
-      driven: series,
+      sourceSeries: series,
       summaries: strategies as unknown as FigureInput["summaries"],
       strategies: [
         { id: "passive", colour: "#666" },

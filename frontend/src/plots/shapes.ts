@@ -57,7 +57,7 @@ function pressed(
 /** As backend/runs/figures.py shades them. Stages agree by distance; over time they are one strategy's, and small marks tell the others' bumps. */
 export function stageShapes({
   template,
-  driven,
+  sourceSeries,
   summaries,
   strategies: shown,
   axis,
@@ -68,7 +68,7 @@ export function stageShapes({
   const shading = (staged === undefined ? [] : (summaries[staged]?.stages ?? [])).flatMap((span): Shape[] => {
     const fill = fills[span.stage];
     const ends = spanEnds(axis, span);
-    const bounds = span.stage === "brake" ? pressed(driven[staged ?? ""], axis, ends, braking) : ends;
+    const bounds = span.stage === "brake" ? pressed(sourceSeries[staged ?? ""], axis, ends, braking) : ends;
     return fill === undefined || bounds === null ? [] : [upright(...bounds, fill)];
   });
   if (axis === "distance") return shading;

@@ -2,8 +2,8 @@ import { QueryClient } from "@tanstack/react-query";
 import { expect, it } from "vitest";
 import type { FigureTemplate, OverRoads } from "../api/types";
 import { figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../server/queries";
-import type { Scene } from "../lab/resultView";
-import type { Shown } from "../lab/result";
+import type { ResultView } from "../lab/resultView";
+import type { Result } from "../lab/result";
 import { curvesFrom, layeredFrom } from "./useDetail";
 
 const numbers = (...values: number[]) => new Float32Array(values);
@@ -15,7 +15,7 @@ const result = (runId: string, roads: number) =>
     series: { lv: { speed: numbers(1) } },
     missing: null,
     over: roads > 1 ? ({ roads } as OverRoads) : null,
-  }) as unknown as Shown;
+  }) as unknown as Result;
 
 const client = new QueryClient();
 client.setQueryData(figuresQuery.queryKey, { road: panel("front_road"), speed: panel("speed") });
@@ -24,15 +24,15 @@ for (const id of ["ten", "before"])
   client.setQueryData(seriesQuery(id, ["lv"], OVERVIEW_POINTS, ["speed"]).queryKey, means);
 
 it("beside means stand means, beside one road's curves one road's", () => {
-  const scene = {
+  const resultView = {
     before: { name: "before", shown: result("before", 10) },
     pins: [
       { name: "one", shown: result("one", 1) },
       { name: "gone", shown: result("gone", 10) },
     ],
   };
-  const beside = (shown: Shown) => {
-    const { before, pins } = layeredFrom(client, { shown, ...scene });
+  const beside = (shown: Result) => {
+    const { before, pins } = layeredFrom(client, { shown, ...resultView });
     return [before, ...pins].map((each) => each?.shown.series.lv?.speed?.[0]);
   };
   expect(beside(result("ten", 10))).toEqual([2, 1, 1]);
@@ -40,13 +40,13 @@ it("beside means stand means, beside one road's curves one road's", () => {
 });
 
 it("differences are those of the means where both have them over as many roads, else those of the first road", () => {
-  const roads = (against: Shown) => {
-    const scene = {
+  const roads = (against: Result) => {
+    const resultView = {
       shown: result("ten", 10),
       differences: true,
-      against: { name: "pin", shown: against },
-    } as unknown as Scene;
-    const curves = curvesFrom(client, scene);
+      reference: { name: "pin", shown: against },
+    } as unknown as ResultView;
+    const curves = curvesFrom(client, resultView);
     return [curves.own.shown.over?.roads, curves.other.shown.over?.roads, curves.roads];
   };
   const firstRoad = [undefined, undefined, undefined];

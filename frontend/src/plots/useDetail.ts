@@ -4,14 +4,14 @@ import { useQueries, useQuery, type QueryClient } from "@tanstack/react-query";
 import { useCallback, useMemo } from "react";
 import type { FigureTemplate, SeriesByStrategy } from "../api/types";
 import { allSamplesQuery, DETAIL_POINTS, figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../server/queries";
-import { axisKey, type Scene } from "../lab/resultView";
-import { roadsOf, type Shown } from "../lab/result";
+import { axisKey, type ResultView } from "../lab/resultView";
+import { roadsOf, type Result } from "../lab/result";
 import { covering } from "../lib/samples";
 
 /** Fewer samples of a curve in the range shown are too coarse for a screen. */
 const LEAST_SAMPLES = 200;
 
-type Drawn = Pick<Scene, "shown" | "ids" | "series" | "axis" | "range" | "differences">;
+type Drawn = Pick<ResultView, "shown" | "ids" | "series" | "axis" | "range" | "differences">;
 
 function needsDetail({ shown, ids, series, axis, range }: Drawn): boolean {
   const coarse = ids.some((id) => {
@@ -27,24 +27,24 @@ function needsDetail({ shown, ids, series, axis, range }: Drawn): boolean {
 const signalsOf = (figures: Readonly<Record<string, FigureTemplate>> = {}) =>
   Object.entries(figures).flatMap(([name, { layout }]) => (name === "road" ? [] : [layout.meta.signal]));
 
-const computedIn = ({ summaries }: Shown) => Object.keys(summaries);
-const hasMeans = ({ over, runId, missing }: Shown) => over !== null && runId !== null && missing === null;
+const computedIn = ({ summaries }: Result) => Object.keys(summaries);
+const hasMeans = ({ over, runId, missing }: Result) => over !== null && runId !== null && missing === null;
 
-function meansQuery(shown: Shown, figures: Readonly<Record<string, FigureTemplate>> | undefined) {
+function meansQuery(shown: Result, figures: Readonly<Record<string, FigureTemplate>> | undefined) {
   const query = seriesQuery(shown.runId ?? "", computedIn(shown), OVERVIEW_POINTS, signalsOf(figures));
   return { ...query, enabled: figures !== undefined && hasMeans(shown) };
 }
 
 /** A band has three curves: half as many samples of each. */
-const detailQuery = (shown: Shown, signals: readonly string[] | null) =>
+const detailQuery = (shown: Result, signals: readonly string[] | null) =>
   seriesQuery(shown.runId ?? "", computedIn(shown), signals ? DETAIL_POINTS / 2 : DETAIL_POINTS, signals);
 
 /** Differences are taken of all samples: two curves that were thinned at different places differ where the runs do not. */
-const allQuery = (shown: Shown, figures: Readonly<Record<string, FigureTemplate>> | undefined) =>
+const allQuery = (shown: Result, figures: Readonly<Record<string, FigureTemplate>> | undefined) =>
   allSamplesQuery(shown.runId ?? "", computedIn(shown), signalsOf(figures), hasMeans(shown));
 
 /** Means and extremes over the roads of a result; `undefined` of one road, or until they are there. */
-function useMeans(shown: Shown): SeriesByStrategy | undefined {
+function useMeans(shown: Result): SeriesByStrategy | undefined {
   const means = useQuery(meansQuery(shown, useQuery(figuresQuery).data)).data;
   return hasMeans(shown) ? means : undefined;
 }
@@ -76,19 +76,22 @@ export async function loadDetail(client: QueryClient, drawn: Drawn): Promise<Ser
   return client.query({ ...detailQuery(shown, signals), staleTime: "static" });
 }
 
-function cachedMeans(client: QueryClient, shown: Shown): SeriesByStrategy | undefined {
+function cachedMeans(client: QueryClient, shown: Result): SeriesByStrategy | undefined {
   if (!hasMeans(shown)) return undefined;
   return client.getQueryData(meansQuery(shown, client.getQueryData(figuresQuery.queryKey)).queryKey);
 }
 
-type OtherCurves = Pick<Scene, "shown" | "before" | "pins">;
+type OtherCurves = Pick<ResultView, "shown" | "before" | "pins">;
 
 /** What else is drawn beside means is means too; beside one road's curves it is one road's. */
 function withMeans(
   { shown, before, pins }: OtherCurves,
-  meansOf: (shown: Shown) => SeriesByStrategy | undefined,
+  meansOf: (shown: Result) => SeriesByStrategy | undefined,
 ): OtherCurves {
-  const averaged = (result: Shown): Shown => ({ ...result, series: (shown.over && meansOf(result)) ?? result.series });
+  const averaged = (result: Result): Result => ({
+    ...result,
+    series: (shown.over && meansOf(result)) ?? result.series,
+  });
   return {
     shown,
     before: before && { ...before, shown: averaged(before.shown) },
@@ -116,8 +119,8 @@ export function useLayered({ shown, before, pins }: OtherCurves): OtherCurves {
 }
 
 /** The same for a file: what is on the screen. */
-export const layeredFrom = (client: QueryClient, scene: OtherCurves): OtherCurves =>
-  withMeans(scene, (result) => cachedMeans(client, result));
+export const layeredFrom = (client: QueryClient, resultView: OtherCurves): OtherCurves =>
+  withMeans(resultView, (result) => cachedMeans(client, result));
 
 interface Curves {
   /** What the curves are of. */
@@ -131,23 +134,23 @@ interface Curves {
 const onOneRoad = (drawn: Drawn): Drawn => ({ ...drawn, shown: { ...drawn.shown, over: null } });
 
 /** Means are subtracted from means over as many roads; where one of them is missing, the first road's curves from each other. */
-function curvesOf(scene: Scene, meansOf: (shown: Shown) => SeriesByStrategy | undefined): Curves {
-  const { shown } = scene;
-  const subtracted = scene.differences ? scene.against?.shown : undefined;
-  const other = subtracted ? { ...scene, shown: subtracted, series: subtracted.series } : scene;
+function curvesOf(resultView: ResultView, meansOf: (shown: Result) => SeriesByStrategy | undefined): Curves {
+  const { shown } = resultView;
+  const subtracted = resultView.differences ? resultView.reference?.shown : undefined;
+  const other = subtracted ? { ...resultView, shown: subtracted, series: subtracted.series } : resultView;
   const hasBoth =
     meansOf(shown) !== undefined && meansOf(other.shown) !== undefined && roadsOf(shown) === roadsOf(other.shown);
-  if (subtracted && !hasBoth) return { own: onOneRoad(scene), other: onOneRoad(other), roads: undefined };
-  return { own: scene, other, roads: hasBoth ? roadsOf(shown) : undefined };
+  if (subtracted && !hasBoth) return { own: onOneRoad(resultView), other: onOneRoad(other), roads: undefined };
+  return { own: resultView, other, roads: hasBoth ? roadsOf(shown) : undefined };
 }
 
-export function useCurves(scene: Scene): Curves {
-  const { shown } = scene;
+export function useCurves(resultView: ResultView): Curves {
+  const { shown } = resultView;
   const means = useMeans(shown);
-  const others = useMeans(scene.against?.shown ?? shown);
-  return curvesOf(scene, (result) => (result === shown ? means : others));
+  const others = useMeans(resultView.reference?.shown ?? shown);
+  return curvesOf(resultView, (result) => (result === shown ? means : others));
 }
 
 /** The same for a file: what is on the screen. */
-export const curvesFrom = (client: QueryClient, scene: Scene): Curves =>
-  curvesOf(scene, (result) => cachedMeans(client, result));
+export const curvesFrom = (client: QueryClient, resultView: ResultView): Curves =>
+  curvesOf(resultView, (result) => cachedMeans(client, result));

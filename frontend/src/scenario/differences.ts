@@ -2,7 +2,7 @@
 
 import type { JsonValue, Scenario } from "../api/types";
 import { formatExact, prettyUnit } from "../units/format";
-import { roadName } from "./roadName";
+import { roadName } from "./library";
 import { inShownUnit } from "./limits";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
 import {
@@ -25,7 +25,7 @@ export function leavesOf(member: Member): readonly Leaf[] {
 }
 
 export function isChanged(scenario: Scenario, leaf: Leaf): boolean {
-  return !sameValue(getAt(scenario, leaf.pointer), leaf.standard);
+  return !sameValue(getAt(scenario, leaf.pointer), leaf.paperValue);
 }
 
 export function changedPointers(scenario: Scenario, member: Member): readonly Pointer[] {
@@ -35,14 +35,14 @@ export function changedPointers(scenario: Scenario, member: Member): readonly Po
 }
 
 export function resetMember(scenario: Scenario, member: Member): Scenario {
-  return leavesOf(member).reduce((result, leaf) => setAt(result, leaf.pointer, leaf.standard), scenario);
+  return leavesOf(member).reduce((result, leaf) => setAt(result, leaf.pointer, leaf.paperValue), scenario);
 }
 
 /** A scenario with the paper's value for each field it leaves out, and without what is no field. */
 export function completed(root: Member, scenario: Scenario): Scenario {
-  return fieldsOf(root).reduce<Scenario>((result, { pointer, standard }) => {
+  return fieldsOf(root).reduce<Scenario>((result, { pointer, paperValue }) => {
     const value = getAt(scenario, pointer);
-    return setAt(result, pointer, value === undefined ? standard : value);
+    return setAt(result, pointer, value === undefined ? paperValue : value);
   }, {});
 }
 

@@ -3,14 +3,14 @@
 import type { JsonObject } from "../api/types";
 import { sameValue } from "./path";
 import { SCHEMA_VERSION, upgraded } from "./versions";
-import { isLike } from "../lib/storage";
-import { createStore, type Store } from "../lib/store";
+import { isLike, ownStorage } from "../lib/storage";
+import { createStore, type Store, useStore } from "../lib/store";
 
 export const KINDS = ["scenario", "vehicle", "road"] as const;
-export type Kind = (typeof KINDS)[number];
+export type ItemKind = (typeof KINDS)[number];
 
 export interface Item {
-  readonly kind: Kind;
+  readonly kind: ItemKind;
   readonly name: string;
   /** A whole scenario, its vehicle, or the head of a measured road that the server has. */
   readonly value: JsonObject;
@@ -21,9 +21,9 @@ export interface Item {
 /** All that change it throw an error where the browser keeps nothing, or the name is taken. */
 export interface Library extends Pick<Store<readonly Item[]>, "get" | "subscribe"> {
   /** Replaces what has this name. */
-  readonly save: (kind: Kind, name: string, value: JsonObject) => void;
+  readonly save: (kind: ItemKind, name: string, value: JsonObject) => void;
   /** Saves what came from a file, under another name where this one is taken; returns the name. What is there already stays. */
-  readonly add: (kind: Kind, name: string, value: JsonObject) => string;
+  readonly add: (kind: ItemKind, name: string, value: JsonObject) => string;
   readonly rename: (item: Item, name: string) => void;
   readonly remove: (item: Item) => void;
   /** Undoes `remove`, under another name where this one has been taken since. */
@@ -84,14 +84,15 @@ export function createLibrary(
     }
     refresh();
   };
-  const freeName = (kind: Kind, name: string) => {
+  const freeName = (kind: ItemKind, name: string) => {
     if (!has(kind, name)) return name;
     const short = name.slice(0, LONGEST_NAME - 5);
     let number = 2;
     while (has(kind, `${short} (${number})`)) number++;
     return `${short} (${number})`;
   };
-  const has = (kind: Kind, name: string) => readAll(storage).some((item) => item.kind === kind && item.name === name);
+  const has = (kind: ItemKind, name: string) =>
+    readAll(storage).some((item) => item.kind === kind && item.name === name);
   return {
     get: store.get,
     subscribe: store.subscribe,
@@ -118,4 +119,19 @@ export function createLibrary(
     },
     restore: (item) => write({ ...item, name: freeName(item.kind, item.name) }),
   };
+}
+
+/** The library of this browser. */
+export const ownLibrary = createLibrary(ownStorage());
+
+/** What the open dialog offers to save; `null` while it is closed. */
+export const dialog = createStore<Exclude<ItemKind, "road"> | null>(null);
+
+export function useItems(kind: ItemKind): readonly Item[] {
+  return useStore(ownLibrary).filter((item) => item.kind === kind);
+}
+
+/** Its name in this browser's library; a road that is not in it has none. */
+export function roadName(id: string): string {
+  return ownLibrary.get().find(({ kind, value }) => kind === "road" && value.id === id)?.name ?? "a measured road";
 }

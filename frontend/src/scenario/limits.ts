@@ -1,5 +1,6 @@
 /** Hard limits of typed values, slider steps and slider scales. */
 
+import { spansDecades, stepBelow } from "../lib/steps";
 import { formatExact, formatInput } from "../units/format";
 import { parseQuantity } from "../units/quantity";
 import type { NumberField } from "./schema";
@@ -39,13 +40,6 @@ export const typedText = (field: NumberField, value: number) => formatInput(inSh
 export const valueText = (field: NumberField, value: number) =>
   formatExact(inShownUnit(field, value), field.shown.unit);
 
-/** The largest of 1, 2, 5 × 10ⁿ that is not above `value`. */
-function roundDown(value: number): number {
-  const power = 10 ** Math.floor(Math.log10(value) + 1e-9);
-  const digit = [5, 2, 1].find((candidate) => candidate * power <= value * (1 + 1e-9)) ?? 1;
-  return digit * power;
-}
-
 /**
  * A slider's own scale. It counts steps, so that it moves by 1 whatever the field's size; where the soft range spans
  * decades, steps are equal ratios.
@@ -57,17 +51,16 @@ export interface SliderScale {
   readonly fromSlider: (position: number) => number;
 }
 
-const DECADES_RATIO = 100;
 const STEPS_PER_DECADE = 20;
 
 export function sliderScale(field: NumberField): SliderScale {
   const [low, high] = field.soft;
-  if (low > 0 && high / low >= DECADES_RATIO) {
+  if (spansDecades(low, high)) {
     const toSlider = (value: number) => Math.log10(Math.max(value, low)) * STEPS_PER_DECADE;
     const fromSlider = (position: number) => Number((10 ** (position / STEPS_PER_DECADE)).toPrecision(2));
     return { minimum: toSlider(low), maximum: toSlider(high), toSlider, fromSlider };
   }
-  const fine = roundDown((high - low) / 100);
+  const fine = stepBelow((high - low) / 100);
   const step = field.integer ? Math.max(1, fine) : fine;
   return {
     minimum: low / step,

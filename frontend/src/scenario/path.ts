@@ -55,3 +55,9 @@ export function sameValue(a: JsonValue | undefined, b: JsonValue | undefined): b
   }
   return false;
 }
+
+/** A number of the scenario; `otherwise` where it is not there. */
+export function numberAt(scenario: Scenario, pointer: Pointer, otherwise: number): number {
+  const value = getAt(scenario, pointer);
+  return typeof value === "number" ? value : otherwise;
+}

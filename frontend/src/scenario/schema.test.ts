@@ -10,7 +10,7 @@ import {
 } from "./differences";
 import { fieldFor, errorsByField } from "./errors";
 import { FORM } from "./form.fixture";
-import { matching, sections } from "../features/editor/layout";
+import { matching, sections } from "../features/editor/Editor";
 import { parseTyped, sliderScale, stepped, typedText, typicalValue, valueText } from "./limits";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
 import { readSchema, type NumberField } from "./schema";
@@ -43,10 +43,10 @@ describe("the form from the schema", () => {
       minimum: -1,
       maximum: 1,
       soft: [-0.15, 0.2],
-      standard: 0.1,
+      paperValue: 0.1,
     });
-    expect(numberField("/mpc/weights/1")).toMatchObject({ title: "Pitch", minimum: 0, maximum: 1000, standard: 1 });
-    expect(numberField("/mpc/lag")).toMatchObject({ nullable: true, minimum: 0.5, standard: null });
+    expect(numberField("/mpc/weights/1")).toMatchObject({ title: "Pitch", minimum: 0, maximum: 1000, paperValue: 1 });
+    expect(numberField("/mpc/lag")).toMatchObject({ nullable: true, minimum: 0.5, paperValue: null });
     expect(numberField("/road/seed").integer).toBe(true);
   });
 

@@ -9,7 +9,7 @@ interface Base {
   readonly title: string;
   readonly description: string;
   /** The paper's value. */
-  readonly standard: JsonValue;
+  readonly paperValue: JsonValue;
 }
 
 export interface NumberField extends Base {
@@ -120,14 +120,14 @@ class Reader {
   #member(raw: JsonObject, pointer: Pointer, name: string, parent: JsonValue): Member | null {
     const node = this.resolve(raw);
     const parentDefault = isObject(parent) ? parent[name] : undefined;
-    const standard = parentDefault ?? node.default ?? null;
+    const paperValue = parentDefault ?? node.default ?? null;
     const base: Base = {
       pointer,
       title: text(raw.title) || (node.properties ? humanise(name) : text(node.title) || humanise(name)),
       description: text(node.description),
-      standard,
+      paperValue,
     };
-    if (isObject(node.properties)) return this.group(node, pointer, base.title, standard);
+    if (isObject(node.properties)) return this.group(node, pointer, base.title, paperValue);
     if (Array.isArray(node.enum))
       return { ...base, kind: "choice", options: list(node.enum).map(String), onOff: false };
     if (node.type === "boolean") return { ...base, kind: "choice", options: ["false", "true"], onOff: true };
@@ -145,8 +145,8 @@ class Reader {
       const item = isObject(raw) ? { ...raw, unit: node.unit ?? "1", soft_range: node.soft_range ?? null } : null;
       if (item === null) return [];
       const title = titles[index] ?? String(index + 1);
-      const standard = list(base.standard)[index] ?? null;
-      const field = this.#number(item, { pointer: child(base.pointer, index), title, description: "", standard });
+      const paperValue = list(base.paperValue)[index] ?? null;
+      const field = this.#number(item, { pointer: child(base.pointer, index), title, description: "", paperValue });
       return field ? [field] : [];
     });
     return { ...base, kind: "vector", items };
@@ -174,13 +174,13 @@ class Reader {
   }
 }
 
-export interface Form extends Group {
+export interface ScenarioSchema extends Group {
   /** Of the schema: files of a newer one cannot be read. */
   readonly version: number;
 }
 
 /** The whole form, as the schema orders it. */
-export function readSchema(schema: JsonObject): Form {
+export function readSchema(schema: JsonObject): ScenarioSchema {
   return { ...new Reader(schema).group(schema, "", "Scenario", {}), version: number(schema.schema_version) ?? 1 };
 }
 

@@ -1,9 +1,9 @@
 /** The figures of a run that a batch can be looked at by. */
 
-import type { Catalogue, FigureTemplate } from "../api/types";
-import { shownUnit } from "./units";
+import type { Catalogue, FigureTemplate, SignalKey } from "../api/types";
+import type { ShownUnit } from "../units/quantity";
 
-export interface Figure {
+export interface Metric {
   /** Its column: `bump.body_acceleration.peak`, `comfort.weighted_rms`, `travel_time`. */
   readonly key: string;
   readonly label: string;
@@ -14,11 +14,11 @@ export interface Figure {
 }
 
 /** `Body acceleration, peak, bump`: the whole name, where its group does not stand above it. */
-export const fullName = ({ label, group }: Figure) =>
+export const fullName = ({ label, group }: Metric) =>
   group.includes(",") ? `${label}, ${group.replace(/^\p{Lu}(?=\p{Ll})/u, (first) => first.toLowerCase())}` : label;
 
 /** Figures to choose from, by group. */
-export const optionsOf = (figures: readonly Figure[]) =>
+export const optionsOf = (figures: readonly Metric[]) =>
   [...new Set(figures.map(({ group }) => group))].map((group) => ({
     group,
     items: figures
@@ -28,11 +28,11 @@ export const optionsOf = (figures: readonly Figure[]) =>
 
 type Templates = Readonly<Record<string, FigureTemplate>>;
 
-export function figuresOf(catalogue: Catalogue, templates: Templates): readonly Figure[] {
+export function metricsOf(catalogue: Catalogue, templates: Templates): readonly Metric[] {
   const label = (key: string) => catalogue.signals.find((signal) => signal.key === key)?.label ?? key;
   const metrics = catalogue.windows.flatMap((window) =>
     catalogue.statistics.flatMap((statistic) =>
-      catalogue.metric_signals.map((signal): Figure => ({
+      catalogue.metric_signals.map((signal): Metric => ({
         key: `${window.key}.${signal}.${statistic.key}`,
         label: label(signal),
         group: `${statistic.label}, ${window.label.toLowerCase()}`,
@@ -41,7 +41,7 @@ export function figuresOf(catalogue: Catalogue, templates: Templates): readonly 
     ),
   );
   const plain = (list: Catalogue["comfort"], prefix: string, group: string) =>
-    list.map(({ key, label: name, unit }): Figure => ({ key: prefix + key, label: name, group, unit, scale: 1 }));
+    list.map(({ key, label: name, unit }): Metric => ({ key: prefix + key, label: name, group, unit, scale: 1 }));
   return [
     ...metrics,
     ...plain(catalogue.comfort, "comfort.", "Comfort"),
@@ -51,11 +51,22 @@ export function figuresOf(catalogue: Catalogue, templates: Templates): readonly 
 }
 
 /** The paper's eight: RMS on the rough road, peak on the bump. */
-export function paperFigures(catalogue: Catalogue): readonly string[] {
+export function paperMetrics(catalogue: Catalogue): readonly string[] {
   return [
     ...catalogue.paper_signals.map((signal) => `rough_road.${signal}.rms`),
     ...catalogue.paper_signals.map((signal) => `bump.${signal}.peak`),
   ];
 }
 
-export const OPENING_FIGURE = "bump.body_acceleration.peak";
+export const OPENING_METRIC = "bump.body_acceleration.peak";
+
+/** The unit a signal is shown in: the figures say it, the tables follow. */
+export function shownUnit(
+  signal: SignalKey,
+  figures: Readonly<Record<string, FigureTemplate>>,
+  catalogue: Catalogue,
+): ShownUnit {
+  const meta = Object.values(figures).find((figure) => figure.layout.meta.signal === signal)?.layout.meta;
+  if (meta) return { unit: meta.unit, scale: meta.scale };
+  return { unit: catalogue.signals.find(({ key }) => key === signal)?.unit ?? "1", scale: 1 };
+}

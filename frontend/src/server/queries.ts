@@ -1,6 +1,6 @@
 /** Everything the page reads through TanStack Query, with its keys. */
 
-import { queryOptions } from "@tanstack/react-query";
+import { queryOptions, QueryClient } from "@tanstack/react-query";
 import { api } from "../api/client";
 import { ask, query } from "../api/http";
 import type { FigureTemplates, StrategyId } from "../api/types";
@@ -37,6 +37,13 @@ export const figuresQuery = queryOptions({
   queryFn: async ({ signal }) => (await ask("get", "/figures", {}, signal)).figures as unknown as FigureTemplates,
   ...FOR_EVER,
 });
+
+/** From the cache, else fetched under the caller's own signal and put there: whoever asks for something else stops it. */
+export async function fromCache<T>(queries: QueryClient, key: readonly unknown[], fetch: () => Promise<T>): Promise<T> {
+  const data = queries.getQueryData<T>(key) ?? (await fetch());
+  queries.setQueryData<T>(key, data);
+  return data;
+}
 
 export const runKey = (id: string) => ["run", id] as const;
 
@@ -85,3 +92,12 @@ export function allSamplesQuery(
     gcTime: 30_000,
   });
 }
+
+// A local server needs no network, and asking again is the connection banner's work.
+const networkMode = "always";
+
+/** How the page asks for data and sends changes. */
+export const createQueryClient = () =>
+  new QueryClient({
+    defaultOptions: { queries: { retry: false, networkMode, refetchOnWindowFocus: false }, mutations: { networkMode } },
+  });

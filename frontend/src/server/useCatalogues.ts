@@ -2,10 +2,13 @@
 
 import { useQuery } from "@tanstack/react-query";
 import { useMemo } from "react";
+import { useComputedColorScheme } from "@mantine/core";
 import { isTransient } from "../api/problem";
-import { figuresOf } from "./metrics";
-import { useSchemeColours } from "./useSchemeColours";
+import { metricsOf } from "./metrics";
 import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "./queries";
+import type { Strategy } from "../api/types";
+import { printing } from "../lib/printing";
+import { useStore } from "../lib/store";
 
 export function useCatalogues() {
   const { data: form, error: noForm } = useQuery(schemaQuery);
@@ -17,7 +20,7 @@ export function useCatalogues() {
   const catalogues = useMemo(
     () =>
       form && strategies && catalogue && templates
-        ? { form, strategies, catalogue, figures: figuresOf(catalogue, templates) }
+        ? { form, strategies, catalogue, figures: metricsOf(catalogue, templates) }
         : null,
     [form, strategies, catalogue, templates],
   );
@@ -27,3 +30,19 @@ export function useCatalogues() {
 }
 
 export type Catalogues = NonNullable<ReturnType<typeof useCatalogues>["catalogues"]>;
+
+/** The same strategies with the colours of light paper, whatever the screen's. */
+export function useLightColours(strategies: readonly Strategy[]): readonly Strategy[] {
+  const { data } = useQuery(strategiesQuery);
+  return useMemo(() => strategies.map((each) => data?.find(({ id }) => id === each.id) ?? each), [strategies, data]);
+}
+
+/** The strategies with the colours that stand out on the screen's background; paper is light. */
+export function useSchemeColours<List extends readonly Strategy[] | undefined>(strategies: List) {
+  const printed = useStore(printing);
+  const isDark = useComputedColorScheme("light") === "dark" && !printed;
+  return useMemo(
+    () => (isDark ? strategies?.map((strategy) => ({ ...strategy, colour: strategy.dark_colour })) : strategies),
+    [strategies, isDark],
+  );
+}

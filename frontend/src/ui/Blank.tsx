@@ -1,9 +1,10 @@
 /** What the page shows in place of results: nothing chosen, nothing found, nothing yet. */
 
-import { Button, Text } from "@mantine/core";
+import { Button, Text, Skeleton } from "@mantine/core";
 import { useQueryClient } from "@tanstack/react-query";
 import type { ReactNode } from "react";
 import classes from "./shell.module.css";
+import ui from "./ui.module.css";
 
 interface Props {
   readonly title: string;
@@ -41,5 +42,16 @@ export function CouldNotLoad({ what = "page", message, onRetry, retry = "Try aga
     <Blank title={`This ${what} could not be shown`} text={message}>
       <Button onClick={onRetry ?? (() => void queries.refetchQueries())}>{retry}</Button>
     </Blank>
+  );
+}
+
+/** The places of what is on its way. */
+export function Loading({ label, heights }: { readonly label: string; readonly heights: readonly number[] }) {
+  return (
+    <div className={ui.stack} aria-busy aria-label={label}>
+      {heights.map((height, index) => (
+        <Skeleton key={index} height={height} radius={8} />
+      ))}
+    </div>
   );
 }

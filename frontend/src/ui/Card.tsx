@@ -1,7 +1,10 @@
 /** A part of a page on a surface of its own. */
 
-import { Box, Group, type BoxProps } from "@mantine/core";
+import { Box, Button, Group, type BoxProps } from "@mantine/core";
+import { CatchBoundary, type ErrorComponentProps } from "@tanstack/react-router";
 import type { ComponentProps, ReactNode } from "react";
+import { messageOf } from "../api/problem";
+import { Fault } from "./Fault";
 import ui from "./ui.module.css";
 
 interface Props extends Omit<BoxProps, "className">, Omit<ComponentProps<"section">, "title" | keyof BoxProps> {
@@ -21,7 +24,21 @@ export function Card({ title, tools, className = "", children, ...rest }: Props)
           {tools}
         </Group>
       )}
-      {children}
+      <CatchBoundary getResetKey={() => "card"} errorComponent={CardFailed}>
+        {children}
+      </CatchBoundary>
     </Box>
+  );
+}
+
+/** A fault in one card leaves the others. */
+function CardFailed({ error, reset }: ErrorComponentProps) {
+  return (
+    <Fault className={ui.note ?? ""}>
+      This part could not be shown: {messageOf(error)}{" "}
+      <Button size="compact-xs" variant="light" onClick={reset}>
+        Try again
+      </Button>
+    </Fault>
   );
 }

@@ -1,8 +1,21 @@
 /** A text that somebody types, most often a number, with its unit; and a choice among a few. */
 
-import { NativeSelect, TextInput, type NativeSelectProps, type TextInputProps } from "@mantine/core";
+import {
+  NativeSelect,
+  TextInput,
+  type NativeSelectProps,
+  type TextInputProps,
+  ActionIcon,
+  Box,
+  Group,
+  Select,
+  type SelectProps,
+} from "@mantine/core";
+import { type ReactNode, useState } from "react";
 import { prettyUnit } from "../units/format";
 import ui from "./ui.module.css";
+import { IconX } from "./icons";
+import { Fault } from "./Fault";
 
 interface EntryProps extends Omit<TextInputProps, "onChange" | "value" | "className"> {
   readonly value: string;
@@ -45,3 +58,68 @@ export function Choice({ onPick, ...props }: ChoiceProps) {
 /** Things with an id and a label, to choose from. */
 export const labelled = (all: readonly { readonly id: string; readonly label: string }[]) =>
   all.map(({ id, label }) => ({ value: id, label }));
+
+interface Props {
+  readonly title: string;
+  /** Its accessible name. */
+  readonly name?: string;
+  /** What is removed; the title where it is left out. */
+  readonly removal?: string;
+  readonly beside: ReactNode;
+  readonly error: string | undefined;
+  readonly onRemove: () => void;
+  readonly children?: ReactNode;
+}
+
+/** An entry of a form's list: its title, what stands beside it, its own inputs and its error; it can be removed. */
+export function EntryRow({ title, name = title, removal = title, beside, error, onRemove, children }: Props) {
+  return (
+    <div className={ui.entry} role="group" aria-label={name} data-error={error !== undefined || undefined}>
+      <Group gap="0.1rem 0.7rem" pos="relative" pr="1.8rem">
+        <Box component="span" fz="sm" fw={600}>
+          {title}
+        </Box>
+        {beside}
+        <ActionIcon
+          pos="absolute"
+          top={0}
+          right={0}
+          size={24}
+          variant="subtle"
+          color="gray"
+          aria-label={`Remove ${removal}`}
+          onClick={onRemove}
+        >
+          <IconX size={15} />
+        </ActionIcon>
+      </Group>
+      {children}
+      {error !== undefined && <Fault>{error}</Fault>}
+    </div>
+  );
+}
+
+interface FinderProps extends Omit<SelectProps, "onChange" | "value"> {
+  readonly onPick: (value: string) => void;
+}
+
+/** Finds something by a part of its name and hands it on; it stays empty itself. */
+export function Finder({ onPick, ...props }: FinderProps) {
+  const [search, setSearch] = useState("");
+  return (
+    <Select
+      size="xs"
+      searchable
+      value={null}
+      searchValue={search}
+      onSearchChange={setSearch}
+      maxDropdownHeight={300}
+      {...props}
+      onChange={(value) => {
+        if (value === null) return;
+        setSearch("");
+        onPick(value);
+      }}
+    />
+  );
+}

@@ -44,7 +44,6 @@ function PartFailed({ onClose }: Pick<Props, "onClose">) {
       onClose={onClose ?? (() => undefined)}
       withCloseButton={onClose !== undefined}
       title="This part of the page could not be shown"
-      closeButtonProps={{ "aria-label": "Close" }}
     >
       <Text size="sm">
         Ridelab may have been updated since this page was loaded. Loading it again shows what was computed: it is stored

@@ -2,13 +2,12 @@
 
 import { Box, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
-import type { ReactNode } from "react";
+import { type ReactNode, createContext, use } from "react";
+import { createPortal } from "react-dom";
 import { isNotFound, isTransient } from "../api/problem";
-import { Loading } from "./Loading";
+import { Loading, Blank, CouldNotLoad } from "./Blank";
 import ui from "./ui.module.css";
-import { Blank, CouldNotLoad } from "./Blank";
 import shell from "./shell.module.css";
-import { ShellSlot } from "./slots";
 
 interface Props {
   /** Of the tab. */
@@ -62,4 +61,14 @@ export function Page({ title, heading, above, lead, tools, what, instead, faults
       </main>
     </>
   );
+}
+
+/** What a page puts into the shell around it: its tools in the header, its notices over the page's foot. */
+export type Slot = "tools" | "notices";
+
+export const SlotsContext = createContext<Readonly<Record<Slot, HTMLElement | null>>>({ tools: null, notices: null });
+
+export function ShellSlot({ name, children }: { readonly name: Slot; readonly children: ReactNode }) {
+  const element = use(SlotsContext)[name];
+  return element && createPortal(children, element);
 }

@@ -1,7 +1,6 @@
 /** A strategy's line as the plots draw it: colour and dash. */
 
 import type { Strategy } from "../api/types";
-import { LineKey } from "./LineKey";
 import ui from "./ui.module.css";
 
 const DASHES: Readonly<Record<string, string>> = {
@@ -27,5 +26,21 @@ export function StrategyName({ strategy }: { readonly strategy: Pick<Strategy, "
     <span className={ui.named}>
       <StrategyKey strategy={strategy} /> {strategy.label}
     </span>
+  );
+}
+
+interface Props {
+  readonly colour?: string;
+  readonly width?: number;
+  /** As SVG writes it. */
+  readonly dash?: string | undefined;
+}
+
+/** A line as the plots draw it: colour, width, dash. */
+export function LineKey({ colour = "currentColor", width = 2.5, dash = "none" }: Props) {
+  return (
+    <svg width="24" height="10" viewBox="0 0 24 10" aria-hidden style={{ flex: "none" }}>
+      <line x1="1" x2="23" y1="5" y2="5" stroke={colour} strokeWidth={width} strokeDasharray={dash} />
+    </svg>
   );
 }

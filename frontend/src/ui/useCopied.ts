@@ -1,5 +1,4 @@
 import { useEffect, useRef, useState } from "react";
-import { copyText } from "../lib/clipboard";
 
 const SHOWN_MS = 1600;
 
@@ -19,4 +18,42 @@ export function useCopied(onRefused?: (text: string) => void) {
       });
     },
   };
+}
+
+/** Copies text, also where the page is not a secure context (plain http in a local network). */
+async function copyText(text: string): Promise<boolean> {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    return copyBySelection(text);
+  }
+}
+
+/**
+ * Copies a text that is still to come. The copy is announced at once, within the click: some browsers forget the
+ * click while they wait.
+ */
+export async function copyWhenThere(text: Promise<string>): Promise<boolean> {
+  try {
+    const blob = text.then((ready) => new Blob([ready], { type: "text/plain" }));
+    await navigator.clipboard.write([new ClipboardItem({ "text/plain": blob })]);
+    return true;
+  } catch {
+    return text.then(copyText, () => false);
+  }
+}
+
+function copyBySelection(text: string): boolean {
+  const area = document.createElement("textarea");
+  area.value = text;
+  area.style.position = "fixed";
+  area.style.opacity = "0";
+  document.body.append(area);
+  area.select();
+  // Deprecated, and the only way without a secure context.
+  // eslint-disable-next-line @typescript-eslint/no-deprecated
+  const copied = document.execCommand("copy");
+  area.remove();
+  return copied;
 }

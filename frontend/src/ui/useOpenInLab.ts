@@ -1,10 +1,9 @@
 /** From another page to a run in the lab, which leads back to that page. */
 
 import { useMutation } from "@tanstack/react-query";
-import { useRouter } from "@tanstack/react-router";
+import { useRouter, type NavigateOptions } from "@tanstack/react-router";
 import { useCallback } from "react";
 import { explain } from "../api/problem";
-import { fromHere } from "../lib/navigateIfStillHere";
 
 interface Run {
   readonly id: string;
@@ -14,7 +13,7 @@ interface Run {
 export function useOpenInLab(): () => (run: Run) => void {
   const router = useRouter();
   return useCallback(() => {
-    const { href, go } = fromHere(router);
+    const { href, go } = navigateIfStillHere(router);
     return ({ id }) => go({ to: "/r/$id", params: { id }, search: { from: href } });
   }, [router]);
 }
@@ -37,4 +36,21 @@ export function useRunInLab<What>(run: (what: What) => Promise<Run>): RunInLab<W
     opening: isPending ? variables : null,
     error: error && explain(error),
   };
+}
+
+/** Of the browser's router what this needs. */
+interface Pages {
+  readonly latestLocation: { readonly href: string; readonly pathname: string };
+  readonly navigate: (address: NavigateOptions) => unknown;
+}
+
+/** A way to another page that waits for an answer: whoever has left meanwhile stays where they are.
+ *
+ * As `onSuccess` of one `mutate` (not of `useMutation`) it is not called for a page that is gone, one come back to included. */
+export function navigateIfStillHere(pages: Pages) {
+  const { href, pathname } = pages.latestLocation;
+  const go = (address: NavigateOptions): void => {
+    if (pages.latestLocation.pathname === pathname) void pages.navigate(address);
+  };
+  return { href, go };
 }

@@ -1,21 +1,22 @@
 /** The moving car: one or two strategies on their road, driven by the shared cursor, with playback. */
 
-import { ActionIcon, NativeSelect, Tooltip } from "@mantine/core";
-import { useElementSize } from "@mantine/hooks";
-import { IconPlayerPauseFilled, IconPlayerPlayFilled } from "../../ui/icons";
-import { useEffect, useEffectEvent, useState } from "react";
+import { ActionIcon, NativeSelect, Tooltip, Group, Popover, Stack } from "@mantine/core";
+import { useElementSize, useMediaQuery } from "@mantine/hooks";
+import { useEffect, useEffectEvent, useState, type ReactNode } from "react";
+import { IconPlayerPauseFilled, IconPlayerPlayFilled, IconAdjustmentsHorizontal } from "../../ui/icons";
 import type { StrategyId } from "../../api/types";
 import { axisUnit } from "../../plots/figure";
-import { useCommands } from "../../lab/commands";
+import { runAction, useAction } from "../../lab/actions";
 import { cursor, useCursor } from "../../lab/cursor";
-import type { Scene } from "../../lab/resultView";
+import type { ResultView } from "../../lab/resultView";
 import classes from "./car.module.css";
-import { Key } from "./Key";
 import { Lane } from "./Lane";
-import { Options } from "./Options";
-import { play } from "./playback";
-import { restingCursor } from "./resting";
+import { restingCursor } from "./geometry";
 import { Card } from "../../ui/Card";
+import { formatExact } from "../../units/format";
+import { dimensionsOf, scaleOf } from "./layout";
+import { Arrow } from "./parts";
+import { valueAt } from "../../lib/samples";
 
 const SPEEDS = [
   { value: "0.05", label: "1/20 speed" },
@@ -27,7 +28,7 @@ const SPEEDS = [
 const EXAGGERATIONS = [1, 2, 5, 10].map((factor) => ({ value: String(factor), label: `heights × ${factor}` }));
 const NONE = "";
 
-export function CarView({ scene }: { readonly scene: Scene }) {
+export function CarView({ resultView }: { readonly resultView: ResultView }) {
   const { ref, width } = useElementSize<HTMLDivElement>();
   const [followed, setFollowed] = useState<StrategyId>(NONE);
   const [second, setSecond] = useState<StrategyId>(NONE);
@@ -35,11 +36,11 @@ export function CarView({ scene }: { readonly scene: Scene }) {
   const [exaggeration, setExaggeration] = useState("5");
   const [playing, setPlaying] = useState(false);
 
-  const first = scene.strategies.find(({ id }) => id === followed) ?? scene.strategies[0];
-  const other = scene.strategies.find(({ id }) => id === second && id !== first?.id);
-  const names = scene.strategies.map(({ id, label }) => ({ value: id, label }));
+  const first = resultView.strategies.find(({ id }) => id === followed) ?? resultView.strategies[0];
+  const other = resultView.strategies.find(({ id }) => id === second && id !== first?.id);
+  const names = resultView.strategies.map(({ id, label }) => ({ value: id, label }));
 
-  const getScene = useEffectEvent(() => scene);
+  const getScene = useEffectEvent(() => resultView);
   const getStrategy = useEffectEvent(() => first?.id ?? "");
   const getSpeed = useEffectEvent(() => Number(speed));
   useEffect(() => {
@@ -51,25 +52,35 @@ export function CarView({ scene }: { readonly scene: Scene }) {
     );
   }, [playing]);
 
-  const toggle = () => setPlaying(!playing);
-  useCommands([{ group: "Lab", label: playing ? "Pause the car" : "Play the car", keys: "Space", run: toggle }]);
+  useAction("play", first ? () => setPlaying(!playing) : null);
 
   if (!first) return null;
   return (
     <Card className={classes.view ?? ""} aria-label="The moving car">
       <div ref={ref} className={classes.lanes}>
         {[first, ...(other ? [other] : [])].map((strategy) => (
-          <Lane key={strategy.id} scene={scene} strategy={strategy} width={width} exaggeration={Number(exaggeration)} />
+          <Lane
+            key={strategy.id}
+            resultView={resultView}
+            strategy={strategy}
+            width={width}
+            exaggeration={Number(exaggeration)}
+          />
         ))}
-        {width > 0 && <Key scene={scene} width={width} exaggeration={Number(exaggeration)} />}
+        {width > 0 && <Key resultView={resultView} width={width} exaggeration={Number(exaggeration)} />}
       </div>
       <div className={classes.controls}>
         <Tooltip label={playing ? "Pause (Space)" : "Play (Space)"}>
-          <ActionIcon variant="light" size={30} aria-label={playing ? "Pause" : "Play"} onClick={toggle}>
+          <ActionIcon
+            variant="light"
+            size={30}
+            aria-label={playing ? "Pause" : "Play"}
+            onClick={() => runAction("play")}
+          >
             {playing ? <IconPlayerPauseFilled size={15} /> : <IconPlayerPlayFilled size={15} />}
           </ActionIcon>
         </Tooltip>
-        <Scrubber scene={scene} />
+        <Scrubber resultView={resultView} />
         <Options>
           <NativeSelect
             size="xs"
@@ -105,20 +116,97 @@ export function CarView({ scene }: { readonly scene: Scene }) {
   );
 }
 
-function Scrubber({ scene }: { readonly scene: Scene }) {
-  const [low, high] = scene.range;
-  const at = useCursor(scene.axis) ?? restingCursor(scene);
+function Scrubber({ resultView }: { readonly resultView: ResultView }) {
+  const [low, high] = resultView.range;
+  const at = useCursor(resultView.axis) ?? restingCursor(resultView);
   return (
     <input
       type="range"
       className={classes.scrubber}
       aria-label="Cursor"
-      aria-valuetext={`${at.toFixed(2)} ${axisUnit(scene.axis)}`}
+      aria-valuetext={`${at.toFixed(2)} ${axisUnit(resultView.axis)}`}
       min={low}
       max={high}
       step={(high - low) / 1000}
       value={Math.min(high, Math.max(low, at))}
-      onChange={(event) => cursor.set(scene.axis, Number(event.currentTarget.value))}
+      onChange={(event) => cursor.set(resultView.axis, Number(event.currentTarget.value))}
     />
   );
+}
+
+interface Props {
+  readonly resultView: ResultView;
+  readonly width: number;
+  readonly exaggeration: number;
+}
+
+/** The scales of the drawing: how much larger heights are than lengths, and how long the arrow of the largest force is. */
+export function Key({ resultView, width, exaggeration }: Props) {
+  const size = dimensionsOf(resultView.shown.scenario, { front: null, rear: null });
+  const length = scaleOf(width, exaggeration, size).newton * size.forceLimit;
+  return (
+    <Group
+      component="span"
+      gap="0.35rem"
+      wrap="nowrap"
+      pos="absolute"
+      bottom="0.2rem"
+      right="0.8rem"
+      fz="xs"
+      c="dimmed"
+    >
+      heights × {exaggeration} · force {formatExact(size.forceLimit / 1000, "kN")} =
+      <svg width={length} height={8} aria-hidden>
+        <g transform="translate(0 4) rotate(90)">
+          <Arrow length={length} />
+        </g>
+      </svg>
+    </Group>
+  );
+}
+
+/** What is set more seldom: in the row where there is room for it, behind a button on a phone. */
+export function Options({ children }: { readonly children: ReactNode }) {
+  const narrow = useMediaQuery("(max-width: 47.99em)", false, { getInitialValueInEffect: false });
+  if (!narrow) return children;
+  return (
+    <Popover position="bottom-end" withinPortal trapFocus>
+      <Popover.Target>
+        <ActionIcon variant="default" size={30} aria-label="Options of the moving car">
+          <IconAdjustmentsHorizontal size={15} />
+        </ActionIcon>
+      </Popover.Target>
+      <Popover.Dropdown role="dialog" aria-label="Options of the moving car">
+        <Stack gap="xs">{children}</Stack>
+      </Popover.Dropdown>
+    </Popover>
+  );
+}
+
+/** Where the cursor is after `elapsed` seconds of the run, for one strategy; starts over past the range's end. */
+function advance(resultView: ResultView, strategy: string, from: number, elapsed: number): number {
+  const series = resultView.series[strategy];
+  const [low, high] = resultView.range;
+  if (from >= high || from < low) return low;
+  if (resultView.axis === "time") return Math.min(high, from + elapsed);
+  const { position, time } = series ?? {};
+  if (!position || !time) return from;
+  const now = valueAt(position, time, from);
+  const next = now === null ? null : valueAt(time, position, now + elapsed);
+  return next === null ? high : Math.min(high, next);
+}
+
+/** Runs until the returned function is called; `result view` is asked anew for every frame. */
+function play(resultView: () => ResultView, strategy: () => string, speed: () => number): () => void {
+  let frame = 0;
+  let last = performance.now();
+  const step = (now: number) => {
+    const elapsed = Math.min(0.1, (now - last) / 1000) * speed();
+    last = now;
+    const current = resultView();
+    cursor.set(current.axis, advance(current, strategy(), cursor.get(current.axis) ?? restingCursor(current), elapsed));
+    frame = requestAnimationFrame(step);
+  };
+  frame = requestAnimationFrame(step);
+  return () => cancelAnimationFrame(frame);
 }

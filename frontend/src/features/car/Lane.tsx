@@ -4,36 +4,37 @@ import { Box, Group } from "@mantine/core";
 import { useMemo } from "react";
 import type { Strategy } from "../../api/types";
 import { useCursor } from "../../lab/cursor";
-import type { Scene } from "../../lab/resultView";
+import type { ResultView } from "../../lab/resultView";
 import { metres, toKmh } from "../../units/brands";
 import { formatNumber } from "../../units/format";
 import classes from "./car.module.css";
-import { poseAt, roadProfile, type CarPose, type StaticLoads } from "./geometry";
+import { poseAt, roadProfile, type CarPose, type StaticLoads, restingCursor } from "./geometry";
 import { CLEARANCE, dimensionsOf, drawnCar, GROUND, HEIGHT, scaleOf, shiftInto } from "./layout";
-import { bodyPath, windowPath } from "./outline";
 import { Arrow, Body, Ghost, Strut, Wheel } from "./parts";
-import { restingCursor } from "./resting";
 
 interface Props {
-  readonly scene: Scene;
+  readonly resultView: ResultView;
   readonly strategy: Strategy;
   readonly width: number;
   readonly exaggeration: number;
 }
 
-export function Lane({ scene, strategy, width, exaggeration }: Props) {
-  const at = Math.min(useCursor(scene.axis) ?? restingCursor(scene), scene.whole[1]);
-  const size = useMemo(() => dimensionsOf(scene.shown.scenario, staticLoads(scene, strategy.id)), [scene, strategy.id]);
+export function Lane({ resultView, strategy, width, exaggeration }: Props) {
+  const at = Math.min(useCursor(resultView.axis) ?? restingCursor(resultView), resultView.whole[1]);
+  const size = useMemo(
+    () => dimensionsOf(resultView.shown.scenario, staticLoads(resultView, strategy.id)),
+    [resultView, strategy.id],
+  );
   const scale = useMemo(() => scaleOf(width, exaggeration, size), [width, exaggeration, size]);
   const { metre, rise } = scale;
   const path = useMemo(() => bodyPath(size.wheelbase, size.radius, metre), [size, metre]);
   const windows = useMemo(() => windowPath(size.wheelbase, metre), [size, metre]);
   const cg = useMemo(() => ({ x: size.cgToRear * metre, y: (CLEARANCE - size.cgHeight) * metre }), [size, metre]);
 
-  const pose = poseOf(scene, strategy.id, at);
+  const pose = poseOf(resultView, strategy.id, at);
   if (!pose || width === 0) return <div className={classes.lane} style={{ height: HEIGHT }} />;
   const car = drawnCar(pose, size, scale);
-  const others = scene.strategies.filter(({ id }) => id !== strategy.id);
+  const others = resultView.strategies.filter(({ id }) => id !== strategy.id);
 
   return (
     <div className={classes.lane}>
@@ -46,10 +47,10 @@ export function Lane({ scene, strategy, width, exaggeration }: Props) {
       >
         <g transform={`translate(0 ${shiftInto(car, scale)})`}>
           <g transform={`translate(${scale.frontX - pose.position * metre} ${GROUND})`}>
-            <Road scene={scene} strategy={strategy} wheelbase={size.wheelbase} metre={metre} rise={rise} />
+            <Road resultView={resultView} strategy={strategy} wheelbase={size.wheelbase} metre={metre} rise={rise} />
           </g>
           {others.map(({ id, colour }) => {
-            const other = poseOf(scene, id, at);
+            const other = poseOf(resultView, id, at);
             return (
               other && (
                 <Ghost
@@ -79,14 +80,14 @@ export function Lane({ scene, strategy, width, exaggeration }: Props) {
   );
 }
 
-function staticLoads(scene: Scene, id: string): StaticLoads {
-  const reference = scene.summaries[id]?.reference;
+function staticLoads(resultView: ResultView, id: string): StaticLoads {
+  const reference = resultView.summaries[id]?.reference;
   return { front: reference?.front_static_load ?? null, rear: reference?.rear_static_load ?? null };
 }
 
-function poseOf(scene: Scene, id: string, at: number): CarPose | null {
-  const series = scene.series[id];
-  return series ? poseAt(series, scene.axis, at, scene.shown.scenario, staticLoads(scene, id)) : null;
+function poseOf(resultView: ResultView, id: string, at: number): CarPose | null {
+  const series = resultView.series[id];
+  return series ? poseAt(series, resultView.axis, at, resultView.shown.scenario, staticLoads(resultView, id)) : null;
 }
 
 function offTheRoad({ front, rear }: CarPose): string | null {
@@ -112,14 +113,14 @@ function Caption({ strategy, pose }: { readonly strategy: Strategy; readonly pos
   );
 }
 
-interface RoadProps extends Pick<Props, "scene" | "strategy"> {
+interface RoadProps extends Pick<Props, "resultView" | "strategy"> {
   readonly wheelbase: number;
   readonly metre: number;
   readonly rise: number;
 }
 
-function Road({ scene, strategy, wheelbase, metre, rise }: RoadProps) {
-  const series = scene.series[strategy.id];
+function Road({ resultView, strategy, wheelbase, metre, rise }: RoadProps) {
+  const series = resultView.series[strategy.id];
   return useMemo(() => {
     const profile = series ? roadProfile(series, metres(wheelbase)) : [];
     const points = profile.map(([x, z]) => `${(x * metre).toFixed(1)},${(-z * rise).toFixed(2)}`).join(" ");
@@ -134,4 +135,34 @@ function Road({ scene, strategy, wheelbase, metre, rise }: RoadProps) {
       </>
     );
   }, [series, wheelbase, metre, rise]);
+}
+
+const [TAIL, NOSE] = [-0.78, 0.82];
+
+/** The body's outline from the rear axle (0, 0) to the front one, y down, 1 m = `s` px; its floor is at y = 0. */
+function bodyPath(wheelbase: number, radius: number, s: number): string {
+  const point = (x: number, up: number) => `${(x * s).toFixed(1)} ${(-up * s).toFixed(1)}`;
+  const arch = radius * 1.22;
+  const [nose, hood, roof] = [wheelbase + NOSE, 0.79 * wheelbase, 0.46 * wheelbase];
+  return [
+    `M ${point(TAIL, 0.12)}`,
+    `C ${point(TAIL - 0.04, 0.5)}, ${point(TAIL + 0.02, 0.66)}, ${point(TAIL + 0.2, 0.68)}`,
+    `L ${point(-0.28, 0.7)}`,
+    `C ${point(0.1, 0.98)}, ${point(0.28, 1.12)}, ${point(roof, 1.12)}`,
+    `C ${point(roof + 0.45, 1.12)}, ${point(hood - 0.3, 0.84)}, ${point(hood, 0.7)}`,
+    `C ${point(wheelbase + 0.2, 0.65)}, ${point(nose - 0.02, 0.56)}, ${point(nose, 0.3)}`,
+    `L ${point(nose, 0.1)} Q ${point(nose, 0)}, ${point(nose - 0.12, 0)}`,
+    `L ${point(wheelbase + arch, 0)} A ${arch * s} ${arch * s} 0 0 0 ${point(wheelbase - arch, 0)}`,
+    `L ${point(arch, 0)} A ${arch * s} ${arch * s} 0 0 0 ${point(-arch, 0)}`,
+    `L ${point(TAIL + 0.12, 0)} Q ${point(TAIL, 0)}, ${point(TAIL, 0.12)} Z`,
+  ].join(" ");
+}
+
+function windowPath(wheelbase: number, s: number): string {
+  const point = (x: number, up: number) => `${(x * s).toFixed(1)} ${(-up * s).toFixed(1)}`;
+  const [pillar, roof, hood] = [0.4 * wheelbase, 0.46 * wheelbase, 0.79 * wheelbase];
+  return [
+    `M ${point(0.02, 0.74)} C ${point(0.2, 0.95)}, ${point(0.35, 1.03)}, ${point(pillar - 0.04, 1.04)} L ${point(pillar - 0.04, 0.74)} Z`,
+    `M ${point(pillar + 0.04, 1.04)} L ${point(roof, 1.04)} C ${point(roof + 0.35, 1.03)}, ${point(hood - 0.35, 0.86)}, ${point(hood - 0.12, 0.74)} L ${point(pillar + 0.04, 0.74)} Z`,
+  ].join(" ");
 }

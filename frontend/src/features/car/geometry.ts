@@ -1,9 +1,11 @@
 /** Where the car's parts are, from the time histories. Heights are deviations from standing still. */
 
-import type { Scenario, Series } from "./inputs";
+import type { Series } from "../../api/decode";
+import type { Scenario } from "../../api/types";
+import { numberAt } from "../../scenario/path";
 import { valueAt } from "../../lib/samples";
 import type { Axis } from "../../lab/address";
-import { axisKey } from "../../lab/resultView";
+import { axisKey, type ResultView } from "../../lab/resultView";
 import {
   metres,
   metresPerSecond,
@@ -16,7 +18,7 @@ import {
   type Seconds,
   seconds,
 } from "../../units/brands";
-import { numberAt } from "./inputs";
+import { stagedStrategy } from "../../plots/shapes";
 
 export interface Axle {
   readonly road: Metres;
@@ -87,4 +89,14 @@ export function roadProfile(series: Series, wheelbase: Metres): readonly (readon
   const behind = Array.from(position, (x, i) => [x - wheelbase, rear[i] ?? 0] as const).filter(([x]) => x < 0);
   const roadPoints = Array.from(position, (x, i) => [x, front[i] ?? 0] as const);
   return [...behind, ...roadPoints];
+}
+
+/** Where the car stands until somebody moves the cursor: on its way up the bump. */
+export function restingCursor(resultView: ResultView): number {
+  const id = stagedStrategy(resultView.summaries, resultView.ids);
+  const bump = id === undefined ? undefined : resultView.summaries[id]?.stages.find(({ stage }) => stage === "bump");
+  if (!bump) return resultView.range[0];
+  const [from, to] =
+    resultView.axis === "distance" ? [bump.start_position, bump.end_position] : [bump.start_time, bump.end_time];
+  return from + 0.22 * (to - from);
 }

@@ -1,7 +1,8 @@
 /** Where the parts of the drawn car lie on the screen [px], y downwards. */
 
 import type { Axle, CarPose, StaticLoads } from "./geometry";
-import { numberAt, type Scenario } from "./inputs";
+import type { Scenario } from "../../api/types";
+import { numberAt } from "../../scenario/path";
 
 export const HEIGHT = 124;
 /** The road's height 0. */

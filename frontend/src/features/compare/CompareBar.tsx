@@ -1,48 +1,55 @@
 /** What is compared with what: the choice, and in words what differs. */
 
-import { Box, Checkbox, Group, NativeSelect } from "@mantine/core";
+import { Box, Checkbox, Group, NativeSelect, Button, Tooltip } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { changedFields, changesText } from "../../scenario/differences";
-import { againstVariant, whyNotCompared, type Against } from "../../lab/compare";
-import { useLabContext } from "../../lab/context";
+import { referenceTo, whyNotCompared, type Reference } from "../../lab/compare";
+import { useLabContext, useLab, useEdit, useFromScenario, useReadOnly } from "../../lab/context";
 import { schemaQuery } from "../../server/queries";
-import type { Scene } from "../../lab/resultView";
+import type { ResultView } from "../../lab/resultView";
 import classes from "./compare.module.css";
-import { PinButton } from "./PinButton";
 import { PinList } from "./PinList";
-import { SpeedSelect } from "./SpeedSelect";
+import { IconPin } from "../../ui/icons";
+import { defaultName, MOST_PINS } from "../../lab/pins";
+import { useStore } from "../../lib/store";
+import { ownPins } from "./useCompared";
+import { getAt, setAt } from "../../scenario/path";
 
 const STRATEGY = "strategy:";
 
-export function CompareBar({ scene }: { readonly scene: Scene }) {
-  const { router } = useLabContext();
+export function CompareBar({ resultView }: { readonly resultView: ResultView }) {
+  const { labAddress } = useLabContext();
   return (
     <div className={classes.bar} data-unprinted>
-      <AgainstSelect scene={scene} />
+      <AgainstSelect resultView={resultView} />
       <SpeedSelect />
       <Checkbox
         size="xs"
         label="Plot differences"
-        checked={scene.differences}
-        onChange={({ currentTarget: { checked } }) => router.setView({ differences: checked })}
+        checked={resultView.differences}
+        onChange={({ currentTarget: { checked } }) => labAddress.setView({ differences: checked })}
       />
       <PinButton />
       <Group gap="0.3rem 0.9rem" flex="1 1 100%" miw={0}>
         <PinList />
-        <Differences scene={scene} />
+        <Differences resultView={resultView} />
       </Group>
     </div>
   );
 }
 
-function AgainstSelect({ scene: { strategies, pins, before, against, baseline } }: { readonly scene: Scene }) {
-  const { router } = useLabContext();
+function AgainstSelect({
+  resultView: { strategies, pins, before, reference, baseline },
+}: {
+  readonly resultView: ResultView;
+}) {
+  const { labAddress } = useLabContext();
   const variants = [
-    ...(before ? [{ value: "before" satisfies Against, label: `B${before.name.slice(1)}` }] : []),
-    ...pins.map((pin) => ({ value: againstVariant(pin), label: pin.name })),
+    ...(before ? [{ value: "before" satisfies Reference, label: `B${before.name.slice(1)}` }] : []),
+    ...pins.map((pin) => ({ value: referenceTo(pin), label: pin.name })),
   ];
   const selected =
-    against === null ? `${STRATEGY}${baseline}` : against === before ? "before" : againstVariant(against);
+    reference === null ? `${STRATEGY}${baseline}` : reference === before ? "before" : referenceTo(reference);
   return (
     <label className={classes.choice}>
       Change against
@@ -50,10 +57,10 @@ function AgainstSelect({ scene: { strategies, pins, before, against, baseline } 
         size="xs"
         value={selected}
         onChange={({ currentTarget: { value } }) =>
-          router.setView(
+          labAddress.setView(
             value.startsWith(STRATEGY)
-              ? { baseline: value.slice(STRATEGY.length), against: "baseline" }
-              : { against: value as Against },
+              ? { baseline: value.slice(STRATEGY.length), reference: "baseline" }
+              : { reference: value as Reference },
           )
         }
       >
@@ -79,11 +86,11 @@ function AgainstSelect({ scene: { strategies, pins, before, against, baseline } 
 }
 
 /** Of the variant that changes are against, or of the state before the last edit. */
-function Differences({ scene: { shown, before, against } }: { readonly scene: Scene }) {
+function Differences({ resultView: { shown, before, reference } }: { readonly resultView: ResultView }) {
   const form = useQuery(schemaQuery).data;
-  const other = against ?? before;
+  const other = reference ?? before;
   const changes = form && other ? changedFields(form, other.shown.scenario, shown.scenario) : [];
-  const unlike = against && whyNotCompared(shown, against.shown);
+  const unlike = reference && whyNotCompared(shown, reference.shown);
   const all = changes.map(({ name, change }) => `${name} ${change}`).join("\n");
   return (
     <Box component="p" flex="1 1 12rem" miw={0} m={0} fz="xs" c="dimmed" title={all} data-testid="differences">
@@ -91,5 +98,75 @@ function Differences({ scene: { shown, before, against } }: { readonly scene: Sc
         ? "\u00a0"
         : `${other === before ? "Changed" : `Against ${other.name}`}: ${changesText(changes) || "the same scenario"}${unlike === null ? "" : `; that is ${unlike}, so no change is shown`}`}
     </Box>
+  );
+}
+
+/** Keeps the shown result under a name, beside whatever comes next. */
+function PinButton() {
+  const { lab, paperScenario } = useLabContext();
+  const form = useQuery(schemaQuery).data;
+  const pins = useStore(ownPins);
+  const run = useLab(({ shown, stale, shared }) =>
+    shown?.source === "exact" && !stale && !shared ? shown.runId : null,
+  );
+  const isPinned = pins.some((pin) => pin.run === run);
+  const isFull = pins.length >= MOST_PINS;
+  const pin = () => {
+    const { shown } = lab.get();
+    if (run === null || !shown || !form) return;
+    const differs = changesText(changedFields(form, paperScenario, shown.scenario), 2) || "Paper’s scenario";
+    ownPins.add({ name: defaultName(differs, pins), run });
+  };
+  const why = isPinned
+    ? "Pinned: compared with whatever comes next"
+    : isFull
+      ? `At most ${MOST_PINS} results are pinned`
+      : "Keeps this result here, to compare others with it";
+  return (
+    <Tooltip label={why} multiline w={240} openDelay={500}>
+      <Button
+        size="xs"
+        variant="default"
+        leftSection={<IconPin size={15} />}
+        disabled={run === null || isPinned || isFull || !form}
+        onClick={pin}
+      >
+        Pin
+      </Button>
+    </Tooltip>
+  );
+}
+
+const POLICY = "/speed/policy";
+
+const CHOICES = [
+  { value: "by_strategy", label: "By strategy" },
+  { value: "planned", label: "All" },
+  { value: "constant", label: "Nobody" },
+];
+
+/** Who slows down for the bump: each strategy as it controls, or all alike, so that only the suspensions differ. */
+function SpeedSelect() {
+  const edit = useEdit();
+  const readOnly = useReadOnly();
+  const policy = useFromScenario((scenario) => getAt(scenario, POLICY));
+  return (
+    <Tooltip
+      label="At equal speed, the remaining difference comes from the suspension"
+      multiline
+      w={240}
+      openDelay={500}
+    >
+      <label className={classes.choice}>
+        Who slows down
+        <NativeSelect
+          size="xs"
+          disabled={readOnly}
+          value={typeof policy === "string" ? policy : "by_strategy"}
+          data={CHOICES}
+          onChange={({ currentTarget: { value } }) => edit.commit(setAt(edit.newest(), POLICY, value))}
+        />
+      </label>
+    </Tooltip>
   );
 }

@@ -8,10 +8,18 @@ import { useReadOnly } from "../../lab/context";
 import { LONGEST_NAME } from "../../scenario/library";
 import { BEFORE_WIDTH, PIN_WIDTH, pinDash } from "../../plots/curves";
 import { useStore } from "../../lib/store";
-import { LineKey } from "../../ui/LineKey";
+import { LineKey } from "../../ui/StrategyKey";
 import classes from "./compare.module.css";
-import { BEFORE_EDIT, beforeShown, showBefore, useBefore } from "./useBefore";
-import { ownPins, pinnedKey, usePins, type PinnedRun } from "./usePins";
+import {
+  BEFORE_EDIT,
+  beforeShown,
+  showBefore,
+  useBefore,
+  ownPins,
+  pinnedKey,
+  usePins,
+  type PinnedRun,
+} from "./useCompared";
 
 export function PinList() {
   const pins = usePins();

@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { ApiProblem, Unreachable } from "../../api/problem";
-import { missingText } from "./usePins";
+import { missingText } from "./useCompared";
 
 it("A pin that is not shown says why", () => {
   expect(

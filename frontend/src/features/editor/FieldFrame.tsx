@@ -1,13 +1,13 @@
 /** Label, help, mark of a change and error: the same around every field. */
 
-import { ActionIcon, Box, Group, Text, Tooltip } from "@mantine/core";
+import { ActionIcon, Box, Group, Text, Tooltip, NativeSelect } from "@mantine/core";
+import { memo, useEffect, useRef, type ReactNode, useId } from "react";
 import { IconArrowBackUp, IconInfoCircle } from "../../ui/icons";
-import { memo, useEffect, useRef, type ReactNode } from "react";
 import { useEdit, useReadOnly } from "../../lab/context";
 import classes from "./editor.module.css";
 import type { Leaf } from "../../scenario/differences";
 import { setAt } from "../../scenario/path";
-import type { Field } from "../../scenario/schema";
+import { type Field, optionOf, optionTitle, optionValue, type ChoiceField } from "../../scenario/schema";
 import type { LeafState } from "./useLeaf";
 
 interface Props {
@@ -83,7 +83,7 @@ export const ResetButton = memo(function ResetButton({ field, standard, changed 
   const disabled = useReadOnly() || !changed;
   const reset = () => {
     for (const { pointer } of field.kind === "vector" ? field.items : [field]) edit.accept(pointer);
-    edit.commit(setAt(edit.newest(), field.pointer, field.standard));
+    edit.commit(setAt(edit.newest(), field.pointer, field.paperValue));
   };
   return (
     <Tooltip label={`Differs from the paper (${standard}). Reset`} withArrow>
@@ -116,5 +116,28 @@ function ErrorText({ id, error }: { readonly id: string; readonly error: string 
     <Text ref={ref} mt={2} fz="xs" lh="1.35" c="var(--danger)" id={`${id}-error`} role="alert">
       {error}
     </Text>
+  );
+}
+
+/** A choice between names. */
+export function ChoiceFieldRow({ field, leaf }: { readonly field: ChoiceField; readonly leaf: LeafState }) {
+  const id = useId();
+  return (
+    <FieldFrame
+      {...{ id, field, leaf }}
+      standard={optionTitle(optionOf(field.paperValue))}
+      aside={
+        <NativeSelect
+          id={id}
+          size="xs"
+          className={classes.choice ?? ""}
+          value={optionOf(leaf.value)}
+          disabled={leaf.readOnly}
+          error={leaf.error !== undefined}
+          data={field.options.map((value) => ({ value, label: optionTitle(value) }))}
+          onChange={(event) => leaf.commit(optionValue(field, event.currentTarget.value))}
+        />
+      }
+    />
   );
 }

@@ -1,15 +1,14 @@
 /** Chooses the control for each member of a section. */
 
-import { Stack, Text } from "@mantine/core";
-import { memo } from "react";
-import { ChoiceFieldRow } from "./ChoiceFieldRow";
-import { DataRow } from "./DataRow";
-import { NumberFieldRow } from "./NumberFieldRow";
-import { RoadClassRow } from "./RoadClassRow";
+import { Stack, Text, SegmentedControl } from "@mantine/core";
+import { memo, useId } from "react";
+import { ChoiceFieldRow, FieldFrame } from "./FieldFrame";
+import { NumberFieldRow, NumberEntry } from "./NumberFieldRow";
 import { RoadProfileRow } from "./RoadProfileRow";
-import type { ChoiceField, Member, NumberField, VectorField } from "../../scenario/schema";
-import { useLeaf } from "./useLeaf";
+import type { ChoiceField, Member, NumberField, VectorField, DataField } from "../../scenario/schema";
+import { useLeaf, type LeafState } from "./useLeaf";
 import { WeightsMatrix } from "./WeightsMatrix";
+import classes from "./editor.module.css";
 
 const ROUGHNESS = "/road/roughness";
 
@@ -48,7 +47,88 @@ function MemberControl({ member }: { readonly member: Member }) {
 }
 
 function Leaf({ field }: { readonly field: NumberField | ChoiceField }) {
-  const leaf = useLeaf(field.pointer, field.standard);
+  const leaf = useLeaf(field.pointer, field.paperValue);
   if (field.kind === "choice") return <ChoiceFieldRow {...{ field, leaf }} />;
   return field.pointer === ROUGHNESS ? <RoadClassRow {...{ field, leaf }} /> : <NumberFieldRow {...{ field, leaf }} />;
+}
+
+const SMOOTH = "smooth";
+
+function describe(roughness: number): string {
+  if (roughness === 0) return "Smooth road";
+  const exact = exactClass(roughness);
+  const name = exact ? `Class ${exact.letter}` : `Within class ${nearestClass(roughness)?.letter ?? ""}`;
+  return `${name} · Gd = ${inMillionths(roughness)}`;
+}
+
+/** Gd is written as so many 10⁻⁶ m³ in the standard's own tables. */
+function inMillionths(roughness: number): string {
+  return `${Number((roughness * 1e6).toPrecision(6))}×10⁻⁶ m³`;
+}
+
+/** The road's roughness: a class of ISO 8608 by its letter, its number always beside it. */
+function RoadClassRow({ field, leaf }: { readonly field: NumberField; readonly leaf: LeafState }) {
+  const id = useId();
+  const roughness = typeof leaf.value === "number" ? leaf.value : 0;
+  const roadClass = roughness === 0 ? SMOOTH : (exactClass(roughness)?.letter ?? "");
+  const options = [
+    { value: SMOOTH, label: "0" },
+    ...ROAD_CLASSES.map(({ letter }) => ({ value: letter, label: letter })),
+  ];
+  return (
+    <FieldFrame
+      {...{ id, field, leaf }}
+      standard={typeof field.paperValue === "number" ? inMillionths(field.paperValue) : ""}
+      aside={<NumberEntry id={id} field={field} leaf={leaf} />}
+    >
+      <SegmentedControl
+        fullWidth
+        size="xs"
+        mt={4}
+        aria-label="Road class (ISO 8608)"
+        value={roadClass}
+        disabled={leaf.readOnly}
+        data={options}
+        onChange={(value) => leaf.commit(ROAD_CLASSES.find(({ letter }) => letter === value)?.roughness ?? 0)}
+      />
+      <Text className={classes.note}>{describe(roughness)}</Text>
+    </FieldFrame>
+  );
+}
+
+/** Road classes of ISO 8608: mean displacement PSD at 0.1 1/m, A to H, each four times rougher than the last. */
+interface RoadClass {
+  readonly letter: string;
+  /** Gd(n0) [m^3]. */
+  readonly roughness: number;
+}
+
+const CLASS_A = 16e-6;
+
+const ROAD_CLASSES: readonly RoadClass[] = Array.from("ABCDEFGH", (letter, index) => ({
+  letter,
+  roughness: Number((CLASS_A * 4 ** index).toPrecision(12)),
+}));
+
+/** The class whose mean this is, if it is one. */
+function exactClass(roughness: number): RoadClass | undefined {
+  return ROAD_CLASSES.find((entry) => Math.abs(entry.roughness - roughness) <= 1e-9 * entry.roughness);
+}
+
+/** The class a roughness falls into: boundaries are the geometric means of neighbours (ISO 8608, table C.1). */
+function nearestClass(roughness: number): RoadClass | undefined {
+  return ROAD_CLASSES.find((entry) => roughness > 0 && roughness < 2 * entry.roughness) ?? ROAD_CLASSES.at(-1);
+}
+
+/** Data that files and scripts set, such as a rule base: whether it is the paper's, and a way back to it. */
+function DataRow({ field }: { readonly field: DataField }) {
+  const leaf = useLeaf(field.pointer, field.paperValue);
+  const name = `data-${field.pointer}`;
+  return (
+    <FieldFrame id={name} {...{ field, leaf }} standard="Table 1">
+      <Text component="output" id={name} className={classes.note}>
+        {leaf.changed ? "The scenario has its own." : "As in the paper."}
+      </Text>
+    </FieldFrame>
+  );
 }

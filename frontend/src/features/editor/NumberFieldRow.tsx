@@ -1,13 +1,21 @@
 /** A number with its slider and its typed value; switched off where it may be null. */
 
-import { Box, Switch } from "@mantine/core";
-import { useId } from "react";
+import { Box, Switch, TextInput, Slider } from "@mantine/core";
+import { useId, useState, useRef } from "react";
 import { FieldFrame } from "./FieldFrame";
-import { typicalValue, valueText } from "../../scenario/limits";
-import { NumberEntry } from "./NumberEntry";
-import { NumberSlider } from "./NumberSlider";
+import {
+  typicalValue,
+  valueText,
+  parseTyped,
+  stepped,
+  typedText,
+  inShownUnit,
+  sliderScale,
+} from "../../scenario/limits";
 import type { NumberField } from "../../scenario/schema";
-import type { LeafState } from "./useLeaf";
+import { type LeafState, useReleaseAfterKeys } from "./useLeaf";
+import { prettyUnit, formatWithUnit } from "../../units/format";
+import classes from "./editor.module.css";
 
 const OFF = "off";
 
@@ -20,7 +28,7 @@ interface Props {
 export function NumberFieldRow({ field, leaf, withSlider = true }: Props) {
   const id = useId();
   const isOff = leaf.value === null;
-  const standard = typeof field.standard === "number" ? valueText(field, field.standard) : OFF;
+  const standard = typeof field.paperValue === "number" ? valueText(field, field.paperValue) : OFF;
   return (
     <FieldFrame
       {...{ id, field, leaf }}
@@ -49,5 +57,129 @@ export function NumberFieldRow({ field, leaf, withSlider = true }: Props) {
     >
       {withSlider && !isOff && <NumberSlider field={field} leaf={leaf} label={field.title} />}
     </FieldFrame>
+  );
+}
+
+/** Slider steps of an arrow key with Shift. */
+const LARGE_STEP = 10;
+
+interface NumberEntryProps {
+  readonly id: string;
+  readonly field: NumberField;
+  readonly leaf: LeafState;
+  readonly label?: string;
+  readonly withUnit?: boolean;
+  readonly disabled?: boolean;
+}
+
+/** The typed side of a number: keeps what somebody types until it is a value the field can take; arrow keys step it. */
+export function NumberEntry({ id, field, leaf, label, withUnit = true, disabled = false }: NumberEntryProps) {
+  const [draft, setDraft] = useState<string | null>(null);
+  const shown = typeof leaf.value === "number" ? typedText(field, leaf.value) : "";
+  const unit = prettyUnit(field.shown.unit);
+
+  const rest = useReleaseAfterKeys(leaf.release);
+
+  const finish = () => {
+    rest.flush();
+    if (draft === null) return;
+    const parsed = parseTyped(field, draft);
+    setDraft(null);
+    if (parsed.ok) leaf.commit(parsed.value);
+    else leaf.reject({ text: draft, message: parsed.message });
+  };
+
+  const step = (steps: number) => {
+    const parsed = draft === null ? null : parseTyped(field, draft);
+    const from = parsed === null ? leaf.value : parsed.ok ? parsed.value : null;
+    if (typeof from !== "number") return;
+    setDraft(null);
+    leaf.drag(stepped(field, from, steps));
+    rest.begin();
+  };
+
+  return (
+    <TextInput
+      id={id}
+      data-pointer={field.pointer}
+      className={withUnit ? classes.entry : classes.cellEntry}
+      classNames={{ input: classes.entryInput ?? "" }}
+      size="xs"
+      inputMode="decimal"
+      autoComplete="off"
+      spellCheck={false}
+      value={draft ?? leaf.rejected?.text ?? shown}
+      disabled={disabled || leaf.readOnly}
+      error={leaf.error !== undefined}
+      {...(label === undefined ? {} : { "aria-label": label })}
+      {...(leaf.error === undefined ? {} : { "aria-describedby": `${id}-error` })}
+      {...(withUnit && unit !== ""
+        ? { rightSection: <span className={classes.unit}>{unit}</span>, rightSectionWidth: 52 }
+        : {})}
+      rightSectionPointerEvents="none"
+      onChange={(event) => setDraft(event.currentTarget.value)}
+      onFocus={(event) => event.currentTarget.select()}
+      onBlur={finish}
+      onKeyDown={(event) => {
+        if (event.key === "Enter") finish();
+        if (event.key === "ArrowUp" || event.key === "ArrowDown") {
+          event.preventDefault();
+          step((event.key === "ArrowUp" ? 1 : -1) * (event.shiftKey ? LARGE_STEP : 1));
+        }
+        if (event.key === "Escape") {
+          setDraft(null);
+          leaf.accept();
+        }
+      }}
+    />
+  );
+}
+
+interface NumberSliderProps {
+  readonly field: NumberField;
+  readonly leaf: LeafState;
+  readonly label: string;
+}
+
+/** The dragged side of a number: live while it moves, exact once it rests. */
+export function NumberSlider({ field, leaf, label }: NumberSliderProps) {
+  const scale = sliderScale(field);
+  const byKey = useRef(false);
+  const rest = useReleaseAfterKeys(leaf.release);
+
+  const clamp = (value: number) => Math.min(scale.maximum, Math.max(scale.minimum, scale.toSlider(value)));
+  const value = typeof leaf.value === "number" ? clamp(leaf.value) : scale.minimum;
+  const standard = typeof field.paperValue === "number" ? scale.toSlider(field.paperValue) : null;
+  const marked = standard !== null && standard >= scale.minimum && standard <= scale.maximum;
+  const spoken =
+    typeof leaf.value === "number" ? formatWithUnit(inShownUnit(field, leaf.value), field.shown.unit, 4) : "";
+
+  return (
+    <div onKeyDownCapture={() => (byKey.current = true)} onPointerDownCapture={() => (byKey.current = false)}>
+      <Slider
+        className={classes.slider ?? ""}
+        classNames={{ thumb: classes.thumb ?? "", mark: classes.mark ?? "", bar: classes.bar ?? "" }}
+        size={4}
+        label={null}
+        min={scale.minimum}
+        max={scale.maximum}
+        step={1}
+        precision={0}
+        value={value}
+        disabled={leaf.readOnly}
+        thumbLabel={label}
+        thumbValueText={spoken}
+        {...(marked ? { marks: [{ value: standard }], startPointValue: standard } : {})}
+        onChange={(position) => {
+          const next = scale.fromSlider(position);
+          if (next !== leaf.value) leaf.drag(next);
+        }}
+        onChangeEnd={() => {
+          rest.stop();
+          if (byKey.current) rest.begin();
+          else leaf.release();
+        }}
+      />
+    </div>
   );
 }

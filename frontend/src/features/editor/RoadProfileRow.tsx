@@ -5,7 +5,7 @@ import { useQuery } from "@tanstack/react-query";
 import { address } from "../../api/http";
 import { useOpenItem } from "../library/open";
 import { OpenFiles } from "../library/OpenFiles";
-import { useItems } from "../../scenario/ownLibrary";
+import { useItems } from "../../scenario/library";
 import { useEdit } from "../../lab/context";
 import { roadQuery } from "../../server/queries";
 import classes from "./editor.module.css";
@@ -17,7 +17,7 @@ import { useLeaf } from "./useLeaf";
 const NONE = { value: "", label: "None" };
 
 export function RoadProfileRow({ field }: { readonly field: TextField }) {
-  const leaf = useLeaf(field.pointer, field.standard);
+  const leaf = useLeaf(field.pointer, field.paperValue);
   const edit = useEdit();
   const openItem = useOpenItem();
   const own = useItems("road");

@@ -5,7 +5,7 @@ import { useQuery } from "@tanstack/react-query";
 import type { JsonObject } from "../../api/types";
 import { useExportItem } from "../library/open";
 import { OpenFiles } from "../library/OpenFiles";
-import { dialog, useItems } from "../../scenario/ownLibrary";
+import { dialog, useItems } from "../../scenario/library";
 import { useEdit, useFromScenario, useReadOnly } from "../../lab/context";
 import { vehiclesQuery } from "../../server/queries";
 import { completed } from "../../scenario/differences";

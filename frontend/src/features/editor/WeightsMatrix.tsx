@@ -7,8 +7,7 @@ import { formatInput } from "../../units/format";
 import classes from "./editor.module.css";
 import { isChanged } from "../../scenario/differences";
 import { FieldError, Help, ResetButton } from "./FieldFrame";
-import { NumberEntry } from "./NumberEntry";
-import { NumberSlider } from "./NumberSlider";
+import { NumberEntry, NumberSlider } from "./NumberFieldRow";
 import type { NumberField, VectorField } from "../../scenario/schema";
 import { useLeaf } from "./useLeaf";
 
@@ -34,8 +33,8 @@ export function WeightsMatrix({ vectors }: { readonly vectors: readonly VectorFi
 
 function MatrixRow({ vector }: { readonly vector: VectorField }) {
   const id = useId();
-  const refused = useLab((state) => state.refused.fields);
-  const rejected = useLab((state) => state.rejected);
+  const refused = useLab((state) => state.serverErrors.fields);
+  const rejected = useLab((state) => state.invalidInput);
   const changed = useFromScenario((scenario) => vector.items.some((item) => isChanged(scenario, item)));
   const wrong = vector.items.find((item) => rejected[item.pointer] ?? refused[item.pointer]);
   const message = wrong && (rejected[wrong.pointer]?.message ?? refused[wrong.pointer]);
@@ -48,7 +47,7 @@ function MatrixRow({ vector }: { readonly vector: VectorField }) {
           <ResetButton
             field={vector}
             standard={vector.items
-              .map(({ standard }) => (typeof standard === "number" ? formatInput(standard) : "–"))
+              .map(({ paperValue }) => (typeof paperValue === "number" ? formatInput(paperValue) : "–"))
               .join(", ")}
             changed={changed}
           />
@@ -68,7 +67,7 @@ function MatrixRow({ vector }: { readonly vector: VectorField }) {
 
 function MatrixCell({ field, rowTitle }: { readonly field: NumberField; readonly rowTitle: string }) {
   const id = useId();
-  const leaf = useLeaf(field.pointer, field.standard);
+  const leaf = useLeaf(field.pointer, field.paperValue);
   const label = `${rowTitle}, ${field.title}`;
   return (
     <div className={classes.cell} data-changed={leaf.changed || undefined}>

@@ -16,11 +16,11 @@ import { useState } from "react";
 import { address } from "../../api/http";
 import { explain } from "../../api/problem";
 import { useCompared } from "../compare/useCompared";
-import { useCommands } from "../../lab/commands";
+import { useAction, useActionButton, type ActionId } from "../../lab/actions";
 import { whyNotCompared } from "../../lab/compare";
 import { useLabContext, useLab, useView } from "../../lab/context";
 import { figuresQuery, schemaQuery, strategiesQuery } from "../../server/queries";
-import { axisKey, makeScene } from "../../lab/resultView";
+import { axisKey, makeResultView } from "../../lab/resultView";
 import { useController } from "./useController";
 import { asCommand, asCurl, asPython, type CopyRequest } from "./copyAs";
 import classes from "./export.module.css";
@@ -32,17 +32,6 @@ import { download } from "../../lib/download";
 const FORMATS = [
   { format: "csv", label: "CSV" },
   { format: "parquet", label: "Parquet" },
-] as const;
-
-const FIGURES = [
-  { format: "png", label: "PNG picture" },
-  { format: "svg", label: "SVG drawing" },
-] as const;
-
-const COPIES = [
-  { label: "Copy as Python", icon: IconBrandPython, write: asPython },
-  { label: "Copy as command line", icon: IconTerminal2, write: asCommand },
-  { label: "Copy as curl", icon: IconWorldUpload, write: asCurl },
 ] as const;
 
 export function ExportMenu() {
@@ -64,15 +53,15 @@ export function ExportMenu() {
     mutationFn: async (format: "png" | "svg") => {
       if (!shown || !figures || !strategies) return;
       download(
-        await plotsImage(client, figures, makeScene(shown, strategies, selected, view, compared), format),
+        await plotsImage(client, figures, makeResultView(shown, strategies, selected, view, compared), format),
         `ridelab-${runId ?? "live"}.${format}`,
       );
     },
   });
   const saveReport = () => {
     if (!shown || !strategies || runId === null) return;
-    const { baseline, against } = makeScene(shown, strategies, selected, view, compared);
-    const run = against && whyNotCompared(shown, against.shown) === null ? against.shown.runId : null;
+    const { baseline, reference } = makeResultView(shown, strategies, selected, view, compared);
+    const run = reference && whyNotCompared(shown, reference.shown) === null ? reference.shown.runId : null;
     const refersTo = { baseline: run === null ? baseline : null, against: run };
     download(
       address("/runs/{id}/report.html", { path: { id: runId }, query: { x: axisKey(view.axis), ...refersTo } }),
@@ -87,17 +76,13 @@ export function ExportMenu() {
 
   const saveController = () => save(lab.get().history?.present ?? shown?.scenario ?? {});
 
-  useCommands([
-    ...(runId === null ? [] : [{ group: "Lab", label: "Export HTML report", run: saveReport } as const]),
-    ...(shown?.missing === null
-      ? FIGURES.map(
-          ({ format, label }) =>
-            ({ group: "Lab", label: `Export plots: ${label}`, run: () => picture.mutate(format) }) as const,
-        )
-      : []),
-    { group: "Lab", label: "Export controller (C)", run: saveController },
-    ...COPIES.map(({ label, write }) => ({ group: "Lab", label, run: () => copyAs(write) }) as const),
-  ]);
+  useAction("report", runId === null ? null : saveReport);
+  useAction("png", shown?.missing === null ? () => picture.mutate("png") : null);
+  useAction("svg", shown?.missing === null ? () => picture.mutate("svg") : null);
+  useAction("controller", saveController);
+  useAction("python", () => copyAs(asPython));
+  useAction("command", () => copyAs(asCommand));
+  useAction("curl", () => copyAs(asCurl));
 
   return (
     <>
@@ -143,46 +128,22 @@ export function ExportMenu() {
               </div>
             ))}
           <Menu.Label>Everything in one file</Menu.Label>
-          <Menu.Item leftSection={<IconFileText size={16} />} disabled={runId === null} onClick={saveReport}>
-            HTML report
-          </Menu.Item>
+          <ActionItem id="report" icon={IconFileText} />
           <Menu.Label>Plots as shown</Menu.Label>
-          {FIGURES.map(({ format, label }) => (
-            <Menu.Item
-              key={format}
-              leftSection={<IconPhoto size={16} />}
-              disabled={shown?.missing !== null}
-              onClick={() => picture.mutate(format)}
-            >
-              {label}
-            </Menu.Item>
-          ))}
+          <ActionItem id="png" icon={IconPhoto} />
+          <ActionItem id="svg" icon={IconPhoto} />
           <Menu.Label>As a program</Menu.Label>
-          <Menu.Item leftSection={<IconCpu size={16} />} onClick={saveController}>
-            Export controller (C)
-          </Menu.Item>
+          <ActionItem id="controller" icon={IconCpu} />
           <Menu.Label>This run again, elsewhere</Menu.Label>
-          {COPIES.map(({ label, icon: Icon, write }) => (
-            <Menu.Item key={label} leftSection={<Icon size={16} />} onClick={() => copyAs(write)}>
-              {label}
-            </Menu.Item>
-          ))}
+          <ActionItem id="python" icon={IconBrandPython} />
+          <ActionItem id="command" icon={IconTerminal2} />
+          <ActionItem id="curl" icon={IconWorldUpload} />
         </Menu.Dropdown>
       </Menu>
-      <Modal
-        opened={unsaved !== null}
-        onClose={reset}
-        title="The controller could not be exported"
-        closeButtonProps={{ "aria-label": "Close" }}
-      >
+      <Modal opened={unsaved !== null} onClose={reset} title="The controller could not be exported">
         <Text size="sm">{unsaved?.message}</Text>
       </Modal>
-      <Modal
-        opened={picture.isError}
-        onClose={picture.reset}
-        title="The plots could not be saved"
-        closeButtonProps={{ "aria-label": "Close" }}
-      >
+      <Modal opened={picture.isError} onClose={picture.reset} title="The plots could not be saved">
         <Text size="sm">{picture.error && explain(picture.error)}</Text>
       </Modal>
       <Modal
@@ -190,7 +151,6 @@ export function ExportMenu() {
         onClose={() => setRefused(null)}
         title="Select the address and copy it"
         size="lg"
-        closeButtonProps={{ "aria-label": "Close" }}
       >
         <Textarea
           readOnly
@@ -204,5 +164,14 @@ export function ExportMenu() {
         />
       </Modal>
     </>
+  );
+}
+
+function ActionItem({ id, icon: Icon }: { readonly id: ActionId; readonly icon: typeof IconPhoto }) {
+  const { label, ...item } = useActionButton(id);
+  return (
+    <Menu.Item leftSection={<Icon size={16} />} {...item}>
+      {label}
+    </Menu.Item>
   );
 }

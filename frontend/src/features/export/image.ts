@@ -9,7 +9,7 @@ import { ON_PAPER } from "../../plots/palettes";
 import { asText, loadPlotly, withPlainNames, type PlotFigure } from "../../plots/plotly";
 import { drawnOf, subtrahend } from "../../plots/differences";
 import { curvesFrom, layeredFrom, loadDetail } from "../../plots/useDetail";
-import type { Scene } from "../../lab/resultView";
+import type { ResultView } from "../../lab/resultView";
 
 const WIDTH = 1200;
 const PANEL_HEIGHT = 190;
@@ -20,23 +20,23 @@ const GAP = 0.28; // of a panel, for its title
 /** One figure with a row for each panel over one x axis; the series are those on the screen, `other` those of what changes are against. */
 function stackFigures(
   figures: Readonly<Record<string, FigureTemplate>>,
-  scene: Scene,
+  resultView: ResultView,
   own: SeriesByStrategy,
   other: SeriesByStrategy,
 ): PlotFigure & { readonly height: number } {
   const templates = Object.values(figures);
-  const { differences, axis } = scene;
-  const layers = differences ? [] : layersOf(scene);
-  const drawn = drawnOf(scene, own, other);
+  const { differences, axis } = resultView;
+  const layers = differences ? [] : layersOf(resultView);
+  const drawn = drawnOf(resultView, own, other);
   const row = 1 / templates.length;
   const built = templates.map((template) =>
     buildFigure({
       template,
       ...drawn,
       layers,
-      strategies: scene.strategies,
+      strategies: resultView.strategies,
       axis,
-      range: scene.range,
+      range: resultView.range,
       palette: ON_PAPER,
     }),
   );
@@ -68,7 +68,7 @@ function stackFigures(
     })),
   );
   const annotations: Readonly<Record<string, unknown>>[] = templates.map(({ layout: { meta } }, index) => ({
-    text: `<b>${meta.title}</b> [${meta.unit}]${differences ? `, less ${asText(subtrahend(scene))}` : ""}`,
+    text: `<b>${meta.title}</b> [${meta.unit}]${differences ? `, less ${asText(subtrahend(resultView))}` : ""}`,
     xref: "paper",
     yref: "paper",
     x: 0,
@@ -78,9 +78,9 @@ function stackFigures(
     showarrow: false,
     font: { size: 13, color: ON_PAPER.text },
   }));
-  const { runId, coreVersion } = scene.shown;
+  const { runId, coreVersion } = resultView.shown;
   const roads = Object.values(own).some((series) => Object.keys(series).some(isExtreme))
-    ? scene.shown.over?.roads
+    ? resultView.shown.over?.roads
     : undefined;
   const source = `Ridelab core ${coreVersion}${runId === null ? ", a live preview" : `, run ${runId}`}`;
   annotations.push({
@@ -103,7 +103,7 @@ function stackFigures(
       shapes,
       annotations,
       title: {
-        text: `Ridelab: time histories over ${scene.axis} [${axisUnit(scene.axis)}]${roads === undefined ? "" : `. ${overRoads(roads, differences)}`}`,
+        text: `Ridelab: time histories over ${resultView.axis} [${axisUnit(resultView.axis)}]${roads === undefined ? "" : `. ${overRoads(roads, differences)}`}`,
         font: { size: 15 },
         x: 0.03,
       },
@@ -120,15 +120,20 @@ function stackFigures(
 export async function plotsImage(
   client: QueryClient,
   figures: Readonly<Record<string, FigureTemplate>>,
-  scene: Scene,
+  resultView: ResultView,
   format: "png" | "svg",
 ): Promise<string> {
-  const curves = curvesFrom(client, scene);
+  const curves = curvesFrom(client, resultView);
   const [plotly, own, other] = await Promise.all([
     loadPlotly(),
     loadDetail(client, curves.own),
     loadDetail(client, curves.other),
   ]);
-  const { height, ...figure } = stackFigures(figures, { ...scene, ...layeredFrom(client, scene) }, own, other);
+  const { height, ...figure } = stackFigures(
+    figures,
+    { ...resultView, ...layeredFrom(client, resultView) },
+    own,
+    other,
+  );
   return plotly.toImage(figure, { format, width: WIDTH, height, scale: format === "png" ? 2 : 1 });
 }

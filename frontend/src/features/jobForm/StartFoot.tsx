@@ -3,10 +3,9 @@
 import { Box, Button, Group, Text } from "@mantine/core";
 import type { ReactNode } from "react";
 import type { Draft } from "../../lib/useDraft";
-import { ResetDraft } from "../../ui/ResetDraft";
 import ui from "../../ui/ui.module.css";
 import { formatDuration } from "../../units/dates";
-import type { SubmissionState } from "./useJobForm";
+import type { JobFormState } from "./useJobForm";
 
 interface Cost {
   /** [s] of one processor core. */
@@ -15,7 +14,7 @@ interface Cost {
 }
 
 interface Props<Estimate extends Cost> {
-  readonly submission: SubmissionState<Estimate>;
+  readonly submission: JobFormState<Estimate>;
   readonly draft: Pick<Draft<unknown>, "isEdited" | "reset">;
   /** How much it is, such as `12 runs`. */
   readonly amount: (estimate: Estimate) => string;
@@ -66,5 +65,20 @@ export function StartFoot<Estimate extends Cost>({
         </Button>
       </Group>
     </div>
+  );
+}
+
+/** It stays where there is nothing to reset: a button that went away would take the keyboard's place with it. */
+function ResetDraft({ isEdited, onReset }: { readonly isEdited: boolean; readonly onReset: () => void }) {
+  return (
+    <Button
+      variant="subtle"
+      color="gray"
+      ml="auto"
+      type="button"
+      {...(isEdited ? { onClick: onReset } : { "aria-disabled": true, "data-disabled": true })}
+    >
+      Reset
+    </Button>
   );
 }

@@ -5,12 +5,12 @@ import { useMutation, useQuery } from "@tanstack/react-query";
 import { useRouter, type NavigateOptions } from "@tanstack/react-router";
 import { useRef } from "react";
 import { ApiProblem } from "../../api/problem";
-import { fromHere } from "../../lib/navigateIfStillHere";
+import { navigateIfStillHere } from "../../ui/useOpenInLab";
 import { problemsByField, type DraftErrors, type FieldNameOf } from "./problems";
 
 const REST_MS = 350;
 
-interface Submission<Body, Estimate> {
+interface JobFormOptions<Body, Estimate> {
   readonly kind: string;
   /** What the form asks for; null while there is nothing to ask for yet. */
   readonly body: Body | null;
@@ -24,9 +24,9 @@ interface Submission<Body, Estimate> {
   readonly onSubmitted: () => void;
 }
 
-type Started<Body> = { readonly body: Body } & Pick<Submission<Body, unknown>, "onSubmitted">;
+type Started<Body> = { readonly body: Body } & Pick<JobFormOptions<Body, unknown>, "onSubmitted">;
 
-export interface SubmissionState<Estimate> {
+export interface JobFormState<Estimate> {
   readonly errors: DraftErrors;
   readonly general: readonly string[];
   readonly estimate: Estimate | undefined;
@@ -41,7 +41,7 @@ function randomKey(): string {
   return Array.from(crypto.getRandomValues(new Uint8Array(16)), (byte) => byte.toString(16).padStart(2, "0")).join("");
 }
 
-export function useSubmission<Body, Estimate>(submission: Submission<Body, Estimate>): SubmissionState<Estimate> {
+export function useJobForm<Body, Estimate>(submission: JobFormOptions<Body, Estimate>): JobFormState<Estimate> {
   const text = submission.body === null ? "" : JSON.stringify(submission.body);
   const [debouncedText] = useDebouncedValue(text, REST_MS);
   const isUpToDate = debouncedText === text;
@@ -82,7 +82,7 @@ export function useSubmission<Body, Estimate>(submission: Submission<Body, Estim
     start: () => {
       const { body, onSubmitted } = submission;
       if (body !== null && shown !== undefined && !started.isPending)
-        started.mutate({ body, onSubmitted }, { onSuccess: fromHere(router).go });
+        started.mutate({ body, onSubmitted }, { onSuccess: navigateIfStillHere(router).go });
     },
   };
 }

@@ -5,14 +5,12 @@ import { useRef, useState } from "react";
 import { changedFields, changesText, completed } from "../../scenario/differences";
 import type { Group } from "../../scenario/schema";
 import { IconDots } from "../../ui/icons";
-import { LONGEST_NAME } from "../../scenario/library";
+import { LONGEST_NAME, cleanName, type Item, ownLibrary } from "../../scenario/library";
 import { NameForm } from "../../ui/NameForm";
 import { formatMinute } from "../../units/dates";
 import { count } from "../../units/format";
-import { cleanName, type Item } from "../../scenario/library";
 import classes from "./library.module.css";
 import { useExportItem } from "./open";
-import { ownLibrary } from "../../scenario/ownLibrary";
 
 interface Props {
   readonly item: Item;

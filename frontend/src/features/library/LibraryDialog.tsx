@@ -1,21 +1,24 @@
 /** One's own scenarios, vehicles and roads, and the presets: saved, opened, renamed, deleted, imported and exported. */
 
-import { Box, Button, Modal, Text } from "@mantine/core";
+import { Box, Button, Modal, Text, SegmentedControl, TextInput } from "@mantine/core";
 import { useState } from "react";
-import type { Preset } from "../../api/types";
+import type { Preset, JsonObject } from "../../api/types";
 import type { Group } from "../../scenario/schema";
 import { ItemRow } from "./ItemRow";
-import type { Item, Kind } from "../../scenario/library";
+import { type Item, type ItemKind, ownLibrary, useItems, LONGEST_NAME, cleanName } from "../../scenario/library";
 import classes from "./library.module.css";
-import { useOpenItem } from "./open";
+import { useOpenItem, notice, useExportItem } from "./open";
 import { OpenFiles } from "./OpenFiles";
-import { ownLibrary, useItems } from "../../scenario/ownLibrary";
-import { SaveForm } from "./SaveForm";
+import { changedFields, changesText, completed } from "../../scenario/differences";
+import { sameValue } from "../../scenario/path";
+import { useEdit, useScenario } from "../../lab/context";
+import { formatMinute } from "../../units/dates";
+import { Fault } from "../../ui/Fault";
 
 interface Props {
   readonly form: Group;
   readonly presets: readonly Preset[];
-  readonly saving: Exclude<Kind, "road">;
+  readonly saving: Exclude<ItemKind, "road">;
   readonly onClose: () => void;
 }
 
@@ -35,7 +38,7 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
     setDeleted(null);
   };
   return (
-    <Modal opened onClose={onClose} title="Library" size="lg" closeButtonProps={{ "aria-label": "Close" }}>
+    <Modal opened onClose={onClose} title="Library" size="lg">
       <SaveForm form={form} kind={saving} onSaved={onClose} />
       <div className={classes.import}>
         <OpenFiles name="Files for the library" size="xs">
@@ -78,7 +81,7 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
 
 interface ListProps {
   readonly title: string;
-  readonly kind: Kind;
+  readonly kind: ItemKind;
   readonly form: Group;
   readonly open: (item: Item) => void;
   readonly remove: (item: Item) => void;
@@ -99,5 +102,80 @@ function OwnItems({ title, kind, ...row }: ListProps) {
         ))}
       </ul>
     </>
+  );
+}
+
+type Saved = Exclude<ItemKind, "road">;
+
+interface SaveFormProps {
+  readonly form: Group;
+  /** What it offers first. */
+  readonly kind: Saved;
+  readonly onSaved: () => void;
+}
+
+/** Saves the scenario or the vehicle that is edited under a name. */
+function SaveForm({ form, kind: first, onSaved }: SaveFormProps) {
+  const edit = useEdit();
+  const exportItem = useExportItem();
+  const scenario = completed(form, useScenario());
+  const [kind, setKind] = useState(first);
+  const [typed, setTyped] = useState<string | null>(null);
+  const [wrong, setWrong] = useState<string | null>(null);
+  const value = kind === "vehicle" ? (scenario.vehicle as JsonObject) : scenario;
+  const items = useItems(kind);
+  const described = kind === "vehicle" ? "" : changesText(changedFields(form, completed(form, {}), scenario), 2);
+  const name = cleanName(typed ?? items.find((item) => sameValue(item.value, value))?.name ?? described);
+  const replaced = items.find((item) => item.name === name);
+  const save = () => {
+    try {
+      ownLibrary.save(kind, name, value);
+      notice.set({ lines: [`The ${kind} is in the library as “${name}”.`], isWrong: false, scenario: edit.newest() });
+      onSaved();
+    } catch (error) {
+      setWrong(error instanceof Error ? error.message : String(error));
+    }
+  };
+  return (
+    <form
+      className={classes.save}
+      onSubmit={(event) => {
+        event.preventDefault();
+        if (name !== "") save();
+      }}
+    >
+      <SegmentedControl
+        size="xs"
+        aria-label="What is saved"
+        value={kind}
+        data={[
+          { value: "scenario", label: "This scenario" },
+          { value: "vehicle", label: "Its vehicle" },
+        ]}
+        onChange={setKind}
+      />
+      <TextInput
+        size="xs"
+        className={classes.grow ?? ""}
+        aria-label="Name"
+        placeholder="Name"
+        data-autofocus
+        maxLength={LONGEST_NAME}
+        value={typed ?? name.slice(0, LONGEST_NAME)}
+        onChange={(event) => setTyped(event.currentTarget.value)}
+      />
+      <Button type="submit" size="xs" disabled={name === ""}>
+        {replaced ? "Replace" : "Save"}
+      </Button>
+      <Button size="xs" variant="default" disabled={name === ""} onClick={() => void exportItem({ kind, name, value })}>
+        Export
+      </Button>
+      <Text className={classes.text} role="status">
+        {replaced
+          ? `Replaces the ${kind} that was saved under this name on ${formatMinute(replaced.saved)}.`
+          : "\u00a0"}
+      </Text>
+      {wrong !== null && <Fault>{wrong}</Fault>}
+    </form>
   );
 }

@@ -1,16 +1,21 @@
 /** A button that opens files in the lab. */
 
-import { Button, FileButton } from "@mantine/core";
-import { useRef } from "react";
-import type { Kind } from "../../scenario/library";
-import { useOpenFiles } from "./open";
+import { Button, FileButton, CloseButton, Portal, Text } from "@mantine/core";
+import { useRef, useState } from "react";
+import { useWindowEvent } from "@mantine/hooks";
+import { type ItemKind, dialog } from "../../scenario/library";
+import { useOpenFiles, notice } from "./open";
+import { useScenario } from "../../lab/context";
+import { useStore } from "../../lib/store";
+import ui from "../../ui/ui.module.css";
+import classes from "./library.module.css";
 
 interface Props {
   readonly children: string;
-  /** Its name for who cannot see its place. */
+  /** Its accessible name. */
   readonly name: string;
   /** What is taken of a file that has more. */
-  readonly wanted?: Kind;
+  readonly wanted?: ItemKind;
   readonly size?: "compact-xs" | "xs";
 }
 
@@ -36,5 +41,54 @@ export function OpenFiles({ children, name, wanted, size = "compact-xs" }: Props
         </Button>
       )}
     </FileButton>
+  );
+}
+
+const hasFiles = ({ dataTransfer }: DragEvent) => dataTransfer?.types.includes("Files") === true;
+
+/** Files dropped anywhere on the lab, and what the library has done last. */
+export function DropFiles() {
+  const openFiles = useOpenFiles();
+  const [isOver, setOver] = useState(false);
+  useWindowEvent("dragover", (event) => {
+    if (!hasFiles(event)) return;
+    event.preventDefault(); // the browser would leave the page for the file
+    setOver(true);
+  });
+  useWindowEvent("dragleave", ({ relatedTarget }) => {
+    if (relatedTarget === null) setOver(false);
+  });
+  useWindowEvent("drop", (event) => {
+    if (!hasFiles(event)) return;
+    event.preventDefault();
+    setOver(false);
+    void openFiles([...(event.dataTransfer?.files ?? [])]);
+  });
+  return (
+    <Portal>
+      {isOver && <div className={classes.drop}>Drop scenarios, vehicles or measured roads</div>}
+      <LastNotice />
+    </Portal>
+  );
+}
+
+function LastNotice() {
+  const said = useStore(notice);
+  const scenario = useScenario();
+  const isOpen = useStore(dialog) !== null;
+  if (said?.scenario !== scenario || isOpen) return null;
+  return (
+    <div className={classes.message}>
+      <div className={ui.notice} role={said.isWrong ? "alert" : "status"}>
+        <div>
+          {said.lines.map((line) => (
+            <Text key={line} size="sm">
+              {line}
+            </Text>
+          ))}
+        </div>
+        <CloseButton size="sm" aria-label="Close the message" onClick={() => notice.set(null)} />
+      </div>
+    </div>
   );
 }

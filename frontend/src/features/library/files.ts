@@ -2,7 +2,7 @@
 
 import type { JsonObject } from "../../api/types";
 import { getAt } from "../../scenario/path";
-import type { Form } from "../../scenario/schema";
+import type { ScenarioSchema } from "../../scenario/schema";
 import { isWrittenOut, upgraded } from "../../scenario/versions";
 import type { Item } from "../../scenario/library";
 
@@ -28,7 +28,7 @@ const EXPECTED = "Expected a scenario or a vehicle as JSON, or a measured road a
  * What a file holds. A run holds its scenario.
  * @throws {Error} Its message says what was expected; the values are for the server to check.
  */
-export function readFile(name: string, content: string, form: Form): Content {
+export function readFile(name: string, content: string, form: ScenarioSchema): Content {
   if (!/\.json$/i.test(name) && !/^\s*[[{]/.test(content)) {
     const [titles = "", first = ""] = content.split("\n").filter((line) => !/^\s*(#|$)/.test(line));
     if (/[,;\t[]/.test(titles) && /^\s*["'+-]?[\d.,]/.test(first)) return { kind: "road", csv: content };

@@ -1,5 +1,6 @@
 /** Opens items and files in the lab, as an edit that can be undone; what came from a file is in the library too. */
 
+import { messageOf } from "../../api/problem";
 import { useQuery, useQueryClient } from "@tanstack/react-query";
 import type { Scenario } from "../../api/types";
 import { withItem, type Content } from "../../scenario/withItem";
@@ -8,8 +9,7 @@ import { useEdit, useReadOnly } from "../../lab/context";
 import { schemaQuery } from "../../server/queries";
 import { createStore } from "../../lib/store";
 import type { Exported } from "./files";
-import type { Kind } from "../../scenario/library";
-import { dialog } from "../../scenario/ownLibrary";
+import { type ItemKind, dialog } from "../../scenario/library";
 
 export interface Notice {
   readonly lines: readonly string[];
@@ -31,20 +31,18 @@ export function useOpenItem(): (item: Content) => void {
   };
 }
 
-const problemText = (error: unknown) => (error instanceof Error ? error.message : String(error));
-
 /** Saves an item as a file. */
 export function useExportItem(): (item: Exported) => Promise<void> {
   const edit = useEdit();
   const queries = useQueryClient();
   return async (item) => {
     try {
-      const { saveItem } = await import("./save");
+      const { saveItem } = await import("./upload");
       await saveItem(item, queries);
     } catch (error) {
       dialog.set(null);
       notice.set({
-        lines: [`The ${item.kind} “${item.name}” is not exported: ${problemText(error)}`],
+        lines: [`The ${item.kind} “${item.name}” is not exported: ${messageOf(error)}`],
         isWrong: true,
         scenario: edit.newest(),
       });
@@ -53,7 +51,7 @@ export function useExportItem(): (item: Exported) => Promise<void> {
 }
 
 /** `wanted` is the part to take from a file that has more. */
-export function useOpenFiles(): (files: readonly File[], wanted?: Kind) => Promise<void> {
+export function useOpenFiles(): (files: readonly File[], wanted?: ItemKind) => Promise<void> {
   const edit = useEdit();
   const readOnly = useReadOnly();
   const queries = useQueryClient();
@@ -71,7 +69,7 @@ export function useOpenFiles(): (files: readonly File[], wanted?: Kind) => Promi
       if (!sameValue(scenario, edit.newest())) edit.commit(scenario);
       say(lines, isWrong);
     } catch (error) {
-      say([problemText(error)], true);
+      say([messageOf(error)], true);
     }
   };
 }

@@ -2,19 +2,19 @@
 
 import type { QueryClient } from "@tanstack/react-query";
 import { api } from "../../api/client";
-import { ask } from "../../api/http";
-import { ApiProblem } from "../../api/problem";
+import { ask, askFile } from "../../api/http";
+import { ApiProblem, type FieldError, messageOf } from "../../api/problem";
 import type { JsonObject, JsonValue, Scenario } from "../../api/types";
-import { completed } from "../../scenario/differences";
-import { sameValue, setAt } from "../../scenario/path";
-import type { Form } from "../../scenario/schema";
+import { completed, namedLeaves, type Leaf } from "../../scenario/differences";
+import { sameValue, setAt, getAt, type Pointer } from "../../scenario/path";
+import { type ScenarioSchema, findMember, optionTitle, type NumberField } from "../../scenario/schema";
 import { DEFAULT_VIEW } from "../../lab/address";
 import { presetsQuery, schemaQuery, vehiclesQuery } from "../../server/queries";
-import { faultsOf } from "./faults";
-import { readFile, type Content } from "./files";
-import { KINDS, type Item, type Kind } from "../../scenario/library";
+import { readFile, type Content, fileOf, roadOf, type Exported } from "./files";
+import { KINDS, type Item, type ItemKind, ownLibrary } from "../../scenario/library";
 import { withItem } from "../../scenario/withItem";
-import { ownLibrary } from "../../scenario/ownLibrary";
+import { limitText, valueText } from "../../scenario/limits";
+import { download } from "../../lib/download";
 
 interface Opened extends Pick<Item, "kind" | "value" | "name"> {
   readonly warnings: readonly string[];
@@ -36,7 +36,7 @@ export async function openAll(
   files: readonly File[],
   newest: () => Scenario,
   queries: QueryClient,
-  wanted?: Kind,
+  wanted?: ItemKind,
 ): Promise<Outcome> {
   const [form, presets, vehicles] = await Promise.all([
     queries.query({ ...schemaQuery, staleTime: "static" }),
@@ -53,7 +53,7 @@ export async function openAll(
     try {
       opened.push(await upload(file, form, wanted));
     } catch (error) {
-      wrong.push(`${file.name}: ${problemText(error)}`);
+      wrong.push(`${file.name}: ${messageOf(error)}`);
     }
   }
   // A vehicle and a road belong into the scenario that came with them.
@@ -67,7 +67,7 @@ export async function openAll(
 }
 
 /** The content of a file as the server understands it: complete, in SI units, and within every limit. */
-async function upload(file: File, form: Form, wanted: Kind | undefined): Promise<Opened> {
+async function upload(file: File, form: ScenarioSchema, wanted: ItemKind | undefined): Promise<Opened> {
   if (file.size > LONGEST) throw new Error("A file may have 6 MiB");
   const content = readFile(file.name, await file.text(), form);
   const stem = file.name.replace(/\.\w+$/, "") || "File";
@@ -96,7 +96,7 @@ type Checked = Exclude<Content, { readonly kind: "road" }>;
 
 async function checked(
   content: Checked,
-  form: Form,
+  form: ScenarioSchema,
 ): Promise<{ readonly scenario: Scenario; readonly warnings: readonly string[] }> {
   const road = content.kind === "scenario" && content.road !== null ? await uploadRoad(content.road) : null;
   const sent =
@@ -120,8 +120,55 @@ function addToLibrary({ kind, name, value }: Opened, known: readonly (JsonValue 
   try {
     return `The ${kind} “${ownLibrary.add(kind, name, value)}” is opened, and in the library.`;
   } catch (error) {
-    return `The ${kind} “${name}” is opened, but not in the library. ${problemText(error)}.`;
+    return `The ${kind} “${name}” is opened, but not in the library. ${messageOf(error)}.`;
   }
 }
 
-const problemText = (error: unknown) => (error instanceof Error ? error.message : String(error));
+/** A sentence for each error; what the form cannot explain stays as the server says it. */
+export function faultsOf(form: ScenarioSchema, scenario: Scenario, errors: readonly FieldError[]): readonly string[] {
+  const leaves = namedLeaves(form);
+  return errors.map(({ pointer, message }) => {
+    const place = pointer.replace(/^\/scenario(?=\/|$)/, "") as Pointer | "";
+    const found = leaves.find(({ leaf }) => leaf.pointer === place);
+    if (found) return `${found.name}: ${wrong(found.leaf, getAt(scenario, found.leaf.pointer)) ?? message}`;
+    const member = place === "" ? undefined : findMember(form, place);
+    if (!member) return place === "" ? message : `${place.slice(1).replace(/\//g, ".")}: ${message}`;
+    const { title } = member;
+    if (member.kind === "vector") return `${title}: Needs ${member.items.length} numbers`;
+    return `${title}: ${isGroup(getAt(scenario, member.pointer)) ? message : "Needs its fields by name, in braces"}`;
+  });
+}
+
+const isGroup = (value: JsonValue | undefined) => typeof value === "object" && value !== null && !Array.isArray(value);
+
+/** `null` where the value is right by itself. */
+function wrong(leaf: Leaf, value: JsonValue | undefined): string | null {
+  if (leaf.kind === "number") return wrongNumber(leaf, value);
+  if (leaf.kind === "text")
+    return typeof value === "string" && /^\w[\w-]{21}$/.test(value) ? null : "Needs the id of a measured road";
+  if (leaf.kind === "data") return null;
+  if (leaf.onOff) return typeof value === "boolean" ? null : "Must be true or false";
+  return leaf.options.includes(value as string)
+    ? null
+    : `Must be one of ${leaf.options.map((option) => `${optionTitle(option)} (${option})`).join(", ")}`;
+}
+
+function wrongNumber(field: NumberField, value: JsonValue | undefined): string | null {
+  if (value === null && field.nullable) return null;
+  if (typeof value !== "number") return field.unit === "1" ? "Must be a number" : `Must be a number, in ${field.unit}`;
+  if (field.integer && !Number.isInteger(value)) return "Must be a whole number";
+  const low = field.exclusiveMinimum ? value <= field.minimum : value < field.minimum;
+  return low || value > field.maximum ? `${limitText(field)}; the file has ${valueText(field, value)}` : null;
+}
+
+/** Saves an item as a file that any Ridelab can open: a measured road goes with its heights, which another server does not have. */
+export async function saveItem(item: Exported, queries: QueryClient): Promise<void> {
+  const { version } = await queries.query({ ...schemaQuery, staleTime: "static" });
+  const id = roadOf(item);
+  const road =
+    id === null ? null : await (await askFile("get", "/roads/{id}", { path: { id }, query: { format: "csv" } })).text();
+  const { name, type, text } = fileOf(item, version, road);
+  const address = URL.createObjectURL(new Blob([text], { type }));
+  download(address, name);
+  URL.revokeObjectURL(address);
+}

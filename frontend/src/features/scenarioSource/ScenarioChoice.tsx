@@ -4,16 +4,16 @@ import { NativeSelect, Text } from "@mantine/core";
 import { useState } from "react";
 import type { Group } from "../../scenario/schema";
 import { isNotFound } from "../../api/problem";
-import { useItems } from "../../scenario/ownLibrary";
-import type { Origin, PageScenario } from "./scenarioSource";
+import { useItems } from "../../scenario/library";
+import type { ScenarioSource, PageScenario } from "./scenarioSource";
 import { LabLink } from "../../ui/LabLink";
 import classes from "./scenarioSource.module.css";
 import { otherThanPaper } from "./otherThanPaper";
 
-const valueOf = ({ run, own, preset = "" }: Origin) =>
+const valueOf = ({ run, own, preset = "" }: ScenarioSource) =>
   run !== undefined ? "run" : own !== undefined ? `own ${own}` : `preset ${preset}`;
 
-function originOf(value: string, run: string | undefined): Origin {
+function originOf(value: string, run: string | undefined): ScenarioSource {
   if (value === "run" && run !== undefined) return { run };
   return value.startsWith("own ") ? { own: value.slice("own ".length) } : { preset: value.slice("preset ".length) };
 }

@@ -5,7 +5,7 @@ import { isChanged, leavesOf } from "../../scenario/differences";
 import { valueText } from "../../scenario/limits";
 import { getAt } from "../../scenario/path";
 import { optionOf, optionTitle, type Group } from "../../scenario/schema";
-import { roadName } from "../../scenario/roadName";
+import { roadName } from "../../scenario/library";
 import { dotted, sweepFields } from "../../scenario/fields";
 
 const MOST_NAMED = 6;

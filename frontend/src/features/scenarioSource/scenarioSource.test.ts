@@ -3,19 +3,19 @@ import { standardScenario } from "../../scenario/differences";
 import { FORM } from "../../scenario/form.fixture";
 import { setAt } from "../../scenario/path";
 import { parseSearch, stringifySearch } from "../../lab/address";
-import { readOrigin } from "./scenarioSource";
+import { readScenarioSource } from "./scenarioSource";
 import { otherThanPaper } from "./otherThanPaper";
 
 describe("where a page's scenario comes from", () => {
   it("is a run before one of the library, and that before a preset", () => {
-    expect(readOrigin({ preset: "p", own: "My car", run: "R" })).toEqual({ run: "R" });
-    expect(readOrigin({ preset: "p", own: "My car" })).toEqual({ own: "My car" });
-    expect(readOrigin({ preset: "p", run: "R" })).toEqual({ run: "R" });
-    expect(readOrigin({ preset: "p", run: "" })).toEqual({ preset: "p" });
+    expect(readScenarioSource({ preset: "p", own: "My car", run: "R" })).toEqual({ run: "R" });
+    expect(readScenarioSource({ preset: "p", own: "My car" })).toEqual({ own: "My car" });
+    expect(readScenarioSource({ preset: "p", run: "R" })).toEqual({ run: "R" });
+    expect(readScenarioSource({ preset: "p", run: "" })).toEqual({ preset: "p" });
   });
 
   it.each(["", "?run=a%26b", "?own=My+car", "?preset=half"])("stands in the address: %s", (search) => {
-    expect(stringifySearch(readOrigin(parseSearch(search)))).toBe(search);
+    expect(stringifySearch(readScenarioSource(parseSearch(search)))).toBe(search);
   });
 });
 
@@ -34,7 +34,7 @@ describe("what differs from the paper", () => {
       pointer: "/road/profile",
       title: "Profile",
       description: "",
-      standard: null,
+      paperValue: null,
     } as const;
     const form = { ...FORM, members: [...FORM.members, profile] };
     expect(otherThanPaper(setAt(paper, "/road/profile", "A".repeat(22)), form)).toBe(

@@ -5,14 +5,14 @@ import { useNavigate, useSearch } from "@tanstack/react-router";
 import { api } from "../../api/client";
 import { ApiProblem } from "../../api/problem";
 import type { Preset, Scenario } from "../../api/types";
-import { useItems } from "../../scenario/ownLibrary";
+import { useItems } from "../../scenario/library";
 import { pick } from "../../lab/address";
 import { presetsQuery, runKey } from "../../server/queries";
 
 /** `?run=`, `?own=` or `?preset=`; without any it is the first preset, the paper's. */
-export type Origin = Partial<Record<"run" | "own" | "preset", string>>;
+export type ScenarioSource = Partial<Record<"run" | "own" | "preset", string>>;
 
-export function readOrigin(search: Readonly<Record<string, unknown>>): Origin {
+export function readScenarioSource(search: Readonly<Record<string, unknown>>): ScenarioSource {
   const { run, own, preset } = pick(search, "run", "own", "preset");
   if (run !== undefined) return { run };
   if (own !== undefined) return { own };
@@ -30,17 +30,17 @@ const runQuery = (id: string | undefined) =>
 const NOT_SAVED = new ApiProblem(404, "The library of this browser has no such scenario: choose another", []);
 
 export interface PageScenario {
-  readonly origin: Origin;
+  readonly origin: ScenarioSource;
   /** `undefined` until it is known. */
   readonly scenario: Scenario | undefined;
   readonly presets: readonly Preset[];
   /** Why there is none. */
   readonly error: Error | null;
-  readonly choose: (origin: Origin) => void;
+  readonly choose: (origin: ScenarioSource) => void;
 }
 
 export function usePageScenario(): PageScenario {
-  const origin = readOrigin(useSearch({ strict: false }));
+  const origin = readScenarioSource(useSearch({ strict: false }));
   const navigate = useNavigate();
   const presets = useQuery(presetsQuery);
   const run = useQuery(runQuery(origin.run));

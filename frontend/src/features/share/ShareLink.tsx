@@ -1,14 +1,13 @@
 /** One click makes a link, copies it and shows it; where copying is refused, the address stands there to be copied. */
 
-import { Button, Popover, Text, Tooltip } from "@mantine/core";
-import { IconLink } from "../../ui/icons";
-import { useRef, useState } from "react";
+import { Button, Popover, Text, Tooltip, ActionIcon, TextInput } from "@mantine/core";
+import { useRef, useState, useEffect } from "react";
+import { IconLink, IconCheck, IconCopy } from "../../ui/icons";
 import { explain } from "../../api/problem";
 import type { NewLink } from "../../api/types";
-import { copyWhenThere } from "../../lib/clipboard";
-import { useCommands } from "../../lab/commands";
+import { copyWhenThere, useCopied } from "../../ui/useCopied";
+import { useAction, useActionButton } from "../../lab/actions";
 import { compact } from "../../ui/compact";
-import { LinkField } from "./LinkField";
 import classes from "./share.module.css";
 
 type Outcome =
@@ -43,7 +42,8 @@ export function ShareLink({ make, obstacle, opens }: Props) {
       .catch((error: unknown) => land({ kind: "failed", message: reasonOf(error) }));
   };
 
-  useCommands(obstacle === null ? [{ group: "Lab", label: "Share: make a link", run: share }] : []);
+  useAction("share", obstacle === null ? share : null);
+  const { label, onClick } = useActionButton("share");
 
   return (
     <Popover
@@ -61,18 +61,16 @@ export function ShareLink({ make, obstacle, opens }: Props) {
           <Button
             size="xs"
             variant="light"
-            aria-label="Share"
+            aria-label={label}
             classNames={{ ...compact, root: `${compact.root} ${classes.button}` }}
             leftSection={<IconLink size={15} />}
             loading={outcome?.kind === "making"}
             {...(obstacle === null ? {} : { "data-disabled": true })}
             aria-disabled={obstacle !== null}
             {...(obstacle === null ? {} : { "aria-description": obstacle })}
-            onClick={() => {
-              if (obstacle === null) share();
-            }}
+            onClick={onClick}
           >
-            Share
+            {label}
           </Button>
         </Tooltip>
       </Popover.Target>
@@ -104,3 +102,36 @@ export function ShareLink({ make, obstacle, opens }: Props) {
 }
 
 const reasonOf = (error: unknown) => (error instanceof Error ? explain(error) : "something went wrong");
+
+/** An address to be read, selected and copied. */
+function LinkField({ url }: { readonly url: string }) {
+  const input = useRef<HTMLInputElement>(null);
+  const { copied, copy } = useCopied();
+  useEffect(() => {
+    input.current?.focus();
+    input.current?.setSelectionRange(0, url.length, "backward"); // so that its beginning is in sight
+  }, [url]);
+  return (
+    <TextInput
+      ref={input}
+      size="xs"
+      readOnly
+      data-autofocus
+      aria-label="Address of the link"
+      value={url}
+      onFocus={(event) => event.currentTarget.select()}
+      rightSection={
+        <Tooltip label={copied ? "Copied" : "Copy"}>
+          <ActionIcon
+            size={24}
+            variant="subtle"
+            aria-label={copied ? "Copied" : "Copy the address"}
+            onClick={() => copy(url)}
+          >
+            {copied ? <IconCheck size={15} /> : <IconCopy size={15} />}
+          </ActionIcon>
+        </Tooltip>
+      }
+    />
+  );
+}

@@ -1,17 +1,17 @@
 /** Says that this is a shared result, when and by what it was computed, and the two ways on. */
 
-import { Button } from "@mantine/core";
-import { IconCopy, IconRefresh } from "../../ui/icons";
+import { Button, Text } from "@mantine/core";
 import { useMutation } from "@tanstack/react-query";
+import type { ReactNode } from "react";
+import { IconCopy, IconRefresh, IconLock } from "../../ui/icons";
 import { api } from "../../api/client";
-import type { Link } from "../../api/types";
-import type { Catalogue, FigureTemplate, Run, Strategy } from "../../api/types";
+import type { Link, Catalogue, FigureTemplate, Run, Strategy } from "../../api/types";
 import { useLabContext, useLab } from "../../lab/context";
 import { useStore } from "../../lib/store";
 import { DifferencesCard } from "./DifferencesCard";
-import { SharedNote } from "./SharedNote";
 import classes from "./share.module.css";
 import { Fault } from "../../ui/Fault";
+import { formatDay } from "../../units/dates";
 
 interface Props {
   readonly strategies: readonly Strategy[];
@@ -20,8 +20,8 @@ interface Props {
 }
 
 export function SharedBanner(props: Props) {
-  const { router } = useLabContext();
-  const { slug } = useStore(router);
+  const { labAddress } = useLabContext();
+  const { slug } = useStore(labAddress);
   const shared = useLab((state) => state.shared);
   const failed = useLab((state) => state.failure !== null && state.failure.kind !== "unreachable");
   if (shared?.run) return <Banner key={shared.slug} link={shared} run={shared.run} {...props} />;
@@ -32,10 +32,10 @@ export function SharedBanner(props: Props) {
 }
 
 function Banner({ link, run, strategies, catalogue, figures }: Props & { readonly link: Link; readonly run: Run }) {
-  const { lab, router } = useLabContext();
+  const { lab, labAddress } = useLabContext();
   // The link's pins stay with it: what is against one of them would be against something else in the copy.
   const openCopy = () => {
-    if (link.view.reference) router.setView({ against: "baseline", differences: false });
+    if (link.view.reference) labAddress.setView({ reference: "baseline", differences: false });
     lab.openCopy();
   };
   const over = run.over && { roads: run.over.roads, baseline: run.over.baseline };
@@ -69,5 +69,29 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
         <DifferencesCard {...{ strategies, catalogue, figures }} then={run} now={again.data} onClose={again.reset} />
       )}
     </>
+  );
+}
+
+/** Says that this is shared, when it was computed and by what, and what can be done with it. */
+export function SharedNote({
+  link,
+  what,
+  children,
+}: {
+  readonly link: Link;
+  readonly what: "result" | "sweep";
+  readonly children?: ReactNode;
+}) {
+  return (
+    <section className={classes.banner} aria-label="Shared result">
+      <IconLock size={17} stroke={1.7} aria-hidden />
+      <Text size="sm" flex="1 1 14rem">
+        Shared {what}, computed on {formatDay(link.computed_at)} by core {link.core_version}. Read-only.
+        {link.damaged_at !== null &&
+          ` Something stored of it was found damaged on ${formatDay(link.damaged_at)} and computed again by that core: it may differ from what was shared.`}
+        {link.core_version !== link.current_core_version && ` This server now runs core ${link.current_core_version}.`}
+      </Text>
+      {children}
+    </section>
   );
 }

@@ -6,7 +6,7 @@ import { useMemo, useState } from "react";
 import { ask } from "../../api/http";
 import { ApiProblem, explain } from "../../api/problem";
 import type { Question, Scenario, Solution, Strategy } from "../../api/types";
-import { fullName, optionsOf, type Figure } from "../../server/metrics";
+import { fullName, optionsOf, type Metric } from "../../server/metrics";
 import { typedText, valueText } from "../../scenario/limits";
 import { getAt, setAt } from "../../scenario/path";
 import type { NumberField } from "../../scenario/schema";
@@ -17,8 +17,7 @@ import sweep from "../sweep/sweep.module.css";
 import { Fault } from "../../ui/Fault";
 import { Entry, labelled } from "../../ui/Entry";
 import { formatExact, formatResult, prettyUnit } from "../../units/format";
-import { askable, otherField, readDraft, type Range, type SolveDraft } from "./draft";
-import { inPageUnits } from "./translateUnits";
+import { askable, otherField, readDraft, type Range, type SolveDraft, translateUnits } from "./draft";
 
 const [TARGET, INITIAL] = ["speed.target_speed_kmh", "speed.initial_speed_kmh"] as const;
 
@@ -97,7 +96,6 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
       onClose={onClose}
       title="How large may it be?"
       size="lg"
-      closeButtonProps={{ "aria-label": "Close" }}
       classNames={{ title: sweep.title ?? "", body: sweep.body ?? "" }}
     >
       <Text size="sm" c="dimmed">
@@ -175,7 +173,7 @@ const bySection = (fields: readonly SweepField[]) =>
 interface AnswerProps {
   readonly solution: Solution;
   readonly field: SweepField;
-  readonly figure: Figure;
+  readonly figure: Metric;
   readonly onClose: () => void;
 }
 
@@ -214,7 +212,7 @@ function Answer({ solution, field, figure, onClose }: AnswerProps) {
       {solution.warnings.length > 0 && (
         <List size="sm">
           {solution.warnings.map((warning) => (
-            <List.Item key={warning}>{inPageUnits(warning, field, figure)}</List.Item>
+            <List.Item key={warning}>{translateUnits(warning, field, figure)}</List.Item>
           ))}
         </List>
       )}

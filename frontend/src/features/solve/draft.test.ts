@@ -1,8 +1,7 @@
 import { describe, expect, it } from "vitest";
-import type { Figure } from "../../server/metrics";
+import type { Metric } from "../../server/metrics";
 import type { NumberField } from "../../scenario/schema";
-import { otherField, readDraft, type SolveDraft } from "./draft";
-import { inPageUnits } from "./translateUnits";
+import { otherField, readDraft, type SolveDraft, translateUnits } from "./draft";
 
 const FIELD = {
   kind: "number",
@@ -14,7 +13,7 @@ const FIELD = {
   soft: [0, 0.2],
   shown: { unit: "cm", scale: 100 },
 } as unknown as NumberField;
-const LOAD: Figure = {
+const LOAD: Metric = {
   key: "bump.front_tyre_load.peak",
   label: "Front tyre dynamic load",
   group: "Peak, bump",
@@ -58,7 +57,7 @@ describe("a question as it is typed", () => {
 });
 
 it("the service's warnings are in the names and units of the page", () => {
-  const said = inPageUnits(
+  const said = translateUnits(
     "Not every smaller value keeps the limit: 0.05 to 0.06 m exceed it. bump.front_tyre_load.peak is 6200 N at 0.08 m.",
     { name: "road.bump.height", title: "Height", section: "Bump", leaf: FIELD },
     LOAD,

@@ -1,12 +1,12 @@
 /** A question while somebody puts it together: texts as they are typed, and what is asked. */
 
 import type { Question } from "../../api/types";
-import type { Figure } from "../../server/metrics";
+import { type Metric, fullName } from "../../server/metrics";
 import { parseTyped } from "../../scenario/limits";
 import type { NumberField } from "../../scenario/schema";
 import type { SweepField } from "../../scenario/fields";
-import { prettyUnit } from "../../units/format";
-import { parseQuantity } from "../../units/quantity";
+import { prettyUnit, formatInput } from "../../units/format";
+import { parseQuantity, unitBehind } from "../../units/quantity";
 
 export interface SolveDraft {
   /** Its dotted name. */
@@ -46,7 +46,7 @@ const UNORDERED = "road.seed";
 
 export const askable = ({ name, leaf }: SweepField): boolean => leaf.kind === "number" && name !== UNORDERED;
 
-export function readDraft(draft: SolveDraft, field: NumberField, figure: Figure): ParsedDraft {
+export function readDraft(draft: SolveDraft, field: NumberField, figure: Metric): ParsedDraft {
   const [from, to] = [parseTyped(field, draft.from), parseTyped(field, draft.to)];
   const limit = parseQuantity(draft.limit, figure.unit);
   const roads = Number(draft.roads);
@@ -72,4 +72,25 @@ export function readDraft(draft: SolveDraft, field: NumberField, figure: Figure)
     },
     wrong,
   };
+}
+
+const NUMBER = String.raw`-?\d[\d.]*(?:e[+-]?\d+)?`;
+
+/** The service's sentences, which are in the units of the API, in the names and units of the page. */
+export function translateUnits(text: string, { name, title, leaf }: SweepField, figure: Metric): string {
+  const named = text.replaceAll(figure.key, fullName(figure)).replaceAll(name, title);
+  const converted = leaf.kind === "number" ? inUnit(named, leaf.unit, leaf.shown.unit, leaf.shown.scale) : named;
+  return inUnit(converted, unitBehind(figure), figure.unit, figure.scale);
+}
+
+/** `0.08 to 0.1 m` and `0.1 m` in another unit. */
+function inUnit(text: string, from: string, to: string, scale: number): string {
+  if (from === "1") return text;
+  const escaped = from.replace(/[.*+?^${}()|[\]\\]/g, String.raw`\$&`);
+  const shown = (number: string) => formatInput(Number((Number(number) * scale).toPrecision(6)));
+  return text.replace(
+    new RegExp(`(${NUMBER})( to (${NUMBER}))? ${escaped}(?![\\w^/·])`, "g"),
+    (_, first: string, more: string | undefined, last: string) =>
+      `${shown(first)}${more === undefined ? "" : ` to ${shown(last)}`}\u00a0${prettyUnit(to)}`,
+  );
 }

@@ -5,6 +5,7 @@ import { useDisclosure } from "@mantine/hooks";
 import { IconGridDots } from "../../ui/icons";
 import { useQuery } from "@tanstack/react-query";
 import { lazy } from "react";
+import { useAction, useActionButton } from "../../lab/actions";
 import { schemaQuery, strategiesQuery } from "../../server/queries";
 import { compact } from "../../ui/compact";
 import { LazyPart } from "../../ui/LazyPart";
@@ -15,19 +16,20 @@ export function SweepButton() {
   const [opened, { open, close }] = useDisclosure(false);
   const form = useQuery(schemaQuery).data;
   const strategies = useQuery(strategiesQuery).data;
+  useAction("sweep", form && strategies ? open : null);
+  const { label, ...button } = useActionButton("sweep");
   return (
     <>
       <Tooltip label="Run many variants of this scenario">
         <Button
           size="xs"
           variant="default"
-          aria-label="Sweep…"
+          aria-label={label}
           leftSection={<IconGridDots size={15} />}
           classNames={compact}
-          disabled={!form || !strategies}
-          onClick={open}
+          {...button}
         >
-          Sweep…
+          {label}
         </Button>
       </Tooltip>
       {opened && form && strategies && (

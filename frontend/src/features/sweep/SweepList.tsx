@@ -2,10 +2,9 @@
 
 import type { Strategy } from "../../api/types";
 import { JobList } from "../../jobs/JobList";
-import { STUDY_LABEL } from "./study";
 import { BATCH } from "../../jobs/useJob";
 import { count } from "../../units/format";
-import { titleOf } from "./title";
+import { titleOf } from "./table";
 
 interface Props {
   readonly strategies: readonly Strategy[];
@@ -29,3 +28,6 @@ export function SweepList({ strategies, studies = false, ...rest }: Props) {
     />
   );
 }
+
+/** By this name a sweep is a robustness study. */
+export const STUDY_LABEL = "Robustness study";

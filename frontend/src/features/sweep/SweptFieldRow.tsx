@@ -7,8 +7,7 @@ import { typedText } from "../../scenario/limits";
 import { byRatio, spread, type FieldDraft, type Method } from "./draft";
 import type { SweepField } from "../../scenario/fields";
 import classes from "./sweep.module.css";
-import { Entry } from "../../ui/Entry";
-import { EntryRow } from "../../ui/EntryRow";
+import { Entry, EntryRow } from "../../ui/Entry";
 
 interface Props {
   readonly draft: FieldDraft;

@@ -1,5 +1,6 @@
 /** A sweep while somebody puts it together: texts as they are typed, and what becomes of them. */
 
+import { spansDecades } from "../../lib/steps";
 import type { StrategyId, Sweep } from "../../api/types";
 import { parseTyped, typedText } from "../../scenario/limits";
 import { optionValue, type NumberField } from "../../scenario/schema";
@@ -38,7 +39,6 @@ export type ParsedDraft =
 const DEFAULT_COUNT = 5;
 const MOST_VALUES = 10_000;
 /** Where the soft range spans this ratio, values are spread by equal ratios, as the field's slider is. */
-const DECADES_RATIO = 100;
 
 export function draftField(field: SweepField): FieldDraft {
   const { leaf } = field;
@@ -78,7 +78,7 @@ export function restoreSweep(stored: unknown, fields: readonly SweepField[]): Sw
   };
 }
 
-export const byRatio = ({ soft: [low, high] }: NumberField) => low > 0 && high / low >= DECADES_RATIO;
+export const byRatio = ({ soft: [low, high] }: NumberField) => spansDecades(low, high);
 
 /** `count` values from `from` to `to`, both included; whole numbers, each once, for fields that take only those. */
 export function spread(field: NumberField, from: number, to: number, count: number): readonly number[] {

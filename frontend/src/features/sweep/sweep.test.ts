@@ -3,7 +3,7 @@ import { FORM } from "../../scenario/form.fixture";
 import { problemsByField } from "../jobForm/problems";
 import { draftField, readDraft, spread, type FieldDraft, type SweepDraft } from "./draft";
 import { sweepFields } from "../../scenario/fields";
-import { sweepFieldName } from "./problems";
+import { sweepFieldName } from "./useSweep";
 
 const FIELDS = sweepFields(FORM);
 const field = (name: string) => {

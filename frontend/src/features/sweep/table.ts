@@ -1,7 +1,12 @@
 /** A batch's rows as columns: which are shown, in which order, and which is best. */
 
-import type { BatchTable, StrategyId } from "../../api/types";
+import { queryOptions } from "@tanstack/react-query";
+import type { BatchTable, StrategyId, Batch } from "../../api/types";
 import { inOrder } from "../../lib/order";
+import { humanise } from "../../scenario/schema";
+import { formatExact, formatResult } from "../../units/format";
+import { ask } from "../../api/http";
+import { isFinal } from "../../jobs/follow";
 
 export type Cell = BatchTable["columns"][string][number] | undefined;
 export type Columns = BatchTable["columns"];
@@ -67,3 +72,66 @@ export function pointsOf(
     };
   });
 }
+
+/** The fields of a sweep as axes. */
+export interface AxisOf {
+  readonly name: string;
+  readonly title: string;
+  readonly unit: string;
+}
+
+/** The fields that are swept by themselves, each named with those that take its value. */
+export function axesOf(fields: Batch["fields"]): readonly AxisOf[] {
+  return fields
+    .filter(({ linked_to: leader }) => leader === null)
+    .map(({ name, title, unit }) => ({
+      name,
+      unit,
+      title: [title, ...fields.filter((each) => each.linked_to === name).map((each) => each.title.toLowerCase())].join(
+        " = ",
+      ),
+    }));
+}
+
+/** What a sweep is called by the fields it changes. */
+export const titleOf = (fields: Batch["fields"]) =>
+  axesOf(fields)
+    .map(({ title }) => title)
+    .join(" × ") || "The scenario alone";
+
+/** A swept value: with all the digits that tell it from its neighbours. */
+export function showCell(value: Cell, unit = "1"): string {
+  if (typeof value === "number") return formatExact(Number(value.toPrecision(6)), unit);
+  if (typeof value === "string") return humanise(value);
+  if (Array.isArray(value)) return value.map((each) => formatExact(Number(each), "1")).join(", ");
+  return "off";
+}
+
+export function showFigure(value: Cell, scale: number): string {
+  if (typeof value === "boolean") return value ? "yes" : "no";
+  return typeof value === "number" ? formatResult(value * scale, 4) : "–";
+}
+
+/** Rows are asked for again while a batch runs, the less often the more there are, and soon until there are some [ms]. */
+function refreshEvery({ total, done }: Batch, table: BatchTable | undefined): number {
+  if (done > 0 && table?.columns.status?.includes("ok") !== true) return 1_000;
+  return total <= 1000 || done <= 1000 ? 3_000 : 10_000;
+}
+
+/** A batch's rows, column by column. */
+export const tableQuery = (batch: Batch | undefined, figures: readonly string[]) =>
+  queryOptions({
+    // A table of the final state is another one than those before it.
+    queryKey: ["batch table", batch?.id ?? "", batch !== undefined && isFinal(batch), figures],
+    queryFn: ({ signal }) =>
+      ask(
+        "get",
+        "/batches/{id}/table",
+        { path: { id: batch?.id ?? "" }, query: { figures: figures.join(",") } },
+        signal,
+      ),
+    enabled: batch !== undefined && figures.length > 0,
+    staleTime: Infinity,
+    gcTime: 5 * 60_000,
+    refetchInterval: (query) => batch !== undefined && !isFinal(batch) && refreshEvery(batch, query.state.data),
+  });

@@ -5,14 +5,14 @@ import { ask } from "../../api/http";
 import { withKey } from "../../api/jobs";
 import type { Estimate, Scenario } from "../../api/types";
 import { BATCH } from "../../jobs/useJob";
-import { useSubmission } from "../jobForm/useJobForm";
+import { useJobForm } from "../jobForm/useJobForm";
 import { count } from "../../units/format";
 import { readDraft, type SweepDraft } from "./draft";
-import { sweepFieldName } from "./problems";
+import type { FieldNameOf } from "../jobForm/problems";
 
 export function useSweep(draft: SweepDraft, scenario: Scenario, onSubmitted: () => void) {
   const parsed = useMemo(() => readDraft(draft), [draft]);
-  return useSubmission({
+  return useJobForm({
     kind: "batch",
     body: parsed.ok ? { scenario, strategies: draft.strategies, sweep: parsed.sweep } : null,
     errors: parsed.ok ? null : parsed.errors,
@@ -38,3 +38,13 @@ export const notesOf = ({ notes, contradictory, total }: Estimate): readonly str
         ...notes,
         `In ${contradictory === total ? "all" : count(contradictory, "run")} of them values contradict each other: these runs fail and say why`,
       ];
+
+/** Where the server's errors about a sweep belong. */
+export const sweepFieldName =
+  (names: readonly string[]): FieldNameOf =>
+  ([root, form, ...rest]) => {
+    if (root === "strategies") return "strategies";
+    if (root !== "sweep") return null;
+    const name = form === "grid" ? rest[0] : rest[0] === "ranges" ? rest[1] : rest[0];
+    return name !== undefined && (names.includes(name) || name === "samples" || name === "seed") ? name : null;
+  };

@@ -1,7 +1,12 @@
 /** A change in percent: sign and arrow say better or worse, colour only repeats it. */
 
+import { Box, Tooltip } from "@mantine/core";
 import { changeAgainst, formatPercent, type Change } from "./change";
 import classes from "./tables.module.css";
+import type { Interval } from "../../api/types";
+import { formatHalf, formatResult, isNothing, NO_VALUE } from "../../units/format";
+import { IconAlertTriangle } from "../../ui/icons";
+import type { Caveat } from "./caveats";
 
 const ARROW = { better: "▼", worse: "▲", same: "", luck: "", none: "" } as const;
 
@@ -26,5 +31,49 @@ export function ChangeText({ change }: { readonly change: Change | null }) {
       <span aria-hidden>{ARROW[verdict]}</span> {formatPercent(percent, half)}
       {verdict in WORDS && <span className="visually-hidden">, {WORDS[verdict as keyof typeof WORDS]}</span>}
     </span>
+  );
+}
+
+interface EstimatedProps {
+  readonly value: number | null | undefined;
+  readonly interval: Interval | undefined;
+  /** From SI to the unit shown. */
+  readonly scale: number;
+}
+
+/** A result in its unit: plain, or the mean over several roads with half its 95 % interval's width. */
+export function Estimated({ value, interval, scale }: EstimatedProps) {
+  const half = interval ? (interval.high - interval.mean) * scale : 0;
+  const shown = typeof value === "number" ? formatResult(value * scale) : NO_VALUE;
+  return (
+    <span className={classes.value}>
+      {shown}
+      {!isNothing(half) && <span className={classes.half}>{`\u2009±\u2009${formatHalf(half, shown)}`}</span>}
+    </span>
+  );
+}
+
+/** The caveats of a result; on hover, focus or touch what they mean. */
+export function CaveatMark({
+  caveats,
+  short = false,
+}: {
+  readonly caveats: readonly Caveat[];
+  readonly short?: boolean;
+}) {
+  if (caveats.length === 0) return null;
+  const text = caveats.map((caveat) => caveat.text).join(", ");
+  const meaning = caveats.map((caveat) => (
+    <Box component="span" key={caveat.event} display="block">
+      <strong>{caveat.text}</strong> {caveat.description}
+    </Box>
+  ));
+  return (
+    <Tooltip label={meaning} multiline w={280} withinPortal events={{ hover: true, focus: true, touch: true }}>
+      <button type="button" className={classes.caveat} data-caveat={caveats.map(({ event }) => event).join(" ")}>
+        <IconAlertTriangle size={short ? 14 : 12} stroke={2} aria-hidden />
+        <span className={short ? "visually-hidden" : ""}>{text}</span>
+      </button>
+    </Tooltip>
   );
 }

@@ -1,19 +1,29 @@
 /** RMS on the rough road and peak on the bump, side by side, a row for each strategy of each variant. */
 
 import type { Catalogue, FigureTemplate, SignalKey } from "../../api/types";
-import type { Scene } from "../../lab/resultView";
-import { prettyUnit } from "../../units/format";
-import { CURRENT, entryGroups, type Entry } from "./entries";
-import { EntryHead } from "./EntryHead";
-import { cellAttributes, ResultCell } from "./ResultCell";
+import type { ResultView } from "../../lab/resultView";
+import { prettyUnit, formatFixed } from "../../units/format";
+import {
+  CURRENT,
+  entryGroups,
+  type Entry,
+  changeOf,
+  type WindowMetric,
+  intervalAt,
+  valueAt,
+  type MetricPath,
+} from "./entries";
 import classes from "./tables.module.css";
-import { shownUnit } from "../../server/units";
+import { shownUnit } from "../../server/metrics";
 import { SolveButton } from "../solve/SolveButton";
 import { DataTable, type Column } from "../../ui/DataTable";
-import type { WindowMetric } from "./metric";
+import { ChangeText, Estimated, CaveatMark } from "./ChangeMark";
+import { useLabContext } from "../../lab/context";
+import { caveatsOf } from "./caveats";
+import { StrategyKey } from "../../ui/StrategyKey";
 
 export interface ComparisonProps {
-  readonly scene: Scene;
+  readonly resultView: ResultView;
   readonly catalogue: Catalogue;
   readonly figures: Readonly<Record<string, FigureTemplate>>;
   readonly signals: readonly SignalKey[];
@@ -43,7 +53,7 @@ export const labelOf = (signal: string, catalogue: Catalogue) =>
   catalogue.signals.find(({ key }) => key === signal)?.label ?? signal;
 
 export function ComparisonTable({ caption, ...props }: Props) {
-  const groups = entryGroups(props.scene);
+  const groups = entryGroups(props.resultView);
   return (
     <DataTable
       label={caption}
@@ -58,13 +68,13 @@ export function ComparisonTable({ caption, ...props }: Props) {
       rowKey={({ key }) => key}
       rowAttributes={(entry) => ({
         "data-baseline": entry.isBaseline || undefined,
-        [entry.shown === props.scene.shown ? "data-strategy" : "data-pinned-strategy"]: entry.strategy.id,
+        [entry.shown === props.resultView.shown ? "data-strategy" : "data-pinned-strategy"]: entry.strategy.id,
       })}
     />
   );
 }
 
-function columnsOf({ scene, catalogue, figures, signals }: ComparisonProps): readonly Column<Entry>[] {
+function columnsOf({ resultView, catalogue, figures, signals }: ComparisonProps): readonly Column<Entry>[] {
   const results = VIEWS.flatMap((view) =>
     signals.map((signal): Column<Entry> => {
       const metric = { window: view.window, signal, statistic: view.statistic };
@@ -75,7 +85,7 @@ function columnsOf({ scene, catalogue, figures, signals }: ComparisonProps): rea
         head: labelOf(signal, catalogue),
         detail: <UnitAndSolve {...{ unit, metric, catalogue }} />,
         attributes: (entry) => cellAttributes(entry, metric),
-        cell: (entry) => <ResultCell {...{ scene, entry, metric, scale }} />,
+        cell: (entry) => <ResultCell {...{ resultView, entry, metric, scale }} />,
       };
     }),
   );
@@ -105,5 +115,67 @@ export function UnitAndSolve({ unit, metric: { window, signal, statistic }, cata
         label={`${labelOf(signal, catalogue)}, ${window.replace("_", " ")}`}
       />
     </>
+  );
+}
+
+interface ResultCellProps {
+  readonly resultView: ResultView;
+  readonly entry: Entry;
+  readonly metric: MetricPath;
+  /** From SI to the unit shown. */
+  readonly scale: number;
+}
+
+/** One number of the comparison, with its interval over several roads and its change. */
+export function ResultCell({ resultView, entry, metric, scale }: ResultCellProps) {
+  return (
+    <>
+      <Estimated
+        value={valueAt(entry.summary, metric)}
+        interval={intervalAt(entry.shown, entry.strategy.id, metric)}
+        scale={scale}
+      />
+      <ChangeText change={changeOf(resultView, entry, metric, scale)} />
+    </>
+  );
+}
+
+/** What a cell is called and its unrounded value, for whoever looks for it. */
+export const cellAttributes = ({ summary }: Entry, metric: WindowMetric) => ({
+  "data-cell": `${metric.window}.${metric.signal}.${metric.statistic}`,
+  "data-value": valueAt(summary, metric) ?? "",
+});
+
+interface EntryHeadProps {
+  readonly entry: Entry;
+  readonly catalogue: Catalogue;
+  /** For a column's head: name under its line. */
+  readonly upright?: boolean;
+}
+
+/** Who a row or column is: the strategy, at which speed it met the bump, and the caveats of its result. */
+export function EntryHead({ entry: { strategy, summary, isBaseline }, catalogue, upright = false }: EntryHeadProps) {
+  const { labAddress } = useLabContext();
+  const speed = summary?.arrival_speed_kmh;
+  return (
+    <span className={classes.entryHead} data-upright={upright || undefined}>
+      <button
+        type="button"
+        className={classes.baselineButton}
+        aria-pressed={isBaseline}
+        title={isBaseline ? "Changes are against this one" : `Compare with ${strategy.label}`}
+        onClick={() => labAddress.setView({ baseline: strategy.id, reference: "baseline" })}
+      >
+        <StrategyKey strategy={strategy} />
+        {strategy.label}
+      </button>
+      <span className={classes.entryFacts}>
+        <span title="Speed at which the front axle meets the bump">
+          {typeof speed === "number" ? `${formatFixed(speed, speed < 99.95 ? 1 : 0)}\u00a0km/h` : "–"}
+        </span>
+        {isBaseline && <span>baseline</span>}
+        <CaveatMark caveats={caveatsOf(summary?.events, catalogue)} />
+      </span>
+    </span>
   );
 }

@@ -1,16 +1,23 @@
 /** Comfort, travel time and events: a row per figure, a column per strategy. */
 
+import type { ReactNode } from "react";
 import type { Catalogue, Quantity } from "../../api/types";
-import type { Scene } from "../../lab/resultView";
+import type { ResultView } from "../../lab/resultView";
 import { formatNumber, formatResult, prettyUnit } from "../../units/format";
-import { ChangeText } from "./ChangeMark";
-import { changeOf, entryGroups, type Entry } from "./entries";
-import { Estimated } from "./Estimated";
-import { intervalAt, valueAt, type MetricPath } from "./metric";
+import { ChangeText, Estimated } from "./ChangeMark";
+import {
+  changeOf,
+  entryGroups,
+  type Entry,
+  CURRENT,
+  type EntryGroup,
+  intervalAt,
+  valueAt,
+  type MetricPath,
+} from "./entries";
 import { StrategyName } from "../../ui/StrategyKey";
 import classes from "./tables.module.css";
-import { variantColumns } from "./variantColumns";
-import { DataTable } from "../../ui/DataTable";
+import { DataTable, type Column } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
 
 type Value = number | boolean | null | undefined;
@@ -43,7 +50,13 @@ function show(value: Value): string {
     : formatResult(value);
 }
 
-export function RunTable({ scene, catalogue }: { readonly scene: Scene; readonly catalogue: Catalogue }) {
+export function RunTable({
+  resultView,
+  catalogue,
+}: {
+  readonly resultView: ResultView;
+  readonly catalogue: Catalogue;
+}) {
   return (
     <DataTable
       label="Comfort, time and events"
@@ -62,11 +75,11 @@ export function RunTable({ scene, catalogue }: { readonly scene: Scene; readonly
           ),
         },
         ...variantColumns<Row>(
-          entryGroups(scene),
+          entryGroups(resultView),
           ({ strategy }) => <StrategyName strategy={strategy} />,
           (entry) => ({
             attributes: ({ quantity }) => ({ "data-cell": `${entry.strategy.id}.${quantity.key}` }),
-            cell: (row) => <RunCell {...{ scene, entry, row }} />,
+            cell: (row) => <RunCell {...{ resultView, entry, row }} />,
           }),
         ),
       ]}
@@ -75,11 +88,11 @@ export function RunTable({ scene, catalogue }: { readonly scene: Scene; readonly
 }
 
 function RunCell({
-  scene,
+  resultView,
   entry,
   row: { quantity, metric, judged },
 }: {
-  readonly scene: Scene;
+  readonly resultView: ResultView;
   readonly entry: Entry;
   readonly row: Row;
 }) {
@@ -92,7 +105,22 @@ function RunCell({
       ) : (
         <span className={classes.value}>{show(value)}</span>
       )}
-      {judged && metric && !entry.isBaseline && <ChangeText change={changeOf(scene, entry, metric)} />}
+      {judged && metric && !entry.isBaseline && <ChangeText change={changeOf(resultView, entry, metric)} />}
     </>
   );
+}
+
+type Parts<Row> = Omit<Column<Row>, "key" | "group" | "head" | "text">;
+
+/** A column for each strategy of each variant, under the variants' names where there are several. */
+export function variantColumns<Row>(
+  groups: readonly EntryGroup[],
+  headOf: (entry: Entry) => ReactNode,
+  partsOf: (entry: Entry) => Parts<Row>,
+): readonly Column<Row>[] {
+  return groups.flatMap(({ name, entries }) => {
+    // Each an element of its own: variants of the same name stay two.
+    const group = groups.length > 1 ? <>{name ?? CURRENT}</> : undefined;
+    return entries.map((entry) => ({ ...partsOf(entry), key: entry.key, group, head: headOf(entry) }));
+  });
 }

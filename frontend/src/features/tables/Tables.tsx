@@ -1,21 +1,36 @@
 /** The comparison, and on demand everything else the run says in numbers. */
 
-import { Button } from "@mantine/core";
-import { IconChevronDown, IconChevronUp } from "../../ui/icons";
+import { Button, Box } from "@mantine/core";
 import { useMediaQuery } from "@mantine/hooks";
 import { useId, useState } from "react";
+import { IconChevronDown, IconChevronUp } from "../../ui/icons";
 import { CompareBar } from "../compare/CompareBar";
 import type { Catalogue, FigureTemplate, SignalKey } from "../../api/types";
-import type { Scene } from "../../lab/resultView";
-import { ChangesNote } from "./ChangesNote";
-import { ComparisonTable, headingOf, VIEWS } from "./ComparisonTable";
-import { NarrowTable } from "./NarrowTable";
-import { RunTable } from "./RunTable";
+import type { ResultView } from "../../lab/resultView";
+import {
+  ComparisonTable,
+  headingOf,
+  VIEWS,
+  labelOf,
+  UnitAndSolve,
+  type ComparisonProps,
+  type WindowView,
+  cellAttributes,
+  ResultCell,
+  EntryHead,
+} from "./ComparisonTable";
+import { RunTable, variantColumns } from "./RunTable";
 import classes from "./tables.module.css";
 import { Card } from "../../ui/Card";
+import { getAt } from "../../scenario/path";
+import { whyNotCompared } from "../../lab/compare";
+import { DataTable } from "../../ui/DataTable";
+import ui from "../../ui/ui.module.css";
+import { entryGroups } from "./entries";
+import { shownUnit } from "../../server/metrics";
 
 interface Props {
-  readonly scene: Scene;
+  readonly resultView: ResultView;
   readonly catalogue: Catalogue;
   readonly figures: Readonly<Record<string, FigureTemplate>>;
 }
@@ -23,7 +38,7 @@ interface Props {
 /** Windows too narrow, beside the form, for both halves of the comparison side by side. */
 const NARROW = "(max-width: 67.99em)";
 
-export function Tables({ scene, catalogue, figures }: Props) {
+export function Tables({ resultView, catalogue, figures }: Props) {
   const [more, setMore] = useState(false);
   const id = useId();
   const others = catalogue.metric_signals.filter((signal) => !catalogue.paper_signals.includes(signal));
@@ -33,24 +48,24 @@ export function Tables({ scene, catalogue, figures }: Props) {
       VIEWS.map((view) => (
         <NarrowTable
           key={view.window}
-          {...{ scene, catalogue, figures, signals, view }}
+          {...{ resultView, catalogue, figures, signals, view }}
           heading={`${headingOf(view, catalogue)}${of}`}
         />
       ))
     ) : (
-      <ComparisonTable {...{ scene, catalogue, figures, signals, caption }} />
+      <ComparisonTable {...{ resultView, catalogue, figures, signals, caption }} />
     );
   return (
     <Card className={classes.comparison ?? ""} aria-label="Comparison">
-      <CompareBar scene={scene} />
+      <CompareBar resultView={resultView} />
       {compare(catalogue.paper_signals, "RMS on the rough road and peak on the bump")}
       {more && (
         <div id={id}>
           {compare(others, "Suspension travel and actuator forces", ": travel and forces")}
-          <RunTable scene={scene} catalogue={catalogue} />
+          <RunTable resultView={resultView} catalogue={catalogue} />
         </div>
       )}
-      <ChangesNote scene={scene} />
+      <ChangesNote resultView={resultView} />
       <Button
         className={classes.moreButton ?? ""}
         size="compact-xs"
@@ -63,5 +78,87 @@ export function Tables({ scene, catalogue, figures }: Props) {
         {more ? "Less" : "Travel, forces, comfort, time and events"}
       </Button>
     </Card>
+  );
+}
+
+function textOf({ shown, reference }: ResultView): string {
+  const { over, scenario } = shown;
+  const isMeasured = typeof getAt(scenario, "/road/profile") === "string"; // then there is no other road like it
+  if (over === null)
+    return `One road: a change without an arrow is zero or within one road’s luck${isMeasured ? "" : "; choose several roads"}.`;
+  const isPaired = reference === null || whyNotCompared(shown, reference.shown) === null;
+  return isPaired
+    ? "Changes are paired by road, with their 95 % interval; one whose interval includes zero has no arrow."
+    : "\u00a0";
+}
+
+/** What a change without an arrow says. */
+function ChangesNote({ resultView }: { readonly resultView: ResultView }) {
+  return (
+    <Box component="p" m={0} p="0.3rem 0.9rem 0" fz="0.71875rem" c="dimmed" data-testid="changes-note">
+      {textOf(resultView)}
+    </Box>
+  );
+}
+
+interface NarrowTableProps extends ComparisonProps {
+  readonly view: WindowView;
+  readonly heading: string;
+}
+
+/** The comparison where there is little width: a row per signal, a column for each strategy of each variant. */
+function NarrowTable({
+  resultView,
+  catalogue,
+  figures,
+  signals,
+  view: { window, statistic },
+  heading,
+}: NarrowTableProps) {
+  const metricOf = (signal: SignalKey) => ({ window, signal, statistic });
+  return (
+    <DataTable
+      label={heading}
+      captioned
+      attributes={{ className: classes.comparison }}
+      rows={signals}
+      rowKey={(signal) => signal}
+      columns={[
+        {
+          key: "signal",
+          head: "",
+          text: true,
+          cell: (signal) => (
+            <>
+              {labelOf(signal, catalogue)}{" "}
+              <span className={ui.dim}>
+                <UnitAndSolve
+                  unit={shownUnit(signal, figures, catalogue).unit}
+                  metric={metricOf(signal)}
+                  catalogue={catalogue}
+                />
+              </span>
+            </>
+          ),
+        },
+        ...variantColumns<SignalKey>(
+          entryGroups(resultView),
+          (entry) => <EntryHead entry={entry} catalogue={catalogue} upright />,
+          (entry) => ({
+            attributes: (signal) => ({
+              ...cellAttributes(entry, metricOf(signal)),
+              "data-baseline": entry.isBaseline || undefined,
+            }),
+            cell: (signal) => (
+              <ResultCell
+                {...{ resultView, entry }}
+                metric={metricOf(signal)}
+                scale={shownUnit(signal, figures, catalogue).scale}
+              />
+            ),
+          }),
+        ),
+      ]}
+    />
   );
 }

@@ -19,7 +19,7 @@ describe("change against the baseline", () => {
   });
 
   it("is luck where one road resolves no less", () => {
-    expect([1.1, 1.2, 0.9, 1].map((value) => changeAgainst(value, 1, { luck: 15 }).verdict)).toEqual([
+    expect([1.1, 1.2, 0.9, 1].map((value) => changeAgainst(value, 1, { oneRoadNoise: 15 }).verdict)).toEqual([
       "luck",
       "worse",
       "luck",

@@ -21,7 +21,7 @@ interface OnOneRoad {
   /** From the values to the unit shown. */
   readonly scale?: number;
   /** Smaller changes [%] may be luck. */
-  readonly luck?: number;
+  readonly oneRoadNoise?: number;
 }
 
 /**
@@ -31,7 +31,7 @@ interface OnOneRoad {
 export function changeAgainst(
   value: number | null | undefined,
   baseline: number | null | undefined,
-  { scale = 1, luck = 0 }: OnOneRoad = {},
+  { scale = 1, oneRoadNoise = 0 }: OnOneRoad = {},
 ): Change {
   if (typeof value !== "number" || typeof baseline !== "number" || isNothing(baseline))
     return { percent: null, half: 0, verdict: "none" };
@@ -39,7 +39,7 @@ export function changeAgainst(
   const change = (verdict: Verdict): Change => ({ percent, half: 0, verdict });
   if (Math.abs(percent) < NOTHING) return { ...change("same"), percent: 0 };
   if (formatResult(value * scale) === formatResult(baseline * scale)) return change("same");
-  return change(Math.abs(percent) < luck ? "luck" : percent < 0 ? "better" : "worse");
+  return change(Math.abs(percent) < oneRoadNoise ? "luck" : percent < 0 ? "better" : "worse");
 }
 
 /** A change over several roads; one whose interval holds zero is none that these roads resolve. */

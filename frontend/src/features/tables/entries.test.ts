@@ -1,9 +1,15 @@
 import { describe, expect, it } from "vitest";
 import type { Strategy, Summary } from "../../api/types";
 import { DEFAULT_VIEW } from "../../lab/address";
-import { againstPin, NOTHING_COMPARED, type Against, type Compared, type Paired } from "../../lab/compare";
-import { makeScene } from "../../lab/resultView";
-import type { Shown } from "../../lab/result";
+import {
+  pinReference,
+  NOTHING_COMPARED,
+  type Reference,
+  type Compared,
+  type RoadPairedChanges,
+} from "../../lab/compare";
+import { makeResultView } from "../../lab/resultView";
+import type { Result } from "../../lab/result";
 import { changeOf, entryGroups } from "./entries";
 
 const PEAK = { window: "bump", signal: "body_acceleration", statistic: "peak" } as const;
@@ -14,7 +20,7 @@ const STRATEGIES = [
 
 const summary = (peak: number) =>
   ({ metrics: { bump: { body_acceleration: { rms: 1, peak } } }, stages: [] }) as unknown as Summary;
-const shown = (runId: string, lv: number, passive: number, more: Partial<Shown> = {}) =>
+const shown = (runId: string, lv: number, passive: number, more: Partial<Result> = {}) =>
   ({
     runId,
     source: "exact",
@@ -22,37 +28,37 @@ const shown = (runId: string, lv: number, passive: number, more: Partial<Shown> 
     series: {},
     over: null,
     ...more,
-  }) as unknown as Shown;
+  }) as unknown as Result;
 
 const NOW = shown("now", 1, 8);
 const before = { name: "before the last edit", shown: shown("old", 2, 8) };
 const compared: Compared = { ...NOTHING_COMPARED, before, pins: [{ name: "Soft", shown: shown("soft", 3, 6) }] };
 
-function changes(against: Against, choice = compared) {
-  const scene = makeScene(NOW, STRATEGIES, ["lv", "passive"], { ...DEFAULT_VIEW, against }, choice);
-  return entryGroups(scene).map(({ name, entries }) => [
+function changes(reference: Reference, choice = compared) {
+  const resultView = makeResultView(NOW, STRATEGIES, ["lv", "passive"], { ...DEFAULT_VIEW, reference }, choice);
+  return entryGroups(resultView).map(({ name, entries }) => [
     name,
-    ...entries.map((entry) => changeOf(scene, entry, PEAK)?.percent ?? null),
+    ...entries.map((entry) => changeOf(resultView, entry, PEAK)?.percent ?? null),
   ]);
 }
 
 describe("the change of each strategy of each variant", () => {
-  it("is against the baseline of the same variant", () => {
+  it("is reference the baseline of the same variant", () => {
     expect(changes("baseline")).toEqual([
       [null, -87.5, null],
       ["Soft", -50, null],
     ]);
   });
 
-  it("is against the same strategy before the last edit", () => {
+  it("is reference the same strategy before the last edit", () => {
     expect(changes("before")).toEqual([
       [null, -50, 0],
       ["Soft", 50, -25],
     ]);
   });
 
-  it("is against the same strategy of a pin, which itself has none", () => {
-    expect(changes(againstPin("soft"))).toEqual([
+  it("is reference the same strategy of a pin, which itself has none", () => {
+    expect(changes(pinReference("soft"))).toEqual([
       [null, expect.closeTo(-66.7, 1), expect.closeTo(33.3, 1)],
       ["Soft", null, null],
     ]);
@@ -67,7 +73,7 @@ describe("the change of each strategy of each variant", () => {
     ]);
   });
 
-  it("falls back to the baseline where what it was against is gone", () => {
+  it("falls back to the baseline where what it was reference is gone", () => {
     expect(changes("before", NOTHING_COMPARED)).toEqual([[null, -87.5, null]]);
   });
 
@@ -78,14 +84,14 @@ describe("the change of each strategy of each variant", () => {
     const soft = { name: "Soft", shown: shown("soft", 3, 6, roads) };
     const peak = { mean: 12, low: 8, high: 16 };
     const ofLv = (paired: object, pin = soft) => {
-      const view = { ...DEFAULT_VIEW, against: againstPin("soft") };
-      const scene = {
-        ...makeScene(now, STRATEGIES, ["lv", "passive"], view, { ...NOTHING_COMPARED, pins: [pin] }),
-        paired: paired as Paired,
+      const view = { ...DEFAULT_VIEW, reference: pinReference("soft") };
+      const resultView = {
+        ...makeResultView(now, STRATEGIES, ["lv", "passive"], view, { ...NOTHING_COMPARED, pins: [pin] }),
+        roadPairedChanges: paired as RoadPairedChanges,
       };
-      return entryGroups(scene)[0]
+      return entryGroups(resultView)[0]
         ?.entries.slice(0, 1)
-        .map((entry) => changeOf(scene, entry, PEAK))[0];
+        .map((entry) => changeOf(resultView, entry, PEAK))[0];
     };
     expect(ofLv({})).toBeNull();
     expect(ofLv({ now: { lv: { bump: { body_acceleration: { rms: null, peak } } } } })).toEqual({
@@ -100,15 +106,15 @@ describe("the change of each strategy of each variant", () => {
 
   it("on one road is within luck below what it resolves of the two strategies", () => {
     const close = shown("now", 1.1, 1.2);
-    const scene = makeScene(close, STRATEGIES, ["lv", "passive"], DEFAULT_VIEW, {
+    const resultView = makeResultView(close, STRATEGIES, ["lv", "passive"], DEFAULT_VIEW, {
       ...NOTHING_COMPARED,
       pins: [{ name: "Soft", shown: shown("soft", 1, 1) }],
     });
-    const verdicts = (against: Against) => {
-      const part = { ...scene, against: against === "baseline" ? null : (scene.pins[0] ?? null) };
+    const verdicts = (reference: Reference) => {
+      const part = { ...resultView, reference: reference === "baseline" ? null : (resultView.pins[0] ?? null) };
       return entryGroups(part)[0]?.entries.map((entry) => changeOf(part, entry, PEAK)?.verdict);
     };
     expect(verdicts("baseline")).toEqual(["luck", undefined]);
-    expect(verdicts(againstPin("soft"))).toEqual(["luck", "worse"]);
+    expect(verdicts(pinReference("soft"))).toEqual(["luck", "worse"]);
   });
 });

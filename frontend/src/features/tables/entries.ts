@@ -1,16 +1,15 @@
 /** The table's entries: each strategy that is on in the shown result, then in each pinned variant. */
 
-import type { Strategy, Summary } from "../../api/types";
+import type { Strategy, Summary, Interval, OverRoads, StrategyId } from "../../api/types";
 import { whyNotCompared } from "../../lab/compare";
-import type { Scene } from "../../lab/resultView";
-import type { Shown } from "../../lab/result";
+import type { ResultView } from "../../lab/resultView";
+import type { Result } from "../../lab/result";
 import { changeAgainst, pairedChange, type Change } from "./change";
-import { luckOf, pairedAt, valueAt, type MetricPath } from "./metric";
 
 export interface Entry {
   readonly key: string;
   readonly strategy: Strategy;
-  readonly shown: Shown;
+  readonly shown: Result;
   readonly summary: Summary | undefined;
   /** Whether changes are against this one: it has none. */
   readonly isBaseline: boolean;
@@ -25,8 +24,8 @@ export interface EntryGroup {
 /** The shown result's name beside those of variants. */
 export const CURRENT = "Current scenario";
 
-export function entryGroups({ shown, strategies, pins, against, baseline }: Scene): readonly EntryGroup[] {
-  const group = (name: string | null, of: Shown): EntryGroup => ({
+export function entryGroups({ shown, strategies, pins, reference, baseline }: ResultView): readonly EntryGroup[] {
+  const group = (name: string | null, of: Result): EntryGroup => ({
     name,
     entries: strategies
       .filter(({ id }) => name === null || id in of.summaries)
@@ -35,7 +34,8 @@ export function entryGroups({ shown, strategies, pins, against, baseline }: Scen
         strategy,
         shown: of,
         summary: of.summaries[strategy.id],
-        isBaseline: against === null ? strategy.id === baseline : of.runId !== null && of.runId === against.shown.runId,
+        isBaseline:
+          reference === null ? strategy.id === baseline : of.runId !== null && of.runId === reference.shown.runId,
       })),
   });
   const others = pins.filter((pin) => pin.shown.runId !== shown.runId);
@@ -48,21 +48,23 @@ const NONE: Change = { percent: null, half: 0, verdict: "none" };
  * The change of an entry's number: against the same strategy of that variant, or against the baseline of its own
  * variant; `null` for what changes are against, and until the change is there.
  */
-export function changeOf(scene: Scene, entry: Entry, metric: MetricPath, scale = 1): Change | null {
+export function changeOf(resultView: ResultView, entry: Entry, metric: MetricPath, scale = 1): Change | null {
   if (entry.isBaseline) return null;
-  const base = baseOf(scene, entry);
+  const base = baseOf(resultView, entry);
   if (base === null) return NONE;
   const { strategy, shown, summary } = entry;
   const { over, runId } = shown;
   if (over && !("run" in metric)) {
     const changes =
-      scene.against === null && over.baseline === scene.baseline ? over.changes : scene.paired[runId ?? ""];
+      resultView.reference === null && over.baseline === resultView.baseline
+        ? over.changes
+        : resultView.roadPairedChanges[runId ?? ""];
     const change = pairedAt(changes, strategy.id, metric);
     return changes === undefined ? null : change ? pairedChange(change) : NONE;
   }
   return changeAgainst(valueAt(summary, metric), valueAt(base.summary, metric), {
     scale,
-    luck: luckOf(base.pair, metric),
+    oneRoadNoise: oneRoadNoiseOf(base.pair, metric),
   });
 }
 
@@ -73,9 +75,51 @@ interface Base {
 }
 
 /** What an entry's changes refer to; `null` where there is nothing of the kind. */
-function baseOf({ against, baseline, catalogue }: Scene, { strategy, shown }: Entry): Base | null {
-  const [result, id] = against ? [against.shown, strategy.id] : [shown, baseline ?? ""];
+function baseOf({ reference, baseline, catalogue }: ResultView, { strategy, shown }: Entry): Base | null {
+  const [result, id] = reference ? [reference.shown, strategy.id] : [shown, baseline ?? ""];
   const summary = result.summaries[id];
   if (summary === undefined || whyNotCompared(shown, result) !== null) return null;
   return { summary, pair: catalogue.filter((each) => each.id === strategy.id || each.id === id) };
+}
+
+/** Where a number stands in a result, and what several roads say of it. */
+export interface WindowMetric {
+  readonly window: "rough_road" | "bump" | "whole";
+  readonly signal: string;
+  readonly statistic: "rms" | "peak";
+}
+
+export type MetricPath = WindowMetric | { readonly comfort: string } | { readonly run: string };
+
+export function valueAt(summary: Summary | undefined, metric: MetricPath): number | null | undefined {
+  if ("comfort" in metric) return summary?.comfort[metric.comfort];
+  if ("run" in metric) return metric.run === "travel_time" ? summary?.travel_time : summary?.arrival_speed_kmh;
+  return summary?.metrics[metric.window]?.[metric.signal]?.[metric.statistic];
+}
+
+/** The mean's interval over several roads. */
+export function intervalAt({ over }: Result, strategy: StrategyId, metric: MetricPath): Interval | undefined {
+  const estimates = over?.estimates[strategy];
+  if ("run" in metric) return undefined;
+  if ("comfort" in metric) return estimates?.comfort[metric.comfort];
+  return estimates?.metrics[metric.window]?.[metric.signal]?.[metric.statistic];
+}
+
+/** The paired change: `null` against zero, undefined where there is none. */
+function pairedAt(
+  changes: OverRoads["changes"] | undefined,
+  strategy: StrategyId,
+  metric: MetricPath,
+): Interval | null | undefined {
+  const own = changes?.[strategy];
+  if ("run" in metric) return undefined;
+  if ("comfort" in metric) return own?.comfort[metric.comfort];
+  return own?.[metric.window][metric.signal]?.[metric.statistic];
+}
+
+/** Smaller changes [%] between these strategies may be one road's luck; times and speeds are the same on every road. */
+function oneRoadNoiseOf(strategies: readonly Pick<Strategy, "one_road_resolution">[], metric: MetricPath): number {
+  if ("run" in metric) return 0;
+  const statistic = "comfort" in metric ? "rms" : metric.statistic;
+  return Math.max(...strategies.map((strategy) => strategy.one_road_resolution[statistic] ?? 0));
 }

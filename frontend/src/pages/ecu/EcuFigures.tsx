@@ -9,7 +9,7 @@ import { PlotPanel } from "../../plots/PlotPanel";
 import { usePlotly } from "../../plots/usePlotly";
 import { DEFAULT_VIEW, type Axis, type Zoom } from "../../lab/address";
 import { DETAIL_POINTS, seriesQuery } from "../../server/queries";
-import { makeScene } from "../../lab/resultView";
+import { makeResultView } from "../../lab/resultView";
 import { fromRun } from "../../lab/result";
 import { StrategyName } from "../../ui/StrategyKey";
 import classes from "./ecu.module.css";
@@ -35,21 +35,21 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
   );
   const drawn = strategies.filter(({ id }) => ids.includes(id));
   const series = useQuery(seriesQuery(run.id, ids, DETAIL_POINTS));
-  const scene = useMemo(() => {
+  const resultView = useMemo(() => {
     if (!series.data) return null;
     const shown = fromRun(run, { series: series.data, missing: null }, 0, true);
-    return makeScene(shown, strategies, ids, { ...DEFAULT_VIEW, baseline: "lv", axis, zoom: zoom ?? "whole" });
+    return makeResultView(shown, strategies, ids, { ...DEFAULT_VIEW, baseline: "lv", axis, zoom: zoom ?? "whole" });
   }, [run, series.data, strategies, ids, axis, zoom]);
   const curves = useMemo(
     () =>
-      scene && {
-        ...scene,
-        driven: scene.series,
+      resultView && {
+        ...resultView,
+        sourceSeries: resultView.series,
         live: false,
-        runId: scene.shown.runId,
-        coreVersion: scene.shown.coreVersion,
+        runId: resultView.shown.runId,
+        coreVersion: resultView.shown.coreVersion,
       },
-    [scene],
+    [resultView],
   );
   const templates = useMemo(() => templatesOf(catalogue, figures), [catalogue, figures]);
   return (

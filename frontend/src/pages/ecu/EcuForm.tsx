@@ -2,12 +2,12 @@
 
 import { useState } from "react";
 import type { JsonValue, Scenario } from "../../api/types";
-import { ChoiceFieldRow } from "../../features/editor/ChoiceFieldRow";
+import { ChoiceFieldRow } from "../../features/editor/FieldFrame";
 import { NumberFieldRow } from "../../features/editor/NumberFieldRow";
 import { getAt, sameValue, setAt, type Pointer } from "../../scenario/path";
 import { fieldsOf, findMember, type ChoiceField, type Group, type NumberField } from "../../scenario/schema";
 import type { LeafState } from "../../features/editor/useLeaf";
-import type { Rejected } from "../../lab/labState";
+import type { InvalidInput } from "../../lab/labState";
 import classes from "./ecu.module.css";
 
 interface Props {
@@ -18,7 +18,7 @@ interface Props {
   readonly onChange: (scenario: Scenario) => void;
 }
 
-export function HilForm({ form, ...props }: Props) {
+export function EcuForm({ form, ...props }: Props) {
   const group = findMember(form, "/hil");
   if (!group) return null;
   return (
@@ -39,7 +39,7 @@ function Setting({
   errors,
   onChange,
 }: Omit<Props, "form"> & { readonly field: NumberField | ChoiceField }) {
-  const [rejected, setRejected] = useState<Rejected | undefined>();
+  const [rejected, setRejected] = useState<InvalidInput | undefined>();
   const value = getAt(scenario, field.pointer);
   const commit = (next: JsonValue) => {
     setRejected(undefined);
@@ -48,7 +48,7 @@ function Setting({
   const leaf: LeafState = {
     value,
     readOnly: false,
-    changed: !sameValue(value, field.standard),
+    changed: !sameValue(value, field.paperValue),
     rejected,
     error: rejected?.message ?? errors[field.pointer],
     drag: commit,

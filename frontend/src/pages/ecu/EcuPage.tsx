@@ -1,27 +1,28 @@
 /** The ECU: the controller as a C program apart from the car, what it loses by that, and whether it fits a real part. */
 
-import { Alert, Skeleton, Text } from "@mantine/core";
+import { Alert, Skeleton, Text, Button, Group } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { ApiProblem, isTransient } from "../../api/problem";
-import type { Summary } from "../../api/types";
+import type { Summary, Scenario } from "../../api/types";
 import { usePageScenario } from "../../features/scenarioSource/scenarioSource";
 import { ScenarioChoice } from "../../features/scenarioSource/ScenarioChoice";
 import { errorsByField } from "../../scenario/errors";
 import { Page } from "../../ui/Page";
-import { useSchemeColours } from "../../server/useSchemeColours";
+import { useSchemeColours } from "../../server/useCatalogues";
 import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "../../server/queries";
 import { BuildReport } from "./BuildReport";
 import { EcuFigures } from "./EcuFigures";
 import { EcuTable } from "./EcuTable";
-import { ExportController } from "./ExportController";
-import { HilForm } from "./EcuForm";
+import { EcuForm } from "./EcuForm";
 import { RealTime } from "./RealTime";
 import { STRATEGIES, useEcuRun } from "./useEcuRun";
 import ui from "../../ui/ui.module.css";
-import { Problems } from "../../ui/Fault";
+import { Problems, Fault } from "../../ui/Fault";
 import { Card } from "../../ui/Card";
-import { Loading } from "../../ui/Loading";
+import { Loading } from "../../ui/Blank";
+import { IconDownload } from "../../ui/icons";
+import { useController } from "../../features/export/useController";
 
 const NO_ERRORS = { fields: {}, general: [] };
 
@@ -63,7 +64,7 @@ export function EcuPage() {
       <Card className={`${ui.part}`} aria-label="Scenario and loop">
         <ScenarioChoice source={{ ...source, choose }} form={schema.data} />
         {schema.data && scenario ? (
-          <HilForm form={schema.data} scenario={scenario} errors={refused.fields} onChange={change} />
+          <EcuForm form={schema.data} scenario={scenario} errors={refused.fields} onChange={change} />
         ) : (
           <Skeleton height={58} />
         )}
@@ -122,5 +123,29 @@ function EcuLoading() {
       </Text>
       <Loading label="Driving" heights={[420]} />
     </>
+  );
+}
+
+/** The C sources of this scenario's controller, as a zip. */
+function ExportController({ scenario }: { readonly scenario: Scenario | undefined }) {
+  const { save, saving, error } = useController();
+  return (
+    <Group gap="xs">
+      <Button
+        size="xs"
+        variant="default"
+        leftSection={<IconDownload size={15} />}
+        loading={saving}
+        disabled={!scenario}
+        onClick={() => scenario && save(scenario)}
+      >
+        Export controller (C)
+      </Button>
+      <Text size="xs" c="dimmed">
+        A zip: the tables for this scenario, the C99 program without dynamic memory, a Makefile and how to build it,
+        with any C compiler.
+      </Text>
+      {error && <Fault>It could not be exported: {error.message}</Fault>}
+    </Group>
   );
 }

@@ -6,13 +6,12 @@ import { IconAlertTriangle, IconCheck } from "../../ui/icons";
 import type { Catalogue, FigureTemplate, Strategy, Summary } from "../../api/types";
 import { headingOf, labelOf, VIEWS } from "../../features/tables/ComparisonTable";
 import { ChangeMark } from "../../features/tables/ChangeMark";
-import { formatPercent } from "../../features/tables/change";
+import { formatPercent, changeAgainst } from "../../features/tables/change";
 import { StrategyName } from "../../ui/StrategyKey";
 import tables from "../../features/tables/tables.module.css";
-import { shownUnit } from "../../server/units";
+import { shownUnit } from "../../server/metrics";
 import { formatResult, formatWhole, prettyUnit } from "../../units/format";
 import classes from "./ecu.module.css";
-import { rowsOf, RULE_PERCENT, type HilRow } from "./rule";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
@@ -153,5 +152,43 @@ function EcuEvents({ summary, catalogue }: { readonly summary: Summary | undefin
         </div>
       ))}
     </dl>
+  );
+}
+
+/** A change of at most so much [%] counts as reached: Tables 9 and 10 print +0.6 to +7.6. */
+const RULE_PERCENT = 8;
+
+interface HilRow {
+  readonly key: string;
+  readonly signal: string;
+  readonly view: (typeof VIEWS)[number];
+  readonly lv: number | undefined;
+  readonly hil: number | undefined;
+  readonly lqr: number | undefined;
+  /** Of `lv_hil` against `lv` [%]. */
+  readonly change: number | null;
+  /** `null` where there is nothing to compare. */
+  readonly within: boolean | null;
+}
+
+type Summaries = Readonly<Record<string, Summary>>;
+
+export function rowsOf(catalogue: Pick<Catalogue, "paper_signals">, summaries: Summaries): readonly HilRow[] {
+  return VIEWS.flatMap((view) =>
+    catalogue.paper_signals.map((signal): HilRow => {
+      const of = (strategy: string) => summaries[strategy]?.metrics[view.window]?.[signal]?.[view.statistic];
+      const [lv, hil, lqr] = [of("lv"), of("lv_hil"), of("lqr")];
+      const { percent } = changeAgainst(hil, lv);
+      return {
+        key: `${view.window}.${signal}.${view.statistic}`,
+        signal,
+        view,
+        lv,
+        hil,
+        lqr,
+        change: percent,
+        within: percent === null ? null : Math.abs(percent) <= RULE_PERCENT,
+      };
+    }),
   );
 }

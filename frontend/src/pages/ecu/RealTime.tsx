@@ -7,7 +7,7 @@ import { ask } from "../../api/http";
 import { isTransient } from "../../api/problem";
 import type { Catalogue, RealtimeReport, Scenario } from "../../api/types";
 import { Chart } from "../../plots/Chart";
-import { ChartButton } from "../../plots/ChartButton";
+import { ChartButton } from "../../plots/FigureButton";
 import { ON_PAPER, PALETTES } from "../../plots/palettes";
 import { strategiesQuery } from "../../server/queries";
 import { formatPercent } from "../../features/tables/change";
@@ -107,7 +107,7 @@ const KINDS = [
   { value: "wake_up", label: "Wake-up" },
   { value: "computing", label: "Computing" },
 ] as const;
-type Kind = (typeof KINDS)[number]["value"];
+type PlotKind = (typeof KINDS)[number]["value"];
 
 const TIMES = [
   ["mean", "Mean"],
@@ -119,7 +119,7 @@ const TIMES = [
 
 const shownTime = (time: number | undefined) => (time === undefined ? "–" : formatTime(time));
 
-const MEANING: Readonly<Record<Kind, string>> = {
+const MEANING: Readonly<Record<PlotKind, string>> = {
   latency: "From a frame’s sending to its answer.",
   wake_up: "How late the frame itself was sent: the operating system’s jitter.",
   computing: "What the program itself took, by its own clock.",
@@ -137,7 +137,7 @@ function Report({
   const { data: strategies } = useQuery(strategiesQuery);
   const lightColour = strategies?.find(({ id }) => id === "lv_hil")?.colour ?? colour;
   const palette = PALETTES[useComputedColorScheme("light")];
-  const [kind, setKind] = useState<Kind>("latency");
+  const [kind, setKind] = useState<PlotKind>("latency");
   const label = KINDS.find(({ value }) => value === kind)?.label ?? "";
   const spread = report[kind];
   const host = useRef<HTMLDivElement>(null);

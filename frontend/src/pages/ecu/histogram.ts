@@ -2,10 +2,9 @@
 
 import type { Times } from "../../api/types";
 import type { ChartFigure } from "../../plots/Chart";
-import type { Palette } from "../../plots/palettes";
+import { type Palette, chartLayout } from "../../plots/palettes";
 import { formatWhole } from "../../units/format";
 import { formatTime } from "./effort";
-import { chartLayout } from "../../plots/chartLayout";
 
 interface Look {
   readonly palette: Palette;

@@ -34,7 +34,7 @@ export function useEcuRun({ scenario: stored, choose }: PageScenario): EcuRun {
   const queries = useQueryClient();
   const newest = useRef<AbortController>(null);
   const drop = () => newest.current?.abort();
-  // Behind the page's back nothing is chosen.
+  // After the page is left, an answer chooses nothing.
   useEffect(() => drop, []);
   const changed = useMutation({
     mutationFn: (scenario: Scenario) => {

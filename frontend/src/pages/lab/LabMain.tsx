@@ -1,19 +1,23 @@
 /** What the lab shows of a run: the only part of the page that is rendered anew with each answer. */
 
-import { Group } from "@mantine/core";
+import { Group, Anchor, Text } from "@mantine/core";
 import { useMemo } from "react";
+import { useQuery } from "@tanstack/react-query";
+import { Link } from "@tanstack/react-router";
 import type { Catalogue, FigureTemplate, Strategy } from "../../api/types";
-import { useCompared } from "../../features/compare/useCompared";
-import { usePaired } from "../../features/compare/usePaired";
+import { useCompared, usePaired } from "../../features/compare/useCompared";
 import { SharedBanner } from "../../features/share/SharedBanner";
-import { useLab, useView } from "../../lab/context";
+import { useLab, useView, useLabContext } from "../../lab/context";
 import { partShown, withBaseline } from "../../lab/resultView";
 import { CouldNotLoad } from "../../ui/Blank";
-import { FromPage } from "./FromPage";
 import { Results } from "./Results";
 import classes from "../../ui/shell.module.css";
-import { StatusLine } from "./StatusLine";
+import { StatusLine } from "./LabTools";
 import { Toolbar } from "./Toolbar";
+import { titleOf } from "../../features/sweep/table";
+import { BATCH, jobQuery } from "../../jobs/useJob";
+import { parseSearch } from "../../lab/address";
+import { useStore } from "../../lib/store";
 
 interface Props {
   readonly strategies: readonly Strategy[];
@@ -26,17 +30,17 @@ interface Props {
 export function LabMain({ strategies, catalogue, figures, fault }: Props) {
   const shown = useLab((state) => state.shown);
   const selected = useLab((state) => state.strategies);
-  const { axis, zoom, baseline, against, differences } = useView();
+  const { axis, zoom, baseline, reference, differences } = useView();
   const compared = useCompared();
   // Apart: another baseline leaves what is drawn as it is.
   const part = useMemo(
     () => (shown && strategies.length > 0 ? partShown(shown, strategies, selected, { axis, zoom }) : null),
     [shown, strategies, selected, axis, zoom],
   );
-  const paired = usePaired(part, compared, { baseline, against });
-  const scene = useMemo(
-    () => part && withBaseline(part, { baseline, against, differences }, compared, paired),
-    [part, baseline, against, differences, compared, paired],
+  const paired = usePaired(part, compared, { baseline, reference });
+  const resultView = useMemo(
+    () => part && withBaseline(part, { baseline, reference, differences }, compared, paired),
+    [part, baseline, reference, differences, compared, paired],
   );
   return (
     <main className={classes.main}>
@@ -49,15 +53,62 @@ export function LabMain({ strategies, catalogue, figures, fault }: Props) {
       <SharedBanner strategies={strategies} catalogue={catalogue} figures={figures} />
       <Toolbar
         strategies={strategies}
-        part={scene && (scene.range === scene.bump ? "bump" : scene.range === scene.whole ? "whole" : "range")}
-        hasBump={scene !== null && scene.bump !== null}
+        part={
+          resultView &&
+          (resultView.range === resultView.bump ? "bump" : resultView.range === resultView.whole ? "whole" : "range")
+        }
+        hasBump={resultView !== null && resultView.bump !== null}
       />
       <StatusLine position="page" />
       {fault === undefined ? (
-        <Results {...{ strategies, catalogue, figures, scene }} />
+        <Results {...{ strategies, catalogue, figures, resultView }} />
       ) : (
         <CouldNotLoad message={fault} />
       )}
     </main>
+  );
+}
+
+/** Where the lab's scenario comes from, if not from here, and the way there: another page, or the last visit. */
+function FromPage() {
+  const { lab, labAddress, restored } = useLabContext();
+  const { from, slug } = useStore(labAddress);
+  // An edit makes the scenario this visit's.
+  const untouched = useLab((state) => state.history?.present === restored);
+  if (slug !== null) return null;
+  if (from !== undefined) return <Back from={from} />;
+  if (!untouched) return null;
+  return (
+    <Text size="xs" role="status">
+      Your last scenario.{" "}
+      <Anchor component="button" size="xs" underline="always" onClick={lab.openPaper}>
+        Open the paper’s scenario
+      </Anchor>
+    </Text>
+  );
+}
+
+const NAMES: Readonly<Record<string, string>> = {
+  b: "sweep",
+  robustness: "study",
+  tuner: "tuning",
+  paper: "the paper",
+};
+
+function Back({ from }: { readonly from: string }) {
+  const [path = "", search = ""] = from.split("?");
+  const [, page = "", id = ""] = path.split("/");
+  const sweep = useQuery({ ...jobQuery(BATCH, id), enabled: page === "b" }).data;
+  const name = [NAMES[page], ...(sweep ? [`“${sweep.label ?? titleOf(sweep.fields)}”`] : [])].join(" ");
+  return (
+    <Text size="xs">
+      <Anchor
+        size="xs"
+        underline="always"
+        renderRoot={(props) => <Link to={path} search={parseSearch(search)} {...props} />}
+      >
+        From {name}
+      </Anchor>
+    </Text>
   );
 }

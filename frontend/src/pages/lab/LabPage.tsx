@@ -1,41 +1,33 @@
 import { useQuery } from "@tanstack/react-query";
-import { lazy, useEffect, useMemo } from "react";
+import { lazy, useEffect } from "react";
+import { useDocumentTitle } from "@mantine/hooks";
 import { isTransient } from "../../api/problem";
-import { standardScenario } from "../../scenario/differences";
-import { DropFiles } from "../../features/library/DropFiles";
+import { DropFiles } from "../../features/library/OpenFiles";
 import { EditorPane } from "./EditorPane";
 import { LabMain } from "./LabMain";
-import { LabCommands } from "./LabCommands";
+import { LabActions } from "./LabActions";
 import { LabTools } from "./LabTools";
 import { Notices } from "./Notices";
-import { ShellSlot } from "../../ui/slots";
-import { PrintedTitle } from "./PrintedTitle";
+import { ShellSlot } from "../../ui/Page";
 import classes from "../../ui/shell.module.css";
-import { LabContextProvider, useLabContext } from "../../lab/context";
+import { useLabContext, useFromScenario, useLab } from "../../lab/context";
 import { catalogueQuery, figuresQuery, presetsQuery, schemaQuery, strategiesQuery } from "../../server/queries";
-import { useSelect } from "../../lib/store";
-import { useSchemeColours } from "../../server/useSchemeColours";
+import { useSchemeColours } from "../../server/useCatalogues";
 import { LazyPart } from "../../ui/LazyPart";
+import type { Scenario } from "../../api/types";
+import { getAt } from "../../scenario/path";
 
 const SharedSweep = lazy(() => import("../sweep/SweepPage").then((module) => ({ default: module.SharedSweep })));
 
 /** The lab, or the sweep that a link shows in its place. */
 export function LabPage() {
-  const context = useLabContext();
-  const form = useQuery(schemaQuery).data;
-  const standard = useMemo(() => (form ? standardScenario(form) : {}), [form]);
-  const value = useMemo(() => ({ ...context, standard }), [context, standard]);
-  const shared = useSelect(context.lab, (state) => state.shared);
-  return (
-    <LabContextProvider value={value}>
-      {shared?.batch ? (
-        <LazyPart>
-          <SharedSweep key={shared.slug} link={shared} id={shared.batch.id} />
-        </LazyPart>
-      ) : (
-        <LabContent />
-      )}
-    </LabContextProvider>
+  const shared = useLab((state) => state.shared);
+  return shared?.batch ? (
+    <LazyPart>
+      <SharedSweep key={shared.slug} link={shared} id={shared.batch.id} />
+    </LazyPart>
+  ) : (
+    <LabContent />
   );
 }
 
@@ -66,7 +58,7 @@ function LabContent() {
       <ShellSlot name="tools">
         <LabTools presets={presets.data ?? NONE} />
       </ShellSlot>
-      <LabCommands form={schema.data} presets={presets.data ?? NONE} strategies={strategies.data ?? NONE} />
+      <LabActions form={schema.data} presets={presets.data ?? NONE} strategies={strategies.data ?? NONE} />
       <PrintedTitle />
       <div className={classes.body}>
         <EditorPane form={schema.data} />
@@ -83,4 +75,33 @@ function LabContent() {
       </ShellSlot>
     </>
   );
+}
+
+/** The tab's title; on paper also where this comes from. */
+function PrintedTitle() {
+  const source = useLab(
+    ({ shown }) =>
+      shown && `core ${shown.coreVersion}${shown.runId === null ? ", a live preview" : `, run ${shown.runId}`}`,
+  );
+  const title = useFromScenario(pageTitle);
+  useDocumentTitle(title);
+  if (source === null) return null;
+  return (
+    <p className={classes.printed}>
+      {title} {source}
+    </p>
+  );
+}
+
+/** The browser tab's title: what this scenario is about, in a few words. */
+function pageTitle(scenario: Scenario): string {
+  const height = getAt(scenario, "/road/bump/height");
+  const from = getAt(scenario, "/speed/initial_speed_kmh");
+  const to = getAt(scenario, "/speed/target_speed_kmh");
+  if (typeof height !== "number" || typeof from !== "number" || typeof to !== "number") return "Ridelab";
+  const count = getAt(scenario, "/road/bump/count");
+  const several = typeof count === "number" && count > 1 ? `${count} × ` : "";
+  const kind = getAt(scenario, "/road/bump/shape") === "kerb" ? "kerb" : height > 0 ? "bump" : "pothole";
+  const obstacle = height === 0 ? "no bump" : `${several}${Math.abs(height * 1000).toFixed(0)} mm ${kind}`;
+  return `${obstacle}, ${from} → ${to} km/h · Ridelab`;
 }

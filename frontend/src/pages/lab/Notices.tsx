@@ -11,7 +11,9 @@ const SLOW_AFTER_MS = 1200;
 export function Notices({ strategies }: { readonly strategies: readonly Strategy[] }) {
   const busy = useLab((state) => state.busy);
   const failure = useLab((state) => state.failure);
-  const refused = useLab((state) => Object.keys(state.refused.fields).length + state.refused.general.length > 0);
+  const refused = useLab(
+    (state) => Object.keys(state.serverErrors.fields).length + state.serverErrors.general.length > 0,
+  );
   const shown = useLab((state) => state.shown);
   const { lab } = useLabContext();
   return (

@@ -1,19 +1,19 @@
 /** The results: the car and the ride on the bump first, then the numbers, then every other signal. */
 
 import { memo, useDeferredValue } from "react";
-import { Button, Skeleton } from "@mantine/core";
+import { Button, Skeleton, Text } from "@mantine/core";
 import type { Catalogue, FigureTemplate, Strategy } from "../../api/types";
 import { CarView } from "../../features/car/CarView";
-import { PlotGrid } from "../../plots/PlotGrid";
-import { PlotlyFault } from "../../plots/PlotlyFault";
-import { RoadStrip } from "../../plots/RoadStrip";
+import { PlotGrid, RoadStrip } from "../../plots/PlotGrid";
+import { PlotlyFault } from "../../plots/usePlotly";
 import { useLabContext, useLab } from "../../lab/context";
-import type { Scene } from "../../lab/resultView";
+import type { ResultView } from "../../lab/resultView";
 import { Tables } from "../../features/tables/Tables";
 import { Blank, CouldNotLoad } from "../../ui/Blank";
-import { RoadsNote } from "./RoadsNote";
 import classes from "../../ui/shell.module.css";
 import { StageLegend } from "./StageLegend";
+import { getAt } from "../../scenario/path";
+import { useCurves } from "../../plots/useDetail";
 
 type Figures = Readonly<Record<string, FigureTemplate>>;
 
@@ -21,14 +21,16 @@ interface Props {
   readonly strategies: readonly Strategy[];
   readonly catalogue: Catalogue | undefined;
   readonly figures: Figures | undefined;
-  readonly scene: Scene | null;
+  readonly resultView: ResultView | null;
 }
 
-export function Results({ strategies, catalogue, figures, scene }: Props) {
+export function Results({ strategies, catalogue, figures, resultView }: Props) {
   const failure = useLab((state) => state.failure);
   const none = useLab((state) => state.strategies.length === 0);
   const shown = useLab((state) => state.shown !== null);
-  const refused = useLab((state) => [...Object.values(state.refused.fields), ...state.refused.general].join(". "));
+  const refused = useLab((state) =>
+    [...Object.values(state.serverErrors.fields), ...state.serverErrors.general].join(". "),
+  );
   const { lab } = useLabContext();
   const stale = useLab((state) => state.stale);
   if (failure?.kind === "notFound") return <NotFound />;
@@ -36,22 +38,22 @@ export function Results({ strategies, catalogue, figures, scene }: Props) {
   if (failure?.kind === "failed" && !shown) return <CouldNotLoad message={failure.message} onRetry={lab.openPaper} />;
   if (refused && !shown)
     return <CouldNotLoad what="scenario" message={refused} onRetry={lab.openPaper} retry="Open the paper’s scenario" />;
-  if (!scene || !catalogue || !figures || scene.ids.length === 0) return <Loading />;
+  if (!resultView || !catalogue || !figures || resultView.ids.length === 0) return <Loading />;
   return (
     <div
       className={classes.results}
       data-stale={stale || undefined}
       data-testid="results"
-      data-source={scene.shown.source}
-      data-run={scene.shown.runId ?? undefined}
+      data-source={resultView.shown.source}
+      data-run={resultView.shown.runId ?? undefined}
     >
-      <RoadsNote scene={scene} />
-      {scene.shown.missing === null ? (
-        <Histories scene={scene} catalogue={catalogue} figures={figures} />
+      <RoadsNote resultView={resultView} />
+      {resultView.shown.missing === null ? (
+        <Histories resultView={resultView} catalogue={catalogue} figures={figures} />
       ) : (
         <>
-          <Tables scene={scene} catalogue={catalogue} figures={figures} />
-          <NoHistories reason={scene.shown.missing} />
+          <Tables resultView={resultView} catalogue={catalogue} figures={figures} />
+          <NoHistories reason={resultView.shown.missing} />
         </>
       )}
     </div>
@@ -61,26 +63,30 @@ export function Results({ strategies, catalogue, figures, scene }: Props) {
 const MemoTables = memo(Tables);
 
 interface HistoriesProps {
-  readonly scene: Scene;
+  readonly resultView: ResultView;
   readonly catalogue: Catalogue;
   readonly figures: Figures;
 }
 
-function Histories({ scene, catalogue, figures }: HistoriesProps) {
+function Histories({ resultView, catalogue, figures }: HistoriesProps) {
   const { road, ...others } = figures;
   const meta = Object.values(figures)[0]?.layout.meta;
   // Under a moving slider curves come first: the table follows when there is time for it.
-  const later = useDeferredValue(scene);
+  const later = useDeferredValue(resultView);
   const isRide = ({ layout }: FigureTemplate) => catalogue.paper_signals.includes(layout.meta.signal);
   return (
     <>
-      <CarView scene={scene} />
-      {road && <RoadStrip template={road} scene={scene} />}
-      <PlotGrid templates={Object.values(others).filter(isRide)} scene={scene} />
+      <CarView resultView={resultView} />
+      {road && <RoadStrip template={road} resultView={resultView} />}
+      <PlotGrid templates={Object.values(others).filter(isRide)} resultView={resultView} />
       <PlotlyFault />
-      {meta && <StageLegend scene={scene} catalogue={catalogue} meta={meta} />}
-      <MemoTables scene={scene.shown.source === "live" ? later : scene} catalogue={catalogue} figures={figures} />
-      <PlotGrid templates={Object.values(others).filter((template) => !isRide(template))} scene={scene} />
+      {meta && <StageLegend resultView={resultView} catalogue={catalogue} meta={meta} />}
+      <MemoTables
+        resultView={resultView.shown.source === "live" ? later : resultView}
+        catalogue={catalogue}
+        figures={figures}
+      />
+      <PlotGrid templates={Object.values(others).filter((template) => !isRide(template))} resultView={resultView} />
     </>
   );
 }
@@ -95,9 +101,9 @@ export function NothingChosen({ suggestion }: { readonly suggestion: readonly st
 }
 
 export function NotFound() {
-  const { lab, router } = useLabContext();
+  const { lab, labAddress } = useLabContext();
   const [title, text] =
-    router.get().slug === null
+    labAddress.get().slug === null
       ? ["There is no run at this address", "The link may be incomplete, or the run was made on another server."]
       : [
           "There is no shared result at this address",
@@ -127,5 +133,30 @@ function Loading() {
         ))}
       </div>
     </div>
+  );
+}
+
+/** Says over how many roads the numbers and the curves are, and which road the rest is of. */
+function RoadsNote({ resultView }: { readonly resultView: ResultView }) {
+  const { shown, differences } = resultView;
+  const { over, scenario, source } = shown;
+  const roads = useLab((state) => state.roads);
+  const hasMeans = useCurves(resultView).roads !== undefined;
+  const seed = getAt(scenario, "/road/seed");
+  const first = `road seed ${typeof seed === "number" ? seed : "?"}`;
+  if (over === null && (source === "exact" || roads === 1)) return null;
+  return (
+    <Text size="xs" c="dimmed" m="0 0 0.5rem 0.2rem" data-testid="roads">
+      {over === null ? (
+        `While a value is dragged: ${first} only; then the mean of ${roads} roads.`
+      ) : (
+        <>
+          Mean of {over.roads} roads ± 95 % interval.{" "}
+          {hasMeans
+            ? `Curves: ${differences ? "differences of the means" : "mean and range"}. Car, road and events: ${first}.`
+            : `Curves, car and events are of the first road only, ${first}; the table is of all roads.`}
+        </>
+      )}
+    </Text>
   );
 }

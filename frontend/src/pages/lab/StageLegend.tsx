@@ -4,26 +4,26 @@ import type { Catalogue, FigureMeta } from "../../api/types";
 import { layersOf } from "../../plots/curves";
 import { stagedStrategy } from "../../plots/shapes";
 import { useCurves } from "../../plots/useDetail";
-import type { Scene } from "../../lab/resultView";
-import { LineKey } from "../../ui/LineKey";
+import type { ResultView } from "../../lab/resultView";
+import { LineKey } from "../../ui/StrategyKey";
 import classes from "./legend.module.css";
 
 /** A swatch is small: the shading three times over, so that it can be told apart. */
 const layered = (fill = "transparent") => Array<string>(3).fill(`linear-gradient(${fill}, ${fill})`).join(", ");
 
 interface Props {
-  readonly scene: Scene;
+  readonly resultView: ResultView;
   readonly catalogue: Catalogue;
   readonly meta: FigureMeta;
 }
 
-export function StageLegend({ scene, catalogue, meta }: Props) {
+export function StageLegend({ resultView, catalogue, meta }: Props) {
   const stages = catalogue.stages.filter(({ key }) => key in meta.stage_fills);
-  const staged = scene.strategies.find(({ id }) => id === stagedStrategy(scene.summaries, scene.ids));
-  const airborne = scene.ids.some((id) => Number(scene.summaries[id]?.events.airborne_ms ?? 0) > 0);
-  const hasBand = useCurves(scene).roads !== undefined && !scene.differences;
-  const layers = scene.differences ? [] : layersOf(scene);
-  const several = scene.axis === "time" && scene.ids.length > 1;
+  const staged = resultView.strategies.find(({ id }) => id === stagedStrategy(resultView.summaries, resultView.ids));
+  const airborne = resultView.ids.some((id) => Number(resultView.summaries[id]?.events.airborne_ms ?? 0) > 0);
+  const hasBand = useCurves(resultView).roads !== undefined && !resultView.differences;
+  const layers = resultView.differences ? [] : layersOf(resultView);
+  const several = resultView.axis === "time" && resultView.ids.length > 1;
   return (
     <p className={classes.legend}>
       {stages.map(({ key, label, description }) => (
@@ -41,8 +41,8 @@ export function StageLegend({ scene, catalogue, meta }: Props) {
       ))}
       {hasBand && (
         <span>
-          <span className={classes.fill} data-stage="band" /> range: minimum to maximum of {scene.shown.over?.roads}{" "}
-          roads
+          <span className={classes.fill} data-stage="band" /> range: minimum to maximum of{" "}
+          {resultView.shown.over?.roads} roads
         </span>
       )}
       {(airborne || hasBand) && (

@@ -2,12 +2,11 @@
 
 import { Button, Menu, Tooltip } from "@mantine/core";
 import { memo, useState } from "react";
-import type { Strategy } from "../../api/types";
+import type { Strategy, StrategyId } from "../../api/types";
 import { IconChevronDown } from "../../ui/icons";
-import { useLab } from "../../lab/context";
+import { useLab, useLabContext } from "../../lab/context";
 import { StrategyKey } from "../../ui/StrategyKey";
 import bar from "../../ui/toolbar.module.css";
-import { useSelected } from "./useSelected";
 
 export const StrategyChoice = memo(function StrategyChoice({
   strategies,
@@ -75,4 +74,13 @@ function useChips(selected: readonly string[]): readonly string[] {
   const missing = selected.filter((id) => !used.includes(id));
   if (missing.length > 0) setUsed([...used, ...missing]);
   return used;
+}
+
+/** The strategies that are switched on, and how one is switched. */
+export function useSelected(strategies: readonly Strategy[]) {
+  const { lab } = useLabContext();
+  const selected = useLab((state) => state.strategies);
+  const toggle = (id: StrategyId) =>
+    lab.setStrategies(strategies.map((each) => each.id).filter((other) => selected.includes(other) !== (other === id)));
+  return { selected, toggle };
 }

@@ -1,15 +1,16 @@
 /** Which strategies are shown, over what, and which part of the run. */
 
-import { Button, SegmentedControl, Tooltip } from "@mantine/core";
+import { Button, SegmentedControl, Tooltip, NativeSelect } from "@mantine/core";
 import { memo, useLayoutEffect, useRef } from "react";
 import type { Strategy } from "../../api/types";
-import type { ViewZoom } from "../../lab/address";
-import { switchAxis } from "../../lab/axis";
-import { useLabContext, useView } from "../../lab/context";
-import { makeScene } from "../../lab/resultView";
-import { RoadsSelect } from "./RoadsSelect";
+import type { ViewZoom, Axis } from "../../lab/address";
+import { useLabContext, useView, useLab, useReadOnly } from "../../lab/context";
+import { makeResultView, axisKey, type ResultView } from "../../lab/resultView";
 import { StrategyChoice } from "./StrategyChoice";
 import bar from "../../ui/toolbar.module.css";
+import { valueAt } from "../../lib/samples";
+import { cursor } from "../../lab/cursor";
+import type { LabAddress } from "../../lab/labAddress";
 
 interface Props {
   readonly strategies: readonly Strategy[];
@@ -19,7 +20,7 @@ interface Props {
 }
 
 export const Toolbar = memo(function Toolbar({ strategies, part, hasBump }: Props) {
-  const { router, lab } = useLabContext();
+  const { labAddress, lab } = useLabContext();
   const { axis } = useView();
   const ref = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => (ref.current ? publishHeight(ref.current) : undefined), []);
@@ -38,7 +39,7 @@ export const Toolbar = memo(function Toolbar({ strategies, part, hasBump }: Prop
           ]}
           onChange={(next) => {
             const { shown, strategies: selected } = lab.get();
-            switchAxis(router, shown && makeScene(shown, strategies, selected, router.get().view), next);
+            switchAxis(labAddress, shown && makeResultView(shown, strategies, selected, labAddress.get().view), next);
           }}
         />
         <Button.Group>
@@ -74,7 +75,7 @@ interface ZoomProps {
 }
 
 function ZoomButton({ label, tip, zoom, shown, disabled }: ZoomProps) {
-  const { router } = useLabContext();
+  const { labAddress } = useLabContext();
   return (
     <Tooltip label={tip} openDelay={500}>
       <Button
@@ -82,10 +83,57 @@ function ZoomButton({ label, tip, zoom, shown, disabled }: ZoomProps) {
         variant={shown ? "light" : "default"}
         aria-pressed={shown}
         disabled={disabled}
-        onClick={() => router.setView({ zoom })}
+        onClick={() => labAddress.setView({ zoom })}
       >
         {label}
       </Button>
+    </Tooltip>
+  );
+}
+
+/** From distance to time and back: zoom and cursor stay on the same piece of the run. */
+function switchAxis(router: LabAddress, resultView: ResultView | null, axis: Axis): void {
+  const first = resultView?.ids[0];
+  const series = first === undefined ? undefined : resultView?.series[first];
+  const from = resultView && series?.[axisKey(resultView.axis)];
+  const to = series?.[axisKey(axis)];
+  const convert = (x: number) => (from && to ? valueAt(from, to, x) : null);
+
+  const { zoom } = router.get().view;
+  const at = resultView && cursor.get(resultView.axis);
+  cursor.set(axis, at === null ? null : convert(at));
+  router.setView({ axis, zoom: converted(zoom, convert) });
+}
+
+function converted(zoom: ViewZoom, convert: (x: number) => number | null): ViewZoom {
+  if (zoom === "whole" || zoom === null) return zoom;
+  const [low, high] = [convert(zoom[0]), convert(zoom[1])];
+  return low !== null && high !== null ? [low, high] : null;
+}
+
+const CHOICES = [1, 5, 10, 20];
+
+/** Over how many roads the exact run goes. */
+function RoadsSelect() {
+  const { lab } = useLabContext();
+  const roads = useLab((state) => state.roads);
+  const readOnly = useReadOnly();
+  const choices = CHOICES.includes(roads) ? CHOICES : [...CHOICES, roads].sort((a, b) => a - b);
+  return (
+    <Tooltip
+      label="Peaks on one road are partly random; several roads give a mean with a 95 % interval"
+      multiline
+      w={240}
+      openDelay={500}
+    >
+      <NativeSelect
+        size="xs"
+        aria-label="Roads"
+        disabled={readOnly}
+        value={String(roads)}
+        data={choices.map((count) => ({ value: String(count), label: count === 1 ? "1 road" : `${count} roads` }))}
+        onChange={(event) => lab.setRoads(Number(event.currentTarget.value))}
+      />
     </Tooltip>
   );
 }

@@ -1,11 +1,11 @@
 /** The rules the verdicts follow, and what is printed in the paper but read otherwise here. */
 
+import { Fragment } from "react";
 import type { Paper } from "../../api/types";
-import { Inline } from "./Inline";
 import classes from "./paper.module.css";
-import { VerdictMark } from "./Verdict";
-import { VERDICTS } from "./verdicts";
+import { VerdictMark, VERDICTS } from "./Verdict";
 import { DataTable } from "../../ui/DataTable";
+import { typeset } from "./numbers";
 
 /** What the other rules are about. */
 const ABOUT: Readonly<Record<string, string>> = {
@@ -52,4 +52,24 @@ export function Errata({ errata }: Pick<Paper, "errata">) {
       }))}
     />
   );
+}
+
+const PART = /(`[^`]+`|\*\*[^*]+\*\*|\*[^*]+\*)/;
+
+/** A line of the server's Markdown: `code`, **bold** and *emphasis*; anything else stands as it is. */
+export function Inline({ text }: { readonly text: string }) {
+  return (
+    <>
+      {text.split(PART).map((part, index) => (
+        <Fragment key={index}>{styled(part)}</Fragment>
+      ))}
+    </>
+  );
+}
+
+function styled(part: string) {
+  if (part.length > 2 && part.startsWith("`") && part.endsWith("`")) return <code>{part.slice(1, -1)}</code>;
+  if (part.length > 4 && part.startsWith("**") && part.endsWith("**")) return <b>{part.slice(2, -2)}</b>;
+  if (part.length > 2 && part.startsWith("*") && part.endsWith("*")) return <em>{part.slice(1, -1)}</em>;
+  return typeset(part);
 }

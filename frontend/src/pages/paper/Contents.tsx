@@ -1,11 +1,10 @@
 /** The page's sections: beside them where there is room, else above them. */
 
 import { Box } from "@mantine/core";
+import { useEffect, useState } from "react";
 import type { Paper } from "../../api/types";
 import classes from "./contents.module.css";
-import { useSection } from "./useSection";
-import { VerdictBar } from "./Verdict";
-import { countedOf, soFar } from "./verdicts";
+import { VerdictBar, countedOf, soFar } from "./Verdict";
 
 export const SECTIONS = [
   { id: "count", title: "Summary" },
@@ -54,4 +53,37 @@ export function Contents({ paper }: { readonly paper: Paper | undefined }) {
       )}
     </nav>
   );
+}
+
+/** A heading counts as reached when it is this near to the window's top [px]. */
+const REACHED = 120;
+
+/** Index of the last of these elements whose top has been reached; 0 above the first. */
+function useSection(ids: readonly string[]): number {
+  const [section, setSection] = useState(0);
+  useEffect(() => {
+    let frame = 0;
+    const look = () => {
+      frame = 0;
+      const tops = ids.map((id) => document.getElementById(id)?.getBoundingClientRect().top ?? Infinity);
+      const atEnd = window.innerHeight + window.scrollY >= document.documentElement.scrollHeight - 2;
+      setSection(
+        atEnd && window.scrollY > 0
+          ? ids.length - 1
+          : Math.max(
+              0,
+              tops.findLastIndex((top) => top < REACHED),
+            ),
+      );
+    };
+    const onScroll = () => {
+      if (frame === 0) frame = requestAnimationFrame(look);
+    };
+    window.addEventListener("scroll", onScroll, { passive: true });
+    return () => {
+      window.removeEventListener("scroll", onScroll);
+      cancelAnimationFrame(frame);
+    };
+  }, [ids]);
+  return section;
 }

@@ -3,18 +3,23 @@
 import { Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import type { Choices } from "./choices";
-import { EqualSpeed } from "./EqualSpeed";
 import { FairTable } from "./FairTable";
-import { typeset } from "./numbers";
+import { typeset, spreadOf } from "./numbers";
 import classes from "./paper.module.css";
 import { attributionQuery } from "./queries";
 import { ShareBars } from "./ShareBars";
 import { Fault, Waiting } from "./Waiting";
-import type { Words } from "./labels";
+import type { Labels } from "./labels";
+import type { Attribution } from "../../api/types";
+import { formatPercent } from "../../features/tables/change";
+import changes from "../../features/tables/tables.module.css";
+import { metricKey } from "./fair";
+import ui from "../../ui/ui.module.css";
+import { DataTable, type Column } from "../../ui/DataTable";
 
 interface Props {
   readonly choices: Choices;
-  readonly words: Words;
+  readonly words: Labels;
   /** The cells come first. */
   readonly enabled: boolean;
 }
@@ -61,6 +66,54 @@ export function Contributions({ choices, words, enabled }: Props) {
         zero.
       </Text>
       <EqualSpeed pairs={data.equal_speed} words={words} />
+    </>
+  );
+}
+
+interface EqualSpeedProps {
+  readonly pairs: Attribution["equal_speed"];
+  readonly words: Labels;
+}
+
+type Pair = Attribution["equal_speed"][number];
+
+type Change = Pair["cells"][number];
+
+/** Pairs at the same speed plan: what is left of a gain when nobody slows down alone. */
+function EqualSpeed({ pairs, words }: EqualSpeedProps) {
+  const [first] = pairs;
+  if (!first) return null;
+  return (
+    <DataTable
+      label="At the same speed"
+      card
+      attributes={{ "data-testid": "equal-speed" }}
+      rows={pairs}
+      rowKey={({ label }) => label}
+      columns={[
+        { key: "pair", head: "At the same speed plan", text: true, cell: ({ label }) => typeset(label) },
+        ...first.cells.map((metric, index): Column<Pair> => ({
+          key: metricKey(metric),
+          group: words.view(metric),
+          head: words.signal(metric.signal),
+          cell: ({ cells }) => cells[index] && <Sure cell={cells[index]} />,
+        })),
+      ]}
+    />
+  );
+}
+
+/** Better or worse only where the whole interval says so. */
+function Sure({ cell: { our_change: change, ci } }: { readonly cell: Change }) {
+  const [low = NaN, high = NaN] = ci;
+  const verdict = high < 0 ? "better" : low > 0 ? "worse" : "same";
+  return (
+    <>
+      <span className={changes.change} data-verdict={verdict}>
+        <span aria-hidden>{verdict === "better" ? "▼" : verdict === "worse" ? "▲" : "≈"}</span> {formatPercent(change)}
+        <span className="visually-hidden">, {verdict === "same" ? "no certain difference" : verdict}</span>
+      </span>
+      <span className={ui.under}>{spreadOf(change, ci)}</span>
     </>
   );
 }

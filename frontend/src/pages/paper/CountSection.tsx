@@ -7,18 +7,27 @@ import type { Paper, PaperCell } from "../../api/types";
 import { useRunInLab } from "../../ui/useOpenInLab";
 import { count, formatWhole } from "../../units/format";
 import classes from "./paper.module.css";
-import { VerdictBar, VerdictCountList, VerdictMark } from "./Verdict";
+import {
+  VerdictBar,
+  VerdictCountList,
+  VerdictMark,
+  cellId,
+  countedOf,
+  isMissed,
+  previewSentence,
+  soFar,
+  uncertain,
+} from "./Verdict";
 import type { Choices } from "./choices";
 import { Interpretations } from "./Interpretations";
 import { typeset } from "./numbers";
-import { cellId, countedOf, isMissed, previewSentence, soFar, uncertain } from "./verdicts";
-import type { Words } from "./labels";
+import type { Labels } from "./labels";
 import { Fault } from "../../ui/Fault";
 import ui from "../../ui/ui.module.css";
 
 interface Props {
   readonly paper: Paper;
-  readonly words: Words;
+  readonly words: Labels;
 }
 
 interface CountProps extends Props {
@@ -164,5 +173,5 @@ function Missed({ paper, words }: Props) {
   );
 }
 
-const cellName = ({ table, strategy, against, signal }: PaperCell, words: Words) =>
+const cellName = ({ table, strategy, against, signal }: PaperCell, words: Labels) =>
   `Table ${table}, ${words.signal(signal).toLowerCase()}: ${words.strategy(strategy)} against ${words.strategy(against)}`;

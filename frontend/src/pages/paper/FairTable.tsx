@@ -8,12 +8,12 @@ import { count, formatFixed, formatResult } from "../../units/format";
 import { ANY, filtered, FILTERS, metricKey, NO_FILTER, partOf, rankOf, type Filter } from "./fair";
 import classes from "./parts.module.css";
 import ui from "../../ui/ui.module.css";
-import type { Words } from "./labels";
+import type { Labels } from "./labels";
 import { DataTable, type Column } from "../../ui/DataTable";
 
 interface Props {
   readonly rows: readonly Combination[];
-  readonly words: Words;
+  readonly words: Labels;
 }
 
 type Shown = "change" | "value";
@@ -70,7 +70,7 @@ export function FairTable({ rows, words }: Props) {
 function columnsOf(
   metrics: Combination["metrics"],
   withIntervals: boolean,
-  words: Words,
+  words: Labels,
 ): readonly Column<Combination>[] {
   return [
     ...FILTERS.map(({ name, label }, index): Column<Combination> => ({

@@ -5,7 +5,7 @@ import { useQuery } from "@tanstack/react-query";
 import { memo, useMemo, useRef, useState } from "react";
 import type { PaperFigure } from "../../api/types";
 import { Chart } from "../../plots/Chart";
-import { ChartButton } from "../../plots/ChartButton";
+import { ChartButton } from "../../plots/FigureButton";
 import { ON_PAPER, PALETTES } from "../../plots/palettes";
 import { StrategyKey } from "../../ui/StrategyKey";
 import type { Choices } from "./choices";
@@ -14,8 +14,7 @@ import { drawn, legendOf, withNamedShapes, type Scheme } from "./render";
 import { typeset } from "./numbers";
 import paper from "./paper.module.css";
 import { attributionQuery, paperFiguresQuery } from "./queries";
-import { useVisible } from "./useVisible";
-import { Fault, Waiting } from "./Waiting";
+import { useVisible, Fault, Waiting } from "./Waiting";
 import ui from "../../ui/ui.module.css";
 
 const HEIGHT = 250;

@@ -3,12 +3,12 @@
 import { Anchor, Box, Button, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
 import { useQuery } from "@tanstack/react-query";
-import { IconFileDescription } from "../../ui/icons";
 import { useEffect, type ReactNode } from "react";
+import { IconFileDescription } from "../../ui/icons";
 import { address } from "../../api/http";
 import { ApiProblem, isTransient } from "../../api/problem";
 import type { Paper } from "../../api/types";
-import { ShellSlot } from "../../ui/slots";
+import { ShellSlot } from "../../ui/Page";
 import shell from "../../ui/shell.module.css";
 import { Errata, Rules } from "./Appendix";
 import { NONE_CHOSEN, useChoices, type Choices } from "./choices";
@@ -22,7 +22,7 @@ import { SwitchEffects } from "./SwitchEffects";
 import { Switches } from "./Switches";
 import { Tables } from "./Tables";
 import { Fault, Waiting } from "./Waiting";
-import { useWords, type Words } from "./labels";
+import { useLabels, type Labels } from "./labels";
 import { compact } from "../../ui/compact";
 
 const DOI = "10.3390/wevj16040232";
@@ -31,7 +31,7 @@ export function PaperPage() {
   useDocumentTitle("The paper, checked · Ridelab");
   const [choices, choose] = useChoices();
   const { data: paper, error: refused, isPlaceholderData: waiting, refetch } = useQuery(paperQuery(choices));
-  const { words, error: wordless } = useWords();
+  const { words, error: wordless } = useLabels();
   const ready = paper !== undefined && words !== null;
   useArrival(ready);
   // While it is asked for again and again, one refusal that passes is none.
@@ -90,7 +90,7 @@ export function PaperPage() {
 
 interface SectionsProps {
   readonly paper: Paper;
-  readonly words: Words;
+  readonly words: Labels;
   readonly choices: Choices;
   readonly waiting: boolean;
   readonly choose: (choices: Choices) => void;

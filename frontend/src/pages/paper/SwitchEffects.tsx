@@ -7,10 +7,8 @@ import { count } from "../../units/format";
 import { withSet, type Choices } from "./choices";
 import { typeset } from "./numbers";
 import { effectsQuery } from "./queries";
-import { useVisible } from "./useVisible";
-import { VerdictBar } from "./Verdict";
-import { countsInWords } from "./verdicts";
-import { Fault, Waiting } from "./Waiting";
+import { useVisible, Fault, Waiting } from "./Waiting";
+import { VerdictBar, countsInWords } from "./Verdict";
 import { DataTable, type Column } from "../../ui/DataTable";
 
 interface Props {

@@ -1,16 +1,15 @@
 /** Where the paper leaves something open, the reader chooses; the rest of the page follows. */
 
 import { Box, Button, Group, SegmentedControl, Text } from "@mantine/core";
-import { IconRestore } from "../../ui/icons";
 import { useId } from "react";
+import { IconRestore } from "../../ui/icons";
 import type { Paper, PaperInterpretation, PaperReading } from "../../api/types";
 import { count } from "../../units/format";
 import { setOf, standardOf, withChoice, withoutChoices, type Choices } from "./choices";
-import { Inline } from "./Inline";
+import { Inline } from "./Appendix";
 import { typeset } from "./numbers";
 import classes from "./switches.module.css";
-import { VerdictCountList } from "./Verdict";
-import { countedOf, soFar } from "./verdicts";
+import { VerdictCountList, countedOf, soFar } from "./Verdict";
 import ui from "../../ui/ui.module.css";
 
 interface Props {

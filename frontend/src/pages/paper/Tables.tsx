@@ -8,15 +8,14 @@ import { formatResult } from "../../units/format";
 import { printedChange, printedValue, spreadOf, typeset } from "./numbers";
 import classes from "./paper.module.css";
 import tables from "./tables.module.css";
-import { VerdictMark } from "./Verdict";
-import { cellId } from "./verdicts";
-import type { Words } from "./labels";
+import { VerdictMark, cellId } from "./Verdict";
+import type { Labels } from "./labels";
 import { DataTable, type Column, type RowGroup } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
 
 interface Props {
   readonly paper: Paper;
-  readonly words: Words;
+  readonly words: Labels;
 }
 
 export function Tables({ paper, words }: Props) {
@@ -52,7 +51,7 @@ export function Tables({ paper, words }: Props) {
 interface TableProps {
   readonly table: PaperTable;
   readonly cells: readonly PaperCell[];
-  readonly words: Words;
+  readonly words: Labels;
   /** Why cells are not available, where there are such. */
   readonly reason: string | undefined;
 }
@@ -109,7 +108,7 @@ function groupOf(
   };
 }
 
-function columnsOf(first: PaperCell | undefined, words: Words): readonly Column<PaperCell>[] {
+function columnsOf(first: PaperCell | undefined, words: Labels): readonly Column<PaperCell>[] {
   const shown = (value: number | null, { signal }: PaperCell) =>
     value === null ? "–" : formatResult(value * words.unit(signal).scale);
   const [paper, here] = [
@@ -151,7 +150,7 @@ function columnsOf(first: PaperCell | undefined, words: Words): readonly Column<
   ];
 }
 
-function Signal({ cell, words }: { readonly cell: PaperCell; readonly words: Words }) {
+function Signal({ cell, words }: { readonly cell: PaperCell; readonly words: Labels }) {
   return (
     <>
       {words.signal(cell.signal)} <span className={ui.dim}>{words.unit(cell.signal).unit}</span>

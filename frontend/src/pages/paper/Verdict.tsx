@@ -2,9 +2,9 @@
 
 import { Box } from "@mantine/core";
 import { IconArrowDownRight, IconCheck, IconDots, IconMinus, IconX } from "../../ui/icons";
-import type { PaperJudgement, VerdictCounts } from "../../api/types";
+import type { PaperJudgement, VerdictCounts, Paper, PaperCell, PaperVerdict } from "../../api/types";
 import classes from "./verdict.module.css";
-import { countsInWords, totalOf, VERDICTS, wordOf } from "./verdicts";
+import { count } from "../../units/format";
 
 const ICONS = {
   reached: IconCheck,
@@ -75,3 +75,54 @@ export function VerdictCountList({ counts }: { readonly counts: VerdictCounts })
     </ul>
   );
 }
+
+/** From the best to the worst; words as the tables have them. */
+export const VERDICTS: readonly { readonly verdict: PaperVerdict; readonly word: string }[] = [
+  { verdict: "reached", word: "reached" },
+  { verdict: "smaller", word: "smaller" },
+  { verdict: "contradicts", word: "contradicts" },
+];
+
+export const wordOf = (verdict: PaperJudgement["verdict"]) => (verdict === "unavailable" ? "not available" : verdict);
+
+/** What a count is of: while some are pending, of all cells. */
+export const countedOf = ({ complete, cells }: Pick<Paper, "complete" | "cells">, counts: VerdictCounts) =>
+  complete ? totalOf(counts) : cells.length;
+
+/** Behind a count that is not the last one. */
+export const soFar = ({ complete }: Pick<Paper, "complete">) => (complete ? "" : " so far");
+
+const totalOf = (counts: VerdictCounts) => VERDICTS.reduce((sum, { verdict }) => sum + counts[verdict], 0);
+
+/** `28 reached, 8 smaller, 4 contradicts`. */
+export const countsInWords = (counts: VerdictCounts) =>
+  VERDICTS.map(({ verdict, word }) => `${counts[verdict]} ${word}`).join(", ");
+
+/** Where a cell stands on the page. */
+export const cellId = ({
+  table,
+  strategy,
+  against,
+  signal,
+}: Pick<PaperCell, "table" | "strategy" | "against" | "signal">) => `table-${table}-${strategy}-${against}-${signal}`;
+
+const turned = ({ cells }: Paper) =>
+  cells.filter(({ verdict, without_preview: without }) => without !== null && without.verdict !== verdict).length;
+
+/** What the whole claim hinges on: preview, in one sentence made from the counts. */
+export function previewSentence(paper: Paper): string {
+  const { reached, total, without_preview: without, readings } = paper;
+  const preview = readings.find(({ id }) => id === "preview");
+  const choice = preview?.choices.find(({ id }) => id === preview.chosen);
+  if (!choice || choice.id === "none")
+    return "These are already the cells without preview: no controller knows the road ahead.";
+  const same = `With preview (${choice.label.toLowerCase()}) ${reached} of ${total} cells are reached, without it ${without.reached}: `;
+  const fewer = reached - without.reached;
+  if (fewer <= 0) return `${same}here the claim does not hinge on preview.`;
+  return `${same}the claim hinges on what the controller knows of the road ahead. Without it ${count(turned(paper), "verdict")} ${turned(paper) === 1 ? "changes" : "change"}.`;
+}
+
+/** In how many cells the interval leaves the verdict open. */
+export const uncertain = ({ cells }: Paper) => cells.filter(({ certain }) => certain === false).length;
+
+export const isMissed = ({ verdict }: PaperCell) => verdict === "smaller" || verdict === "contradicts";

@@ -2,7 +2,10 @@
 
 import { Button, Loader, Text } from "@mantine/core";
 import { useEffect, useState } from "react";
+import { useIntersection } from "@mantine/hooks";
 import classes from "./paper.module.css";
+import { printing } from "../../lib/printing";
+import { useStore } from "../../lib/store";
 
 interface WaitingProps {
   readonly what: string;
@@ -46,4 +49,16 @@ export function Fault({ message, onRetry }: { readonly message: string; readonly
       </Button>
     </div>
   );
+}
+
+/** What is this near to the window is as good as in it. */
+const NEAR = "300px 0px";
+
+/** Whether a part of the page has come near the window, or is being printed; once so, always so. */
+export function useVisible() {
+  const { ref, entry } = useIntersection<HTMLElement>({ rootMargin: NEAR });
+  const printed = useStore(printing);
+  const [visible, setVisible] = useState(false);
+  if (!visible && (printed || entry?.isIntersecting === true)) setVisible(true);
+  return { ref, visible, printed };
 }

@@ -5,11 +5,11 @@ import { useMemo } from "react";
 import type { Catalogue, FigureTemplate, Strategy } from "../../api/types";
 import { catalogueQuery, figuresQuery, strategiesQuery } from "../../server/queries";
 import { headingOf, type WindowView } from "../../features/tables/ComparisonTable";
-import { shownUnit } from "../../server/units";
+import { shownUnit } from "../../server/metrics";
 import type { ShownUnit } from "../../units/quantity";
 import { prettyUnit } from "../../units/format";
 
-export interface Words {
+export interface Labels {
   readonly strategies: readonly Strategy[];
   readonly strategy: (id: string) => string;
   readonly signal: (key: string) => string;
@@ -27,7 +27,7 @@ function wordsOf(
   catalogue: Catalogue,
   strategies: readonly Strategy[],
   templates: Readonly<Record<string, FigureTemplate>>,
-): Words {
+): Labels {
   const label = (list: Labelled, key: string) => list.find((entry) => entry.key === key)?.label ?? key;
   return {
     strategies,
@@ -46,7 +46,7 @@ function wordsOf(
 }
 
 /** `null` until all of it is there. */
-export function useWords() {
+export function useLabels() {
   const catalogue = useQuery(catalogueQuery);
   const strategies = useQuery(strategiesQuery);
   const templates = useQuery(figuresQuery);

@@ -1,19 +1,18 @@
 /** One figure under every strategy on one scale from zero: quantiles as bars. */
 
+import { stepAbove } from "../../lib/steps";
 import { Box } from "@mantine/core";
 import type { BatchSummary, Strategy } from "../../api/types";
-import { fullName, type Figure } from "../../server/metrics";
-import { ChartButton } from "../../plots/ChartButton";
+import { fullName, type Metric } from "../../server/metrics";
+import { ChartButton } from "../../plots/FigureButton";
 import { formatNumber, formatResult, prettyUnit } from "../../units/format";
 import { spreadChart } from "./paperSpread";
-import { scaleTo } from "./scale";
-import { quantile, type FigureSummary } from "./summary";
+import { quantile, type FigureSummary, type StudyParts } from "./summary";
 import styles from "./bars.module.css";
 import ui from "../../ui/ui.module.css";
-import type { StudyParts } from "./props";
 
 interface Props extends Pick<StudyParts, "summary" | "strategies"> {
-  readonly figure: Figure;
+  readonly figure: Metric;
 }
 
 export function Intervals({ summary, strategies, figure }: Props) {
@@ -67,7 +66,7 @@ interface TrackProps {
   readonly summary: BatchSummary;
   readonly strategy: Strategy;
   readonly figureSummary: FigureSummary;
-  readonly figure: Figure;
+  readonly figure: Metric;
   readonly end: number;
 }
 
@@ -97,4 +96,14 @@ function Track({ summary, strategy, figureSummary, figure: { label, unit, scale 
       )}
     </span>
   );
+}
+
+/** A scale from zero that ends on a round number. */
+export function scaleTo(most: number): { readonly end: number; readonly ticks: readonly number[] } {
+  if (!(most > 0)) return { end: 1, ticks: [0] };
+  const step = stepAbove(most / 4);
+  const count = Math.ceil(most / step - 1e-9);
+  // Multiples of the step, without the dust of binary fractions.
+  const at = (index: number) => Number((index * step).toPrecision(10));
+  return { end: at(count), ticks: Array.from({ length: count + 1 }, (_, index) => at(index)) };
 }

@@ -5,12 +5,11 @@ import type { BatchSummary, Strategy } from "../../api/types";
 import { StrategyName } from "../../ui/StrategyKey";
 import { formatFixed, formatResult, formatWhole } from "../../units/format";
 import { RunButton } from "./RunButton";
-import { AIRBORNE, quantile, TRAVEL, type StrategySummary } from "./summary";
+import { AIRBORNE, quantile, TRAVEL, type StrategySummary, type StudyParts } from "./summary";
 import type { Opening } from "../../features/sweep/useOpenRun";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
-import type { StudyParts } from "./props";
 
 type Props = Pick<StudyParts, "summary" | "strategies" | "opening">;
 

@@ -3,17 +3,16 @@
 import { Box, SegmentedControl, Text } from "@mantine/core";
 import { useState } from "react";
 import type { Batch } from "../../api/types";
-import type { Figure } from "../../server/metrics";
+import type { Metric } from "../../server/metrics";
 import { formatFixed } from "../../units/format";
 import { nameOf } from "./names";
 import classes from "./robustness.module.css";
 import { hasOrder } from "./study";
-import { matters, ranked, type Ranked, type Sensitivity, type StrategySummary } from "./summary";
+import { matters, ranked, type Ranked, type Sensitivity, type StrategySummary, type StudyParts } from "./summary";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { labelled } from "../../ui/Entry";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
-import type { StudyParts } from "./props";
 
 type Props = Pick<StudyParts, "batch" | "summary" | "strategies" | "figures">;
 
@@ -82,7 +81,7 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
 
 function sensitivitiesOf(
   { figures: results, stability }: StrategySummary,
-  figures: readonly Figure[],
+  figures: readonly Metric[],
   margins: boolean,
 ): Readonly<Record<string, readonly Sensitivity[]>> {
   const own = figures.map(
@@ -91,7 +90,7 @@ function sensitivitiesOf(
   return Object.fromEntries(margins ? own : [...own, [STABILITY, stability.sensitivity] as const]);
 }
 
-function columnsOf(batch: Batch, figures: readonly Figure[], margins: boolean): readonly Column<Ranked>[] {
+function columnsOf(batch: Batch, figures: readonly Metric[], margins: boolean): readonly Column<Ranked>[] {
   const sensitivity = (key: string, head: string, group?: string): Column<Ranked> => ({
     key,
     head,

@@ -4,35 +4,33 @@ import { Text } from "@mantine/core";
 import { keepPreviousData, useQuery } from "@tanstack/react-query";
 import { useState, type CSSProperties } from "react";
 import { isFinal } from "../../jobs/follow";
-import { ChartButton } from "../../plots/ChartButton";
+import { ChartButton } from "../../plots/FigureButton";
 import type { Batch } from "../../api/types";
-import type { Figure } from "../../server/metrics";
-import { fullName, OPENING_FIGURE } from "../../server/metrics";
-import { tableQuery } from "../../features/sweep/queries";
+import { type Metric, fullName, OPENING_METRIC } from "../../server/metrics";
+import { tableQuery } from "../../features/sweep/table";
 import { BATCH, jobQuery } from "../../jobs/useJob";
 import { formatPercent } from "../../features/tables/change";
 import { formatResult, prettyUnit } from "../../units/format";
 import { nameOf, useFieldText } from "./names";
 import { tornadoChart } from "./paperSpread";
 import { isOneByOne, tornadoOf, type Bar, type End, type Tornado } from "./tornado";
-import { TRAVEL } from "./summary";
+import { TRAVEL, type StudyParts } from "./summary";
 import { useOpenRun } from "../../features/sweep/useOpenRun";
 import styles from "./bars.module.css";
 import { Choice, labelled } from "../../ui/Entry";
 import { Fault } from "../../ui/Fault";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
-import type { StudyParts } from "./props";
 
 interface Props extends Pick<StudyParts, "figures" | "strategies"> {
   readonly id: string;
   /** The keys offered first are these figures'. */
-  readonly paper: readonly Figure[];
+  readonly paper: readonly Metric[];
 }
 
 const REFRESH_MS = 2_000;
 
-export function OneByOne({ id, ...rest }: Props) {
+export function OneAtATime({ id, ...rest }: Props) {
   // Its end is asked for: the page's one stream of events is the study's.
   const { data: batch, error } = useQuery({
     ...jobQuery(BATCH, id),
@@ -56,7 +54,7 @@ function Message({ text }: { readonly text: string }) {
 
 function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & { readonly batch: Batch }) {
   const offered = [...paper, ...figures.filter(({ key }) => key === TRAVEL)];
-  const [figureKey, setFigure] = useState(OPENING_FIGURE);
+  const [figureKey, setFigure] = useState(OPENING_METRIC);
   const [strategyId, setStrategy] = useState(strategies.find(({ id }) => id === "lv")?.id ?? strategies[0]?.id ?? "");
   const figure = offered.find(({ key }) => key === figureKey) ?? offered[0];
   const table = useQuery({
@@ -130,7 +128,7 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
 
 interface BarsProps extends Pick<StudyParts, "batch" | "opening"> {
   readonly tornado: Tornado;
-  readonly figure: Figure;
+  readonly figure: Metric;
 }
 
 /** Lengths are shares of the widest bar's; the style adds room for labels. */

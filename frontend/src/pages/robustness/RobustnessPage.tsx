@@ -6,7 +6,7 @@ import { SweepList } from "../../features/sweep/SweepList";
 import { usePageScenario } from "../../features/scenarioSource/scenarioSource";
 import { ScenarioChoice } from "../../features/scenarioSource/ScenarioChoice";
 import { schemaQuery, strategiesQuery } from "../../server/queries";
-import { defaultsQuery } from "./defaults";
+import { defaultsQuery } from "./study";
 import { StudyForm } from "./StudyForm";
 import { Page } from "../../ui/Page";
 

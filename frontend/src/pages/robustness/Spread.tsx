@@ -3,19 +3,18 @@
 import { SegmentedControl, Text } from "@mantine/core";
 import { useState } from "react";
 import type { BatchSummary, Strategy } from "../../api/types";
-import type { Figure } from "../../server/metrics";
+import type { Metric } from "../../server/metrics";
 import { formatPercent } from "../../features/tables/change";
 import { StrategyName } from "../../ui/StrategyKey";
 import { formatResult, prettyUnit } from "../../units/format";
 import { Intervals } from "./Intervals";
 import { RunButton } from "./RunButton";
-import { quantile, type FigureSummary, type Margin } from "./summary";
+import { quantile, type FigureSummary, type Margin, type StudyParts } from "./summary";
 import type { Opening } from "../../features/sweep/useOpenRun";
 import styles from "./bars.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
-import type { StudyParts } from "./props";
 
 type Props = Pick<StudyParts, "summary" | "strategies" | "figures" | "opening">;
 
@@ -62,7 +61,7 @@ export function Spread({ summary, strategies, figures, opening }: Props) {
 
 interface Row {
   readonly strategy: Strategy;
-  readonly figure: Figure;
+  readonly figure: Metric;
   readonly results: FigureSummary;
 }
 

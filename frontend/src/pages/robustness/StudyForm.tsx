@@ -1,20 +1,23 @@
 /** What is uncertain, and between which ends; under which strategies; at how many points. */
 
 import { Box, Checkbox, Switch, Text } from "@mantine/core";
-import { useId, type ReactNode } from "react";
+import { useId, type ReactNode, useMemo } from "react";
 import type { Batch, RobustnessDefaults, Scenario, Strategy } from "../../api/types";
 import type { Group } from "../../scenario/schema";
 import { StartFoot } from "../../features/jobForm/StartFoot";
 import { StrategyChoice } from "../../features/sweep/StrategyChoice";
-import { amountOf, notesOf } from "../../features/sweep/useSweep";
+import { amountOf, notesOf, sweepFieldName } from "../../features/sweep/useSweep";
 import { prettyUnit } from "../../units/format";
-import { draftStudy, exactText, restoreStudy, type RangeDraft, type StudyDraft } from "./study";
-import { useStudy } from "./useStudy";
+import { draftStudy, exactText, restoreStudy, type RangeDraft, type StudyDraft, readStudy } from "./study";
 import rows from "./form.module.css";
 import ui from "../../ui/ui.module.css";
 import { useDraft } from "../../lib/useDraft";
 import { Entry } from "../../ui/Entry";
 import { Fault, Problems } from "../../ui/Fault";
+import { ask } from "../../api/http";
+import { withKey } from "../../api/jobs";
+import { STUDY_LABEL } from "../../features/sweep/SweepList";
+import { useJobForm } from "../../features/jobForm/useJobForm";
 
 interface Props {
   readonly defaults: RobustnessDefaults;
@@ -167,4 +170,26 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
 function titleOf(name: string, title: string): string {
   if (name.startsWith("actuator.")) return `Actuator ${title.toLowerCase()}`;
   return name === "road.seed" ? "Road" : title;
+}
+
+/** A study written in the form, as batches to submit: the cube and, on request, each field alone. */
+function useStudy(draft: StudyDraft, scenario: Scenario | undefined, onSubmitted: () => void) {
+  const parsed = useMemo(() => readStudy(draft), [draft]);
+  return useJobForm({
+    kind: "batch",
+    body:
+      parsed.ok && scenario
+        ? { scenario, strategies: draft.strategies, sweep: parsed.sweeps.cube, label: STUDY_LABEL }
+        : null,
+    errors: parsed.ok ? null : parsed.errors,
+    fieldNameOf: sweepFieldName(draft.ranges.map(({ field }) => field.name)),
+    estimate: (body, signal) => ask("post", "/batches", { body: { ...body, dry_run: true } }, signal),
+    onSubmitted,
+    submit: async (body, keyOf) => {
+      const submit = (sent: typeof body) => ask("post", "/batches", { body: sent, ...withKey(keyOf(sent)) });
+      const oneByOne = parsed.ok ? parsed.sweeps.oneByOne : null;
+      const alone = oneByOne && (await submit({ ...body, sweep: oneByOne, label: `${STUDY_LABEL}: each field alone` }));
+      return { to: "/robustness/$id", params: { id: (await submit(body)).id }, search: alone ? { one: alone.id } : {} };
+    },
+  });
 }

@@ -2,16 +2,16 @@
 
 import { Button, Collapse, Text } from "@mantine/core";
 import { useDisclosure } from "@mantine/hooks";
-import { IconAdjustments, IconPlus } from "../../ui/icons";
 import { useQuery } from "@tanstack/react-query";
 import { Link, useParams } from "@tanstack/react-router";
 import { useMemo } from "react";
+import { IconAdjustments, IconPlus } from "../../ui/icons";
 import { BatchState } from "../../features/sweep/SweepState";
 import { otherThanPaper } from "../../features/scenarioSource/otherThanPaper";
 import { BATCH, useJob } from "../../jobs/useJob";
 import { Page } from "../../ui/Page";
 import { useCatalogues } from "../../server/useCatalogues";
-import { defaultsQuery } from "./defaults";
+import { defaultsQuery } from "./study";
 import { StudyForm } from "./StudyForm";
 import { StudyResults } from "./StudyResults";
 import { compact } from "../../ui/compact";

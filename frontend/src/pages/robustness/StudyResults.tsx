@@ -1,25 +1,29 @@
 /** What a study says: who keeps the lead, how far every figure spreads, what is stable, what it depends on. */
 
-import { Text } from "@mantine/core";
+import { Text, Alert, Box } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useNavigate, useSearch } from "@tanstack/react-router";
 import { useMemo } from "react";
 import { isFinal } from "../../jobs/follow";
-import type { Catalogue } from "../../api/types";
-import { paperFigures } from "../../server/metrics";
+import type { Catalogue, BatchSummary, Strategy, StrategyId } from "../../api/types";
+import { paperMetrics } from "../../server/metrics";
 import { formatWhole } from "../../units/format";
-import { Leads } from "./Leads";
 import { Limits } from "./Limits";
 import { Matters } from "./Matters";
-import { OneByOne } from "./OneAtATime";
+import { OneAtATime } from "./OneAtATime";
 import { Spread } from "./Spread";
-import { AIRBORNE, summaryQuery, TRAVEL } from "./summary";
-import { Unstable } from "./Unstable";
+import { AIRBORNE, summaryQuery, TRAVEL, quantile, type Margin, type StudyParts } from "./summary";
 import { useOpenRun } from "../../features/sweep/useOpenRun";
 import { Fault } from "../../ui/Fault";
 import ui from "../../ui/ui.module.css";
-import { Loading } from "../../ui/Loading";
-import type { StudyParts } from "./props";
+import { Loading } from "../../ui/Blank";
+import { IconAlertTriangle } from "../../ui/icons";
+import { formatPercent } from "../../features/tables/change";
+import { StrategyName } from "../../ui/StrategyKey";
+import classes from "./robustness.module.css";
+import { DataTable, type Column } from "../../ui/DataTable";
+import { Choice, labelled } from "../../ui/Entry";
+import { Card } from "../../ui/Card";
 
 /** Fewer finished points are no spread to look at. */
 const LEAST_POINTS = 10;
@@ -32,7 +36,7 @@ export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
   const { baseline = null, one } = useSearch({ from: "/robustness/$id" });
   const navigate = useNavigate({ from: "/robustness/$id" });
   const paper = useMemo(
-    () => paperFigures(catalogue).flatMap((key) => figures.find((figure) => figure.key === key) ?? []),
+    () => paperMetrics(catalogue).flatMap((key) => figures.find((figure) => figure.key === key) ?? []),
     [catalogue, figures],
   );
   const columns = useMemo(() => [...paper.map(({ key }) => key), TRAVEL, AIRBORNE], [paper]);
@@ -90,12 +94,97 @@ export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
       <Spread {...shared} figures={paper} />
       <Limits {...shared} />
       <Matters {...{ summary, strategies, batch }} figures={paper} />
-      {one !== undefined && <OneByOne id={one} {...{ figures, strategies }} paper={paper} />}
+      {one !== undefined && <OneAtATime id={one} {...{ figures, strategies }} paper={paper} />}
       <Text size="xs" c="dimmed">
         Percentiles lie between two values by distance. Every strategy runs at the same points; changes are taken point
         by point. The ranges are ours, not the paper’s: 5 and 95 % of these points say nothing about 5 and 95 % of real
         cars.
       </Text>
     </div>
+  );
+}
+
+type UnstableProps = Pick<StudyParts, "summary" | "strategies">;
+
+/** Says before everything else that some of what follows is an oscillation. */
+function Unstable({ summary, strategies }: UnstableProps) {
+  const sentences = strategies.flatMap(({ id, label }) => {
+    const stability = summary.strategies[id]?.stability;
+    return stability && stability.unstable > 0
+      ? [`${label} is unstable at ${formatWhole(stability.unstable)} of ${formatWhole(stability.known)} points`]
+      : [];
+  });
+  if (sentences.length === 0) return null;
+  return (
+    <Alert color="red" variant="light" icon={<IconAlertTriangle size={18} />} role="alert" data-testid="unstable">
+      {sentences.join("; ")}. There a small disturbance grows until the actuators’ limits stop it: the wheels then
+      oscillate by themselves. The figures below include those runs.
+    </Alert>
+  );
+}
+
+interface LeadsProps extends Pick<StudyParts, "summary" | "strategies" | "figures"> {
+  readonly onBaseline: (baseline: StrategyId) => void;
+}
+
+/** At how many points the baseline strategy is better than each other one, and what is left of its lead. */
+function Leads({ summary, strategies, figures, onBaseline }: LeadsProps) {
+  const baseline = strategies.find(({ id }) => id === summary.baseline);
+  const others = strategies.filter(({ id }) => id !== summary.baseline);
+  if (!baseline || others.length === 0) return null;
+  return (
+    <Card
+      aria-label="Who keeps the lead"
+      title={`Where ${baseline.label} is better`}
+      tools={<Choice aria-label="Baseline" value={summary.baseline} data={labelled(strategies)} onPick={onBaseline} />}
+    >
+      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
+        Share of the points at which {baseline.label} has the lower value; below, how much higher the other strategy is:
+        in the scenario itself, then the median and the range of 90 % of the points.
+      </Text>
+      <DataTable
+        label="Leads"
+        rows={others}
+        rowKey={({ id }) => id}
+        rowAttributes={({ id }) => ({ "data-strategy": id })}
+        columns={[
+          { key: "strategy", head: "Against", text: true, cell: (strategy) => <StrategyName strategy={strategy} /> },
+          ...figures.map(({ key, label, group }): Column<Strategy> => ({
+            key,
+            head: label,
+            group,
+            attributes: () => ({ "data-cell": key }),
+            cell: ({ id }) => <Lead summary={summary} margin={summary.strategies[id]?.figures[key]?.margin} />,
+          })),
+        ]}
+      />
+    </Card>
+  );
+}
+
+const whole = (share: number) => `${Math.round(100 * share)}\u2009%`;
+
+const plain = (percent: number | null) =>
+  percent === null ? "–" : formatPercent(Math.round(percent)).replace(".0", "");
+
+function Lead({ summary, margin }: { readonly summary: BatchSummary; readonly margin: Margin | null | undefined }) {
+  // The margin is the other strategy's: where that is worse, the baseline is better.
+  if (typeof margin?.worse !== "number" || typeof margin.better !== "number") return "–";
+  const { worse, better } = margin;
+  return (
+    <>
+      <Box component="span" display="block" fw={650}>
+        {whole(worse)}
+      </Box>
+      <span className={classes.shareBar} aria-hidden data-behind={worse < better || undefined}>
+        <span style={{ width: `${100 * worse}%` }} />
+      </span>
+      <span className={classes.lost}>
+        {plain(margin.nominal)} → <b>{plain(quantile(summary, margin, 50))}</b>
+      </span>
+      <span className={classes.lost}>
+        {plain(quantile(summary, margin, 5))} … {plain(quantile(summary, margin, 95))}
+      </span>
+    </>
   );
 }

@@ -2,8 +2,7 @@
 
 import { useQuery } from "@tanstack/react-query";
 import type { Batch } from "../../api/types";
-import { showCell } from "../../features/sweep/show";
-import type { Cell } from "../../features/sweep/table";
+import { showCell, type Cell } from "../../features/sweep/table";
 import { inShownUnit } from "../../scenario/limits";
 import type { Group } from "../../scenario/schema";
 import { schemaQuery } from "../../server/queries";

@@ -1,9 +1,8 @@
 /** The spread and the fields alone as charts for a file: the page draws both as plain bars. */
 
 import type { BatchSummary, Strategy } from "../../api/types";
-import { fullName, type Figure } from "../../server/metrics";
-import { chartLayout } from "../../plots/chartLayout";
-import { ON_PAPER } from "../../plots/palettes";
+import { fullName, type Metric } from "../../server/metrics";
+import { chartLayout, ON_PAPER } from "../../plots/palettes";
 import type { ChartOnPaper } from "../../plots/paperChart";
 import type { LineTrace, PointTrace } from "../../plots/plotly";
 import { titleWithUnit } from "../../units/format";
@@ -58,7 +57,7 @@ const layoutOf = (title: string, names: readonly string[], rest: object) =>
 
 const PERCENTS = [5, 25, 50, 75, 95];
 
-export function spreadChart(summary: BatchSummary, strategies: readonly Strategy[], figure: Figure): ChartOnPaper {
+export function spreadChart(summary: BatchSummary, strategies: readonly Strategy[], figure: Metric): ChartOnPaper {
   const rows = strategies.flatMap(({ id, label }) => {
     const results = summary.strategies[id]?.figures[figure.key];
     const scaled = (value: number | null | undefined) => (typeof value === "number" ? value * figure.scale : null);
@@ -122,7 +121,7 @@ export function spreadChart(summary: BatchSummary, strategies: readonly Strategy
 /** `names` and `ends` are those of the bars' fields and of their ends' places, as the page writes them. */
 export function tornadoChart(
   { nominal, bars: fields }: Tornado,
-  figure: Figure,
+  figure: Metric,
   names: readonly string[],
   places: readonly (readonly [string, string])[],
 ): ChartOnPaper {

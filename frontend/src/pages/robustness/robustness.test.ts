@@ -3,7 +3,7 @@ import type { Batch, RobustnessDefaults } from "../../api/types";
 import { FORM } from "../../scenario/form.fixture";
 import { isOneByOne, tornadoOf } from "./tornado";
 import { fieldText } from "./names";
-import { scaleTo } from "./scale";
+import { scaleTo } from "./Intervals";
 import { draftStudy, readStudy, type StudyDraft } from "./study";
 import { matters, quantile, ranked, type Sensitivity } from "./summary";
 import { withFields } from "../../scenario/fields";

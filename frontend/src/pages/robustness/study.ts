@@ -8,6 +8,7 @@ import { isLike } from "../../lib/storage";
 import type { DraftErrors } from "../../features/jobForm/problems";
 import { draftField, readDraft } from "../../features/sweep/draft";
 import { sweepFields, type SweepField } from "../../scenario/fields";
+import { query } from "../../api/http";
 
 export interface RangeDraft {
   readonly field: SweepField;
@@ -114,6 +115,8 @@ function alone({ latin_hypercube: cube }: Sweep): Sweep | null {
 export function exactText({ leaf }: SweepField, scenario: Scenario | undefined): string {
   const value = scenario && getAt(scenario, leaf.pointer);
   if (value === null) return leaf.title === "Saturation" ? "exact: the force limit" : "exact: ideal";
-  if (leaf.pointer.startsWith("/mismatch/") && value === leaf.standard) return "exact";
+  if (leaf.pointer.startsWith("/mismatch/") && value === leaf.paperValue) return "exact";
   return typeof value === "number" && leaf.kind === "number" ? `always ${valueText(leaf, value)}` : "exact";
 }
+
+export const defaultsQuery = { ...query("/robustness", {}), staleTime: Infinity, gcTime: Infinity };

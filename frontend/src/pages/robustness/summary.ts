@@ -3,7 +3,9 @@
 import { keepPreviousData, queryOptions } from "@tanstack/react-query";
 import { ask } from "../../api/http";
 import { isFinal } from "../../jobs/follow";
-import type { Batch, BatchSummary, StrategyId } from "../../api/types";
+import type { Batch, BatchSummary, StrategyId, Strategy } from "../../api/types";
+import type { Metric } from "../../server/metrics";
+import type { Opening } from "../../features/sweep/useOpenRun";
 
 export type StrategySummary = BatchSummary["strategies"][string];
 export type FigureSummary = StrategySummary["figures"][string];
@@ -68,4 +70,14 @@ export function ranked(sensitivities: Readonly<Record<string, readonly Sensitivi
       return { field, cells, most: Math.max(...Object.values(cells).map(({ effect }) => effect)) };
     })
     .sort((a, b) => b.most - a.most);
+}
+
+/** What a study's page gives its cards. */
+export interface StudyParts {
+  readonly batch: Batch;
+  readonly summary: BatchSummary;
+  /** The study's, in the catalogue's order. */
+  readonly strategies: readonly Strategy[];
+  readonly figures: readonly Metric[];
+  readonly opening: Opening;
 }

@@ -3,14 +3,13 @@
 import { Group, Text, useComputedColorScheme } from "@mantine/core";
 import { useMemo, useRef, useState } from "react";
 import { Chart } from "../../plots/Chart";
-import { ChartButton } from "../../plots/ChartButton";
+import { ChartButton } from "../../plots/FigureButton";
 import { ON_PAPER, PALETTES } from "../../plots/palettes";
 import { count, formatExact, formatResult, titleWithUnit } from "../../units/format";
 import { fullName } from "../../server/metrics";
 import { mapGrid, shareBelow } from "./map";
 import { mapFigure } from "./mapFigure";
-import type { PlotParts } from "./props";
-import { useHeld } from "./useHeld";
+import type { PlotParts } from "./shownPlot";
 
 export function MapPlot({ batch, columns: newest, shown, strategies, height, textOf, onOpen }: PlotParts) {
   const scheme = useComputedColorScheme("light");
@@ -91,4 +90,12 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
       </Group>
     </>
   );
+}
+
+/** The newest value, or while `hold` the one before, unless another `key` is asked for. */
+function useHeld<Value>(newest: Value, key: string, hold: boolean): Value {
+  const [held, setHeld] = useState({ value: newest, key });
+  const stays = hold && held.key === key;
+  if (!stays && (held.value !== newest || held.key !== key)) setHeld({ value: newest, key });
+  return stays ? held.value : newest;
 }

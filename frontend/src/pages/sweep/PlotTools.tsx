@@ -1,15 +1,18 @@
 /** What a sweep's plot shows: of which kind it is, which metric, over which field, under which strategies. */
 
 import { Group, SegmentedControl, Select } from "@mantine/core";
+import { useState } from "react";
 import bar from "../../ui/toolbar.module.css";
-import { Choice } from "../../ui/Entry";
-import { titleWithUnit } from "../../units/format";
-import type { AxisOf } from "../../features/sweep/axes";
-import { optionsOf, type Figure } from "../../server/metrics";
-import { MapTools } from "./MapTools";
-import { MarkerKey } from "./MarkerKey";
-import type { PlotKind } from "./view";
-import type { SweepParts } from "./props";
+import { Choice, Entry, labelled } from "../../ui/Entry";
+import { titleWithUnit, formatInput } from "../../units/format";
+import type { AxisOf } from "../../features/sweep/table";
+import { optionsOf, type Metric } from "../../server/metrics";
+import { type PlotKind, NONE } from "./view";
+import type { SweepParts } from "./shownPlot";
+import { parseQuantity } from "../../units/quantity";
+import classes from "./sweep.module.css";
+import type { Strategy } from "../../api/types";
+import { outlineOf, type MarkerSymbol } from "../../plots/markers";
 
 interface Props extends Pick<SweepParts, "strategies" | "markers" | "figures" | "shown" | "view" | "onView"> {
   readonly axes: readonly AxisOf[];
@@ -24,7 +27,7 @@ const KINDS: readonly { readonly value: PlotKind; readonly label: string }[] = [
 export function PlotTools({ axes, strategies, markers, figures, shown, view, onView }: Props) {
   const { kind, mappable } = shown;
   const offered = KINDS.filter(({ value }) => value !== "map" || mappable);
-  const metric = (label: string, figure: Figure, onPick: (key: string) => void) => (
+  const metric = (label: string, figure: Metric, onPick: (key: string) => void) => (
     <Select
       size="xs"
       label={label}
@@ -84,5 +87,66 @@ export function PlotTools({ axes, strategies, markers, figures, shown, view, onV
         </Group>
       )}
     </Group>
+  );
+}
+
+type MapToolsProps = Pick<SweepParts, "strategies" | "shown" | "onView">;
+
+/** Whose map is drawn, compared with which strategy, and where it has a line. */
+function MapTools({ strategies, shown, onView }: MapToolsProps) {
+  const { strategy, against } = shown;
+  const options = labelled(strategies);
+  return (
+    <>
+      <Choice
+        label="Strategy"
+        value={strategy}
+        data={options}
+        onPick={(id) => onView({ strategy: id, against: against ?? NONE, threshold: null })}
+      />
+      <Choice
+        label="Change against"
+        value={against ?? NONE}
+        data={[{ value: NONE, label: "Nothing: its own values" }, ...options.filter(({ value }) => value !== strategy)]}
+        onPick={(id) => onView({ against: id, threshold: null })}
+      />
+      <LineEntry key={`${shown.y.key} ${strategy} ${against ?? ""}`} {...{ shown, onView }} />
+    </>
+  );
+}
+
+function LineEntry({ shown: { threshold, mapUnit }, onView }: Pick<MapToolsProps, "shown" | "onView">) {
+  const [typed, setTyped] = useState(() => (threshold === null ? "" : formatInput(threshold)));
+  const read = (text: string) => (text.trim() === "" ? null : parseQuantity(text, mapUnit));
+  const parsed = read(typed);
+  const change = (text: string) => {
+    setTyped(text);
+    const next = read(text);
+    if (next === null || next.ok) onView({ threshold: next?.value ?? NONE });
+  };
+  return (
+    <Entry
+      className={classes.threshold}
+      label="Line at"
+      placeholder="no line"
+      value={typed}
+      unit={mapUnit}
+      error={parsed?.ok === false ? parsed.message : undefined}
+      onType={change}
+    />
+  );
+}
+
+interface MarkerKeyProps {
+  readonly strategy: Pick<Strategy, "colour">;
+  readonly symbol: MarkerSymbol | undefined;
+}
+
+/** A strategy's marker as the plot draws it. */
+export function MarkerKey({ strategy, symbol = "circle" }: MarkerKeyProps) {
+  return (
+    <svg width="14" height="14" viewBox="-7 -7 14 14" aria-hidden style={{ flex: "none" }} data-marker={symbol}>
+      <path d={outlineOf(symbol, 4.4)} fill={strategy.colour} stroke="var(--muted)" strokeWidth="0.75" />
+    </svg>
   );
 }

@@ -6,22 +6,18 @@ import type { Batch, Strategy } from "../../api/types";
 import { IconAlertTriangle } from "../../ui/icons";
 import { isFinal } from "../../jobs/follow";
 import { Chart } from "../../plots/Chart";
-import { ChartButton } from "../../plots/ChartButton";
+import { ChartButton } from "../../plots/FigureButton";
 import { ON_PAPER, PALETTES } from "../../plots/palettes";
-import { useLightColours } from "../../server/useSchemeColours";
+import { useLightColours } from "../../server/useCatalogues";
 import { count, formatWhole, formatWithUnit } from "../../units/format";
-import { axesOf, type AxisOf } from "../../features/sweep/axes";
+import { axesOf, type AxisOf, cell, pointsOf, type Columns, showCell } from "../../features/sweep/table";
 import classes from "./sweep.module.css";
 import { isAirborne, fieldTexts } from "./describeRow";
 import { DotLayer } from "./DotLayer";
 import { fullName } from "../../server/metrics";
-import { frontOf } from "./front";
-import { linesOf } from "./lines";
+import { frontOf, linesOf } from "./lines";
 import { scatterFigure } from "./scatter";
-import { showCell } from "../../features/sweep/show";
-import type { ShownPlot } from "./shownPlot";
-import { cell, pointsOf, type Columns } from "../../features/sweep/table";
-import type { PlotParts, SweepParts } from "./props";
+import type { ShownPlot, PlotParts, SweepParts } from "./shownPlot";
 
 interface Props extends PlotParts, Pick<SweepParts, "catalogue" | "markers" | "best"> {
   /** Those switched on. */

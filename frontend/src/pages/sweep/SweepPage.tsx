@@ -2,19 +2,26 @@
 
 import { useParams } from "@tanstack/react-router";
 import { useMemo } from "react";
-import type { Link } from "../../api/types";
+import { Button, Menu } from "@mantine/core";
+import { useQuery } from "@tanstack/react-query";
+import type { Link, Batch, SharedView } from "../../api/types";
 import { BATCH, useJob } from "../../jobs/useJob";
 import { markersOf } from "../../plots/markers";
 import { LabLink } from "../../ui/LabLink";
 import { Page } from "../../ui/Page";
 import { useCatalogues } from "../../server/useCatalogues";
-import { BatchActions } from "./SweepActions";
 import { BatchResults } from "./SweepResults";
 import { BatchState } from "../../features/sweep/SweepState";
-import { SharedNote } from "../../features/share/SharedNote";
+import { SharedNote } from "../../features/share/SharedBanner";
 import { SweepList } from "../../features/sweep/SweepList";
-import { titleOf } from "../../features/sweep/title";
+import { titleOf } from "../../features/sweep/table";
 import { useBatchView, useSharedView, type BatchView } from "./view";
+import { IconBraces, IconDownload, IconFileTypeCsv, IconTable } from "../../ui/icons";
+import { address, ask } from "../../api/http";
+import { download } from "../../lib/download";
+import { ShareLink } from "../../features/share/ShareLink";
+import { compact } from "../../ui/compact";
+import { strategiesQuery } from "../../server/queries";
 
 export function SweepPage() {
   const { id } = useParams({ from: "/b/$id" });
@@ -63,6 +70,92 @@ function Sweep({ id, view, onView, link }: Props) {
           {!link && <SweepList strategies={catalogues.strategies} current={id} />}
         </>
       ) : null}
+    </Page>
+  );
+}
+
+interface SweepActionsProps {
+  readonly batch: Batch | undefined;
+  readonly view: BatchView;
+}
+
+const FORMATS = [
+  { format: "csv", label: "CSV", icon: IconFileTypeCsv },
+  { format: "parquet", label: "Parquet", icon: IconTable },
+  { format: "json", label: "JSON", icon: IconBraces },
+] as const;
+
+/** What the page of a sweep can do: share it and save its runs as files. */
+function BatchActions({ batch, view }: SweepActionsProps) {
+  return (
+    <>
+      <ShareLink
+        make={() =>
+          batch
+            ? ask("post", "/links", { body: { batch_id: batch.id, view: toShare(batch, view) } })
+            : Promise.reject(new Error("there is no sweep"))
+        }
+        obstacle={batch ? null : "There is no sweep to share yet"}
+        opens="It opens this sweep with its plot as it is here, for anyone who has the link. It is read-only."
+      />
+      <Menu position="bottom-end" width={260}>
+        <Menu.Target>
+          <Button
+            size="xs"
+            variant="default"
+            aria-label="Export"
+            classNames={compact}
+            leftSection={<IconDownload size={15} />}
+            disabled={!batch}
+          >
+            Export
+          </Button>
+        </Menu.Target>
+        <Menu.Dropdown>
+          <Menu.Label>One row per run, all metrics</Menu.Label>
+          {FORMATS.map(({ format, label, icon: Icon }) => (
+            <Menu.Item
+              key={format}
+              leftSection={<Icon size={16} />}
+              onClick={() =>
+                batch &&
+                download(
+                  address("/batches/{id}/results", { path: { id: batch.id }, query: { format } }),
+                  `ridelab-batch-${batch.id}.${format}`,
+                )
+              }
+            >
+              {label}
+            </Menu.Item>
+          ))}
+        </Menu.Dropdown>
+      </Menu>
+    </>
+  );
+}
+
+/** How it is looked at, without what the page itself chooses. */
+function toShare({ fields, strategies }: Batch, { x, hidden, ...view }: BatchView): SharedView {
+  const shown = {
+    ...view,
+    x: x ?? fields[0]?.name ?? null,
+    hidden: hidden.filter((id) => strategies.some((each) => each === id)),
+  };
+  return Object.fromEntries(Object.entries(shown).filter(([, value]) => value !== null));
+}
+
+/** All sweeps there are. */
+export function SweepsPage() {
+  const { data: strategies, error } = useQuery(strategiesQuery);
+  const lead = (
+    <>
+      Many variants of one scenario, each under the same strategies. <LabLink size="sm">The lab</LabLink> starts one
+      over the scenario it shows: “Sweep…”, at its top.
+    </>
+  );
+  return (
+    <Page title="Sweeps" heading="Sweeps" what="page" faults={[error]} heights={[240]} lead={lead}>
+      {strategies ? <SweepList strategies={strategies} /> : null}
     </Page>
   );
 }

@@ -1,20 +1,23 @@
 /** The plot and the rows, and from a row to its run. */
 
 import { keepPreviousData, useQuery } from "@tanstack/react-query";
-import { useEffect, useEffectEvent, useMemo } from "react";
-import type { Group } from "../../scenario/schema";
-import { BatchPlot } from "./SweepPlot";
+import { useEffect, useEffectEvent, useMemo, useCallback } from "react";
+import type { Group, NumberField } from "../../scenario/schema";
 import { BatchRows } from "./SweepRows";
-import { paperFigures } from "../../server/metrics";
-import { cell, lowest, rowsOf, type Columns } from "../../features/sweep/table";
-import { CAVEAT_COLUMNS } from "./describeRow";
-import { tableQuery } from "../../features/sweep/queries";
+import { paperMetrics } from "../../server/metrics";
+import { cell, lowest, rowsOf, type Columns, tableQuery, axesOf } from "../../features/sweep/table";
+import { CAVEAT_COLUMNS, describeRow } from "./describeRow";
 import { useOpenRun } from "../../features/sweep/useOpenRun";
-import { shownPlot } from "./shownPlot";
-import { shownColumns, shownFields } from "./shownFields";
+import { shownPlot, type SweepParts } from "./shownPlot";
 import { Fault } from "../../ui/Fault";
 import ui from "../../ui/ui.module.css";
-import type { SweepParts } from "./props";
+import { Card } from "../../ui/Card";
+import { MapPlot } from "./MapPlot";
+import { PlotTools } from "./PlotTools";
+import { PointsPlot } from "./PointsPlot";
+import type { Batch } from "../../api/types";
+import { inShownUnit } from "../../scenario/limits";
+import { sweepFields } from "../../scenario/fields";
 
 interface Props extends Pick<
   SweepParts,
@@ -37,7 +40,7 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
   const y = shown?.y;
   const plotted = shown && [shown.y.key, ...(shown.kind === "trade_off" ? [shown.versus.key] : [])].join(" ");
   const keys = useMemo(
-    () => [...new Set([...(plotted?.split(" ") ?? []), ...paperFigures(catalogue)])],
+    () => [...new Set([...(plotted?.split(" ") ?? []), ...paperMetrics(catalogue)])],
     [catalogue, plotted],
   );
   const requested = useMemo(() => [...new Set([...keys, ...CAVEAT_COLUMNS])], [keys]);
@@ -94,4 +97,67 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
       />
     </div>
   );
+}
+
+const HEIGHT = 400;
+
+/** The plot of a sweep: curves over a field, a map over two, or one metric against another. */
+function BatchPlot({
+  batch,
+  columns,
+  catalogue,
+  strategies,
+  markers,
+  figures,
+  shown,
+  view,
+  best,
+  onView,
+  onOpen,
+}: SweepParts) {
+  const visible = useMemo(() => strategies.filter(({ id }) => !view.hidden.includes(id)), [strategies, view.hidden]);
+  const { fields } = batch;
+  const { y } = shown;
+  const textOf = useCallback(
+    (row: number) => describeRow(row, { columns, fields, strategies, y, catalogue }),
+    [columns, fields, strategies, y, catalogue],
+  );
+  const common = { batch, columns, strategies, shown, textOf, onOpen, height: HEIGHT };
+  return (
+    <Card aria-label="Plot">
+      <PlotTools axes={axesOf(fields)} {...{ strategies, markers, figures, shown, view, onView }} />
+      {shown.kind === "map" ? (
+        <MapPlot {...common} />
+      ) : (
+        <PointsPlot key={shown.kind} {...common} {...{ catalogue, visible, markers, best }} />
+      )}
+    </Card>
+  );
+}
+
+type Fields = Batch["fields"];
+
+function leavesByName(fields: Fields, form: Group): ReadonlyMap<string, NumberField> {
+  const names = new Set(fields.map(({ name }) => name));
+  return new Map(
+    sweepFields(form).flatMap(({ name, leaf }) =>
+      leaf.kind === "number" && names.has(name) ? [[name, leaf] as const] : [],
+    ),
+  );
+}
+
+/** A sweep's fields and their values in the units the form shows them in. */
+function shownFields(fields: Fields, form: Group): Fields {
+  const leaves = leavesByName(fields, form);
+  return fields.map((field) => ({ ...field, unit: leaves.get(field.name)?.shown.unit ?? field.unit }));
+}
+
+function shownColumns(columns: Columns, fields: Fields, form: Group): Columns {
+  const scaled = [...leavesByName(fields, form)].flatMap(([name, leaf]) => {
+    const values = leaf.shown.scale === 1 ? undefined : columns[name];
+    return values
+      ? [[name, values.map((value) => (typeof value === "number" ? inShownUnit(leaf, value) : value))] as const]
+      : [];
+  });
+  return scaled.length === 0 ? columns : { ...columns, ...Object.fromEntries(scaled) };
 }

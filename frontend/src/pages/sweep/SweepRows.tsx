@@ -1,19 +1,18 @@
 /** Every run as a row, a page of them at a time, sorted by any column. */
 
 import { ActionIcon, Box, Checkbox, Group, Pagination, Text, Tooltip } from "@mantine/core";
-import { IconExternalLink } from "../../ui/icons";
 import { useMemo, useState } from "react";
+import { IconExternalLink } from "../../ui/icons";
 import { count, prettyUnit } from "../../units/format";
 import classes from "./sweep.module.css";
-import { MarkerKey } from "./MarkerKey";
-import { showCell, showFigure } from "../../features/sweep/show";
-import { cell, rowsOf, type Columns } from "../../features/sweep/table";
+import { MarkerKey } from "./PlotTools";
+import { showCell, showFigure, cell, rowsOf, type Columns } from "../../features/sweep/table";
 import { caveatsOfRow } from "./describeRow";
 import { Card } from "../../ui/Card";
 import { DataTable, type Column } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
-import { CaveatMark } from "../../features/tables/CaveatMark";
-import type { SweepParts } from "./props";
+import { CaveatMark } from "../../features/tables/ChangeMark";
+import type { SweepParts } from "./shownPlot";
 
 interface Props extends Pick<
   SweepParts,

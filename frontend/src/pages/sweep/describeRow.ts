@@ -3,9 +3,8 @@
 import type { Batch, Catalogue, Strategy } from "../../api/types";
 import { CAVEAT_EVENTS, caveatsOf, type Caveat } from "../../features/tables/caveats";
 import { formatResult, isNothing, prettyUnit } from "../../units/format";
-import { fullName, type Figure } from "../../server/metrics";
-import { showCell } from "../../features/sweep/show";
-import { cell, type Columns } from "../../features/sweep/table";
+import { fullName, type Metric } from "../../server/metrics";
+import { showCell, cell, type Columns } from "../../features/sweep/table";
 
 const columnOf = (event: string) => `events.${event}`;
 
@@ -33,7 +32,7 @@ interface Context {
   readonly columns: Columns;
   readonly fields: Batch["fields"];
   readonly strategies: readonly Strategy[];
-  readonly y: Figure;
+  readonly y: Metric;
   readonly catalogue: Catalogue;
 }
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { frontOf } from "./front";
+import { frontOf } from "./lines";
 import { mapGrid, shareBelow } from "./map";
 import { mapFigure } from "./mapFigure";
 import type { Columns } from "../../features/sweep/table";

@@ -1,11 +1,10 @@
 /** What plotly draws of a map: cells in colour, and a line where the value is a threshold. */
 
 import { humanise } from "../../scenario/schema";
-import { chartLayout } from "../../plots/chartLayout";
-import type { Palette } from "../../plots/palettes";
+import { chartLayout, type Palette } from "../../plots/palettes";
 import type { GridTrace, PlotLayout } from "../../plots/plotly";
 import { formatExact, titleWithUnit } from "../../units/format";
-import type { AxisOf } from "../../features/sweep/axes";
+import type { AxisOf } from "../../features/sweep/table";
 import type { MapGrid, AxisValue } from "./map";
 import { isSpreadByRatio } from "./scatter";
 

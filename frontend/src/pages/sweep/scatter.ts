@@ -1,23 +1,22 @@
 /** What plotly draws of a sweep. */
 
+import { spansDecades } from "../../lib/steps";
 import type { Strategy } from "../../api/types";
-import type { Palette } from "../../plots/palettes";
+import { type Palette, chartLayout } from "../../plots/palettes";
 import type { Markers, MarkerSymbol } from "../../plots/markers";
 import type { LineTrace, PlotLayout, PointTrace } from "../../plots/plotly";
 import { humanise } from "../../scenario/schema";
 import { titleWithUnit } from "../../units/format";
-import type { AxisOf } from "../../features/sweep/axes";
-import { fullName, type Figure } from "../../server/metrics";
+import type { AxisOf, Points } from "../../features/sweep/table";
+import { fullName, type Metric } from "../../server/metrics";
 import type { LineEnd, Lines } from "./lines";
-import type { Points } from "../../features/sweep/table";
-import { chartLayout } from "../../plots/chartLayout";
 
 interface Input {
   readonly points: readonly Points[];
   readonly strategies: readonly Strategy[];
   readonly markers: Markers;
   readonly x: AxisOf;
-  readonly y: Figure;
+  readonly y: Metric;
   /** The table's rows to ring. */
   readonly ringed: readonly number[];
   /** What joins the ringed ones. */
@@ -54,7 +53,6 @@ export interface Dots extends Points {
 /** More points than these are drawn on a canvas: as elements, 10 000 of them block the page for half a second. */
 export const MANY = 2000;
 const SIZE = 7;
-const DECADES_RATIO = 100;
 
 /** Whether an axis of these values has decades. */
 export function isSpreadByRatio(values: readonly (number | string)[]): boolean {
@@ -65,7 +63,7 @@ export function isSpreadByRatio(values: readonly (number | string)[]): boolean {
     low = Math.min(low, value);
     high = Math.max(high, value);
   }
-  return low > 0 && high / low >= DECADES_RATIO;
+  return spansDecades(low, high);
 }
 
 /** Decades have a line each, and are written as powers. */

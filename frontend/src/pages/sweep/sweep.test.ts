@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import { markersOf } from "../../plots/markers";
 import { drawnAxes, nearest, locate } from "./dots";
 import { linesOf } from "./lines";
-import { secondsLeft, withMark, type Mark } from "../../jobs/pace";
+import { secondsLeft, withMark, type Mark } from "../../jobs/useJob";
 import { MANY, scatterFigure } from "./scatter";
 import { stringifySearch } from "../../lab/address";
 import { searchOf, viewOf } from "./view";

@@ -4,7 +4,7 @@ import { useNavigate, useSearch } from "@tanstack/react-router";
 import { useState } from "react";
 import type { SharedView, StrategyId } from "../../api/types";
 import { listOf } from "../../lab/address";
-import { OPENING_FIGURE } from "../../server/metrics";
+import { OPENING_METRIC } from "../../server/metrics";
 
 /** Runs over a field, a metric over two fields, or one metric over another. */
 export type PlotKind = "points" | "map" | "trade_off";
@@ -53,7 +53,7 @@ export function viewOf({
   return {
     plot: kindOf(plot),
     x: x ?? null,
-    y: y ?? OPENING_FIGURE,
+    y: y ?? OPENING_METRIC,
     hidden: listOf(hide ?? undefined),
     strategy: strategy ?? null,
     against: against ?? null,
@@ -65,7 +65,7 @@ export function viewOf({
 export const searchOf = ({ plot, x, y, hidden, strategy, against, threshold, versus }: BatchView): BatchSearch => ({
   ...(plot !== null && { plot }),
   ...(x !== null && { x }),
-  ...(y !== OPENING_FIGURE && { y }),
+  ...(y !== OPENING_METRIC && { y }),
   ...(hidden.length > 0 && { hide: hidden.join(",") }),
   ...(strategy !== null && { strategy }),
   ...(against !== null && { against }),

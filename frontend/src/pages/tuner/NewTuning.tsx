@@ -2,31 +2,33 @@
 
 import { Input, MultiSelect, SegmentedControl, Switch } from "@mantine/core";
 import { useMemo } from "react";
-import type { Catalogue, Strategy } from "../../api/types";
-import type { Figure } from "../../server/metrics";
+import type { Catalogue, Strategy, Scenario } from "../../api/types";
+import type { Metric } from "../../server/metrics";
 import type { PageScenario } from "../../features/scenarioSource/scenarioSource";
 import { ScenarioChoice } from "../../features/scenarioSource/ScenarioChoice";
 import { optionTitle, type Group } from "../../scenario/schema";
 import { count } from "../../units/format";
-import { firstDraft, rangesFor, restoreTuning, type TuningDraft } from "./draft";
-import { LimitRows } from "./LimitRows";
-import { ObjectiveRows } from "./ObjectiveRows";
+import { firstDraft, rangesFor, restoreTuning, type TuningDraft, readDraft, tuningFieldName } from "./draft";
+import { LimitRows, ObjectiveRows } from "./ObjectiveRows";
 import { RangesTable } from "./RangesTable";
-import { numberFields, TUNABLE, tunableOf } from "./space";
+import { numberFields, TUNABLE, tunableOf, type TunableNumber } from "./space";
 import classes from "./tuner.module.css";
-import { useNewTuning } from "./useNewTuning";
 import ui from "../../ui/ui.module.css";
 import { useDraft } from "../../lib/useDraft";
 import { StartFoot } from "../../features/jobForm/StartFoot";
 import { Problems } from "../../ui/Fault";
 import { Choice, Entry } from "../../ui/Entry";
+import { ask } from "../../api/http";
+import { withKey } from "../../api/jobs";
+import { TUNING } from "../../jobs/useJob";
+import { useJobForm } from "../../features/jobForm/useJobForm";
 
 interface Props {
   readonly form: Group;
   readonly catalogue: Catalogue;
   readonly strategies: readonly Strategy[];
   /** Those that are numbers. */
-  readonly figures: readonly Figure[];
+  readonly figures: readonly Metric[];
   readonly source: PageScenario;
 }
 
@@ -177,4 +179,27 @@ function Part({
       {children}
     </section>
   );
+}
+
+/** A tuning written in the form, as a request. */
+function useNewTuning(
+  draft: TuningDraft,
+  numbers: readonly TunableNumber[],
+  figures: readonly Metric[],
+  scenario: Scenario | undefined,
+  onSubmitted: () => void,
+) {
+  const parsed = useMemo(() => readDraft(draft, numbers, figures), [draft, numbers, figures]);
+  return useJobForm({
+    kind: "tuning",
+    body: parsed.ok && scenario ? { scenario, ...parsed.body } : null,
+    errors: parsed.ok ? null : parsed.errors,
+    fieldNameOf: tuningFieldName,
+    estimate: (body, signal) => ask("post", "/tunings", { body: { ...body, dry_run: true } }, signal),
+    onSubmitted,
+    submit: async (body, keyOf) => ({
+      to: TUNING.page,
+      params: { id: (await ask("post", "/tunings", { body, ...withKey(keyOf(body)) })).id },
+    }),
+  });
 }

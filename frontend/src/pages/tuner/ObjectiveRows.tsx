@@ -2,25 +2,31 @@
 
 import { Group } from "@mantine/core";
 import type { Catalogue } from "../../api/types";
-import { fullName, type Figure } from "../../server/metrics";
+import { fullName, type Metric, optionsOf } from "../../server/metrics";
 import type { DraftErrors } from "../../features/jobForm/problems";
 import { prettyUnit } from "../../units/format";
-import { MOST_OBJECTIVES, objectiveOf, type Kind, type ObjectiveDraft } from "./draft";
-import { FigureSelect } from "./FigureSelect";
+import {
+  MOST_OBJECTIVES,
+  objectiveOf,
+  type ObjectiveKind,
+  type ObjectiveDraft,
+  limitOf,
+  MOST_LIMITS,
+  type LimitDraft,
+} from "./draft";
 import classes from "./tuner.module.css";
 import ui from "../../ui/ui.module.css";
-import { Choice, Entry } from "../../ui/Entry";
-import { EntryRow } from "../../ui/EntryRow";
+import { Choice, Entry, EntryRow, Finder } from "../../ui/Entry";
 
 interface Props {
   readonly objectives: readonly ObjectiveDraft[];
-  readonly figures: readonly Figure[];
+  readonly figures: readonly Metric[];
   readonly windows: Catalogue["windows"];
   readonly errors: DraftErrors;
   readonly onChange: (objectives: readonly ObjectiveDraft[]) => void;
 }
 
-const SUMS: readonly { readonly value: Kind; readonly label: string; readonly text: string }[] = [
+const SUMS: readonly { readonly value: ObjectiveKind; readonly label: string; readonly text: string }[] = [
   {
     value: "paper",
     label: "The paper’s sum (Eq. 16): RMS",
@@ -103,6 +109,85 @@ export function ObjectiveRows({ objectives, figures, windows, errors, onChange }
           first={SUMS}
           error={errors.objectives}
           onPick={add}
+        />
+      )}
+    </div>
+  );
+}
+
+interface FigureSelectProps {
+  readonly label: string;
+  readonly figures: readonly Metric[];
+  /** What stands before the figures. */
+  readonly first?: readonly { readonly value: string; readonly label: string }[];
+  readonly error?: string | undefined;
+  readonly onPick: (key: string) => void;
+}
+
+/** Finds a metric of a run by its name. */
+export function FigureSelect({ figures, first = [], ...props }: FigureSelectProps) {
+  const data = [
+    ...(first.length > 0 ? [{ group: "Sums over the passive car’s", items: [...first] }] : []),
+    ...optionsOf(figures),
+  ];
+  return (
+    <Finder
+      className={classes.select ?? ""}
+      placeholder="Name of a metric…"
+      nothingFoundMessage="No metric of that name"
+      data={data}
+      {...props}
+    />
+  );
+}
+
+interface LimitRowsProps {
+  readonly limits: readonly LimitDraft[];
+  readonly figures: readonly Metric[];
+  readonly errors: DraftErrors;
+  readonly onChange: (limits: readonly LimitDraft[]) => void;
+}
+
+/** What may not be exceeded on any training road. */
+export function LimitRows({ limits, figures, errors, onChange }: LimitRowsProps) {
+  return (
+    <div className={ui.stack}>
+      {limits.map(({ figure: name, atMost }, index) => {
+        const figure = figures.find(({ key }) => key === name);
+        const title = figure ? fullName(figure) : name;
+        const error = errors[`limits.${index}`];
+        return (
+          <EntryRow
+            key={name}
+            title={title}
+            name={`Limit: ${title}`}
+            removal={`the limit of ${title}`}
+            error={error}
+            onRemove={() => onChange(limits.filter((each) => each.figure !== name))}
+            beside={
+              <>
+                <span className={ui.dim}>at most</span>
+                <Entry
+                  className={classes.short}
+                  aria-label={`${title}, at most`}
+                  value={atMost}
+                  unit={figure?.unit}
+                  error={error !== undefined}
+                  onType={(text) =>
+                    onChange(limits.map((each) => (each.figure === name ? { ...each, atMost: text } : each)))
+                  }
+                />
+              </>
+            }
+          />
+        );
+      })}
+      {limits.length < MOST_LIMITS && (
+        <FigureSelect
+          label="Add a limit"
+          figures={figures.filter(({ key }) => !limits.some(({ figure }) => figure === key))}
+          error={errors.limits}
+          onPick={(key) => onChange([...limits, limitOf(key)])}
         />
       )}
     </div>

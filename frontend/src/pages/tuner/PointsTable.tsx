@@ -8,12 +8,11 @@ import tables from "../../features/tables/tables.module.css";
 import { dotted } from "../../scenario/fields";
 import { formatResult, prettyUnit } from "../../units/format";
 import type { Shown } from "./figures";
-import type { Point } from "./points";
+import type { Point, TuningParts } from "./points";
 import { formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
-import type { TuningParts } from "./props";
 
 /** A row of the table: what it is of, and what stands under each point. */
 interface Row {

@@ -5,19 +5,18 @@ import { useQuery } from "@tanstack/react-query";
 import { useMemo, useRef, useState } from "react";
 import type { Trial, Tuning } from "../../api/types";
 import { Chart } from "../../plots/Chart";
-import { ChartButton } from "../../plots/ChartButton";
+import { ChartButton } from "../../plots/FigureButton";
 import { ON_PAPER, PALETTES } from "../../plots/palettes";
 import { strategiesQuery } from "../../server/queries";
 import { count, formatResult } from "../../units/format";
 import { frontFigure, historyFigure, volumeFigure, type Look } from "./charts";
 import type { Shown } from "./figures";
-import type { Point } from "./points";
+import type { Point, TuningParts } from "./points";
 import classes from "./tuner.module.css";
 import { Choice } from "../../ui/Entry";
 import { Fault } from "../../ui/Fault";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
-import type { TuningParts } from "./props";
 
 interface Props extends Pick<TuningParts, "tuning" | "objectives" | "points" | "colour"> {
   readonly trials: readonly Trial[];

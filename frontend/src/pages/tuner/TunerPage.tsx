@@ -4,9 +4,12 @@ import { Skeleton } from "@mantine/core";
 import { usePageScenario } from "../../features/scenarioSource/scenarioSource";
 import { Page } from "../../ui/Page";
 import { NewTuning } from "./NewTuning";
-import { TuningList } from "./TuningList";
 import classes from "./tuner.module.css";
-import { useNumericCatalogues } from "./useNumericCatalogues";
+import { useNumericCatalogues, ofLimit, ofObjective } from "./figures";
+import type { Strategy } from "../../api/types";
+import type { Metric } from "../../server/metrics";
+import { JobList } from "../../jobs/JobList";
+import { TUNING } from "../../jobs/useJob";
 
 export function TunerPage() {
   const { catalogues, fault } = useNumericCatalogues();
@@ -27,5 +30,28 @@ export function TunerPage() {
         </div>
       )}
     </Page>
+  );
+}
+
+interface Props {
+  readonly strategies: readonly Strategy[];
+  readonly figures: readonly Metric[];
+}
+
+/** The tunings there are. */
+function TuningList({ strategies, figures }: Props) {
+  return (
+    <JobList
+      kind={TUNING}
+      title="Earlier tunings"
+      none="None yet. Each one you start stays here with all its trials."
+      describe={({ strategy, objectives, limits }) => ({
+        title: strategies.find(({ id }) => id === strategy)?.label ?? strategy,
+        details: [
+          objectives.map((each) => ofObjective(each, figures).label).join(", "),
+          ...(limits.length > 0 ? [`within ${limits.map((each) => ofLimit(each, figures).label).join(", ")}`] : []),
+        ],
+      })}
+    />
   );
 }

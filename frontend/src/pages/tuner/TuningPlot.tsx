@@ -1,20 +1,21 @@
 /** The search as a plot, and beside it the weights of the point somebody looks at. */
 
 import { Button, Stack, Text } from "@mantine/core";
-import { useQuery } from "@tanstack/react-query";
+import { useQuery, keepPreviousData, queryOptions } from "@tanstack/react-query";
 import { useState } from "react";
-import type { Trial } from "../../api/types";
+import type { Trial, Weights, Tuning } from "../../api/types";
 import { ChangeMark } from "../../features/tables/ChangeMark";
 import { formatInput, formatResult, prettyUnit } from "../../units/format";
-import type { Point } from "./points";
+import type { Point, TuningParts } from "./points";
 import { SearchCard } from "./SearchCard";
 import results from "./results.module.css";
-import { trialsQuery } from "./queries";
-import { WeightsOf } from "./WeightsOf";
 import { Choice } from "../../ui/Entry";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
-import type { TuningParts } from "./props";
+import { dotted } from "../../scenario/fields";
+import { DataTable, type Column } from "../../ui/DataTable";
+import { formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
+import { ask } from "../../api/http";
 
 const NO_TRIALS: readonly Trial[] = [];
 
@@ -115,3 +116,67 @@ function Values({
     </dl>
   );
 }
+
+interface Props {
+  readonly weights: Weights;
+  /** The paper's. */
+  readonly beside: Weights | undefined;
+  readonly tunable: Tunable;
+}
+
+interface Row {
+  readonly title: string;
+  readonly items: readonly Pick<Single, "name" | "field">[];
+}
+
+/** A set of weights: a row a stage, the paper's in small beside each that differs. */
+function WeightsOf({ weights, beside, tunable }: Props) {
+  const { triples } = tunable;
+  const rows: readonly Row[] = [
+    ...triples.map(({ title, items }) => ({
+      title,
+      items: items.map((field) => ({ name: dotted(field.pointer), field })),
+    })),
+    ...singlesIn(tunable, weights).map(({ name, title, field }) => ({ title, items: [{ name, field }] })),
+  ];
+  return (
+    <DataTable
+      label="Weights"
+      attributes={{ "data-dense": true }}
+      rows={rows}
+      rowKey={({ title }) => title}
+      columns={[
+        { key: "stage", head: "", text: true, cell: ({ title }) => title },
+        ...(triples[0]?.items ?? []).map(({ title }, index): Column<Row> => ({
+          key: title,
+          head: title,
+          attributes({ items }) {
+            const item = items[index];
+            return item ? { "data-weight": item.name, "data-value": weightAt(weights, item.name) ?? "" } : {};
+          },
+          cell: ({ items }) => items[index] && <Weight {...items[index]} {...{ weights, beside }} />,
+        })),
+      ]}
+    />
+  );
+}
+
+function Weight({ name, field, weights, beside }: Row["items"][number] & Pick<Props, "weights" | "beside">) {
+  const [value, paper] = [weightAt(weights, name), beside && weightAt(beside, name)];
+  return (
+    <>
+      {value === undefined ? "–" : formatValue(value, field)}
+      {paper !== undefined && paper !== value && <s className={ui.under}>{formatValue(paper, field)}</s>}
+    </>
+  );
+}
+
+/** Every trial so far: asked for anew with every generation. */
+const trialsQuery = (tuning: Tuning) =>
+  queryOptions({
+    queryKey: ["tuning trials", tuning.id, tuning.trials.done + tuning.trials.failed],
+    queryFn: ({ signal }) => ask("get", "/tunings/{id}/trials", { path: { id: tuning.id } }, signal),
+    staleTime: Infinity,
+    gcTime: 60_000,
+    placeholderData: keepPreviousData,
+  });

@@ -5,7 +5,7 @@ import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { ask } from "../../api/http";
 import type { Strategy, Tuning } from "../../api/types";
-import type { Figure } from "../../server/metrics";
+import type { Metric } from "../../server/metrics";
 import { otherThanPaper } from "../../features/scenarioSource/otherThanPaper";
 import { optionTitle, type Group as Form } from "../../scenario/schema";
 import { isFinal } from "../../jobs/follow";
@@ -23,7 +23,7 @@ interface Props {
   readonly tuning: Tuning;
   readonly form: Form;
   readonly strategies: readonly Strategy[];
-  readonly figures: readonly Figure[];
+  readonly figures: readonly Metric[];
   readonly connected: boolean;
   readonly left: number | null;
 }

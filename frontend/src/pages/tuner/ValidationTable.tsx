@@ -2,24 +2,22 @@
 
 import { Skeleton, Text } from "@mantine/core";
 import { IconAlertTriangle, IconCheck, IconEqual } from "../../ui/icons";
-import type { ComparedPoint, TunedFigure, Tuning } from "../../api/types";
+import type { ComparedPoint, TunedFigure, Tuning, Comparison } from "../../api/types";
 import { isFinal } from "../../jobs/follow";
-import type { Figure } from "../../server/metrics";
+import type { Metric } from "../../server/metrics";
 import { formatPercent } from "../../features/tables/change";
 import tables from "../../features/tables/tables.module.css";
 import { formatResult, prettyUnit } from "../../units/format";
 import { ofKey, type Shown } from "./figures";
-import { gainsOf, type Gain, type Keeps } from "./gain";
-import { roleName } from "./points";
+import { roleName, type TuningParts } from "./points";
 import results from "./results.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { LimitValue } from "./PointsTable";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
-import type { TuningParts } from "./props";
 
 interface Props extends Pick<TuningParts, "tuning" | "objectives"> {
-  readonly figures: readonly Figure[];
+  readonly figures: readonly Metric[];
 }
 
 const SIGN: Readonly<Record<Keeps, typeof IconCheck>> = {
@@ -118,7 +116,7 @@ interface Row extends Shown {
   readonly most: number | undefined;
 }
 
-function rowOf(key: string, tuning: Tuning, figures: readonly Figure[]): Row {
+function rowOf(key: string, tuning: Tuning, figures: readonly Metric[]): Row {
   const isLimit = key.startsWith("limits.");
   return {
     ...ofKey(key, tuning, figures),
@@ -170,4 +168,60 @@ function ChangeOf({ figure: { change } }: { readonly figure: TunedFigure }) {
       </span>
     </>
   );
+}
+
+type Keeps = "keeps" | "shrinks" | "unclear" | "worse" | "none";
+
+/** Whether a gain on the training roads is still there on the validation roads, in a sentence. */
+interface Gain {
+  readonly trial: number;
+  readonly objective: number;
+  readonly keeps: Keeps;
+  readonly text: string;
+}
+
+/** A gain that is smaller than this part of the training roads' has shrunk; the two means differ a little anyway. */
+const MOSTLY = 0.9;
+/** What is not a gain on the training roads [%]. */
+const LEAST = 0.05;
+
+function keepsOf(training: number, validation: number, verdict: string | undefined): Keeps {
+  if (training > -LEAST) return "none";
+  if (verdict === "worse") return "worse";
+  if (verdict !== "better") return "unclear";
+  return validation / training < MOSTLY ? "shrinks" : "keeps";
+}
+
+const interval = (low: number | null, high: number | null) =>
+  low === null || high === null ? "" : ` (${formatPercent(low)} to ${formatPercent(high)})`;
+
+const ENDING: Readonly<Record<Keeps, string>> = {
+  keeps: "the gain holds",
+  shrinks: "less of the gain is left there",
+  unclear: "no certain gain, as the interval holds zero",
+  worse: "the weights are tuned to the training roads and worse elsewhere",
+  none: "no gain over the paper’s weights",
+};
+
+function gainOf(point: ComparedPoint, objective: number): Gain | null {
+  if (point.roles.includes("paper"))
+    return {
+      trial: point.trial,
+      objective,
+      keeps: "none",
+      text: "No weights that were tried are better than the paper’s on the training roads.",
+    };
+  const key = `objectives.${objective}`;
+  const [training, validation] = [point.training[key]?.change, point.fresh[key]?.change];
+  if (!training || !validation) return null;
+  const keeps = keepsOf(training.value, validation.value, point.verdict?.[objective]);
+  const text = `${formatPercent(training.value)} on the training roads, ${formatPercent(validation.value)}${interval(validation.low, validation.high)} on the validation roads: ${ENDING[keeps]}.`;
+  return { trial: point.trial, objective, keeps, text };
+}
+
+/** Each objective at the point that is best for it. */
+export function gainsOf({ points }: Comparison, objectives: number): readonly Gain[] {
+  return Array.from({ length: objectives }, (_, index) => points.find(({ roles }) => roles.includes(`best.${index}`)))
+    .map((point, index) => (point ? gainOf(point, index) : null))
+    .filter((gain) => gain !== null);
 }

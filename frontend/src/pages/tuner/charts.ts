@@ -2,11 +2,10 @@
 
 import type { Generation, Trial } from "../../api/types";
 import type { ChartFigure } from "../../plots/Chart";
-import type { Palette } from "../../plots/palettes";
+import { type Palette, chartLayout } from "../../plots/palettes";
 import type { LineTrace, PointTrace } from "../../plots/plotly";
 import { formatResult, prettyUnit, titleWithUnit } from "../../units/format";
 import type { Shown } from "./figures";
-import { chartLayout } from "../../plots/chartLayout";
 
 export interface Look {
   readonly palette: Palette;

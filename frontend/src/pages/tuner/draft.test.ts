@@ -1,13 +1,13 @@
 import { describe, expect, it } from "vitest";
-import type { Figure } from "../../server/metrics";
+import type { Metric } from "../../server/metrics";
 import { problemsByField } from "../../features/jobForm/problems";
 import { rangesFor, readDraft, objectiveOf, tuningFieldName, type TuningDraft } from "./draft";
 import { readSchema } from "../../scenario/schema";
 import { withFields } from "../../scenario/fields";
 import { formatValue, numberFields, ownText, tunableOf, weightAt } from "./space";
 
-const TRAVEL: Figure = { key: "events.travel", label: "Travel", group: "Events", unit: "mm", scale: 1 };
-const LOAD: Figure = { key: "bump.load.peak", label: "Load", group: "Peak, bump", unit: "kN", scale: 1e-3 };
+const TRAVEL: Metric = { key: "events.travel", label: "Travel", group: "Events", unit: "mm", scale: 1 };
+const LOAD: Metric = { key: "bump.load.peak", label: "Load", group: "Peak, bump", unit: "kN", scale: 1e-3 };
 
 const weight = { type: "number", minimum: 0, maximum: 1000 };
 const FORM = readSchema({

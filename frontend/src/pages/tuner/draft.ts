@@ -1,7 +1,7 @@
 /** A tuning while somebody puts it together: texts as they are typed, and what becomes of them. */
 
 import type { StrategyId, TuningChoice } from "../../api/types";
-import type { Figure } from "../../server/metrics";
+import type { Metric } from "../../server/metrics";
 import { parseTyped, typedText } from "../../scenario/limits";
 import type { Group } from "../../scenario/schema";
 import { isLike } from "../../lib/storage";
@@ -11,12 +11,12 @@ import { parseQuantity } from "../../units/quantity";
 import { readSeeds } from "./seeds";
 import { numberFields, TUNABLE, tunableOf, type TunableNumber } from "./space";
 
-export type Kind = "paper" | "peaks" | "figure";
+export type ObjectiveKind = "paper" | "peaks" | "figure";
 
 export interface ObjectiveDraft {
   /** Of its row on the page. */
   readonly key: number;
-  readonly kind: Kind;
+  readonly kind: ObjectiveKind;
   readonly q: readonly [string, string, string];
   readonly window: string;
   /** Column of a figure, of that kind alone. */
@@ -67,7 +67,7 @@ export const tuningFieldName: FieldNameOf = ([root, second]) => {
 };
 
 /** Where a sum over the passive car is taken unless somebody says otherwise. */
-const WINDOW_OF: Readonly<Record<Kind, string>> = { paper: "whole", peaks: "bump", figure: "" };
+const WINDOW_OF: Readonly<Record<ObjectiveKind, string>> = { paper: "whole", peaks: "bump", figure: "" };
 export const MOST_OBJECTIVES = 3;
 export const MOST_LIMITS = 8;
 const MOST_ROADS = 64;
@@ -75,7 +75,7 @@ const MOST_TRIALS = 5000;
 const MOST_POPULATION = 256;
 const RANGE = ["0.05", "50"] as const;
 
-export const objectiveOf = (key: number, kind: Kind, figure: string | null = null): ObjectiveDraft => ({
+export const objectiveOf = (key: number, kind: ObjectiveKind, figure: string | null = null): ObjectiveDraft => ({
   key,
   kind,
   q: ["1", "1", "1"],
@@ -153,7 +153,7 @@ function objectives({ objectives: drafts }: TuningDraft, put: Put): NonNullable<
 
 function limits(
   { limits: drafts }: TuningDraft,
-  figures: readonly Figure[],
+  figures: readonly Metric[],
   put: Put,
 ): NonNullable<TuningChoice["limits"]> {
   return drafts.map(({ figure, atMost }, index) => {
@@ -199,7 +199,7 @@ function roads(text: string, field: string, least: number, put: Put): readonly n
 export function readDraft(
   draft: TuningDraft,
   numbers: readonly TunableNumber[],
-  figures: readonly Figure[],
+  figures: readonly Metric[],
 ): ParsedDraft {
   const errors: Record<string, string> = {};
   const put: Put = (field, message) => void (errors[field] ??= message);

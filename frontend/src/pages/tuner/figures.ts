@@ -1,7 +1,9 @@
 /** What a tuning's numbers are called and shown in: objectives, limits and plain figures. */
 
+import { useMemo } from "react";
 import type { Limit, Objective, Tuning } from "../../api/types";
-import { fullName, type Figure } from "../../server/metrics";
+import { fullName, type Metric } from "../../server/metrics";
+import { useCatalogues, type Catalogues } from "../../server/useCatalogues";
 
 export interface Shown {
   readonly label: string;
@@ -10,16 +12,16 @@ export interface Shown {
   readonly scale: number;
 }
 
-const ofFigure = (name: string, figures: readonly Figure[]): Shown | null => {
+const ofFigure = (name: string, figures: readonly Metric[]): Shown | null => {
   const figure = figures.find(({ key }) => key === name);
   return figure ? { label: fullName(figure), unit: figure.unit, scale: figure.scale } : null;
 };
 
-export function ofObjective({ figure, label, unit }: Objective, figures: readonly Figure[]): Shown {
+export function ofObjective({ figure, label, unit }: Objective, figures: readonly Metric[]): Shown {
   return (figure === null ? null : ofFigure(figure, figures)) ?? { label, unit, scale: 1 };
 }
 
-export function ofLimit({ figure, label, unit }: Limit, figures: readonly Figure[]): Shown {
+export function ofLimit({ figure, label, unit }: Limit, figures: readonly Metric[]): Shown {
   return ofFigure(figure, figures) ?? { label, unit, scale: 1 };
 }
 
@@ -27,7 +29,7 @@ export function ofLimit({ figure, label, unit }: Limit, figures: readonly Figure
 export function ofKey(
   key: string,
   { objectives, limits }: Pick<Tuning, "objectives" | "limits">,
-  figures: readonly Figure[],
+  figures: readonly Metric[],
 ): Shown {
   const [, list, index] = /^(objectives|limits)\.(\d+)$/.exec(key) ?? [];
   const objective = list === "objectives" ? objectives[Number(index)] : undefined;
@@ -35,4 +37,15 @@ export function ofKey(
   if (objective) return ofObjective(objective, figures);
   if (limit) return ofLimit(limit, figures);
   return ofFigure(key, figures) ?? { label: key, unit: "1", scale: 1 };
+}
+
+/** What the tuner's pages need of the server: as figures only those that are numbers. */
+export function useNumericCatalogues(): ReturnType<typeof useCatalogues> {
+  const { catalogues, fault } = useCatalogues();
+  const numeric = useMemo(
+    (): Catalogues | null =>
+      catalogues && { ...catalogues, figures: catalogues.figures.filter(({ key }) => key !== "events.target_reached") },
+    [catalogues],
+  );
+  return { catalogues: numeric, fault };
 }

@@ -1,6 +1,9 @@
 /** The sets of weights a tuning is about: the paper's, the scenario's own, the best ones. */
 
 import type { Trial, Tuning } from "../../api/types";
+import type { RunInLab } from "../../ui/useOpenInLab";
+import type { Shown } from "./figures";
+import type { Tunable } from "./space";
 
 export interface Point {
   readonly trial: Trial;
@@ -35,4 +38,16 @@ export function roleName(role: string, labels: readonly string[]): string {
   if (role === "knee") return "Balanced";
   const [, index] = /^best\.(\d+)$/.exec(role) ?? [];
   return labels.length > 1 && index !== undefined ? `Best: ${labels[Number(index)] ?? ""}` : "Best";
+}
+
+/** What a tuning's page gives its cards. */
+export interface TuningParts {
+  readonly tuning: Tuning;
+  readonly objectives: readonly Shown[];
+  readonly limits: readonly Shown[];
+  readonly tunable: Tunable;
+  readonly points: readonly Point[];
+  /** The tuned strategy's. */
+  readonly colour: string;
+  readonly load: RunInLab<Trial>;
 }

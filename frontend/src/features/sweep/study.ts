@@ -1,2 +1,0 @@
-/** By this name a sweep is a robustness study. */
-export const STUDY_LABEL = "Robustness study";

@@ -1,0 +1,100 @@
+/** What can be done by a button, a menu, the palette or a key: each action is declared here once. */
+
+import { useEffect, useRef } from "react";
+import { createStore, useSelect } from "../lib/store";
+
+interface Declared {
+  /** What the palette and the list of keys say. */
+  readonly label: string;
+  /** What its button or menu entry says, where that is shorter. */
+  readonly short?: string;
+  /** `mod+Z`, `Space`; `mod` is Ctrl, on a Mac the command key. */
+  readonly keys?: readonly string[];
+}
+
+const DECLARED = {
+  search: { label: "Search commands and fields", keys: ["mod+K"] },
+  keys: { label: "List of keys", keys: ["?"] },
+  undo: { label: "Undo", keys: ["mod+Z"] },
+  redo: { label: "Redo", keys: ["mod+shift+Z", "mod+Y"] },
+  play: { label: "Play the car, or pause it", keys: ["Space"] },
+  library: { label: "Library: save, open, import and export", short: "Library", keys: ["mod+S"] },
+  saveVehicle: { label: "Save the vehicle in the library" },
+  paper: { label: "Open the paper’s scenario" },
+  sweep: { label: "Sweep: run many variants of this scenario", short: "Sweep…" },
+  share: { label: "Share: make a link", short: "Share" },
+  report: { label: "Export HTML report", short: "HTML report" },
+  png: { label: "Export plots: PNG picture", short: "PNG picture" },
+  svg: { label: "Export plots: SVG drawing", short: "SVG drawing" },
+  controller: { label: "Export controller (C)" },
+  python: { label: "Copy as Python" },
+  command: { label: "Copy as command line" },
+  curl: { label: "Copy as curl" },
+} as const satisfies Readonly<Record<string, Declared>>;
+
+export type ActionId = keyof typeof DECLARED;
+
+export const ACTIONS: Readonly<Record<ActionId, Declared>> = DECLARED;
+export const ACTION_IDS = Object.keys(DECLARED) as readonly ActionId[];
+
+interface Offered {
+  /** It can be done now. */
+  readonly can: boolean;
+  readonly run: { readonly current: () => void };
+}
+
+/** Who does each action of the page that is shown. */
+const offered = createStore<ReadonlyMap<ActionId, Offered>>(new Map());
+
+const NOTHING = () => undefined;
+
+/** The part of the page that does an action, while it is shown; `null` while it cannot be done. */
+export function useAction(id: ActionId, run: (() => void) | null): void {
+  const newest = useRef(NOTHING as () => void);
+  useEffect(() => {
+    newest.current = run ?? NOTHING;
+  });
+  const can = run !== null;
+  useEffect(() => {
+    offered.set((before) => new Map(before).set(id, { can, run: newest }));
+    return () => offered.set((before) => new Map([...before].filter(([, by]) => by.run !== newest)));
+  }, [id, can]);
+}
+
+/** The page that is shown has it, whether or not it can be done now. */
+export const isOffered = (id: ActionId): boolean => offered.get().has(id);
+
+export const canRun = (id: ActionId): boolean => offered.get().get(id)?.can === true;
+
+export const runAction = (id: ActionId): void => offered.get().get(id)?.run.current();
+
+/** For a button or a menu entry of it. */
+export function useActionButton(id: ActionId) {
+  const disabled = !useSelect(offered, (all) => all.get(id)?.can === true);
+  const { label, short = label } = ACTIONS[id];
+  return { label: short, disabled, onClick: () => runAction(id) };
+}
+
+/** Something that the palette finds by its name beside the actions: a page, a strategy, a preset, a field. */
+export interface PaletteEntry {
+  readonly group: "Pages" | "Strategies" | "Library" | "Presets" | "Fields";
+  readonly label: string;
+  readonly description?: string;
+  readonly run: () => void;
+}
+
+const lists = new Set<{ readonly current: readonly PaletteEntry[] }>();
+
+export const paletteEntries = (): readonly PaletteEntry[] => [...lists].flatMap(({ current }) => current);
+
+/** These are found while the caller is shown. */
+export function usePaletteEntries(own: readonly PaletteEntry[]): void {
+  const list = useRef(own);
+  useEffect(() => {
+    list.current = own;
+  });
+  useEffect(() => {
+    lists.add(list);
+    return () => void lists.delete(list);
+  }, []);
+}

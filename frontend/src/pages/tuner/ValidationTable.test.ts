@@ -1,0 +1,57 @@
+import { describe, expect, it } from "vitest";
+import type { ComparedPoint } from "../../api/types";
+import { gainsOf } from "./ValidationTable";
+
+const point = (
+  training: number,
+  validation: number,
+  verdict: "better" | "worse" | "unclear",
+  roles = ["best.0"],
+): ComparedPoint => ({
+  trial: 7,
+  roles,
+  weights: {},
+  failures: [],
+  verdict: [verdict],
+  training: {
+    "objectives.0": { mean: 1, quantile: null, worst: 1, change: { value: training, low: null, high: null } },
+  },
+  fresh: {
+    "objectives.0": {
+      mean: 1,
+      quantile: null,
+      worst: 1,
+      change: { value: validation, low: validation - 1, high: validation + 1 },
+    },
+  },
+});
+const paper: ComparedPoint = { ...point(0, 0, "unclear", ["paper"]), trial: 0, verdict: null };
+const gains = (best: ComparedPoint) => gainsOf({ batch: "b", figures: [], points: [paper, best] }, 1);
+
+describe("a gain on validation roads", () => {
+  it.each([
+    [point(-20, -19, "better"), "keeps"],
+    [point(-20, -12, "better"), "shrinks"],
+    [point(-20, -0.4, "unclear"), "unclear"],
+    [point(-20, 3, "worse"), "worse"],
+    [point(0, 0, "unclear"), "none"],
+  ] as const)("is told: %#", (best, keeps) => expect(gains(best).map((gain) => gain.keeps)).toEqual([keeps]));
+
+  it("says both changes and the interval", () => {
+    expect(gains(point(-20, -12, "better"))[0]?.text).toBe(
+      "−20.0\u2009% on the training roads, −12.0\u2009% (−13.0\u2009% to −11.0\u2009%) on the validation roads: less of the gain is left there.",
+    );
+  });
+
+  it("is none where the paper's weights are the best themselves", () => {
+    expect(
+      gainsOf({ batch: "b", figures: [], points: [{ ...paper, roles: ["paper", "best.0"] }] }, 1).map(
+        ({ keeps }) => keeps,
+      ),
+    ).toEqual(["none"]);
+  });
+
+  it("says nothing of what was not compared", () => {
+    expect(gainsOf({ batch: "b", figures: [], points: [paper] }, 1)).toEqual([]);
+  });
+});

@@ -1,0 +1,23 @@
+import { expect, it } from "vitest";
+import { FORM } from "./form.fixture";
+import { changedFields, standardScenario } from "./differences";
+import type { ScenarioSchema } from "./schema";
+import { setAt } from "./path";
+
+const PROFILE = {
+  kind: "text",
+  pointer: "/road/profile",
+  title: "Profile",
+  description: "",
+  paperValue: null,
+} as const;
+const WITH_ROADS: ScenarioSchema = { ...FORM, members: [...FORM.members, PROFILE] };
+const NONE = standardScenario(WITH_ROADS);
+const on = (id: string) => setAt(NONE, "/road/profile", id);
+const changes = (from: typeof NONE, to: typeof NONE) =>
+  changedFields(WITH_ROADS, from, to).map(({ name, change }) => `${name} ${change}`);
+
+it("a list names a measured road in words, never by its id", () => {
+  expect(changes(NONE, on("A".repeat(22)))).toEqual(["Profile none → a measured road"]);
+  expect(changes(on("A".repeat(22)), on("B".repeat(22)))).toEqual(["Profile a measured road → another"]);
+});
