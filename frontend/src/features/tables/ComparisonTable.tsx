@@ -12,6 +12,8 @@ import {
   intervalAt,
   valueAt,
   type MetricPath,
+  type WindowView,
+  VIEWS,
 } from "./entries";
 import classes from "./tables.module.css";
 import { shownUnit } from "../../server/metrics";
@@ -29,20 +31,9 @@ export interface ComparisonProps {
   readonly signals: readonly SignalKey[];
 }
 
-export interface WindowView {
-  readonly window: "rough_road" | "bump";
-  readonly statistic: "rms" | "peak";
-}
-
 interface Props extends ComparisonProps {
   readonly caption: string;
 }
-
-/** The paper's two views of a run: which statistic over which window. */
-export const VIEWS: readonly WindowView[] = [
-  { window: "rough_road", statistic: "rms" },
-  { window: "bump", statistic: "peak" },
-];
 
 export function headingOf({ window, statistic }: WindowView, catalogue: Catalogue): string {
   const name = (list: Catalogue["windows"], key: string) => list.find((entry) => entry.key === key)?.label ?? key;

@@ -10,11 +10,9 @@ import type { ResultView } from "../../lab/resultView";
 import {
   ComparisonTable,
   headingOf,
-  VIEWS,
   labelOf,
   UnitAndSolve,
   type ComparisonProps,
-  type WindowView,
   cellAttributes,
   ResultCell,
   EntryHead,
@@ -26,7 +24,7 @@ import { getAt } from "../../scenario/path";
 import { whyNotCompared } from "../../lab/compare";
 import { DataTable } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
-import { entryGroups } from "./entries";
+import { entryGroups, VIEWS, type WindowView } from "./entries";
 import { shownUnit } from "../../server/metrics";
 
 interface Props {

@@ -1,6 +1,6 @@
 /** The table's entries: each strategy that is on in the shown result, then in each pinned variant. */
 
-import type { Strategy, Summary, Interval, OverRoads, StrategyId } from "../../api/types";
+import type { Catalogue, Strategy, Summary, Interval, OverRoads, StrategyId } from "../../api/types";
 import { whyNotCompared } from "../../lab/compare";
 import type { ResultView } from "../../lab/resultView";
 import type { Result } from "../../lab/result";
@@ -52,15 +52,31 @@ export function changeOf(resultView: ResultView, entry: Entry, metric: MetricPat
   if (entry.isBaseline) return null;
   const base = baseOf(resultView, entry);
   if (base === null) return NONE;
-  const { strategy, shown, summary } = entry;
-  const { over, runId } = shown;
-  if (over && !("run" in metric)) {
-    const changes =
-      resultView.reference === null && over.baseline === resultView.baseline
-        ? over.changes
-        : resultView.roadPairedChanges[runId ?? ""];
-    const change = pairedAt(changes, strategy.id, metric);
-    return changes === undefined ? null : change ? pairedChange(change) : NONE;
+  const { over, runId } = entry.shown;
+  const paired =
+    over !== null && resultView.reference === null && over.baseline === resultView.baseline
+      ? over.changes
+      : resultView.roadPairedChanges[runId ?? ""];
+  return changeBetween(entry, base, { metric, scale, paired });
+}
+
+interface ChangeQuestion {
+  readonly metric: MetricPath;
+  /** From SI to the unit shown. */
+  readonly scale?: number;
+  /** What the result's roads say against the base; undefined until they do. */
+  readonly paired: OverRoads["changes"] | undefined;
+}
+
+/** The change of one strategy's number against that of another, or of its own in another result; `null` until it is there. */
+export function changeBetween(
+  { strategy, shown, summary }: Pick<Entry, "strategy" | "shown" | "summary">,
+  base: Base,
+  { metric, scale = 1, paired }: ChangeQuestion,
+): Change | null {
+  if (shown.over && !("run" in metric)) {
+    const change = pairedAt(paired, strategy.id, metric);
+    return paired === undefined ? null : change ? pairedChange(change) : NONE;
   }
   return changeAgainst(valueAt(summary, metric), valueAt(base.summary, metric), {
     scale,
@@ -68,8 +84,9 @@ export function changeOf(resultView: ResultView, entry: Entry, metric: MetricPat
   });
 }
 
-interface Base {
-  readonly summary: Summary;
+/** What a number is compared with. */
+export interface Base {
+  readonly summary: Summary | undefined;
   /** The strategies that are compared. */
   readonly pair: readonly Strategy[];
 }
@@ -118,8 +135,26 @@ function pairedAt(
 }
 
 /** Smaller changes [%] between these strategies may be one road's luck; times and speeds are the same on every road. */
-function oneRoadNoiseOf(strategies: readonly Pick<Strategy, "one_road_resolution">[], metric: MetricPath): number {
+export function oneRoadNoiseOf(
+  strategies: readonly Pick<Strategy, "one_road_resolution">[],
+  metric: MetricPath,
+): number {
   if ("run" in metric) return 0;
   const statistic = "comfort" in metric ? "rms" : metric.statistic;
   return Math.max(...strategies.map((strategy) => strategy.one_road_resolution[statistic] ?? 0));
 }
+
+export interface WindowView {
+  readonly window: "rough_road" | "bump";
+  readonly statistic: "rms" | "peak";
+}
+
+/** The paper's two views of a run: which statistic over which window. */
+export const VIEWS: readonly WindowView[] = [
+  { window: "rough_road", statistic: "rms" },
+  { window: "bump", statistic: "peak" },
+];
+
+/** The paper's eight metrics. */
+export const comparedMetrics = ({ paper_signals }: Pick<Catalogue, "paper_signals">): readonly WindowMetric[] =>
+  VIEWS.flatMap((view) => paper_signals.map((signal) => ({ ...view, signal })));

@@ -11,7 +11,7 @@ import { ChartButton } from "../../plots/FigureButton";
 import { ON_PAPER, PALETTES } from "../../plots/palettes";
 import { strategiesQuery } from "../../server/queries";
 import { formatPercent } from "../../features/tables/change";
-import { VIEWS } from "../../features/tables/ComparisonTable";
+import { VIEWS } from "../../features/tables/entries";
 import { count, formatNumber, formatWhole } from "../../units/format";
 import { formatTime } from "./effort";
 import { histogramFigure, histogramTable } from "./histogram";

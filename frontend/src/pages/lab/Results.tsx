@@ -8,6 +8,8 @@ import { PlotGrid, RoadStrip } from "../../plots/PlotGrid";
 import { PlotlyFault } from "../../plots/usePlotly";
 import { useLabContext, useLab } from "../../lab/context";
 import type { ResultView } from "../../lab/resultView";
+import { ChangeChips } from "../../features/verdict/ChangeChips";
+import { VerdictLine } from "../../features/verdict/VerdictLine";
 import { Tables } from "../../features/tables/Tables";
 import { Blank, CouldNotLoad } from "../../ui/Blank";
 import classes from "../../ui/shell.module.css";
@@ -47,6 +49,8 @@ export function Results({ strategies, catalogue, figures, resultView }: Props) {
       data-source={resultView.shown.source}
       data-run={resultView.shown.runId ?? undefined}
     >
+      <VerdictLine resultView={resultView} catalogue={catalogue} />
+      <ChangeChips resultView={resultView} catalogue={catalogue} />
       <RoadsNote resultView={resultView} />
       {resultView.shown.missing === null ? (
         <Histories resultView={resultView} catalogue={catalogue} figures={figures} />

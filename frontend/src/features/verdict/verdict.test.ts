@@ -1,0 +1,119 @@
+import { expect, it, describe } from "vitest";
+import type { Catalogue, Interval, OverRoads, Strategy, Summary } from "../../api/types";
+import type { Result } from "../../lab/result";
+import { changedMost, editChanges } from "./edit";
+import { leaderOf, rivalOf, scoreOf, sentenceOf, speedsOf, type PairedAgainst } from "./verdict";
+
+const SIGNALS = ["body_acceleration", "pitch_acceleration"];
+const CATALOGUE = {
+  paper_signals: SIGNALS,
+  signals: SIGNALS.map((key) => ({ key, label: key === "body_acceleration" ? "Body acceleration" : "Pitch" })),
+} as unknown as Catalogue;
+const [LV, LQR, PASSIVE] = (["LV", "LQR", "Passive"] as const).map(
+  (label) => ({ id: label.toLowerCase(), label, one_road_resolution: { rms: 7, peak: 15 } }) as unknown as Strategy,
+) as [Strategy, Strategy, Strategy];
+
+/** Of both signals: RMS on the rough road, peak on the bump. */
+const summary = ([bodyRms, pitchRms, bodyPeak, pitchPeak]: readonly number[], arrival_speed_kmh: number) =>
+  ({
+    arrival_speed_kmh,
+    metrics: {
+      rough_road: { body_acceleration: { rms: bodyRms }, pitch_acceleration: { rms: pitchRms } },
+      bump: { body_acceleration: { peak: bodyPeak }, pitch_acceleration: { peak: pitchPeak } },
+    },
+  }) as unknown as Summary;
+
+function compared(summaries: Readonly<Record<string, Summary>>, over: OverRoads | null = null) {
+  const shown = { runId: "now", source: "exact", over, summaries } as unknown as Result;
+  return { shown, summaries, strategies: [LV, LQR, PASSIVE].filter(({ id }) => id in summaries) };
+}
+
+const ONE_ROAD = compared({
+  lv: summary([1, 1, 1, 1.05], 22.5),
+  lqr: summary([2, 1.02, 2, 1], 22.5),
+  passive: summary([3, 3, 6, 8], 50),
+});
+
+const sentence = (of: typeof ONE_ROAD, paired: PairedAgainst = {}) => {
+  const leader = leaderOf(of, CATALOGUE);
+  const said = leader && sentenceOf(of, CATALOGUE, { leader, rival: rivalOf(of, leader, "passive") }, paired);
+  return said && said.lead + said.rest;
+};
+
+describe("the verdict on one road", () => {
+  it("counts a metric as won only where the difference to every other is more than luck", () => {
+    expect(scoreOf(ONE_ROAD, CATALOGUE, LV, {})).toEqual({ best: 2, behind: 0, of: 4 });
+    expect(sentence(ONE_ROAD)).toBe(
+      "LV is best in 2 of 4 metrics, within luck in 2. Peak body acceleration on the bump −83.3\u2009% " +
+        "(luck ±\u200915\u2009%) against Passive, at 22.5 instead of 50.0 km/h.",
+    );
+  });
+
+  it("says where another is better for sure", () => {
+    const behind = compared({ lv: summary([1, 1, 1, 2], 20), lqr: summary([2, 2, 2, 1], 20) });
+    expect(scoreOf(behind, CATALOGUE, LV, {})).toEqual({ best: 3, behind: 1, of: 4 });
+    expect(sentence(behind)).toContain("LV is best in 3 of 4 metrics, behind in 1.");
+    expect(sentence(behind)).toContain("all at 20.0 km/h");
+  });
+
+  it("names no winner where nothing is beyond luck", () => {
+    const alike = compared({ lv: summary([1, 1, 1, 1], 20), lqr: summary([1.05, 1.05, 1.1, 1.1], 20) });
+    expect(sentence(alike)).toBe(
+      "No clear winner in 4 metrics, within luck in 4. Peak body acceleration on the bump LV no different beyond luck " +
+        "against LQR, all at 20.0 km/h.",
+    );
+  });
+
+  it("is of what this road has, and says nothing of a single strategy", () => {
+    const flat = compared({ lv: summary([1, 1], 20), passive: summary([2, 2], 20) });
+    expect(sentence(flat)).toContain("best in 2 of 2 metrics. RMS body acceleration on the rough road −50.0\u2009%");
+    expect(leaderOf(compared({ lv: summary([1, 1, 1, 1], 20) }), CATALOGUE)).toBeNull();
+  });
+});
+
+describe("the verdict over several roads", () => {
+  const interval = (mean: number, half: number): Interval => ({ mean, low: mean - half, high: mean + half });
+  const against = (id: string, rms: Interval, peak: Interval) =>
+    ({
+      [id]: {
+        rough_road: { body_acceleration: { rms }, pitch_acceleration: { rms } },
+        bump: { body_acceleration: { peak }, pitch_acceleration: { peak } },
+      },
+    }) as unknown as OverRoads["changes"];
+  const over = { roads: 5, baseline: "passive", estimates: {} } as unknown as OverRoads;
+  const two = compared({ lv: summary([1, 1, 1, 1], 22.5), passive: summary([2, 2, 2, 2], 50) }, over);
+
+  it("counts what the paired intervals settle, and prints the headline's", () => {
+    const paired = {
+      lv: against("passive", interval(3, 4), interval(100, 9)),
+      passive: against("lv", interval(-3, 4), interval(-50, 4)),
+    };
+    expect(sentence(two, paired)).toBe(
+      "LV is best in 2 of 4 metrics, within luck in 2. Peak body acceleration on the bump " +
+        "−50\u2009±\u20094\u2009% against Passive, at 22.5 instead of 50.0 km/h.",
+    );
+  });
+
+  it("waits for the intervals", () => {
+    expect(sentence(two)).toBeNull();
+  });
+});
+
+it("Speeds are one where all meet the bump alike", () => {
+  expect(speedsOf(ONE_ROAD)).toEqual([22.5, 22.5, 50]);
+  expect(speedsOf(compared({ lv: summary([1, 1, 1, 1], 22.4), lqr: summary([1, 1, 1, 1], 22.5) }))).toEqual([22.4]);
+});
+
+it("An edit's changes are each strategy's own, first those of the one that it moved", () => {
+  const now = compared({ lv: summary([1, 1, 1, 1], 20), passive: summary([2, 2, 2, 2], 20) });
+  const old = compared({ lv: summary([1, 1, 1, 1], 20), passive: summary([4, 2.1, 2, 1], 20) });
+  const changes = editChanges(now, { name: "before the last edit", shown: old.shown }, CATALOGUE, undefined);
+  expect(changes.map(({ change }) => change?.verdict)).toEqual([
+    ...Array<string>(4).fill("same"),
+    "better",
+    "luck",
+    "same",
+    "worse",
+  ]);
+  expect(changedMost(changes, now.strategies)).toBe(PASSIVE);
+});
