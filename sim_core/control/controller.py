@@ -18,13 +18,14 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
+from sim_core.control.law import LinearLaw
 from sim_core.control.qp import Qp
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RidelabError, UnknownNameError
 from sim_core.scenario import Preview, Scenario, dotted
 from sim_core.scenario.fields import Part
 from sim_core.speed.profile import SpeedPlan
-from sim_core.vehicle.model import LinearLaw, SemiActiveDampers
+from sim_core.vehicle.model import SemiActiveDampers
 
 Force = Sequence[float] | NDArray[np.float64]
 _DEFAULTS = Scenario()

@@ -91,7 +91,7 @@ class CostTerms:
         ...     vehicle=Scenario().vehicle, speed=14.0, sample_time=0.01, weights=(8, 1, 1),
         ...     deflection_weight=3.0, deflection_limit=0.08, force_weight=1e-9,
         ... )
-        >>> regulator(terms).K.shape
+        >>> regulator(terms).gain.shape
         (2, 8)
     """
 

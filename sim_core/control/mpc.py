@@ -4,12 +4,12 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller, scenario_field, undefined
+from sim_core.control.law import LinearLaw
 from sim_core.control.mpc_design import MpcDesign, design
 from sim_core.control.qp import SOLVERS, Qp, Qps
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RidelabError, TooExpensiveError
 from sim_core.scenario import Weights
-from sim_core.vehicle.model import LinearLaw
 
 _COSTLY_FIELDS = "mpc.control_horizon", "mpc.prediction_horizon", "mpc.sample_time", "road.length"
 

@@ -173,7 +173,7 @@ def _measured(measured: MeasuredRoad, length: float) -> tuple[FloatArray, float]
     return samples, _slopes(samples)
 
 
-def profile(road: Road) -> RoadProfile:
+def road_profile(road: Road) -> RoadProfile:
     """The road of a scenario.
 
     Raises:

@@ -11,7 +11,7 @@ from sim_core.result import Series
 from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.presets import preset
 from sim_core.simulate import simulate
-from sim_core.speed.profile import SpeedProfile, plan_speed
+from sim_core.speed.profile import SpeedProfile, make_speed_profile
 from sim_core.strategies import STRATEGIES
 from tests.results import event
 from tests.validation.reference.held import errors
@@ -115,7 +115,7 @@ def test_rms_over_intervals_of_the_road_is_by_definition(strategy: str, interval
     instants place an interval's ends within 20 µs, which is a ten-thousandth of the shortest interval's RMS.
     """
     scenario = Scenario()
-    result, motion = simulate(scenario, strategy), plan_speed(scenario, STRATEGIES[strategy].speed_plan)
+    result, motion = simulate(scenario, strategy), make_speed_profile(scenario, STRATEGIES[strategy].speed_plan)
     rms = rms_between(result.series, motion, intervals)
     assert list(rms) == list(METRIC_SIGNALS)
     time = (np.arange(1_000_000) + 0.5) * result.travel_time / 1_000_000
