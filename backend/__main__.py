@@ -173,7 +173,7 @@ def _application(settings: "Settings") -> "FastAPI":
     processes.return_freed_memory()
     try:
         app = create_app(settings, workers)
-        app.state.store.migrate()
+        app.state.services.store.migrate()
     except (UnusableDatabaseError, SQLAlchemyError, ImportError) as error:
         workers.abandon()
         raise SettingsError(str(error)) from None
@@ -215,7 +215,7 @@ def _serve(app: "FastAPI", settings: "Settings", listener: socket.socket, host: 
 
         async def _announce(self) -> None:
             """Print the address, once a worker is warm; until then /readyz says so to whoever asks."""
-            await app.state.workers.wait_until_warm()
+            await app.state.services.workers.wait_until_warm()
             shown = f"[{host}]" if ":" in host else host
             print(f"Ridelab is at http://{shown}:{listener.getsockname()[1]}", flush=True)
 

@@ -15,10 +15,10 @@ from typing import Any
 import httpx
 import pytest
 
-from backend.api.schema import Catalogue, PresetAnswer, StrategyAnswer
 from backend.app import create_app
 from backend.errors import BusyError, RoadGoneError, ServiceError, TooManyRequestsError
 from backend.http.field_descriptions import EVERYWHERE, OF_MODELS
+from backend.library.models import Catalogue, PresetAnswer, StrategyAnswer
 from backend.runs.service import Runs
 from backend.settings import Settings
 from sim_core.catalogue import SIGNALS
