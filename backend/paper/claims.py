@@ -1,6 +1,6 @@
 """The paper's claims against ours: the runs they need, verdicts by rule.
 
-The rules are fixed before any number (docs/paper.md); nothing is tuned to reach a cell.
+The rules are fixed before any number (docs/explanation/paper.md); nothing is tuned to reach a cell.
 """
 
 from collections.abc import Mapping, Sequence

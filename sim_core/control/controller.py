@@ -136,7 +136,7 @@ class Controller:
         actuated: Whether there are actuators; False is a passive suspension.
         delayed: Whether its commands take effect when `arrivals` says, not at once.
         preview: What of the road ahead `Seen` reports: none, wheelbase, lookahead or obstacle (`mpc.preview` in
-            docs/scenario.md). By default the scenario's; a controller that does not look ahead sets "none".
+            docs/reference/scenario.md). By default the scenario's; a controller that does not look ahead sets "none".
         prediction_horizon: For how many control steps ahead; by default the scenario's, 0 for none.
         report: Counts of the present run, for its events; new at each start.
         declared: Its options and scenario fields by their names.

@@ -1,4 +1,4 @@
-"""Design of the model predictive suspension control (Eq. 8-15 with the errata of docs/errata.md).
+"""Design of the model predictive suspension control (Eq. 8-15 with the errata of docs/reference/errata.md).
 
 Everything that does not depend on the state is computed once and cached: the QP's matrices, and the law that solves it
 wherever no limit binds (the unconstrained optimum that meets every limit *is* the solution).

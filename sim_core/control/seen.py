@@ -55,7 +55,9 @@ class Setup:
         return self.sample_time / self.short_steps
 
     def cost(self, weights: Weights, deflection_weight: float, force_weight: float) -> CostTerms:
-        """The normalised cost that LQR and MPC minimise, of this run's car and limits (docs/physics.md, "Cost").
+        """The normalised cost that LQR and MPC minimise, of this run's car and limits.
+
+        docs/explanation/physics.md, "Cost", has the formulas.
 
         Args:
             weights: Of body acceleration, pitch acceleration and tyre load: q1, q2, q3 [1].

@@ -1,6 +1,6 @@
 """What passes between plant and ECU: the one table of channels and their ranges, and the converters' rounding.
 
-The C header, docs/hil.md and the loop take the ranges from here.
+The C header, docs/how-to/hil.md and the loop take the ranges from here.
 """
 
 from dataclasses import dataclass

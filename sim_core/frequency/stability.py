@@ -1,4 +1,6 @@
-"""Whether the loop is stable with the car and the actuators as they really are (docs/robustness.md, "Stability").
+"""Whether the loop is stable with the car and the actuators as they really are.
+
+docs/explanation/robustness.md, "Stability", has the results.
 
 Near rest no limit binds, no stop is met and no tyre lifts off. With dampers alike both ways the loop of car, actuators
 and controller is then linear, and its modes say whether a small disturbance dies out. With unequal dampers it is linear

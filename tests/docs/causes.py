@@ -1,6 +1,6 @@
 """Why printed changes do not come out here: each cause with the fields that show it, and what they make of the cells.
 
-tests/drill/test_docs.py drives all of it and, with UPDATE_DOCS=1, prints the tables into docs/paper.md.
+tests/drill/test_docs.py drives all of it and, with UPDATE_DOCS=1, prints the tables into docs/explanation/paper.md.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -141,7 +141,7 @@ CAUSES = (
 
 
 def page(seeds: Iterable[int]) -> Iterator[str]:
-    """The tables of docs/paper.md, line by line, from runs over these roads."""
+    """The tables of docs/explanation/paper.md, line by line, from runs over these roads."""
     roads = tuple(seeds)
     yield "| table | compared | figure | paper | changed | ours |"
     yield "|---|---|---|---|---|---|"

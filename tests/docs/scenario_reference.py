@@ -1,4 +1,4 @@
-"""The scenario's reference page, docs/scenario.md, written from its schema."""
+"""The scenario's reference page, docs/reference/scenario.md, written from its schema."""
 
 from typing import Any
 
