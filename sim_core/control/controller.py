@@ -18,13 +18,14 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
+from sim_core.control.law import LinearLaw
 from sim_core.control.qp import Qp
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RidelabError, UnknownNameError
 from sim_core.scenario import Preview, Scenario, dotted
 from sim_core.scenario.fields import Part
 from sim_core.speed.profile import SpeedPlan
-from sim_core.vehicle.model import LinearLaw, SemiActiveDampers
+from sim_core.vehicle.model import SemiActiveDampers
 
 Force = Sequence[float] | NDArray[np.float64]
 _DEFAULTS = Scenario()
@@ -135,7 +136,7 @@ class Controller:
         actuated: Whether there are actuators; False is a passive suspension.
         delayed: Whether its commands take effect when `arrivals` says, not at once.
         preview: What of the road ahead `Seen` reports: none, wheelbase, lookahead or obstacle (`mpc.preview` in
-            docs/scenario.md). By default the scenario's; a controller that does not look ahead sets "none".
+            docs/reference/scenario.md). By default the scenario's; a controller that does not look ahead sets "none".
         prediction_horizon: For how many control steps ahead; by default the scenario's, 0 for none.
         report: Counts of the present run, for its events; new at each start.
         declared: Its options and scenario fields by their names.

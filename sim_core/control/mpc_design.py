@@ -1,6 +1,6 @@
-"""Design of the model predictive suspension control (Eq. 8-15 with the errata of docs/errata.md).
+"""Design of the model predictive suspension control (Eq. 8-15 with the errata of docs/reference/errata.md).
 
-Everything that does not depend on the state is reckoned once and cached: the QP's matrices, and the law that solves it
+Everything that does not depend on the state is computed once and cached: the QP's matrices, and the law that solves it
 wherever no limit binds (the unconstrained optimum that meets every limit *is* the solution).
 """
 
@@ -11,13 +11,13 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.control.cost import KILO, CostTerms, stage_cost
+from sim_core.control.law import LAW_INPUTS, LinearLaw
 from sim_core.control.qp import AXLES, CENTI, MOST_ITERATIONS
 from sim_core.control.regulator import regulator
 from sim_core.kernel.qp import QpDesign
 from sim_core.matrices import solve
 from sim_core.scenario import Vehicle
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, discrete
-from sim_core.vehicle.model import LAW_INPUTS, LinearLaw
 
 SLACK_LINEAR, SLACK_QUADRATIC = 1e5, 1e6  # exact penalty per m and per m² on the normalised cost
 

@@ -12,7 +12,7 @@ import pytest
 import sim_core
 from sim_core import Controller, LinearLaw, Seen, Setup, check_controller, option, scenario_field, simulate
 from sim_core.errors import RidelabError
-from sim_core.road.profile import profile
+from sim_core.road.profile import road_profile
 from sim_core.scenario import Actuator, Bump, Estimation, Mismatch, Mpc, Road, Scenario, Vehicle
 from sim_core.simulate import prepare
 from sim_core.strategies import STRATEGIES, reads
@@ -168,7 +168,7 @@ def test_what_it_sees_is_what_happens(vehicle: Vehicle) -> None:
         np.testing.assert_allclose(seen["measurement"][on_record][:, number], expected, atol=5e-3 * scale)
     np.testing.assert_allclose(seen["measurement"][:, 3], seen["state"][:, 5], atol=1e-5)
     np.testing.assert_allclose(seen["measurement"][:, :2], seen["state"][:, :2], atol=1e-5)
-    surface, ahead = profile(scenario.road), seen["preview"]
+    surface, ahead = road_profile(scenario.road), seen["preview"]
     assert ahead.shape == (len(seen["time"]), scenario.mpc.prediction_horizon, 2)
     later = seen["position"][1:-30]
     np.testing.assert_allclose(ahead[: len(later), 0, 0], surface.height(later), atol=1e-9)
