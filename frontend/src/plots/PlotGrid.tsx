@@ -5,7 +5,9 @@ import { useCallback, useMemo } from "react";
 import type { FigureTemplate } from "../api/types";
 import type { Zoom } from "../lab/address";
 import { useLabContext } from "../lab/context";
+import { isolated } from "../lab/isolated";
 import type { ResultView } from "../lab/resultView";
+import { useStore } from "../lib/store";
 import { layersOf } from "./curves";
 import { PALETTES } from "./palettes";
 import { PlotPanel } from "./PlotPanel";
@@ -38,6 +40,8 @@ export function PlotGrid({ templates, resultView }: Props) {
     () => drawnOf({ differences, reference, baseline: base, ids, axis, range, summaries }, own, other),
     [differences, reference, base, ids, axis, range, summaries, own, other],
   );
+  const standsOut = useStore(isolated);
+  const one = standsOut !== null && ids.includes(standsOut) ? standsOut : null;
   const minus = differences ? subtrahend(resultView) : undefined;
   const layers = useMemo(() => (differences ? [] : layersOf(layered)), [differences, layered]);
   const curves = useMemo(
@@ -47,13 +51,14 @@ export function PlotGrid({ templates, resultView }: Props) {
       strategies,
       axis,
       range,
+      isolated: one,
       live: shown.source === "live",
       runId: shown.runId,
       coreVersion: shown.coreVersion,
       ...(roads !== undefined && { roads }),
       ...(minus !== undefined && { minus }),
     }),
-    [drawn, layers, strategies, axis, range, shown.source, shown.runId, shown.coreVersion, roads, minus],
+    [drawn, layers, strategies, axis, range, one, shown.source, shown.runId, shown.coreVersion, roads, minus],
   );
   return (
     <div className={classes.grid}>

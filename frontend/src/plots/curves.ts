@@ -11,6 +11,8 @@ export interface Layer {
   readonly series: SeriesByStrategy;
   /** In place of the strategy's own. */
   readonly line: Readonly<{ width?: number; dash?: string }>;
+  /** In the axes' grey, whatever the strategy's colour. */
+  readonly grey?: boolean;
   readonly opacity: number;
 }
 
@@ -24,7 +26,7 @@ export const pinDash = (index: number): string => PIN_DASHES[index % PIN_DASHES.
 
 export function layersOf({ shown, before, pins }: Pick<ResultView, "shown" | "before" | "pins">): readonly Layer[] {
   const ghost = before
-    ? [{ name: before.name, series: before.shown.series, line: { width: BEFORE_WIDTH }, opacity: 0.65 }]
+    ? [{ name: before.name, series: before.shown.series, line: { width: BEFORE_WIDTH }, grey: true, opacity: 0.65 }]
     : [];
   // A pinned result that is what is shown has no curves beside those.
   const others = pins.filter((pin) => pin.shown.runId === null || pin.shown.runId !== shown.runId);
@@ -45,6 +47,8 @@ export interface FigureInput {
   /** Curves of other variants, under those of `series`. */
   readonly layers?: readonly Layer[];
   readonly summaries: Readonly<Record<StrategyId, Summary>>;
+  /** The one that stands out: the others fade. */
+  readonly isolated?: StrategyId | null;
   /** In the order of drawing. */
   readonly strategies: readonly Pick<Strategy, "id" | "colour">[];
   readonly axis: Axis;
@@ -64,6 +68,7 @@ export interface Curves {
   readonly strategies: readonly Strategy[];
   readonly axis: Axis;
   readonly range: Zoom;
+  readonly isolated?: StrategyId | null;
   readonly live: boolean;
   /** `null` while it is a preview. */
   readonly runId: string | null;

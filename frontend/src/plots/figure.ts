@@ -30,14 +30,14 @@ function traces(input: FigureInput): readonly PlotTrace[] {
 const BAND_OPACITY = "3d";
 
 /** From the smallest to the largest value over the roads, for each strategy that has them: two edges, filled in between. */
-function bandTraces({ template, series, strategies, axis, range }: FigureInput): readonly PlotTrace[] {
+function bandTraces({ template, series, strategies, axis, range, isolated = null }: FigureInput): readonly PlotTrace[] {
   const { scale } = template.layout.meta;
   return template.data.flatMap(({ name, meta: { strategy, signal } }): PlotTrace[] => {
     const own = series[strategy];
     const x = own?.[axisSignal(axis)];
     const [low, high] = [own?.[minimumOf(signal)], own?.[maximumOf(signal)]];
     const drawn = strategies.find(({ id }) => id === strategy);
-    if (!x || !low || !high || !drawn) return [];
+    if (!x || !low || !high || !drawn || (isolated !== null && isolated !== strategy)) return [];
     const [from, to] = covering(x, range[0], range[1]);
     const edge = (what: string, values: Numbers, fill: Partial<PlotTrace>): PlotTrace => ({
       type: "scatter",
@@ -56,9 +56,12 @@ function bandTraces({ template, series, strategies, axis, range }: FigureInput):
   });
 }
 
+/** A curve beside the one that stands out. */
+const FADED = 0.12;
+
 function tracesOf(
-  { template, strategies, axis, range }: FigureInput,
-  { name, series, line, opacity }: Layer,
+  { template, strategies, axis, range, palette, isolated = null }: FigureInput,
+  { name, series, line, grey = false, opacity }: Layer,
 ): readonly PlotTrace[] {
   const { scale } = template.layout.meta;
   return template.data.flatMap((trace): PlotTrace[] => {
@@ -75,8 +78,8 @@ function tracesOf(
         ...(trace.name === undefined ? {} : { name: name === "" ? trace.name : `${trace.name}, ${name}` }),
         x: x.subarray(from, to),
         y: scaled(y.subarray(from, to), scale),
-        line: { ...trace.line, color: drawn.colour, ...line, simplify: true },
-        opacity,
+        line: { ...trace.line, color: grey ? palette.text : drawn.colour, ...line, simplify: true },
+        opacity: isolated === null || isolated === strategy ? opacity : FADED,
       },
     ];
   });

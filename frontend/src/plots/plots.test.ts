@@ -83,6 +83,14 @@ describe("a filled figure", () => {
     expect(data[0]?.line.color).toBe("#123456"); // the strategy's, which follows the scheme
   });
 
+  it("fades every curve but the one that stands out, and draws the state before in grey", () => {
+    const series = { ...input.series, passive: { position: X, time: X, load: LOAD } };
+    const before = { name: "before", series, line: {}, grey: true, opacity: 0.65 };
+    const { data } = buildFigure({ ...input, series, layers: [before], isolated: "lv" });
+    expect(data.map(({ opacity }) => opacity)).toEqual([0.65, 0.12, 1, 0.12]);
+    expect(data.map(({ line }) => line.color)).toEqual(["#000", "#000", "#123456", "#666"]);
+  });
+
   it("shades the stage, the airborne stretch and the static load", () => {
     const shapes = buildFigure(input).layout.shapes;
     expect(shapes).toContainEqual(expect.objectContaining({ x0: 1, x1: 2.5, yref: "paper" }));

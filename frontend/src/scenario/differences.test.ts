@@ -1,6 +1,6 @@
 import { expect, it } from "vitest";
 import { FORM } from "./form.fixture";
-import { changedFields, standardScenario } from "./differences";
+import { changedFields, nameByChanges, standardScenario } from "./differences";
 import type { ScenarioSchema } from "./schema";
 import { setAt } from "./path";
 
@@ -20,4 +20,14 @@ const changes = (from: typeof NONE, to: typeof NONE) =>
 it("a list names a measured road in words, never by its id", () => {
   expect(changes(NONE, on("A".repeat(22)))).toEqual(["Profile none → a measured road"]);
   expect(changes(on("A".repeat(22)), on("B".repeat(22)))).toEqual(["Profile a measured road → another"]);
+});
+
+it("a pin is named by its own values of what differs", () => {
+  const changes = ["Bump height", "Initial speed"].map((name, index) => ({
+    pointer: "/" as const,
+    name,
+    change: "",
+    value: index === 0 ? "12 cm" : "40 km/h",
+  }));
+  expect(nameByChanges(changes)).toBe("Bump height 12 cm, initial speed 40 km/h");
 });

@@ -54,6 +54,8 @@ export interface FieldChange {
   readonly pointer: Pointer;
   readonly name: string;
   readonly change: string;
+  /** The second scenario's alone: `12 cm`. */
+  readonly value: string;
 }
 
 const lowered = (title: string) => (/^.[a-z]/.test(title) ? title.charAt(0).toLowerCase() + title.slice(1) : title);
@@ -93,13 +95,25 @@ export function changedFields(form: Member, from: Scenario, to: Scenario): reado
     const unit =
       leaf.kind === "number" && typeof other === "number" ? `\u00a0${prettyUnit(leaf.shown.unit)}`.trimEnd() : "";
     const [before, after] = [shown(one, leaf), shown(other, leaf)];
-    return [{ pointer: leaf.pointer, name, change: `${before} → ${before === after ? "another" : after}${unit}` }];
+    const value = `${before === after ? "another" : after}${unit}`;
+    return [{ pointer: leaf.pointer, name, change: `${before} → ${value}`, value }];
   });
 }
 
-/** The first few of them in one line. */
-export function changesText(changes: readonly FieldChange[], most = 3): string {
+/** The first few of them in one line: `Bump height 10 → 12 cm`. */
+export const changesText = (changes: readonly FieldChange[], most = 3): string =>
+  inOneLine(changes, most, ({ name, change }) => `${name} ${change}`);
+
+/** What a scenario is called by what is special about it: `Bump height 12 cm, initial speed 40 km/h`. */
+export const nameByChanges = (changes: readonly FieldChange[]): string =>
+  inOneLine(changes, 2, ({ name, value }, index) => `${index === 0 ? name : lowered(name)} ${value}`);
+
+function inOneLine(
+  changes: readonly FieldChange[],
+  most: number,
+  textOf: (change: FieldChange, index: number) => string,
+): string {
   const rest = changes.length - most;
-  const listed = changes.slice(0, rest === 1 ? most + 1 : most).map(({ name, change }) => `${name} ${change}`);
+  const listed = changes.slice(0, rest === 1 ? most + 1 : most).map(textOf);
   return [...listed, ...(rest > 1 ? [`${rest} more`] : [])].join(", ");
 }

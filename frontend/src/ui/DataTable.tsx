@@ -185,15 +185,11 @@ function Head<Row>({
 }: HeadProps<Row>) {
   const look = { "data-text": text, "data-first": first, "data-unprinted": unprinted, title: help, ...headAttributes };
   if (head === "") return <td {...look} />;
-  const content = (
-    <>
-      {head} {detail !== undefined && detail !== "" && <span className={classes.detail}>{detail}</span>}
-    </>
-  );
+  const under = detail !== undefined && detail !== "" && <span className={classes.detail}>{detail}</span>;
   if (!sort) {
     return (
       <th scope="col" {...look}>
-        {content}
+        {head} {under}
       </th>
     );
   }
@@ -202,9 +198,10 @@ function Head<Row>({
   return (
     <th scope="col" aria-sort={sorted} {...look}>
       <UnstyledButton className={classes.sort ?? ""} onClick={() => onSort(key)}>
-        <span>{content}</span>
+        <span>{head}</span>
         <Icon size={13} stroke={1.8} aria-hidden />
-      </UnstyledButton>
+      </UnstyledButton>{" "}
+      {under}
     </th>
   );
 }

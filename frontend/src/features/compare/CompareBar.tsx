@@ -2,7 +2,7 @@
 
 import { Box, Checkbox, Group, NativeSelect, Button, Tooltip } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
-import { changedFields, changesText } from "../../scenario/differences";
+import { changedFields, changesText, nameByChanges } from "../../scenario/differences";
 import { referenceTo, whyNotCompared, type Reference } from "../../lab/compare";
 import { useLabContext, useLab, useEdit, useFromScenario, useReadOnly } from "../../lab/context";
 import { schemaQuery } from "../../server/queries";
@@ -114,7 +114,7 @@ function PinButton() {
   const pin = () => {
     const { shown } = lab.get();
     if (run === null || !shown || !form) return;
-    const differs = changesText(changedFields(form, paperScenario, shown.scenario), 2) || "Paper’s scenario";
+    const differs = nameByChanges(changedFields(form, paperScenario, shown.scenario)) || "Paper’s scenario";
     ownPins.add({ name: defaultName(differs, pins), run });
   };
   const why = isPinned

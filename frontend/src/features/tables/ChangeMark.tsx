@@ -39,14 +39,16 @@ interface EstimatedProps {
   readonly interval: Interval | undefined;
   /** From SI to the unit shown. */
   readonly scale: number;
+  /** The best of its kind. */
+  readonly isBest?: boolean;
 }
 
 /** A result in its unit: plain, or the mean over several roads with half its 95 % interval's width. */
-export function Estimated({ value, interval, scale }: EstimatedProps) {
+export function Estimated({ value, interval, scale, isBest = false }: EstimatedProps) {
   const half = interval ? (interval.high - interval.mean) * scale : 0;
   const shown = typeof value === "number" ? formatResult(value * scale) : NO_VALUE;
   return (
-    <span className={classes.value}>
+    <span className={classes.value} data-best={isBest || undefined}>
       {shown}
       {!isNothing(half) && <span className={classes.half}>{`\u2009±\u2009${formatHalf(half, shown)}`}</span>}
     </span>

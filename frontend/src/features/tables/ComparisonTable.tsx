@@ -5,7 +5,9 @@ import type { ResultView } from "../../lab/resultView";
 import { prettyUnit, formatFixed } from "../../units/format";
 import {
   CURRENT,
+  byStrategy,
   entryGroups,
+  lowestOf,
   type Entry,
   changeOf,
   type WindowMetric,
@@ -29,6 +31,8 @@ export interface ComparisonProps {
   readonly catalogue: Catalogue;
   readonly figures: Readonly<Record<string, FigureTemplate>>;
   readonly signals: readonly SignalKey[];
+  /** What the rows of a variant, or those of a strategy, stand under. */
+  readonly grouping: "variant" | "strategy";
 }
 
 interface Props extends ComparisonProps {
@@ -44,7 +48,9 @@ export const labelOf = (signal: string, catalogue: Catalogue) =>
   catalogue.signals.find(({ key }) => key === signal)?.label ?? signal;
 
 export function ComparisonTable({ caption, ...props }: Props) {
-  const groups = entryGroups(props.resultView);
+  const { resultView, grouping } = props;
+  const variants = entryGroups(resultView);
+  const groups = grouping === "strategy" ? byStrategy(variants, resultView.strategies) : variants;
   return (
     <DataTable
       label={caption}
@@ -52,9 +58,9 @@ export function ComparisonTable({ caption, ...props }: Props) {
       columns={columnsOf(props)}
       groups={groups.map(({ name, entries }) => ({
         key: entries[0]?.key ?? name ?? "",
-        ...(groups.length > 1 && { title: name ?? CURRENT }),
+        ...((groups.length > 1 || grouping === "strategy") && { title: name ?? CURRENT }),
         rows: entries,
-        attributes: { "data-pinned": name ?? undefined },
+        attributes: { "data-pinned": grouping === "variant" ? (name ?? undefined) : undefined },
       }))}
       rowKey={({ key }) => key}
       rowAttributes={(entry) => ({
@@ -65,18 +71,21 @@ export function ComparisonTable({ caption, ...props }: Props) {
   );
 }
 
-function columnsOf({ resultView, catalogue, figures, signals }: ComparisonProps): readonly Column<Entry>[] {
+function columnsOf({ resultView, catalogue, figures, signals, grouping }: ComparisonProps): readonly Column<Entry>[] {
+  const groups = entryGroups(resultView);
   const results = VIEWS.flatMap((view) =>
     signals.map((signal): Column<Entry> => {
       const metric = { window: view.window, signal, statistic: view.statistic };
       const { unit, scale } = shownUnit(signal, figures, catalogue);
+      const lowest = lowestOf(groups, metric);
       return {
         key: `${view.window} ${signal}`,
         group: headingOf(view, catalogue),
         head: labelOf(signal, catalogue),
         detail: <UnitAndSolve {...{ unit, metric, catalogue }} />,
+        sort: ({ summary }) => valueAt(summary, metric),
         attributes: (entry) => cellAttributes(entry, metric),
-        cell: (entry) => <ResultCell {...{ resultView, entry, metric, scale }} />,
+        cell: (entry) => <ResultCell {...{ resultView, entry, metric, scale, lowest }} />,
       };
     }),
   );
@@ -85,7 +94,7 @@ function columnsOf({ resultView, catalogue, figures, signals }: ComparisonProps)
       key: "strategy",
       head: "Strategy",
       text: true,
-      cell: (entry) => <EntryHead entry={entry} catalogue={catalogue} />,
+      cell: (entry) => <EntryHead entry={entry} catalogue={catalogue} byVariant={grouping === "strategy"} />,
     },
     ...results,
   ];
@@ -115,14 +124,18 @@ interface ResultCellProps {
   readonly metric: MetricPath;
   /** From SI to the unit shown. */
   readonly scale: number;
+  /** The lowest of the metric, in bold. */
+  readonly lowest: number;
 }
 
 /** One number of the comparison, with its interval over several roads and its change. */
-export function ResultCell({ resultView, entry, metric, scale }: ResultCellProps) {
+export function ResultCell({ resultView, entry, metric, scale, lowest }: ResultCellProps) {
+  const value = valueAt(entry.summary, metric);
   return (
     <>
       <Estimated
-        value={valueAt(entry.summary, metric)}
+        value={value}
+        isBest={value === lowest}
         interval={intervalAt(entry.shown, entry.strategy.id, metric)}
         scale={scale}
       />
@@ -142,10 +155,17 @@ interface EntryHeadProps {
   readonly catalogue: Catalogue;
   /** For a column's head: name under its line. */
   readonly upright?: boolean;
+  /** Called by its variant: its strategy stands above it. */
+  readonly byVariant?: boolean;
 }
 
 /** Who a row or column is: the strategy, at which speed it met the bump, and the caveats of its result. */
-export function EntryHead({ entry: { strategy, summary, isBaseline }, catalogue, upright = false }: EntryHeadProps) {
+export function EntryHead({
+  entry: { strategy, variant, summary, isBaseline },
+  catalogue,
+  upright = false,
+  byVariant = false,
+}: EntryHeadProps) {
   const { labAddress } = useLabContext();
   const speed = summary?.arrival_speed_kmh;
   return (
@@ -158,7 +178,7 @@ export function EntryHead({ entry: { strategy, summary, isBaseline }, catalogue,
         onClick={() => labAddress.setView({ baseline: strategy.id, reference: "baseline" })}
       >
         <StrategyKey strategy={strategy} />
-        {strategy.label}
+        {byVariant ? (variant ?? CURRENT) : strategy.label}
       </button>
       <span className={classes.entryFacts}>
         <span title="Speed at which the front axle meets the bump">

@@ -1,6 +1,6 @@
 /** The comparison, and on demand everything else the run says in numbers. */
 
-import { Button, Box } from "@mantine/core";
+import { Button, Box, Checkbox } from "@mantine/core";
 import { useMediaQuery } from "@mantine/hooks";
 import { useId, useState } from "react";
 import { IconChevronDown, IconChevronUp } from "../../ui/icons";
@@ -24,7 +24,7 @@ import { getAt } from "../../scenario/path";
 import { whyNotCompared } from "../../lab/compare";
 import { DataTable } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
-import { entryGroups, VIEWS, type WindowView } from "./entries";
+import { entryGroups, lowestOf, VIEWS, type WindowView } from "./entries";
 import { shownUnit } from "../../server/metrics";
 
 interface Props {
@@ -41,21 +41,32 @@ export function Tables({ resultView, catalogue, figures }: Props) {
   const id = useId();
   const others = catalogue.metric_signals.filter((signal) => !catalogue.paper_signals.includes(signal));
   const narrow = useMediaQuery(NARROW, false, { getInitialValueInEffect: false });
+  const [grouping, setGrouping] = useState<ComparisonProps["grouping"]>("variant");
   const compare = (signals: readonly SignalKey[], caption: string, of = "") =>
     narrow ? (
       VIEWS.map((view) => (
         <NarrowTable
           key={view.window}
-          {...{ resultView, catalogue, figures, signals, view }}
+          {...{ resultView, catalogue, figures, signals, view, grouping }}
           heading={`${headingOf(view, catalogue)}${of}`}
         />
       ))
     ) : (
-      <ComparisonTable {...{ resultView, catalogue, figures, signals, caption }} />
+      <ComparisonTable {...{ resultView, catalogue, figures, signals, caption, grouping }} />
     );
   return (
     <Card className={classes.comparison ?? ""} aria-label="Comparison">
       <CompareBar resultView={resultView} />
+      {!narrow && resultView.pins.length > 0 && (
+        <Checkbox
+          size="xs"
+          m="0.4rem 0.9rem"
+          data-unprinted
+          label="Group by strategy"
+          checked={grouping === "strategy"}
+          onChange={({ currentTarget: { checked } }) => setGrouping(checked ? "strategy" : "variant")}
+        />
+      )}
       {compare(catalogue.paper_signals, "RMS on the rough road and peak on the bump")}
       {more && (
         <div id={id}>
@@ -113,6 +124,7 @@ function NarrowTable({
   view: { window, statistic },
   heading,
 }: NarrowTableProps) {
+  const groups = entryGroups(resultView);
   const metricOf = (signal: SignalKey) => ({ window, signal, statistic });
   return (
     <DataTable
@@ -140,7 +152,7 @@ function NarrowTable({
           ),
         },
         ...variantColumns<SignalKey>(
-          entryGroups(resultView),
+          groups,
           (entry) => <EntryHead entry={entry} catalogue={catalogue} upright />,
           (entry) => ({
             attributes: (signal) => ({
@@ -151,6 +163,7 @@ function NarrowTable({
               <ResultCell
                 {...{ resultView, entry }}
                 metric={metricOf(signal)}
+                lowest={lowestOf(groups, metricOf(signal))}
                 scale={shownUnit(signal, figures, catalogue).scale}
               />
             ),

@@ -10,7 +10,7 @@ import {
 } from "../../lab/compare";
 import { makeResultView } from "../../lab/resultView";
 import type { Result } from "../../lab/result";
-import { changeOf, entryGroups } from "./entries";
+import { byStrategy, changeOf, entryGroups, lowestOf } from "./entries";
 
 const PEAK = { window: "bump", signal: "body_acceleration", statistic: "peak" } as const;
 const STRATEGIES = [
@@ -117,4 +117,14 @@ describe("the change of each strategy of each variant", () => {
     expect(verdicts("baseline")).toEqual(["luck", undefined]);
     expect(verdicts(pinReference("soft"))).toEqual(["luck", "worse"]);
   });
+});
+
+it("The same rows stand by variant or by strategy, and one of them has the lowest value", () => {
+  const variants = entryGroups(makeResultView(NOW, STRATEGIES, ["lv", "passive"], DEFAULT_VIEW, compared));
+  const strategies = byStrategy(variants, STRATEGIES);
+  expect(strategies.map(({ name, entries }) => [name, ...entries.map(({ variant }) => variant)])).toEqual([
+    ["lv", null, "Soft"],
+    ["passive", null, "Soft"],
+  ]);
+  expect(lowestOf(variants, PEAK)).toBe(1);
 });

@@ -9,6 +9,8 @@ import { changeAgainst, pairedChange, type Change } from "./change";
 export interface Entry {
   readonly key: string;
   readonly strategy: Strategy;
+  /** The variant's name; `null` for the result that is shown. */
+  readonly variant: string | null;
   readonly shown: Result;
   readonly summary: Summary | undefined;
   /** Whether changes are against this one: it has none. */
@@ -16,7 +18,7 @@ export interface Entry {
 }
 
 export interface EntryGroup {
-  /** A pinned variant's name; `null` for the result that is shown. */
+  /** A pinned variant's name, or a strategy's; `null` for the result that is shown. */
   readonly name: string | null;
   readonly entries: readonly Entry[];
 }
@@ -32,6 +34,7 @@ export function entryGroups({ shown, strategies, pins, reference, baseline }: Re
       .map((strategy) => ({
         key: `${name === null ? "" : (of.runId ?? "")} ${strategy.id}`,
         strategy,
+        variant: name,
         shown: of,
         summary: of.summaries[strategy.id],
         isBaseline:
@@ -41,6 +44,17 @@ export function entryGroups({ shown, strategies, pins, reference, baseline }: Re
   const others = pins.filter((pin) => pin.shown.runId !== shown.runId);
   return [group(null, shown), ...others.map(({ name, shown: pinned }) => group(name, pinned))];
 }
+
+/** The same entries, those of each strategy together. */
+export const byStrategy = (groups: readonly EntryGroup[], strategies: readonly Strategy[]): readonly EntryGroup[] =>
+  strategies.map(({ id, label }) => ({
+    name: label,
+    entries: groups.flatMap(({ entries }) => entries.filter(({ strategy }) => strategy.id === id)),
+  }));
+
+/** The lowest of a metric, which every table prints in bold. */
+export const lowestOf = (groups: readonly EntryGroup[], metric: MetricPath): number =>
+  Math.min(...groups.flatMap(({ entries }) => entries.map(({ summary }) => valueAt(summary, metric) ?? Infinity)));
 
 const NONE: Change = { percent: null, half: 0, verdict: "none" };
 

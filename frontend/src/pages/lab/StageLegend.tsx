@@ -5,7 +5,9 @@ import { layersOf } from "../../plots/curves";
 import { stagedStrategy } from "../../plots/shapes";
 import { useCurves } from "../../plots/useDetail";
 import type { ResultView } from "../../lab/resultView";
-import { LineKey } from "../../ui/StrategyKey";
+import { holdIsolated, isolated, isolateWhilePointed } from "../../lab/isolated";
+import { useStore } from "../../lib/store";
+import { LineKey, StrategyName } from "../../ui/StrategyKey";
 import classes from "./legend.module.css";
 
 /** A swatch is small: the shading three times over, so that it can be told apart. */
@@ -22,10 +24,25 @@ export function StageLegend({ resultView, catalogue, meta }: Props) {
   const staged = resultView.strategies.find(({ id }) => id === stagedStrategy(resultView.summaries, resultView.ids));
   const airborne = resultView.ids.some((id) => Number(resultView.summaries[id]?.events.airborne_ms ?? 0) > 0);
   const hasBand = useCurves(resultView).roads !== undefined && !resultView.differences;
+  const held = useStore(isolated);
   const layers = resultView.differences ? [] : layersOf(resultView);
   const several = resultView.axis === "time" && resultView.ids.length > 1;
   return (
-    <p className={classes.legend}>
+    <div className={classes.legend}>
+      {resultView.ids.length > 1 &&
+        resultView.strategies.map((strategy) => (
+          <button
+            key={strategy.id}
+            type="button"
+            className={classes.strategy}
+            aria-pressed={held === strategy.id}
+            title={`Make ${strategy.label} stand out`}
+            onClick={() => holdIsolated(strategy.id)}
+            {...isolateWhilePointed(strategy.id)}
+          >
+            <StrategyName strategy={strategy} />
+          </button>
+        ))}
       {stages.map(({ key, label, description }) => (
         <span key={key} title={description}>
           <span className={classes.fill} style={{ background: layered(meta.stage_fills[key]) }} /> {label}
@@ -57,6 +74,6 @@ export function StageLegend({ resultView, catalogue, meta }: Props) {
       <span className={classes.hint} data-pointer="coarse">
         Slide along a plot to read it
       </span>
-    </p>
+    </div>
   );
 }

@@ -5,6 +5,7 @@ import { memo, useState } from "react";
 import type { Strategy, StrategyId } from "../../api/types";
 import { IconChevronDown } from "../../ui/icons";
 import { useLab, useLabContext } from "../../lab/context";
+import { isolateWhilePointed } from "../../lab/isolated";
 import { StrategyKey } from "../../ui/StrategyKey";
 import bar from "../../ui/toolbar.module.css";
 
@@ -30,6 +31,7 @@ export const StrategyChoice = memo(function StrategyChoice({
                 disabled={summaries !== undefined && !(strategy.id in summaries)}
                 aria-pressed={selected.includes(strategy.id)}
                 onClick={() => toggle(strategy.id)}
+                {...isolateWhilePointed(strategy.id)}
               >
                 <StrategyKey strategy={strategy} />
                 {strategy.label}
