@@ -90,7 +90,7 @@ def my_van(dashboard: Dashboard) -> None:
     expect(comparison(page).get_by_text("30.0\u00a0km/h").nth(2)).to_be_visible()
     expect(comparison(page).get_by_text("22.5\u00a0km/h")).to_have_count(0)
     page.get_by_role("button", name="How fast may it go: Body acceleration, bump").click()
-    dialog = page.get_by_role("dialog", name="How large may it be?")
+    dialog = page.get_by_role("dialog", name="How fast may it go?")
     dialog.get_by_label("From").fill("5")
     dialog.get_by_label("To", exact=True).fill("30")
     dialog.get_by_label("At most").fill("15 m/s²")

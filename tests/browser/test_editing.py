@@ -259,6 +259,7 @@ def test_baseline_and_strategies_are_chosen_by_clicks(dashboard: Dashboard) -> N
 
     panel = dashboard.page.locator("section[data-figure=body_acceleration] .scatterlayer .trace")
     expect(panel).to_have_count(3)
+    panel.first.scroll_into_view_if_needed()  # what nobody sees is not drawn anew
     dashboard.chip("LQR").click()
     expect(panel).to_have_count(2)
     expect(dashboard.row("lqr")).to_have_count(0)

@@ -1,6 +1,7 @@
 /** How large may a field be, so that a metric keeps a limit? Asked over the form's scenario, answered with a value for it. */
 
 import { Button, Group, List, Modal, Select, Text } from "@mantine/core";
+import { useDebouncedValue } from "@mantine/hooks";
 import { useMutation } from "@tanstack/react-query";
 import { useMemo, useState } from "react";
 import { ask } from "../../api/http";
@@ -16,7 +17,8 @@ import { pointerOf, sweepFields, type SweepField } from "../../scenario/fields";
 import sweep from "../sweep/sweep.module.css";
 import { Fault } from "../../ui/Fault";
 import { Entry, labelled } from "../../ui/Entry";
-import { formatExact, formatResult, prettyUnit } from "../../units/format";
+import { formatExact, formatInput, formatResult, prettyUnit } from "../../units/format";
+import { LimitChart } from "./LimitChart";
 import { askable, otherField, readDraft, type Range, type SolveDraft, translateUnits } from "./draft";
 
 const [TARGET, INITIAL] = ["speed.target_speed_kmh", "speed.initial_speed_kmh"] as const;
@@ -27,6 +29,9 @@ function speedField(strategy: Strategy | undefined, scenario: Scenario): string 
   if (policy === "constant") return INITIAL;
   return policy === "planned" || strategy?.reads.includes(TARGET) === true ? TARGET : INITIAL;
 }
+
+/** A number that is being typed is not driven at each digit [ms]. */
+const TYPED_MS = 500;
 
 const isNoSolution = (error: Error) => error instanceof ApiProblem && error.kind === "no-solution";
 
@@ -59,7 +64,12 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
   const field = fields.find(({ name }) => name === draft.field);
   const figure = figures.find(({ key }) => key === draft.metric);
   const leaf = field?.leaf.kind === "number" ? field.leaf : null;
-  const { question, wrong } = leaf && figure ? readDraft(draft, leaf, figure) : { question: null, wrong: {} };
+  const { question, wrong, driven } = useMemo(
+    () => (leaf && figure ? readDraft(draft, leaf, figure) : { question: null, wrong: {}, driven: null }),
+    [draft, leaf, figure],
+  );
+  const [settled] = useDebouncedValue(driven, TYPED_MS);
+  const isSpeed = draft.field === speedField(byId(draft.strategy), scenario);
   const search = useMutation({
     mutationFn: (body: Question) => ask("post", "/solve", { body: { scenario, ...body } }),
   });
@@ -94,13 +104,14 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
     <Modal
       opened
       onClose={onClose}
-      title="How large may it be?"
+      title={isSpeed ? "How fast may it go?" : "How large may it be?"}
       size="lg"
       classNames={{ title: sweep.title ?? "", body: sweep.body ?? "" }}
     >
       <Text size="sm" c="dimmed">
-        The largest value in a range that keeps a metric at or below a limit, over several roads with its 95 % interval.
-        Everything else stays as in the form.
+        A metric over a field, for every strategy that is on: drag the limit to see where each keeps it. Find gives one
+        strategy’s largest value exactly, over several roads with its 95 % interval. Everything else stays as in the
+        form.
       </Text>
       <Group gap="xs" align="flex-start">
         <Select
@@ -137,6 +148,20 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
         {entry("limit", "At most", figure?.unit ?? "1")}
         {entry("roads", "Roads", "1")}
       </Group>
+      {settled && leaf && figure && (
+        <LimitChart
+          {...{ scenario, figure }}
+          field={leaf}
+          question={{
+            ...settled,
+            metric: draft.metric,
+            fieldOf: (strategy) => (isSpeed ? speedField(strategy, scenario) : draft.field),
+          }}
+          strategies={strategies.filter(({ id }) => selected.includes(id))}
+          limit={question?.limit ?? null}
+          onLimit={(limit) => patch({ limit: formatInput(Number((limit * figure.scale).toPrecision(3))) })}
+        />
+      )}
       {search.error && (
         <Fault>
           {leaf && isNoSolution(search.error) ? noSolution(leaf, search.variables.range) : explain(search.error)}

@@ -47,6 +47,7 @@ describe("a question as it is typed", () => {
     const wrong = (change: Partial<SolveDraft>) => readDraft({ ...DRAFT, ...change }, FIELD, LOAD).wrong;
     expect(readDraft({ ...DRAFT, limit: " " }, FIELD, LOAD)).toEqual({
       question: null,
+      driven: { range: [0.05, 0.2], roads: 3 },
       wrong: { limit: "Enter the limit in kN" },
     });
     expect(wrong({ limit: "4 kg" })).toEqual({ limit: "Takes kN (also without a unit) or N" });

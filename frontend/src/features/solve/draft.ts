@@ -37,6 +37,8 @@ type Typed = "from" | "to" | "limit" | "roads";
 export interface ParsedDraft {
   readonly question: Question | null;
   readonly wrong: Partial<Readonly<Record<Typed, string>>>;
+  /** What does not depend on the limit: over which values, on how many roads. */
+  readonly driven: Pick<Question, "range" | "roads"> | null;
 }
 
 const MOST_ROADS = 50;
@@ -59,18 +61,20 @@ export function readDraft(draft: SolveDraft, field: NumberField, figure: Metric)
   else if (!limit.ok) wrong.limit = limit.message;
   if (!Number.isInteger(roads) || roads < 1 || roads > MOST_ROADS)
     wrong.roads = `A whole number from 1 to ${MOST_ROADS}`;
-  if (!from.ok || !to.ok || !limit.ok || Object.keys(wrong).length > 0) return { question: null, wrong };
+  const isDriven = from.ok && to.ok && !wrong.from && !wrong.roads;
+  const driven = isDriven ? { range: [from.value, to.value] as [number, number], roads } : null;
+  if (!driven || !limit.ok || Object.keys(wrong).length > 0) return { question: null, wrong, driven };
   const { strategy, metric } = draft;
   return {
     question: {
       field: draft.field,
       strategy,
       metric,
-      range: [from.value, to.value],
       limit: Number((limit.value / figure.scale).toPrecision(12)),
-      roads,
+      ...driven,
     },
     wrong,
+    driven,
   };
 }
 

@@ -1,0 +1,191 @@
+/** The metric over the field for every strategy that is on, under a limit that can be dragged. */
+
+import { Text } from "@mantine/core";
+import { useElementSize } from "@mantine/hooks";
+import { useQueries } from "@tanstack/react-query";
+import { useState, type KeyboardEvent, type PointerEvent } from "react";
+import { ask } from "../../api/http";
+import type { Question, Scenario, Strategy } from "../../api/types";
+import { valueText } from "../../scenario/limits";
+import type { NumberField } from "../../scenario/schema";
+import { fullName, type Metric } from "../../server/metrics";
+import { ticksFor } from "../../plots/figure";
+import { StrategyName } from "../../ui/StrategyKey";
+import { formatResult, prettyUnit } from "../../units/format";
+import { crossings, curveOf, extentOf, openingLimit, rangesText, type Point, type Range } from "./curves";
+import classes from "./solve.module.css";
+
+/** No metric is larger: the whole range keeps it, and each of its values is driven. */
+const NO_LIMIT = 1e12;
+const HEIGHT = 190;
+const MARGIN = { left: 44, right: 8, top: 8, bottom: 22 };
+
+export interface CurveQuestion extends Omit<Question, "strategy" | "field" | "limit"> {
+  /** Each strategy's own, where its speed is asked for. */
+  readonly fieldOf: (strategy: Strategy) => string;
+}
+
+interface Props {
+  readonly scenario: Scenario;
+  readonly question: CurveQuestion;
+  readonly strategies: readonly Strategy[];
+  readonly field: NumberField;
+  readonly figure: Metric;
+  /** In SI; `null` until there is one. */
+  readonly limit: number | null;
+  readonly onLimit: (limit: number) => void;
+}
+
+interface Curve {
+  readonly strategy: Strategy;
+  readonly points: readonly Point[];
+}
+
+export function LimitChart({ scenario, question, strategies, field, figure, limit, onLimit }: Props) {
+  const { fieldOf, ...asked } = question;
+  const answers = useQueries({
+    queries: strategies.map((strategy) => {
+      const body = { scenario, ...asked, strategy: strategy.id, field: fieldOf(strategy), limit: NO_LIMIT };
+      return {
+        queryKey: ["metric over a field", body],
+        queryFn: ({ signal }: { readonly signal: AbortSignal }) => ask("post", "/solve", { body }, signal),
+        staleTime: Infinity,
+        retry: false,
+      };
+    }),
+  });
+  const curves = strategies.map((strategy, index): Curve => {
+    const { data } = answers[index] ?? {};
+    return { strategy, points: data ? curveOf(data.tried) : [] };
+  });
+  const waiting = answers.some(({ isPending }) => isPending);
+  if (waiting || curves.every(({ points }) => points.length < 2))
+    return (
+      <Text size="sm" c="dimmed" h={HEIGHT} role="status">
+        {waiting ? "Driving every strategy over the range…" : "No strategy could be driven over this range."}
+      </Text>
+    );
+  const drawn = limit ?? openingLimit(curves.map(({ points }) => points));
+  return (
+    <div>
+      <Drawing {...{ curves, field, figure, limit: drawn, onLimit }} />
+      <ul className={classes.ranges} aria-label="Where each strategy keeps the limit">
+        {curves.map(({ strategy, points }) => (
+          <li key={strategy.id}>
+            <StrategyName strategy={strategy} />: {rangesText(points, drawn, (value) => shortText(field, value))}
+          </li>
+        ))}
+      </ul>
+    </div>
+  );
+}
+
+const shortText = (field: NumberField, value: number) => valueText(field, Number(value.toPrecision(3)));
+
+interface DrawingProps extends Pick<Props, "field" | "figure" | "onLimit"> {
+  readonly curves: readonly Curve[];
+  readonly limit: number;
+}
+
+function Drawing({ curves, field, figure, limit, onLimit }: DrawingProps) {
+  const { ref, width } = useElementSize<HTMLDivElement>();
+  // While it is dragged the line follows the pointer; the question is asked when it is let go.
+  const [dragged, setDragged] = useState<number | null>(null);
+  const { x: across, y: up } = extentOf(curves.map(({ points }) => points));
+  const [wide, high] = [Math.max(1, width - MARGIN.left - MARGIN.right), HEIGHT - MARGIN.top - MARGIN.bottom];
+  const toX = (value: number) => MARGIN.left + ((value - across[0]) / (across[1] - across[0] || 1)) * wide;
+  const toY = (value: number) => MARGIN.top + high - ((value - up[0]) / (up[1] - up[0])) * high;
+  const shown = dragged ?? limit;
+  const inRange = (value: number) => Math.min(up[1], Math.max(up[0], value));
+  const pointedAt = (event: PointerEvent<SVGElement>) => {
+    const top = event.currentTarget.ownerSVGElement?.getBoundingClientRect().top ?? 0;
+    return inRange(up[0] + ((MARGIN.top + high - (event.clientY - top)) / high) * (up[1] - up[0]));
+  };
+  const step = (up[1] - up[0]) / 50;
+  const byKey = (event: KeyboardEvent) => {
+    const by = { ArrowUp: step, ArrowRight: step, ArrowDown: -step, ArrowLeft: -step }[event.key];
+    if (by === undefined) return;
+    event.preventDefault();
+    onLimit(inRange(limit + by));
+  };
+  const { unit, scale } = figure;
+  const name = `${fullName(figure)} over ${field.title}`;
+  return (
+    <div ref={ref}>
+      <svg width={width} height={HEIGHT} className={classes.chart} role="group" aria-label={name}>
+        <Axes {...{ across, up, toX, toY, field, figure }} />
+        {curves.map(({ strategy: { id, colour }, points }) => (
+          <g key={id} stroke={colour} data-curve={id}>
+            <polyline fill="none" strokeWidth={2} points={points.map(([x, y]) => `${toX(x)},${toY(y)}`).join(" ")} />
+            {crossings(points, shown).map((x) => (
+              <circle key={x} cx={toX(x)} cy={toY(shown)} r={4} fill="var(--surface)" strokeWidth={2} />
+            ))}
+          </g>
+        ))}
+        <g
+          className={classes.limit}
+          role="slider"
+          tabIndex={0}
+          aria-label="Limit"
+          aria-orientation="vertical"
+          aria-valuemin={up[0] * scale}
+          aria-valuemax={up[1] * scale}
+          aria-valuenow={shown * scale}
+          aria-valuetext={`${formatResult(shown * scale)} ${prettyUnit(unit)}`}
+          onKeyDown={byKey}
+          onPointerDown={(event) => {
+            event.currentTarget.setPointerCapture(event.pointerId);
+            setDragged(pointedAt(event));
+          }}
+          onPointerMove={(event) => {
+            if (dragged !== null) setDragged(pointedAt(event));
+          }}
+          onPointerUp={() => {
+            if (dragged !== null) onLimit(dragged);
+            setDragged(null);
+          }}
+        >
+          <rect x={MARGIN.left} width={wide} y={toY(shown) - 12} height={24} fill="transparent" />
+          <line x1={MARGIN.left} x2={MARGIN.left + wide} y1={toY(shown)} y2={toY(shown)} />
+          <text x={MARGIN.left + wide} y={toY(shown) - 5} textAnchor="end">
+            limit {formatResult(shown * scale)} {prettyUnit(unit)}
+          </text>
+        </g>
+      </svg>
+    </div>
+  );
+}
+
+interface AxesProps extends Pick<Props, "field" | "figure"> {
+  readonly across: Range;
+  readonly up: Range;
+  readonly toX: (value: number) => number;
+  readonly toY: (value: number) => number;
+}
+
+function Axes({ across, up, toX, toY, field, figure }: AxesProps) {
+  const { scale: xScale, unit } = field.shown;
+  const columns = ticksFor([across[0] * xScale, across[1] * xScale], 7, ` ${prettyUnit(unit)}`);
+  const rows = ticksFor([up[0] * figure.scale, up[1] * figure.scale], 5);
+  const [left, right, bottom, top] = [toX(across[0]), toX(across[1]), toY(up[0]), toY(up[1])];
+  return (
+    <g className={classes.axes} aria-hidden>
+      {columns.values.map((value, index) => (
+        <g key={value}>
+          <line x1={toX(value / xScale)} x2={toX(value / xScale)} y1={bottom} y2={top} />
+          <text x={toX(value / xScale)} y={bottom + 15} textAnchor="middle">
+            {columns.texts[index]}
+          </text>
+        </g>
+      ))}
+      {rows.values.map((value, index) => (
+        <g key={value}>
+          <line x1={left} x2={right} y1={toY(value / figure.scale)} y2={toY(value / figure.scale)} />
+          <text x={left - 4} y={toY(value / figure.scale) + 4} textAnchor="end">
+            {rows.texts[index]}
+          </text>
+        </g>
+      ))}
+    </g>
+  );
+}
