@@ -85,8 +85,7 @@ class Held:
 def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, float], Held]:
     """One strategy's metrics by the reference, and the samples they come from."""
     core = prepare(scenario, name)
-    motion, controller, excitation = core.speed_profile, core.controller, core.excitation
-    Ts = excitation.grid.step
+    motion, controller, Ts = core.speed_profile, core.controller, core.steps.control
     if controller.delayed:
         commands, Ts = _ecu_commands(scenario)
         held = _drive(scenario, motion, Ts, len(commands), lambda k, state: commands[k], step)
@@ -113,7 +112,7 @@ def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, fl
         previous = np.asarray(np.clip(previous + np.clip(wanted - previous, -most, most), -strongest, strongest))
         return previous
 
-    held = _drive(scenario, motion, Ts, len(excitation.grid.position), command, step)
+    held = _drive(scenario, motion, Ts, len(core.excitation.grid.position), command, step)
     return held.metrics(scenario, motion), held
 
 
