@@ -96,8 +96,6 @@ def _declared(kind: type[Controller]) -> list[str]:
         wrong.append("label is empty")
     if kind.__doc__ is None or not kind.description():
         wrong.append("It has no docstring, whose first line describes it")
-    if kind.speed_plan not in ("planned", "constant"):
-        wrong.append("speed_plan is planned or constant")
     if kind.force is Controller.force and kind.linear_law is Controller.linear_law:
         wrong.append("It defines neither force nor linear_law")
     for declared, field in kind.declared.items():

@@ -16,12 +16,12 @@ from typing import Annotated, Any, ClassVar, Self, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
+from pydantic import Field, TypeAdapter
 
 from sim_core.control.law import LinearLaw
-from sim_core.control.qp import Qp
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RidelabError, UnknownNameError
+from sim_core.kernel.qp import Qp
 from sim_core.scenario import Preview, Scenario, dotted
 from sim_core.scenario.fields import Part
 from sim_core.speed.profile import SpeedPlan
@@ -29,7 +29,6 @@ from sim_core.vehicle.model import SemiActiveDampers
 
 Force = Sequence[float] | NDArray[np.float64]
 _DEFAULTS = Scenario()
-_STRICT = ConfigDict(strict=True, allow_inf_nan=False, hide_input_in_errors=True)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -293,8 +292,5 @@ def checked_value(kind: type[Controller], name: str, value: Any) -> Any:
     else:
         annotation: Any = get_type_hints(kind).get(name, type(field.default))
         dotted_name = f"own.{kind.id}.{name}"
-        adapter = TypeAdapter(Annotated[annotation, Field(ge=field.ge, le=field.le)], config=_STRICT)
-    try:
-        return adapter.validate_python(value)
-    except ValidationError as error:
-        raise RidelabError(error.errors(include_input=False)[0]["msg"], field=dotted_name) from None
+        adapter = TypeAdapter(Annotated[annotation, Field(ge=field.ge, le=field.le)], config=dotted.STRICT)
+    return dotted.validated(adapter, value, dotted_name)

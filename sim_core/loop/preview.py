@@ -49,10 +49,10 @@ def preview(
         scenario: Whose road, sensors and expected errors.
         speed_profile: How the road is driven.
         excitation: The same, grid.
-        horizon: Prediction horizon.
+        horizon: Prediction horizon; of 0 steps nothing is expected.
     """
     mismatch, wheelbase = scenario.mismatch, scenario.vehicle.wheelbase
-    if mode in ("lookahead", "obstacle"):
+    if mode in ("lookahead", "obstacle") and horizon:
         surface, expected = excitation.surface, expected_errors(scenario.mpc)
         if mode == "obstacle" or mismatch.preview_noise or mismatch.preview_resolution or expected != ExpectedErrors():
             surface = sensed_road(surface, scenario.road, mismatch, expected, obstacle_alone=mode == "obstacle")

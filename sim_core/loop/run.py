@@ -35,7 +35,7 @@ def make_setup(scenario: Scenario, controller: Controller, speed_profile: SpeedP
     steps_ahead: object = controller.preview_steps  # a visitor's class may hold anything
     if controller.preview not in get_args(Preview):
         raise RidelabError(f"{controller.label}: preview is one of {', '.join(get_args(Preview))}")
-    if not isinstance(steps_ahead, int) or isinstance(steps_ahead, bool) or steps_ahead < 0:
+    if not isinstance(steps_ahead, int | np.integer) or isinstance(steps_ahead, bool) or steps_ahead < 0:
         raise RidelabError(f"{controller.label}: prediction_horizon is a whole number, 0 or more")
     return Setup(
         vehicle=scenario.vehicle,
@@ -45,7 +45,7 @@ def make_setup(scenario: Scenario, controller: Controller, speed_profile: SpeedP
         initial_speed=speed_profile.initial_speed,
         force_limit=scenario.mpc.force_limit if controller.actuated else 0.0,
         deflection_limit=scenario.mpc.deflection_limit,
-        preview_steps=steps_ahead,
+        preview_steps=int(steps_ahead),
         stages=tuple(STAGES),
     )
 

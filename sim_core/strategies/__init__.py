@@ -53,8 +53,14 @@ def make_controller(strategy: str | type[Controller] | Controller) -> Controller
 
 
 def resolve_speed_plan(strategy: type[Controller], policy: str) -> SpeedPlan:
-    """Whether a strategy slows down for the bump under a scenario's `speed.policy`."""
+    """Whether a strategy slows down for the bump under a scenario's `speed.policy`.
+
+    Raises:
+        RidelabError: Its own plan is none.
+    """
     plans: dict[str, SpeedPlan] = {"planned": "planned", "constant": "constant"}
+    if strategy.speed_plan not in plans:
+        raise RidelabError(f"{strategy.label}: speed_plan is planned or constant")
     return plans.get(policy, strategy.speed_plan)
 
 

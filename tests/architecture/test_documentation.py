@@ -52,6 +52,10 @@ def test_a_symbol_has_one_meaning() -> None:
     assert [symbol for symbol, rows in symbols.items() if rows > 1] == []
 
 
+def test_the_parts_of_a_scenario_are_public_in_the_package_itself() -> None:
+    assert set(sim_core.scenario.__all__) < set(sim_core.__all__)
+
+
 @pytest.mark.parametrize("name", [*PUBLIC, "sim_core"])
 def test_a_public_name_has_an_example_that_runs(name: str) -> None:
     """Of a class in its own docstring; the package's shows the names that have none, constants and types."""
