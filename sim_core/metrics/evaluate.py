@@ -30,6 +30,7 @@ _SPEEDS = len(RECORDED) - len(METRIC_SIGNALS)  # those of the deflections come b
 # The accelerations jump with the force and are steep lines in between.
 _INTEGRANDS = [Integrand.SQUARE_OF_LINE] * 2 + [Integrand.SQUARE] * (len(METRIC_SIGNALS) - 2)
 _LOADS = slice(_ROW["front_tyre_load"], _ROW["rear_tyre_load"] + 1)
+_DEFLECTIONS = slice(_ROW["front_deflection"], _ROW["rear_deflection"] + 1)
 _FORCES = slice(_ROW["front_force"], _ROW["rear_force"] + 1)
 
 
@@ -60,6 +61,7 @@ def evaluate(run: Run, recording: Recording) -> StrategyResult:
         },
         events={
             **_airborne(signals[_LOADS], values.highest[_LOADS], windows, static),
+            "stop_contact_ms": _stop_contact(signals[_DEFLECTIONS], windows, scenario.real_vehicle.bump_stop_clearance),
             "target_reached": _target_reached(scenario, arrival) if planned else None,
             "bump_complete": scenario.bump_left <= scenario.road.length,
             "travel_exceeded_mm": max(0.0, travel - scenario.mpc.deflection_limit) * 1000,
@@ -160,6 +162,21 @@ def _airborne(
     samples = np.array([front | rear, front, rear], dtype=np.float64)
     durations = over_sections(samples, [Integrand.VALUE] * 3, windows.ends).integrals.sum(axis=1)
     return dict(zip(keys, (durations * (windows.fine_step * 1000)).tolist(), strict=True))
+
+
+def _stop_contact(deflections: FloatArray, windows: Windows, clearance: float | None) -> float:
+    """Time with a suspension on its bump stops [ms].
+
+    Args:
+        deflections: Front and rear (2, fine steps of a command + 1, commands) [m].
+        windows: Where the sections lie.
+        clearance: Of the bump stops from the static position [m]; None without any.
+    """
+    if clearance is None:
+        return 0.0
+    samples = (np.abs(deflections) > clearance).any(axis=0)[np.newaxis].astype(np.float64)
+    durations = over_sections(samples, [Integrand.VALUE], windows.ends).integrals.sum(axis=1)
+    return float(durations[0]) * windows.fine_step * 1000
 
 
 def _target_reached(scenario: Scenario, arrival: float) -> bool:

@@ -32,16 +32,14 @@ def test_a_strategy_stands_out_and_the_table_is_sorted_and_grouped(dashboard: Da
     page = dashboard.page
     dashboard.open()
     before = dashboard.curves()
-    panel = page.get_by_role("region", name="Body acceleration, curves")
-    opacities = "traces => traces.map(trace => getComputedStyle(trace).opacity).sort().join()"
+    panel = page.locator("[data-figure=body_acceleration]")
+    opacities = "panel => [...panel.querySelectorAll('.trace')].map(trace => getComputedStyle(trace).opacity).sort()"
     entry = page.get_by_title("Make LQR stand out")
     entry.click()
     expect(entry).to_have_attribute("aria-pressed", "true")
     page.mouse.move(0, 0)
     panel.scroll_into_view_if_needed()
-    page.wait_for_function(
-        f"() => ({opacities})([...document.querySelectorAll('[data-figure=body_acceleration] .trace')]) === '0.12,0.12,1'"
-    )
+    page.wait_for_function(f"panel => String(({opacities})(panel)) === '0.12,0.12,1'", arg=panel.element_handle())
     assert dashboard.curves() == before  # the same curves, at the same scale
     entry.click()
 

@@ -24,7 +24,7 @@ export interface PointTrace {
   readonly mode: "markers";
   readonly name: string;
   readonly x: readonly (number | string)[];
-  readonly y: readonly number[];
+  readonly y: readonly (number | string)[];
   readonly marker: Options;
   readonly showlegend?: boolean;
   /** The table's row of each point. */

@@ -122,6 +122,13 @@ export interface WindowMetric {
 
 export type MetricPath = WindowMetric | { readonly comfort: string } | { readonly run: string };
 
+/** `bump.body_acceleration.peak`, `comfort.weighted_rms` or `travel_time`: a batch's column as a metric. */
+export function metricPath(key: string): MetricPath {
+  const [first = "", signal, statistic] = key.split(".");
+  if (statistic !== undefined) return { window: first, signal, statistic } as WindowMetric;
+  return first === "comfort" ? { comfort: signal ?? "" } : { run: key };
+}
+
 export function valueAt(summary: Summary | undefined, metric: MetricPath): number | null | undefined {
   if ("comfort" in metric) return summary?.comfort[metric.comfort];
   if ("run" in metric) return metric.run === "travel_time" ? summary?.travel_time : summary?.arrival_speed_kmh;

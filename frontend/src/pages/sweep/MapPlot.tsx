@@ -7,7 +7,8 @@ import { ChartButton } from "../../plots/FigureButton";
 import { ON_PAPER, PALETTES } from "../../plots/palettes";
 import { count, formatExact, formatResult, titleWithUnit } from "../../units/format";
 import { fullName } from "../../server/metrics";
-import { mapGrid, shareBelow } from "./map";
+import { metricPath, oneRoadNoiseOf } from "../../features/tables/entries";
+import { hatched, mapGrid, shareBelow, unsettled } from "./map";
 import { mapFigure } from "./mapFigure";
 import type { PlotParts } from "./shownPlot";
 
@@ -18,6 +19,8 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
   const columns = useHeld(newest, y.key, pointed);
   const labelOf = (id: string | null) => strategies.find((each) => each.id === id)?.label ?? "";
   const otherLabel = labelOf(against);
+  const pair = strategies.filter(({ id }) => id === strategy || id === against);
+  const noise = against === null ? 0 : oneRoadNoiseOf(pair, metricPath(y.key));
   const grid = useMemo(
     () => other && mapGrid(columns, { x: x.name, y: other.name, metric: y.key, scale: y.scale, strategy, against }),
     [columns, x, other, y, strategy, against],
@@ -31,6 +34,8 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
     const title = fullName(y);
     const input = {
       grid,
+      hatched: hatched(grid, columns),
+      pale: unsettled(grid, noise),
       x,
       y: other,
       title,
@@ -43,7 +48,7 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
       drawn: mapFigure({ ...input, palette: PALETTES[scheme], scheme }),
       onPaper: () => mapFigure({ ...input, palette: ON_PAPER, scheme: "light" }),
     };
-  }, [grid, x, other, y, mapUnit, against, otherLabel, threshold, textOf, scheme]);
+  }, [grid, columns, noise, x, other, y, mapUnit, against, otherLabel, threshold, textOf, scheme]);
   const host = useRef<HTMLDivElement>(null);
 
   if (!grid || !other || !figure)
@@ -78,6 +83,8 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
       <Group gap="0" align="flex-start" justify="space-between" wrap="nowrap" pr="0.7rem">
         <Text size="xs" p="0.2rem 0.9rem 0.6rem" c="dimmed" data-testid="map-note">
           {colours}. {sentence}
+          {hatched(grid, columns).flat().includes(true) && " Strokes: a tyre was in the air or a bump stop was hit."}
+          {unsettled(grid, noise).flat().includes(true) && " Pale: within one road’s luck."}
           {gaps > 0 && ` ${count(gaps, "gap")} without a value.`} A click on a cell opens its run; drag to zoom, double
           click for all.
         </Text>

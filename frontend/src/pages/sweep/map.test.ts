@@ -1,7 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { frontOf } from "./lines";
-import { mapGrid, shareBelow } from "./map";
+import { hatched, mapGrid, shareBelow, unsettled } from "./map";
 import { mapFigure } from "./mapFigure";
+import type { GridTrace } from "../../plots/plotly";
 import type { Columns } from "../../features/sweep/table";
 
 // Two heights and two speeds; LV's last run has failed.
@@ -40,6 +41,22 @@ describe("a map", () => {
     expect(grid && shareBelow(grid, -60)).toEqual({ below: 1, computed: 3, gaps: 1 });
   });
 
+  it("knows where the car left the linear range, and where a change may be luck", () => {
+    const grid = mapGrid(
+      { ...COLUMNS, "events.airborne_ms": [0, 0, 5, 0, 0.5, 0, 0, 9] },
+      { ...QUESTION, against: "passive" },
+    );
+    if (!grid) throw new Error("no grid");
+    expect(hatched(grid, { ...COLUMNS, "events.airborne_ms": [0, 0, 5, 0, 0.5, 0, 0, 9] })).toEqual([
+      [false, false],
+      [true, false],
+    ]);
+    expect(unsettled(grid, 60)).toEqual([
+      [true, false],
+      [true, false],
+    ]);
+  });
+
   it("needs a grid: scattered points have none", () => {
     const many = Array.from({ length: 50 }, (_, index) => index);
     expect(
@@ -58,11 +75,13 @@ describe("a map", () => {
       y: axis("speed"),
       title: "Peak",
       unit: "m/s^2",
+      hatched: [],
+      pale: [],
       textOf: (row: number, value: number) => [`run ${row}`, String(value)],
       palette: { text: "#000", grid: "#ccc", zero: "#999" },
       scheme: "light",
     } as const;
-    const drawn = mapFigure({ ...rest, difference: false, threshold: 20 }).data;
+    const drawn = mapFigure({ ...rest, difference: false, threshold: 20 }).data as readonly GridTrace[];
     expect(drawn.map(({ type }) => type)).toEqual(["heatmap", "contour", "contour"]);
     expect([drawn[0]?.customdata, drawn[0]?.text?.[1], drawn[1]?.contours]).toEqual([
       [
@@ -72,8 +91,14 @@ describe("a map", () => {
       ["run 2<br>30", ""],
       { start: 20, end: 20, size: 1, coloring: "none" },
     ]);
-    const [change] = mapFigure({ ...rest, difference: true, threshold: null }).data;
+    const [change] = mapFigure({ ...rest, difference: true, threshold: null }).data as readonly GridTrace[];
     expect([change?.zmin, change?.zmax]).toEqual([-30, 30]);
+    const marked = { hatched: [[false], [true, false]], pale: [[true, false], [false]] };
+    const { data } = mapFigure({ ...rest, ...marked, difference: true, threshold: null });
+    expect(data.slice(1)).toEqual([
+      expect.objectContaining({ type: "heatmap", z: [[1, null], [null]] }),
+      expect.objectContaining({ mode: "markers", x: [5], y: [40] }),
+    ]);
   });
 });
 

@@ -15,6 +15,19 @@ export interface MapGrid {
   readonly rows: readonly (readonly (number | null)[])[];
 }
 
+/** Events that leave what a linear car can tell, in a batch's columns. */
+export const LEFT_LINEAR = ["events.airborne_ms", "events.stop_contact_ms"];
+
+/** Where a tyre was in the air or a bump stop was hit, cell by cell. */
+export const hatched = ({ rows }: MapGrid, columns: Columns): readonly (readonly boolean[])[] =>
+  rows.map((line) =>
+    line.map((row) => row !== null && LEFT_LINEAR.some((event) => Number(cell(columns, event, row) ?? 0) >= 1)),
+  );
+
+/** Where a change [%] is within the luck of the roads, cell by cell. */
+export const unsettled = ({ values }: MapGrid, noise: number): readonly (readonly boolean[])[] =>
+  values.map((line) => line.map((value) => value !== null && Math.abs(value) < noise));
+
 interface Question {
   readonly x: string;
   readonly y: string;

@@ -2,7 +2,7 @@
 
 import { humanise } from "../../scenario/schema";
 import { chartLayout, type Palette } from "../../plots/palettes";
-import type { GridTrace, PlotLayout } from "../../plots/plotly";
+import type { GridTrace, PlotLayout, PointTrace } from "../../plots/plotly";
 import { formatExact, titleWithUnit } from "../../units/format";
 import type { AxisOf } from "../../features/sweep/table";
 import type { MapGrid, AxisValue } from "./map";
@@ -19,6 +19,10 @@ interface Input {
   readonly threshold: number | null;
   /** What a cell says of itself, line by line. */
   readonly textOf: (row: number, value: number) => readonly string[];
+  /** Cells in which a tyre was in the air or a bump stop was hit. */
+  readonly hatched: readonly (readonly boolean[])[];
+  /** Cells whose change may be luck. */
+  readonly pale: readonly (readonly boolean[])[];
   readonly palette: Palette;
   readonly scheme: "light" | "dark";
 }
@@ -77,7 +81,53 @@ function line({ grid, threshold, unit }: Input): readonly GridTrace[] {
   ];
 }
 
-export function mapFigure(input: Input): { readonly data: readonly GridTrace[]; readonly layout: PlotLayout } {
+const GROUND = { light: "#ffffff", dark: "#1a1b1e" } as const;
+
+/** Over the cells: a veil where the change may be luck, strokes where the car left the linear range. */
+function marks({ grid, hatched, pale, scheme }: Input): readonly (GridTrace | PointTrace)[] {
+  const [xs, ys] = [grid.xs.map(named), grid.ys.map(named)];
+  const veil: GridTrace = {
+    type: "heatmap",
+    name: "",
+    x: xs,
+    y: ys,
+    z: pale.map((line) => line.map((isPale) => (isPale ? 1 : null))),
+    colorscale: [
+      [0, GROUND[scheme]],
+      [1, GROUND[scheme]],
+    ],
+    opacity: 0.65,
+    showscale: false,
+    hoverinfo: "skip",
+    xgap: 1,
+    ygap: 1,
+  };
+  const cells = hatched.flatMap((line, i) =>
+    line.flatMap((isHatched, j) => (isHatched ? [[xs[j], ys[i]] as const] : [])),
+  );
+  const strokes: PointTrace = {
+    type: "scatter",
+    mode: "markers",
+    name: "",
+    x: cells.map(([x]) => x ?? 0),
+    y: cells.map(([, y]) => y ?? 0),
+    marker: {
+      symbol: "line-ne-open",
+      size: 16,
+      line: { width: 2.5 },
+      color: scheme === "dark" ? "#f1f3f4" : "#101418",
+    },
+    showlegend: false,
+    customdata: [],
+    hoverinfo: "skip",
+  };
+  return [...(pale.flat().includes(true) ? [veil] : []), ...(cells.length > 0 ? [strokes] : [])];
+}
+
+export function mapFigure(input: Input): {
+  readonly data: readonly (GridTrace | PointTrace)[];
+  readonly layout: PlotLayout;
+} {
   const { grid, x, y, title, unit, textOf, palette } = input;
   const axis = (field: AxisOf, values: readonly AxisValue[]) => ({
     title: { text: titleWithUnit(field.title, field.unit) },
@@ -111,7 +161,7 @@ export function mapFigure(input: Input): { readonly data: readonly GridTrace[]; 
     },
   };
   return {
-    data: [cells, ...line(input)],
+    data: [cells, ...marks(input), ...line(input)],
     layout: chartLayout(palette, {
       margin: { l: 56, r: 8, t: 8, b: 52 },
       uirevision: `${x.name} ${y.name}`,
