@@ -66,7 +66,7 @@ def _ticks(values: NDArray[np.float64]) -> NDArray[np.float64]:
     rough = max(high - low, 1e-9) / 6
     power = 10.0 ** floor(log10(rough))
     step = next(factor * power for factor in (1, 2, 5, 10) if factor * power >= rough)
-    return np.arange(floor(low / step + 1e-9), ceil(high / step - 1e-9) + 1) * step + 0.0
+    return np.asarray(np.arange(floor(low / step + 1e-9), ceil(high / step - 1e-9) + 1) * step, np.float64)
 
 
 def _place(value: ArrayLike, ticks: NDArray[np.float64], first: float, last: float) -> NDArray[np.float64]:
