@@ -14,8 +14,8 @@ _HEAD = """# The scenario, field by field
 Written from sim_core/scenario/parts.py; a test keeps this page equal to it. Every field
 has a default, the paper's unless its text says "ours"; the range is what a slider offers, the limits what is accepted.
 """
-_DATA_SHEET = """Of what a whole car's data sheet says `sim_core.scenario.data_sheet.DataSheet`, `POST /api/v1/vehicles/from-data-sheet`
-and the page make a `vehicle`; its fields stand in no scenario."""
+_DATA_SHEET = """Of what a whole car's data sheet says `sim_core.scenario.data_sheet.DataSheet`,
+`POST /api/v1/vehicles/from-data-sheet` and the page make a `vehicle`; its fields stand in no scenario."""
 
 
 def page() -> str:
