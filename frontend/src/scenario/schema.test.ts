@@ -10,7 +10,7 @@ import {
 } from "./differences";
 import { fieldFor, errorsByField } from "./errors";
 import { FORM } from "./form.fixture";
-import { matching, sections } from "../features/editor/Editor";
+import { foundIn, matching, sections } from "../features/editor/Editor";
 import { parseTyped, sliderScale, stepped, typedText, typicalValue, valueText } from "./limits";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
 import { readSchema, type NumberField } from "./schema";
@@ -92,6 +92,17 @@ describe("a search over all fields", () => {
     expect(found("mpc.force")).toEqual(["/mpc/force_weight"]);
     expect(found("pitch")).toEqual(["/mpc/weights/0", "/mpc/weights/1"]);
     expect(found("bump banana")).toEqual([]);
+  });
+
+  it("finds by option, unit and help text what no name has", () => {
+    const pointers = (text: string) =>
+      foundIn(sections(FORM), text).flatMap(({ members }) =>
+        members.flatMap((member) => leavesOf(member).map(({ pointer }) => pointer)),
+      );
+    expect(pointers("height")).toEqual(["/road/bump/height"]);
+    expect(pointers("cosine")).toEqual(["/road/bump/shape"]);
+    expect(pointers("cm")).toContain("/road/bump/height");
+    expect(pointers("banana")).toEqual([]);
   });
 });
 

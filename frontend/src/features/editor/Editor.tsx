@@ -4,14 +4,15 @@ import { Accordion, Badge, Box, Button, Text, TextInput } from "@mantine/core";
 import { memo, useEffect, useMemo, useState } from "react";
 import { useEdit, useFromScenario, useLab, useReadOnly } from "../../lab/context";
 import classes from "./editor.module.css";
-import { changedPointers, resetMember } from "../../scenario/differences";
+import { changedPointers, leavesOf, resetMember, type Leaf } from "../../scenario/differences";
 import { focusField, revealed } from "../../lab/reveal";
 import { useStore } from "../../lib/store";
 import { Members } from "./Members";
 import type { Pointer } from "../../scenario/path";
-import { type Group, findMember, humanise, type Member } from "../../scenario/schema";
+import { type Group, findMember, humanise, optionTitle, type Member } from "../../scenario/schema";
 import { IconSearch } from "../../ui/icons";
 import { Fault } from "../../ui/Fault";
+import { prettyUnit } from "../../units/format";
 import { BumpDrawing } from "./BumpDrawing";
 import { VehicleChoice } from "./VehicleChoice";
 
@@ -27,10 +28,7 @@ export function Editor({ form }: { readonly form: Group }) {
 
   const [search, setSearch] = useState("");
   const searching = search.trim() !== "";
-  const found = useMemo(
-    () => (searching ? all.flatMap((section) => matching(section, search) ?? []) : all),
-    [all, search, searching],
-  );
+  const found = useMemo(() => (searching ? foundIn(all, search) : all), [all, search, searching]);
   const sought = useStore(revealed);
   const itsSection = sought && all.find((section) => contains(section, [sought]))?.key;
   if (itsSection && !opened.includes(itsSection)) setOpened([...opened, itsSection]);
@@ -84,7 +82,7 @@ export function Editor({ form }: { readonly form: Group }) {
       />
       {found.length === 0 && (
         <Text p="0.3rem 1rem" fz="0.8125rem" c="dimmed">
-          No field has this name.
+          No field, option, unit or help text has these words.
         </Text>
       )}
       {refused.general.length > 0 && (
@@ -197,22 +195,41 @@ export function sections(form: Group): readonly Section[] {
   ];
 }
 
-/** What is left of a section where every word has to stand in a field's name or in the names of the parts it lies in. */
-export function matching(section: Section, text: string): Section | null {
+/** Fields by name; where none has the words, by options, units and help texts. */
+export function foundIn(all: readonly Section[], text: string): readonly Section[] {
+  const named = all.flatMap((section) => matching(section, text) ?? []);
+  return named.length > 0 ? named : all.flatMap((section) => matching(section, text, textsOf) ?? []);
+}
+
+/** What is left of a section where every word has to stand in a field's name, in the names of the parts it lies in, or in what else it says. */
+export function matching(section: Section, text: string, more: (leaf: Leaf) => string = () => ""): Section | null {
   const words = text.toLowerCase().split(/\s+/).filter(Boolean);
-  const members = withWords(section.members, section.title, words);
+  const members = withWords(section.members, section.title, words, more);
   return members.length === 0 ? null : { ...section, members };
 }
 
-function withWords(members: readonly Member[], parts: string, words: readonly string[]): readonly Member[] {
+/** A field's options, unit and help text. */
+function textsOf(leaf: Leaf): string {
+  const options = leaf.kind === "choice" ? leaf.options.map(optionTitle).join(" ") : "";
+  const units = leaf.kind === "number" ? `${prettyUnit(leaf.unit)} ${prettyUnit(leaf.shown.unit)}` : "";
+  return `${options} ${units} ${leaf.description}`;
+}
+
+function withWords(
+  members: readonly Member[],
+  parts: string,
+  words: readonly string[],
+  more: (leaf: Leaf) => string,
+): readonly Member[] {
   return members.flatMap((member): readonly Member[] => {
     const inside = `${parts} ${member.title}`;
     if (member.kind === "group") {
-      const below = withWords(member.members, inside, words);
+      const below = withWords(member.members, inside, words, more);
       return below.length === 0 ? [] : [{ ...member, members: below }];
     }
     const entries = member.kind === "vector" ? member.items.map(({ title }) => title).join(" ") : "";
-    const names = `${inside} ${entries} ${member.pointer.slice(1).replace(/\//g, ".")}`.toLowerCase();
+    const texts = `${member.kind === "vector" ? member.description : ""} ${leavesOf(member).map(more).join(" ")}`;
+    const names = `${inside} ${entries} ${member.pointer.slice(1).replace(/\//g, ".")} ${texts}`.toLowerCase();
     return words.every((word) => names.includes(word)) ? [member] : [];
   });
 }

@@ -18,7 +18,7 @@ import classes from "./solve.module.css";
 /** No metric is larger: the whole range keeps it, and each of its values is driven. */
 const NO_LIMIT = 1e12;
 const HEIGHT = 190;
-const MARGIN = { left: 44, right: 8, top: 8, bottom: 22 };
+const MARGIN = { left: 44, right: 26, top: 8, bottom: 22 };
 
 export interface CurveQuestion extends Omit<Question, "strategy" | "field" | "limit"> {
   /** Each strategy's own, where its speed is asked for. */
@@ -147,7 +147,7 @@ function Drawing({ curves, field, figure, limit, onLimit }: DrawingProps) {
         >
           <rect x={MARGIN.left} width={wide} y={toY(shown) - 12} height={24} fill="transparent" />
           <line x1={MARGIN.left} x2={MARGIN.left + wide} y1={toY(shown)} y2={toY(shown)} />
-          <text x={MARGIN.left + wide} y={toY(shown) - 5} textAnchor="end">
+          <text x={MARGIN.left + 4} y={toY(shown) - 5}>
             limit {formatResult(shown * scale)} {prettyUnit(unit)}
           </text>
         </g>

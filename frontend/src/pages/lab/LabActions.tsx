@@ -6,7 +6,7 @@ import { useLabContext, useLab } from "../../lab/context";
 import { hasInvalidInput } from "../../lab/labState";
 import { revealed } from "../../lab/reveal";
 import { sweepFields } from "../../scenario/fields";
-import type { Group } from "../../scenario/schema";
+import { optionTitle, type Group } from "../../scenario/schema";
 import { useSelected } from "./StrategyChoice";
 
 interface Props {
@@ -40,7 +40,7 @@ export function LabActions({ form, presets, strategies }: Props) {
     ...(form ? sweepFields(form) : []).map(({ title, section, leaf }): PaletteEntry => ({
       group: "Fields",
       label: title,
-      description: section,
+      description: `${section}${leaf.kind === "choice" ? `: ${leaf.options.map(optionTitle).join(", ").toLowerCase()}` : ""}`,
       run: () => revealed.set(leaf.pointer),
     })),
   ]);

@@ -7,6 +7,7 @@ import { useMemo } from "react";
 import { isFinal } from "../../jobs/follow";
 import type { Catalogue, BatchSummary, Strategy, StrategyId } from "../../api/types";
 import { paperMetrics } from "../../server/metrics";
+import { leadSentence } from "./lead";
 import { formatWhole } from "../../units/format";
 import { Limits } from "./Limits";
 import { Matters } from "./Matters";
@@ -142,6 +143,15 @@ function Leads({ summary, strategies, figures, onBaseline }: LeadsProps) {
         Share of the points at which {baseline.label} has the lower value; below, how much higher the other strategy is:
         in the scenario itself, then the median and the range of 90 % of the points.
       </Text>
+      <ul className={ui.note} aria-label="Conclusion">
+        {others.map(({ id, label }) => {
+          const margins = figures.flatMap(({ key }) => summary.strategies[id]?.figures[key]?.margin ?? []);
+          const leads = margins.flatMap(({ worse, better }) =>
+            typeof worse === "number" && typeof better === "number" ? [{ worse, better }] : [],
+          );
+          return leads.length > 0 && <li key={id}>{leadSentence(baseline.label, label, leads)}</li>;
+        })}
+      </ul>
       <DataTable
         label="Leads"
         rows={others}

@@ -1,3 +1,4 @@
+import { leadSentence } from "./lead";
 import { describe, expect, it } from "vitest";
 import type { Batch, RobustnessDefaults } from "../../api/types";
 import { FORM } from "../../scenario/form.fixture";
@@ -147,4 +148,15 @@ it("a place's scenario has its fields and shares the rest", () => {
   const there = withFields(base, { "road.seed": 7, "mpc.lag": 12 });
   expect(there).toEqual({ road: { seed: 7, bump: { height: 0.1 } }, mpc: { lag: 12 } });
   expect((there.road as typeof base.road).bump).toBe(base.road.bump);
+});
+
+it("A lead is concluded in a sentence, what is behind included", () => {
+  const leads = [
+    { worse: 1, better: 0 },
+    { worse: 0.7, better: 0.3 },
+    { worse: 0.2, better: 0.8 },
+  ];
+  expect(leadSentence("LV", "LQR", leads)).toBe(
+    "LV is better than LQR in 2 of 3 metrics at most points, in 1 at 95 % of them and more; worse in 1.",
+  );
 });

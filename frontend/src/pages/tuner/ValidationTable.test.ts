@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { ComparedPoint } from "../../api/types";
-import { gainsOf } from "./ValidationTable";
+import { gainsOf, priceText } from "./ValidationTable";
 
 const point = (
   training: number,
@@ -41,6 +41,19 @@ describe("a gain on validation roads", () => {
     expect(gains(point(-20, -12, "better"))[0]?.text).toBe(
       "−20.0\u2009% on the training roads, −12.0\u2009% (−13.0\u2009% to −11.0\u2009%) on the validation roads: less of the gain is left there.",
     );
+  });
+
+  it("says what got worse for it, the largest first", () => {
+    const worse = (value: number) => ({
+      mean: 1,
+      quantile: null,
+      worst: 1,
+      change: { value, low: value - 1, high: value + 1 },
+    });
+    const dear = point(-20, -19, "better");
+    const [gain] = gains({ ...dear, fresh: { ...dear.fresh, tyre: worse(20), pitch: worse(30), body: worse(0.5) } });
+    expect(gain && priceText(gain, (key) => key)).toBe("Worse for it: pitch +30.0\u2009%, tyre +20.0\u2009%.");
+    expect(priceText({ keeps: "keeps", worse: [] }, String)).toBe("Nothing else is worse for sure.");
   });
 
   it("is none where the paper's weights are the best themselves", () => {

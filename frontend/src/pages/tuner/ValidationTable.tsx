@@ -46,6 +46,7 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
   }
   const labels = objectives.map(({ label }) => label);
   const gains = gainsOf(comparison, objectives.length);
+  const nameOf = (key: string) => ofKey(key, tuning, figures).label;
   return (
     <Card
       aria-label="Validation roads"
@@ -53,7 +54,12 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
     >
       <ul className={results.gains}>
         {gains.map((gain) => (
-          <GainLine key={gain.objective} gain={gain} label={labels.length > 1 ? (labels[gain.objective] ?? "") : ""} />
+          <GainLine
+            key={gain.objective}
+            gain={gain}
+            label={labels.length > 1 ? (labels[gain.objective] ?? "") : ""}
+            price={priceText(gain, nameOf)}
+          />
         ))}
         {comparison.points.flatMap(({ trial, failures }) =>
           failures.map((failure) => (
@@ -96,14 +102,21 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
   );
 }
 
-function GainLine({ gain: { keeps, text }, label }: { readonly gain: Gain; readonly label: string }) {
+interface GainLineProps {
+  readonly gain: Gain;
+  readonly label: string;
+  /** What got worse for it. */
+  readonly price: string;
+}
+
+function GainLine({ gain: { keeps, text }, label, price }: GainLineProps) {
   const Icon = SIGN[keeps];
   return (
     <li data-keeps={keeps}>
       <Icon size={16} stroke={2} aria-hidden />
       <span>
         {label !== "" && <strong>{label}: </strong>}
-        {text}
+        {text} {price}
       </span>
     </li>
   );
@@ -178,7 +191,25 @@ interface Gain {
   readonly objective: number;
   readonly keeps: Keeps;
   readonly text: string;
+  /** What is worse for sure on the validation roads: its key and change [%], the largest first. */
+  readonly worse: readonly (readonly [key: string, change: number])[];
 }
+
+/** `For it front tyre load is 20 % worse, and 2 more.`; nothing where nothing has to be paid. */
+export function priceText({ keeps, worse }: Pick<Gain, "keeps" | "worse">, nameOf: (key: string) => string): string {
+  if (keeps === "none") return "";
+  if (worse.length === 0) return "Nothing else is worse for sure.";
+  const shown = worse.slice(0, MOST_PRICES).map(([key, change]) => `${nameOf(key)} ${formatPercent(change)}`);
+  const rest = worse.length - shown.length;
+  return `Worse for it: ${shown.join(", ")}${rest > 0 ? ` and ${rest} more` : ""}.`;
+}
+
+const MOST_PRICES = 3;
+
+const worseOf = ({ fresh }: ComparedPoint): Gain["worse"] =>
+  Object.entries(fresh)
+    .flatMap(([key, { change }]) => ((change?.low ?? 0) > 0 && change ? [[key, change.value] as const] : []))
+    .sort(([, one], [, other]) => other - one);
 
 /** A gain that is smaller than this part of the training roads' has shrunk; the two means differ a little anyway. */
 const MOSTLY = 0.9;
@@ -209,6 +240,7 @@ function gainOf(point: ComparedPoint, objective: number): Gain | null {
       trial: point.trial,
       objective,
       keeps: "none",
+      worse: [],
       text: "No weights that were tried are better than the paper’s on the training roads.",
     };
   const key = `objectives.${objective}`;
@@ -216,7 +248,7 @@ function gainOf(point: ComparedPoint, objective: number): Gain | null {
   if (!training || !validation) return null;
   const keeps = keepsOf(training.value, validation.value, point.verdict?.[objective]);
   const text = `${formatPercent(training.value)} on the training roads, ${formatPercent(validation.value)}${interval(validation.low, validation.high)} on the validation roads: ${ENDING[keeps]}.`;
-  return { trial: point.trial, objective, keeps, text };
+  return { trial: point.trial, objective, keeps, text, worse: worseOf(point) };
 }
 
 /** Each objective at the point that is best for it. */
