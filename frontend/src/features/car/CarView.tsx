@@ -155,6 +155,7 @@ export function Key({ resultView, width, exaggeration }: Props) {
       fz="xs"
       c="dimmed"
     >
+      {size.reboundRatio !== 1 && `dampers: rebound ${formatExact(size.reboundRatio, "1")} × compression · `}
       heights × {exaggeration} · force {formatExact(size.forceLimit / 1000, "kN")} =
       <svg width={length} height={8} aria-hidden>
         <g transform="translate(0 4) rotate(90)">

@@ -9,7 +9,8 @@ import { metres, toKmh } from "../../units/brands";
 import { formatNumber } from "../../units/format";
 import classes from "./car.module.css";
 import { poseAt, roadProfile, type CarPose, type StaticLoads, restingCursor } from "./geometry";
-import { CLEARANCE, dimensionsOf, drawnCar, GROUND, HEIGHT, scaleOf, shiftInto } from "./layout";
+import { CLEARANCE, dimensionsOf, drawnCar, GROUND, HEIGHT, roofOf, scaleOf, shiftInto } from "./layout";
+import { bodyPath, windowPath } from "./shell";
 import { Arrow, Body, Ghost, Strut, Wheel } from "./parts";
 
 interface Props {
@@ -27,8 +28,8 @@ export function Lane({ resultView, strategy, width, exaggeration }: Props) {
   );
   const scale = useMemo(() => scaleOf(width, exaggeration, size), [width, exaggeration, size]);
   const { metre, rise } = scale;
-  const path = useMemo(() => bodyPath(size.wheelbase, size.radius, metre), [size, metre]);
-  const windows = useMemo(() => windowPath(size.wheelbase, metre), [size, metre]);
+  const path = useMemo(() => bodyPath(size, metre), [size, metre]);
+  const windows = useMemo(() => windowPath(size, metre), [size, metre]);
   const cg = useMemo(() => ({ x: size.cgToRear * metre, y: (CLEARANCE - size.cgHeight) * metre }), [size, metre]);
 
   const pose = poseOf(resultView, strategy.id, at);
@@ -45,7 +46,7 @@ export function Lane({ resultView, strategy, width, exaggeration }: Props) {
         role="img"
         aria-label={`${strategy.label} at ${formatNumber(pose.position, 4)} m`}
       >
-        <g transform={`translate(0 ${shiftInto(car, scale)})`}>
+        <g transform={`translate(0 ${shiftInto(car, scale, roofOf(size))})`}>
           <g transform={`translate(${scale.frontX - pose.position * metre} ${GROUND})`}>
             <Road resultView={resultView} strategy={strategy} wheelbase={size.wheelbase} metre={metre} rise={rise} />
           </g>
@@ -68,7 +69,7 @@ export function Lane({ resultView, strategy, width, exaggeration }: Props) {
           {[car.rear, car.front].map((axle, index) => (
             <g key={index}>
               <Wheel axle={axle} radius={size.radius * metre} rolled={pose.position / size.radius} />
-              <Strut axle={axle} />
+              <Strut axle={axle} isActive={isActive(resultView, strategy.id)} />
               <g transform={`translate(${axle.x + (index === 0 ? -1 : 1) * (size.radius * metre + 5)} ${axle.mount})`}>
                 <Arrow length={axle.arrow} />
               </g>
@@ -89,6 +90,10 @@ function poseOf(resultView: ResultView, id: string, at: number): CarPose | null 
   const series = resultView.series[id];
   return series ? poseAt(series, resultView.axis, at, resultView.shown.scenario, staticLoads(resultView, id)) : null;
 }
+
+/** Whether actuators press in it: a passive car has none. */
+const isActive = ({ series }: ResultView, id: string): boolean =>
+  series[id]?.front_force?.some((force) => force !== 0) ?? false;
 
 function offTheRoad({ front, rear }: CarPose): string | null {
   if (front.airborne && rear.airborne) return "both wheels off the road";
@@ -135,34 +140,4 @@ function Road({ resultView, strategy, wheelbase, metre, rise }: RoadProps) {
       </>
     );
   }, [series, wheelbase, metre, rise]);
-}
-
-const [TAIL, NOSE] = [-0.78, 0.82];
-
-/** The body's outline from the rear axle (0, 0) to the front one, y down, 1 m = `s` px; its floor is at y = 0. */
-function bodyPath(wheelbase: number, radius: number, s: number): string {
-  const point = (x: number, up: number) => `${(x * s).toFixed(1)} ${(-up * s).toFixed(1)}`;
-  const arch = radius * 1.22;
-  const [nose, hood, roof] = [wheelbase + NOSE, 0.79 * wheelbase, 0.46 * wheelbase];
-  return [
-    `M ${point(TAIL, 0.12)}`,
-    `C ${point(TAIL - 0.04, 0.5)}, ${point(TAIL + 0.02, 0.66)}, ${point(TAIL + 0.2, 0.68)}`,
-    `L ${point(-0.28, 0.7)}`,
-    `C ${point(0.1, 0.98)}, ${point(0.28, 1.12)}, ${point(roof, 1.12)}`,
-    `C ${point(roof + 0.45, 1.12)}, ${point(hood - 0.3, 0.84)}, ${point(hood, 0.7)}`,
-    `C ${point(wheelbase + 0.2, 0.65)}, ${point(nose - 0.02, 0.56)}, ${point(nose, 0.3)}`,
-    `L ${point(nose, 0.1)} Q ${point(nose, 0)}, ${point(nose - 0.12, 0)}`,
-    `L ${point(wheelbase + arch, 0)} A ${arch * s} ${arch * s} 0 0 0 ${point(wheelbase - arch, 0)}`,
-    `L ${point(arch, 0)} A ${arch * s} ${arch * s} 0 0 0 ${point(-arch, 0)}`,
-    `L ${point(TAIL + 0.12, 0)} Q ${point(TAIL, 0)}, ${point(TAIL, 0.12)} Z`,
-  ].join(" ");
-}
-
-function windowPath(wheelbase: number, s: number): string {
-  const point = (x: number, up: number) => `${(x * s).toFixed(1)} ${(-up * s).toFixed(1)}`;
-  const [pillar, roof, hood] = [0.4 * wheelbase, 0.46 * wheelbase, 0.79 * wheelbase];
-  return [
-    `M ${point(0.02, 0.74)} C ${point(0.2, 0.95)}, ${point(0.35, 1.03)}, ${point(pillar - 0.04, 1.04)} L ${point(pillar - 0.04, 0.74)} Z`,
-    `M ${point(pillar + 0.04, 1.04)} L ${point(roof, 1.04)} C ${point(roof + 0.35, 1.03)}, ${point(hood - 0.35, 0.86)}, ${point(hood - 0.12, 0.74)} L ${point(pillar + 0.04, 0.74)} Z`,
-  ].join(" ");
 }

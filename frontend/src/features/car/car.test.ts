@@ -1,6 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { poseAt, roadProfile, type CarPose } from "./geometry";
-import { dimensionsOf, drawnCar, GROUND, scaleOf, shiftInto } from "./layout";
+import { bodyPath, windowPath } from "./shell";
+import { dimensionsOf, drawnCar, GROUND, roofOf, scaleOf, shiftInto } from "./layout";
 import { metres, metresPerSecond, newtons, seconds } from "../../units/brands";
 
 const f = (...values: number[]) => new Float32Array(values);
@@ -102,7 +103,15 @@ describe("the drawn car", () => {
   });
 
   it("is moved down only when its roof would leave the picture", () => {
-    expect(shiftInto(drawnCar(pose(axle(0, 0, 0)), car, scale), scale)).toBe(0);
-    expect(shiftInto(drawnCar(pose(axle(0.5, 0.5, 0.5)), car, scale), scale)).toBeGreaterThan(50);
+    expect(shiftInto(drawnCar(pose(axle(0, 0, 0)), car, scale), scale, roofOf(car))).toBe(0);
+    expect(shiftInto(drawnCar(pose(axle(0.5, 0.5, 0.5)), car, scale), scale, roofOf(car))).toBeGreaterThan(50);
+  });
+
+  it("is a van where its centre of gravity lies as high as one's, with a higher roof and one front window", () => {
+    const van = dimensionsOf({ vehicle: { cg_height: 0.8 } }, { front: null, rear: null });
+    expect([car.isVan, van.isVan]).toEqual([false, true]);
+    expect(bodyPath(van, 40)).not.toBe(bodyPath({ ...van, isVan: false }, 40));
+    expect(windowPath(van, 40).match(/M/g)).toHaveLength(1);
+    expect(roofOf(van)).toBeGreaterThan(roofOf(car));
   });
 });

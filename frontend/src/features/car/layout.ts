@@ -10,8 +10,10 @@ export const GROUND = 100;
 /** The longest force arrow, as a part of a metre of the road. */
 const FORCE_LENGTH = 0.65;
 const FRONT_AT = 0.58;
-/** The roof over the floor, and the upper end of spring and damper over it [m]. */
-const [ROOF, MOUNT] = [1.12, 0.6];
+/** The upper end of spring and damper over the floor [m]. */
+const MOUNT = 0.6;
+/** A car whose centre of gravity lies higher is a van [m]: the sedans and the SUV of the vehicle list stay below 0.65. */
+const VAN_CG = 0.7;
 /** A tyre keeps this part of its radius, however hard it is pressed. */
 const FLATTEST = 0.35;
 const HEADROOM = 6;
@@ -24,6 +26,9 @@ export interface Dimensions {
   readonly cgToRear: number;
   readonly cgHeight: number;
   readonly radius: number;
+  readonly isVan: boolean;
+  /** Of both dampers. */
+  readonly reboundRatio: number;
   /** How much shorter the tyres are than without load. */
   readonly compression: { readonly front: number; readonly rear: number };
   readonly forceLimit: number;
@@ -37,6 +42,8 @@ export function dimensionsOf(scenario: Scenario, loads: StaticLoads): Dimensions
     wheelbase: number("/vehicle/cg_to_front", 1) + cgToRear,
     cgToRear,
     cgHeight: number("/vehicle/cg_height", 0.54),
+    isVan: number("/vehicle/cg_height", 0.54) > VAN_CG,
+    reboundRatio: number("/vehicle/rebound_ratio", 1),
     radius: number("/brake/wheel_radius", 0.3),
     compression: { front: compressed("front"), rear: compressed("rear") },
     forceLimit: number("/mpc/force_limit", 5000),
@@ -108,6 +115,9 @@ export function drawnCar(pose: CarPose, car: Dimensions, scale: Scale, ahead = 0
   return { front, rear, tilt: (Math.atan2(front.floor - rear.floor, front.x - rear.x) * 180) / Math.PI };
 }
 
+/** The roof over the floor [m]. */
+export const roofOf = ({ isVan }: Pick<Dimensions, "isVan">): number => (isVan ? 1.5 : 1.12);
+
 /** How far everything is moved down, that the roof stays in the picture. */
-export const shiftInto = ({ front, rear }: DrawnCar, { metre }: Scale): number =>
-  Math.max(0, HEADROOM - Math.min(front.floor, rear.floor) + ROOF * metre);
+export const shiftInto = ({ front, rear }: DrawnCar, { metre }: Scale, roof: number): number =>
+  Math.max(0, HEADROOM - Math.min(front.floor, rear.floor) + roof * metre);

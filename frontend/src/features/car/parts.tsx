@@ -32,8 +32,13 @@ const COILS = 5;
 /** Half the distance between spring and damper, and half the width of either. */
 const [APART, HALF] = [4.5, 3];
 
-/** Spring and damper beside each other between wheel and body. */
-export function Strut({ axle: { x, hub, mount } }: { readonly axle: DrawnAxle }) {
+interface StrutProps {
+  readonly axle: DrawnAxle;
+  readonly isActive: boolean;
+}
+
+/** Spring and damper beside each other between wheel and body, where there is one the actuator between them. */
+export function Strut({ axle: { x, hub, mount }, isActive }: StrutProps) {
   const top = Math.min(mount, hub - 5);
   const middle = (hub + top) / 2;
   const step = (hub - top) / (COILS + 1);
@@ -51,6 +56,7 @@ export function Strut({ axle: { x, hub, mount } }: { readonly axle: DrawnAxle })
     <g transform={`translate(${x} 0)`} className={classes.strut}>
       <path d={path} className={classes.halo} />
       <path d={path} />
+      {isActive && <path d={`M 0 ${top} V ${hub}`} className={classes.actuator} />}
     </g>
   );
 }
