@@ -36,7 +36,7 @@ def test_nothing_readable_is_cut_or_covered(dashboard: Dashboard) -> None:
     page = dashboard.page
     chips = page.get_by_role("group", name="Strategies")
     page.get_by_text("Plot differences").click()
-    expect(page.get_by_text(", less ").first).to_be_visible()
+    expect(page.get_by_text(", change against ").first).to_be_visible()
     head = page.get_by_role("region", name="Comparison", exact=True).locator("thead th").last
     for width, height in ((1440, 900), (1024, 768), (390, 844)):
         page.set_viewport_size({"width": width, "height": height})

@@ -59,7 +59,7 @@ export const PlotPanel = memo(function PlotPanel({ plotly, template, curves, pal
           {meta.title}{" "}
           <Box component="span" fw={400} c="dimmed">
             {meta.unit}
-            {minus !== undefined && `, less ${minus}`}
+            {minus !== undefined && `, change against ${minus}`}
           </Box>
         </Box>
         <Readouts meta={meta} series={series} strategies={strategies} axis={axis} />

@@ -26,7 +26,7 @@ export function figureCsv(template: FigureTemplate, curves: Curves, address: str
   const { title, unit } = template.layout.meta;
   const { data } = buildFigure({ template, ...curves, palette: ON_PAPER });
   const provenance = [
-    `Ridelab: ${title} [${unit}]${curves.minus === undefined ? "" : `, less ${curves.minus}`}`,
+    `Ridelab: ${title} [${unit}]${curves.minus === undefined ? "" : `, change against ${curves.minus}`}`,
     `run: ${curves.runId ?? "none, a live preview"}`,
     `core: ${curves.coreVersion}`,
     ...(curves.roads === undefined ? [] : [overRoads(curves.roads, curves.minus !== undefined)]),

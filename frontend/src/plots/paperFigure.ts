@@ -89,7 +89,7 @@ export function paperFigure(template: FigureTemplate, curves: Curves, size: Pape
     strategies: onPaper(template, curves.strategies),
     palette: ON_PAPER,
   });
-  const less = curves.minus === undefined ? "" : `, less ${asText(curves.minus)}`;
+  const less = curves.minus === undefined ? "" : `, change against ${asText(curves.minus)}`;
   const roadsNote = curves.roads === undefined ? "" : `<br>${overRoads(curves.roads, curves.minus !== undefined)}`;
   const x = {
     ...layout.xaxis,

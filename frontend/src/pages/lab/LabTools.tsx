@@ -41,7 +41,7 @@ function describe({ source, timing }: Result): string {
     cached > 0 ? `${cached} from store` : "",
     computed > 0 ? `${computed} computed in ${ms(computeMs)}` : "",
   ];
-  return `${source === "live" ? "Live" : "Exact"}: ${parts.filter(Boolean).join(", ")} · ${ms(roundTripMs)} in all`;
+  return `${source === "live" ? "Live" : "Up to date"}: ${parts.filter(Boolean).join(", ")} · ${ms(roundTripMs)} in all`;
 }
 
 interface Props {
