@@ -23,8 +23,8 @@ from sim_core.strategies import make_controller, speed_plan
 from sim_core.vehicle.estimator import make_estimator
 from sim_core.vehicle.half_car import DISTURBANCES, STATES
 from sim_core.vehicle.linear import closed_loop_matrix, control_step
+from sim_core.vehicle.make import make_vehicle
 from sim_core.vehicle.model import Estimator, LinearLaw
-from sim_core.vehicle.nonlinear import NonlinearCar
 from sim_core.vehicle.plant import plant
 
 _SETTLED = 8.0  # by then only the motion of a loop with unequal dampers that dies out last is left [s]
@@ -86,7 +86,7 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
     if instance.actuated:
         mode, still = filter_preview(scenario, instance.for_scenario(scenario)), np.zeros((1, DISTURBANCES))
         estimator = make_estimator(scenario, step, profile.initial_speed, still, mode=mode)
-    A, B = control_step(plant(vehicle, actuator, step, 1), vehicle, estimator)
+    A, B = control_step(plant(vehicle, actuator, step), vehicle, estimator)
     loops = [closed_loop_matrix(A, B, law) for law in laws]
     of_modes = [damping(loop, step) for loop in loops]
     if vehicle.rebound_ratio == 1 or not instance.actuated:  # dampers alone only take energy out
@@ -118,7 +118,7 @@ def _last_motion(
     near_rest = vehicle.model_copy(update={"bump_stop_clearance": None, "tyre_lift_off": False})
     if estimator is not None:
         estimator = replace(estimator, input=np.zeros((_BLOCK, STATES)))
-    car = NonlinearCar(near_rest, actuator, step, np.zeros((_BLOCK, DISTURBANCES)), _BLOCK, estimator)
+    car = make_vehicle(near_rest, actuator, step, np.zeros((_BLOCK, DISTURBANCES)), estimator=estimator)
     motion = np.ones((_BLOCK + 1, len(loop)))
     free = law_arrays(LinearLaw(gain=law.gain), _NO_PREVIEW, np.full(3, inf), clips=True)
     follow = car.follow_law(free, motion)

@@ -10,7 +10,9 @@ from sim_core.arrays import FloatArray
 from sim_core.catalogue import STAGES
 from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Setup
-from sim_core.loop.closed_loop import ClosedLoop
+from sim_core.kernel.prepared import DrivenCar
+from sim_core.kernel.record import Recorder
+from sim_core.loop.closed_loop import ClosedLoop, Trajectory
 from sim_core.loop.delayed_loop import DelayedLoop
 from sim_core.loop.excitation import Excitation, StepSizes, under_axles
 from sim_core.loop.preview import Forecast, preview
@@ -21,7 +23,7 @@ from sim_core.speed.stages import Segment, segments
 from sim_core.vehicle.estimator import make_estimator, sensor_noise
 from sim_core.vehicle.half_car import DISTURBANCES
 from sim_core.vehicle.make import is_linear, make_vehicle
-from sim_core.vehicle.model import Estimator, SemiActiveDampers, VehicleModel
+from sim_core.vehicle.model import Estimator, SemiActiveDampers
 
 
 def make_setup(scenario: Scenario, controller: Controller, profile: SpeedProfile, steps: StepSizes) -> Setup:
@@ -57,15 +59,21 @@ class Recording:
     """What a drive leaves behind.
 
     Attributes:
-        table: plant.RECORDED (10, fine steps of a command + 1, commands) from x = 0 on.
-        limited: Control steps in which a limit shaped the command.
-        held_commands: Commands that never took effect: lost, late, or overtaken by a later one; None where each takes
-            effect at once.
+        car: What was driven.
+        trajectory: Its states and commands.
+        first: Its first step on record.
     """
 
-    table: FloatArray
-    limited: int
-    held_commands: int | None
+    car: DrivenCar
+    trajectory: Trajectory
+    first: int
+
+    def table(self) -> FloatArray:
+        """The samples of each signal that are on record, as record.h orders them (10, fine + 1, commands).
+
+        A column has those of a held command, from the value after the command has changed to that before it does again.
+        """
+        return np.ascontiguousarray(self.car.sample(self.first, self.trajectory.loop).T)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -98,17 +106,19 @@ class Run:
         """What the controller is told before it."""
         return make_setup(self.scenario, self.controller, self.profile, self.steps)
 
-    def drive(self) -> Recording:
+    def drive(self, recorder: Recorder | None = None) -> Recording:
         """Drive it.
+
+        Args:
+            recorder: What measures it meanwhile; None for nothing.
 
         Raises:
             RidelabError: The vehicle and weights admit no stabilising controller, or the controller does not give what
                 it has to.
         """
         controller, setup = self.controller, self.setup()
-        before = self.excitation.grid.before * self.steps.short
         forecast = self.forecast(controller.preview, controller.preview_steps)
-        car, inputs, limits = self.car(), self.inputs(forecast), self._limits()
+        car, inputs, limits = self.car(recorder), self.inputs(forecast), self._limits()
         try:
             controller.start(setup)
             if controller.delayed:
@@ -118,11 +128,7 @@ class Run:
                 trajectory = loop.run(self.segments())
         finally:
             controller.end()
-        return Recording(
-            table=car.record(trajectory.states[before:], trajectory.commands[before:]),
-            limited=trajectory.limited,
-            held_commands=trajectory.held_commands,
-        )
+        return Recording(car=car, trajectory=trajectory, first=self.excitation.grid.before * self.steps.short)
 
     def forecast(self, mode: Preview, horizon: int) -> Forecast:
         """What is expected over so many control steps ahead."""
@@ -138,8 +144,8 @@ class Run:
         step, speed = self.excitation.grid.step / short, self.profile.initial_speed
         return make_estimator(scenario, step, speed, self._disturbance(), short, mode=mode, seen=seen)
 
-    def car(self) -> VehicleModel:
-        """The car on its road."""
+    def car(self, recorder: Recorder | None = None) -> DrivenCar:
+        """The car on its road, and what measures its drive."""
         scenario, dampers = self.scenario, run_dampers(self.scenario, self.controller)
         vehicle = scenario.real_vehicle
         return make_vehicle(
@@ -147,10 +153,10 @@ class Run:
             scenario.actuator if self.controller.actuated else Actuator(),
             self.excitation.grid.step / self.steps.short,
             self._disturbance(),
-            self.excitation.grid.before * self.steps.short,
             estimator=self.estimator(),
             dampers=dampers,
             road=None if is_linear(vehicle, dampers) else under_axles(self.excitation),
+            recorder=recorder,
         )
 
     def inputs(self, forecast: Forecast) -> RunInputs:
