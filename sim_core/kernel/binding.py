@@ -24,7 +24,7 @@ _torque_shares = Function(
 _roughness = Function("roughness", _LINE_OUT, INT, DOUBLE, DOUBLE, DOUBLE, result=DOUBLE)
 _road_heights = Function("road_heights", *_ROAD, Array(), INT, Array(written=True))
 _within_steps = Function("within_steps", *_ROAD, _TABLE, INT, _TABLE_OUT)
-_disturbances = Function("disturbances", _TABLE, _LINE, INT, DOUBLE, _TABLE_OUT)
+_window_sizes = Function("window_sizes", _TABLE, INT, INT, _TABLE_OUT)
 _shape_number = Function("shape_number", NAME, result=INT)
 
 
@@ -89,8 +89,9 @@ def within_steps(samples: FloatArray, layout: FloatArray, position: FloatArray, 
     _within_steps(samples, len(samples), layout, position, steps, within)
 
 
-def disturbances(height: FloatArray, braking: FloatArray, step: float, held: FloatArray) -> None:
-    """Fill `held`, 3 n numbers in rows, from heights (2, n + 1) [m] and braking (n,) [m/s^2] in steps [s]."""
-    steps = len(braking)
-    require(height.shape == (2, steps + 1) and held.size == _DISTURBANCES * steps, "As many heights as steps, and one")
-    _disturbances(height, braking, steps, step, held)
+def window_sizes(ahead: FloatArray, horizon: int, sizes: FloatArray) -> None:
+    """Fill `LawArrays.sizes` (4, windows) of what is previewed (3, windows + horizon - 1)."""
+    kinds, count = ahead.shape
+    require(kinds == _DISTURBANCES and 0 < horizon <= count, "A window of both roads and braking")
+    require(sizes.shape == (1 + _DISTURBANCES, count - horizon + 1), "Four sizes of each window")
+    _window_sizes(ahead, count, horizon, sizes)

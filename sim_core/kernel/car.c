@@ -48,32 +48,31 @@ enum { ROAD, BRAKING = ROAD + AXLES, NOW, CURVE = NOW + NUMBERS, ONE = CURVE + 2
 
 /* Such a step, in the mode of `sides`. */
 struct linear_step {
-    int sides;
-    double time; /* that it takes [s]; 0 for none */
+    double sides, time; /* of which mode; that it takes [s], 0 for none */
     double effects[CAUSES][NUMBERS];
 };
-enum { LINEAR_STEPS = 16 }; /* that are kept */
+enum { LINEAR_STEPS = 16, LINEAR_STEP_NUMBERS = 2 + CAUSES * NUMBERS }; /* that are kept; of each */
 
 /* A car on its road over a whole drive. */
 struct car {
     int size, states; /* numbers of its state, with an estimate; without: 8, or 10 with a lagging actuator's */
-    int linear;       /* whether its fine step is the first of those kept, and never another */
+    int linear;
     const struct vehicle *vehicle;
     const struct estimator *estimator; /* NULL: none */
     const double *estimator_input;     /* 8 numbers a control step */
     struct road road;                  /* without samples: straight within a fine step */
     const double *position;            /* of both axles at every fine instant, 2 x (steps fine + 1) [m] */
     const double *within;              /* 4 a fine step: both roads' means above their chords, then moments [m] */
-    const double *disturbance;         /* 3 a fine step: both road velocities [m/s], braking [m/s^2] */
+    const double *height, *braking;    /* of the road there, 2 x (steps fine + 1) [m]; in each fine step [m/s^2] */
     int steps, fine, substeps;         /* of all; fine ones in a control step; steps of Runge-Kutta in a fine one */
-    double time;                       /* of a fine step [s] */
+    double time, per_time;             /* of a fine step [s], and its inverse */
     struct recorder *recorder;         /* NULL: none */
     int where;                         /* `side` of the present state */
     struct mode mode;                  /* of that side */
     const struct linear_step *present; /* the step in that mode, NULL where it has to be looked up */
     double held[NUMBERS];              /* what command and stops make of rest in it */
     int linear_steps;                  /* that were made */
-    struct linear_step kept[LINEAR_STEPS];
+    struct linear_step *kept;          /* LINEAR_STEPS; a linear car's, which is never another */
 };
 
 /* A fine step or a part of one: the road's velocity as a polynomial of the time from its beginning. */
@@ -82,11 +81,6 @@ struct piece {
     double braking, time;  /* [m/s^2], [s] */
     double beside[AXLES];  /* about how far the true road leaves this polynomial [m] */
 };
-
-static inline double between(double low, double value, double high)
-{
-    return value < low ? low : value > high ? high : value;
-}
 
 static inline double travel_speed(const struct vehicle *vehicle, int axle, const struct state *x)
 {
@@ -378,12 +372,23 @@ static struct piece piece(const double *chord, const double *mean, const double 
     return w;
 }
 
+/* What the car meets in a fine step, where the road is straight within it. */
+static inline void meet(const struct car *me, int step, double *met)
+{
+    const double *front = me->height + step, *rear = front + me->steps * me->fine + 1;
+    met[ROAD] = (front[1] - front[0]) * me->per_time;
+    met[ROAD + 1] = (rear[1] - rear[0]) * me->per_time;
+    met[BRAKING] = me->braking[step];
+}
+
 static struct piece fine_step(const struct car *me, int step)
 {
-    const double *w = me->disturbance + (ptrdiff_t)DISTURBANCES * step, *within = me->within + (ptrdiff_t)2 * AXLES * step;
+    double w[DISTURBANCES];
+    meet(me, step, w);
+    const double *within = me->within + (ptrdiff_t)2 * AXLES * step;
     if (!me->road.samples)
-        return (struct piece){.velocity = {{w[0], w[1]}}, .braking = w[2], .time = me->time};
-    return piece(w, within, within + AXLES, w[2], me->time);
+        return (struct piece){.velocity = {{w[ROAD], w[ROAD + 1]}}, .braking = w[BRAKING], .time = me->time};
+    return piece(w + ROAD, within, within + AXLES, w[BRAKING], me->time);
 }
 
 static void enter(struct car *me, int where)
@@ -434,7 +439,7 @@ static void cross_parts(struct car *me, int step, int parts, const double *comma
     int substeps = (me->substeps + parts - 1) / parts;
     const double *front = me->position + step, *rear = front + me->steps * me->fine + 1;
     double share = 1.0 / parts, time = me->time * share, length = (front[1] - front[0]) * share;
-    double braking = me->disturbance[(ptrdiff_t)DISTURBANCES * step + 2];
+    double braking = me->braking[step];
     double begin[AXLES] = {front[0], rear[0]}, low[AXLES], chord[AXLES], mean[AXLES], moment[AXLES];
     for (int axle = 0; axle < AXLES; axle++)
         low[axle] = ridelab_road_height(&me->road, begin[axle]);
@@ -465,15 +470,17 @@ static void hold_linear(struct car *me, int first, const double *command, struct
 {
     enter(me, 0);
     const struct linear_step *step = present_step(me, me->time, command);
-    const double *met = me->disturbance + (ptrdiff_t)DISTURBANCES * first;
-    struct state next;
-    for (int j = 0; j < me->fine; j++, met += DISTURBANCES, *x = next) {
+    for (int j = 0; j < me->fine; j++) {
+        double met[DISTURBANCES];
+        struct state next;
+        meet(me, first + j, met);
         if (samples)
             sample(me, x, met[BRAKING], samples[j]);
         add_causes(me, step, met, x->at, next.at);
+        *x = next;
     }
     if (samples)
-        sample(me, x, met[BRAKING - DISTURBANCES], samples[me->fine]);
+        sample(me, x, me->braking[first + me->fine - 1], samples[me->fine]);
 }
 
 /* The same of another car. */
@@ -554,8 +561,8 @@ static void advance(struct car *me, int step, const double *now, const double *c
         hold(me, first, command, &x, samples);
     memcpy(next + me->size - me->states, x.at, (size_t)me->states * sizeof(double));
     if (me->estimator) {
-        double y[MEASURED], braking = me->disturbance[(ptrdiff_t)DISTURBANCES * (first + me->fine) - 1];
-        measure(me->vehicle, &x, command, braking, y);
+        double y[MEASURED];
+        measure(me->vehicle, &x, command, me->braking[first + me->fine - 1], y);
         estimate(me->estimator, y, command, me->estimator_input + (ptrdiff_t)STATE * step, now, next);
     }
 }
@@ -588,25 +595,22 @@ void ridelab_measure(const struct car *me, int step, const double *now, const do
 {
     struct state x = state_of(me, now, command);
     int last = step > 0 ? step * me->fine - 1 : me->fine - 1;
-    measure(me->vehicle, &x, command, me->disturbance[(ptrdiff_t)DISTURBANCES * last + 2], y);
+    measure(me->vehicle, &x, command, me->braking[last], y);
 }
 
-/* The state is an estimator's where it `estimates`, then the car's. A linear car's fine step is given by its `effects`;
-   another's are made. The road has no samples where it is straight within a fine step. The others as the struct has them. */
-void ridelab_prepare_car(struct car *me, const struct vehicle *vehicle, int states, int linear,
-                         const double (*effects)[NUMBERS], int estimates, const struct estimator *estimator,
-                         const double *estimator_input, int samples, const double *roughness, const struct layout *layout,
-                         const double *position, const double *within, const double *disturbance, int steps, int fine,
+/* The state is an estimator's where it `estimates`, then the car's. A linear car's fine step is the first of those kept;
+   those of another are made. The road has no samples where it is straight within a fine step. The others as the struct
+   has them. */
+void ridelab_prepare_car(struct car *me, const struct vehicle *vehicle, int states, int linear, struct linear_step *kept,
+                         int estimates, const struct estimator *estimator, const double *estimator_input, int samples,
+                         const double *roughness, const struct layout *layout, const double *position,
+                         const double *within, const double *height, const double *braking, int steps, int fine,
                          int substeps, double time, struct recorder *recorder)
 {
     _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a car is prepared in memory of that size");
-    *me = (struct car){.size = states + (estimates ? STATE : 0), .states = states, .linear = linear, .vehicle = vehicle,
-                       .estimator = estimates ? estimator : NULL, .estimator_input = estimator_input,
-                       .road = ridelab_road(roughness, samples, layout), .position = position, .within = within,
-                       .disturbance = disturbance, .steps = steps, .fine = fine, .substeps = substeps, .time = time,
-                       .recorder = recorder};
-    if (linear) {
-        me->kept[0].time = time;
-        memcpy(me->kept[0].effects, effects, sizeof me->kept[0].effects);
-    }
+    *me = (struct car){.size = states + (estimates ? STATE : 0), .states = states, .linear = linear, .kept = kept,
+                       .vehicle = vehicle, .estimator = estimates ? estimator : NULL,
+                       .estimator_input = estimator_input, .road = ridelab_road(roughness, samples, layout),
+                       .position = position, .within = within, .height = height, .braking = braking, .steps = steps,
+                       .fine = fine, .substeps = substeps, .time = time, .per_time = 1 / time, .recorder = recorder};
 }

@@ -134,3 +134,24 @@ void ridelab_prepare_law(struct law *law, const struct law_numbers *numbers, con
     _Static_assert(sizeof *law <= RIDELAB_PREPARED, "a law is prepared in memory of that size");
     *law = (struct law){numbers, gain, preview_gain, limits, scale, norms, preview, sizes, inputs, qp, qp_run};
 }
+
+/* What `law.sizes` has of each window that slides over what is previewed (3 x count): sums of `horizon` numbers and of their
+   squares, from one window to the next. */
+void ridelab_window_sizes(const double *ahead, int count, int horizon, double *sizes)
+{
+    int windows = count - horizon + 1;
+    for (int kind = 0; kind < DISTURBANCES; kind++, ahead += count) {
+        double *norm = sizes + (ptrdiff_t)windows * (1 + kind), sum = 0, squares = 0;
+        for (int i = 0; i < count; i++) {
+            double leaves = i < horizon ? 0 : ahead[i - horizon];
+            sum += ahead[i] - leaves;
+            squares += ahead[i] * ahead[i] - leaves * leaves;
+            if (i + 1 < horizon)
+                continue;
+            double mean = sum / horizon, about = kind == DISTURBANCES - 1 ? squares - horizon * mean * mean : squares;
+            norm[i + 1 - horizon] = about > 0 ? sqrt(about) : 0;
+            if (kind == DISTURBANCES - 1)
+                sizes[i + 1 - horizon] = fabs(mean);
+        }
+    }
+}

@@ -74,6 +74,6 @@ static inline double dot(const double *a, const double *b, int count)
 }
 
 /* Bytes that are enough for a law or a car of any kind. */
-enum { RIDELAB_PREPARED = 32768 };
+enum { RIDELAB_PREPARED = 1024 };
 
 #endif

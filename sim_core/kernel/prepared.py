@@ -18,7 +18,7 @@ from sim_core.kernel.record import LAYOUT, SIGNALS, Recorder
 CAR, ESTIMATOR = 33, 112  # numbers of `struct vehicle` and `struct estimator` of car.c
 ECU_ANSWER, _STAGES = 5, 3  # numbers of an answer in ecu.c, stages of the ECU's tables
 _LAW_NUMBERS, _SIZES = 9, 5  # of `struct law_numbers` in loop.h; columns of a law's norms
-CAUSES, NUMBERS = 20, 10  # of `struct linear_step` in car.c
+CAUSES, NUMBERS, _STEPS = 20, 10, 16  # of `struct linear_step` in car.c, and how many are kept
 _STATES, _LAGGING, _FORCES, _LAW_INPUTS, _DISTURBANCES, _MEASURED = 8, 10, 2, 10, 3, 4
 _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
 _LINE_OUT, _TABLE_OUT, _LINES_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2, 3))
@@ -43,8 +43,8 @@ _prepare_law = Function(
 )
 _prepare_car = Function(
     "prepare_car",
-    *(Array(CAR), INT, INT, Array(CAUSES, NUMBERS), INT, Array(ESTIMATOR), _TABLE),
-    *(INT, _LINE, Array(LAYOUT), _TABLE, _TABLE, _TABLE, INT, INT, INT, DOUBLE, Optional),
+    *(Array(CAR), INT, INT, _TABLE_OUT, INT, Array(ESTIMATOR), _TABLE),
+    *(INT, _LINE, Array(LAYOUT), _TABLE, _TABLE, _TABLE, _LINE, INT, INT, INT, DOUBLE, Optional),
 )
 _sample = Function("sample", Prepared, _TABLE, INT, INT, _LINES_OUT)
 _follow_law = Function(
@@ -176,11 +176,14 @@ class DrivenCar:
         vehicle: (33,), as `struct vehicle` of car.c has them.
         states: 8, or 10 with a lagging actuator's.
         effects: A linear car's fine step (20, 10), as `struct linear_step` has it; None of another.
+        steps: Control steps of the drive.
+        fine: Fine steps in each.
         estimator: (112,), as `struct estimator` has them; None without one.
         estimator_input: What is fed to it beforehand (steps, 8); of no steps without one.
         road: Its samples (m,) [m] and layout (9,), the positions (2, n + 1) [m] of both axles at the ends of all fine
             steps, means and moments above chords (n, 4) [m]; None where the road is straight within a fine step.
-        disturbance: (steps, 3 · fine).
+        height: Of the road under both axles at the ends of all fine steps (2, n + 1) [m].
+        braking: Deceleration in each fine step (n,) [m/s^2].
         substeps: Of Runge-Kutta in a fine step.
         fine_step: In s.
         recorder: Of its drive; None where nothing is measured.
@@ -195,30 +198,37 @@ class DrivenCar:
         vehicle: FloatArray,
         states: int,
         effects: FloatArray | None,
+        steps: int,
+        fine: int,
         estimator: FloatArray | None,
         estimator_input: FloatArray,
         road: tuple[FloatArray, FloatArray, FloatArray, FloatArray] | None,
-        disturbance: FloatArray,
+        height: FloatArray,
+        braking: FloatArray,
         substeps: int,
         fine_step: float,
         recorder: Recorder | None,
     ) -> None:
-        steps, fine = len(disturbance), disturbance.shape[1] // _DISTURBANCES
-        all_fine, estimates = steps * fine, estimator is not None
-        require(states in (_STATES, _LAGGING) and substeps > 0 < fine, "A state of 8 or 10 numbers, and a step or more")
-        require(disturbance.shape[1] == _DISTURBANCES * fine, "Three disturbances in a fine step")
+        all_fine, linear, estimates = steps * fine, effects is not None, estimator is not None
+        require(states in (_STATES, _LAGGING), "A state of 8 or 10 numbers")
+        require(min(steps, fine, substeps) > 0 and fine_step > 0, "A step or more")
+        require(height.shape == (2, all_fine + 1) and len(braking) == all_fine, "Road and braking in every fine step")
+        kept = np.zeros((1 if linear else _STEPS, 2 + CAUSES * NUMBERS))
+        if effects is not None:
+            require(effects.shape == (CAUSES, NUMBERS), "A linear step")
+            kept[0, 1], kept[0, 2:] = fine_step, effects.ravel()
         require(not estimates or estimator_input.shape == (steps, _STATES), "The estimator's input in every step")
         on_record = recorder is None or (recorder.fine, recorder.steps) == (fine, steps)
         require(on_record, "A recorder of this drive")
         samples, layout, position, within = road or (np.empty(0), np.zeros(LAYOUT), np.empty((0, 0)), np.empty((0, 0)))
         if road is not None:
-            require(len(samples) > 1 and effects is None, "A road has two samples at least, and is straight to a linear car")
+            require(len(samples) > 1 and not linear, "A road has two samples at least, and is straight to a linear car")
             require(position.shape == (2, all_fine + 1) and within.shape == (all_fine, 4), "The road of every fine step")
         self._prepared = _prepare_car.prepare(
-            *(vehicle, states, int(effects is not None), np.zeros((CAUSES, NUMBERS)) if effects is None else effects),
+            *(vehicle, states, int(linear), kept),
             *(int(estimates), np.zeros(ESTIMATOR) if estimator is None else estimator, estimator_input),
             *(len(samples), samples, layout, position, within),
-            *(disturbance, steps, fine, substeps, fine_step, recorder and recorder.prepared),
+            *(height, braking, steps, fine, substeps, fine_step, recorder and recorder.prepared),
         )
         self.size, self._steps, self._fine = states + (_STATES if estimates else 0), steps, fine
 

@@ -21,7 +21,6 @@ from sim_core.scenario import Actuator, Preview, Scenario
 from sim_core.speed.profile import SpeedPlan, SpeedProfile
 from sim_core.speed.stages import Segment, segments
 from sim_core.vehicle.estimator import make_estimator, sensor_noise
-from sim_core.vehicle.half_car import DISTURBANCES
 from sim_core.vehicle.make import is_linear, make_vehicle
 from sim_core.vehicle.model import Estimator, SemiActiveDampers
 
@@ -142,20 +141,23 @@ class Run:
         mode = filter_preview(scenario, self.controller)
         seen = None if mode == "none" else self.forecast(mode, 1).windows[:2, :, 0].T
         step, speed = self.excitation.grid.step / short, self.profile.initial_speed
-        return make_estimator(scenario, step, speed, self._disturbance(), short, mode=mode, seen=seen)
+        braking = self.excitation.braking.reshape(-1, self.steps.fine // short)
+        return make_estimator(scenario, step, speed, braking, short, mode=mode, seen=seen)
 
     def car(self, recorder: Recorder | None = None) -> DrivenCar:
         """The car on its road, and what measures its drive."""
         scenario, dampers = self.scenario, run_dampers(self.scenario, self.controller)
-        vehicle = scenario.real_vehicle
+        vehicle, excitation = scenario.real_vehicle, self.excitation
         return make_vehicle(
             vehicle,
             scenario.actuator if self.controller.actuated else Actuator(),
-            self.excitation.grid.step / self.steps.short,
-            self._disturbance(),
+            excitation.grid.fine_step,
+            self.steps.fine // self.steps.short,
+            excitation.height,
+            excitation.braking,
             estimator=self.estimator(),
             dampers=dampers,
-            road=None if is_linear(vehicle, dampers) else under_axles(self.excitation),
+            road=None if is_linear(vehicle, dampers) else under_axles(excitation),
             recorder=recorder,
         )
 
@@ -173,10 +175,6 @@ class Run:
             noise=lambda: sensor_noise(self.scenario, steps, short)[::short],
             sample_time=grid.step,
         )
-
-    def _disturbance(self) -> FloatArray:
-        """`Excitation.disturbance` by steps of the car (steps, 3 · fine steps in each)."""
-        return self.excitation.disturbance.reshape(-1, DISTURBANCES * self.steps.fine // self.steps.short)
 
     def _limits(self) -> FloatArray:
         """Those of forces in the car's steps, as `limit_force` has them."""

@@ -41,7 +41,7 @@ def closed_loop_matrix(A: FloatArray, B: FloatArray, law: LinearLaw) -> FloatArr
 
 
 @lru_cache(maxsize=128)
-def fine_step(vehicle: Vehicle, actuator: Actuator, step: float) -> FloatArray:
+def effects(vehicle: Vehicle, actuator: Actuator, step: float) -> FloatArray:
     """What each cause alone makes of the state in a step [s] (20, 10), as `struct linear_step` of kernel/car.c has it.
 
     Causes are both road velocities, braking, the state with the forces, five that a straight road and a linear car do

@@ -7,8 +7,8 @@ from sim_core.kernel.prepared import DrivenCar
 from sim_core.kernel.record import Recorder
 from sim_core.road.profile import RoadUnderAxles
 from sim_core.scenario import Actuator, Vehicle
-from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
-from sim_core.vehicle.linear import fine_step
+from sim_core.vehicle.half_car import FORCES, STATES
+from sim_core.vehicle.linear import effects
 from sim_core.vehicle.model import Estimator, SemiActiveDampers
 from sim_core.vehicle.nonlinear import numbers, substeps
 
@@ -16,8 +16,10 @@ from sim_core.vehicle.nonlinear import numbers, substeps
 def make_vehicle(
     vehicle: Vehicle,
     actuator: Actuator,
-    step: float,
-    disturbance: FloatArray,
+    fine_step: float,
+    fine: int,
+    height: FloatArray,
+    braking: FloatArray,
     *,
     estimator: Estimator | None = None,
     dampers: SemiActiveDampers | None = None,
@@ -29,26 +31,31 @@ def make_vehicle(
     Args:
         vehicle: The real one.
         actuator: Its actuators.
-        step: Control step [s].
-        disturbance: In each control step, fine step after fine step (steps, 3 · fine), as `Excitation.disturbance`.
+        fine_step: Fine step [s].
+        fine: Fine steps in each of its steps.
+        height: Of the road under both axles at the ends of all fine steps (2, n + 1) [m].
+        braking: Deceleration in each fine step (n,) [m/s^2].
         estimator: Between car and controller; None where that has the state itself.
         dampers: Its dampers where they are semi-active; None where actuators act beside passive ones.
         road: The road itself within each fine step, to which a nonlinear car's stops, tyres and limits are sensitive;
-            None where it is straight there, as `disturbance` has it and a linear car takes it.
+            None where it is straight there, as a linear car takes it.
         recorder: What measures its drive; None for nothing.
     """
-    linear, h = is_linear(vehicle, dampers), step * DISTURBANCES / disturbance.shape[1]
+    linear = is_linear(vehicle, dampers)
     matrices = estimator and [estimator.state, estimator.command, estimator.measurement]
     return DrivenCar(
         vehicle=numbers(vehicle, actuator, dampers),
         states=STATES if actuator.bandwidth is None else STATES + FORCES,
-        effects=fine_step(vehicle, actuator, h) if linear else None,
+        effects=effects(vehicle, actuator, fine_step) if linear else None,
+        steps=len(braking) // fine,
+        fine=fine,
         estimator=matrices and np.concatenate([matrix.ravel() for matrix in matrices]),
         estimator_input=np.empty((0, STATES)) if estimator is None else np.ascontiguousarray(estimator.input),
         road=road and (road.surface.roughness, road.surface.layout, road.position, road.within),
-        disturbance=np.ascontiguousarray(disturbance, dtype=np.float64),
-        substeps=1 if linear else substeps(vehicle, actuator, dampers, h),
-        fine_step=h,
+        height=height,
+        braking=braking,
+        substeps=1 if linear else substeps(vehicle, actuator, dampers, fine_step),
+        fine_step=fine_step,
         recorder=recorder,
     )
 
