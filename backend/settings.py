@@ -231,7 +231,7 @@ def _check_certificates(files: Mapping[str, Path | None]) -> None:
 def _unknown(name: int | str) -> str:
     similar = [_variable(field) for field in get_close_matches(str(name), Settings.model_fields)]
     perhaps = f", perhaps {' or '.join(similar)}" if similar else ""
-    return f"there is no such setting{perhaps}; docs/operations.md lists all"
+    return f"there is no such setting{perhaps}; docs/how-to/operations.md lists all"
 
 
 def _reason(location: tuple[int | str, ...], message: str) -> str:

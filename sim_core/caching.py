@@ -41,7 +41,7 @@ def arrays(value: Any) -> list[NDArray[Any]]:
         elif isinstance(part, tuple):
             parts += part
         else:
-            parts += [getattr(part, name) for name in _fields(type(part))]
+            parts += [getattr(part, name) for name in _fields(part.__class__)]
     return collected
 
 

@@ -16,6 +16,7 @@ from starlette.types import Scope
 
 from backend.api.deps import LinksService
 from backend.http.answers import IMMUTABLE
+from backend.http.parts import parts_of
 from backend.http.problems import RequestError, problem
 from backend.http.tokens import Caller
 from backend.links import preview
@@ -109,9 +110,9 @@ def add_site(app: FastAPI, dist: Path) -> None:
         site.add_api_route(path, page, methods=["GET"])
 
     @site.get("/s/{slug}")
-    async def shared(slug: str, service: LinksService, caller: Caller) -> Response:
+    async def shared(slug: str, request: Request, service: LinksService, caller: Caller) -> Response:
         _check_built(index)
-        if app.state.tokens is not None and caller is None:
+        if parts_of(request).tokens is not None and caller is None:
             return await page()  # which asks for a token; nothing of what is shared is in it
         of_link = await service.preview(slug)
         text = preview.page(index.read_text(encoding="utf-8"), of_link or Preview(), shared=of_link is not None)

@@ -51,7 +51,7 @@ class Array:
         if flags & self._flags != self._flags:
             raise TypeError("C takes contiguous, aligned arrays, and writes into writeable ones")
         if flags & _WRITEABLE and value.size:  # a third of the time that `ctypes.data` takes
-            return ctypes.byref(_BYTE(value))
+            return ctypes.byref(_BYTE(value.data))
         pointer = ctypes.c_void_p(value.ctypes.data)
         pointer.array = value  # type: ignore[attr-defined]  # a c_void_p takes any attribute
         return pointer

@@ -169,8 +169,8 @@ FollowLaw = Callable[[int, int], tuple[int, int]]
 class DrivenCar:
     """A car over its whole drive, of which a call takes some control steps.
 
-    `size` numbers are the state p: the half-car's (8,), then a lagging actuator's forces [N] (2,). With an estimator its
-    estimate (8,) comes before them, so that p begins with what a controller acts on.
+    `size` numbers are the state p: the half-car's (8,), then a lagging actuator's forces [N] (2,). With an estimator
+    its estimate (8,) comes before them, so that p begins with what a controller acts on.
 
     Args:
         vehicle: (33,), as `struct vehicle` of car.c has them.
@@ -222,8 +222,10 @@ class DrivenCar:
         require(on_record, "A recorder of this drive")
         samples, layout, position, within = road or (np.empty(0), np.zeros(LAYOUT), np.empty((0, 0)), np.empty((0, 0)))
         if road is not None:
-            require(len(samples) > 1 and not linear, "A road has two samples at least, and is straight to a linear car")
-            require(position.shape == (2, all_fine + 1) and within.shape == (all_fine, 4), "The road of every fine step")
+            require(len(samples) > 1 and not linear, "A road has two samples at least; to a linear car it is straight")
+            require(
+                position.shape == (2, all_fine + 1) and within.shape == (all_fine, 4), "The road of every fine step"
+            )
         self._prepared = _prepare_car.prepare(
             *(vehicle, states, int(linear), kept),
             *(int(estimates), np.zeros(ESTIMATOR) if estimator is None else estimator, estimator_input),

@@ -62,14 +62,18 @@ class Recorder:
         kinks: FloatArray,
     ) -> None:
         instants, sections = position.shape[1], len(ends)
-        self.fine, self.first, self.steps = fine, first, (instants - 1) // fine
         samples, layout = road
-        require(len(samples) > 1, "A road has two samples at least")
+        require(fine > 0 and len(samples) > 1, "A fine step or more, and two samples of the road at least")
+        self.fine, self.first, self.steps = fine, first, (instants - 1) // fine
         require(position.shape == height.shape == (2, instants) and instants > 1, "Two axles on a road")
-        require(bool(np.isfinite(position[:, [0, -1]]).all()) and kinks[-1] == np.inf, "An axle is somewhere, no kink last")
-        require(tyres.shape == (3, 2) and fine > 0 <= first < self.steps, "Two tyres, and a record within the drive")
+        require(
+            bool(np.isfinite(position[:, [0, -1]]).all()) and kinks[-1] == np.inf, "An axle is somewhere, no kink last"
+        )
+        require(tyres.shape == (3, 2) and 0 <= first < self.steps, "Two tyres, and a record within the drive")
         require(ends.shape == (sections, 2) and len(rise) == sections > 0, "Every section has two ends and a rise")
-        require(0 <= ends[0, 0] and bool((np.diff(ends.ravel()) >= 0).all()), "Sections ascend")
+        on_record = fine * (self.steps - first)
+        require(ends[0, 0] >= 0 and ends[-1, 1] <= on_record, "Sections within the record")
+        require(bool((np.diff(ends.ravel()) >= 0).all()) and weighted_samples <= on_record + 1, "Sections ascend")
         self.integrals, self.peaks = np.zeros((sections, _METRICS)), np.zeros((sections, _METRICS))
         self._found = np.zeros(_FOUND)
         self.samples = np.empty((fine + 1, SIGNALS))

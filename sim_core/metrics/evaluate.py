@@ -13,7 +13,7 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS, WINDOWS
 from sim_core.kernel.record import SIGNALS, Recorder
-from sim_core.loop.drive import Recording, Run
+from sim_core.loop.run import Recording, Run
 from sim_core.metrics.recorder import windows
 from sim_core.metrics.windows import section_ends
 from sim_core.result import Series, StrategyResult
@@ -27,7 +27,7 @@ _LINES = sum(signal.endswith("acceleration") for signal in METRIC_SIGNALS)  # st
 
 def evaluate(run: Run, recorder: Recorder, recording: Recording) -> StrategyResult:
     """Everything a run reports, from what was measured while it was driven."""
-    scenario, controller, speed_profile = run.scenario, run.controller, run.profile
+    scenario, controller, speed_profile = run.scenario, run.controller, run.speed_profile
     excitation, trajectory, report = run.excitation, recording.trajectory, controller.report
     ends, arrival = (of_run := windows(run)).ends, of_run.arrival_speed
     metrics = _by_window(recorder, ends)

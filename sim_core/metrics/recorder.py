@@ -7,7 +7,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.kernel.record import Recorder
-from sim_core.loop.drive import Run
+from sim_core.loop.run import Run
 from sim_core.metrics.comfort import weighting
 from sim_core.metrics.windows import Windows, windows_of
 from sim_core.road.profile import kinks
@@ -18,7 +18,7 @@ def windows(run: Run) -> Windows:
     """Where a run's windows lie."""
     scenario = run.scenario
     bump_end, length = scenario.bump_left, scenario.road.length
-    return windows_of(run.excitation.grid, run.profile, scenario.road.bump.start, bump_end, length)
+    return windows_of(run.excitation.grid, run.speed_profile, scenario.road.bump.start, bump_end, length)
 
 
 def make_recorder(run: Run) -> Recorder:

@@ -8,13 +8,12 @@ from sim_core.arrays import FloatArray
 from sim_core.kernel.prepared import CAUSES, NUMBERS
 from sim_core.scenario import Actuator, Vehicle
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, measurement
-from sim_core.vehicle.model import Estimator, LinearLaw
+from sim_core.vehicle.model import Estimator
 from sim_core.vehicle.plant import Plant, plant
 
 
 def control_step(plant: Plant, vehicle: Vehicle, estimator: Estimator | None) -> tuple[FloatArray, FloatArray]:
-    """A (n, n) and B (n, 2) of p' = A p + B u + forcing over one control step, p being the plant's state, after an estimate of it where
-    there is one.
+    """A (n, n) and B (n, 2) of p' = A p + B u + forcing over one control step; p as `DrivenCar` has it.
 
     Args:
         plant: Of the real car.
@@ -30,14 +29,6 @@ def control_step(plant: Plant, vehicle: Vehicle, estimator: Estimator | None) ->
     L, none = estimator.measurement, np.zeros((plant.size, STATES))
     A = np.block([[estimator.state, L @ C @ plant.A], [none, plant.A]])
     return A, np.vstack([estimator.command + L @ (C @ plant.B + D), plant.B])
-
-
-def closed_loop_matrix(A: FloatArray, B: FloatArray, law: LinearLaw) -> FloatArray:
-    """One control step of [p; previous command] while no limit binds (n + 2, n + 2)."""
-    n = len(A)
-    gain = np.zeros((FORCES, n + FORCES))
-    gain[:, :STATES], gain[:, n:] = law.gain[:, :STATES], law.gain[:, STATES:]
-    return np.vstack([np.hstack([A, np.zeros((n, FORCES))]) + B @ gain, gain])
 
 
 @lru_cache(maxsize=128)

@@ -42,16 +42,15 @@ def make_vehicle(
         recorder: What measures its drive; None for nothing.
     """
     linear = is_linear(vehicle, dampers)
-    matrices = estimator and [estimator.state, estimator.command, estimator.measurement]
     return DrivenCar(
         vehicle=numbers(vehicle, actuator, dampers),
         states=STATES if actuator.bandwidth is None else STATES + FORCES,
         effects=effects(vehicle, actuator, fine_step) if linear else None,
         steps=len(braking) // fine,
         fine=fine,
-        estimator=matrices and np.concatenate([matrix.ravel() for matrix in matrices]),
+        estimator=None if estimator is None else _numbers_of(estimator),
         estimator_input=np.empty((0, STATES)) if estimator is None else np.ascontiguousarray(estimator.input),
-        road=road and (road.surface.roughness, road.surface.layout, road.position, road.within),
+        road=None if road is None else (road.surface.roughness, road.surface.layout, road.position, road.within),
         height=height,
         braking=braking,
         substeps=1 if linear else substeps(vehicle, actuator, dampers, fine_step),
@@ -63,3 +62,8 @@ def make_vehicle(
 def is_linear(vehicle: Vehicle, dampers: SemiActiveDampers | None) -> bool:
     """Whether its steps are exact: passive dampers, stops and tyres that are linear, and no semi-active `dampers`."""
     return vehicle.linear and dampers is None
+
+
+def _numbers_of(estimator: Estimator) -> FloatArray:
+    """`struct estimator` of kernel/car.c (112,)."""
+    return np.concatenate([part.ravel() for part in (estimator.state, estimator.command, estimator.measurement)])

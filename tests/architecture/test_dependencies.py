@@ -1,6 +1,6 @@
 """Installed packages are the locked ones: each by its hash, from no address, in a version the project asks for.
 
-Known vulnerabilities need the internet (docs/security.md says how to ask); this needs nothing.
+Known vulnerabilities need the internet (docs/explanation/security.md says how to ask); this needs nothing.
 """
 
 import base64

@@ -1,8 +1,8 @@
-"""The scenario's reference page, docs/scenario.md, written from its schema."""
+"""The scenario's reference page, docs/reference/scenario.md, written from its schema."""
 
 from typing import Any
 
-from sim_core.catalogue import COMFORT, EVENTS, SIGNALS, Quantity
+from sim_core.catalogue import COMFORT, EVENTS, SIGNALS, Entry
 from sim_core.scenario import Scenario
 from sim_core.scenario.presets import PRESETS
 from sim_core.strategies import STRATEGIES, reads
@@ -74,5 +74,5 @@ def _show(value: Any) -> str:
     return f"{value:.10g}" if isinstance(value, (int, float)) else str(value)
 
 
-def _quantity(item: Quantity) -> str:
+def _quantity(item: Entry) -> str:
     return f"| `{item.key}` | {item.label} | {item.unit} | {item.description} |"

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from threadpoolctl import ThreadpoolController
 
-from sim_core.loop.drive import Run
+from sim_core.loop.run import Run
 from sim_core.metrics.evaluate import evaluate
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate

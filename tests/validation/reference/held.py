@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from sim_core import Seen
 from sim_core.loop.delayed_loop import DelayedLoop
 from sim_core.result import StrategyResult
-from sim_core.road.profile import profile
+from sim_core.road.profile import road_profile
 from sim_core.scenario import Actuator, Scenario
 from sim_core.simulate import prepare, simulate
 from sim_core.speed.profile import SpeedProfile
@@ -85,8 +85,7 @@ class Held:
 def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, float], Held]:
     """One strategy's metrics by the reference, and the samples they come from."""
     core = prepare(scenario, name)
-    motion, controller, excitation = core.profile, core.controller, core.excitation
-    Ts = excitation.grid.step
+    motion, controller, Ts = core.speed_profile, core.controller, core.steps.control
     if controller.delayed:
         commands, Ts = _ecu_commands(scenario)
         held = _drive(scenario, motion, Ts, len(commands), lambda k, state: commands[k], step)
@@ -113,7 +112,7 @@ def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, fl
         previous = np.asarray(np.clip(previous + np.clip(wanted - previous, -most, most), -strongest, strongest))
         return previous
 
-    held = _drive(scenario, motion, Ts, len(excitation.grid.position), command, step)
+    held = _drive(scenario, motion, Ts, len(core.excitation.grid.position), command, step)
     return held.metrics(scenario, motion), held
 
 
@@ -130,7 +129,7 @@ def _ecu_commands(scenario: Scenario) -> tuple[Array, float]:
 
     def caught_run(self: DelayedLoop) -> Any:
         trajectory = drive_loop(self)
-        caught.append((trajectory.commands, self._setup.short_step))
+        caught.append((trajectory.loop[1:, -2:], self._setup.short_step))
         return trajectory
 
     with patch.object(DelayedLoop, "run", caught_run):
@@ -157,7 +156,7 @@ def _drive(
 
     offset = run_in(scenario, motion, Ts)
     time = Ts * (np.arange(steps)[:, None] - offset) + h * np.arange(n + 1)
-    surface = profile(scenario.road)
+    surface = road_profile(scenario.road)
     wheelbase = scenario.vehicle.cg_to_front + scenario.vehicle.cg_to_rear
     position = motion.at(time)[0]
     z = np.stack([surface.height(position), surface.height(position - wheelbase)], axis=-1)
