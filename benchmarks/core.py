@@ -77,9 +77,7 @@ def against_plain_loop() -> None:
     print(f"  sim_core is {theirs / ours:.0f} times faster (goal: 300)")
     print(f"  lv + lqr + passive together are {theirs / together:.0f} times faster (goal: 160)")
     cold = median(sum(fresh_process(_COLD.format(names=("lv",)))) for _ in range(5)) / theirs
-    print(
-        f"  imports and a first LV run take {cold:.2f} of it, {cold / _COLD_BEFORE:.2f} of what c274e47 took (goal: 0.5)"
-    )
+    print(f"  imports and one LV run take {cold:.2f} of it, {cold / _COLD_BEFORE:.2f} of what c274e47 took (goal: 0.5)")
     print(f"  outputs differ by at most {max(gaps):.2%} of their peak; steps OSQP left unsolved: {loop.unsolved}")
 
 

@@ -30,9 +30,15 @@ LOCKS = {
     "requirements.lock": [*RUNTIME, *EXTRAS["parquet"]],
     "requirements-cluster.lock": [*RUNTIME, *EXTRAS["parquet"], *EXTRAS["cluster"]],
     "requirements-build.lock": GROUPS["build"],
+    "requirements-manual.lock": GROUPS["manual"],
     "requirements-ecu.lock": EXTRAS["ecu"],
     "requirements-clients.lock": GROUPS["clients"],
-    "requirements-dev.lock": [*RUNTIME, *(each for extra in EXTRAS.values() for each in extra), *GROUPS["build"]],
+    "requirements-dev.lock": [
+        *RUNTIME,
+        *(each for extra in EXTRAS.values() for each in extra),
+        *GROUPS["build"],
+        *GROUPS["manual"],
+    ],
 }
 PACKAGES = json.loads((ROOT / "frontend" / "package-lock.json").read_text())["packages"]
 

@@ -32,7 +32,7 @@ MOST_UNNOTICED = 0.1
 EXPLAINED = ROOT / "docs/explanation/mutation.md"
 TESTS = [
     path.relative_to(ROOT) for folder in ("unit", "validation") for path in (ROOT / "tests" / folder).glob("test_*.py")
-]
+] + [Path("tests/architecture/test_documentation.py")]  # the formulas of physics.md, examples, and the fields' ranges
 # It notices every change of a number and knows nothing of which is right: asked when all others have passed.
 STORED_NUMBERS = "tests/validation/test_golden.py::test_no_number_changes_without_the_version"
 # Tests that take so much longer than three times what they take without a change have noticed; processor time, of which
@@ -121,9 +121,9 @@ class Reach:
         """Tests of a place's statement, the quickest first; where the import runs it, all, those of its file first."""
         of_file = self._of_file[CALLS_C if place.file.endswith(".c") else place.file]
         lines = range(place.first, line + 1) if place.inside else ()
-        found = of_file if place.file.endswith(".c") else set().union(*(self._of_line[place.file, n] for n in lines))
-        found = (found or set().union(*self._of_file.values())) - {STORED_NUMBERS}
-        return sorted(found, key=lambda test: (test not in of_file, self.seconds[test]))
+        of_line = of_file if place.file.endswith(".c") else set().union(*(self._of_line[place.file, n] for n in lines))
+        tests = (of_line or set().union(*self._of_file.values())) - {STORED_NUMBERS}
+        return sorted(tests, key=lambda test: (test not in of_file, self.seconds[test]))
 
 
 def _digest() -> str:

@@ -113,18 +113,18 @@ def filter_of(scenario: Scenario, mode: Preview) -> KalmanFilter:
     return kalman_filter(scenario.vehicle, scenario.estimation, STEP, intensity, _unseen(scenario, mode, speed))
 
 
-def seen_by_sensors(scenario: Scenario, time: FloatArray, motion: SpeedProfile) -> FloatArray:
+def seen_by_sensors(scenario: Scenario, time: FloatArray, speed_profile: SpeedProfile) -> FloatArray:
     """Mean velocity of the road under both axles over each step, as the sensors report it (steps, 2) [m/s]."""
     mode, mismatch, road, wheelbase = scenario.mpc.preview, scenario.mismatch, scenario.road, scenario.vehicle.wheelbase
     if mode == "none":
         return np.zeros((len(time) - 1, 2))
     if mode == "wheelbase":  # the rear axle meets what the front one has passed, at the speed of now
-        position, speed = motion.at(time[:-1])
+        position, speed = speed_profile.at(time[:-1])
         ends = road_profile(road).height(np.stack([position, position + speed * STEP]) - wheelbase)
         return np.column_stack([np.zeros(len(position)), (ends[1] - ends[0]) / STEP])
     if mode == "obstacle":
         road = road.model_copy(update={"roughness": 0.0})
-    position = motion.at(time - mismatch.preview_delay)[0] - mismatch.preview_offset
+    position = speed_profile.at(time - mismatch.preview_delay)[0] - mismatch.preview_offset
     heights = road_profile(road).height(np.stack([position, position - wheelbase]))
     return np.asarray(mismatch.preview_gain * np.diff(heights, axis=1).T / STEP)
 
@@ -239,11 +239,11 @@ def test_it_is_told_what_the_controller_itself_plans_on() -> None:
         mpc=Mpc(expected_noise=0.002, expected_offset=0.1),
     )
     run = prepare(scenario, "lv")
-    motion, excitation = run.speed_profile, run.excitation
-    expected = preview("lookahead", scenario, motion, excitation, 30).disturbances
+    speed_profile, excitation = run.speed_profile, run.excitation
+    expected = preview("lookahead", scenario, speed_profile, excitation, 30).disturbances
     ours = run.estimator()
     told = make_estimator(
-        *(scenario, STEP, motion.initial_speed, excitation.braking.reshape(-1, run.steps.fine)),
+        *(scenario, STEP, speed_profile.initial_speed, excitation.braking.reshape(-1, run.steps.fine)),
         mode="lookahead",
         seen=expected[:2, :, 0].T,
     )

@@ -48,9 +48,9 @@ def expected(mismatch: Mismatch, driven: Road = SHORT.road, mode: Preview = "loo
 
 def previewed(scenario: Scenario, mode: Preview, step: float, horizon: int) -> np.ndarray:
     """The disturbances expected in each control step [s], those of one kind after another (steps, 3 · horizon)."""
-    motion = make_speed_profile(scenario, "constant")
-    excitation = excite(scenario.road, scenario.vehicle.wheelbase, motion, step, 10)
-    expected = preview(mode, scenario, motion, excitation, horizon).disturbances
+    speed_profile = make_speed_profile(scenario, "constant")
+    excitation = excite(scenario.road, scenario.vehicle.wheelbase, speed_profile, step, 10)
+    expected = preview(mode, scenario, speed_profile, excitation, horizon).disturbances
     return expected.transpose(1, 0, 2).reshape(expected.shape[1], -1)
 
 

@@ -120,11 +120,11 @@ class Watcher(Controller):
 
     id = "watcher"
     label = "Watcher"
-    kept: list[dict[str, Any]]
+    recorded: list[dict[str, Any]]
 
     def start(self, setup: Setup) -> None:
         self.setup = setup
-        self.kept.clear()
+        self.recorded.clear()
 
     def force(self, seen: Seen) -> Any:
         names = [
@@ -138,16 +138,16 @@ class Watcher(Controller):
             "disturbances",
             "previous_force",
         ]
-        self.kept.append({name: np.copy(getattr(seen, name)) for name in names})
+        self.recorded.append({name: np.copy(getattr(seen, name)) for name in names})
         return 0.0, 0.0
 
 
 def watched(scenario: Scenario) -> dict[str, Any]:
     """By name what a controller sees in each control step."""
     watcher = Watcher()
-    watcher.kept = []
+    watcher.recorded = []
     simulate(scenario, watcher)
-    return {name: np.stack([each[name] for each in watcher.kept]) for name in watcher.kept[0]}
+    return {name: np.stack([each[name] for each in watcher.recorded]) for name in watcher.recorded[0]}
 
 
 @pytest.mark.parametrize("vehicle", [Vehicle(), Vehicle(rebound_ratio=1.5, bump_stop_clearance=0.03)])
@@ -292,7 +292,7 @@ def test_a_law_that_does_not_fit_its_preview_is_refused() -> None:
 def test_the_believed_car_is_told_not_the_real_one() -> None:
     scenario = SHORT.model_copy(update={"mismatch": Mismatch(body_mass=1.2)})
     watcher = Watcher()
-    watcher.kept = []
+    watcher.recorded = []
     ready = watcher.for_scenario(scenario)
     ready.start(prepare(scenario, ready).setup())
     assert ready.setup.vehicle == scenario.vehicle
