@@ -232,7 +232,7 @@ class DrivenCar:
             *(len(samples), samples, layout, position, within),
             *(height, braking, steps, fine, substeps, fine_step, recorder and recorder.prepared),
         )
-        self.size, self._steps, self._fine = states + (_STATES if estimates else 0), steps, fine
+        self.size, self._steps, self.fine = states + (_STATES if estimates else 0), steps, fine
 
     def follow_law(self, law: LawArrays, loop: FloatArray) -> FollowLaw:
         """Drive it by a law.
@@ -291,19 +291,20 @@ class DrivenCar:
         _measure(self._prepared, step, np.ascontiguousarray(state), np.ascontiguousarray(command), measured)
         return measured
 
-    def sample(self, first: int, loop: FloatArray) -> FloatArray:
-        """The samples of the steps from `first` on, as they were driven (steps - first, fine + 1, 10).
+    def sample(self, first: int, last: int, loop: FloatArray) -> FloatArray:
+        """The samples of the steps from `first` to before `last`, as they were driven (steps, fine + 1, 10).
 
         Args:
-            first: Index of the control step.
+            first: Index of a step.
+            last: Likewise.
             loop: As `follow_law` has it, after a drive.
 
         Raises:
-            ValueError: The step is beyond the drive, or sizes disagree.
+            ValueError: The steps are beyond the drive, or sizes disagree.
         """
-        require(0 <= first <= self._steps, "No steps beyond the drive")
+        require(0 <= first <= last <= self._steps, "No steps beyond the drive")
         self._check(loop)
-        samples = np.empty((self._steps - first, self._fine + 1, SIGNALS))
+        samples = np.empty((last - first, self.fine + 1, SIGNALS))
         _sample(self._prepared, loop[first:], first, len(samples), samples)
         return samples
 

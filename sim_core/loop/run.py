@@ -13,7 +13,7 @@ from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Setup
 from sim_core.errors import RidelabError
 from sim_core.kernel.prepared import DrivenCar
-from sim_core.kernel.record import Recorder
+from sim_core.kernel.record import SIGNALS, Recorder
 from sim_core.loop.closed_loop import ClosedLoop, Trajectory
 from sim_core.loop.delayed_loop import DelayedLoop
 from sim_core.loop.excitation import Excitation, StepSizes, under_axles
@@ -25,6 +25,8 @@ from sim_core.speed.stages import Segment, segments
 from sim_core.vehicle.estimator import make_estimator, sensor_noise
 from sim_core.vehicle.make import is_linear, make_vehicle
 from sim_core.vehicle.model import Estimator, SemiActiveDampers
+
+_AT_ONCE = 1024  # commands whose samples are turned at once: all would take as much memory again
 
 
 def make_setup(scenario: Scenario, controller: Controller, speed_profile: SpeedProfile, steps: StepSizes) -> Setup:
@@ -83,7 +85,12 @@ class Recording:
 
         A column has those of a held command, from the value after the command has changed to that before it does again.
         """
-        return np.ascontiguousarray(self.car.sample(self.first, self.trajectory.loop).T)
+        loop, end = self.trajectory.loop, len(self.trajectory.loop) - 1
+        table = np.empty((SIGNALS, self.car.fine + 1, end - self.first))
+        for first in range(self.first, end, _AT_ONCE):
+            last = min(first + _AT_ONCE, end)
+            table[:, :, first - self.first : last - self.first] = self.car.sample(first, last, loop).T
+        return table
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -105,7 +105,7 @@ LAW = dict(
     force_limits=np.full(3, inf), clips=True,
 )
 RUN = dict(first=0, last=STEPS, loop=np.zeros((STEPS + 1, 10)))
-ONE = dict(step=0, measured=STEPS - 1, sampled=STEPS, state=np.zeros(8), command=np.zeros(2))
+ONE = dict(step=0, measured=STEPS - 1, sampled=(0, STEPS), state=np.zeros(8), command=np.zeros(2))
 
 def drive(**changed):
     built = DrivenCar(**{name: changed.get(name, value) for name, value in RIGHT.items()})
@@ -115,7 +115,7 @@ def drive(**changed):
     built.follow_law(law, run["loop"])(run["first"], run["last"])
     built.advance(one["step"], run["loop"])
     built.measure(one["measured"], one["state"], one["command"])
-    built.sample(one["sampled"], run["loop"])
+    built.sample(*one["sampled"], run["loop"])
 
 def road(**changed):
     names = "samples", "layout", "position", "within"
@@ -163,7 +163,9 @@ MISUSES = {
     "a step that takes no time": "fine_step=0.0",
     "a measurement beyond the drive": "measured=STEPS",
     "a measurement before the drive": "measured=-1",
-    "samples beyond the drive": "sampled=STEPS + 1",
+    "samples beyond the drive": "sampled=(1, STEPS + 1)",
+    "samples before the drive": "sampled=(-1, STEPS)",
+    "samples backwards": "sampled=(2, 1)",
     "no substep": "substeps=0",
 }
 
