@@ -124,8 +124,8 @@ def samples(scenario: Scenario, strategy: type[Controller], time: float) -> tupl
 def memory(scenario: Scenario, strategy: type[Controller], time: float) -> float:
     """About the most that a run's arrays take at once, given its time over the road [s] [bytes].
 
-    Measured. It is driven first, with what is previewed where that is no view of the road ahead; then its time histories
-    are made, each sample 8 bytes.
+    Measured. It is driven first, with what is previewed where that is no view of the road ahead; then its time
+    histories are made, each sample 8 bytes.
     """
     steps, fine = samples(scenario, strategy, time)
     controller = strategy().for_scenario(scenario)

@@ -1,7 +1,7 @@
 /* The half-car on its road. Where it is linear its fine steps are exact, and given. Where it is not - dampers that resist
    rebound more than compression or are semi-active, bump stops, tyres that lift off - they are Runge-Kutta steps of fourth
-   order, which end where the slope of one of these forces changes (docs/explanation/physics.md, "Dampers, stops and lift-off"). The
-   models and their source: sim_core/vehicle. */
+   order, which end where the slope of one of these forces changes (docs/explanation/half-car.md). The models and their
+   source: sim_core/vehicle. */
 
 #include <math.h>
 #include <stddef.h>
