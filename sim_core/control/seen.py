@@ -57,7 +57,7 @@ class Setup:
     def cost(self, weights: Weights, deflection_weight: float, force_weight: float) -> CostTerms:
         """The normalised cost that LQR and MPC minimise, of this run's car and limits.
 
-        docs/explanation/physics.md, "Cost", has the formulas.
+        docs/explanation/cost-and-lqr.md has the formulas.
 
         Args:
             weights: Of body acceleration, pitch acceleration and tyre load: q1, q2, q3 [1].

@@ -1,4 +1,4 @@
-"""What a controller knows of the road and the braking ahead (docs/explanation/physics.md, "Sensors that look ahead").
+"""What a controller knows of the road and the braking ahead (docs/explanation/preview.md).
 
 none: the road ahead is taken as level. wheelbase: the rear axle will meet what the front has already driven.
 lookahead: the sensors that find the bump give the road for the whole horizon, and the speed plan is known.

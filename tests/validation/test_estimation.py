@@ -279,7 +279,7 @@ def test_the_unseen_share_goes_from_nothing_to_all() -> None:
     robust = preset("robust")
     speed, expected = robust.speed.initial_speed_kmh / 3.6, expected_errors(robust.mpc)
     of_robust = unseen_share(robust.vehicle, robust.road.roughness, speed, expected)
-    assert of_robust == pytest.approx(0.15, abs=0.005), "as docs/explanation/physics.md has it"
+    assert of_robust == pytest.approx(0.15, abs=0.005), "as docs/explanation/estimation.md has it"
     assert unseen_share(CAR, 0.0, 13.9, ExpectedErrors(noise=0.001)) == pytest.approx(1)
 
 

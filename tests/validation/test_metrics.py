@@ -70,7 +70,7 @@ def test_a_passive_cars_metrics_over_any_bump_at_any_speed(car: Vehicle, bump: B
 
 
 def test_papers_peaks_over_the_bump_alone() -> None:
-    """The figures docs/explanation/physics.md prints, an adaptive solver's at 1e-10."""
+    """The figures docs/explanation/metrics.md prints, an adaptive solver's at 1e-10."""
     bump = simulate(preset("bump_only"), "passive").metrics["bump"]
     peaks = [bump[name]["peak"] for name in PAPER_SIGNALS]
     np.testing.assert_allclose(peaks, [6.247, 9.973, 8582.5, 8897.7], rtol=2e-4)
