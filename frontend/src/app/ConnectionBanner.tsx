@@ -5,7 +5,7 @@ import { useQueryClient } from "@tanstack/react-query";
 import { IconPlugConnectedX } from "../ui/icons";
 import { useCallback, useEffect, useState } from "react";
 import { connection, probe, type Readiness, type Trouble } from "../api/connection";
-import { useStore } from "../lib/store";
+import { useSelector } from "@tanstack/react-store";
 import ui from "../ui/ui.module.css";
 
 const FIRST_WAIT_S = 1;
@@ -19,7 +19,7 @@ const MESSAGE: Readonly<Record<Readiness, string>> = {
 
 /** `onBack` asks again for what queries do not hold. */
 export function ConnectionBanner({ onBack }: { readonly onBack?: () => void }) {
-  const { trouble, wait } = useStore(connection);
+  const { trouble, wait } = useSelector(connection);
   return trouble === null ? null : <Reconnecting trouble={trouble} requestedWait={wait} onBack={onBack} />;
 }
 

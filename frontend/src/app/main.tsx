@@ -1,4 +1,4 @@
-import { MantineProvider, createTheme, Menu, Modal, type MantineColorsTuple } from "@mantine/core";
+import { MantineProvider, createTheme, type MantineColorsTuple } from "@mantine/core";
 import { QueryClientProvider } from "@tanstack/react-query";
 import { RouterProvider } from "@tanstack/react-router";
 import { StrictMode } from "react";
@@ -42,15 +42,15 @@ const theme = createTheme({
   respectReducedMotion: true,
   components: {
     // The placeholder would be a child that a menu may not have.
-    Modal: Modal.extend({ defaultProps: { closeButtonProps: { "aria-label": "Close" } } }),
-    Menu: Menu.extend({ defaultProps: { withInitialFocusPlaceholder: false } }),
+    Modal: { defaultProps: { closeButtonProps: { "aria-label": "Close" } } },
+    Menu: { defaultProps: { withInitialFocusPlaceholder: false } },
   },
 });
 
 const queries = createQueryClient();
 
 // The lab lives as long as the tab: other pages come and go beside it.
-const pages = createAppRouter();
+const pages = createAppRouter(queries);
 // An address that names a result opens that, and nothing is behind it.
 const restored = startsAnew(pages) ? restoreSession() : null;
 const labAddress = createLabAddress(pages, restored?.view);

@@ -1,17 +1,16 @@
 /** What is compared with what: the choice, and in words what differs. */
 
 import { Box, Checkbox, Group, NativeSelect, Button, Tooltip } from "@mantine/core";
-import { useQuery } from "@tanstack/react-query";
 import { changedFields, changesText } from "../../scenario/differences";
 import { referenceTo, whyNotCompared, type Reference } from "../../lab/compare";
 import { useLabContext, useLab, useEdit, useFromScenario, useReadOnly } from "../../lab/context";
-import { schemaQuery } from "../../server/queries";
+import { useForm } from "../../server/useCatalogues";
 import type { ResultView } from "../../lab/resultView";
 import classes from "./compare.module.css";
 import { PinList } from "./PinList";
 import { IconPin } from "../../ui/icons";
 import { defaultName, MOST_PINS } from "../../lab/pins";
-import { useStore } from "../../lib/store";
+import { useSelector } from "@tanstack/react-store";
 import { ownPins } from "./useCompared";
 import { getAt, setAt } from "../../scenario/path";
 
@@ -87,9 +86,9 @@ function AgainstSelect({
 
 /** Of the variant that changes are against, or of the state before the last edit. */
 function Differences({ resultView: { shown, before, reference } }: { readonly resultView: ResultView }) {
-  const form = useQuery(schemaQuery).data;
+  const form = useForm();
   const other = reference ?? before;
-  const changes = form && other ? changedFields(form, other.shown.scenario, shown.scenario) : [];
+  const changes = other ? changedFields(form, other.shown.scenario, shown.scenario) : [];
   const unlike = reference && whyNotCompared(shown, reference.shown);
   const all = changes.map(({ name, change }) => `${name} ${change}`).join("\n");
   return (
@@ -104,8 +103,8 @@ function Differences({ resultView: { shown, before, reference } }: { readonly re
 /** Keeps the shown result under a name, beside whatever comes next. */
 function PinButton() {
   const { lab, paperScenario } = useLabContext();
-  const form = useQuery(schemaQuery).data;
-  const pins = useStore(ownPins);
+  const form = useForm();
+  const pins = useSelector(ownPins);
   const run = useLab(({ shown, stale, shared }) =>
     shown?.source === "exact" && !stale && !shared ? shown.runId : null,
   );
@@ -113,7 +112,7 @@ function PinButton() {
   const isFull = pins.length >= MOST_PINS;
   const pin = () => {
     const { shown } = lab.get();
-    if (run === null || !shown || !form) return;
+    if (run === null || !shown) return;
     const differs = changesText(changedFields(form, paperScenario, shown.scenario), 2) || "Paper’s scenario";
     ownPins.add({ name: defaultName(differs, pins), run });
   };

@@ -6,7 +6,7 @@ import { useEdit, useFromScenario, useLab, useReadOnly } from "../../lab/context
 import classes from "./editor.module.css";
 import { changedPointers, resetMember } from "../../scenario/differences";
 import { focusField, revealed } from "../../lab/reveal";
-import { useStore } from "../../lib/store";
+import { useSelector } from "@tanstack/react-store";
 import { Members } from "./Members";
 import type { Pointer } from "../../scenario/path";
 import { type Group, findMember, humanise, type Member } from "../../scenario/schema";
@@ -31,7 +31,7 @@ export function Editor({ form }: { readonly form: Group }) {
     () => (searching ? all.flatMap((section) => matching(section, search) ?? []) : all),
     [all, search, searching],
   );
-  const sought = useStore(revealed);
+  const sought = useSelector(revealed);
   const itsSection = sought && all.find((section) => contains(section, [sought]))?.key;
   if (itsSection && !opened.includes(itsSection)) setOpened([...opened, itsSection]);
   if (sought && searching) setSearch("");

@@ -6,7 +6,7 @@ import { useWindowEvent } from "@mantine/hooks";
 import { type ItemKind, dialog } from "../../scenario/library";
 import { useOpenFiles, notice } from "./open";
 import { useScenario } from "../../lab/context";
-import { useStore } from "../../lib/store";
+import { useSelector } from "@tanstack/react-store";
 import ui from "../../ui/ui.module.css";
 import classes from "./library.module.css";
 
@@ -73,9 +73,9 @@ export function DropFiles() {
 }
 
 function LastNotice() {
-  const said = useStore(notice);
+  const said = useSelector(notice);
   const scenario = useScenario();
-  const isOpen = useStore(dialog) !== null;
+  const isOpen = useSelector(dialog) !== null;
   if (said?.scenario !== scenario || isOpen) return null;
   return (
     <div className={classes.message}>

@@ -7,7 +7,7 @@ import { IconCopy, IconRefresh, IconLock } from "../../ui/icons";
 import { api } from "../../api/client";
 import type { Link, Catalogue, FigureTemplate, Run, Strategy } from "../../api/types";
 import { useLabContext, useLab } from "../../lab/context";
-import { useStore } from "../../lib/store";
+import { useSelector } from "@tanstack/react-store";
 import { DifferencesCard } from "./DifferencesCard";
 import classes from "./share.module.css";
 import { Fault } from "../../ui/Fault";
@@ -15,13 +15,13 @@ import { formatDay } from "../../units/dates";
 
 interface Props {
   readonly strategies: readonly Strategy[];
-  readonly catalogue: Catalogue | undefined;
-  readonly figures: Readonly<Record<string, FigureTemplate>> | undefined;
+  readonly catalogue: Catalogue;
+  readonly figures: Readonly<Record<string, FigureTemplate>>;
 }
 
 export function SharedBanner(props: Props) {
   const { labAddress } = useLabContext();
-  const { slug } = useStore(labAddress);
+  const { slug } = useSelector(labAddress);
   const shared = useLab((state) => state.shared);
   const failed = useLab((state) => state.failure !== null && state.failure.kind !== "unreachable");
   if (shared?.run) return <Banner key={shared.slug} link={shared} run={shared.run} {...props} />;
@@ -65,7 +65,7 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
           It could not be run again: {again.error.message}
         </Fault>
       )}
-      {again.data && catalogue && figures && (
+      {again.data && (
         <DifferencesCard {...{ strategies, catalogue, figures }} then={run} now={again.data} onClose={again.reset} />
       )}
     </>

@@ -1,7 +1,7 @@
 /** The drive by the clock: how long answers take, how evenly, and how many come too late. */
 
 import { Box, Button, Group, Progress, SegmentedControl, Stack, Text, useComputedColorScheme } from "@mantine/core";
-import { useMutation, useQuery } from "@tanstack/react-query";
+import { useMutation } from "@tanstack/react-query";
 import { useEffect, useMemo, useRef, useState } from "react";
 import { ask } from "../../api/http";
 import { isTransient } from "../../api/problem";
@@ -9,7 +9,7 @@ import type { Catalogue, RealtimeReport, Scenario } from "../../api/types";
 import { Chart } from "../../plots/Chart";
 import { ChartButton } from "../../plots/FigureButton";
 import { ON_PAPER, PALETTES } from "../../plots/palettes";
-import { strategiesQuery } from "../../server/queries";
+import { useStrategies } from "../../server/useCatalogues";
 import { formatPercent } from "../../features/tables/change";
 import { VIEWS } from "../../features/tables/ComparisonTable";
 import { count, formatNumber, formatWhole } from "../../units/format";
@@ -134,8 +134,8 @@ function Report({
   readonly catalogue: Catalogue;
   readonly colour: string;
 }) {
-  const { data: strategies } = useQuery(strategiesQuery);
-  const lightColour = strategies?.find(({ id }) => id === "lv_hil")?.colour ?? colour;
+  const strategies = useStrategies();
+  const lightColour = strategies.find(({ id }) => id === "lv_hil")?.colour ?? colour;
   const palette = PALETTES[useComputedColorScheme("light")];
   const [kind, setKind] = useState<PlotKind>("latency");
   const label = KINDS.find(({ value }) => value === kind)?.label ?? "";

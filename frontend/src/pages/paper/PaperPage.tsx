@@ -31,12 +31,10 @@ export function PaperPage() {
   useDocumentTitle("The paper, checked · Ridelab");
   const [choices, choose] = useChoices();
   const { data: paper, error: refused, isPlaceholderData: waiting, refetch } = useQuery(paperQuery(choices));
-  const { words, error: wordless } = useLabels();
-  const ready = paper !== undefined && words !== null;
-  useArrival(ready);
+  const words = useLabels();
+  useArrival(paper !== undefined);
   // While it is asked for again and again, one refusal that passes is none.
-  const error = paper?.complete === false && refused !== null && isTransient(refused) ? null : refused;
-  const fault = error ?? (words === null ? wordless : null);
+  const fault = paper?.complete === false && refused !== null && isTransient(refused) ? null : refused;
 
   return (
     <>
@@ -77,7 +75,7 @@ export function PaperPage() {
               onRetry={() => void refetch()}
             />
           )}
-          {ready ? (
+          {paper ? (
             <Sections {...{ paper, words, choices, waiting, choose }} />
           ) : (
             !fault && <Waiting what="Looking up the runs" height={600} />

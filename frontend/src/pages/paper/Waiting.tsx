@@ -5,7 +5,7 @@ import { useEffect, useState } from "react";
 import { useIntersection } from "@mantine/hooks";
 import classes from "./paper.module.css";
 import { printing } from "../../lib/printing";
-import { useStore } from "../../lib/store";
+import { useSelector } from "@tanstack/react-store";
 
 interface WaitingProps {
   readonly what: string;
@@ -57,7 +57,7 @@ const NEAR = "300px 0px";
 /** Whether a part of the page has come near the window, or is being printed; once so, always so. */
 export function useVisible() {
   const { ref, entry } = useIntersection<HTMLElement>({ rootMargin: NEAR });
-  const printed = useStore(printing);
+  const printed = useSelector(printing);
   const [visible, setVisible] = useState(false);
   if (!visible && (printed || entry?.isIntersecting === true)) setVisible(true);
   return { ref, visible, printed };

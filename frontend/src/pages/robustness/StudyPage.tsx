@@ -19,13 +19,13 @@ import { compact } from "../../ui/compact";
 export function StudyPage() {
   const { id } = useParams({ from: "/robustness/$id" });
   const { job: batch, error, connected, left } = useJob(BATCH, id);
-  const { catalogues, fault: catalogueFault } = useCatalogues();
+  const catalogues = useCatalogues();
   const defaults = useQuery(defaultsQuery);
   const [changing, { toggle }] = useDisclosure(false);
 
-  const strategies = catalogues?.strategies;
+  const { strategies } = catalogues;
   const studied = useMemo(
-    () => strategies?.filter(({ id }) => batch?.strategies.some((each) => each === id)) ?? [],
+    () => strategies.filter(({ id }) => batch?.strategies.some((each) => each === id) ?? false),
     [strategies, batch?.strategies],
   );
   const tools = (
@@ -55,7 +55,7 @@ export function StudyPage() {
       </Button>
     </>
   );
-  const ready = batch && catalogues && defaults.data;
+  const ready = batch && defaults.data;
   return (
     <Page
       title="Robustness study"
@@ -63,7 +63,7 @@ export function StudyPage() {
       what="study"
       tools={tools}
       instead={<Button renderRoot={(props) => <Link to="/robustness" {...props} />}>New study</Button>}
-      faults={[error, defaults.error, catalogueFault]}
+      faults={[error, defaults.error]}
       heights={[28, 96, 440, 320]}
     >
       {ready ? (

@@ -25,10 +25,10 @@ const BESIDE = ["lqr", "passive"];
 
 export function TuningPage() {
   const { id } = useParams({ from: "/tuner/$id" });
-  const { catalogues, fault } = useNumericCatalogues();
+  const catalogues = useNumericCatalogues();
   const { job: tuning, error, connected, left } = useJob(TUNING, id);
-  const strategy = catalogues?.strategies.find((each) => each.id === tuning?.strategy)?.label ?? tuning?.strategy;
-  const heading = catalogues && strategy !== undefined ? `Weights of ${strategy}` : undefined;
+  const strategy = catalogues.strategies.find((each) => each.id === tuning?.strategy)?.label ?? tuning?.strategy;
+  const heading = strategy !== undefined ? `Weights of ${strategy}` : undefined;
   const start = (text: string) => (
     <Anchor size="sm" renderRoot={(props) => <Link to="/tuner" {...props} />}>
       {text}
@@ -41,10 +41,10 @@ export function TuningPage() {
       heading={heading && `${heading}, tuned`}
       what="tuning"
       instead={start("Start a tuning")}
-      faults={[tuning ? null : error, fault]}
+      faults={[tuning ? null : error]}
       heights={[28, 150, 420]}
     >
-      {tuning && catalogues ? (
+      {tuning ? (
         <>
           <TuningState {...{ tuning, connected, left }} {...catalogues} />
           <TuningResults tuning={tuning} {...catalogues} />
