@@ -41,7 +41,7 @@ export default defineConfig({
   },
   // Files without a page share what they import: in a process of its own each would read half of the sources again.
   test: {
-    include: ["src/**/*.test.ts", "scripts/*.test.mjs"],
+    include: ["src/**/*.test.{ts,tsx}", "scripts/*.test.mjs"],
     environment: "node",
     isolate: false,
     css: { include: [/\?raw$/] },

@@ -3,7 +3,7 @@
 import { Button, Text } from "@mantine/core";
 import { useQueryClient } from "@tanstack/react-query";
 import { IconPlugConnectedX } from "../ui/icons";
-import { useCallback, useEffect, useState } from "react";
+import { useCallback, useEffect, useEffectEvent, useState } from "react";
 import { connection, probe, type Readiness, type Trouble } from "../api/connection";
 import { useSelector } from "@tanstack/react-store";
 import ui from "../ui/ui.module.css";
@@ -18,20 +18,26 @@ const MESSAGE: Readonly<Record<Readiness, string>> = {
 };
 
 /** `onBack` asks again for what queries do not hold. */
-export function ConnectionBanner({ onBack }: { readonly onBack?: () => void }) {
+export function ConnectionBanner({ onBack }: { readonly onBack: () => void }) {
   const { trouble, wait } = useSelector(connection);
-  return trouble === null ? null : <Reconnecting trouble={trouble} requestedWait={wait} onBack={onBack} />;
+  const queries = useQueryClient();
+  const isAway = trouble !== null;
+  // Whichever request is answered first: the probe here, or one of a page.
+  const askAgain = useEffectEvent(() => {
+    onBack();
+    void queries.refetchQueries({ predicate: (query) => query.state.status === "error" });
+  });
+  useEffect(() => (isAway ? () => askAgain() : undefined), [isAway]);
+  return trouble === null ? null : <Reconnecting trouble={trouble} requestedWait={wait} />;
 }
 
 interface Props {
   readonly trouble: Trouble;
   /** Seconds the server asked to wait. */
   readonly requestedWait: number;
-  readonly onBack: (() => void) | undefined;
 }
 
-function Reconnecting({ trouble, requestedWait, onBack }: Props) {
-  const queries = useQueryClient();
+function Reconnecting({ trouble, requestedWait }: Props) {
   const [attempt, setAttempt] = useState(0);
   const [wait, setWait] = useState(Math.max(FIRST_WAIT_S, requestedWait));
   const [readiness, setReadiness] = useState<Readiness>(trouble === "busy" ? "ready" : "down");
@@ -43,14 +49,12 @@ function Reconnecting({ trouble, requestedWait, onBack }: Props) {
       setReadiness(answer);
       if (answer === "ready") {
         connection.ok();
-        onBack?.();
-        void queries.refetchQueries({ predicate: (query) => query.state.status === "error" });
         return;
       }
       setAttempt((count) => count + 1);
       setWait(Math.min(LONGEST_WAIT_S, FIRST_WAIT_S * 2 ** attempt));
     },
-    [onBack, queries, attempt],
+    [attempt],
   );
 
   useEffect(() => {
@@ -68,7 +72,7 @@ function Reconnecting({ trouble, requestedWait, onBack }: Props) {
   return (
     <div className={ui.notice} data-kind="trouble" data-testid="connection" role="status">
       <IconPlugConnectedX size={18} stroke={1.7} aria-hidden />
-      <Text size="sm">
+      <Text size="md">
         {MESSAGE[readiness]} <span aria-hidden>Next try in {wait} s.</span>
       </Text>
       <Button size="compact-xs" variant="default" onClick={() => void tryNow(new AbortController().signal)}>

@@ -39,6 +39,7 @@ const theme = createTheme({
   cursorType: "pointer",
   fontFamily: "Inter, system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif",
   headings: { fontWeight: "650" },
+  fontSizes: { xs: "0.75rem", sm: "0.8125rem", md: "0.875rem", lg: "1.0625rem", xl: "1.25rem" },
   respectReducedMotion: true,
   components: {
     // The placeholder would be a child that a menu may not have.

@@ -52,13 +52,13 @@ export function JobList<Item extends Common, Job extends Item>({
   return (
     <Card aria-label={title} aria-busy={!items && !error} title={title}>
       {error && !items ? (
-        <Fault size="sm" className={ui.note ?? ""}>
+        <Fault size="md" className={ui.note ?? ""}>
           They could not be read: {error.message}
         </Fault>
       ) : !items ? (
         <Skeleton height={44} mx="0.9rem" mb="0.7rem" width="auto" />
       ) : items.length === 0 ? (
-        <Text size="sm" c="dimmed" className={ui.note ?? ""}>
+        <Text size="md" c="dimmed" className={ui.note ?? ""}>
           {none}
         </Text>
       ) : (

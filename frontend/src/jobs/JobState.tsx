@@ -54,11 +54,11 @@ export function JobState<Item extends Common, Job extends Item>({
   return (
     <Card className={classes.state} aria-label="Progress" data-state={job.state}>
       <Group gap="0.3rem 0.9rem" mih={30}>
-        <Text size="sm" fw={650} role="status" data-testid={`${kind.name}-state`}>
+        <Text size="md" fw={650} role="status" data-testid={`${kind.name}-state`}>
           {text}
           {job.reason !== null && `: ${job.reason}`}
         </Text>
-        <Text size="sm" className={classes.counts} data-testid={`${kind.name}-counts`}>
+        <Text size="md" className={classes.counts} data-testid={`${kind.name}-counts`}>
           {counts}
         </Text>
         {readOnly ? null : ended ? (

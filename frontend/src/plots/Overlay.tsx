@@ -60,6 +60,7 @@ export function Overlay({ axis, range, onZoom }: Props) {
   return (
     <div
       ref={area}
+      role="presentation" // the cursor has a slider under the car, the zoom its buttons
       className={classes.overlay}
       style={{ inset: `${MARGIN.t}px ${MARGIN.r}px ${MARGIN.b}px ${MARGIN.l}px` }}
       onPointerDown={(event) => {

@@ -10,7 +10,7 @@ export function PlotlyFault() {
   const { failed } = useSelector(plotlyState);
   if (!failed) return null;
   return (
-    <Fault size="sm">
+    <Fault size="md">
       The plot library could not be loaded.{" "}
       <Button size="compact-xs" variant="light" onClick={requestPlotly}>
         Try again

@@ -21,7 +21,7 @@ export function Blank({ title, text, children }: Props) {
       <Text component="h2" fw={650} size="lg" ta="center">
         {title}
       </Text>
-      <Text c="dimmed" size="sm" maw={420} ta="center">
+      <Text c="dimmed" size="md" maw={420} ta="center">
         {text}
       </Text>
       {children}

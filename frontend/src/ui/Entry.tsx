@@ -76,7 +76,7 @@ export function EntryRow({ title, name = title, removal = title, beside, error, 
   return (
     <div className={ui.entry} role="group" aria-label={name} data-error={error !== undefined || undefined}>
       <Group gap="0.1rem 0.7rem" pos="relative" pr="1.8rem">
-        <Box component="span" fz="sm" fw={600}>
+        <Box component="span" fz="md" fw={600}>
           {title}
         </Box>
         {beside}

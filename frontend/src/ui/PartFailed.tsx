@@ -14,7 +14,7 @@ export function PartFailed({ onClose }: Props) {
       withCloseButton={onClose !== undefined}
       title="This part of the page could not be shown"
     >
-      <Text size="sm">
+      <Text size="md">
         Ridelab may have been updated since this page was loaded. Loading it again shows what was computed: it is stored
         at this address.
       </Text>

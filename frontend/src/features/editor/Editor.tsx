@@ -49,7 +49,7 @@ export function Editor({ form }: { readonly form: Group }) {
   return (
     <div className={classes.editor} data-scenario data-read-only={readOnly || undefined}>
       <div className={classes.summary}>
-        <Text size="sm" c="dimmed">
+        <Text size="md" c="dimmed">
           {changed === 0
             ? "The paper’s scenario"
             : `${changed} ${changed === 1 ? "value differs" : "values differ"} from the paper`}
@@ -83,7 +83,7 @@ export function Editor({ form }: { readonly form: Group }) {
         }}
       />
       {found.length === 0 && (
-        <Text p="0.3rem 1rem" fz="0.8125rem" c="dimmed">
+        <Text p="0.3rem 1rem" fz="sm" c="dimmed">
           No field has this name.
         </Text>
       )}
@@ -137,7 +137,7 @@ const SectionItem = memo(function SectionItem({ section, isOpen }: ItemProps) {
   return (
     <Accordion.Item value={section.key}>
       <Accordion.Control>
-        <Box component="span" fw={600} fz="sm">
+        <Box component="span" fw={600} fz="md">
           {section.title}
         </Box>
         {changed > 0 && (

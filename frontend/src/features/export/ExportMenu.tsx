@@ -138,10 +138,10 @@ export function ExportMenu() {
         </Menu.Dropdown>
       </Menu>
       <Modal opened={unsaved !== null} onClose={reset} title="The controller could not be exported">
-        <Text size="sm">{unsaved?.message}</Text>
+        <Text size="md">{unsaved?.message}</Text>
       </Modal>
       <Modal opened={picture.isError} onClose={picture.reset} title="The plots could not be saved">
-        <Text size="sm">{picture.error && explain(picture.error)}</Text>
+        <Text size="md">{picture.error && explain(picture.error)}</Text>
       </Modal>
       <Modal
         opened={refused !== null}

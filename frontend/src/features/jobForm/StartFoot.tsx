@@ -43,7 +43,7 @@ export function StartFoot<Estimate extends Cost>({
   return (
     <div className={className}>
       <Box flex="1 1 9rem" mih="1.4rem" role="status" data-testid="estimate">
-        <Text size="sm" {...(estimate ? { fw: 600 } : { c: "dimmed" })}>
+        <Text size="md" {...(estimate ? { fw: 600 } : { c: "dimmed" })}>
           {estimate ? `${amount(estimate)}, ${time(estimate)}` : otherwise}
         </Text>
         {estimate &&

@@ -51,7 +51,7 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
       </div>
       {deleted && (
         <div className={classes.deleted}>
-          <Text size="sm" role="status">
+          <Text size="md" role="status">
             Deleted the {deleted.kind} “{deleted.name}”.
           </Text>
           <Button size="compact-xs" variant="default" autoFocus onClick={() => restore(deleted)}>
@@ -62,7 +62,7 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
       <OwnItems title="Your scenarios" kind="scenario" {...{ form, open, remove }} />
       <OwnItems title="Your vehicles" kind="vehicle" {...{ form, open, remove }} />
       <OwnItems title="Your measured roads" kind="road" {...{ form, open, remove }} />
-      <Box component="h3" m="1rem 0 0.3rem" fz="sm" fw={650}>
+      <Box component="h3" m="1rem 0 0.3rem" fz="md" fw={650}>
         Presets
       </Box>
       <ul className={classes.list} aria-label="Presets">
@@ -93,7 +93,7 @@ function OwnItems({ title, kind, ...row }: ListProps) {
   if (items.length === 0) return null;
   return (
     <>
-      <Box component="h3" m="1rem 0 0.3rem" fz="sm" fw={650}>
+      <Box component="h3" m="1rem 0 0.3rem" fz="md" fw={650}>
         {title}
       </Box>
       <ul className={classes.list} aria-label={title}>

@@ -82,7 +82,7 @@ function LastNotice() {
       <div className={ui.notice} role={said.isWrong ? "alert" : "status"}>
         <div>
           {said.lines.map((line) => (
-            <Text key={line} size="sm">
+            <Text key={line} size="md">
               {line}
             </Text>
           ))}

@@ -77,7 +77,7 @@ export function ShareLink({ make, obstacle, opens }: Props) {
       <Popover.Dropdown role="dialog" aria-label="Share" className={classes.dropdown ?? ""}>
         {outcome?.kind === "created" && (
           <>
-            <Text size="sm" fw={600} role="status">
+            <Text size="md" fw={600} role="status">
               {outcome.copied ? "Link copied" : "Here is the link: select and copy it"}
             </Text>
             <LinkField url={outcome.url} />
@@ -88,7 +88,7 @@ export function ShareLink({ make, obstacle, opens }: Props) {
         )}
         {outcome?.kind === "failed" && (
           <>
-            <Text size="sm" fw={600} role="alert">
+            <Text size="md" fw={600} role="alert">
               No link could be created: {outcome.message}
             </Text>
             <Button size="xs" variant="default" onClick={share}>

@@ -61,7 +61,7 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
         </div>
       </SharedNote>
       {again.isError && (
-        <Fault size="sm" className={classes.problem ?? ""}>
+        <Fault size="md" className={classes.problem ?? ""}>
           It could not be run again: {again.error.message}
         </Fault>
       )}
@@ -85,7 +85,7 @@ export function SharedNote({
   return (
     <section className={classes.banner} aria-label="Shared result">
       <IconLock size={17} stroke={1.7} aria-hidden />
-      <Text size="sm" flex="1 1 14rem">
+      <Text size="md" flex="1 1 14rem">
         Shared {what}, computed on {formatDay(link.computed_at)} by core {link.core_version}. Read-only.
         {link.damaged_at !== null &&
           ` Something stored of it was found damaged on ${formatDay(link.damaged_at)} and computed again by that core: it may differ from what was shared.`}

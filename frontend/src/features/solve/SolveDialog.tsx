@@ -98,7 +98,7 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
       size="lg"
       classNames={{ title: sweep.title ?? "", body: sweep.body ?? "" }}
     >
-      <Text size="sm" c="dimmed">
+      <Text size="md" c="dimmed">
         The largest value in a range that keeps a metric at or below a limit, over several roads with its 95 % interval.
         Everything else stays as in the form.
       </Text>
@@ -203,7 +203,7 @@ function Answer({ solution, field, figure, onClose }: AnswerProps) {
           </Button>
         )}
       </Group>
-      <Text size="sm">
+      <Text size="md">
         {fullName(figure)}: {formatResult(solution.metric_value * figure.scale)} {prettyUnit(figure.unit)} at{" "}
         {text(solution.value)}
         {solution.interval ? ", the upper end of its interval" : ""}.{" "}

@@ -63,7 +63,7 @@ export function SweepDialog({ form: schema, strategies, onClose }: Props) {
       fullScreen={narrow}
       classNames={{ title: classes.title ?? "", body: classes.body ?? "" }}
     >
-      <Text size="sm" c="dimmed">
+      <Text size="md" c="dimmed">
         Runs many variants of the scenario in the form, each with every strategy selected here. Fields that are not
         swept keep their values.
       </Text>

@@ -73,7 +73,7 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
           }}
         />
       </Group>
-      {series.isError && <Fault size="sm">The time histories could not be read: {series.error.message}</Fault>}
+      {series.isError && <Fault size="md">The time histories could not be read: {series.error.message}</Fault>}
       <div className={classes.figures}>
         {curves
           ? templates.map((template) => (

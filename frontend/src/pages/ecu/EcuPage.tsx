@@ -107,7 +107,7 @@ function split(all: NonNullable<ReturnType<typeof useEcuRun>["run"]>["strategies
 function EcuLoading() {
   return (
     <>
-      <Text size="sm" c="dimmed">
+      <Text size="md" c="dimmed">
         The program is driven over the road.
       </Text>
       <Loading label="Driving" heights={[420]} />

@@ -38,7 +38,7 @@ export function EcuTable({ summaries, strategies, catalogue, figures, stale }: P
         <>
           {judged.length > 0 && (
             <Text
-              size="sm"
+              size="md"
               fw={650}
               data-testid="hil-count"
               className={(reached === judged.length ? ui.good : ui.warning) ?? ""}

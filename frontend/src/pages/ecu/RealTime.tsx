@@ -46,7 +46,7 @@ export function RealTime({ scenario, catalogue, seconds, colour }: Props) {
       }
     >
       <Stack gap="xs" px="0.9rem" pb="sm">
-        <Text size="sm" c="dimmed">
+        <Text size="md" c="dimmed">
           The same program, a frame every control step by the clock; an answer after the next frame’s time is a missed
           deadline, and the actuators hold the last command. It takes as long as the drive
           {seconds === undefined ? "" : `, about ${formatNumber(seconds, 2)} s`}. An ordinary operating system wakes
@@ -202,12 +202,12 @@ function Report({
             label={`Histogram of ${kind.replace("_", "-")} over ${report.steps} steps; its figures stand in the table above`}
           />
         ) : (
-          <Text size="sm" c="dimmed">
+          <Text size="md" c="dimmed">
             There is nothing to count: no answer came in time.
           </Text>
         )}
       </Box>
-      <Text size="sm" px="0.9rem" pt={6} pb="sm">
+      <Text size="md" px="0.9rem" pt={6} pb="sm">
         <span className={ui.dim}>Against the drive in lock-step: </span>
         {VIEWS.map(({ window, statistic }) => (
           <span key={window}>

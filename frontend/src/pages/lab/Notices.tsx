@@ -21,7 +21,7 @@ export function Notices({ strategies }: { readonly strategies: readonly Strategy
       {busy && <SlowNotice />}
       {refused && shown && (
         <div className={ui.notice} role="status">
-          <Text size="sm">
+          <Text size="md">
             The plots show the last scenario that could be run; the value to change is marked in the form.
           </Text>
           <Button size="compact-xs" variant="default" onClick={lab.undo}>
@@ -31,12 +31,12 @@ export function Notices({ strategies }: { readonly strategies: readonly Strategy
       )}
       {failure?.kind === "failed" && (
         <div className={ui.notice} role="alert">
-          <Text size="sm">This scenario could not be run: {failure.message}</Text>
+          <Text size="md">This scenario could not be run: {failure.message}</Text>
         </div>
       )}
       {shown?.failed.map(({ strategy, message }) => (
         <div key={strategy} className={ui.notice} role="alert">
-          <Text size="sm">
+          <Text size="md">
             {strategies.find(({ id }) => id === strategy)?.label ?? strategy} could not be computed: {message}
           </Text>
         </div>
@@ -56,7 +56,7 @@ function SlowNotice() {
   return (
     <div className={ui.notice} role="status">
       <Loader size={14} />
-      <Text size="sm">Computing. The previous curves are dimmed until the new ones arrive.</Text>
+      <Text size="md">Computing. The previous curves are dimmed until the new ones arrive.</Text>
     </div>
   );
 }

@@ -47,7 +47,7 @@ export function FairTable({ rows, words }: Props) {
           ]}
           onChange={setShown}
         />
-        <Text size="sm" role="status">
+        <Text size="md" role="status">
           {listed.length === rows.length
             ? count(rows.length, "combination")
             : `${listed.length} of ${count(rows.length, "combination")}`}
@@ -83,7 +83,7 @@ function columnsOf(
         <>
           {partOf(row, name)}
           {index === 0 && row.is !== null && (
-            <Box component="span" display="block" fz="0.71875rem" fw={600} c="var(--accent)">
+            <Box component="span" display="block" fz="xs" fw={600} c="var(--accent)">
               {words.strategy(row.is)}
             </Box>
           )}

@@ -56,12 +56,12 @@ export function PaperPage() {
         <Contents paper={paper} />
         <Box component="main" miw={0} aria-busy={waiting || paper?.complete === false}>
           <Box component="header" pt="1.1rem">
-            <Box component="h1" m="0 0 0.2rem" fz="1.5rem" fw={700} lts="-0.01em">
+            <Box component="h1" m="0 0 0.2rem" fz="xl" fw={700} lts="-0.01em">
               The paper, checked
             </Box>
             <Text className={classes.text}>
               Meng, Kong, Ding, Liu and Wang,{" "}
-              <Anchor href={`https://doi.org/${DOI}`} size="sm">
+              <Anchor href={`https://doi.org/${DOI}`} size="md">
                 World Electric Vehicle Journal 16 (2025) 232
               </Anchor>
               : every change it prints, run here again.

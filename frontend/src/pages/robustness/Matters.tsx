@@ -63,7 +63,7 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
         chance makes (p ≥ 0.001). Fields the strategy does not read are left out.
       </Text>
       {rows.length === 0 ? (
-        <Text size="sm" c="dimmed" className={ui.note ?? ""}>
+        <Text size="md" c="dimmed" className={ui.note ?? ""}>
           Too few points have run, or nothing that varies reaches this strategy.
         </Text>
       ) : (

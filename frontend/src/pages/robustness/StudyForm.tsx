@@ -156,7 +156,7 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
             </Box>
           </>
         ) : (
-          <Box component="span" fz="0.8125rem" c="dimmed">
+          <Box component="span" fz="sm" c="dimmed">
             {exactText(field, scenario)}
           </Box>
         )}

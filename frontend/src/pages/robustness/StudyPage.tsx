@@ -76,7 +76,7 @@ export function StudyPage() {
               scenario={batch.scenario}
               existing={batch}
               head={
-                <Text size="sm">
+                <Text size="md">
                   The scenario of this study.{" "}
                   <Text span c="dimmed">
                     {otherThanPaper(batch.scenario, catalogues.form)}

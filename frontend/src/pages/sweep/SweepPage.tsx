@@ -147,7 +147,7 @@ export function SweepsPage() {
   const strategies = useStrategies();
   const lead = (
     <>
-      Many variants of one scenario, each under the same strategies. <LabLink size="sm">The lab</LabLink> starts one
+      Many variants of one scenario, each under the same strategies. <LabLink size="md">The lab</LabLink> starts one
       over the scenario it shows: “Sweep…”, at its top.
     </>
   );

@@ -40,7 +40,7 @@ export function BatchRows(props: Props) {
   return (
     <Card aria-label="Rows">
       <Group gap="0.4rem 1rem" mih="2.8rem" px="0.9rem" py="0.4rem">
-        <Text size="sm" fw={600}>
+        <Text size="md" fw={600}>
           {count(rows.length, failedOnly ? "failed run" : "run")}
         </Text>
         {batch.failed > 0 && (

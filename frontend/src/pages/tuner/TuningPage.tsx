@@ -30,7 +30,7 @@ export function TuningPage() {
   const strategy = catalogues.strategies.find((each) => each.id === tuning?.strategy)?.label ?? tuning?.strategy;
   const heading = strategy !== undefined ? `Weights of ${strategy}` : undefined;
   const start = (text: string) => (
-    <Anchor size="sm" renderRoot={(props) => <Link to="/tuner" {...props} />}>
+    <Anchor size="md" renderRoot={(props) => <Link to="/tuner" {...props} />}>
       {text}
     </Anchor>
   );
@@ -77,11 +77,11 @@ function TuningResults({ tuning, form, strategies, figures }: { readonly tuning:
   return (
     <>
       {warning !== null && (
-        <Text size="sm" role="status" className={ui.warning ?? ""}>
+        <Text size="md" role="status" className={ui.warning ?? ""}>
           {warning}
         </Text>
       )}
-      {load.error !== null && <Fault size="sm">These weights could not be loaded: {load.error}</Fault>}
+      {load.error !== null && <Fault size="md">These weights could not be loaded: {load.error}</Fault>}
       <TuningPlot {...{ tuning, objectives, limits, tunable, points, colour, load }} />
       {points.length > 0 && <PointsTable {...{ tuning, objectives, limits, tunable, points, load }} />}
       <ValidationTable {...{ tuning, objectives, figures }} />
