@@ -39,7 +39,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--back-up", type=Path, help=argparse.SUPPRESS)
     parser.add_argument("--force", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--drive", type=Path, help=argparse.SUPPRESS)
-    parser.epilog = "Further settings are environment variables RIDELAB_*; see docs/operations.md."
+    parser.epilog = "Further settings are environment variables RIDELAB_*; see docs/how-to/operations.md."
     options = parser.parse_args(arguments)
     if options.drive is not None:
         return _drive(options.drive)
@@ -173,7 +173,7 @@ def _application(settings: "Settings") -> "FastAPI":
     processes.return_freed_memory()
     try:
         app = create_app(settings, workers)
-        app.state.store.migrate()
+        app.state.services.store.migrate()
     except (UnusableDatabaseError, SQLAlchemyError, ImportError) as error:
         workers.abandon()
         raise SettingsError(str(error)) from None
@@ -215,7 +215,7 @@ def _serve(app: "FastAPI", settings: "Settings", listener: socket.socket, host: 
 
         async def _announce(self) -> None:
             """Print the address, once a worker is warm; until then /readyz says so to whoever asks."""
-            await app.state.workers.wait_until_warm()
+            await app.state.services.workers.wait_until_warm()
             shown = f"[{host}]" if ":" in host else host
             print(f"Ridelab is at http://{shown}:{listener.getsockname()[1]}", flush=True)
 

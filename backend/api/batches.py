@@ -27,10 +27,10 @@ from backend.http.routing import ComputingRoute
 from backend.http.tokens import Caller
 from sim_core.catalogue import METRICS, NUMBERS, PAPER_METRICS
 
-Service = Annotated[BatchService, service("sweeps")]
+Service = Annotated[BatchService, service(lambda services: services.batches)]
 
 api = jobs.JobApi(
-    service=service("sweeps"),
+    service=service(lambda services: services.batches),
     name="batch",
     plural="batches",
     model=Batch,

@@ -15,7 +15,7 @@ from backend.http.routing import ScenarioRoute
 controller = router("controller", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
 
 
-ControllersService = Annotated[Controllers, service("controllers")]
+ControllersService = Annotated[Controllers, service(lambda services: services.controllers)]
 
 
 @controller.post(

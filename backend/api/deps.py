@@ -1,5 +1,6 @@
 """What routes need from the application, and how they answer."""
 
+from collections.abc import Callable
 from typing import Annotated, Any
 
 from fastapi import Depends, Request, Response
@@ -8,26 +9,23 @@ from fastapi.responses import HTMLResponse
 from backend.http.routing import client_of
 from backend.links.service import Links
 from backend.runs.reports.page import Report
-from backend.runs.service import Runs
-from backend.runs.solve.service import Solver
+from backend.services import Services, services_of
 
 
-def service(name: str) -> Any:
-    """The dependency that gives a route this part of the application."""
+def service(pick: Callable[[Services], object]) -> Any:
+    """The dependency that gives a route one of the services."""
 
-    async def part(request: Request) -> Any:
-        return getattr(request.app.state, name)
+    async def picked(request: Request) -> object:
+        return pick(services_of(request))
 
-    return Depends(part)
+    return Depends(picked)
 
 
 async def _client(request: Request) -> str:
     return client_of(request)
 
 
-RunsService = Annotated[Runs, service("runs")]
-SolverService = Annotated[Solver, service("solver")]
-LinksService = Annotated[Links, service("links")]
+LinksService = Annotated[Links, service(lambda services: services.links)]
 Client = Annotated[str, Depends(_client)]
 
 

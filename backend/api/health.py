@@ -6,9 +6,9 @@ from fastapi import APIRouter, Request, Response
 from prometheus_client.exposition import choose_encoder
 from pydantic import Field
 
-from backend.api.deps import RunsService
 from backend.http.answers import json_answer
 from backend.models import Answer
+from backend.services import services_of
 
 health = APIRouter(tags=["health"])
 
@@ -40,11 +40,12 @@ async def healthz() -> Response:
     response_model=Readiness,
     responses={503: {"model": Readiness, "description": "Not yet, or not now"}},
 )
-async def readyz(request: Request, service: RunsService) -> Response:
+async def readyz(request: Request) -> Response:
     """The store answers and a warm worker is there."""
-    parts = {"store": await service.store_usable(), "workers": request.app.state.workers.ready}
+    services = services_of(request)
+    parts = {"store": await services.store.usable(), "workers": services.workers.ready}
     ready = all(parts.values())
-    answer = {"status": "ready" if ready else "starting", **parts, "reason": request.app.state.store.damage}
+    answer = {"status": "ready" if ready else "starting", **parts, "reason": services.store.damage}
     return json_answer(answer, status=200 if ready else 503)
 
 
@@ -57,4 +58,4 @@ async def readyz(request: Request, service: RunsService) -> Response:
 async def metrics(request: Request) -> Response:
     """Figures for Prometheus: counts, gauges and latencies, nothing of anybody's scenario."""
     encode, media_type = choose_encoder(request.headers.get("accept", ""))
-    return Response(encode(request.app.state.metrics), headers={"Content-Type": media_type})
+    return Response(encode(services_of(request).metrics), headers={"Content-Type": media_type})

@@ -14,7 +14,7 @@ from backend.paper.service import Paper
 paper = router("paper", 422, 429, 503)
 
 
-PaperService = Annotated[Paper, service("paper")]
+PaperService = Annotated[Paper, service(lambda services: services.paper)]
 ForPage: Any = Annotated[queries.PaperQuery, Query()]
 ForReport: Any = Annotated[queries.ReportQuery, Query()]
 OverRoads = Annotated[queries.RoadsQuery, Query()]

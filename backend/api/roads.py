@@ -18,7 +18,7 @@ roads = router("roads", 404, 429, 503, route_class=ComputingRoute)
 EXAMPLE = "distance [m],height [mm]\n0,0\n5,12\n10,3\n"
 
 
-RoadsService = Annotated[MeasuredRoads, service("roads")]
+RoadsService = Annotated[MeasuredRoads, service(lambda services: services.roads)]
 
 
 @surveying.post(

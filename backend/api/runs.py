@@ -7,7 +7,7 @@ from fastapi.responses import HTMLResponse
 
 from backend import models
 from backend.api import router
-from backend.api.deps import Client, RunsService, SolverService, html_answer
+from backend.api.deps import Client, html_answer, service
 from backend.digest import RUN_ID_LENGTH
 from backend.errors import InvalidError
 from backend.file_formats import MEDIA_TYPES, FileFormat
@@ -24,7 +24,9 @@ from backend.http.routing import ComputingRoute, ScenarioRoute
 from backend.json_types import JsonObject
 from backend.runs.figures import PANELS
 from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
+from backend.runs.service import Runs
 from backend.runs.solve.models import Solution, SolveRequest
+from backend.runs.solve.service import Solver
 from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
 
@@ -32,6 +34,8 @@ runs = router("runs", 404, 410, 422, 429, 503)
 computing = router("runs", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
 drawing = router("runs", 404, 410, 422, 429, 503, route_class=ComputingRoute)
 
+RunsService = Annotated[Runs, service(lambda services: services.runs)]
+SolverService = Annotated[Solver, service(lambda services: services.solver)]
 Signals = Annotated[str | None, Query(description="Keys with commas; omitted is all")]
 Points = Annotated[int | None, Query(ge=2, le=models.MAX_POINTS, description="About how many samples; omitted is all")]
 RunId = Annotated[str, Path(alias="id", description=f"{RUN_ID_LENGTH} characters", max_length=64)]

@@ -14,10 +14,10 @@ from backend.tunings.answers import Trials, Tuning, TuningEstimate, Tunings
 from backend.tunings.models import MOST_TRIALS, TuningRequest
 from backend.tunings.service import TuningService
 
-Service = Annotated[TuningService, service("tunings")]
+Service = Annotated[TuningService, service(lambda services: services.tunings)]
 
 api = jobs.JobApi(
-    service=service("tunings"),
+    service=service(lambda services: services.tunings),
     name="tuning",
     plural="tunings",
     model=Tuning,

@@ -17,7 +17,7 @@ from alembic.migration import MigrationContext
 from alembic.script import ScriptDirectory
 from sqlalchemy import Connection, ExceptionContext, Table, event, inspect, make_url, select
 from sqlalchemy.dialects import postgresql, sqlite
-from sqlalchemy.exc import DBAPIError, OperationalError
+from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
 
 from backend.db.clock import Now
 from backend.db.commits import Commits
@@ -47,7 +47,7 @@ SERVER_WRITERS = 2  # PostgreSQL locks rows, not the database: a batch of 100,00
 START_TIMEOUT = 30.0  # a start waits so long for another one's migration, or for a backup [s]
 DAMAGED = (
     "The database is damaged: stop the service, put a backup in its place and start again "
-    "(docs/operations.md, Backup and restore)"
+    "(docs/how-to/operations.md, Backup and restore)"
 )
 
 
@@ -67,6 +67,7 @@ class Database:
         self._writes = _RetryingThreads("write", 1 if self._is_sqlite else SERVER_WRITERS)
         event.listen(self.engine, "handle_error", self._note_damage)
         self.damage: str | None = None  # what to do about it, once a damaged page was met
+        self._usable = True
         self._open_writes = 0
         self._committing = False
         self._guard = threading.local()
@@ -177,6 +178,18 @@ class Database:
                 raise ReadOnlyError
         if self._is_sqlite:
             try_writing(self.engine)
+
+    async def usable(self) -> bool:
+        """Whether the database answers and can be written to; the log has why not, once."""
+        try:
+            await self.read(self.ping)
+        except SQLAlchemyError as error:
+            if self._usable:
+                logger.error("Not ready: %s", getattr(error, "orig", None) or type(error).__name__)
+            self._usable = False
+        else:
+            self._usable = True
+        return self._usable
 
     def _note_damage(self, context: ExceptionContext) -> None:
         if self.damage is None and is_damaged(context.original_exception):

@@ -18,6 +18,7 @@ from backend.errors import InvalidError
 from backend.http import strict_json
 from backend.http.answers import cancel_on_disconnect
 from backend.http.client_key import client_key
+from backend.http.parts import parts_of
 from backend.http.problems import MOST_ERRORS, RequestError
 from backend.http.tokens import CALLER
 from backend.plain_text import MESSAGE, is_plain
@@ -48,7 +49,7 @@ async def _read_body(request: Request, held: ExitStack, longest: int) -> bytes:
         RequestError: It is too long, announced or in pieces, or takes too long to come.
         TemporaryError: Too many bulky ones are being read.
     """
-    settings = request.app.state.settings
+    parts = parts_of(request)
     pieces, bulky = bytearray(), False
 
     def expect(length: int) -> None:
@@ -57,12 +58,12 @@ async def _read_body(request: Request, held: ExitStack, longest: int) -> bytes:
             raise RequestError("too-long", f"The body may have {longest} bytes.")
         if length > BULKY and not bulky:
             bulky = True
-            held.enter_context(request.app.state.gate.hold(client_of(request), bodies=1))
+            held.enter_context(parts.gate.hold(client_of(request), bodies=1))
 
     announced = request.headers.get("content-length", "")
     expect(int(announced[:12]) if announced.isdecimal() else 0)
     try:
-        async with asyncio.timeout(settings.body_timeout):
+        async with asyncio.timeout(parts.settings.body_timeout):
             async for piece in request.stream():
                 pieces += piece
                 expect(len(pieces))
@@ -107,7 +108,7 @@ class StrictRoute(APIRoute):
 
         async def strict(request: Request) -> Response:
             if self.COMPUTES and takes_body:
-                request.app.state.gate.check_admission(client_of(request))
+                parts_of(request).gate.check_admission(client_of(request))
             if not all(map(is_plain, request.path_params.values())):
                 raise RequestError("not-found")  # there is nothing of such an id, and a database may fail on it
             _check_parameters(request.query_params, parameters)
@@ -117,10 +118,10 @@ class StrictRoute(APIRoute):
             if takes_body:
                 _check_encoding(request)
             with ExitStack() as held:
-                longest = request.app.state.settings.max_body_bytes
+                longest = parts_of(request).settings.max_body_bytes
                 body = await _read_body(request, held, longest) if takes_body else b""
                 if self.COMPUTES:
-                    held.enter_context(request.app.state.gate.admitted(client_of(request)))
+                    held.enter_context(parts_of(request).gate.admitted(client_of(request)))
                 if takes_body:  # what the framework would read itself, and call any error a malformed body
                     request._body = body
                 if body:

@@ -1,13 +1,10 @@
 """Runs: stored results are answered; missing ones are computed once, committed, then answered."""
 
 import asyncio
-import logging
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import Literal
-
-from sqlalchemy.exc import SQLAlchemyError
 
 from backend import digest
 from backend.compute.workers import Workers
@@ -48,8 +45,6 @@ from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.versions import NewerScenarioError, restored
 from sim_core.strategies import STRATEGIES
 
-logger = logging.getLogger(__name__)
-
 
 class Runs:
     """The one service of runs."""
@@ -62,19 +57,6 @@ class Runs:
         self._gate = gate
         self._roads = roads
         self._histories = Histories(store=store, workers=workers, results=results, gate=gate, roads=roads, spool=spool)
-        self._store_usable = True
-
-    async def store_usable(self) -> bool:
-        """Whether the database answers and can be written to; the log has why not, once."""
-        try:
-            await self._store.read(self._store.ping)
-        except SQLAlchemyError as error:
-            if self._store_usable:
-                logger.error("Not ready: %s", getattr(error, "orig", None) or type(error).__name__)
-            self._store_usable = False
-        else:
-            self._store_usable = True
-        return self._store_usable
 
     async def create(
         self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None

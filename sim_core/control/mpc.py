@@ -4,18 +4,18 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller, scenario_field, undefined
+from sim_core.control.law import LinearLaw
 from sim_core.control.mpc_design import MpcDesign, design
 from sim_core.control.qp import SOLVERS, Qp, Qps
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RidelabError, TooExpensiveError
 from sim_core.scenario import Weights
-from sim_core.vehicle.model import LinearLaw
 
 _COSTLY_FIELDS = "mpc.control_horizon", "mpc.prediction_horizon", "mpc.sample_time", "road.length"
 
 
 class PredictiveController(Controller):
-    """MPC with preview: a linear law while no limit binds, else a QP (docs/physics.md, "MPC").
+    """MPC with preview: a linear law while no limit binds, else a QP (docs/explanation/physics.md, "MPC").
 
     A QP's answer is verified. Where it fails the other solver is asked, and where both fail the previous force is held.
     A subclass gives the weights of each driving stage.

@@ -1,7 +1,7 @@
 """A predictive controller's QPs: min ½ y'Hy + f'y, low <= y <= high, A y <= b, in kN and cm, by two solvers.
 
-The C of kernel/qp.c has a dual active-set method; OSQP splits operators. No solver's word is taken: an answer counts
-only if it is finite and its own optimality residuals, which that C computes from the QP itself, are small.
+One is a dual active-set method in C (kernel/qp.c), the other OSQP. An answer counts only if it is finite and its
+residuals of the optimality conditions, which that C computes from the QP itself, are small; solvers may err.
 """
 
 from typing import TYPE_CHECKING, NamedTuple
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     import osqp
 
 AXLES = 2
-CENTI = 100.0  # deflections and slacks are reckoned in cm
+CENTI = 100.0  # deflections and slacks are in cm
 TOLERANCE = 1e-6  # of the residuals
 SOLVERS = "daqp", "osqp"  # a scenario's names for the dual active-set method and for OSQP
 MOST_ITERATIONS = 1000  # of the dual method in one QP

@@ -88,7 +88,7 @@ class QpDesign:
 
 
 class QpMemory:
-    """What the QPs of a run are reckoned in, one after another, as `struct qp_run` of kernel/qp.c has it.
+    """The memory in which the QPs of a run are solved, one after another, as `struct qp_run` of kernel/qp.c has it.
 
     counts (4,), f and y (n,), b (rows,), multipliers (n + rows,).
 

@@ -78,7 +78,7 @@ class LoopServer(uvicorn.Server):
 
 def serve(settings: Settings) -> Iterator[Service]:
     app = create_app(settings)
-    app.state.store.migrate()
+    app.state.services.store.migrate()
     server = LoopServer(server_config(app, settings))
     with listen("127.0.0.1", 0) as listener, pytest.MonkeyPatch.context() as patch:
         patch.setattr(workers, "WAIT_FOR_PROCESS", HANG_TIMEOUT)  # on a busy machine one may take a minute to start
@@ -142,7 +142,7 @@ def with_tokens(
 @pytest.fixture(scope="session")
 def reproduced(service: Service) -> None:
     """The service has the paper's reproduction stored."""
-    store_in(service.app.state.store)
+    store_in(service.app.state.services.store)
 
 
 @pytest.fixture(scope="session")
@@ -173,20 +173,20 @@ def fresh(service: Service, road: dict[str, Any]) -> Any:
 @pytest.fixture
 def worker_calls(service: Service, monkeypatch: pytest.MonkeyPatch) -> list[tuple[Any, ...]]:
     """What the workers are asked for during the test: function and arguments of each call, cost at the end."""
-    calls, call = list[tuple[Any, ...]](), service.app.state.workers.call
+    calls, call = list[tuple[Any, ...]](), service.app.state.services.workers.call
 
     async def noted(function: Any, *arguments: Any, **queued: Any) -> Any:
         calls.append((function, *arguments, queued.get("cost", 0.0)))
         return await call(function, *arguments, **queued)
 
-    monkeypatch.setattr(service.app.state.workers, "call", noted)
+    monkeypatch.setattr(service.app.state.services.workers, "call", noted)
     return calls
 
 
 @pytest.fixture
 def lqr_fails(service: Service, monkeypatch: pytest.MonkeyPatch) -> int:
     """During the test no run of LQR succeeds on the road of the seed that this gives."""
-    call, seed = service.app.state.workers.call, 72
+    call, seed = service.app.state.services.workers.call, 72
 
     async def refused(function: Any, scenario: Scenario, *arguments: Any, **queued: Any) -> Any:
         outcomes = await call(function, scenario, *arguments, **queued)
@@ -195,7 +195,7 @@ def lqr_fails(service: Service, monkeypatch: pytest.MonkeyPatch) -> int:
             outcomes["lqr"] = replace(outcomes["lqr"], status="failed", json=reason, compute_ms=1.0, series=None)
         return outcomes
 
-    monkeypatch.setattr(service.app.state.workers, "call", refused)
+    monkeypatch.setattr(service.app.state.services.workers, "call", refused)
     return seed
 
 

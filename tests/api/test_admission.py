@@ -87,10 +87,10 @@ def test_what_was_admitted_as_a_whole_is_not_refused_half_way() -> None:
 
 
 def test_a_refusal_comes_before_anything_is_looked_up(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    gate = service.app.state.gate
+    gate = service.app.state.services.gate
     looked_up: list[str] = []  # `store.read` stays as it is: what drives the batches beside needs it
-    monkeypatch.setattr(service.app.state.store.runs, "load", looked_up.append)
-    monkeypatch.setattr(service.app.state.store.runs, "load_results", looked_up.extend)
+    monkeypatch.setattr(service.app.state.services.store.runs, "load", looked_up.append)
+    monkeypatch.setattr(service.app.state.services.store.runs, "load_results", looked_up.extend)
     with ExitStack() as held:
         for _ in range(64):
             held.enter_context(gate.hold("127.0.0.1", requests=1))
@@ -107,7 +107,7 @@ def test_a_refusal_comes_before_anything_is_looked_up(service: Any, monkeypatch:
 def test_a_request_that_would_wait_too_long_is_refused_before_its_body_is_read(
     service: Any, client: httpx.Client, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    gate, now = service.app.state.gate, 0.0
+    gate, now = service.app.state.services.gate, 0.0
     monkeypatch.setattr(gate, "_backlog", Backlog(workers=1, max_wait=1, clock=lambda: now))
     with ExitStack() as held:
         for number in range(2):
@@ -174,7 +174,7 @@ def test_an_ipv6_network_is_one_client(address: str, key: str) -> None:
 
 
 def test_downloads_tables_figures_and_reports_count_like_runs(service: Any, run: dict[str, Any]) -> None:
-    gate, client = service.app.state.gate, service.client
+    gate, client = service.app.state.services.gate, service.client
     heights = "distance [m],height [mm]\n" + "".join(f"{0.1 * step:.1f},{step % 7}\n" for step in range(500))
     road = client.post("/api/v1/roads", content=heights, headers={"Content-Type": "text/csv"})
     asked = {"scenario": run["scenario"], "strategies": ["passive"], "sweep": {"grid": {"road.bump.height": [0.01]}}}
@@ -203,7 +203,7 @@ def test_downloads_tables_figures_and_reports_count_like_runs(service: Any, run:
 
 
 def test_a_full_service_answers_what_is_stored_and_for_health(service: Any, run: dict[str, Any]) -> None:
-    gate, new = service.app.state.gate, {"road": {"length": 150, "seed": 9001}}
+    gate, new = service.app.state.services.gate, {"road": {"length": 150, "seed": 9001}}
     with ExitStack() as held:
         for _ in range(64):
             held.enter_context(gate.hold("127.0.0.1", computing=1))

@@ -19,7 +19,7 @@ def test_a_stream_outlives_a_database_that_is_away(
     batch = wait_for(
         client, submit(client, {"list": [{"road.bump.height": 0.05}]}, strategies=["passive"]).json()["id"]
     )
-    store = service.app.state.store
+    store = service.app.state.services.store
     heard, news, fails = events(client, batch["id"]), store.job_events.news, iter([True, True, False])
 
     def unreliable(*arguments: Any) -> Any:
@@ -32,7 +32,7 @@ def test_a_stream_outlives_a_database_that_is_away(
 
 
 def test_a_stream_reads_nothing_when_another_job_changes(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    store, reads = service.app.state.store, asyncio.Queue[str]()
+    store, reads = service.app.state.services.store, asyncio.Queue[str]()
 
     def news(job_id: str, _: int) -> tuple[list[Any], bool]:
         service.loop.call_soon_threadsafe(reads.put_nowait, job_id)
@@ -42,7 +42,7 @@ def test_a_stream_reads_nothing_when_another_job_changes(service: Any, monkeypat
     monkeypatch.setattr(store.job_events, "news", news)
 
     async def follow() -> int:
-        stream = aiter(await server_sent(store, "mine", 0, service.app.state.gate, "somebody"))
+        stream = aiter(await server_sent(store, "mine", 0, service.app.state.services.gate, "somebody"))
         await anext(stream)
         rest = asyncio.ensure_future(anext(stream))
         await reads.get()
@@ -64,5 +64,5 @@ def test_head_of_the_events_of_a_running_batch_is_answered_at_once(service: Any,
     path = f"/api/v1/batches/{batch['id']}"
     head = client.head(f"{path}/events")
     assert (head.status_code, head.headers["content-type"]) == (200, "text/event-stream; charset=utf-8")
-    wait_until(lambda: not service.app.state.gate.load["streams"], "the stream has ended")
+    wait_until(lambda: not service.app.state.services.gate.load["streams"], "the stream has ended")
     assert client.post(f"{path}/cancel").json()["done"] < 1000

@@ -163,7 +163,7 @@ def test_ctrl_c_on_an_export_leaves_the_batch_alone(service: Service, tmp_path: 
     server, out = str(client.base_url).rstrip("/"), tmp_path / "rows.csv"
     arguments = command("export", batch_id, "--wait", "--out", str(out), "--server", server)
     process = subprocess.Popen(arguments, env=environment(), stderr=subprocess.PIPE, text=True)
-    wait_until(lambda: service.app.state.gate.load["streams"] == 1, "it waits for the batch")
+    wait_until(lambda: service.app.state.services.gate.load["streams"] == 1, "it waits for the batch")
     process.send_signal(signal.SIGINT)
     _, said = process.communicate(timeout=HANG_TIMEOUT)
     assert process.returncode == 130

@@ -67,7 +67,7 @@ class Driven:
 
 @pytest.fixture(scope="module")
 def driven(service: Service) -> Driven:
-    workers, begun, may_drive = service.app.state.workers, threading.Event(), threading.Event()
+    workers, begun, may_drive = service.app.state.services.workers, threading.Event(), threading.Event()
     original = workers.call
 
     async def held(function: Any, *arguments: Any, **options: Any) -> Any:

@@ -57,7 +57,7 @@ def figures(run: Any) -> dict[str, Any]:
 def test_a_damaged_result_of_a_run_is_computed_again(
     service: Any, client: httpx.Client, fresh: dict[str, Any], ask: str
 ) -> None:
-    store: Store = service.app.state.store
+    store: Store = service.app.state.services.store
     key, before = key_of(store, fresh["id"]), dropped(client)
     with store.reading() as connection:
         stored = text(connection, key)
@@ -80,7 +80,7 @@ def test_a_batch_computes_a_damaged_result_again(service: Any, client: httpx.Cli
     body = {"scenario": {"road": road}, "strategies": ["passive"], "sweep": sweep}
     batch = client.post("/api/v1/batches", json=body).raise_for_status().json()
     whole = batches.wait_for(client, batch["id"]), batches.rows(client, batch["id"])
-    store: Store = service.app.state.store
+    store: Store = service.app.state.services.store
     with store.reading() as connection:
         of_batch = select(job_runs.c.result_key).where(job_runs.c.job_id == batch["id"], job_runs.c.position == 1)
         key = connection.execute(of_batch).scalar_one()
@@ -97,7 +97,7 @@ def test_the_reader_of_a_link_is_told(service: Any, client: httpx.Client, fresh:
     slug = share(client, fresh["id"])["slug"]
     before = opened(client, slug)
     assert before["damaged_at"] is None
-    damage(service.app.state.store, key_of(service.app.state.store, fresh["id"]))
+    damage(service.app.state.services.store, key_of(service.app.state.services.store, fresh["id"]))
     for _ in range(2):
         link = opened(client, slug)
         assert link["damaged_at"] > link["created_at"]
@@ -109,7 +109,7 @@ def test_damaged_time_histories_of_a_link_are_made_again(
 ) -> None:
     slug, path = share(client, fresh["id"])["slug"], f"/api/v1/runs/{fresh['id']}/series?strategy=passive&points=100"
     whole, before = client.get(path).content, dropped(client, "series")
-    store: Store = service.app.state.store
+    store: Store = service.app.state.services.store
     pin = pinned_series.c.result_key == key_of(store, fresh["id"])
     with store.writing() as connection:
         content = bytearray(connection.execute(select(pinned_series.c.content).where(pin)).scalar_one())

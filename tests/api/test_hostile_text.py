@@ -11,7 +11,7 @@ import httpx
 import pytest
 
 from backend.batches import table as batch_table
-from backend.http.guard import CONTENT_SECURITY_POLICY, HEADERS
+from backend.http.guard import HEADERS
 from backend.settings import Settings
 from sim_core.catalogue import METRICS, SIGNALS
 from sim_core.strategies import STRATEGIES
@@ -105,12 +105,12 @@ def test_other_methods_are_refused(client: httpx.Client, method: str) -> None:
 
 
 def test_the_policy_evaluates_nothing_and_loads_nothing_from_elsewhere() -> None:
-    directives = dict(part.split(" ", 1) for part in CONTENT_SECURITY_POLICY.split("; "))
-    assert "unsafe-eval" not in CONTENT_SECURITY_POLICY
+    directives = dict(part.split(" ", 1) for part in HEADERS["Content-Security-Policy"].split("; "))
+    assert "unsafe-eval" not in HEADERS["Content-Security-Policy"]
     assert directives["script-src"] == "'self'"
     assert directives["object-src"] == directives["frame-ancestors"] == directives["base-uri"] == "'none'"
-    assert "http" not in CONTENT_SECURITY_POLICY
-    assert "*" not in CONTENT_SECURITY_POLICY
+    assert "http" not in HEADERS["Content-Security-Policy"]
+    assert "*" not in HEADERS["Content-Security-Policy"]
 
 
 @pytest.fixture(scope="module")
@@ -145,7 +145,7 @@ def test_every_kind_of_answer_has_every_header(service: Any, run: dict[str, Any]
     answers[200].append(client.get(f"/api/v1/batches/{batch}/events"))  # of a batch that has ended: whole at once
     answers[200] += [client.head("/"), *(client.get(path) for path in ("/healthz", "/readyz", "/api/v1/schema"))]
     answers[206] = [client.get(assets[0], headers={"Range": "bytes=0-1"})]
-    monkeypatch.setattr(service.app.state.runs, "get", lambda *_: 1 / 0)
+    monkeypatch.setattr(service.app.state.services.runs, "get", lambda *_: 1 / 0)
     answers[500] = [client.get(f"/api/v1/runs/{run['id']}")]
     for status, responses in answers.items():
         for response in responses:

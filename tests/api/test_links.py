@@ -147,9 +147,9 @@ def test_what_it_is_compared_with_is_kept_as_well(
     pin = {"name": "lower bump", "run": other["id"]}
     view = {"baseline": "lv", "pins": [pin], "reference": other["id"], "differences": True}
     assert opened(client, share(client, fresh["id"], **view)["slug"])["view"] == view
-    of_another_core(service.app.state.store, other["id"])
+    of_another_core(service.app.state.services.store, other["id"])
     assert histories(client, other["id"]), "each of them answers, as for a link of its own"
-    with service.app.state.store.reading() as connection:
+    with service.app.state.services.store.reading() as connection:
         linked = set(connection.execute(select(links.c.run_id)).scalars())
     assert {fresh["id"], other["id"]} <= linked
 
@@ -157,7 +157,7 @@ def test_what_it_is_compared_with_is_kept_as_well(
 def test_what_was_not_pinned_before_an_upgrade_keeps_its_metrics(
     service: Any, client: httpx.Client, fresh: dict[str, Any]
 ) -> None:
-    of_another_core(service.app.state.store, fresh["id"])
+    of_another_core(service.app.state.services.store, fresh["id"])
     link = share(client, fresh["id"])
     assert link["series_pinned"] is False
     answer = opened(client, link["slug"])
@@ -173,7 +173,7 @@ def test_a_run_pinned_in_part_gives_that_part(service: Any, client: httpx.Client
     """Another run's link pinned the passive car, which this run has too."""
     other = service.run(["passive"], fresh["scenario"]).json()
     share(client, other["id"])
-    of_another_core(service.app.state.store, fresh["id"])
+    of_another_core(service.app.state.services.store, fresh["id"])
     series = client.get(f"/api/v1/runs/{fresh['id']}/series?points=40").json()
     assert series["strategy"] == "passive"
     assert client.get(f"/api/v1/runs/{fresh['id']}/series?strategy=lv").status_code == 422
@@ -185,7 +185,7 @@ def test_a_run_pinned_in_part_gives_that_part(service: Any, client: httpx.Client
 def test_erased_pins_are_computed_again_by_an_equal_core(
     service: Any, client: httpx.Client, fresh: dict[str, Any]
 ) -> None:
-    store: Store = service.app.state.store
+    store: Store = service.app.state.services.store
     link, before = share(client, fresh["id"]), histories(client, fresh["id"])
     erase_pins(store, fresh["id"])
     assert opened(client, link["slug"])["series_pinned"] is False
@@ -206,7 +206,7 @@ def test_a_run_that_expires_while_it_is_shared_is_kept_all_the_same(
     service: Any, client: httpx.Client, fresh: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Retention comes after the run was read and before its link is there."""
-    store: Store = service.app.state.store
+    store: Store = service.app.state.services.store
     save, saves = store.links.save, list[bool]()
 
     def late(*arguments: Any) -> bool:
@@ -227,7 +227,7 @@ def test_a_run_that_expires_while_it_is_shared_is_kept_all_the_same(
 
 def test_a_link_whose_run_expired_computes_it_again(service: Any, client: httpx.Client, fresh: dict[str, Any]) -> None:
     """Until 0.3.0 retention could come between."""
-    store: Store = service.app.state.store
+    store: Store = service.app.state.services.store
     link, before = share(client, fresh["id"]), client.get(f"/api/v1/runs/{fresh['id']}").json()
     erase_pins(store, fresh["id"])
     expired = update(results).where(results.c.key.in_(keys(store, fresh["id"])))
@@ -247,7 +247,7 @@ def test_a_link_says_when_it_changed(service: Any, client: httpx.Client, fresh: 
     tag = answer.headers["etag"]
     unchanged = client.get(address, headers={"If-None-Match": tag})
     assert (unchanged.status_code, unchanged.content, unchanged.headers["etag"]) == (304, b"", tag)
-    of_another_core(service.app.state.store, fresh["id"])
+    of_another_core(service.app.state.services.store, fresh["id"])
     changed = client.get(address, headers={"If-None-Match": tag})
     assert changed.status_code == 200
     assert changed.headers["etag"] != tag
@@ -257,7 +257,7 @@ def test_a_run_stored_by_a_newer_version_is_refused_for_now(
     service: Any, client: httpx.Client, fresh: dict[str, Any]
 ) -> None:
     link = share(client, fresh["id"])
-    with service.app.state.store.writing() as connection:
+    with service.app.state.services.store.writing() as connection:
         connection.execute(update(runs).where(runs.c.id == fresh["id"]).values(schema_version=SCHEMA_VERSION + 1))
     for path in (f"runs/{fresh['id']}", f"runs/{fresh['id']}/figures", f"links/{link['slug']}"):
         answer = client.get(f"/api/v1/{path}")
@@ -269,7 +269,7 @@ def test_a_run_stored_by_a_newer_version_is_refused_for_now(
 @pytest.fixture
 def limited(service: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """A service that computes nothing more."""
-    gate: Gate = service.app.state.gate
+    gate: Gate = service.app.state.services.gate
     monkeypatch.setitem(gate.quotas, "computing", replace(gate.quotas["computing"], per_client=0))
 
 

@@ -182,7 +182,7 @@ def test_without_its_road_a_run_keeps_its_metrics_and_no_new_one_is_stored(
     there = {"road": {**scenario["road"], "profile": road}}
     run = service.run(["passive"], there).json()
     assert service.live(["speed_only"], there).status_code == 200, "its result is in memory"
-    with service.app.state.store.writing() as connection:
+    with service.app.state.services.store.writing() as connection:
         connection.execute(delete(run_roads).where(run_roads.c.road_id == road))
         connection.execute(delete(roads).where(roads.c.id == road))
     refused = service.run(["speed_only"], there)
@@ -195,7 +195,7 @@ def test_without_its_road_a_run_keeps_its_metrics_and_no_new_one_is_stored(
     report = client.get(f"{path}/report.html")
     assert report.status_code == 200
     assert "They are gone. The measured road of this run is not stored any more" in report.text
-    with service.app.state.store.writing() as connection:
+    with service.app.state.services.store.writing() as connection:
         expired = update(results).where(results.c.strategy == "passive").values(status="expired", summary="{}")
         connection.execute(expired)
     monkeypatch.setattr(ResultCache, "get", lambda *_: None)

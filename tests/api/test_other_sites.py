@@ -67,7 +67,7 @@ def test_another_sites_picture_has_nothing_computed(
     service: Any, client: httpx.Client, headers: dict[str, str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked: list[str] = []
-    monkeypatch.setattr(service.app.state.paper, "reproduction", asked.append)
+    monkeypatch.setattr(service.app.state.services.paper, "reproduction", asked.append)
     for method in ("GET", "HEAD"):
         refused = client.request(method, "/api/v1/paper", headers=headers)
         assert refused.status_code == 403

@@ -84,7 +84,7 @@ def test_a_single_switch_overrides_the_named_set(service: Service) -> None:
 
 def test_other_roads_are_asked_for_by_their_first_seed(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
     """Of the roads asked for, only the first few are driven here."""
-    paper, asked = service.app.state.paper, []
+    paper, asked = service.app.state.services.paper, []
     reproduction = paper.reproduction
 
     def of_few(choices: Mapping[str, str], roads: range, client: str, **more: Any) -> Any:
@@ -116,7 +116,7 @@ def test_cells_appear_as_they_come(service: Service) -> None:
 
     def ask() -> bool:
         roads = range(501, 501 + FEW)
-        answering = service.app.state.paper.reproduction(DEFAULT.choices, roads, "c", partial=True)
+        answering = service.app.state.services.paper.reproduction(DEFAULT.choices, roads, "c", partial=True)
         answers.append(service.inside(answering).model_dump())
         return bool(answers[-1]["complete"])
 

@@ -121,7 +121,7 @@ def test_one_client_sends_only_so_many_long_bodies_at_once(service: Any, client:
         for _ in range(4):
             address = (client.base_url.host, client.base_url.port)
             held.enter_context(socket.create_connection(address)).sendall(begun)
-        wait_until(lambda: service.app.state.gate.load["bodies"] == 4, "all of them have begun")
+        wait_until(lambda: service.app.state.services.gate.load["bodies"] == 4, "all of them have begun")
         refused = post(client, body)
         assert (refused.status_code, int(refused.headers["retry-after"]) > 0) == (429, True)
         assert post(client, GOOD).status_code == 200, "a short one"

@@ -205,7 +205,7 @@ def test_a_failure_on_one_road_is_the_strategys_and_names_the_seed(service: Serv
 def test_equal_requests_at_once_drive_each_road_once_a_few_at_a_time(
     service: Any, road: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    workers, seeds, at_once = service.app.state.workers, [], []
+    workers, seeds, at_once = service.app.state.services.workers, [], []
     original = workers.call
 
     async def counted(function: Any, scenario: Scenario, *arguments: Any, **queued: Any) -> Any:
@@ -277,7 +277,7 @@ def test_bands_are_driven_once_in_slices_and_refused_of_another_core(
     """Two equal requests at once drive each road once; a third, for fewer points, none."""
     body = {"scenario": {"road": {**road, "seed": 600}}, "strategies": ["lqr", "passive"], "roads": 6}
     run = post(service, **body).json()["id"]
-    workers, slices = service.app.state.workers, []
+    workers, slices = service.app.state.services.workers, []
     original = workers.call
 
     async def counted(function: Any, *arguments: Any, **queued: Any) -> Any:

@@ -94,11 +94,12 @@ def test_refusals_are_counted_by_reason(client: httpx.Client) -> None:
 
 def test_gauges_tell_what_is_held_now(service: Any) -> None:
     wait_until(
-        lambda: service.app.state.workers.load["idle"] == 3, "two workers and the reserved one are warm and free"
+        lambda: service.app.state.services.workers.load["idle"] == 3,
+        "two workers and the reserved one are warm and free",
     )
     with (
-        service.app.state.gate.hold("192.0.2.1", streams=1),
-        service.app.state.gate.computing("192.0.2.1", 0.5),
+        service.app.state.services.gate.hold("192.0.2.1", streams=1),
+        service.app.state.services.gate.computing("192.0.2.1", 0.5),
     ):
         held = samples(service.client)
     assert held["ridelab_open_streams", ()] == 1
@@ -120,7 +121,7 @@ def test_metrics_hold_nothing_of_anybodys_scenario(service: Any, run: dict[str, 
     text = service.client.get("/metrics").text
     assert MARK not in text
     assert run["id"] not in text
-    assert str(service.app.state.settings.data_dir) not in text
+    assert str(service.app.state.services.settings.data_dir) not in text
     labels = {key for _, labels_of_sample in samples(service.client) for key, _ in labels_of_sample}
     assert labels <= {
         "kind",
@@ -206,7 +207,7 @@ def test_what_goes_wrong_is_logged_under_its_requests_name(
     async def fail(*_: Any, **__: Any) -> None:
         raise RuntimeError("for the log alone")
 
-    monkeypatch.setattr(service.app.state.runs, "create", fail)
+    monkeypatch.setattr(service.app.state.services.runs, "create", fail)
     text = logged("json")
     response = service.client.post(
         "/api/v1/runs", json={"strategies": ["passive"]}, headers={"X-Request-ID": "trace-9"}

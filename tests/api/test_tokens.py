@@ -3,6 +3,7 @@
 import re
 import time
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
@@ -10,7 +11,6 @@ import httpx
 import pytest
 from cachetools import TTLCache
 from fastapi import FastAPI
-from prometheus_client import CollectorRegistry
 from sqlalchemy import update
 from sqlalchemy.exc import OperationalError
 
@@ -44,7 +44,7 @@ def file(tmp_path: Path) -> Path:
 def app(tmp_path: Path, file: Path) -> FastAPI:
     """A service that was not started: what is asked here needs no workers, and of its database only ended logins."""
     app = create_app(Settings(data_dir=tmp_path, tokens_file=file))
-    app.state.store.migrate()
+    app.state.services.store.migrate()
 
     @app.get("/caller")
     async def caller(caller: Caller) -> str | None:
@@ -72,12 +72,11 @@ def test_the_api_is_for_those_with_a_token(app: FastAPI) -> None:
 
 @pytest.mark.parametrize("path", ["/", "/b/some", "/healthz", "/metrics", "/docs", "/openapi.json", "/api/v1/login"])
 def test_page_health_and_metrics_are_everybodys(app: FastAPI, path: str) -> None:
-    app.state.metrics = CollectorRegistry()  # as the start would put it there
     assert ask(app, "GET", path).status_code == 200
 
 
 def test_a_link_shows_nothing_of_what_it_opens(app: FastAPI) -> None:
-    app.state.links = None  # whoever asked it would fail
+    app.state.services = replace(app.state.services, links=None)  # whoever asked it would fail
     answer = ask(app, "GET", "/s/AAAAAAAAAAAAAAAAAAAAAA")
     assert (answer.status_code, "og:title" in answer.text) == (200, False)
 
@@ -129,7 +128,7 @@ def test_without_its_database_the_api_cannot_tell_and_the_page_is_there(
     def fail(_: str) -> bool:
         raise OperationalError("secret statement", {}, Exception())
 
-    monkeypatch.setattr(app.state.store.logins, "has_ended", fail)
+    monkeypatch.setattr(app.state.services.store.logins, "has_ended", fail)
     check(ask(app, "GET", API, headers={"Cookie": cookie}), 503, "store-unavailable")
     assert ask(app, "GET", "/docs", headers={"Cookie": cookie}).status_code == 200
 
@@ -259,7 +258,7 @@ def test_what_came_without_a_token_is_everybodys(
     """The service got its file of tokens later."""
     ann, ben = guarded
     job = ann.post("/api/v1/batches", json=SUBMITTED["batches"]).json()["id"]
-    with with_tokens.app.state.store.writing() as connection:
+    with with_tokens.app.state.services.store.writing() as connection:
         connection.execute(update(jobs).where(jobs.c.id == job).values(owner=None))
     assert ben.patch(f"/api/v1/batches/{job}", json={"label": "ours"}).json()["label"] == "ours"
 

@@ -63,7 +63,7 @@ def test_of_two_that_resume_it_with_other_trials_one_is_refused(client: httpx.Cl
     job_id = wait_for(client, begin(client, trials=8)["id"])["id"]
 
     async def together() -> Any:
-        both = (service.app.state.tunings.resume(job_id, trials, None) for trials in (500, 600))
+        both = (service.app.state.services.tunings.resume(job_id, trials, None) for trials in (500, 600))
         return await asyncio.gather(*both, return_exceptions=True)
 
     refused, accepted = sorted(service.inside(together()), key=lambda each: isinstance(each, StoredJob))
@@ -131,7 +131,7 @@ def test_what_passes_is_waited_for_and_a_bug_is_a_reason(
         OperationalError("INSERT", {}, Exception("disk full")),
         WorkersBusyError(),
     ]
-    create = service.app.state.sweeps.create
+    create = service.app.state.services.batches.create
 
     async def unreliable(*args: Any, **names: Any) -> Any:
         if errors:
@@ -139,7 +139,7 @@ def test_what_passes_is_waited_for_and_a_bug_is_a_reason(
         return await create(*args, **names)
 
     monkeypatch.setattr(job_drivers, "PAUSE_AFTER_FAILURE", 0.01)
-    monkeypatch.setattr(service.app.state.sweeps, "create", unreliable)
+    monkeypatch.setattr(service.app.state.services.batches, "create", unreliable)
     assert wait_for(client, begin(client, trials=8)["id"])["state"] == "done"
     errors.append(ValueError("a bug"))
     failed = wait_for(client, begin(client, trials=8)["id"])

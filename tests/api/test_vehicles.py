@@ -2,8 +2,8 @@
 
 import httpx
 
-from backend.api.vehicles import VehicleAnswer
 from backend.http.openapi import EXAMPLES
+from backend.library.models import VehicleAnswer
 from sim_core.scenario.data_sheet import DataSheet
 from sim_core.scenario.vehicles import VEHICLES
 

@@ -34,7 +34,7 @@ def bare(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
         for name, value in Bare(tmp_path_factory.mktemp("machine")).environment.items():
             patch.setenv(name, value)
         for service in serve(Settings(data_dir=tmp_path_factory.mktemp("data"), workers=1, batch_workers=1)):
-            store_without_ecu(service.app.state.store, REASON)
+            store_without_ecu(service.app.state.services.store, REASON)
             yield service
 
 

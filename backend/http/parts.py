@@ -1,0 +1,26 @@
+"""What requests of every room need of the service."""
+
+from dataclasses import dataclass
+
+from starlette.requests import HTTPConnection
+
+from backend.gate import Gate
+from backend.http.logins import Logins
+from backend.http.tokens import Tokens
+from backend.settings import Settings
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HttpParts:
+    """Limits, and who may ask; `tokens` and `logins` are None where the service has none."""
+
+    settings: Settings
+    gate: Gate
+    tokens: Tokens | None
+    logins: Logins | None
+
+
+def parts_of(request: HTTPConnection) -> HttpParts:
+    """Those of the application that was asked."""
+    parts: HttpParts = request.app.state.services
+    return parts

@@ -1,0 +1,1 @@
+"""What there is to choose from: fields, presets, vehicles, strategies, signals, figure templates."""

@@ -1,0 +1,77 @@
+"""The answers about what there is to choose from, as JSON; none changes while the service runs."""
+
+import dataclasses
+from functools import cache
+from typing import Any
+
+import orjson
+from pydantic import BaseModel
+
+from backend.library.models import Catalogue, PresetAnswer, StrategyAnswer, VehicleAnswer
+from backend.means_over_roads import one_road_resolution
+from backend.runs import figures
+from sim_core import catalogue as core
+from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.scenario.presets import PRESETS
+from sim_core.scenario.vehicles import VEHICLES
+from sim_core.strategies import STRATEGIES, reads
+
+
+@cache
+def schema() -> bytes:
+    """JSON Schema of the scenario, with the schema's version."""
+    return orjson.dumps({**Scenario.model_json_schema(), "schema_version": SCHEMA_VERSION})
+
+
+@cache
+def presets() -> bytes:
+    """Every preset, the paper's first."""
+    return _json([PresetAnswer.model_validate(preset) for preset in PRESETS.values()])
+
+
+@cache
+def vehicles() -> bytes:
+    """Every vehicle with its sources."""
+    return _json([VehicleAnswer.model_validate(preset) for preset in VEHICLES.values()])
+
+
+@cache
+def strategies() -> bytes:
+    """Every strategy."""
+    return _json(
+        [
+            StrategyAnswer(
+                id=strategy.id,
+                label=strategy.label,
+                description=strategy.description(),
+                reads=reads(strategy),
+                one_road_resolution=one_road_resolution(strategy.id),
+                **dataclasses.asdict(figures.STYLES[strategy.id]),
+            )
+            for strategy in STRATEGIES.values()
+        ]
+    )
+
+
+@cache
+def catalogue() -> bytes:
+    """The core's catalogue."""
+    lists = {name: getattr(core, name.upper()) for name in Catalogue.model_fields}
+    plain = {name: list(items.values()) if isinstance(items, dict) else items for name, items in lists.items()}
+    return _json(Catalogue(**plain))
+
+
+@cache
+def figure_templates() -> bytes:
+    """Every figure without data, in the order of display."""
+    return orjson.dumps({"figures": figures.templates()})
+
+
+def warm() -> None:
+    """Build every answer, so that the first request finds it."""
+    for make in (schema, presets, vehicles, strategies, catalogue, figure_templates):
+        make()
+
+
+def _json(content: BaseModel | list[Any]) -> bytes:
+    return orjson.dumps(content, default=lambda model: model.model_dump(mode="json"))

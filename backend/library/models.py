@@ -1,0 +1,74 @@
+"""The shapes of what is answered about the core's own lists: presets, vehicles, strategies, the catalogue."""
+
+from pydantic import Field
+
+from backend.models import Answer
+from sim_core.scenario import Scenario, Vehicle
+
+
+class PresetAnswer(Answer):
+    """A named scenario."""
+
+    id: str
+    label: str
+    description: str
+    scenario: Scenario
+
+
+class StrategyAnswer(Answer):
+    """A strategy: what it does, which parts of the scenario it reads, how it is drawn."""
+
+    id: str
+    label: str
+    description: str
+    reads: list[str]
+    colour: str
+    dark_colour: str = Field(description="On a dark background")
+    dash: str
+    one_road_resolution: dict[str, float] = Field(
+        description="Smaller changes [%] on one road may be luck; by statistic, comfort figures as an RMS. Of two "
+        "strategies the larger one counts"
+    )
+
+
+class QuantityAnswer(Answer):
+    """One named quantity; unit `1` for none."""
+
+    key: str
+    label: str
+    unit: str
+    symbol: str
+    description: str
+    notable: float = Field(description="From this size on an event is worth a warning; 0 for what warns of nothing")
+
+
+class Catalogue(Answer):
+    """Everything that has a name and a unit."""
+
+    signals: list[QuantityAnswer]
+    metric_signals: list[str]
+    paper_signals: list[str]
+    windows: list[QuantityAnswer]
+    statistics: list[QuantityAnswer]
+    stages: list[QuantityAnswer]
+    comfort: list[QuantityAnswer]
+    events: list[QuantityAnswer]
+    run_figures: list[QuantityAnswer]
+    references: list[QuantityAnswer]
+
+
+class VehicleAnswer(Answer):
+    """A vehicle with its sources; one track of the car, as every half-car here."""
+
+    id: str
+    label: str
+    description: str
+    vehicle: Vehicle
+    sources: list[str] = Field(description="Where its numbers are from")
+    derived: list[str] = Field(description="How those follow that no source has")
+
+
+class HalfCarAnswer(Answer):
+    """The half-car that a data sheet makes."""
+
+    vehicle: Vehicle

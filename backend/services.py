@@ -1,0 +1,147 @@
+"""The services of one application: each room's, made at the start from what they share, in one typed object."""
+
+from dataclasses import dataclass
+from functools import partial
+
+from prometheus_client import CollectorRegistry
+from starlette.requests import HTTPConnection
+
+from backend.batches.kind import SWEEP
+from backend.batches.service import BatchService
+from backend.compute.executor import Executor
+from backend.compute.local_executor import LocalExecutor
+from backend.compute.workers import BATCH_NICE, RESERVED, Workers
+from backend.controller.service import Controllers
+from backend.gate import Gate
+from backend.http.logins import Logins
+from backend.http.parts import HttpParts
+from backend.http.spool import Spool
+from backend.http.tokens import Tokens
+from backend.jobs.scheduler import Scheduler
+from backend.links.service import Links
+from backend.metrics import service_registry
+from backend.paper.rows import REPRODUCTION
+from backend.paper.service import Paper
+from backend.roads.service import MeasuredRoads
+from backend.runs.result_cache import ResultCache
+from backend.runs.result_finder import ResultFinder
+from backend.runs.service import Runs
+from backend.runs.solve.service import Solver
+from backend.runs.warm_up import warm_up
+from backend.settings import Settings
+from backend.store import Store
+from backend.tunings.service import TuningService
+from backend.tunings.steps import TuningSteps
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Services(HttpParts):
+    """Every service, and what they work with; none runs before `start`."""
+
+    store: Store
+    workers: Workers
+    batch_workers: Workers
+    metrics: CollectorRegistry
+    spool: Spool
+    roads: MeasuredRoads
+    runs: Runs
+    solver: Solver
+    batches: BatchService
+    tunings: TuningService
+    paper: Paper
+    links: Links
+    controllers: Controllers
+    tuning_steps: TuningSteps
+    scheduler: Scheduler
+
+    def start(self) -> None:
+        """Spawn the workers, and lead jobs where no other service does; batch workers start with their first task."""
+        self.workers.start()
+        self.scheduler.start()
+
+    async def close(self) -> None:
+        """End what runs, the database last."""
+        await self.scheduler.close()
+        self.tuning_steps.close()
+        await self.workers.close()
+        await self.batch_workers.close()
+        self.store.close()
+
+
+def services_of(request: HTTPConnection) -> Services:
+    """Those of the application that was asked."""
+    services: Services = request.app.state.services
+    return services
+
+
+def interactive_workers(settings: Settings) -> Workers:
+    """The processes that answer requests."""
+    return Workers(settings.workers, timeout=settings.run_timeout, warm_up=warm_up, reserved=RESERVED)
+
+
+def make_services(settings: Settings, workers: Workers) -> Services:
+    """The services with these settings and these interactive workers."""
+    store, gate = Store(settings.store_url), Gate(settings)
+    tokens = None if settings.tokens_file is None else Tokens(settings.tokens_file)
+    # Where Dask computes the jobs, one process is left for longer planning and summaries.
+    count = settings.batch_workers if settings.dask_scheduler is None else 1
+    batch_workers = Workers(count, timeout=settings.run_timeout, warm_up=warm_up, nice=BATCH_NICE)
+    spool = Spool(settings.data_dir / "spool", gate)
+    roads = MeasuredRoads(store=store, workers=workers, gate=gate)
+    memory = ResultCache(settings.series_cache_bytes)
+    results = ResultFinder(store=store, workers=workers, memory=memory, gate=gate, roads=roads)
+    runs = Runs(store=store, workers=workers, results=results, gate=gate, roads=roads, spool=spool)
+    batches = BatchService(
+        store=store,
+        workers=workers,
+        batch_workers=batch_workers,
+        gate=gate,
+        settings=settings,
+        roads=roads,
+        spool=spool,
+    )
+    tuning_steps = TuningSteps(store, batches)
+    return Services(
+        settings=settings,
+        gate=gate,
+        tokens=tokens,
+        logins=None if tokens is None else _logins(tokens, store),
+        store=store,
+        workers=workers,
+        batch_workers=batch_workers,
+        metrics=service_registry(workers, gate),
+        spool=spool,
+        roads=roads,
+        runs=runs,
+        solver=Solver(runs=runs, gate=gate, roads=roads),
+        batches=batches,
+        tunings=TuningService(store=store, batch_workers=batch_workers, gate=gate, settings=settings),
+        paper=Paper(store=store, results=results, gate=gate),
+        links=Links(store=store, workers=workers, runs=runs, gate=gate, roads=roads),
+        controllers=Controllers(workers=workers, gate=gate, roads=roads, max_request_cost=settings.max_request_cost),
+        tuning_steps=tuning_steps,
+        scheduler=Scheduler(
+            store=store,
+            settings=settings,
+            kinds=(SWEEP, REPRODUCTION, tuning_steps.kind),
+            connect=partial(_connect, settings, batch_workers),
+            workers=batch_workers,
+        ),
+    )
+
+
+def _logins(tokens: Tokens, store: Store) -> Logins:
+    return Logins(
+        tokens,
+        remember=lambda login: store.write(store.logins.end, login),
+        has_ended=lambda login: store.read(store.logins.has_ended, login),
+    )
+
+
+async def _connect(settings: Settings, batch_workers: Workers) -> Executor:
+    """What computes the runs of jobs."""
+    if settings.dask_scheduler is None:
+        return LocalExecutor(batch_workers)
+    from backend.compute.dask_executor import DaskExecutor  # takes half a second to import: not before there is a job
+
+    return await DaskExecutor.connected(settings, warm_up)
