@@ -4,6 +4,7 @@ import { Button, Text } from "@mantine/core";
 import { useQueryClient } from "@tanstack/react-query";
 import { IconPlugConnectedX } from "../ui/icons";
 import { useCallback, useEffect, useEffectEvent, useState } from "react";
+import { isTransient } from "../api/problem";
 import { connection, probe, type Readiness, type Trouble } from "../api/connection";
 import { useSelector } from "@tanstack/react-store";
 import ui from "../ui/ui.module.css";
@@ -25,7 +26,7 @@ export function ConnectionBanner({ onBack }: { readonly onBack: () => void }) {
   // Whichever request is answered first: the probe here, or one of a page.
   const askAgain = useEffectEvent(() => {
     onBack();
-    void queries.refetchQueries({ predicate: (query) => query.state.status === "error" });
+    void queries.refetchQueries({ predicate: ({ state }) => isTransient(state.error) });
   });
   useEffect(() => (isAway ? () => askAgain() : undefined), [isAway]);
   return trouble === null ? null : <Reconnecting trouble={trouble} requestedWait={wait} />;
@@ -72,10 +73,10 @@ function Reconnecting({ trouble, requestedWait }: Props) {
   return (
     <div className={ui.notice} data-kind="trouble" data-testid="connection" role="status">
       <IconPlugConnectedX size={18} stroke={1.7} aria-hidden />
-      <Text size="md">
+      <Text>
         {MESSAGE[readiness]} <span aria-hidden>Next try in {wait} s.</span>
       </Text>
-      <Button size="compact-xs" variant="default" onClick={() => void tryNow(new AbortController().signal)}>
+      <Button size="compact-xs" onClick={() => void tryNow(new AbortController().signal)}>
         Try now
       </Button>
     </div>

@@ -62,7 +62,9 @@ export function PageNotFound() {
         title="There is no page at this address"
         text="The address may be incomplete. The navigation above leads to every page."
       >
-        <Button renderRoot={(props) => <Link to="/" {...props} />}>Go to the lab</Button>
+        <Button size="sm" variant="filled" renderRoot={(props) => <Link to="/" {...props} />}>
+          Go to the lab
+        </Button>
       </Blank>
     </Box>
   );
@@ -85,7 +87,9 @@ export function PageFailed({ error }: { readonly error: unknown }) {
         title="This page has failed"
         text={`${error instanceof Error ? error.message : "Something went wrong"}. What was computed is stored at this address; loading it again shows it.`}
       >
-        <Button onClick={() => window.location.reload()}>Load again</Button>
+        <Button size="sm" variant="filled" onClick={() => window.location.reload()}>
+          Load again
+        </Button>
       </Blank>
     </Box>
   );

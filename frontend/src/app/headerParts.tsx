@@ -20,7 +20,6 @@ export function PagesMenu({ entries, section }: PagesProps) {
     <Menu position="bottom-start" width={180}>
       <Menu.Target>
         <Button
-          size="xs"
           variant="subtle"
           color="gray"
           className={classes.menu ?? ""}

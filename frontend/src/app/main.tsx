@@ -29,6 +29,8 @@ const petrol: MantineColorsTuple = [
   "#00696b",
 ];
 
+const small = { defaultProps: { size: "xs" } };
+
 const theme = createTheme({
   primaryColor: "petrol",
   // White text stands out on either.
@@ -42,6 +44,13 @@ const theme = createTheme({
   fontSizes: { xs: "0.75rem", sm: "0.8125rem", md: "0.875rem", lg: "1.0625rem", xl: "1.25rem" },
   respectReducedMotion: true,
   components: {
+    Button: { defaultProps: { size: "xs", variant: "default" } },
+    Checkbox: small,
+    MultiSelect: small,
+    NativeSelect: small,
+    SegmentedControl: small,
+    Select: small,
+    TextInput: small,
     // The placeholder would be a child that a menu may not have.
     Modal: { defaultProps: { closeButtonProps: { "aria-label": "Close" } } },
     Menu: { defaultProps: { withInitialFocusPlaceholder: false } },

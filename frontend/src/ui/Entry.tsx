@@ -36,7 +36,6 @@ export function Entry({ unit = "1", className = "", onType, ...props }: EntryPro
         };
   return (
     <TextInput
-      size="xs"
       inputMode="decimal"
       className={className}
       {...beside}
@@ -52,7 +51,7 @@ interface ChoiceProps extends Omit<NativeSelectProps, "onChange" | "data"> {
 }
 
 export function Choice({ onPick, ...props }: ChoiceProps) {
-  return <NativeSelect size="xs" {...props} onChange={(event) => onPick(event.currentTarget.value)} />;
+  return <NativeSelect {...props} onChange={(event) => onPick(event.currentTarget.value)} />;
 }
 
 /** Things with an id and a label, to choose from. */
@@ -108,7 +107,6 @@ export function Finder({ onPick, ...props }: FinderProps) {
   const [search, setSearch] = useState("");
   return (
     <Select
-      size="xs"
       searchable
       value={null}
       searchValue={search}

@@ -14,17 +14,19 @@ export function PartFailed({ onClose }: Props) {
       withCloseButton={onClose !== undefined}
       title="This part of the page could not be shown"
     >
-      <Text size="md">
+      <Text>
         Ridelab may have been updated since this page was loaded. Loading it again shows what was computed: it is stored
         at this address.
       </Text>
       <Group justify="flex-end" gap="xs" mt="md">
         {onClose && (
-          <Button variant="default" onClick={onClose}>
+          <Button size="sm" onClick={onClose}>
             Close
           </Button>
         )}
-        <Button onClick={() => window.location.reload()}>Load again</Button>
+        <Button size="sm" variant="filled" onClick={() => window.location.reload()}>
+          Load again
+        </Button>
       </Group>
     </Modal>
   );

@@ -23,7 +23,6 @@ export function CompareBar({ resultView }: { readonly resultView: ResultView }) 
       <AgainstSelect resultView={resultView} />
       <SpeedSelect />
       <Checkbox
-        size="xs"
         label="Plot differences"
         checked={resultView.differences}
         onChange={({ currentTarget: { checked } }) => labAddress.setView({ differences: checked })}
@@ -53,7 +52,6 @@ function AgainstSelect({
     <label className={classes.choice}>
       Change against
       <NativeSelect
-        size="xs"
         value={selected}
         onChange={({ currentTarget: { value } }) =>
           labAddress.setView(
@@ -123,13 +121,7 @@ function PinButton() {
       : "Keeps this result here, to compare others with it";
   return (
     <Tooltip label={why} multiline w={240} openDelay={500}>
-      <Button
-        size="xs"
-        variant="default"
-        leftSection={<IconPin size={15} />}
-        disabled={run === null || isPinned || isFull || !form}
-        onClick={pin}
-      >
+      <Button leftSection={<IconPin size={15} />} disabled={run === null || isPinned || isFull || !form} onClick={pin}>
         Pin
       </Button>
     </Tooltip>
@@ -159,7 +151,6 @@ function SpeedSelect() {
       <label className={classes.choice}>
         Who slows down
         <NativeSelect
-          size="xs"
           disabled={readOnly}
           value={typeof policy === "string" ? policy : "by_strategy"}
           data={CHOICES}

@@ -54,7 +54,6 @@ function BeforeSwitch() {
   const name = before?.name ?? BEFORE_EDIT;
   return (
     <Checkbox
-      size="xs"
       classNames={{ root: classes.pin ?? "", label: classes.before ?? "" }}
       label={
         <>
@@ -102,7 +101,6 @@ function PinMenu({ pin, index }: Props) {
       </Menu.Target>
       <Menu.Dropdown>
         <TextInput
-          size="xs"
           p={6}
           aria-label="Name"
           maxLength={LONGEST_NAME}

@@ -49,7 +49,7 @@ export function Editor({ form }: { readonly form: Group }) {
   return (
     <div className={classes.editor} data-scenario data-read-only={readOnly || undefined}>
       <div className={classes.summary}>
-        <Text size="md" c="dimmed">
+        <Text c="dimmed">
           {changed === 0
             ? "The paper’s scenario"
             : `${changed} ${changed === 1 ? "value differs" : "values differ"} from the paper`}
@@ -70,7 +70,6 @@ export function Editor({ form }: { readonly form: Group }) {
         )}
       </div>
       <TextInput
-        size="xs"
         p="0 0.75rem 0.5rem 1rem"
         aria-label="Find a field"
         placeholder="Find a field"

@@ -86,8 +86,6 @@ export function ExportMenu() {
       <Menu position="bottom-end" width={290}>
         <Menu.Target>
           <Button
-            size="xs"
-            variant="default"
             aria-label="Export"
             leftSection={copied ? <IconCheck size={15} /> : <IconDownload size={15} />}
             classNames={compact}
@@ -138,10 +136,10 @@ export function ExportMenu() {
         </Menu.Dropdown>
       </Menu>
       <Modal opened={unsaved !== null} onClose={reset} title="The controller could not be exported">
-        <Text size="md">{unsaved?.message}</Text>
+        <Text>{unsaved?.message}</Text>
       </Modal>
       <Modal opened={picture.isError} onClose={picture.reset} title="The plots could not be saved">
-        <Text size="md">{picture.error && explain(picture.error)}</Text>
+        <Text>{picture.error && explain(picture.error)}</Text>
       </Modal>
       <Modal
         opened={refused !== null}

@@ -32,14 +32,7 @@ export function LibraryButton() {
   const { label, ...button } = useActionButton("library");
   return (
     <>
-      <Button
-        size="xs"
-        variant="default"
-        aria-label={label}
-        leftSection={<IconTemplate size={16} stroke={1.7} />}
-        classNames={compact}
-        {...button}
-      >
+      <Button aria-label={label} leftSection={<IconTemplate size={16} stroke={1.7} />} classNames={compact} {...button}>
         {label}
       </Button>
       {saving && canEdit && (

@@ -36,7 +36,7 @@ export function OpenFiles({ children, name, wanted, size = "compact-xs" }: Props
       onChange={choose}
     >
       {(props) => (
-        <Button {...props} size={size} variant="default">
+        <Button {...props} size={size}>
           {children}
         </Button>
       )}
@@ -82,9 +82,7 @@ function LastNotice() {
       <div className={ui.notice} role={said.isWrong ? "alert" : "status"}>
         <div>
           {said.lines.map((line) => (
-            <Text key={line} size="md">
-              {line}
-            </Text>
+            <Text key={line}>{line}</Text>
           ))}
         </div>
         <CloseButton size="sm" aria-label="Close the message" onClick={() => notice.set(null)} />

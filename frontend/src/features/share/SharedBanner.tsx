@@ -46,16 +46,10 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
     <>
       <SharedNote link={link} what="result">
         <div className={classes.bannerTools}>
-          <Button size="xs" leftSection={<IconCopy size={15} />} onClick={openCopy}>
+          <Button variant="filled" leftSection={<IconCopy size={15} />} onClick={openCopy}>
             Open a copy to edit
           </Button>
-          <Button
-            size="xs"
-            variant="default"
-            leftSection={<IconRefresh size={15} />}
-            loading={again.isPending}
-            onClick={() => again.mutate()}
-          >
+          <Button leftSection={<IconRefresh size={15} />} loading={again.isPending} onClick={() => again.mutate()}>
             Run again on this version
           </Button>
         </div>
@@ -85,7 +79,7 @@ export function SharedNote({
   return (
     <section className={classes.banner} aria-label="Shared result">
       <IconLock size={17} stroke={1.7} aria-hidden />
-      <Text size="md" flex="1 1 14rem">
+      <Text flex="1 1 14rem">
         Shared {what}, computed on {formatDay(link.computed_at)} by core {link.core_version}. Read-only.
         {link.damaged_at !== null &&
           ` Something stored of it was found damaged on ${formatDay(link.damaged_at)} and computed again by that core: it may differ from what was shared.`}

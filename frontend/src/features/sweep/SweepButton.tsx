@@ -19,14 +19,7 @@ export function SweepButton() {
   return (
     <>
       <Tooltip label="Run many variants of this scenario">
-        <Button
-          size="xs"
-          variant="default"
-          aria-label={label}
-          leftSection={<IconGridDots size={15} />}
-          classNames={compact}
-          {...button}
-        >
+        <Button aria-label={label} leftSection={<IconGridDots size={15} />} classNames={compact} {...button}>
           {label}
         </Button>
       </Tooltip>

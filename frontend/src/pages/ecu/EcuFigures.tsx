@@ -60,7 +60,6 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
           ))}
         </Group>
         <SegmentedControl
-          size="xs"
           aria-label="Plots over"
           value={axis}
           data={[

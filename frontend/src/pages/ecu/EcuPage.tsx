@@ -107,9 +107,7 @@ function split(all: NonNullable<ReturnType<typeof useEcuRun>["run"]>["strategies
 function EcuLoading() {
   return (
     <>
-      <Text size="md" c="dimmed">
-        The program is driven over the road.
-      </Text>
+      <Text c="dimmed">The program is driven over the road.</Text>
       <Loading label="Driving" heights={[420]} />
     </>
   );
@@ -121,8 +119,6 @@ function ExportController({ scenario }: { readonly scenario: Scenario | undefine
   return (
     <Group gap="xs">
       <Button
-        size="xs"
-        variant="default"
         leftSection={<IconDownload size={15} />}
         loading={saving}
         disabled={!scenario}

@@ -40,13 +40,13 @@ export function RealTime({ scenario, catalogue, seconds, colour }: Props) {
       aria-busy={drive.isPending || undefined}
       title="In real time"
       tools={
-        <Button size="xs" variant="default" loading={drive.isPending} onClick={() => drive.mutate(scenario)}>
+        <Button loading={drive.isPending} onClick={() => drive.mutate(scenario)}>
           {report ? "Drive again" : "Drive in real time"}
         </Button>
       }
     >
       <Stack gap="xs" px="0.9rem" pb="sm">
-        <Text size="md" c="dimmed">
+        <Text c="dimmed">
           The same program, a frame every control step by the clock; an answer after the next frame’s time is a missed
           deadline, and the actuators hold the last command. It takes as long as the drive
           {seconds === undefined ? "" : `, about ${formatNumber(seconds, 2)} s`}. An ordinary operating system wakes
@@ -176,7 +176,7 @@ function Report({
       />
       <Box px="0.9rem" pt="xs">
         <Group gap="xs">
-          <SegmentedControl size="xs" aria-label="Histogram of" value={kind} data={[...KINDS]} onChange={setKind} />
+          <SegmentedControl aria-label="Histogram of" value={kind} data={[...KINDS]} onChange={setKind} />
           {spread && (
             <ChartButton
               title={`Histogram of ${label.toLowerCase()}`}
@@ -202,12 +202,10 @@ function Report({
             label={`Histogram of ${kind.replace("_", "-")} over ${report.steps} steps; its figures stand in the table above`}
           />
         ) : (
-          <Text size="md" c="dimmed">
-            There is nothing to count: no answer came in time.
-          </Text>
+          <Text c="dimmed">There is nothing to count: no answer came in time.</Text>
         )}
       </Box>
-      <Text size="md" px="0.9rem" pt={6} pb="sm">
+      <Text px="0.9rem" pt={6} pb="sm">
         <span className={ui.dim}>Against the drive in lock-step: </span>
         {VIEWS.map(({ window, statistic }) => (
           <span key={window}>

@@ -27,7 +27,13 @@ export function EditorPane() {
   }
   return (
     <>
-      <Button className={classes.editButton ?? ""} leftSection={<IconAdjustmentsHorizontal size={18} />} onClick={open}>
+      <Button
+        size="sm"
+        variant="filled"
+        className={classes.editButton ?? ""}
+        leftSection={<IconAdjustmentsHorizontal size={18} />}
+        onClick={open}
+      >
         {readOnly ? "Scenario" : "Edit scenario"}
       </Button>
       <Drawer

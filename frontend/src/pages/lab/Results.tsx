@@ -98,7 +98,9 @@ export function NothingChosen({ suggestion }: { readonly suggestion: readonly st
   const { lab } = useLabContext();
   return (
     <Blank title="No strategy chosen" text="Switch on at least one above to see how the car rides.">
-      <Button onClick={() => lab.setStrategies(suggestion)}>Show all strategies</Button>
+      <Button size="sm" variant="filled" onClick={() => lab.setStrategies(suggestion)}>
+        Show all strategies
+      </Button>
     </Blank>
   );
 }
@@ -114,7 +116,9 @@ export function NotFound() {
         ];
   return (
     <Blank title={title} text={text}>
-      <Button onClick={lab.openPaper}>Open the paper’s scenario</Button>
+      <Button size="sm" variant="filled" onClick={lab.openPaper}>
+        Open the paper’s scenario
+      </Button>
     </Blank>
   );
 }

@@ -88,10 +88,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
         same for every strategy, with its 95 % interval; computed by core {paper.core_version}.{" "}
         {(uncertain(paper) > 0 || !paper.complete) &&
           `In ${count(uncertain(paper), "cell")} the interval leaves the verdict open (“uncertain”). `}
-        <Anchor href="#rules" size="md">
-          The rules
-        </Anchor>{" "}
-        were fixed before any number.
+        <Anchor href="#rules">The rules</Anchor> were fixed before any number.
       </Text>
       <OpenScenario paper={paper} />
       <Missed paper={paper} words={words} />
@@ -103,7 +100,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
 function Runs({ paper: { complete, progress } }: Pick<Props, "paper">) {
   return (
     <div className={classes.runs}>
-      <Text size="md" c="dimmed" data-testid="progress">
+      <Text c="dimmed" data-testid="progress">
         {complete
           ? `Computed from ${count(progress.done, "run")}.`
           : `${formatWhole(progress.done)} of ${count(progress.total, "run")}`}
@@ -130,8 +127,6 @@ function OpenScenario({ paper }: Pick<Props, "paper">) {
   return (
     <div className={classes.actions}>
       <Button
-        size="xs"
-        variant="default"
         rightSection={<IconArrowRight size={15} aria-hidden />}
         loading={opening !== null}
         onClick={() => open(strategies)}
@@ -159,9 +154,7 @@ function Missed({ paper, words }: Props) {
           .map((cell) => (
             <li key={cellId(cell)}>
               <VerdictMark verdict={cell.verdict} certain={cell.certain} />
-              <Anchor href={`#${cellId(cell)}`} size="md">
-                {cellName(cell, words)}
-              </Anchor>
+              <Anchor href={`#${cellId(cell)}`}>{cellName(cell, words)}</Anchor>
             </li>
           ))}
       </ul>

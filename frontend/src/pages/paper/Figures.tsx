@@ -40,7 +40,6 @@ export function Figures({ choices }: { readonly choices: Choices }) {
         a figure to look closer, double click for all of it.
       </Text>
       <SegmentedControl
-        size="xs"
         aria-label="Figures 8 to 22 over"
         className={classes.range ?? ""}
         value={range}

@@ -43,8 +43,6 @@ export function PaperPage() {
         <Button
           component="a"
           href={address("/paper/report.html", { query: choices })}
-          size="xs"
-          variant="default"
           aria-label="Report"
           leftSection={<IconFileDescription size={15} aria-hidden />}
           classNames={compact}
@@ -61,10 +59,8 @@ export function PaperPage() {
             </Box>
             <Text className={classes.text}>
               Meng, Kong, Ding, Liu and Wang,{" "}
-              <Anchor href={`https://doi.org/${DOI}`} size="md">
-                World Electric Vehicle Journal 16 (2025) 232
-              </Anchor>
-              : every change it prints, run here again.
+              <Anchor href={`https://doi.org/${DOI}`}>World Electric Vehicle Journal 16 (2025) 232</Anchor>: every
+              change it prints, run here again.
             </Text>
           </Box>
           {fault && (
@@ -148,7 +144,7 @@ function PageFault({ fault, choices, onReset, onRetry }: PageFaultProps) {
         onRetry={onRetry}
       />
       {Object.keys(choices).length > 0 && (
-        <Button size="xs" variant="default" mt="0.6rem" onClick={onReset}>
+        <Button mt="0.6rem" onClick={onReset}>
           Show Ridelab’s own interpretation
         </Button>
       )}

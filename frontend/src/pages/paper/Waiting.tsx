@@ -27,7 +27,7 @@ export function Waiting({ what, height }: WaitingProps) {
       <div className={classes.waitingText}>
         <Loader size="sm" />
         <div>
-          <Text size="md" fw={600} role="status">
+          <Text fw={600} role="status">
             {what} …
           </Text>
           <Text size="xs" c="dimmed">
@@ -43,10 +43,8 @@ export function Waiting({ what, height }: WaitingProps) {
 export function Fault({ message, onRetry }: { readonly message: string; readonly onRetry: () => void }) {
   return (
     <div className={classes.faultBox} role="alert">
-      <Text size="md">{message}</Text>
-      <Button size="xs" variant="default" onClick={onRetry}>
-        Try again
-      </Button>
+      <Text>{message}</Text>
+      <Button onClick={onRetry}>Try again</Button>
     </div>
   );
 }

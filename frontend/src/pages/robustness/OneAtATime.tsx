@@ -45,7 +45,7 @@ export function OneAtATime({ id, ...rest }: Props) {
 function Message({ text }: { readonly text: string }) {
   return (
     <Card aria-label="Each field alone" title="Each field alone">
-      <Text size="md" c="dimmed" className={ui.note ?? ""} role="status">
+      <Text c="dimmed" className={ui.note ?? ""} role="status">
         {text}
       </Text>
     </Card>
@@ -118,7 +118,7 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
       {tornado ? (
         <Bars {...{ tornado, figure, opening, batch }} />
       ) : (
-        <Text size="md" c="dimmed" className={ui.note ?? ""} role="status">
+        <Text c="dimmed" className={ui.note ?? ""} role="status">
           {explanation}
         </Text>
       )}

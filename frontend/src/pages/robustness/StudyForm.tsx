@@ -98,7 +98,6 @@ export function StudyForm({ defaults, strategies, form, scenario, head, existing
           />
         </div>
         <Checkbox
-          size="xs"
           label="Also vary each field alone, to both ends of its range"
           checked={draft.oneByOne}
           onChange={(event) => patch({ oneByOne: event.currentTarget.checked })}

@@ -32,8 +32,6 @@ export function StudyPage() {
     <>
       {batch && defaults.data && (
         <Button
-          size="xs"
-          variant="default"
           aria-expanded={changing}
           aria-label="Change it"
           classNames={compact}
@@ -44,8 +42,6 @@ export function StudyPage() {
         </Button>
       )}
       <Button
-        size="xs"
-        variant="default"
         aria-label="New study"
         classNames={compact}
         leftSection={<IconPlus size={15} />}
@@ -62,7 +58,11 @@ export function StudyPage() {
       heading={ready ? "Robustness" : undefined}
       what="study"
       tools={tools}
-      instead={<Button renderRoot={(props) => <Link to="/robustness" {...props} />}>New study</Button>}
+      instead={
+        <Button size="sm" variant="filled" renderRoot={(props) => <Link to="/robustness" {...props} />}>
+          New study
+        </Button>
+      }
       faults={[error, defaults.error]}
       heights={[28, 96, 440, 320]}
     >
@@ -76,7 +76,7 @@ export function StudyPage() {
               scenario={batch.scenario}
               existing={batch}
               head={
-                <Text size="md">
+                <Text>
                   The scenario of this study.{" "}
                   <Text span c="dimmed">
                     {otherThanPaper(batch.scenario, catalogues.form)}

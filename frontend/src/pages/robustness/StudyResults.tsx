@@ -55,7 +55,7 @@ export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
     return (
       <div className={ui.stack}>
         {!ended && (
-          <Text size="md" c="dimmed">
+          <Text c="dimmed">
             The first figures stand here as soon as {LEAST_POINTS} points have run under each strategy.
           </Text>
         )}
@@ -72,7 +72,7 @@ export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
       aria-busy={query.isPlaceholderData}
     >
       {finished < summary.points && (
-        <Text size="md" className={ui.warning} role="status">
+        <Text className={ui.warning} role="status">
           {ended ? "At" : "So far at"} least {formatWhole(finished)} of {formatWhole(summary.points)} points have run
           under each strategy; the figures below are of those.
         </Text>

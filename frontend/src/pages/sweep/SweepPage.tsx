@@ -98,14 +98,7 @@ function BatchActions({ batch, view }: SweepActionsProps) {
       />
       <Menu position="bottom-end" width={260}>
         <Menu.Target>
-          <Button
-            size="xs"
-            variant="default"
-            aria-label="Export"
-            classNames={compact}
-            leftSection={<IconDownload size={15} />}
-            disabled={!batch}
-          >
+          <Button aria-label="Export" classNames={compact} leftSection={<IconDownload size={15} />} disabled={!batch}>
             Export
           </Button>
         </Menu.Target>

@@ -91,7 +91,6 @@ function Range({ label, title, range, own, wrong, onChange }: RangeProps) {
       </span>
       <Group component="span" gap="0.4rem" wrap="nowrap" mih={30}>
         <Checkbox
-          size="xs"
           aria-label={`Tune ${label}`}
           checked={range.on}
           onChange={(event) => onChange({ on: event.currentTarget.checked })}

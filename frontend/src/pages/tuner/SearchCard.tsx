@@ -96,7 +96,7 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
       }
     >
       {tuning.paper === null ? (
-        <Text size="md" c="dimmed" className={classes.plotEmpty ?? ""} style={{ height: HEIGHT }}>
+        <Text c="dimmed" className={classes.plotEmpty ?? ""} style={{ height: HEIGHT }}>
           The first generation is being computed: the paper’s weights and {tuning.population - 1} others.
         </Text>
       ) : (

@@ -29,11 +29,7 @@ export function TuningPage() {
   const { job: tuning, error, connected, left } = useJob(TUNING, id);
   const strategy = catalogues.strategies.find((each) => each.id === tuning?.strategy)?.label ?? tuning?.strategy;
   const heading = strategy !== undefined ? `Weights of ${strategy}` : undefined;
-  const start = (text: string) => (
-    <Anchor size="md" renderRoot={(props) => <Link to="/tuner" {...props} />}>
-      {text}
-    </Anchor>
-  );
+  const start = (text: string) => <Anchor renderRoot={(props) => <Link to="/tuner" {...props} />}>{text}</Anchor>;
   return (
     <Page
       title={heading ?? "Tuning"}
@@ -77,7 +73,7 @@ function TuningResults({ tuning, form, strategies, figures }: { readonly tuning:
   return (
     <>
       {warning !== null && (
-        <Text size="md" role="status" className={ui.warning ?? ""}>
+        <Text role="status" className={ui.warning ?? ""}>
           {warning}
         </Text>
       )}
