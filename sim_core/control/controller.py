@@ -19,9 +19,9 @@ from numpy.typing import NDArray
 from pydantic import Field, TypeAdapter
 
 from sim_core.control.law import LinearLaw
-from sim_core.control.qp import Qp
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RidelabError, UnknownNameError
+from sim_core.kernel.qp import Qp
 from sim_core.scenario import Preview, Scenario, dotted
 from sim_core.scenario.fields import Part
 from sim_core.speed.profile import SpeedPlan

@@ -14,10 +14,10 @@ from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.control.controller import Controller
 from sim_core.control.law import LAW_INPUTS, LinearLaw
-from sim_core.control.qp import Qp
 from sim_core.control.seen import RunInputs, Seen
 from sim_core.errors import RidelabError
 from sim_core.kernel.prepared import FollowLaw, LawArrays, limit_force
+from sim_core.kernel.qp import Qp
 from sim_core.loop.preview import Forecast
 from sim_core.speed.stages import Segment
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES
@@ -93,7 +93,12 @@ class ClosedLoop:
 
 
 def law_arrays(
-    law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, clips: bool, qp: Qp | None = None
+    law: LinearLaw,
+    forecast: Forecast,
+    force_limits: FloatArray,
+    *,
+    clips: bool,
+    qp: Qp | None = None,
 ) -> LawArrays:
     """A law with all that decides where it holds.
 
@@ -125,7 +130,7 @@ def law_arrays(
         sizes=forecast.sizes,
         force_limits=force_limits,
         clips=clips,
-        qp=None if qp is None else (qp.design, qp.run.in_c),
+        qp=qp,
     )
 
 

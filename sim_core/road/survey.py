@@ -92,7 +92,7 @@ def bumps_in(heights: FloatArray) -> list[DetectedBump]:
         bumps.append(
             DetectedBump(
                 start=round(first * _COARSE, 2),
-                width=round(max(last - first, 1) * _COARSE, 2),
+                width=round((last - first) * _COARSE, 2),
                 height=round(float(above[crest]), 4),
             )
         )

@@ -4,6 +4,7 @@ from typing import Any
 
 from sim_core.catalogue import COMFORT, EVENTS, SIGNALS, Entry
 from sim_core.scenario import Scenario, dotted
+from sim_core.scenario.data_sheet import DataSheet
 from sim_core.scenario.presets import PRESETS
 from sim_core.scenario.vehicles import VEHICLES
 from sim_core.strategies import STRATEGIES, reads
@@ -13,6 +14,8 @@ _HEAD = """# The scenario, field by field
 Written from sim_core/scenario/parts.py; a test keeps this page equal to it. Every field
 has a default, the paper's unless its text says "ours"; the range is what a slider offers, the limits what is accepted.
 """
+_DATA_SHEET = """Of what a whole car's data sheet says `sim_core.scenario.data_sheet.DataSheet`,
+`POST /api/v1/vehicles/from-data-sheet` and the page make a `vehicle`; its fields stand in no scenario."""
 
 
 def page() -> str:
@@ -26,7 +29,8 @@ def page() -> str:
     lines += ["\n## Vehicles\n", "| id | what it is | other than the paper's |", "|---|---|---|"]
     for car in VEHICLES.values():
         lines.append(f"| `{car.id}` | {car.description} | {_changed(Scenario(vehicle=car.vehicle))} |")
-    lines += ["\n## Strategies\n", "| id | what it does | reads |", "|---|---|---|"]
+    lines += ["", _DATA_SHEET, "", *_part("data_sheet", DataSheet.model_json_schema(), {})]
+    lines += ["## Strategies\n", "| id | what it does | reads |", "|---|---|---|"]
     for row in STRATEGIES.values():
         lines.append(f"| `{row.id}` | {row.description()} | {', '.join(f'`{name}`' for name in reads(row))} |")
     for title, catalogue in (("Signals", SIGNALS), ("Comfort figures", COMFORT), ("Events", EVENTS)):
@@ -67,7 +71,7 @@ def _field(path: str, field: dict[str, Any]) -> str:
     number = next((option for option in field.get("anyOf", [field]) if "maximum" in option), field)
     if "prefixItems" in field:
         number = field["prefixItems"][0]
-    soft, default = field.get("soft_range"), field.get("default")
+    soft, default = field.get("soft_range"), field.get("default", "required")
     limits = f"{_show(number['minimum'])} to {_show(number['maximum'])}" if "maximum" in number else ""
     if "enum" in field:
         limits = ", ".join(f"`{choice}`" for choice in field["enum"])

@@ -202,8 +202,10 @@ def test_a_residual_is_the_largest_violation() -> None:
         ]
         worst = [float(each.max()) for each in violations]
         largest.add(int(np.argmax(worst)))
-        violation = QpMemory(np.zeros(4), f, b, y, multipliers).residual(matrices)
+        memory = QpMemory(matrices, 1.0)
+        memory.f[:], memory.b[:], memory.y[:], memory.multipliers[:] = f, b, y, multipliers
+        violation = memory.residual(matrices)
         assert violation == pytest.approx(max(worst), rel=1e-9)
     assert largest == set(range(5))
-    f[0] = np.nan
-    assert not QpMemory(np.zeros(4), f, b, y, multipliers).residual(matrices) < np.inf
+    memory.f[0] = np.nan
+    assert not memory.residual(matrices) < np.inf
