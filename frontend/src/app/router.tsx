@@ -7,7 +7,7 @@ import { readScenarioSource } from "../features/scenarioSource/scenarioSource";
 import { readChoices } from "../pages/paper/choices";
 import { PageFailed, PageLoading, PageNotFound, Shell } from "./Shell";
 import { BATCH, jobQuery, TUNING, type Common, type JobKind } from "../jobs/useJob";
-import { endFirstView } from "../lib/firstCurves";
+import { endFirstView, firstCurves } from "../lib/firstCurves";
 import { loadCatalogues, loadResultWords } from "../server/useCatalogues";
 import { parseSearch, pick, readLabSearch, stringifySearch } from "../lab/address";
 
@@ -22,7 +22,11 @@ const lab = createRoute({
   getParentRoute: () => root,
   id: "lab",
   component: LabPage,
-  loader: ({ context: { queries } }) => loadResultWords(queries),
+  loader: ({ context: { queries } }) => {
+    // With the code of what needs them; where they fail, that says so.
+    void firstCurves.then(() => loadCatalogues(queries)).catch(() => undefined);
+    return loadResultWords(queries);
+  },
 });
 const start = createRoute({ getParentRoute: () => lab, path: "/", validateSearch: readLabSearch });
 const run = createRoute({ getParentRoute: () => lab, path: "/r/$id", validateSearch: readLabSearch });

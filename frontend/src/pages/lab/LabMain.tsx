@@ -47,7 +47,7 @@ export function LabMain({ strategies }: { readonly strategies: readonly Strategy
       <LazyPart>
         <SharedBanner strategies={strategies} catalogue={catalogue} figures={figures} />
       </LazyPart>
-      <LazyPart fallback={<div className={bar.toolbar} />}>
+      <LazyPart fallback={<div className={`${bar.toolbar} ${bar.place}`} />}>
         <Toolbar
           strategies={strategies}
           part={

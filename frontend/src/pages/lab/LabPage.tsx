@@ -1,4 +1,4 @@
-import { Skeleton, Stack } from "@mantine/core";
+import { Box, Skeleton, Stack } from "@mantine/core";
 import { lazy } from "react";
 import { useDocumentTitle } from "@mantine/hooks";
 import { LabMain } from "./LabMain";
@@ -54,13 +54,13 @@ function LabContent() {
 
 function EditorLoading() {
   return (
-    <aside className={classes.aside} aria-label="Scenario" aria-busy>
+    <Box component="aside" visibleFrom="sm" className={classes.aside} aria-label="Scenario" aria-busy>
       <Stack gap="0.9rem" p="1.2rem 1rem">
         {Array.from({ length: 9 }, (_, index) => (
           <Skeleton key={index} height={index % 4 === 0 ? 18 : 44} width={index % 4 === 0 ? "45%" : "100%"} />
         ))}
       </Stack>
-    </aside>
+    </Box>
   );
 }
 
