@@ -12,7 +12,7 @@ PYTEST ?= --numprocesses $(PROCESSES) --dist loadfile --no-loadscope-reorder --d
 INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --require-hashes -r
 MAKEFLAGS += --jobs=2  # packages and page, and both halves of the checks, side by side
 
-.PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust manual setup development compiler lock pin dist clean
+.PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust figures manual setup development compiler lock pin dist clean
 
 run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
@@ -75,6 +75,9 @@ ecu: development ## the ECU's program: C sources in build/ridelab-controller, th
 	$(BIN)/ridelab controller paper --program build/ridelab-controller/ridelab_ecu
 	$(BIN)/ridelab controller paper --report
 	$(BIN)/python -m benchmarks.ecu
+
+figures: development ## the figures of the manual again, from the lines below them, and what its lines print
+	UPDATE_DOCS=1 $(BIN)/python -m pytest -q tests/architecture/test_documentation.py
 
 manual: build/manual/index.html ## the manual as pages in build/manual; the service has them at /manual/
 

@@ -6,6 +6,7 @@ from sim_core.errors import RidelabError
 from sim_core.loop.excitation import excite, step_sizes
 from sim_core.loop.run import Run
 from sim_core.metrics.evaluate import evaluate
+from sim_core.metrics.recorder import make_recorder
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.speed.profile import make_speed_profile
@@ -36,7 +37,8 @@ def simulate(scenario: Scenario, strategy: str | type[Controller] | Controller) 
         True
     """
     run = prepare(scenario, strategy)
-    return evaluate(run, run.drive())
+    recorder = make_recorder(run)
+    return evaluate(run, recorder, run.drive(recorder))
 
 
 def prepare(scenario: Scenario, strategy: str | type[Controller] | Controller) -> Run:

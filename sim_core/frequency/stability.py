@@ -26,12 +26,13 @@ from sim_core.strategies import make_controller, resolve_speed_plan
 from sim_core.vehicle.estimator import make_estimator
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 from sim_core.vehicle.linear import control_step
+from sim_core.vehicle.make import make_vehicle
 from sim_core.vehicle.model import Estimator
-from sim_core.vehicle.nonlinear import NonlinearCar
 from sim_core.vehicle.plant import plant
 
 _SETTLED = 8.0  # by then only the motion of a loop with unequal dampers that dies out last is left [s]
 _BLOCK = 100  # control steps after which its motion is brought back to size 1
+_STILL = np.zeros((2, _BLOCK + 1)), np.zeros(_BLOCK)  # road and braking
 _NO_PREVIEW = Forecast(
     disturbances=np.zeros((DISTURBANCES, _BLOCK, 0)),
     source=np.zeros(0),
@@ -87,9 +88,9 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
     vehicle, actuator = scenario.real_vehicle, scenario.actuator if instance.actuated else Actuator()
     step, estimator = setup.sample_time, None
     if instance.actuated:
-        mode, still = filter_preview(scenario, instance.for_scenario(scenario)), np.zeros((1, DISTURBANCES))
+        mode, still = filter_preview(scenario, instance.for_scenario(scenario)), np.zeros((1, 1))
         estimator = make_estimator(scenario, step, speed_profile.initial_speed, still, mode=mode)
-    A, B = control_step(plant(vehicle, actuator, step, 1), vehicle, estimator)
+    A, B = control_step(plant(vehicle, actuator, step), vehicle, estimator)
     loops = [closed_loop_matrix(A, B, law) for law in laws]
     of_modes = [damping(loop, step) for loop in loops]
     if vehicle.rebound_ratio == 1 or not instance.actuated:  # dampers alone only take energy out
@@ -129,7 +130,7 @@ def _last_motion(
     near_rest = vehicle.model_copy(update={"bump_stop_clearance": None, "tyre_lift_off": False})
     if estimator is not None:
         estimator = replace(estimator, input=np.zeros((_BLOCK, STATES)))
-    car = NonlinearCar(near_rest, actuator, step, np.zeros((_BLOCK, DISTURBANCES)), _BLOCK, estimator)
+    car = make_vehicle(near_rest, actuator, step, 1, *_STILL, estimator=estimator)
     motion = np.ones((_BLOCK + 1, len(loop)))
     free = law_arrays(LinearLaw(gain=law.gain), _NO_PREVIEW, np.full(3, inf), clips=True)
     follow = car.follow_law(free, motion)
