@@ -1,7 +1,8 @@
 """What a simulation returns: metrics always, time histories beside them."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass
+from functools import cache
 from typing import Any
 
 from sim_core.arrays import FloatArray
@@ -9,17 +10,17 @@ from sim_core.catalogue import SIGNALS
 
 
 class Series(Mapping[str, FloatArray]):
-    """Time histories, put together when they are asked for: most runs are asked for their metrics alone.
+    """Time histories, made when they are asked for: most runs are asked for their metrics alone.
 
     Args:
         shared: Signals as they are returned, all of one length.
-        columns: The others, each with a column for every held command (samples + 1, n): its last sample is the value
-            before the next command, which the histories leave out.
+        columns: Gives the others, each with a column for every held command (samples + 1, n): its last sample is the
+            value before the next command, which the histories leave out.
     """
 
-    def __init__(self, shared: Mapping[str, FloatArray], columns: Mapping[str, FloatArray]) -> None:
+    def __init__(self, shared: Mapping[str, FloatArray], columns: Callable[[], Mapping[str, FloatArray]]) -> None:
         self._shared = shared
-        self._columns = columns
+        self._columns = cache(columns)
         self._length = len(shared["time"])
 
     def __getitem__(self, key: str) -> FloatArray:
@@ -30,7 +31,7 @@ class Series(Mapping[str, FloatArray]):
         """A signal's samples from `start` up to before `end`."""
         if key in self._shared:
             return self._shared[key][start:end]
-        columns = self._columns[key]
+        columns = self._columns()[key]
         each = len(columns) - 1
         first = start // each
         return columns[:-1, first : -(-end // each)].T.reshape(-1)[start - first * each : end - first * each]
@@ -41,7 +42,7 @@ class Series(Mapping[str, FloatArray]):
         Raises:
             KeyError: It is none of those a suspension changes.
         """
-        return self._columns[key]
+        return self._columns()[key]
 
     def __iter__(self) -> Iterator[str]:
         """Names in the catalogue's order."""

@@ -7,9 +7,9 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.control.cost import CostTerms
+from sim_core.kernel.prepared import DrivenCar
 from sim_core.scenario import Vehicle, Weights
 from sim_core.vehicle.half_car import STATES
-from sim_core.vehicle.model import VehicleModel
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -121,7 +121,7 @@ class Seen:
     """
 
     _inputs: RunInputs
-    _car: VehicleModel
+    _car: DrivenCar
     step: int
     _car_step: int  # number of the car's step that begins then
     _car_state: FloatArray

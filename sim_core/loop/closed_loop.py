@@ -16,12 +16,11 @@ from sim_core.control.controller import Controller
 from sim_core.control.law import LAW_INPUTS, LinearLaw
 from sim_core.control.seen import RunInputs, Seen
 from sim_core.errors import RidelabError
-from sim_core.kernel.prepared import FollowLaw, LawArrays, limit_force
+from sim_core.kernel.prepared import DrivenCar, FollowLaw, LawArrays, limit_force
 from sim_core.kernel.qp import Qp
 from sim_core.loop.preview import Forecast
 from sim_core.speed.stages import Segment
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES
-from sim_core.vehicle.model import VehicleModel
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -29,14 +28,12 @@ class Trajectory:
     """What was driven.
 
     Attributes:
-        states: Of the car at the beginning of each of its steps (steps, n).
-        commands: Held in each (steps, 2) [N].
+        loop: [p; previous command] before each of the car's steps and after the last (steps + 1, n + 2).
         limited: Control steps in which a limit bound.
         held_commands: Commands that never took effect, of a delayed controller.
     """
 
-    states: FloatArray
-    commands: FloatArray
+    loop: FloatArray
     limited: int
     held_commands: int | None = None
 
@@ -45,7 +42,7 @@ class ClosedLoop:
     """One run's loop; limits of forces as `limit_force` has them."""
 
     def __init__(
-        self, controller: Controller, car: VehicleModel, inputs: RunInputs, forecast: Forecast, force_limits: FloatArray
+        self, controller: Controller, car: DrivenCar, inputs: RunInputs, forecast: Forecast, force_limits: FloatArray
     ) -> None:
         self._controller = controller
         self._car = car
@@ -78,7 +75,7 @@ class ClosedLoop:
                 if k < segment.last:
                     self._step(k, loop)
                     limited, k = limited + 1, k + 1
-        return Trajectory(states=loop[:-1, :n], commands=loop[1:, n:], limited=limited)
+        return Trajectory(loop=loop, limited=limited)
 
     def _step(self, k: int, loop: FloatArray) -> bool:
         """Drive one control step by the controller; whether a limit of forces or actuators shaped its command."""

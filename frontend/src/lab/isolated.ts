@@ -1,7 +1,7 @@
 /** The strategy whose curves stand out: the one that is pointed at, else the one that was tapped in the legend. */
 
+import { createStore, useSelector } from "@tanstack/react-store";
 import type { StrategyId } from "../api/types";
-import { createStore } from "../lib/store";
 
 interface Isolated {
   readonly pointed: StrategyId | null;
@@ -10,19 +10,16 @@ interface Isolated {
 
 const store = createStore<Isolated>({ pointed: null, held: null });
 
-export const isolated = {
-  subscribe: store.subscribe,
-  get: (): StrategyId | null => store.get().pointed ?? store.get().held,
-};
+export const useIsolated = (): StrategyId | null => useSelector(store, ({ pointed, held }) => pointed ?? held);
 
 /** For a legend's entry under the mouse; a finger leaves as it taps. */
 export const isolateWhilePointed = (id: StrategyId) => ({
   onPointerEnter: ({ pointerType }: { readonly pointerType: string }) => {
-    if (pointerType === "mouse") store.set(({ held }) => ({ held, pointed: id }));
+    if (pointerType === "mouse") store.setState(({ held }) => ({ held, pointed: id }));
   },
-  onPointerLeave: () => store.set(({ held }) => ({ held, pointed: null })),
+  onPointerLeave: () => store.setState(({ held }) => ({ held, pointed: null })),
 });
 
 /** Until it is tapped again. */
 export const holdIsolated = (id: StrategyId): void =>
-  store.set(({ pointed, held }) => ({ pointed, held: held === id ? null : id }));
+  store.setState(({ pointed, held }) => ({ pointed, held: held === id ? null : id }));

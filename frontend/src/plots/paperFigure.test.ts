@@ -82,7 +82,7 @@ describe("a figure for a paper", () => {
     expect(texts).toEqual([
       'LV, control, &lt;a href="https://other.test">R&amp;D&lt;/a>',
       "LV, control",
-      'Load [kN], less &lt;a href="https://other.test">R&amp;D&lt;/a>',
+      'Load [kN], change against &lt;a href="https://other.test">R&amp;D&lt;/a>',
     ]);
   });
 
@@ -117,7 +117,7 @@ it("Nothing of a pin's name is a line or a formula of its own in a table", () =>
       "",
     ).split("\n");
   const lines = pinned('x\r\n=HYPERLINK("https://other.test");@SUM(1)\u2028,+1');
-  expect(lines[0]).toBe(`# Ridelab: Load [kN], less x =HYPERLINK("https://other.test");'@SUM(1) ,'+1`);
+  expect(lines[0]).toBe(`# Ridelab: Load [kN], change against x =HYPERLINK("https://other.test");'@SUM(1) ,'+1`);
   expect(lines).toHaveLength(pinned("x").length);
   expect(lines[4]).toContain(`"LV, control, x =HYPERLINK(""https://other.test"");'@SUM(1) ,'+1: Load [kN]"`);
   expect([cell("=1+1"), cell("-5"), cell(" @a"), cell("a;b"), cell("\t=1")]).toEqual([

@@ -186,6 +186,8 @@ function Head<Row>({
   const look = { "data-text": text, "data-first": first, "data-unprinted": unprinted, title: help, ...headAttributes };
   if (head === "") return <td {...look} />;
   const under = detail !== undefined && detail !== "" && <span className={classes.detail}>{detail}</span>;
+  // A button stands in no other.
+  const hasButton = typeof detail === "object";
   if (!sort) {
     return (
       <th scope="col" {...look}>
@@ -198,10 +200,12 @@ function Head<Row>({
   return (
     <th scope="col" aria-sort={sorted} {...look}>
       <UnstyledButton className={classes.sort ?? ""} onClick={() => onSort(key)}>
-        <span>{head}</span>
+        <span>
+          {head} {!hasButton && under}
+        </span>
         <Icon size={13} stroke={1.8} aria-hidden />
       </UnstyledButton>{" "}
-      {under}
+      {hasButton && under}
     </th>
   );
 }

@@ -6,7 +6,7 @@ import { useEdit, useFromScenario, useLab, useReadOnly } from "../../lab/context
 import classes from "./editor.module.css";
 import { changedPointers, leavesOf, resetMember, type Leaf } from "../../scenario/differences";
 import { focusField, revealed } from "../../lab/reveal";
-import { useStore } from "../../lib/store";
+import { useSelector } from "@tanstack/react-store";
 import { Members } from "./Members";
 import type { Pointer } from "../../scenario/path";
 import { type Group, findMember, humanise, optionTitle, type Member } from "../../scenario/schema";
@@ -29,7 +29,7 @@ export function Editor({ form }: { readonly form: Group }) {
   const [search, setSearch] = useState("");
   const searching = search.trim() !== "";
   const found = useMemo(() => (searching ? foundIn(all, search) : all), [all, search, searching]);
-  const sought = useStore(revealed);
+  const sought = useSelector(revealed);
   const itsSection = sought && all.find((section) => contains(section, [sought]))?.key;
   if (itsSection && !opened.includes(itsSection)) setOpened([...opened, itsSection]);
   if (sought && searching) setSearch("");
@@ -47,7 +47,7 @@ export function Editor({ form }: { readonly form: Group }) {
   return (
     <div className={classes.editor} data-scenario data-read-only={readOnly || undefined}>
       <div className={classes.summary}>
-        <Text size="sm" c="dimmed">
+        <Text c="dimmed">
           {changed === 0
             ? "The paper’s scenario"
             : `${changed} ${changed === 1 ? "value differs" : "values differ"} from the paper`}
@@ -68,7 +68,6 @@ export function Editor({ form }: { readonly form: Group }) {
         )}
       </div>
       <TextInput
-        size="xs"
         p="0 0.75rem 0.5rem 1rem"
         aria-label="Find a field"
         placeholder="Find a field"
@@ -81,7 +80,7 @@ export function Editor({ form }: { readonly form: Group }) {
         }}
       />
       {found.length === 0 && (
-        <Text p="0.3rem 1rem" fz="0.8125rem" c="dimmed">
+        <Text p="0.3rem 1rem" fz="sm" c="dimmed">
           No field, option, unit or help text has these words.
         </Text>
       )}
@@ -135,7 +134,7 @@ const SectionItem = memo(function SectionItem({ section, isOpen }: ItemProps) {
   return (
     <Accordion.Item value={section.key}>
       <Accordion.Control>
-        <Box component="span" fw={600} fz="sm">
+        <Box component="span" fw={600} fz="md">
           {section.title}
         </Box>
         {changed > 0 && (

@@ -5,8 +5,7 @@ import { layersOf } from "../../plots/curves";
 import { stagedStrategy } from "../../plots/shapes";
 import { useCurves } from "../../plots/useDetail";
 import type { ResultView } from "../../lab/resultView";
-import { holdIsolated, isolated, isolateWhilePointed } from "../../lab/isolated";
-import { useStore } from "../../lib/store";
+import { holdIsolated, isolateWhilePointed, useIsolated } from "../../lab/isolated";
 import { LineKey, StrategyName } from "../../ui/StrategyKey";
 import classes from "./legend.module.css";
 
@@ -24,7 +23,7 @@ export function StageLegend({ resultView, catalogue, meta }: Props) {
   const staged = resultView.strategies.find(({ id }) => id === stagedStrategy(resultView.summaries, resultView.ids));
   const airborne = resultView.ids.some((id) => Number(resultView.summaries[id]?.events.airborne_ms ?? 0) > 0);
   const hasBand = useCurves(resultView).roads !== undefined && !resultView.differences;
-  const held = useStore(isolated);
+  const held = useIsolated();
   const layers = resultView.differences ? [] : layersOf(resultView);
   const several = resultView.axis === "time" && resultView.ids.length > 1;
   return (
