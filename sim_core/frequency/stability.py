@@ -17,12 +17,11 @@ from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller
 from sim_core.control.law import LinearLaw
 from sim_core.loop.closed_loop import law_arrays
-from sim_core.loop.excitation import step_sizes
 from sim_core.loop.preview import Forecast
-from sim_core.loop.run import filter_preview, make_setup
-from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario, Vehicle
-from sim_core.speed.profile import make_speed_profile
-from sim_core.strategies import make_controller, resolve_speed_plan
+from sim_core.loop.run import filter_preview
+from sim_core.scenario import Actuator, Mismatch, Scenario, Vehicle
+from sim_core.simulate import ANY_ROAD, prepare
+from sim_core.strategies import make_controller
 from sim_core.vehicle.estimator import make_estimator
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 from sim_core.vehicle.linear import control_step
@@ -40,8 +39,6 @@ _NO_PREVIEW = Forecast(
     height_now=np.zeros((2, _BLOCK)),
 )
 _NEGLIGIBLE = 1e-6  # a mode with a smaller eigenvalue has died out after one control step
-# No control law depends on the road; a Kalman filter depends on its roughness alone.
-_ANY_ROAD = Road(roughness=0, length=30, bump=Bump(height=0, start=20))
 
 
 def least_damping(scenario: Scenario, strategy: str | type[Controller] | Controller) -> float | None:
@@ -67,18 +64,16 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
     instance = make_controller(strategy)
     believed = scenario.model_copy(
         update={
-            "road": _ANY_ROAD,
+            "road": ANY_ROAD,
             "mismatch": Mismatch(),
             "mpc": scenario.mpc.model_copy(update={"preview": "none"}),
             "lqr": scenario.lqr.model_copy(update={"preview": "none"}),
         }
     )
-    controller = instance.for_scenario(believed)
+    run = prepare(believed, instance)
+    controller, setup = run.controller, run.setup()
     if controller.delayed or controller.dampers() is not None:
         return None
-    plan = resolve_speed_plan(type(instance), scenario.speed.policy)
-    speed_profile = make_speed_profile(believed, plan)
-    setup = make_setup(believed, controller, speed_profile, step_sizes(believed, controller, plan))
     controller.start(setup)
     of_stages = [controller.linear_law(stage) for stage in setup.stages]
     controller.end()
@@ -89,7 +84,7 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
     step, estimator = setup.sample_time, None
     if instance.actuated:
         mode, still = filter_preview(scenario, instance.for_scenario(scenario)), np.zeros((1, 1))
-        estimator = make_estimator(scenario, step, speed_profile.initial_speed, still, mode=mode)
+        estimator = make_estimator(scenario, step, setup.initial_speed, still, mode=mode)
     A, B = control_step(plant(vehicle, actuator, step), vehicle, estimator)
     loops = [closed_loop_matrix(A, B, law) for law in laws]
     of_modes = [damping(loop, step) for loop in loops]

@@ -29,30 +29,6 @@ from sim_core.vehicle.model import Estimator, SemiActiveDampers
 _AT_ONCE = 1024  # commands whose samples are turned at once: all would take as much memory again
 
 
-def make_setup(scenario: Scenario, controller: Controller, speed_profile: SpeedProfile, steps: StepSizes) -> Setup:
-    """What a controller is told before a run at that speed.
-
-    Raises:
-        RidelabError: Its preview is none that there is, or its horizon no number of steps.
-    """
-    steps_ahead: object = controller.preview_steps  # a visitor's class may hold anything
-    if controller.preview not in get_args(Preview):
-        raise RidelabError(f"{controller.label}: preview is one of {', '.join(get_args(Preview))}")
-    if not isinstance(steps_ahead, int | np.integer) or isinstance(steps_ahead, bool) or steps_ahead < 0:
-        raise RidelabError(f"{controller.label}: prediction_horizon is a whole number, 0 or more")
-    return Setup(
-        vehicle=scenario.vehicle,
-        sample_time=steps.control,
-        steps=speed_profile.control_steps(scenario.road.length, steps.control)[1],
-        short_steps=steps.short,
-        initial_speed=speed_profile.initial_speed,
-        force_limit=scenario.mpc.force_limit if controller.actuated else 0.0,
-        deflection_limit=scenario.mpc.deflection_limit,
-        preview_steps=int(steps_ahead),
-        stages=tuple(STAGES),
-    )
-
-
 def filter_preview(scenario: Scenario, controller: Controller) -> Preview:
     """What of the road a controller's filter is told: what the controller previews, where the scenario says so."""
     return controller.preview if scenario.estimation.knows_preview else "none"
@@ -120,8 +96,28 @@ class Run:
         return segments(self.stages, self.excitation.grid.position)
 
     def setup(self) -> Setup:
-        """What the controller is told before it."""
-        return make_setup(self.scenario, self.controller, self.speed_profile, self.steps)
+        """What the controller is told before it.
+
+        Raises:
+            RidelabError: Its preview is none that there is, or its horizon no number of steps.
+        """
+        scenario, controller, speed_profile = self.scenario, self.controller, self.speed_profile
+        steps_ahead: object = controller.preview_steps  # a visitor's class may hold anything
+        if controller.preview not in get_args(Preview):
+            raise RidelabError(f"{controller.label}: preview is one of {', '.join(get_args(Preview))}")
+        if not isinstance(steps_ahead, int | np.integer) or isinstance(steps_ahead, bool) or steps_ahead < 0:
+            raise RidelabError(f"{controller.label}: prediction_horizon is a whole number, 0 or more")
+        return Setup(
+            vehicle=scenario.vehicle,
+            sample_time=self.steps.control,
+            steps=speed_profile.control_steps(scenario.road.length, self.steps.control)[1],
+            short_steps=self.steps.short,
+            initial_speed=speed_profile.initial_speed,
+            force_limit=scenario.mpc.force_limit if controller.actuated else 0.0,
+            deflection_limit=scenario.mpc.deflection_limit,
+            preview_steps=int(steps_ahead),
+            stages=tuple(STAGES),
+        )
 
     def drive(self, recorder: Recorder | None = None) -> Recording:
         """Drive it.
