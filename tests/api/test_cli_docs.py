@@ -131,7 +131,9 @@ def check(name: str, client: httpx.Client, folder: Path, monkeypatch: pytest.Mon
 
 
 @pytest.mark.usefixtures("reproduced")
-@pytest.mark.parametrize("name", ["reference/cli.md", "reference/api.md", "tutorials/sweep-from-a-script.md"])
+@pytest.mark.parametrize(
+    "name", ["../README.md", "reference/cli.md", "reference/api.md", "tutorials/sweep-from-a-script.md"]
+)
 def test_a_page_shows_what_its_commands_print(
     name: str, client: httpx.Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

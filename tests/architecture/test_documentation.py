@@ -17,7 +17,7 @@ import pytest
 
 import sim_core
 from backend.paper import errata
-from tests.docs import scenario_reference
+from tests.docs import library_reference, scenario_reference
 from tests.docs.drawing import chart
 
 ROOT = Path(__file__).parents[2]
@@ -39,8 +39,16 @@ PARTS = set(sim_core.scenario.__all__) - {"Scenario"}  # Scenario's example show
 PUBLIC = sorted(set(sim_core.__all__) - CONSTANTS_AND_TYPES - PARTS)
 
 
-@pytest.mark.parametrize(("page", "name"), [(scenario_reference.page, "scenario.md"), (errata.page, "errata.md")])
-def test_a_reference_page_is_what_the_core_says(page: Callable[[], str], name: str) -> None:
+REFERENCE = {
+    "scenario.md": scenario_reference.page,
+    "errata.md": errata.page,
+    "library.md": library_reference.library,
+    "client.md": library_reference.client,
+}
+
+
+@pytest.mark.parametrize(("name", "page"), REFERENCE.items())
+def test_a_reference_page_is_what_the_code_says(name: str, page: Callable[[], str]) -> None:
     """UPDATE_DOCS=1 writes it."""
     compare(ROOT / "docs/reference" / name, page())
 

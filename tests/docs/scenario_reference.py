@@ -25,18 +25,23 @@ def page() -> str:
     for name, part in schema["properties"].items():
         lines += _part(name, _resolve(part, schema), schema)
     lines += ["## Presets\n", "| id | what it is | other than the paper's |", "|---|---|---|"]
-    lines += [f"| `{each.id}` | {each.description} | {_changed(each.scenario)} |" for each in PRESETS.values()]
+    lines += [f"| {_named(each.id)} | {each.description} | {_changed(each.scenario)} |" for each in PRESETS.values()]
     lines += ["\n## Vehicles\n", "| id | what it is | other than the paper's |", "|---|---|---|"]
     for car in VEHICLES.values():
-        lines.append(f"| `{car.id}` | {car.description} | {_changed(Scenario(vehicle=car.vehicle))} |")
+        lines.append(f"| {_named(car.id)} | {car.description} | {_changed(Scenario(vehicle=car.vehicle))} |")
     lines += ["", _DATA_SHEET, "", *_part("data_sheet", DataSheet.model_json_schema(), {})]
     lines += ["## Strategies\n", "| id | what it does | reads |", "|---|---|---|"]
     for row in STRATEGIES.values():
-        lines.append(f"| `{row.id}` | {row.description()} | {', '.join(f'`{name}`' for name in reads(row))} |")
+        lines.append(f"| {_named(row.id)} | {row.description()} | {', '.join(f'`{name}`' for name in reads(row))} |")
     for title, catalogue in (("Signals", SIGNALS), ("Comfort figures", COMFORT), ("Events", EVENTS)):
         lines += [f"\n## {title}\n", "| key | label | unit | note |", "|---|---|---|---|"]
         lines += [_quantity(item) for item in catalogue.values()]
     return "\n".join(lines) + "\n"
+
+
+def _named(name: str) -> str:
+    """A name with an anchor, so that an address may end with it."""
+    return f'<a id="{name}"></a>`{name}`'
 
 
 def _changed(scenario: Scenario) -> str:
@@ -77,7 +82,7 @@ def _field(path: str, field: dict[str, Any]) -> str:
         limits = ", ".join(f"`{choice}`" for choice in field["enum"])
     between = f"{_show(soft[0])} to {_show(soft[1])}" if soft else ""
     return (
-        f"| `{path}` | {_show(default)} | {field.get('unit', '')} | {between} | {limits} | "
+        f"| {_named(path)} | {_show(default)} | {field.get('unit', '')} | {between} | {limits} | "
         f"{field['title']}. {field.get('description', '')} |"
     )
 
@@ -92,4 +97,4 @@ def _show(value: Any) -> str:
 
 
 def _quantity(item: Entry) -> str:
-    return f"| `{item.key}` | {item.label} | {item.unit} | {item.description} |"
+    return f"| {_named(item.key)} | {item.label} | {item.unit} | {item.description} |"
