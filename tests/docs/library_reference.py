@@ -55,7 +55,7 @@ def _signature(public: Any) -> str:
         return "()"
     bare = [each.replace(annotation=each.empty) for name, each in signature.parameters.items() if name != "self"]
     text = str(signature.replace(parameters=bare, return_annotation=signature.empty))
-    return re.sub(r"<function (\w+) at 0x\w+>", r"\1", text)
+    return re.sub(r"<function (\w+) at 0x\w+>", r"\1", text)  # a default that is a function
 
 
 def _text(public: Any) -> Iterator[str]:
@@ -66,7 +66,7 @@ def _text(public: Any) -> Iterator[str]:
             if section.startswith("Example"):
                 yield "```"
             section = match[1]
-            yield from ("", f"**{section}**", "", *(["```python-console"] if section.startswith("Example") else []))
+            yield from ("", f"**{section}**", "", *(["```pycon"] if section.startswith("Example") else []))
         elif section.startswith("Example"):
             yield line.removeprefix("    ")
         elif section and (entry := _ENTRY.match(line.removeprefix("    "))):
