@@ -7,6 +7,15 @@ RUN npm ci --no-audit --no-fund
 COPY frontend/ ./
 RUN npm run build
 
+# The manual, as pages.
+FROM python:3.11-slim AS manual
+WORKDIR /build
+COPY requirements-manual.lock ./
+RUN python -m pip install --no-cache-dir --disable-pip-version-check --require-hashes -r requirements-manual.lock
+COPY zensical.toml ./
+COPY docs/ docs/
+RUN python -m zensical build --strict && rm -f build/manual/404.html build/manual/sitemap.xml
+
 # The runtime's packages, each held to its hash.
 FROM python:3.11-slim AS packages
 WORKDIR /build
@@ -26,6 +35,7 @@ COPY --from=packages /build/libridelab.so.1 sim_core/kernel/
 COPY backend/ backend/
 COPY client/ridelab/ ridelab/
 COPY --from=frontend /build/dist frontend/dist/
+COPY --from=manual /build/build/manual build/manual/
 # Bytecode now: the file system is read-only later. /data belongs to the user, and so does a new volume mounted there.
 RUN /opt/ridelab/bin/python -m compileall -q sim_core backend ridelab \
     && mkdir /data \

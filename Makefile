@@ -12,7 +12,7 @@ PYTEST ?= --numprocesses $(PROCESSES) --dist loadfile --no-loadscope-reorder --d
 INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --require-hashes -r
 MAKEFLAGS += --jobs=2  # packages and page, and both halves of the checks, side by side
 
-.PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust setup development compiler lock pin dist clean
+.PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust manual setup development compiler lock pin dist clean
 
 run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
@@ -76,7 +76,9 @@ ecu: development ## the ECU's program: C sources in build/ridelab-controller, th
 	$(BIN)/ridelab controller paper --report
 	$(BIN)/python -m benchmarks.ecu
 
-setup: $(VENV)/.runtime $(BIN)/ridelab frontend/dist/index.html ## all that running needs
+manual: build/manual/index.html ## the manual as pages in build/manual; the service has them at /manual/
+
+setup: $(VENV)/.runtime $(BIN)/ridelab frontend/dist/index.html build/manual/index.html ## all that running needs
 	$(BIN)/python -m compileall -q sim_core backend client/ridelab  # a start may write none, by PYTHONDONTWRITEBYTECODE
 
 development: setup $(VENV)/.development ## and what tests need
@@ -94,7 +96,11 @@ $(VENV)/.runtime: requirements.lock $(VENV)/.build
 	$(INSTALL) $<
 	touch $@
 
-$(VENV)/.development: requirements-dev.lock $(VENV)/.runtime
+$(VENV)/.manual: requirements-manual.lock $(VENV)/.runtime
+	$(INSTALL) $<
+	touch $@
+
+$(VENV)/.development: requirements-dev.lock $(VENV)/.manual
 	@echo "Setting up what tests need"
 	$(INSTALL) $<
 	touch $@
@@ -120,23 +126,30 @@ frontend/node_modules/.installed: frontend/package-lock.json $(VENV)/.build
 frontend/dist/index.html: frontend/node_modules/.installed $(shell find frontend/src frontend/index.html frontend/scripts frontend/vite.config.ts -type f 2>/dev/null)
 	cd frontend && $(NODE) npm run build
 
+# A broken link ends it. There is no page of its own for unknown addresses: the dashboard answers them.
+build/manual/index.html: zensical.toml $(VENV)/.manual $(shell find docs -type f)
+	$(BIN)/zensical build --clean --strict
+	rm -f build/manual/404.html build/manual/sitemap.xml
+	touch $@
+
 COMPILE_LOCK := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header \
 	--no-emit-package ridelab-core --no-emit-package ridelab
 lock: ## new lock files, without download addresses
 	$(COMPILE_LOCK) --extra parquet pyproject.toml -o requirements.lock
 	$(COMPILE_LOCK) --extra parquet --extra cluster pyproject.toml -o requirements-cluster.lock
 	$(COMPILE_LOCK) --group build -o requirements-build.lock
+	$(COMPILE_LOCK) --group manual -o requirements-manual.lock
 	$(COMPILE_LOCK) --group ecu -o requirements-ecu.lock
 	$(COMPILE_LOCK) --group clients -o requirements-clients.lock
-	$(COMPILE_LOCK) --extra parquet --extra cluster --extra dev --extra ecu --group build pyproject.toml -o requirements-dev.lock
+	$(COMPILE_LOCK) --extra parquet --extra cluster --extra dev --extra ecu --group build --group manual pyproject.toml -o requirements-dev.lock
 
 pin: ## base images by digest, in Dockerfile and docker-compose.yml; needs docker and its registry
 	backend/deploy/pin_images.sh
 
-dist: $(BIN)/ridelab frontend/dist/index.html ## the three wheels, in dist/
+dist: $(BIN)/ridelab frontend/dist/index.html build/manual/index.html ## the three wheels, in dist/
 	rm -rf build/lib build/bdist.* sim_core/build client/build
 	PYTHONWARNINGS=ignore $(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index --wheel-dir dist ./sim_core ./client .
 	rm -rf build/lib build/bdist.* sim_core/build client/build
 
 clean:
-	rm -rf $(VENV) .cache dist frontend/dist frontend/node_modules
+	rm -rf $(VENV) .cache build dist frontend/dist frontend/node_modules

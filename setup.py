@@ -1,4 +1,4 @@
-"""What pyproject.toml cannot say: the built page goes into the wheel."""
+"""What pyproject.toml cannot say: the built page and the built manual go into the wheel."""
 
 import shutil
 from pathlib import Path
@@ -8,21 +8,21 @@ from setuptools.command.build_py import build_py
 
 
 class BuildWithPage(build_py):
-    """The modules, and the page beside them; an editable installation serves frontend/dist itself."""
+    """The modules, page and manual beside them; an editable installation serves the built folders themselves."""
 
     def run(self) -> None:
-        """Copy both.
+        """Copy all.
 
         Raises:
-            FileNotFoundError: The page is not built.
+            FileNotFoundError: Page or manual is not built.
         """
         super().run()
         if self.editable_mode:
             return
-        page = Path("frontend", "dist")
-        if not (page / "index.html").is_file():
-            raise FileNotFoundError(f"{page / 'index.html'} is not there: `make setup` builds the page")
-        shutil.copytree(page, Path(self.build_lib, "backend", "page"), dirs_exist_ok=True)
+        for name, built in (("page", Path("frontend", "dist")), ("manual", Path("build", "manual"))):
+            if not (built / "index.html").is_file():
+                raise FileNotFoundError(f"{built / 'index.html'} is not there: `make setup` builds it")
+            shutil.copytree(built, Path(self.build_lib, "backend", name), dirs_exist_ok=True)
 
 
 setup(cmdclass={"build_py": BuildWithPage})

@@ -39,7 +39,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--back-up", type=Path, help=argparse.SUPPRESS)
     parser.add_argument("--force", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--drive", type=Path, help=argparse.SUPPRESS)
-    parser.epilog = "Further settings are environment variables RIDELAB_*; see docs/operations.md."
+    parser.epilog = "Further settings are environment variables RIDELAB_*; see docs/how-to/operations.md."
     options = parser.parse_args(arguments)
     if options.drive is not None:
         return _drive(options.drive)

@@ -17,7 +17,7 @@ from backend.http.request_log import RequestLogMiddleware
 from backend.http.token_middleware import TokenMiddleware
 from backend.library import answers
 from backend.services import Services, interactive_workers, make_services
-from backend.settings import Settings
+from backend.settings import BUILT_MANUAL, Settings
 from sim_core import __version__
 
 DESCRIPTION = """A what-if laboratory for active suspension over bumps.
@@ -82,7 +82,7 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
     problems.register(app)
     for router in ROUTERS:
         app.include_router(router)
-    site.add_site(app, settings.frontend_dir)
+    site.add_site(app, settings.frontend_dir, BUILT_MANUAL)
     app.openapi = lambda: openapi.describe(app)  # type: ignore[method-assign]  # FastAPI's own way to change it
     # Made on the first request, in a thread: it takes half a second.
     app.add_route("/openapi.json", lambda _: JSONResponse(app.openapi()), include_in_schema=False)

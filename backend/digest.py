@@ -14,7 +14,7 @@ import orjson
 from backend.json_types import JsonObject
 from sim_core.program import program
 from sim_core.scenario import Scenario
-from sim_core.strategies import STRATEGIES, part_read, strategy_named
+from sim_core.strategies import STRATEGIES, strategy_named, values_read
 
 RUN_ID_LENGTH = 22  # base64url characters: 132 bits of SHA-256
 
@@ -94,7 +94,7 @@ def _program(strategies: Iterable[str]) -> JsonObject:
 
 
 def _depends_on(scenario: Scenario, strategy: str) -> JsonObject:
-    return {**_program([strategy]), "strategy": strategy, "part": part_read(scenario, strategy_named(strategy))}
+    return {**_program([strategy]), "strategy": strategy, "part": values_read(scenario, strategy_named(strategy))}
 
 
 def _hash(content: JsonObject) -> str:

@@ -23,9 +23,12 @@ from backend.setting_types import Hosts, NewFolder, Proxies, SchedulerAddress, T
 PREFIX = "RIDELAB_"
 CLIENT_VARIABLES = {"RIDELAB_SERVER", "RIDELAB_TOKEN"}  # of the command line; a service starts all the same
 MEBIBYTE = 1024 * 1024
-_INSTALLED = Path(__file__).parent / "page"
-# The built frontend, in the installed distribution or in a checkout.
-BUILT_PAGE = _INSTALLED if _INSTALLED.is_dir() else _INSTALLED.parents[1] / "frontend" / "dist"
+_PACKAGE = Path(__file__).parent
+# In the installed distribution or in a checkout.
+BUILT_PAGE, BUILT_MANUAL = (
+    _PACKAGE / name if (_PACKAGE / name).is_dir() else _PACKAGE.parent / checkout
+    for name, checkout in (("page", "frontend/dist"), ("manual", "build/manual"))
+)
 
 
 class SettingsError(ValueError):
@@ -231,7 +234,7 @@ def _check_certificates(files: Mapping[str, Path | None]) -> None:
 def _unknown(name: int | str) -> str:
     similar = [_variable(field) for field in get_close_matches(str(name), Settings.model_fields)]
     perhaps = f", perhaps {' or '.join(similar)}" if similar else ""
-    return f"there is no such setting{perhaps}; docs/operations.md lists all"
+    return f"there is no such setting{perhaps}; docs/how-to/operations.md lists all"
 
 
 def _reason(location: tuple[int | str, ...], message: str) -> str:

@@ -1,8 +1,8 @@
 """Finds the preset `robust`: LV's weights and preview that survive the robustness ensemble.
 
 `make robust` searches, prints the controller, drives it at points it never saw and prints the tables of
-docs/robustness.md; `python -m benchmarks.robust --trials 0` does so with the preset as it is. A point is one of the
-default robustness study's: a car, sensors, actuators and a road, none of which the controllers know.
+docs/explanation/robustness.md; `python -m benchmarks.robust --trials 0` does so with the preset as it is. A point is
+one of the default robustness study's: a car, sensors, actuators and a road, none of which the controllers know.
 """
 
 import argparse

@@ -1,4 +1,4 @@
-// The page's layers (docs/architecture.md), from top to bottom. A file imports from layers below its own; folders of one
+// The page's layers (docs/explanation/architecture.md), from top to bottom. A file imports from layers below its own; folders of one
 // layer may import each other as long as no circle comes of it.
 const LAYERS = ["app", "pages", "features", "plots|jobs", "lab|server", "ui|scenario", "lib|units|api"];
 

@@ -10,8 +10,8 @@ from typing import Any
 
 
 @dataclass(frozen=True, slots=True)
-class Quantity:
-    """One named quantity: `unit` is the SI unit, '1' for none; `symbol` as in docs/nomenclature.md.
+class Entry:
+    """One named quantity: `unit` is the SI unit, '1' for none; `symbol` as in docs/reference/nomenclature.md.
 
     Of those in LIMITS_EXCEEDED, `notable` is the value [unit] from which on a warning is shown.
     """
@@ -25,27 +25,27 @@ class Quantity:
     notable: float = 0.0
 
 
-def _catalogue(*items: Quantity) -> dict[str, Quantity]:
+def _catalogue(*items: Entry) -> dict[str, Entry]:
     return {item.key: item for item in items}
 
 
 # Time histories a run returns, in this order.
 SIGNALS = _catalogue(
-    Quantity("time", "Time", "s", "0 when the front axle passes x = 0", symbol="t"),
-    Quantity("position", "Distance", "m", "travelled by the front axle", symbol="x"),
-    Quantity("speed", "Speed", "m/s", symbol="v"),
-    Quantity("front_road", "Road, front axle", "m", symbol="z_r1"),
-    Quantity("rear_road", "Road, rear axle", "m", symbol="z_r2"),
-    Quantity("brake_pressure", "Brake pressure", "Pa", symbol="P_c"),
-    Quantity("brake_deceleration", "Braking deceleration", "m/s^2", symbol="a_brake"),
-    Quantity("body_acceleration", "Body acceleration", "m/s^2", "up positive", symbol="z̈_b"),
-    Quantity("pitch_acceleration", "Pitch acceleration", "rad/s^2", "nose-down positive", symbol="θ̈"),
-    Quantity("front_tyre_load", "Front tyre dynamic load", "N", "pressed harder positive", symbol="F_t1"),
-    Quantity("rear_tyre_load", "Rear tyre dynamic load", "N", "pressed harder positive", symbol="F_t2"),
-    Quantity("front_deflection", "Front suspension deflection", "m", "z_b1 - z_w1, extension positive", symbol="d_1"),
-    Quantity("rear_deflection", "Rear suspension deflection", "m", "z_b2 - z_w2, extension positive", symbol="d_2"),
-    Quantity("front_force", "Front actuator force", "N", "lifts the body, presses the wheel down", symbol="u_1"),
-    Quantity("rear_force", "Rear actuator force", "N", "lifts the body, presses the wheel down", symbol="u_2"),
+    Entry("time", "Time", "s", "0 when the front axle passes x = 0", symbol="t"),
+    Entry("position", "Distance", "m", "travelled by the front axle", symbol="x"),
+    Entry("speed", "Speed", "m/s", symbol="v"),
+    Entry("front_road", "Road, front axle", "m", symbol="z_r1"),
+    Entry("rear_road", "Road, rear axle", "m", symbol="z_r2"),
+    Entry("brake_pressure", "Brake pressure", "Pa", symbol="P_c"),
+    Entry("brake_deceleration", "Braking deceleration", "m/s^2", symbol="a_brake"),
+    Entry("body_acceleration", "Body acceleration", "m/s^2", "up positive", symbol="z̈_b"),
+    Entry("pitch_acceleration", "Pitch acceleration", "rad/s^2", "nose-down positive", symbol="θ̈"),
+    Entry("front_tyre_load", "Front tyre dynamic load", "N", "pressed harder positive", symbol="F_t1"),
+    Entry("rear_tyre_load", "Rear tyre dynamic load", "N", "pressed harder positive", symbol="F_t2"),
+    Entry("front_deflection", "Front suspension deflection", "m", "z_b1 - z_w1, extension positive", symbol="d_1"),
+    Entry("rear_deflection", "Rear suspension deflection", "m", "z_b2 - z_w2, extension positive", symbol="d_2"),
+    Entry("front_force", "Front actuator force", "N", "lifts the body, presses the wheel down", symbol="u_1"),
+    Entry("rear_force", "Rear actuator force", "N", "lifts the body, presses the wheel down", symbol="u_2"),
 )
 
 # Those that a suspension changes: they get an RMS and a peak in each window.
@@ -55,14 +55,14 @@ METRIC_SIGNALS = tuple(SIGNALS)[7:]
 PAPER_SIGNALS = METRIC_SIGNALS[:4]
 
 WINDOWS = _catalogue(
-    Quantity("rough_road", "Rough road", "1", "front axle from x = 0 to the bump"),
-    Quantity("bump", "Bump", "1", "front axle on the bump until the rear axle has left it"),
-    Quantity("whole", "Whole run", "1", "x = 0 to the end of the road"),
+    Entry("rough_road", "Rough road", "1", "front axle from x = 0 to the bump"),
+    Entry("bump", "Bump", "1", "front axle on the bump until the rear axle has left it"),
+    Entry("whole", "Whole run", "1", "x = 0 to the end of the road"),
 )
 
 STATISTICS = _catalogue(
-    Quantity("rms", "RMS", "1", "root mean square over the window's time"),
-    Quantity("peak", "Peak", "1", "largest magnitude in the window"),
+    Entry("rms", "RMS", "1", "root mean square over the window's time"),
+    Entry("peak", "Peak", "1", "largest magnitude in the window"),
 )
 
 ROUGH_ROAD, BUMP, WHOLE = WINDOWS
@@ -71,87 +71,87 @@ RMS, PEAK = STATISTICS
 PAPER_VIEWS = ((ROUGH_ROAD, RMS), (BUMP, PEAK))
 
 STAGES = _catalogue(
-    Quantity("cruise", "Cruise", "1"),
-    Quantity("brake", "Brake", "1", "from detection to the bump"),
-    Quantity("bump", "Bump", "1", "front axle from the bump's start until the rear axle has left it"),
+    Entry("cruise", "Cruise", "1"),
+    Entry("brake", "Brake", "1", "from detection to the bump"),
+    Entry("bump", "Bump", "1", "front axle from the bump's start until the rear axle has left it"),
 )
 
 COMFORT = _catalogue(
-    Quantity("weighted_rms", "Weighted RMS (ISO 2631-1 Wk)", "m/s^2", symbol="a_w"),
-    Quantity("vibration_dose", "Vibration dose value (Wk)", "m/s^1.75", symbol="VDV"),
-    Quantity(
+    Entry("weighted_rms", "Weighted RMS (ISO 2631-1 Wk)", "m/s^2", symbol="a_w"),
+    Entry("vibration_dose", "Vibration dose value (Wk)", "m/s^1.75", symbol="VDV"),
+    Entry(
         "front_dynamic_load_coefficient",
         "Front dynamic load coefficient",
         "1",
         "RMS on the rough road over static load",
     ),
-    Quantity(
+    Entry(
         "rear_dynamic_load_coefficient", "Rear dynamic load coefficient", "1", "RMS on the rough road over static load"
     ),
-    Quantity("actuator_mean_power", "Actuator power, mean magnitude", "W", "mean of |u·ḋ| summed over both axles"),
-    Quantity("actuator_peak_power", "Actuator power, peak", "W", "largest |u·ḋ| summed over both axles"),
+    Entry("actuator_mean_power", "Actuator power, mean magnitude", "W", "mean of |u·ḋ| summed over both axles"),
+    Entry("actuator_peak_power", "Actuator power, peak", "W", "largest |u·ḋ| summed over both axles"),
 )
 
 EVENTS = _catalogue(
-    Quantity(
+    Entry(
         "airborne_ms",
         "Airborne",
         "ms",
         "time either tyre is off the road, or would have to pull on it where it cannot lift off",
         notable=1.0,
     ),
-    Quantity("front_airborne_ms", "Front tyre airborne", "ms"),
-    Quantity("rear_airborne_ms", "Rear tyre airborne", "ms"),
-    Quantity(
+    Entry("front_airborne_ms", "Front tyre airborne", "ms"),
+    Entry("rear_airborne_ms", "Rear tyre airborne", "ms"),
+    Entry(
         "target_reached",
         "Target speed reached",
         "1",
         "within the target band at the bump, or nothing to brake for; null without a target",
     ),
-    Quantity(
+    Entry(
         "bump_complete",
         "Bump crossed completely",
         "1",
         "false where the road ends before the rear axle has left the bump: its peaks are then up to there",
     ),
-    Quantity(
+    Entry(
         "travel_exceeded_mm",
         "Travel over the limit, whole run",
         "mm",
         "largest deflection beyond mpc.deflection_limit anywhere, also while braking; 0 if held",
         notable=0.1,
     ),
-    Quantity(
+    Entry(
         "limited_steps",
         "Steps with a limit active",
         "1",
         "control steps, run-in included, in which a limit of force, travel or actuator shaped the command",
     ),
-    Quantity("qp_solves", "QPs solved", "1", "run-in included"),
-    Quantity(
+    Entry("qp_solves", "QPs solved", "1", "run-in included"),
+    Entry(
         "qp_fallbacks",
         "QP solver fallbacks",
         "1",
         "solved by the other solver after the first gave no verified solution",
     ),
-    Quantity(
+    Entry(
         "qp_failures",
         "QPs not solved",
         "1",
         "neither solver gave a verified solution and the last safe force was held; of an ECU, its "
         "iterations ran out and the forces were clipped",
     ),
-    Quantity(
+    Entry(
         "max_slack_mm", "Largest travel slack", "mm", "largest predicted deflection beyond the limit the MPC accepted"
     ),
-    Quantity("ecu_most_iterations", "ECU: most iterations", "1", "of its solver in one step; null without an ECU"),
-    Quantity(
+    Entry("ecu_most_iterations", "ECU: most iterations", "1", "of its solver in one step; null without an ECU"),
+    Entry(
         "ecu_clipped_values",
         "ECU: values beyond their range",
         "1",
         "measured or previewed values a converter clipped; null without an ECU",
     ),
-    Quantity(
+    Entry(
         "ecu_held_commands",
         "ECU: commands without effect",
         "1",
@@ -159,10 +159,10 @@ EVENTS = _catalogue(
     ),
 )
 
-# Figures of a whole run that stand beside the windows.
+# Metrics of a whole run, beside those of its windows; the catalogue of the API has them as `run_figures`.
 RUN_FIGURES = _catalogue(
-    Quantity("travel_time", "Travel time", "s", "front axle from x = 0 to the end of the road"),
-    Quantity("arrival_speed_kmh", "Speed at the bump", "km/h", "when the front axle reaches the bump"),
+    Entry("travel_time", "Travel time", "s", "front axle from x = 0 to the end of the road"),
+    Entry("arrival_speed_kmh", "Speed at the bump", "km/h", "when the front axle reaches the bump"),
 )
 
 # Metrics that are 0 where a limit of the car holds.
@@ -234,10 +234,10 @@ PAPER_METRICS = tuple(
 
 # Lines a plot draws beside the curves; values come with each result as `reference`.
 REFERENCES = _catalogue(
-    Quantity("front_static_load", "Front static tyre load", "N"),
-    Quantity("rear_static_load", "Rear static tyre load", "N"),
-    Quantity("deflection_limit", "Suspension travel limit", "m"),
-    Quantity("force_limit", "Actuator force limit", "N"),
-    Quantity("target_speed", "Target speed", "m/s"),
-    Quantity("target_band", "Half width of the target band", "m/s"),
+    Entry("front_static_load", "Front static tyre load", "N"),
+    Entry("rear_static_load", "Rear static tyre load", "N"),
+    Entry("deflection_limit", "Suspension travel limit", "m"),
+    Entry("force_limit", "Actuator force limit", "N"),
+    Entry("target_speed", "Target speed", "m/s"),
+    Entry("target_band", "Half width of the target band", "m/s"),
 )

@@ -3,7 +3,6 @@
 import inspect
 import re
 import traceback
-from typing import get_args
 
 import numpy as np
 
@@ -12,9 +11,9 @@ from sim_core.control.controller import Controller, Force, Option, checked_value
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
-from sim_core.scenario import Bump, Preview, Road, Scenario
+from sim_core.scenario import Bump, Road, Scenario
 from sim_core.simulate import simulate
-from sim_core.strategies import STRATEGIES, make_controller, speed_plan, strategy_named
+from sim_core.strategies import STRATEGIES, make_controller, resolve_speed_plan, strategy_named
 from sim_core.vehicle.model import SemiActiveDampers
 
 _SHORT = Scenario(road=Road(length=60, bump=Bump(start=30)))
@@ -60,7 +59,7 @@ def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> li
     try:
         instance = make_controller(controller)
         kind = type(instance)
-        speed = scenario.speed.model_copy(update={"policy": speed_plan(kind, scenario.speed.policy)})
+        speed = scenario.speed.model_copy(update={"policy": resolve_speed_plan(kind, scenario.speed.policy)})
         scenario = scenario.model_copy(update={"speed": speed})
         first, again = simulate(scenario, instance), simulate(scenario, instance)
         other = simulate(scenario, controller) if isinstance(controller, type) else first
@@ -97,12 +96,6 @@ def _declared(kind: type[Controller]) -> list[str]:
         wrong.append("label is empty")
     if kind.__doc__ is None or not kind.description():
         wrong.append("It has no docstring, whose first line describes it")
-    if "preview" not in kind.declared and kind.preview not in get_args(Preview):
-        wrong.append(f"preview is one of {', '.join(get_args(Preview))}")
-    if "prediction_horizon" not in kind.declared and not _is_count(kind.prediction_horizon):
-        wrong.append("prediction_horizon is a whole number, 0 or more")
-    if kind.speed_plan not in ("planned", "constant"):
-        wrong.append("speed_plan is planned or constant")
     if kind.force is Controller.force and kind.linear_law is Controller.linear_law:
         wrong.append("It defines neither force nor linear_law")
     for declared, field in kind.declared.items():
@@ -114,10 +107,6 @@ def _declared(kind: type[Controller]) -> list[str]:
         except RidelabError as error:
             wrong.append(f"{declared}: {error.message}")
     return wrong
-
-
-def _is_count(value: object) -> bool:
-    return isinstance(value, int) and not isinstance(value, bool) and value >= 0
 
 
 class _ByForce(Controller):

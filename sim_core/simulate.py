@@ -3,14 +3,14 @@
 from sim_core.blas import one_thread
 from sim_core.control.controller import Controller
 from sim_core.errors import RidelabError
-from sim_core.loop.drive import Run
 from sim_core.loop.excitation import excite, step_sizes
+from sim_core.loop.run import Run
 from sim_core.metrics.evaluate import evaluate
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
-from sim_core.speed.profile import plan_speed
+from sim_core.speed.profile import make_speed_profile
 from sim_core.speed.stages import spans
-from sim_core.strategies import make_controller, speed_plan
+from sim_core.strategies import make_controller, resolve_speed_plan
 
 
 @one_thread()
@@ -52,15 +52,15 @@ def prepare(scenario: Scenario, strategy: str | type[Controller] | Controller) -
             "sim_core.scenario.presets.preset of a preset's name"
         )
     controller = make_controller(strategy).for_scenario(scenario)
-    plan = speed_plan(type(controller), scenario.speed.policy)
-    profile = plan_speed(scenario, plan)
+    plan = resolve_speed_plan(type(controller), scenario.speed.policy)
+    speed_profile = make_speed_profile(scenario, plan)
     steps = step_sizes(scenario, controller, plan)
     return Run(
         scenario=scenario,
         controller=controller,
         plan=plan,
-        profile=profile,
+        speed_profile=speed_profile,
         steps=steps,
-        excitation=excite(scenario.road, scenario.vehicle.wheelbase, profile, steps.control, steps.fine),
-        stages=spans(scenario, plan, profile),
+        excitation=excite(scenario.road, scenario.vehicle.wheelbase, speed_profile, steps.control, steps.fine),
+        stages=spans(scenario, plan, speed_profile),
     )

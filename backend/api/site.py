@@ -1,9 +1,13 @@
-"""The built frontend and the API's documentation page, from local files only."""
+"""The built frontend, the manual and the API's documentation page, from local files only."""
 
+import base64
 import contextlib
+import hashlib
 import mimetypes
+import os
 import re
 from collections.abc import Awaitable, Callable
+from functools import lru_cache
 from http import HTTPStatus
 from pathlib import Path
 
@@ -16,6 +20,7 @@ from starlette.types import Scope
 
 from backend.api.deps import LinksService
 from backend.http.answers import IMMUTABLE
+from backend.http.guard import policy
 from backend.http.parts import parts_of
 from backend.http.problems import RequestError, problem
 from backend.http.tokens import Caller
@@ -64,6 +69,7 @@ PAGES = (
 
 
 NO_PAGES = ("/api/", "/assets/", "/docs-assets/")
+_INLINE_SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)
 
 
 class HashedFiles(StaticFiles):
@@ -90,6 +96,28 @@ class HashedFiles(StaticFiles):
         return response
 
 
+class ManualPages(StaticFiles):
+    """The manual. Its pages run the scripts inside them, by their hashes."""
+
+    def file_response(
+        self, full_path: str | os.PathLike[str], stat_result: os.stat_result, scope: Scope, status_code: int = 200
+    ) -> Response:
+        """The framework's response, looked for again each time."""
+        response = super().file_response(full_path, stat_result, scope, status_code)
+        response.headers["Cache-Control"] = "no-cache"
+        if str(full_path).endswith(".html"):
+            response.headers["Content-Security-Policy"] = policy(_inline_scripts(str(full_path), stat_result.st_mtime))
+        return response
+
+
+@lru_cache(512)
+def _inline_scripts(path: str, _: float) -> tuple[str, ...]:
+    """Hashes of a page's scripts, as a content security policy names them."""
+    scripts = _INLINE_SCRIPT.findall(Path(path).read_text(encoding="utf-8"))
+    hashes = (base64.b64encode(hashlib.sha256(script.encode()).digest()).decode() for script in scripts)
+    return tuple(f"'sha256-{each}'" for each in hashes)
+
+
 def _takes_brotli(accepted: str) -> bool:
     """Whether `br` is in an Accept-Encoding, and not with a weight of 0."""
     refused = r"q=0(\.0*)?"
@@ -97,8 +125,8 @@ def _takes_brotli(accepted: str) -> bool:
     return any(name == "br" and not any(re.fullmatch(refused, each) for each in rest) for name, *rest in codings)
 
 
-def add_site(app: FastAPI, dist: Path) -> None:
-    """Serve the frontend in `dist` at its pages' addresses and `/s/{slug}`, the documentation at `/docs`."""
+def add_site(app: FastAPI, dist: Path, manual: Path) -> None:
+    """Serve the frontend in `dist` at its pages' addresses and `/s/{slug}`, the manual, the API's page at `/docs`."""
     site = APIRouter(include_in_schema=False)
     index = dist / "index.html"
 
@@ -134,6 +162,7 @@ def add_site(app: FastAPI, dist: Path) -> None:
     _add_not_found(app, index)
     app.mount("/assets", HashedFiles(directory=dist / "assets", check_dir=False))
     app.mount("/docs-assets", StaticFiles(directory=dist / "docs-assets", check_dir=False))
+    app.mount("/manual", ManualPages(directory=manual, html=True, check_dir=False))
 
 
 def _add_not_found(app: FastAPI, index: Path) -> None:

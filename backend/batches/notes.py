@@ -5,7 +5,7 @@ from collections.abc import Collection, Mapping, Sequence
 from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from sim_core.scenario import dotted
-from sim_core.strategies import STRATEGIES, reads, speed_plan
+from sim_core.strategies import STRATEGIES, reads, resolve_speed_plan
 
 POLICY = "speed.policy"
 INITIAL, TARGET = "speed.initial_speed_kmh", "speed.target_speed_kmh"
@@ -55,7 +55,7 @@ def _clamped(
     planned = [
         STRATEGIES[name].label
         for name in names
-        if any(speed_plan(STRATEGIES[name], policy) == "planned" for policy in policies)
+        if any(resolve_speed_plan(STRATEGIES[name], policy) == "planned" for policy in policies)
     ]
     if not planned or not any(TARGET in point or INITIAL in point for point in points[:1]):
         return []

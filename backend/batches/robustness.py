@@ -1,4 +1,7 @@
-"""The fields that a robustness study varies by default, with their ranges; docs/robustness.md gives the reasons."""
+"""The fields that a robustness study varies by default, with their ranges.
+
+docs/explanation/robustness.md gives the reasons.
+"""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass

@@ -11,11 +11,11 @@ from backend.cost.binding_limits import LimitShares, expected_limits
 from sim_core import Controller, DampingController, EcuController, PredictiveController
 from sim_core.control.qp import osqp_effort
 from sim_core.errors import TooExpensiveError
-from sim_core.loop.drive import run_dampers
-from sim_core.loop.excitation import StepSizes, fine_step, step_sizes
+from sim_core.loop.excitation import StepSizes, longest_fine_step, step_sizes
+from sim_core.loop.run import run_dampers
 from sim_core.scenario import Actuator, Scenario
-from sim_core.speed.profile import CONTROL_STEP, TARGET_BAND, plan_speed
-from sim_core.strategies import speed_plan, strategy_named
+from sim_core.speed.profile import SPEED_CONTROL_PERIOD, TARGET_BAND, make_speed_profile
+from sim_core.strategies import resolve_speed_plan, strategy_named
 from sim_core.vehicle.make import is_linear
 from sim_core.vehicle.nonlinear import substeps
 
@@ -64,13 +64,13 @@ SECONDS: Mapping[str, float] = {
 def duration(scenario: Scenario, name: str) -> float:
     """Longest time the strategy can take from x = 0 to the road's end [s]; exact where the brakes' lag is long."""
     speed, road = scenario.speed, scenario.road
-    if speed_plan(strategy_named(name), speed.policy) == "constant":
+    if resolve_speed_plan(strategy_named(name), speed.policy) == "constant":
         return road.length / speed.initial
     floor = min(speed.initial, speed.target) - TARGET_BAND
     # The brake pressure that remains when braking ends reduces the speed by as much again.
-    slowest = floor - scenario.brake.maximum_deceleration * (scenario.brake.pressure_lag + CONTROL_STEP)
+    slowest = floor - scenario.brake.maximum_deceleration * (scenario.brake.pressure_lag + SPEED_CONTROL_PERIOD)
     if slowest < floor / 2:
-        return plan_speed(scenario, "planned").time_at(road.length)
+        return make_speed_profile(scenario, "planned").time_at(road.length)
     detection = scenario.braking_start
     return detection / speed.initial + (road.length - detection) / slowest
 
@@ -100,7 +100,9 @@ def check_affordable(scenario: Scenario, name: str) -> None:
         TooExpensiveError: There are too many.
     """
     strategy = strategy_named(name)
-    time = plan_speed(scenario, speed_plan(strategy, scenario.speed.policy)).time_at(scenario.road.length)
+    time = make_speed_profile(scenario, resolve_speed_plan(strategy, scenario.speed.policy)).time_at(
+        scenario.road.length
+    )
     counts = work(scenario, strategy, time, LimitShares(limited=1.0))
     operations = sum(each * counts.get(unit, 0.0) for unit, each in OPERATIONS.items())
     if operations > MAX_OPERATIONS or memory(scenario, strategy, time) > MAX_BYTES:
@@ -139,7 +141,7 @@ def expected_time(scenario: Scenario, strategy: type[Controller]) -> float:
     """Expected time from x = 0 to the road's end [s], braking with the maximum deceleration."""
     speed, road, brake = scenario.speed, scenario.road, scenario.brake
     initial = speed.initial
-    if speed_plan(strategy, speed.policy) == "constant":
+    if resolve_speed_plan(strategy, speed.policy) == "constant":
         return road.length / initial
     detection = scenario.braking_start
     distance, target = road.bump.start - detection, min(initial, speed.target)
@@ -158,7 +160,7 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, expected: 
         actuator = scenario.actuator if strategy.actuated else Actuator()
         short = substeps(vehicle, actuator, dampers, _fine_step(scenario, strategy))
         counts["nonlinear steps"] = counts["fine steps"] * short
-    if speed_plan(strategy, scenario.speed.policy) == "planned":
+    if resolve_speed_plan(strategy, scenario.speed.policy) == "planned":
         counts["plan"] = 1.0
     if not strategy.actuated:
         return counts
@@ -195,17 +197,17 @@ def work(scenario: Scenario, strategy: type[Controller], time: float, expected: 
 
 
 def _steps(scenario: Scenario, strategy: type[Controller]) -> StepSizes:
-    return step_sizes(scenario, strategy, speed_plan(strategy, scenario.speed.policy))
+    return step_sizes(scenario, strategy, resolve_speed_plan(strategy, scenario.speed.policy))
 
 
 def _fine_step(scenario: Scenario, strategy: type[Controller]) -> float:
-    return fine_step(scenario, speed_plan(strategy, scenario.speed.policy), actuated=strategy.actuated)
+    return longest_fine_step(scenario, resolve_speed_plan(strategy, scenario.speed.policy), actuated=strategy.actuated)
 
 
 def _fields(scenario: Scenario, strategy: type[Controller]) -> tuple[str, ...]:
     """Fields that make a run's steps fewer or cheaper."""
     fields: tuple[str, ...] = ("road.length", "speed.initial_speed_kmh")
-    if speed_plan(strategy, scenario.speed.policy) == "planned":
+    if resolve_speed_plan(strategy, scenario.speed.policy) == "planned":
         fields += ("speed.target_speed_kmh",)
     if strategy.actuated:
         fields += ("mpc.sample_time",)

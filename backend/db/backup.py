@@ -52,7 +52,7 @@ def back_up(settings: Settings, target: Path, *, overwrite: bool) -> Backup:
     """
     file = database_file(make_url(settings.store_url))
     if file is None:
-        raise BackupError("PostgreSQL is copied with pg_dump -Fc (docs/operations.md, Backup and restore)")
+        raise BackupError("PostgreSQL is copied with pg_dump -Fc (docs/how-to/operations.md, Backup and restore)")
     if not file.path.exists():
         raise BackupError(f"There is no database at {file.path}")
     if file.path.stat().st_size == 0:  # SQLite takes it for a database without tables

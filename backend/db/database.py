@@ -47,7 +47,7 @@ SERVER_WRITERS = 2  # PostgreSQL locks rows, not the database: a batch of 100,00
 START_TIMEOUT = 30.0  # a start waits so long for another one's migration, or for a backup [s]
 DAMAGED = (
     "The database is damaged: stop the service, put a backup in its place and start again "
-    "(docs/operations.md, Backup and restore)"
+    "(docs/how-to/operations.md, Backup and restore)"
 )
 
 

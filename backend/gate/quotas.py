@@ -1,4 +1,7 @@
-"""The table of quotas: what may be open at once, by whom, and which work takes of it. docs/operations.md shows it."""
+"""The table of quotas: what may be open at once, by whom, and which work takes of it.
+
+docs/how-to/operations.md shows it.
+"""
 
 import math
 from collections.abc import Mapping

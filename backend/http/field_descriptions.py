@@ -121,7 +121,7 @@ EVERYWHERE = {
     "total_change": "The whole change [%]",
     "trial": "Number of the trial",
     "tuning": "Id of the tuning",
-    "type": "Names the kind of problem, for programs: docs/api.md lists them",
+    "type": "Names the kind of problem, for programs: docs/reference/api.md lists them",
     "uncertain": "Whether each road draws a car, sensors and actuators of its own",
     "unit": "SI, or as the field's name says; 1 for none",
     "units": "Unit of each column or signal by its name",

@@ -1,6 +1,7 @@
-"""The one list of problem kinds the service answers with; docs/api.md and OpenAPI show it.
+"""The one list of problem kinds the service answers with; docs/reference/api.md and OpenAPI show it.
 
-A new kind is one more entry here and one more line in docs/api.md; a test compares the two with what the code raises.
+A new kind is one more entry here and one more line in docs/reference/api.md; a test compares the two with what the code
+raises.
 """
 
 from dataclasses import dataclass

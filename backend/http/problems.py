@@ -42,7 +42,7 @@ class ProblemPlace(BaseModel):
 
 
 class Problem(BaseModel):
-    """RFC 9457; docs/api.md lists the kinds."""
+    """RFC 9457; docs/reference/api.md lists the kinds."""
 
     model_config = ConfigDict(
         json_schema_extra={

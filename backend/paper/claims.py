@@ -1,6 +1,6 @@
 """The paper's claims against ours: the runs they need, verdicts by rule.
 
-The rules are fixed before any number (docs/paper.md); nothing is tuned to reach a cell.
+The rules are fixed before any number (docs/explanation/paper.md); nothing is tuned to reach a cell.
 """
 
 from collections.abc import Mapping, Sequence
@@ -15,7 +15,7 @@ from sim_core.catalogue import PAPER_SIGNALS, PAPER_VIEWS
 from sim_core.metrics.evaluate import rms_between
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario, dotted
-from sim_core.speed.profile import plan_speed
+from sim_core.speed.profile import make_speed_profile
 from sim_core.strategies import strategy_named
 
 SEEDS = 20  # roads 1 to this
@@ -158,7 +158,7 @@ def figures_by_window(scenario: Scenario, result: StrategyResult) -> dict[str, l
             figures[choice.id] = own
             continue
         rms = rms_between(
-            result.series, plan_speed(scenario, strategy_named(result.strategy).speed_plan), choice.intervals
+            result.series, make_speed_profile(scenario, strategy_named(result.strategy).speed_plan), choice.intervals
         )
         figures[choice.id] = [
             rms[signal] if window == "rough_road" else value

@@ -1,4 +1,4 @@
-"""What is printed in the paper and what Ridelab uses instead; docs/errata.md is written from it.
+"""What is printed in the paper and what Ridelab uses instead; docs/reference/errata.md is written from it.
 
 Those that a reader may choose are in `backend.paper.interpretations`.
 """
@@ -44,7 +44,7 @@ ERRATA = (
     Erratum(
         place="Tables 4 and 7, front tyre load",
         printed="+8.45 % and −47.9 %",
-        here="not both with this car: load transfer alone keeps LV above −32 % (docs/paper.md)",
+        here="not both with this car: load transfer alone keeps LV above −32 % (docs/explanation/paper.md)",
     ),
     Erratum(
         place="3.1",
@@ -134,5 +134,5 @@ brake constants, drag, height of the centre of gravity. Each is a field of the s
 
 
 def page() -> str:
-    """docs/errata.md."""
+    """docs/reference/errata.md."""
     return _HEAD + "".join(f"| {item.place} | {item.printed} | {item.here} |\n" for item in ERRATA) + _TAIL

@@ -1,7 +1,8 @@
 """Where the paper is silent or misprinted and a reader may choose: each reading is a few fields of the scenario.
 
-docs/errata.md has those that are no choice. The first choice of each is Ridelab's. Each choice says which sentence or
-equation of the paper has it, or that it is ours. Two sets of choices have a name: `backend.paper.interpretations`.
+docs/reference/errata.md has those that are no choice. The first choice of each is Ridelab's. Each choice says which
+sentence or equation of the paper has it, or that it is ours. Two sets of choices have a name:
+`backend.paper.interpretations`.
 """
 
 from collections.abc import Mapping

@@ -9,7 +9,7 @@ import sys
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.road.profile import bump_height, profile
+from sim_core.road.profile import bump_height, road_profile
 from sim_core.scenario import Bump, Road
 
 FLAT = Bump(height=0)
@@ -37,7 +37,7 @@ SAMPLES = {"street": street, "gravel": gravel}
 
 
 def _rough(x: FloatArray, roughness: float, seed: int) -> FloatArray:
-    return profile(Road(roughness=roughness, seed=seed, length=200, bump=FLAT)).height(x)
+    return road_profile(Road(roughness=roughness, seed=seed, length=200, bump=FLAT)).height(x)
 
 
 def _csv(head: str, *columns: FloatArray) -> str:

@@ -1,6 +1,7 @@
 """A typed client of a Ridelab service: `with Ridelab(url) as ridelab: ridelab.run({}, ["lv"])`.
 
-It needs httpx alone; NumPy and pandas are imported when arrays and frames are asked for. docs/api.md shows it at work.
+It needs httpx alone; NumPy and pandas are imported when arrays and frames are asked for.
+docs/reference/api.md shows it at work.
 """
 
 from ridelab.client import Ridelab

@@ -249,7 +249,7 @@ class Ridelab(Connection):
 
         Args:
             request: `{"scenario", "strategy", "objectives", "limits", "search", "seeds", "fresh_seeds", "trials",
-                "population", "seed", "label"}`, each of which may be left out (docs/api.md).
+                "population", "seed", "label"}`, each of which may be left out (docs/reference/api.md).
             idempotency_key: The same key never begins a second one; None is a key of this call's own.
         """
         return Tuning(self._http, self._post("/tunings", request, idempotency_key or uuid.uuid4().hex))

@@ -54,7 +54,8 @@ class RidelabAPIError(RidelabClientError):
         detail: What is wrong, for a person to read.
         errors: Each value that cannot be used.
         request_id: What the service's log calls the request.
-        kind: Which kind of problem, such as `not-found` (docs/api.md lists them); None where it is not the service's.
+        kind: Which kind of problem, such as `not-found` (docs/reference/api.md lists them); None where it is not
+            the service's.
     """
 
     status: int

@@ -176,7 +176,9 @@ class Batch(Job):
     PATH = "/api/v1/batches"
 
     def summary(self, figures: Sequence[str] = (), baseline: str | None = None) -> dict[str, Any]:
-        """The summary of its finished rows: quantiles, extremes, paired margins, stability (docs/robustness.md).
+        """The summary of its finished rows: quantiles, extremes, paired margins, stability.
+
+        docs/explanation/robustness.md explains them.
 
         Args:
             figures: Metrics such as `bump.body_acceleration.peak`; none are the paper's eight, travel and airborne.

@@ -16,19 +16,19 @@ from typing import Annotated, Any, ClassVar, Self, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
+from pydantic import Field, TypeAdapter
 
-from sim_core.control.qp import Qp
+from sim_core.control.law import LinearLaw
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RidelabError, UnknownNameError
+from sim_core.kernel.qp import Qp
 from sim_core.scenario import Preview, Scenario, dotted
 from sim_core.scenario.fields import Part
 from sim_core.speed.profile import SpeedPlan
-from sim_core.vehicle.model import LinearLaw, SemiActiveDampers
+from sim_core.vehicle.model import SemiActiveDampers
 
 Force = Sequence[float] | NDArray[np.float64]
 _DEFAULTS = Scenario()
-_STRICT = ConfigDict(strict=True, allow_inf_nan=False, hide_input_in_errors=True)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -135,7 +135,7 @@ class Controller:
         actuated: Whether there are actuators; False is a passive suspension.
         delayed: Whether its commands take effect when `arrivals` says, not at once.
         preview: What of the road ahead `Seen` reports: none, wheelbase, lookahead or obstacle (`mpc.preview` in
-            docs/scenario.md). By default the scenario's; a controller that does not look ahead sets "none".
+            docs/reference/scenario.md). By default the scenario's; a controller that does not look ahead sets "none".
         prediction_horizon: For how many control steps ahead; by default the scenario's, 0 for none.
         report: Counts of the present run, for its events; new at each start.
         declared: Its options and scenario fields by their names.
@@ -292,8 +292,5 @@ def checked_value(kind: type[Controller], name: str, value: Any) -> Any:
     else:
         annotation: Any = get_type_hints(kind).get(name, type(field.default))
         dotted_name = f"own.{kind.id}.{name}"
-        adapter = TypeAdapter(Annotated[annotation, Field(ge=field.ge, le=field.le)], config=_STRICT)
-    try:
-        return adapter.validate_python(value)
-    except ValidationError as error:
-        raise RidelabError(error.errors(include_input=False)[0]["msg"], field=dotted_name) from None
+        adapter = TypeAdapter(Annotated[annotation, Field(ge=field.ge, le=field.le)], config=dotted.STRICT)
+    return dotted.validated(adapter, value, dotted_name)

@@ -1,4 +1,4 @@
-"""The normalised cost LQR and MPC share (Eq. 16's normalisation; docs/physics.md, "Cost").
+"""The normalised cost LQR and MPC share (Eq. 16's normalisation; docs/explanation/physics.md, "Cost").
 
     q1 (z̈_b/σ_a)² + q2 (θ̈/σ_θ)² + q3 [(F_t1/σ_F1)² + (F_t2/σ_F2)²] + q4 [(d_1/d_max)² + (d_2/d_max)²] + R (u_1² + u_2²)
 
@@ -74,7 +74,9 @@ def _interval_means(vehicle: Vehicle, sample_time: float) -> FloatArray:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CostTerms:
-    """All that the cost of one stage depends on (docs/physics.md, "Cost"); `Setup.cost` gives those of a run.
+    """All that the cost of one stage depends on; `Setup.cost` gives those of a run.
+
+    docs/explanation/physics.md, "Cost", has the formulas.
 
     Attributes:
         vehicle: The car.
@@ -91,7 +93,7 @@ class CostTerms:
         ...     vehicle=Scenario().vehicle, speed=14.0, sample_time=0.01, weights=(8, 1, 1),
         ...     deflection_weight=3.0, deflection_limit=0.08, force_weight=1e-9,
         ... )
-        >>> regulator(terms).K.shape
+        >>> regulator(terms).gain.shape
         (2, 8)
     """
 

@@ -6,9 +6,10 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller, scenario_field, undefined
+from sim_core.control.law import LinearLaw
 from sim_core.control.seen import Setup
 from sim_core.vehicle.half_car import FORCES, STATES
-from sim_core.vehicle.model import LinearLaw, SemiActiveDampers
+from sim_core.vehicle.model import SemiActiveDampers
 
 
 class DampingController(Controller):

@@ -4,18 +4,19 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller, scenario_field, undefined
+from sim_core.control.law import LinearLaw
 from sim_core.control.mpc_design import MpcDesign, design
-from sim_core.control.qp import SOLVERS, Qp, Qps
+from sim_core.control.qp import SOLVERS, Qps
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RidelabError, TooExpensiveError
+from sim_core.kernel.qp import Qp
 from sim_core.scenario import Weights
-from sim_core.vehicle.model import LinearLaw
 
 _COSTLY_FIELDS = "mpc.control_horizon", "mpc.prediction_horizon", "mpc.sample_time", "road.length"
 
 
 class PredictiveController(Controller):
-    """MPC with preview: a linear law while no limit binds, else a QP (docs/physics.md, "MPC").
+    """MPC with preview: a linear law while no limit binds, else a QP (docs/explanation/physics.md, "MPC").
 
     A QP's answer is verified. Where it fails the other solver is asked, and where both fail the previous force is held.
     A subclass gives the weights of each driving stage.
@@ -67,8 +68,8 @@ class PredictiveController(Controller):
     def end(self) -> None:
         """Report what the QPs took."""
         if self._qps is not None:  # else it did not start
-            self.report.solves = self._qps.solves + self.report.failures
-            self.report.max_slack = self._qps.most_slack
+            solved, _, _, most_slack = self._qps.counts.tolist()
+            self.report.solves, self.report.max_slack = int(solved) + self.report.failures, most_slack
 
     def linear_law(self, stage: str) -> LinearLaw | None:
         """The stage's unconstrained optimum."""
@@ -77,7 +78,7 @@ class PredictiveController(Controller):
     def qp(self, stage: str) -> Qp | None:
         """The stage's, where C solves it: none if a subclass decides these steps by a `force` of its own."""
         in_c = self.solver == "daqp" and type(self).force is PredictiveController.force
-        return Qp(self._designs[stage].qp, self._qps) if self._qps and in_c else None
+        return (self._designs[stage].qp, self._qps) if self._qps and in_c else None
 
     def force(self, seen: Seen) -> FloatArray | None:
         """The first forces of the constrained optimum (2,) [N].
@@ -89,7 +90,8 @@ class PredictiveController(Controller):
         qps = self._qps
         if qps is None:
             raise RidelabError(f"{type(self).__name__} has to be started before it is asked")
-        if qps.exhausted:
+        _, spent, allowed, _ = qps.counts
+        if spent > allowed:
             faster = () if self.solver == "daqp" else ("mpc.solver",)
             raise TooExpensiveError("The run's QPs take too many iterations", fields=(*faster, *_COSTLY_FIELDS))
         inputs = np.concatenate([seen.state, seen.previous_force, seen.disturbances.ravel()])

@@ -1,6 +1,6 @@
-"""Design of the model predictive suspension control (Eq. 8-15 with the errata of docs/errata.md).
+"""Design of the model predictive suspension control (Eq. 8-15 with the errata of docs/reference/errata.md).
 
-Everything that does not depend on the state is reckoned once and cached: the QP's matrices, and the law that solves it
+Everything that does not depend on the state is computed once and cached: the QP's matrices, and the law that solves it
 wherever no limit binds (the unconstrained optimum that meets every limit *is* the solution).
 """
 
@@ -11,13 +11,14 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.control.cost import KILO, CostTerms, stage_cost
+from sim_core.control.law import LAW_INPUTS, LinearLaw
 from sim_core.control.qp import AXLES, CENTI, MOST_ITERATIONS
 from sim_core.control.regulator import regulator
+from sim_core.errors import RidelabError
 from sim_core.kernel.qp import QpDesign
 from sim_core.matrices import solve
 from sim_core.scenario import Vehicle
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, discrete
-from sim_core.vehicle.model import LAW_INPUTS, LinearLaw
 
 SLACK_LINEAR, SLACK_QUADRATIC = 1e5, 1e6  # exact penalty per m and per m² on the normalised cost
 
@@ -110,8 +111,10 @@ def design(terms: CostTerms, horizon: int, moves: int, force_limit: float, force
         force_change_weight: On the moves of the force [1/N²].
 
     Raises:
-        RidelabError: No stabilising terminal controller exists for these weights.
+        RidelabError: A horizon has no step, or no stabilising terminal controller exists for these weights.
     """
+    if min(horizon, moves) < 1:
+        raise RidelabError("A predictive controller has a prediction_horizon and a control_horizon of 1 or more")
     S, P = stage_cost(terms), regulator(terms).P
     p = predict(terms.vehicle, terms.sample_time, horizon, moves)
     free = p.z_moves.shape[1]

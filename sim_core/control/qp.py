@@ -1,10 +1,10 @@
 """A predictive controller's QPs: min ½ y'Hy + f'y, low <= y <= high, A y <= b, in kN and cm, by two solvers.
 
-The C of kernel/qp.c has a dual active-set method; OSQP splits operators. No solver's word is taken: an answer counts
-only if it is finite and its own optimality residuals, which that C computes from the QP itself, are small.
+One is a dual active-set method in C (kernel/qp.c), the other OSQP. An answer counts only if it is finite and its
+residuals of the optimality conditions, which that C computes from the QP itself, are small; solvers may err.
 """
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     import osqp
 
 AXLES = 2
-CENTI = 100.0  # deflections and slacks are reckoned in cm
+CENTI = 100.0  # deflections and slacks are in cm
 TOLERANCE = 1e-6  # of the residuals
 SOLVERS = "daqp", "osqp"  # a scenario's names for the dual active-set method and for OSQP
 MOST_ITERATIONS = 1000  # of the dual method in one QP
@@ -32,22 +32,11 @@ _OSQP_SETTINGS = {
 }
 
 
-class Qps:
-    """All QPs of a run, one after another, and what they took; those of all driving stages have one size.
-
-    Attributes:
-        f: Linear term (n,).
-        b: Right side (rows of A,).
-        y: The answer (n,).
-        multipliers: Of the box, then of A y <= b: positive at an upper limit, negative at a lower one (n + rows,).
-        in_c: All of it, as C has it.
-    """
+class Qps(QpMemory):
+    """All QPs of a run, by either solver."""
 
     def __init__(self, design: QpDesign) -> None:
-        n, rows = design.columns.shape
-        self.f, self.y, self.b, self.multipliers = np.zeros(n), np.zeros(n), np.zeros(rows), np.zeros(n + rows)
-        self._counts = np.array([0.0, 0.0, MAX_EFFORT, 0.0])
-        self.in_c = QpMemory(self._counts, self.f, self.b, self.y, self.multipliers)
+        super().__init__(design, MAX_EFFORT)
         self._osqp: dict[QpDesign, OsqpSolver] = {}
 
     def solve(self, design: QpDesign, solver: str, inputs: FloatArray) -> FloatArray | None:
@@ -59,52 +48,20 @@ class Qps:
             inputs: State, previous force [N], preview.
         """
         if solver == "daqp":
-            return self.in_c.solve(design, inputs)
-        self.in_c.pose(design, inputs)
+            return self.solve_in_c(design, inputs)
+        self.pose(design, inputs)
         if design not in self._osqp:
             self._osqp[design] = OsqpSolver(design)
         answer, iterations = self._osqp[design].solve(self.f, self.b)
-        self._counts[1] += osqp_effort(iterations, len(self.f), len(self.b))
+        self.counts[1] += osqp_effort(iterations, len(self.f), len(self.b))
         if answer is None:
             return None
         self.y[:], self.multipliers[:] = answer
         if not self.residual(design) <= TOLERANCE:
             return None
-        self._counts[0] += 1
-        self._counts[3] = max(self.most_slack, float(self.y[-AXLES:].max()) / CENTI)
+        self.counts[0] += 1
+        self.counts[3] = max(self.counts[3], self.y[-AXLES:].max() / CENTI)
         return self.y[:FORCES] * KILO
-
-    def residual(self, design: QpDesign) -> float:
-        """Largest violation of the KKT conditions at y: of limits in kN and cm, of the others relative.
-
-        NaN or infinity for an answer that is not finite.
-
-        For a strictly convex QP zero means optimal (Boyd and Vandenberghe 2004, 5.5.3). Each row of the gradient is
-        judged by its own linear term: a slack's price, a thousand times a force's, would excuse any force.
-        """
-        return self.in_c.residual(design)
-
-    @property
-    def solves(self) -> int:
-        """QPs that were solved."""
-        return int(self._counts[0])
-
-    @property
-    def exhausted(self) -> bool:
-        """Whether they have taken all that one run's may."""
-        return bool(self._counts[1] > self._counts[2])
-
-    @property
-    def most_slack(self) -> float:
-        """The largest slack [m]."""
-        return float(self._counts[3])
-
-
-class Qp(NamedTuple):
-    """A driving stage's QPs in a run."""
-
-    design: QpDesign
-    run: Qps
 
 
 class OsqpSolver:

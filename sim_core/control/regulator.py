@@ -14,14 +14,14 @@ from sim_core.vehicle.half_car import FORCES, STATES, discrete
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Regulator:
-    """The optimal force u = -K x, in kN, and its cost.
+    """The optimal force u = gain·x [N], and its cost.
 
     Attributes:
-        K: Gain on the state, for forces in kN (2, 8).
+        gain: On the state (2, 8), as `LinearLaw.gain` begins.
         P: The cost [1] of all intervals to come is x'P x (8, 8).
     """
 
-    K: FloatArray
+    gain: FloatArray
     P: FloatArray
 
 
@@ -30,7 +30,7 @@ def regulator(terms: CostTerms) -> Regulator:
     """The LQR of that cost: P = A'PA + Q - (A'PB + N)(R + B'PB)⁻¹(B'PA + N').
 
     Returns:
-        Its `K` (2, 8), on the state and in kN, and its `P` (8, 8).
+        Its `gain` (2, 8), on the state and for forces in N, and its `P` (8, 8).
 
     Raises:
         RidelabError: No stabilising solution was found for these weights.
@@ -42,7 +42,7 @@ def regulator(terms: CostTerms) -> Regulator:
         ...     vehicle=Scenario().vehicle, speed=14.0, sample_time=0.01, weights=(1, 1, 1),
         ...     deflection_weight=3.0, deflection_limit=0.08, force_weight=1e-9,
         ... )
-        >>> law = LinearLaw(gain=np.hstack([-1000 * regulator(terms).K, np.zeros((2, 2))]))  # [N]
+        >>> law = LinearLaw(gain=np.hstack([regulator(terms).gain, np.zeros((2, 2))]))
         >>> law.gain.shape
         (2, 10)
     """
@@ -55,7 +55,7 @@ def regulator(terms: CostTerms) -> Regulator:
     K = solve(R + B.T @ P @ B, B.T @ P @ A + N.T)
     if not np.isfinite(K).all() or np.abs(np.linalg.eigvals(A - B @ K)).max() >= 1:
         raise RidelabError(NOT_STABILISABLE)
-    return Regulator(K=K, P=P)
+    return Regulator(gain=-KILO * K, P=P)
 
 
 @lru_cache(maxsize=64)
@@ -80,7 +80,7 @@ def feedforward(terms: CostTerms, horizon: int) -> FloatArray:
         (2, 90)
     """
     model, design, S = discrete(terms.vehicle, terms.sample_time), regulator(terms), stage_cost(terms)
-    A, B, E, K, P = model.A, model.B * KILO, model.E, design.K, design.P
+    A, B, E, K, P = model.A, model.B * KILO, model.E, -design.gain / KILO, design.P
     x, u, w = slice(0, STATES), slice(STATES, STATES + FORCES), slice(STATES + FORCES, None)
     closed = (A - B @ K).T
     curvature = S[u, u] + B.T @ P @ B

@@ -55,7 +55,9 @@ class Setup:
         return self.sample_time / self.short_steps
 
     def cost(self, weights: Weights, deflection_weight: float, force_weight: float) -> CostTerms:
-        """The normalised cost that LQR and MPC minimise, of this run's car and limits (docs/physics.md, "Cost").
+        """The normalised cost that LQR and MPC minimise, of this run's car and limits.
+
+        docs/explanation/physics.md, "Cost", has the formulas.
 
         Args:
             weights: Of body acceleration, pitch acceleration and tyre load: q1, q2, q3 [1].
@@ -82,7 +84,7 @@ class RunInputs:
         position: Of the front axle (steps,) [m].
         speed: Of the car (steps,) [m/s].
         stage: Driving stage of each control step.
-        windows: `Seen.disturbances` of each control step (3, steps, preview_steps).
+        disturbances: `Seen.disturbances` of each control step (3, steps, preview_steps).
         road_height: Of the road under both axles as the preview has it (2, steps) [m].
         noise: Function that gives the noise of the car's own sensors (steps, 4), in the units of what they measure.
         sample_time: Length of a control step [s].
@@ -92,7 +94,7 @@ class RunInputs:
     position: FloatArray
     speed: FloatArray
     stage: list[str]
-    windows: FloatArray
+    disturbances: FloatArray
     road_height: FloatArray
     noise: Callable[[], FloatArray]
     sample_time: float
@@ -176,8 +178,8 @@ class Seen:
         Mean vertical velocity of the road under the front and the rear axle [m/s], braking deceleration [m/s^2]. It is
         what `LinearLaw.preview_gain` multiplies; `preview` has the same as heights.
         """
-        windows: FloatArray = self._inputs.windows[:, self.step]
-        return windows
+        expected: FloatArray = self._inputs.disturbances[:, self.step]
+        return expected
 
     @property
     def preview(self) -> FloatArray:
@@ -186,5 +188,5 @@ class Seen:
         As the sensors give them; where they give nothing the road goes on level.
         """
         inputs = self._inputs
-        rise = np.cumsum(inputs.windows[:2, self.step], axis=1) * inputs.sample_time
+        rise = np.cumsum(inputs.disturbances[:2, self.step], axis=1) * inputs.sample_time
         return (inputs.road_height[:, self.step, np.newaxis] + rise).T

@@ -1,6 +1,6 @@
 """What passes between plant and ECU: the one table of channels and their ranges, and the converters' rounding.
 
-The C header, docs/hil.md and the loop take the ranges from here.
+The C header, docs/how-to/hil.md and the loop take the ranges from here.
 """
 
 from dataclasses import dataclass
@@ -12,7 +12,7 @@ from sim_core import catalogue
 from sim_core.arrays import FloatArray
 from sim_core.vehicle.half_car import STATES
 
-IntArray = NDArray[np.int32]
+Codes = NDArray[np.int32]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -59,7 +59,7 @@ def full_scales(intervals: int) -> FloatArray:
     return np.array(sensors + [channel.full_scale for channel in PREVIEW for _ in range(intervals)])
 
 
-def convert(values: FloatArray, full_scale: FloatArray | float, bits: int) -> tuple[IntArray, int]:
+def convert(values: FloatArray, full_scale: FloatArray | float, bits: int) -> tuple[Codes, int]:
     """Codes of values (…, n) and how many of them were beyond the range; rounds to nearest, clips at the ends."""
     highest = highest_code(bits)
     steps = np.rint(values / full_scale * highest)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from sim_core.arrays import FloatArray
 from sim_core.control.controller import scenario_field
 from sim_core.control.cost import KILO
+from sim_core.control.law import LinearLaw
 from sim_core.control.mpc import PredictiveController
 from sim_core.control.qp import CENTI
 from sim_core.control.seen import Seen, Setup
@@ -22,7 +23,6 @@ from sim_core.ecu.interface import Connect, Frame, Reply
 from sim_core.ecu.program import in_process
 from sim_core.scenario import Hil
 from sim_core.vehicle.half_car import discrete
-from sim_core.vehicle.model import LinearLaw
 
 _NOISE, _JITTER, _LOSS = 3, 4, 5  # generators of their own beside the road's and the preview's
 
@@ -43,7 +43,7 @@ class EcuController(PredictiveController):
     """
 
     delayed = True
-    solver = "its own"
+    solver = "ecu"  # the program's, whatever `mpc.solver` says
     hil: Hil = scenario_field("hil")
 
     def __init__(self, *, connect: Connect = in_process, checked: Checked = "all", **values: Any) -> None:

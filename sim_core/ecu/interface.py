@@ -6,7 +6,7 @@ from contextlib import AbstractContextManager
 from dataclasses import dataclass
 
 from sim_core.ecu.calibration import Calibration
-from sim_core.ecu.channels import IntArray
+from sim_core.ecu.channels import Codes
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -15,7 +15,7 @@ class Frame:
 
     step: int
     stage: int
-    codes: IntArray
+    codes: Codes
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

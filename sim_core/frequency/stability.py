@@ -1,4 +1,6 @@
-"""Whether the loop is stable with the car and the actuators as they really are (docs/robustness.md, "Stability").
+"""Whether the loop is stable with the car and the actuators as they really are.
+
+docs/explanation/robustness.md, "Stability", has the results.
 
 Near rest no limit binds, no stop is met and no tyre lifts off. With dampers alike both ways the loop of car, actuators
 and controller is then linear, and its modes say whether a small disturbance dies out. With unequal dampers it is linear
@@ -13,24 +15,25 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller
+from sim_core.control.law import LinearLaw
 from sim_core.loop.closed_loop import law_arrays
-from sim_core.loop.drive import filter_preview, make_setup
 from sim_core.loop.excitation import step_sizes
 from sim_core.loop.preview import Forecast
+from sim_core.loop.run import filter_preview, make_setup
 from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario, Vehicle
-from sim_core.speed.profile import plan_speed
-from sim_core.strategies import make_controller, speed_plan
+from sim_core.speed.profile import make_speed_profile
+from sim_core.strategies import make_controller, resolve_speed_plan
 from sim_core.vehicle.estimator import make_estimator
-from sim_core.vehicle.half_car import DISTURBANCES, STATES
-from sim_core.vehicle.linear import closed_loop_matrix, control_step
-from sim_core.vehicle.model import Estimator, LinearLaw
+from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
+from sim_core.vehicle.linear import control_step
+from sim_core.vehicle.model import Estimator
 from sim_core.vehicle.nonlinear import NonlinearCar
 from sim_core.vehicle.plant import plant
 
 _SETTLED = 8.0  # by then only the motion of a loop with unequal dampers that dies out last is left [s]
 _BLOCK = 100  # control steps after which its motion is brought back to size 1
 _NO_PREVIEW = Forecast(
-    windows=np.zeros((DISTURBANCES, _BLOCK, 0)),
+    disturbances=np.zeros((DISTURBANCES, _BLOCK, 0)),
     source=np.zeros(0),
     sizes=np.zeros((1 + DISTURBANCES, _BLOCK)),
     height_now=np.zeros((2, _BLOCK)),
@@ -72,9 +75,9 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
     controller = instance.for_scenario(believed)
     if controller.delayed or controller.dampers() is not None:
         return None
-    plan = speed_plan(type(instance), scenario.speed.policy)
-    profile = plan_speed(believed, plan)
-    setup = make_setup(believed, controller, profile, step_sizes(believed, controller, plan))
+    plan = resolve_speed_plan(type(instance), scenario.speed.policy)
+    speed_profile = make_speed_profile(believed, plan)
+    setup = make_setup(believed, controller, speed_profile, step_sizes(believed, controller, plan))
     controller.start(setup)
     of_stages = [controller.linear_law(stage) for stage in setup.stages]
     controller.end()
@@ -85,7 +88,7 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
     step, estimator = setup.sample_time, None
     if instance.actuated:
         mode, still = filter_preview(scenario, instance.for_scenario(scenario)), np.zeros((1, DISTURBANCES))
-        estimator = make_estimator(scenario, step, profile.initial_speed, still, mode=mode)
+        estimator = make_estimator(scenario, step, speed_profile.initial_speed, still, mode=mode)
     A, B = control_step(plant(vehicle, actuator, step, 1), vehicle, estimator)
     loops = [closed_loop_matrix(A, B, law) for law in laws]
     of_modes = [damping(loop, step) for loop in loops]
@@ -93,6 +96,14 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
         return min(of_modes)
     last = [_last_motion(vehicle, actuator, step, estimator, law, loop) for law, loop in zip(laws, loops, strict=True)]
     return min(slowest if mean < 0 else min(mean, slowest) for mean, slowest in zip(of_modes, last, strict=True))
+
+
+def closed_loop_matrix(A: FloatArray, B: FloatArray, law: LinearLaw) -> FloatArray:
+    """One control step of [p; previous command] while no limit binds (n + 2, n + 2)."""
+    n = len(A)
+    gain = np.zeros((FORCES, n + FORCES))
+    gain[:, :STATES], gain[:, n:] = law.gain[:, :STATES], law.gain[:, STATES:]
+    return np.vstack([np.hstack([A, np.zeros((n, FORCES))]) + B @ gain, gain])
 
 
 def damping(loop: FloatArray, step: float) -> float:

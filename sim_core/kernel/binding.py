@@ -91,8 +91,8 @@ def torque_shares(
     sets, samples = memberships.shape
     require(errors.shape[1] == len(shares) and samples > 1, "Every error has a share")
     require(rules.shape[1:] == (3,), "A rule has three sets")
-    known = (rules >= (-1, -1, 0)).all() and (rules < (len(distance), len(errors), sets)).all()
-    require(bool(known), "A rule asks for sets there are, and concludes one")
+    named = (rules >= (-1, -1, 0)).all() and (rules < (len(distance), len(errors), sets)).all()
+    require(bool(named), "A rule asks for sets there are, and concludes one")
     require(sets <= _MOST_FUZZY_SETS, "The torque has at most twenty sets")
     _torque_shares(distance, errors, len(shares), rules, len(rules), memberships, sets, samples - 1, shares)
 

@@ -37,9 +37,9 @@ def default_compiler() -> list[str]:
     """
     if "CC" in os.environ:
         return shlex.split(os.environ["CC"])
-    found = next((path for name in ("cc", "gcc", "clang") if (path := shutil.which(name))), None)
-    if found:
-        return [found]
+    installed = next((path for name in ("cc", "gcc", "clang") if (path := shutil.which(name))), None)
+    if installed:
+        return [installed]
     if importlib.util.find_spec("ziglang") is None:
         raise FileNotFoundError("There is no C compiler: install gcc or clang, or with pip the package ziglang")
     return [sys.executable, "-m", "ziglang", "cc"]

@@ -1,6 +1,6 @@
 /* The half-car where it is not linear: dampers that resist rebound more than compression or are semi-active, bump stops,
    tyres that lift off. Runge-Kutta steps of fourth order, which end where the slope of one of these forces changes
-   (docs/physics.md, "Dampers, stops and lift-off"). The model and its source: sim_core/vehicle/nonlinear.py. */
+   (docs/explanation/physics.md, "Dampers, stops and lift-off"). The model and its source: sim_core/vehicle/nonlinear.py. */
 
 #include <math.h>
 #include <stddef.h>

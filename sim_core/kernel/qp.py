@@ -88,21 +88,26 @@ class QpDesign:
 
 
 class QpMemory:
-    """What the QPs of a run are reckoned in, one after another, as `struct qp_run` of kernel/qp.c has it.
+    """The memory in which the QPs of a run are solved, one after another, as `struct qp_run` of kernel/qp.c has it.
 
-    counts (4,), f and y (n,), b (rows,), multipliers (n + rows,).
+    Args:
+        design: Of a driving stage: those of all stages are of one size.
+        allowed: About the time that all of them may take [s].
 
-    Raises:
-        ValueError: Sizes disagree.
+    Attributes:
+        counts: How many were solved, the time they took [s], that allowed [s], the largest slack [m] (4,).
+        f: Linear term (n,).
+        b: Right side (rows of A,).
+        y: The answer (n,).
+        multipliers: Of the box, then of A y <= b: positive at an upper limit, negative at a lower one (n + rows,).
     """
 
-    def __init__(
-        self, counts: FloatArray, f: FloatArray, b: FloatArray, y: FloatArray, multipliers: FloatArray
-    ) -> None:
-        n, rows = self._size = len(f), len(b)
-        require(len(y) == n and len(multipliers) == n + rows, "A number for each unknown and limit")
+    def __init__(self, design: QpDesign, allowed: float) -> None:
+        n, rows = self._size = design.columns.shape
+        self.counts = np.array([0.0, 0.0, allowed, 0.0])
+        self.f, self.b, self.y, self.multipliers = (np.zeros(length) for length in (n, rows, n, n + rows))
         work = np.empty(n + rows), np.empty(_DUAL_BYTES, dtype=np.uint8)
-        self.prepared = _prepare_qp_run.prepare(counts, f, b, y, multipliers, *work)
+        self.prepared = _prepare_qp_run.prepare(self.counts, self.f, self.b, self.y, self.multipliers, *work)
         self._force = np.empty(_FORCES)
 
     def both(self, design: QpDesign, inputs: int) -> tuple[Prepared, Prepared]:
@@ -119,11 +124,19 @@ class QpMemory:
         """Fill f and b for the control step in which the law has these inputs."""
         _pose_qp(*self.both(design, len(inputs)), inputs)
 
-    def solve(self, design: QpDesign, inputs: FloatArray) -> FloatArray | None:
+    def solve_in_c(self, design: QpDesign, inputs: FloatArray) -> FloatArray | None:
         """The optimal forces (2,) [N] then, with f, b, y and multipliers; None without a proven answer."""
         return self._force if _solve_qp(*self.both(design, len(inputs)), inputs, self._force) else None
 
     def residual(self, design: QpDesign) -> float:
-        """The largest violation of the KKT conditions by what is in f, b, y and multipliers."""
+        """The largest violation of the KKT conditions by f, b, y and multipliers.
+
+        Of limits it is in kN and cm, of the others relative; NaN or infinity for an answer that is not finite. For a
+        strictly convex QP zero means optimal (Boyd and Vandenberghe 2004, 5.5.3). Each row of the gradient is judged by
+        its own linear term: a slack's price, a thousand times a force's, would excuse any force.
+        """
         violation: float = _residual(*self.both(design, design.by_inputs.shape[1]))
         return violation
+
+
+Qp = tuple[QpDesign, QpMemory]  # a driving stage's, and the memory of its run

@@ -13,14 +13,15 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.control.controller import Controller
-from sim_core.control.qp import Qp
+from sim_core.control.law import LAW_INPUTS, LinearLaw
 from sim_core.control.seen import RunInputs, Seen
 from sim_core.errors import RidelabError
 from sim_core.kernel.prepared import FollowLaw, LawArrays, limit_force
+from sim_core.kernel.qp import Qp
 from sim_core.loop.preview import Forecast
 from sim_core.speed.stages import Segment
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES
-from sim_core.vehicle.model import LAW_INPUTS, LinearLaw, VehicleModel
+from sim_core.vehicle.model import VehicleModel
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -44,13 +45,13 @@ class ClosedLoop:
     """One run's loop; limits of forces as `limit_force` has them."""
 
     def __init__(
-        self, controller: Controller, car: VehicleModel, inputs: RunInputs, forecast: Forecast, limits: FloatArray
+        self, controller: Controller, car: VehicleModel, inputs: RunInputs, forecast: Forecast, force_limits: FloatArray
     ) -> None:
         self._controller = controller
         self._car = car
         self._inputs = inputs
         self._forecast = forecast
-        self._limits = limits
+        self._force_limits = force_limits
 
     def run(self, segments: Sequence[Segment]) -> Trajectory:
         """Drive the driving stages from rest, without a command before the first step."""
@@ -68,7 +69,7 @@ class ClosedLoop:
                 raise RidelabError(f"{self._controller.label}: linear_law gives a LinearLaw or None")
             if law not in prepared:
                 qp = self._controller.qp(segment.stage)
-                arrays = law_arrays(law, self._forecast, self._limits, clips=clips, qp=qp)
+                arrays = law_arrays(law, self._forecast, self._force_limits, clips=clips, qp=qp)
                 prepared[law] = self._car.follow_law(arrays, loop)
             follow, k = prepared[law], segment.first
             while k < segment.last:
@@ -86,13 +87,18 @@ class ClosedLoop:
         seen = Seen(self._inputs, self._car, k, k, read_only(state), read_only(previous))
         counted = self._controller.report.limited_steps
         wanted = checked_force(self._controller, self._controller.force(seen), k)
-        limited = limit_force(self._limits, wanted, previous, loop[k + 1, n:])
+        limited = limit_force(self._force_limits, wanted, previous, loop[k + 1, n:])
         self._car.advance(k, loop)
         return limited or self._controller.report.limited_steps > counted
 
 
 def law_arrays(
-    law: LinearLaw, forecast: Forecast, force_limits: FloatArray, *, clips: bool, qp: Qp | None = None
+    law: LinearLaw,
+    forecast: Forecast,
+    force_limits: FloatArray,
+    *,
+    clips: bool,
+    qp: Qp | None = None,
 ) -> LawArrays:
     """A law with all that decides where it holds.
 
@@ -106,13 +112,13 @@ def law_arrays(
     Raises:
         RidelabError: It is a law for another horizon.
     """
-    previewed = DISTURBANCES * forecast.windows.shape[2]
+    previewed = DISTURBANCES * forecast.disturbances.shape[2]
     preview_gain = np.zeros((FORCES, previewed)) if law.preview_gain is None else law.preview_gain
     rows = np.zeros((0, LAW_INPUTS + previewed)) if law.limits is None else law.limits
     if preview_gain.shape[1] != previewed or rows.shape[1] != LAW_INPUTS + previewed:
         raise RidelabError("A linear law has three columns for each control step that is previewed")
     scale, norms = (np.ones(LAW_INPUTS), np.zeros((5, 0))) if law.limits is None else _norms(law)
-    kind, step, _ = (stride // forecast.windows.itemsize for stride in forecast.windows.strides)
+    kind, step, _ = (stride // forecast.disturbances.itemsize for stride in forecast.disturbances.strides)
     return LawArrays(
         gain=law.gain,
         preview_gain=preview_gain,
@@ -124,7 +130,7 @@ def law_arrays(
         sizes=forecast.sizes,
         force_limits=force_limits,
         clips=clips,
-        qp=None if qp is None else (qp.design, qp.run.in_c),
+        qp=qp,
     )
 
 

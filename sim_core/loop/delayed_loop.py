@@ -20,13 +20,13 @@ class DelayedLoop:
     """One run's loop; limits of forces as `limit_force` has them, of the change in a short step."""
 
     def __init__(
-        self, controller: Controller, car: VehicleModel, inputs: RunInputs, setup: Setup, limits: FloatArray
+        self, controller: Controller, car: VehicleModel, inputs: RunInputs, setup: Setup, force_limits: FloatArray
     ) -> None:
         self._controller = controller
         self._car = car
         self._inputs = inputs
         self._setup = setup
-        self._limits = limits
+        self._force_limits = force_limits
 
     def run(self) -> Trajectory:
         """Drive from rest, without a command before the first arrives; a row of the trajectory is a short step."""
@@ -55,7 +55,7 @@ class DelayedLoop:
                 if settled:
                     command[:] = present
                 else:
-                    bound = limit_force(self._limits, asked[held], present, command)
+                    bound = limit_force(self._force_limits, asked[held], present, command)
                     settled, present = np.array_equal(command, present), command
                 shaped |= bound
                 car.advance(i, loop)
@@ -76,5 +76,5 @@ class DelayedLoop:
         if arrivals.shape != (steps,) or arrivals.dtype.kind not in "iu" or (arrivals < np.arange(steps) * n).any():
             message = "arrivals gives one whole number for each control step, none before its own step"
             raise RidelabError(f"{self._controller.label}: {message}")
-        found: list[int] = arrivals.tolist()
-        return found
+        short_steps: list[int] = arrivals.tolist()
+        return short_steps

@@ -1,7 +1,7 @@
-"""A drive over a road, sampled: everything about a run that no suspension changes.
+"""A speed profile and its road, sampled: everything about a run that no suspension changes.
 
-What follows from the drive alone is kept apart from the road's heights: another road of the same length, or another
-bump in the same place, only looks its heights up.
+What follows from the speed profile alone is kept apart from the road's heights: another road of the same length, or
+another bump in the same place, only looks its heights up.
 """
 
 from dataclasses import dataclass
@@ -13,9 +13,9 @@ from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.control.controller import Controller
 from sim_core.kernel import binding
-from sim_core.road.profile import GRID, RoadProfile, RoadUnderAxles, detail, profile, road_under_axles
+from sim_core.road.profile import GRID, RoadProfile, RoadUnderAxles, detail, road_profile, road_under_axles
 from sim_core.scenario import Road, Scenario
-from sim_core.speed.profile import CONTROL_STEP, SpeedPlan, SpeedProfile
+from sim_core.speed.profile import SPEED_CONTROL_PERIOD, SpeedPlan, SpeedProfile
 from sim_core.vehicle.half_car import DISTURBANCES
 
 FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
@@ -24,7 +24,7 @@ SHORT_STEP = 1e-3  # longest step in which a delayed controller's commands may a
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class TimeGrid:
-    """A drive in control steps from the run-in to the road's end, and in fine ones.
+    """A speed profile in control steps from the run-in to the road's end, and in fine ones.
 
     Attributes:
         time: Control instants (steps + 1,) [s], 0 when the front axle is at x = 0.
@@ -59,10 +59,10 @@ class TimeGrid:
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Excitation:
-    """A sampled drive on its road.
+    """A sampled speed profile on its road.
 
     Attributes:
-        grid: What follows from the drive alone.
+        grid: What follows from the speed profile alone.
         disturbance: Road velocities front and rear [m/s], braking deceleration [m/s^2], each held over a fine step;
             (steps, 3 · fine), fine step after fine step.
         surface: The road.
@@ -94,13 +94,13 @@ class StepSizes:
 
 def step_sizes(scenario: Scenario, controller: type[Controller] | Controller, plan: SpeedPlan) -> StepSizes:
     """Those of a controller's run at that speed plan."""
-    control = scenario.mpc.sample_time if controller.actuated else CONTROL_STEP
+    control = scenario.mpc.sample_time if controller.actuated else SPEED_CONTROL_PERIOD
     short = ceil(control / SHORT_STEP - 1e-9) if controller.delayed else 1
-    longest = fine_step(scenario, plan, actuated=controller.actuated)
+    longest = longest_fine_step(scenario, plan, actuated=controller.actuated)
     return StepSizes(control=control, short=short, fine=short * ceil(control / short / longest - 1e-9))
 
 
-def fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool) -> float:
+def longest_fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool) -> float:
     """Longest fine step [s]: 60 over the bump (or its two ramps), 0.1 rad of the wheels, a grid step of the road, 1 ms.
 
     Between the ends of a fine step the road is taken as linear and the car exact, so the road's curvature and the
@@ -125,17 +125,17 @@ def fine_step(scenario: Scenario, plan: SpeedPlan, *, actuated: bool) -> float:
 
 @cached
 def excite(road: Road, wheelbase: float, speed_profile: SpeedProfile, step: float, fine: int) -> Excitation:
-    """Sample a drive and look its road up.
+    """Sample a speed profile and look its road up.
 
     Args:
-        road: What it drives over.
+        road: What is driven over.
         wheelbase: L [m].
-        speed_profile: How it is driven.
+        speed_profile: How fast.
         step: Control step [s].
         fine: Fine steps in it.
     """
     grid = _sampled(speed_profile, road.length, wheelbase, step, fine)
-    surface = profile(road)
+    surface = road_profile(road)
     height = surface.height(grid.axles)
     braking = _braking(speed_profile, grid, step)
     held = np.empty((len(grid.time) - 1, fine * DISTURBANCES))
@@ -197,5 +197,5 @@ def _braking(speed_profile: SpeedProfile, grid: TimeGrid, step: float) -> FloatA
 
 
 def _on_record(speed_profile: SpeedProfile, values: FloatArray, time: FloatArray) -> FloatArray:
-    """A sampled column of the drive; one that is zero throughout takes no memory."""
+    """A sampled column of the speed profile; one that is zero throughout takes no memory."""
     return speed_profile.sample(values, time) if values.any() else np.broadcast_to(0.0, time.shape)

@@ -1,4 +1,4 @@
-"""What a controller knows of the road and the braking ahead (docs/physics.md, "Sensors that look ahead").
+"""What a controller knows of the road and the braking ahead (docs/explanation/physics.md, "Sensors that look ahead").
 
 none: the road ahead is taken as level. wheelbase: the rear axle will meet what the front has already driven.
 lookahead: the sensors that find the bump give the road for the whole horizon, and the speed plan is known.
@@ -25,15 +25,15 @@ class Forecast:
     """What is expected over the horizon at each control step.
 
     Attributes:
-        windows: Mean velocity of the front axle's road in each interval, the rear's [m/s], and the braking deceleration
-            [m/s^2] (3, steps, horizon); perhaps a view.
-        source: A C-contiguous array that begins with the first window, and of which `windows` may be a view.
-        sizes: Of each window the mean deceleration's magnitude [m/s^2], then the norms of both velocities and of the
+        disturbances: Mean velocity of the front axle's road in each interval, the rear's [m/s], and the braking
+            deceleration [m/s^2] (3, steps, horizon); perhaps a view.
+        source: A C-contiguous array that begins with the first step's, and of which `disturbances` may be a view.
+        sizes: Of each step's the mean deceleration's magnitude [m/s^2], then the norms of both velocities and of the
             deceleration's difference from its mean (4, steps).
         height_now: Of the road under both axles, as it is previewed (2, steps) [m].
     """
 
-    windows: FloatArray
+    disturbances: FloatArray
     source: FloatArray
     sizes: FloatArray
     height_now: FloatArray
@@ -49,35 +49,35 @@ def preview(
         scenario: Whose road, sensors and expected errors.
         speed_profile: How the road is driven.
         excitation: The same, grid.
-        horizon: Prediction horizon.
+        horizon: Prediction horizon; of 0 steps nothing is expected.
     """
     mismatch, wheelbase = scenario.mismatch, scenario.vehicle.wheelbase
-    if mode in ("lookahead", "obstacle"):
+    if mode in ("lookahead", "obstacle") and horizon:
         surface, expected = excitation.surface, expected_errors(scenario.mpc)
         if mode == "obstacle" or mismatch.preview_noise or mismatch.preview_resolution or expected != ExpectedErrors():
             surface = sensed_road(surface, scenario.road, mismatch, expected, obstacle_alone=mode == "obstacle")
         return _by_sensors(surface, speed_profile, excitation.grid, horizon, wheelbase, mismatch)
     if mode == "wheelbase":
-        windows, sizes = _behind_the_front(excitation, speed_profile, horizon, wheelbase)
+        disturbances, sizes = _behind_the_front(excitation, speed_profile, horizon, wheelbase)
     else:
-        windows, sizes = _level(excitation.grid, speed_profile, horizon)
+        disturbances, sizes = _level(excitation.grid, speed_profile, horizon)
     height_now = excitation.height[:, : -1 : excitation.grid.fine]
-    return Forecast(windows=windows, source=windows, sizes=sizes, height_now=height_now)
+    return Forecast(disturbances=disturbances, source=disturbances, sizes=sizes, height_now=height_now)
 
 
 def sliding_forecast(disturbances: FloatArray, horizon: int, height_now: FloatArray) -> Forecast:
-    """Windows that slide over the disturbances of every interval to come (3, steps + horizon - 1).
+    """The horizon slides over the disturbances of every interval to come (3, steps + horizon - 1).
 
     Args:
         disturbances: Of every interval.
-        horizon: Intervals in a window.
+        horizon: Intervals in it.
         height_now: As `Forecast`'s.
     """
     mean = _sums(disturbances[2], horizon) / horizon
     squares = _sums(disturbances**2, horizon)
     squares[2] -= horizon * mean**2
     return Forecast(
-        windows=sliding_window_view(disturbances, horizon, axis=1),
+        disturbances=sliding_window_view(disturbances, horizon, axis=1),
         source=disturbances,
         sizes=np.vstack([np.abs(mean), np.sqrt(squares.clip(min=0.0))]),
         height_now=height_now,
@@ -123,25 +123,25 @@ def _sensed_places(
 
 @cached
 def _level(grid: TimeGrid, speed_profile: SpeedProfile, horizon: int) -> tuple[FloatArray, FloatArray]:
-    """`Forecast.windows` and `sizes` of a level road; braking stays as it is."""
+    """`Forecast.disturbances` and `sizes` of a level road; braking stays as it is."""
     braking = speed_profile.sample(speed_profile.braking, grid.time[:-1])
-    windows = np.zeros((DISTURBANCES, len(braking), horizon))
-    windows[2] = braking[:, None]
+    disturbances = np.zeros((DISTURBANCES, len(braking), horizon))
+    disturbances[2] = braking[:, None]
     none = np.zeros(len(braking))
-    return windows, np.stack([np.abs(braking), none, none, none])
+    return disturbances, np.stack([np.abs(braking), none, none, none])
 
 
 @cached
 def _behind_the_front(
     excitation: Excitation, speed_profile: SpeedProfile, horizon: int, wheelbase: float
 ) -> tuple[FloatArray, FloatArray]:
-    """`Forecast.windows` and `sizes` where the rear axle meets the road that the front one has passed."""
+    """`Forecast.disturbances` and `sizes` where the rear axle meets the road that the front one has passed."""
     grid, surface = excitation.grid, excitation.surface
     level, level_sizes = _level(grid, speed_profile, horizon)
-    windows, sizes = level.copy(), level_sizes.copy()
+    disturbances, sizes = level.copy(), level_sizes.copy()
     further = grid.speed[:, None] * grid.step * np.arange(horizon + 1)
     driven = further[:, 1:] <= wheelbase
     heights = surface.height(grid.position[:, None] - wheelbase + np.minimum(further, wheelbase))
-    windows[1] = np.where(driven, np.diff(heights, axis=1) / grid.step, 0.0)
-    sizes[2] = np.linalg.norm(windows[1], axis=1)
-    return windows, sizes
+    disturbances[1] = np.where(driven, np.diff(heights, axis=1) / grid.step, 0.0)
+    sizes[2] = np.linalg.norm(disturbances[1], axis=1)
+    return disturbances, sizes

@@ -13,8 +13,8 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS, WINDOWS
 from sim_core.kernel import binding
-from sim_core.loop.drive import Recording, Run
 from sim_core.loop.excitation import Excitation
+from sim_core.loop.run import Recording, Run
 from sim_core.metrics.comfort import vibration_dose, weighted
 from sim_core.metrics.sections import Integrand, SectionValues, over_sections
 from sim_core.metrics.tyre_peaks import peaks_with_kinks
@@ -35,7 +35,7 @@ _FORCES = slice(_ROW["front_force"], _ROW["rear_force"] + 1)
 
 def evaluate(run: Run, recording: Recording) -> StrategyResult:
     """Everything a run reports, from its recording."""
-    scenario, controller, speed_profile = run.scenario, run.controller, run.profile
+    scenario, controller, speed_profile = run.scenario, run.controller, run.speed_profile
     bump, excitation, report = scenario.road.bump, run.excitation, controller.report
     speeds, signals = recording.table[:_SPEEDS], recording.table[_SPEEDS:]
     windows = windows_of(excitation.grid, speed_profile, bump.start, scenario.bump_left, scenario.road.length)

@@ -1,4 +1,4 @@
-"""The road, made once in space: ISO 8608 roughness plus bumps (paper section 2.1, errata in docs/errata.md).
+"""The road, made once in space: ISO 8608 roughness plus bumps (paper section 2.1, errata in docs/reference/errata.md).
 
 Every strategy drives the same road whatever its speed, and the rear axle the front's road a wheelbase later.
 """
@@ -173,7 +173,7 @@ def _measured(measured: MeasuredRoad, length: float) -> tuple[FloatArray, float]
     return samples, _slopes(samples)
 
 
-def profile(road: Road) -> RoadProfile:
+def road_profile(road: Road) -> RoadProfile:
     """The road of a scenario.
 
     Raises:

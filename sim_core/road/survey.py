@@ -1,6 +1,6 @@
 """From a surveyed profile to a road that can be driven: resampled, freed of its slope, smoothed; and the bumps in it.
 
-docs/physics.md, "Measured roads", has the steps and their sources.
+docs/explanation/physics.md, "Measured roads", has the steps and their sources.
 """
 
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""A half-car from what a whole car's data sheet says (docs/physics.md, "From a data sheet")."""
+"""A half-car from what a whole car's data sheet says (docs/explanation/physics.md, "From a data sheet")."""
 
 from math import pi, sqrt
 from typing import Annotated, Self

@@ -17,7 +17,7 @@ from sim_core.scenario import Scenario
 from sim_core.scenario.fields import Weight
 
 Kind = Literal["number", "integer", "switch", "choice", "text", "weights", "data"]
-_CONFIG = ConfigDict(strict=True, allow_inf_nan=False, hide_input_in_errors=True)
+STRICT = ConfigDict(strict=True, allow_inf_nan=False, hide_input_in_errors=True)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,10 +36,19 @@ class DottedField:
         Raises:
             RidelabError: It is of another type or beyond the hard limits; the message does not repeat it.
         """
-        try:
-            return self.adapter.dump_python(self.adapter.validate_python(value), mode="json")
-        except ValidationError as error:
-            raise RidelabError(error.errors(include_input=False)[0]["msg"], field=self.name) from None
+        return self.adapter.dump_python(validated(self.adapter, value, self.name), mode="json")
+
+
+def validated(adapter: TypeAdapter[Any], value: Any, field: str) -> Any:
+    """The value as the adapter takes it.
+
+    Raises:
+        RidelabError: It does not, of that field; the message does not repeat the value.
+    """
+    try:
+        return adapter.validate_python(value)
+    except ValidationError as error:
+        raise RidelabError(error.errors(include_input=False)[0]["msg"], field=field) from None
 
 
 @cache
@@ -122,7 +131,7 @@ def _walk(model: type[BaseModel], prefix: str) -> Iterator[DottedField]:
         extra = info.json_schema_extra if isinstance(info.json_schema_extra, dict) else {}
         unit, title = str(extra.get("unit", "1")), str(info.title or key)
         annotated: Any = Annotated[annotation, info]
-        adapter: TypeAdapter[Any] = TypeAdapter(annotated, config=_CONFIG)
+        adapter: TypeAdapter[Any] = TypeAdapter(annotated, config=STRICT)
         yield DottedField(name=name, title=title, unit=unit, kind=_kind(annotation), adapter=adapter)
         titles = extra.get("item_titles")
         for index, item_title in enumerate(titles if isinstance(titles, list) else []):
@@ -131,7 +140,7 @@ def _walk(model: type[BaseModel], prefix: str) -> Iterator[DottedField]:
                 title=f"{title}: {item_title}",
                 unit=unit,
                 kind="number",
-                adapter=TypeAdapter(Weight, config=_CONFIG),
+                adapter=TypeAdapter(Weight, config=STRICT),
             )
 
 

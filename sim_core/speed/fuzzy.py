@@ -10,8 +10,9 @@ from pathlib import Path
 from types import ModuleType
 
 import numpy as np
+from numpy.typing import NDArray
 
-from sim_core.arrays import FloatArray, IntArray
+from sim_core.arrays import FloatArray
 from sim_core.kernel import binding
 from sim_core.scenario.fuzzy import DISTANCE_MAX, SPEED_ERROR_MAX, TABLE_1, Fuzzy, FuzzySet
 
@@ -105,7 +106,7 @@ def _membership_functions() -> ModuleType:
     return module
 
 
-def _numbered(fuzzy: Fuzzy) -> IntArray:
+def _numbered(fuzzy: Fuzzy) -> NDArray[np.intc]:
     """Sets of distance and error, perhaps ANY, and of the torque (rules, 3)."""
     errors, distances, torques = (
         {each.name: place for place, each in enumerate(sets)}

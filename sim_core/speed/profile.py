@@ -1,6 +1,6 @@
-"""Driving along the road: constant speed, or the fuzzy speed plan towards the bump (section 3.1, Figure 8).
+"""The car's speed along the road: constant, or planned by a fuzzy controller towards the bump (section 3.1, Figure 8).
 
-The plan depends on nothing vertical, so it is made once per road and shared by every strategy that drives it.
+It depends on nothing vertical, so it is made once per road and shared by every strategy that drives it.
 """
 
 from dataclasses import dataclass
@@ -20,9 +20,9 @@ from sim_core.speed.fuzzy import torque_rules
 
 SpeedPlan = Literal["planned", "constant"]  # whether the car slows down for the bump
 TARGET_BAND = 2.5 * KMH  # half width of the band the paper aims at, 20 to 25 km/h [m/s]
-CONTROL_STEP = 0.01  # period of the speed controller [s]
-DRIVE_TIME = 0.5  # the drive closes a speed error with this time constant [s] (ours)
-DRIVE_LIMIT = 2.0  # and accelerates at most this much [m/s^2] (ours)
+SPEED_CONTROL_PERIOD = 0.01  # period of the speed controller [s]
+ENGINE_TIME_CONSTANT = 0.5  # with which the engine closes a speed error [s] (ours)
+ENGINE_ACCELERATION = 2.0  # it gives at most [m/s^2] (ours)
 # A place so little ahead of the car counts as reached [m]: far more than rounding, which differs between processors,
 # and far less than changes a metric. Otherwise a step that meets a place exactly reaches it on some processors only.
 REACHED = 1e-9
@@ -30,7 +30,7 @@ REACHED = 1e-9
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class SpeedProfile:
-    """A drive: samples every CONTROL_STEP from the detection to the end of the bump, constant speed around it.
+    """Speed over time: samples every SPEED_CONTROL_PERIOD from the detection to the bump's end, constant around them.
 
     `time` counts from x = 0 [s]; before the first sample the car holds the initial speed, after the last its own.
     """
@@ -73,7 +73,7 @@ class SpeedProfile:
 
 @lru_cache(maxsize=32)
 def _time_at(profile: SpeedProfile, position: float) -> float:
-    """The inverse of `SpeedProfile.at`, kept: every run over a drive asks for the same few places."""
+    """The inverse of `SpeedProfile.at`, kept: every run with that profile asks for the same few places."""
     if position <= profile.position[0]:
         return float(profile.time[0] + (position - profile.position[0]) / profile.speed[0])
     if position >= profile.position[-1]:
@@ -90,8 +90,8 @@ def _time_at(profile: SpeedProfile, position: float) -> float:
     return float(profile.time[i]) + step * high
 
 
-def plan_speed(scenario: Scenario, plan: SpeedPlan) -> SpeedProfile:
-    """How the scenario's road is driven."""
+def make_speed_profile(scenario: Scenario, plan: SpeedPlan) -> SpeedProfile:
+    """How fast the scenario's road is driven, and where the car is when."""
     if plan == "constant":
         return _constant(scenario.speed.initial)
     places = scenario.braking_start, scenario.road.bump.start, scenario.bump_left
@@ -100,7 +100,7 @@ def plan_speed(scenario: Scenario, plan: SpeedPlan) -> SpeedProfile:
 
 @lru_cache(maxsize=256)
 def _constant(speed: float) -> SpeedProfile:
-    two, none = np.array([0.0, CONTROL_STEP]), np.zeros(2)
+    two, none = np.array([0.0, SPEED_CONTROL_PERIOD]), np.zeros(2)
     return SpeedProfile(
         initial_speed=speed,
         time=two,
@@ -117,9 +117,9 @@ def _planned(
 ) -> SpeedProfile:
     """Step the speed controller and the brake chain from the detection until the rear axle has left the bump.
 
-    Per period: the fuzzy torque sets the pressure demand (zero inside the target band, where the drive holds the
+    Per period: the fuzzy torque sets the pressure demand (zero inside the target band, where the engine holds the
     target instead), the pressure follows with its lag exactly, speed by the midpoint rule. On the bump the car
-    coasts; only if it would fall below the band does the drive keep it moving.
+    coasts; only if it would fall below the band does the engine keep it moving.
 
     Args:
         speed: Initial and target speed, and which controller.
@@ -130,7 +130,7 @@ def _planned(
         bump_start: Where the front axle meets the bump [m].
         bump_end: Where it is when the rear one has left it [m].
     """
-    chain, rules, h = BrakeChain(brake, mass), torque_rules(fuzzy), CONTROL_STEP
+    chain, rules, h = BrakeChain(brake, mass), torque_rules(fuzzy), SPEED_CONTROL_PERIOD
     initial, target = speed.initial, min(speed.target, speed.initial)
     floor = target - TARGET_BAND
     keep_half, keep = chain.decay(h / 2), chain.decay(h)
@@ -160,7 +160,7 @@ def _planned(
         v += h * (push - chain.resistance(middle) - chain.deceleration(pressure_middle, middle))
         pressure = demand + (pressure - demand) * keep
     table = np.array(rows).T
-    table[2:, -1] = 0.0  # from here on the drive holds the speed, the brakes are off
+    table[2:, -1] = 0.0  # from here on the engine holds the speed, the brakes are off
     time = detection / initial + h * np.arange(table.shape[1], dtype=np.float64)
     return SpeedProfile(
         initial_speed=initial,
@@ -173,8 +173,8 @@ def _planned(
 
 
 def _push(chain: BrakeChain, speed: float, reference: float) -> float:
-    """Acceleration the drive adds to reach and hold a reference speed [m/s^2]; it never brakes."""
-    return min(max(chain.resistance(speed) + (reference - speed) / DRIVE_TIME, 0.0), DRIVE_LIMIT)
+    """Acceleration the engine adds to reach and hold a reference speed [m/s^2]; it never brakes."""
+    return min(max(chain.resistance(speed) + (reference - speed) / ENGINE_TIME_CONSTANT, 0.0), ENGINE_ACCELERATION)
 
 
 def _needed(chain: BrakeChain, speed: float, target: float, distance: float) -> float:

@@ -15,7 +15,7 @@ from sim_core.strategies.lqr import Lqr
 from sim_core.strategies.lv import Lv
 from sim_core.strategies.lv_hil import LvHil
 from sim_core.strategies.passive import Passive, SpeedOnly
-from sim_core.strategies.reads import fields_read
+from sim_core.strategies.reads import dependencies
 from sim_core.strategies.skyhook import Skyhook
 from sim_core.strategies.suspension_only import SuspensionOnly
 
@@ -52,9 +52,15 @@ def make_controller(strategy: str | type[Controller] | Controller) -> Controller
     return controller
 
 
-def speed_plan(strategy: type[Controller], policy: str) -> SpeedPlan:
-    """How a strategy is driven under a scenario's `speed.policy`."""
+def resolve_speed_plan(strategy: type[Controller], policy: str) -> SpeedPlan:
+    """Whether a strategy slows down for the bump under a scenario's `speed.policy`.
+
+    Raises:
+        RidelabError: Its own plan is none.
+    """
     plans: dict[str, SpeedPlan] = {"planned": "planned", "constant": "constant"}
+    if strategy.speed_plan not in plans:
+        raise RidelabError(f"{strategy.label}: speed_plan is planned or constant")
     return plans.get(policy, strategy.speed_plan)
 
 
@@ -65,17 +71,17 @@ def reads(strategy: type[Controller], policy: str = "by_strategy") -> tuple[str,
         strategy: The strategy.
         policy: The scenario's `speed.policy`, which decides how the strategy is driven.
     """
-    return ("speed.policy", *fields_read(strategy, speed_plan(strategy, policy)))
+    return ("speed.policy", *dependencies(strategy, resolve_speed_plan(strategy, policy)))
 
 
-def part_read(scenario: Scenario, strategy: type[Controller]) -> dict[str, Any]:
-    """The part of the scenario that a strategy reads (`Part.identity`): dotted name -> plain JSON value, by name.
+def values_read(scenario: Scenario, strategy: type[Controller]) -> dict[str, Any]:
+    """What a strategy reads of a scenario (`Part.identity`): dotted name -> plain JSON value, by name.
 
     The speed policy counts by what is read under it: a strategy at its own speed has one key whatever the policy is.
     """
     identity = scenario.identity()
     values: dict[str, Any] = {}
-    for path in fields_read(strategy, speed_plan(strategy, scenario.speed.policy)):
+    for path in dependencies(strategy, resolve_speed_plan(strategy, scenario.speed.policy)):
         *parts, last = path.split(".")
         part = identity
         for key in parts:

@@ -16,8 +16,6 @@ from sim_core import (
     scenario_field,
 )
 
-NEWTONS = 1000.0  # in a kN, in which the regulator has its forces
-
 
 class Lqr(Controller):
     """Linear quadratic regulator with fixed weights on the same speed plan as LV."""
@@ -43,7 +41,7 @@ class Lqr(Controller):
         """
         terms = setup.cost(self.weights, self.deflection_weight, self.force_weight)
         self._law = LinearLaw(
-            gain=np.hstack([-regulator(terms).K * NEWTONS, np.zeros((2, 2))]),
+            gain=np.hstack([regulator(terms).gain, np.zeros((2, 2))]),
             preview_gain=feedforward(terms, setup.preview_steps) if setup.preview_steps else None,
         )
 

@@ -41,7 +41,7 @@ PREVIEW = (
 )
 
 
-def fields_read(strategy: type[Controller], plan: SpeedPlan) -> tuple[str, ...]:
+def dependencies(strategy: type[Controller], plan: SpeedPlan) -> tuple[str, ...]:
     """Dotted names of the parts and fields that its result depends on at that speed plan; on nothing else.
 
     The speed policy, which decides the plan, is not among them.

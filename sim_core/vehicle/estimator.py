@@ -2,7 +2,7 @@
 
 Measured at each control instant, just before the command changes: both suspension deflections, the body's acceleration
 and the pitch rate. The braking is known from the speed plan. Of the road the filter is told what its controller
-previews; the rest of the roughness is white velocity noise to it (docs/physics.md, "State estimation").
+previews; the rest of the roughness is white velocity noise to it (docs/explanation/physics.md, "State estimation").
 """
 
 from dataclasses import dataclass

@@ -8,8 +8,8 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.kernel.prepared import linear_car
 from sim_core.scenario import Vehicle
-from sim_core.vehicle.half_car import FORCES, STATES, measurement
-from sim_core.vehicle.model import Estimator, LinearLaw, VehicleModel
+from sim_core.vehicle.half_car import STATES, measurement
+from sim_core.vehicle.model import Estimator, VehicleModel
 from sim_core.vehicle.plant import Plant
 
 
@@ -35,14 +35,6 @@ def _sensors(plant: Plant, vehicle: Vehicle) -> tuple[FloatArray, FloatArray]:
     if plant.size == STATES:
         return sensors.C, sensors.D
     return np.hstack([sensors.C, sensors.D]), np.zeros_like(sensors.D)
-
-
-def closed_loop_matrix(A: FloatArray, B: FloatArray, law: LinearLaw) -> FloatArray:
-    """One control step of [p; previous command] while no limit binds (n + 2, n + 2)."""
-    n = len(A)
-    gain = np.zeros((FORCES, n + FORCES))
-    gain[:, :STATES], gain[:, n:] = law.gain[:, :STATES], law.gain[:, STATES:]
-    return np.vstack([np.hstack([A, np.zeros((n, FORCES))]) + B @ gain, gain])
 
 
 class LinearCar(VehicleModel):

@@ -4,72 +4,9 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from math import inf
 
-import numpy as np
-
 from sim_core.arrays import FloatArray
 from sim_core.errors import RidelabError
 from sim_core.kernel.prepared import DrivenCar, FollowLaw, LawArrays
-from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
-
-LAW_INPUTS = STATES + FORCES  # what a law multiplies: the state, then the previous command
-
-
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class LinearLaw:
-    """u = gain·[state; previous force] + preview_gain·disturbances [N], while no limit binds.
-
-    Attributes:
-        gain: On the state (8,), then on the previous force [N] (2, 10).
-        preview_gain: On the expected disturbances, all steps of the front road velocity, then of the rear one, then of
-            the deceleration (2, 3 · preview_steps); None for nothing.
-        limits: Limits beside the greatest force, each a row divided by its limit: the law holds where every row times
-            [state; previous force; disturbances] is between -1 and 1 (rows, 10 + 3 · preview_steps); None for none.
-
-    Example:
-        >>> import numpy as np
-        >>> from sim_core import LinearLaw
-        >>> gain = np.zeros((2, 10))
-        >>> gain[:, 4] = -1000.0  # against the body's velocity
-        >>> LinearLaw(gain=gain).force(np.array([0, 0, 0, 0, 0.2, 0, 0, 0]), np.zeros(2), np.zeros((3, 0))).tolist()
-        [-200.0, -200.0]
-    """
-
-    gain: FloatArray
-    preview_gain: FloatArray | None = None
-    limits: FloatArray | None = None
-
-    def __post_init__(self) -> None:
-        """Check the arrays, which become contiguous copies that nobody can write.
-
-        Raises:
-            RidelabError: A shape does not fit, or a number is not finite.
-        """
-        for name, array, rows, fixed in (
-            ("gain", self.gain, FORCES, LAW_INPUTS),
-            ("preview_gain", self.preview_gain, FORCES, 0),
-            ("limits", self.limits, None, LAW_INPUTS),
-        ):
-            if array is None:
-                continue
-            previewed = np.shape(array)[-1] - fixed if np.ndim(array) == 2 else -1
-            own = np.array(array, dtype=np.float64, order="C")
-            own.flags.writeable = False
-            object.__setattr__(self, name, own)
-            if previewed < 0 or previewed % DISTURBANCES or rows not in (None, len(array)):
-                raise RidelabError(f"A linear law's {name} has the shape {np.shape(array)}")
-            if not np.isfinite(own).all():
-                raise RidelabError(f"A linear law's {name} has a number that is not finite")
-
-    def force(self, state: FloatArray, previous_force: FloatArray, disturbances: FloatArray) -> FloatArray:
-        """The law's forces (2,) [N].
-
-        Args:
-            state: (8,).
-            previous_force: (2,) [N].
-            disturbances: (3, preview_steps).
-        """
-        force = self.gain[:, :STATES] @ state + self.gain[:, STATES:] @ previous_force
-        return force if self.preview_gain is None else force + self.preview_gain @ disturbances.ravel()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,4 +1,4 @@
-"""docs/cli.md, api.md, notebook.md and guide.md: what they show is what the commands print, run here again in order.
+"""What pages of docs/ show is what their commands print, run here again in order.
 
 `UPDATE_DOCS=1 python -m pytest tests/api/test_cli_docs.py` prints the outputs into the pages anew; tests/drill does the
 same for pages whose commands take long.
@@ -131,7 +131,7 @@ def check(name: str, client: httpx.Client, folder: Path, monkeypatch: pytest.Mon
 
 
 @pytest.mark.usefixtures("reproduced")
-@pytest.mark.parametrize("name", ["cli.md", "api.md", "notebook.md"])
+@pytest.mark.parametrize("name", ["reference/cli.md", "reference/api.md", "tutorials/notebook.md"])
 def test_a_page_shows_what_its_commands_print(
     name: str, client: httpx.Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

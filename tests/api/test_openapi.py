@@ -39,7 +39,7 @@ def description(client: httpx.Client) -> Any:
 
 
 def test_operations_have_names_of_their_own(description: dict[str, Any]) -> None:
-    """Programs that others generate call them so; which addresses there are docs/api.md says."""
+    """Programs that others generate call them so; which addresses there are docs/reference/api.md says."""
     assert description["openapi"].startswith("3.1")
     operations = [each for methods in description["paths"].values() for each in methods.values()]
     names = [operation["operationId"] for operation in operations]
@@ -82,7 +82,7 @@ def test_whatever_reads_a_run_may_have_to_compute_it_again_and_says_so(
 
 def test_every_address_is_documented_with_its_parameters(description: dict[str, Any]) -> None:
     rows = re.findall(
-        r"^\| `([A-Z]+ /[^`]*)` \|([^|]*)\| [^|]+ \|$", (ROOT / "docs" / "api.md").read_text(), re.MULTILINE
+        r"^\| `([A-Z]+ /[^`]*)` \|([^|]*)\| [^|]+ \|$", (ROOT / "docs/reference/api.md").read_text(), re.MULTILINE
     )
     assert {address: re.findall("`([^`]+)`", names) for address, names in rows} == {
         f"{method.upper()} {path}": [item["name"] for item in operation.get("parameters", []) if item["in"] == "query"]

@@ -1,4 +1,4 @@
-"""docs/paper.md shows what the service answers; UPDATE_DOCS=1 writes it there."""
+"""docs/explanation/paper.md shows what the service answers; UPDATE_DOCS=1 writes it there."""
 
 import os
 import re
@@ -16,7 +16,7 @@ from backend.paper.readings import READINGS
 from sim_core.catalogue import SIGNALS
 from sim_core.strategies import STRATEGIES
 
-PAGE = Path(__file__).parents[2] / "docs" / "paper.md"
+PAGE = Path(__file__).parents[2] / "docs/explanation/paper.md"
 SIGNAL_NAMES = {key: item.label for key, item in SIGNALS.items()}
 
 
@@ -150,7 +150,7 @@ def test_the_page_shows_what_is_answered(client: httpx.Client) -> None:
 def test_the_readme_names_both_counts(client: httpx.Client) -> None:
     answer = client.get("/api/v1/paper").json()
     default, favourable = answer["interpretations"]
-    text = " ".join((PAGE.parents[1] / "README.md").read_text(encoding="utf-8").split())
+    text = " ".join((PAGE.parents[2] / "README.md").read_text(encoding="utf-8").split())
     (own, own_ecu), (other, other_ecu) = (
         (item["simulated"]["reached"], item["ecu"]["reached"]) for item in (default, favourable)
     )

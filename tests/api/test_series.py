@@ -82,7 +82,7 @@ def test_the_strategy_may_be_omitted_where_there_is_one(service: Any, client: ht
 
 @pytest.mark.parametrize("points", [100, 800])
 def test_peaks_survive_decimation(client: httpx.Client, address: str, run: dict[str, Any], points: int) -> None:
-    """Each window's peak of each signal is still in the few points; the metrics' may be higher (docs/physics.md)."""
+    """Each window's peak of each signal is still in the few points; the metrics' may be higher."""
     for strategy, entry in run["strategies"].items():
         few, all_points = (
             {key: unpack(value) for key, value in client.get(address, params=query).json()["series"].items()}

@@ -1,6 +1,6 @@
 """Installed packages are the locked ones: each by its hash, from no address, in a version the project asks for.
 
-Known vulnerabilities need the internet (docs/security.md says how to ask); this needs nothing.
+Known vulnerabilities need the internet (docs/explanation/security.md says how to ask); this needs nothing.
 """
 
 import base64
@@ -30,9 +30,15 @@ LOCKS = {
     "requirements.lock": [*RUNTIME, *EXTRAS["parquet"]],
     "requirements-cluster.lock": [*RUNTIME, *EXTRAS["parquet"], *EXTRAS["cluster"]],
     "requirements-build.lock": GROUPS["build"],
+    "requirements-manual.lock": GROUPS["manual"],
     "requirements-ecu.lock": EXTRAS["ecu"],
     "requirements-clients.lock": GROUPS["clients"],
-    "requirements-dev.lock": [*RUNTIME, *(each for extra in EXTRAS.values() for each in extra), *GROUPS["build"]],
+    "requirements-dev.lock": [
+        *RUNTIME,
+        *(each for extra in EXTRAS.values() for each in extra),
+        *GROUPS["build"],
+        *GROUPS["manual"],
+    ],
 }
 PACKAGES = json.loads((ROOT / "frontend" / "package-lock.json").read_text())["packages"]
 

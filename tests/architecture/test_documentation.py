@@ -26,13 +26,13 @@ PUBLIC = sorted(set(sim_core.__all__) - CONSTANTS_AND_TYPES - PARTS)
 @pytest.mark.parametrize(("page", "name"), [(scenario_reference.page, "scenario.md"), (errata.page, "errata.md")])
 def test_a_reference_page_is_what_the_core_says(page: Callable[[], str], name: str) -> None:
     """UPDATE_DOCS=1 writes it."""
-    path = ROOT / "docs" / name
+    path = ROOT / "docs/reference" / name
     if os.environ.get("UPDATE_DOCS"):
         path.write_text(page(), encoding="utf-8")
     assert path.read_text(encoding="utf-8") == page()
 
 
-@pytest.mark.parametrize("name", ["README.md", "sim_core/README.md", "docs/physics.md"])
+@pytest.mark.parametrize("name", ["README.md", "sim_core/README.md", "docs/explanation/physics.md"])
 def test_the_python_blocks_of_a_page_run(name: str) -> None:
     """In order, each with the names of those before; a traceback has the page's lines. Those of physics.md compare."""
     path = ROOT / name
@@ -45,11 +45,15 @@ def test_the_python_blocks_of_a_page_run(name: str) -> None:
 
 
 def test_a_symbol_has_one_meaning() -> None:
-    page = (ROOT / "docs" / "nomenclature.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs/reference/nomenclature.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| (?!symbol)([^|]+?) \|", page, re.MULTILINE)
     symbols = Counter(symbol for row in rows for symbol in row.split(", "))
     assert len(symbols) > 50
     assert [symbol for symbol, rows in symbols.items() if rows > 1] == []
+
+
+def test_the_parts_of_a_scenario_are_public_in_the_package_itself() -> None:
+    assert set(sim_core.scenario.__all__) < set(sim_core.__all__)
 
 
 @pytest.mark.parametrize("name", [*PUBLIC, "sim_core"])

@@ -1,4 +1,4 @@
-"""docs/operations.md names every setting with its default, every variable of the proxy, and every metric."""
+"""docs/how-to/operations.md names every setting with its default, every variable of the proxy, and every metric."""
 
 import re
 from pathlib import Path
@@ -14,7 +14,7 @@ from backend.metrics import service_registry
 from backend.settings import Settings
 
 ROOT = Path(__file__).parents[2]
-TEXT = (ROOT / "docs/operations.md").read_text()
+TEXT = (ROOT / "docs/how-to/operations.md").read_text()
 
 
 def rows(prefix: str) -> dict[str, str]:

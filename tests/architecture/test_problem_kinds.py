@@ -1,4 +1,4 @@
-"""The list of problem kinds is what the code raises, what the proxy says, and what docs/api.md shows."""
+"""The list of problem kinds is what the code raises, what the proxy says, and what docs/reference/api.md shows."""
 
 import ast
 import json
@@ -56,7 +56,7 @@ def test_the_proxys_problems_are_of_the_list() -> None:
 
 
 def test_the_page_shows_each_with_its_statuses_its_meaning_what_to_do_and_an_example() -> None:
-    rows = ROW.findall((ROOT / "docs" / "api.md").read_text(encoding="utf-8"))
+    rows = ROW.findall((ROOT / "docs/reference/api.md").read_text(encoding="utf-8"))
     shown = {name: (statuses, meaning, remedy) for name, statuses, meaning, remedy, _ in rows}
     listed = {kind.name: (", ".join(map(str, kind.statuses)), kind.meaning, kind.remedy) for kind in KINDS.values()}
     assert shown == listed

@@ -1,4 +1,4 @@
-"""The backup commands of docs/operations.md, run against a database in use.
+"""The backup commands of docs/how-to/operations.md, run against a database in use.
 
 That a batch goes on from a copy is shown in tests/drill/test_database.py.
 """
@@ -25,7 +25,7 @@ from tests.servers.process import wait_until
 
 ROOT = Path(__file__).parents[2]
 PAGE_SIZE = 4096
-PAGE = (ROOT / "docs/operations.md").read_text()
+PAGE = (ROOT / "docs/how-to/operations.md").read_text()
 
 Backup = Callable[..., str]
 

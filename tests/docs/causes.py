@@ -1,6 +1,6 @@
 """Why printed changes do not come out here: each cause with the fields that show it, and what they make of the cells.
 
-tests/drill/test_docs.py drives all of it and, with UPDATE_DOCS=1, prints the tables into docs/paper.md.
+tests/drill/test_docs.py drives all of it and, with UPDATE_DOCS=1, prints the tables into docs/explanation/paper.md.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -17,7 +17,7 @@ from sim_core.catalogue import PAPER_SIGNALS, SIGNALS
 from sim_core.metrics.evaluate import rms_between
 from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate
-from sim_core.speed.profile import plan_speed
+from sim_core.speed.profile import make_speed_profile
 from sim_core.strategies import STRATEGIES, strategy_named
 
 _TYRES = ("front_tyre_load", "rear_tyre_load")
@@ -141,7 +141,7 @@ CAUSES = (
 
 
 def page(seeds: Iterable[int]) -> Iterator[str]:
-    """The tables of docs/paper.md, line by line, from runs over these roads."""
+    """The tables of docs/explanation/paper.md, line by line, from runs over these roads."""
     roads = tuple(seeds)
     yield "| table | compared | figure | paper | changed | ours |"
     yield "|---|---|---|---|---|---|"
@@ -180,7 +180,7 @@ def _figures(
     result = simulate(scenario, strategy)
     rough = {signal: result.metrics["rough_road"][signal]["rms"] for signal in PAPER_SIGNALS}
     if stretches is not None:
-        rough = rms_between(result.series, plan_speed(scenario, strategy_named(strategy).speed_plan), stretches)
+        rough = rms_between(result.series, make_speed_profile(scenario, strategy_named(strategy).speed_plan), stretches)
     return {
         **{("rough_road", "rms", signal): rough[signal] for signal in PAPER_SIGNALS},
         **{("bump", "peak", signal): result.metrics["bump"][signal]["peak"] for signal in PAPER_SIGNALS},

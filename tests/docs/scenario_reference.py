@@ -1,10 +1,11 @@
-"""The scenario's reference page, docs/scenario.md, written from its schema."""
+"""The scenario's reference page, docs/reference/scenario.md, written from its schema."""
 
 from typing import Any
 
-from sim_core.catalogue import COMFORT, EVENTS, SIGNALS, Quantity
-from sim_core.scenario import Scenario
+from sim_core.catalogue import COMFORT, EVENTS, SIGNALS, Entry
+from sim_core.scenario import Scenario, dotted
 from sim_core.scenario.presets import PRESETS
+from sim_core.scenario.vehicles import VEHICLES
 from sim_core.strategies import STRATEGIES, reads
 
 _HEAD = """# The scenario, field by field
@@ -20,8 +21,11 @@ def page() -> str:
     lines = [_HEAD]
     for name, part in schema["properties"].items():
         lines += _part(name, _resolve(part, schema), schema)
-    lines += ["## Presets\n", "| id | what it is |", "|---|---|"]
-    lines += [f"| `{preset.id}` | {preset.description} |" for preset in PRESETS.values()]
+    lines += ["## Presets\n", "| id | what it is | other than the paper's |", "|---|---|---|"]
+    lines += [f"| `{each.id}` | {each.description} | {_changed(each.scenario)} |" for each in PRESETS.values()]
+    lines += ["\n## Vehicles\n", "| id | what it is | other than the paper's |", "|---|---|---|"]
+    for car in VEHICLES.values():
+        lines.append(f"| `{car.id}` | {car.description} | {_changed(Scenario(vehicle=car.vehicle))} |")
     lines += ["\n## Strategies\n", "| id | what it does | reads |", "|---|---|---|"]
     for row in STRATEGIES.values():
         lines.append(f"| `{row.id}` | {row.description()} | {', '.join(f'`{name}`' for name in reads(row))} |")
@@ -29,6 +33,15 @@ def page() -> str:
         lines += [f"\n## {title}\n", "| key | label | unit | note |", "|---|---|---|---|"]
         lines += [_quantity(item) for item in catalogue.values()]
     return "\n".join(lines) + "\n"
+
+
+def _changed(scenario: Scenario) -> str:
+    """Fields that have another value than by default."""
+    default, plain = (each.model_dump(mode="json") for each in (Scenario(), scenario))
+    names = [name for name in dotted.fields() if not name.rpartition(".")[2].isdigit()]  # no single weights
+    values = {name: dotted.value(plain, name) for name in names}
+    changed = {name: value for name, value in values.items() if value != dotted.value(default, name)}
+    return ", ".join(f"`{name}` {_show(value)}" for name, value in changed.items())
 
 
 def _resolve(node: dict[str, Any], schema: dict[str, Any]) -> dict[str, Any]:
@@ -74,5 +87,5 @@ def _show(value: Any) -> str:
     return f"{value:.10g}" if isinstance(value, (int, float)) else str(value)
 
 
-def _quantity(item: Quantity) -> str:
+def _quantity(item: Entry) -> str:
     return f"| `{item.key}` | {item.label} | {item.unit} | {item.description} |"

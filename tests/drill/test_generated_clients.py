@@ -14,7 +14,7 @@ from backend.settings import Settings
 from tests.api.conftest import Service, serve
 from tests.servers.process import HANG_TIMEOUT, ROOT
 
-# Of docs/api.md: files that the generator treats as bytes and as text.
+# Of docs/reference/api.md: files that the generator treats as bytes and as text.
 OVERRIDES = {
     "text/csv": "application/octet-stream",
     "application/zip": "application/octet-stream",

@@ -1,4 +1,4 @@
-"""A Dask cluster somebody has already: the commands of docs/operations.md, without TLS, with and without a nanny."""
+"""A Dask cluster somebody has already: the commands of docs/how-to/operations.md, no TLS, with and without a nanny."""
 
 import asyncio
 import contextlib
@@ -23,7 +23,7 @@ from sim_core.scenario import SCHEMA_VERSION, Scenario
 from tests.servers import loops
 from tests.servers.process import FORK_SERVER, HANG_TIMEOUT, ROOT, Program, reserved_port
 
-PAGE = (ROOT / "docs/operations.md").read_text()
+PAGE = (ROOT / "docs/how-to/operations.md").read_text()
 PLAIN = {"DASK_CONFIG": "backend/deploy/dask.yaml", "DASK_DISTRIBUTED__COMM__REQUIRE_ENCRYPTION": "false"}
 MAY_HAVE_CHILDREN = {"DASK_DISTRIBUTED__WORKER__DAEMON": "false"}
 

@@ -1,7 +1,7 @@
 """Change the core in 300 places, one at a time, and name the changes that no test notices: `make mutate`.
 
-MUTATE_SEED chooses the places, MUTATE_PIECE=k/n takes every n-th of them from the k-th on. docs/mutation.md explains
-what may remain. Everything happens in copies of the repository.
+MUTATE_SEED chooses the places, MUTATE_PIECE=k/n takes the k-th of n lots of them.
+docs/explanation/mutation.md explains what may remain. Everything happens in copies of the repository.
 """
 
 import hashlib
@@ -29,10 +29,10 @@ from tests.mutation.places import Place, choose
 ROOT = Path(__file__).parents[2]
 COUNT, PROCESSES = 300, len(os.sched_getaffinity(0))
 MOST_UNNOTICED = 0.1
-EXPLAINED = ROOT / "docs" / "mutation.md"
+EXPLAINED = ROOT / "docs/explanation/mutation.md"
 TESTS = [
     path.relative_to(ROOT) for folder in ("unit", "validation") for path in (ROOT / "tests" / folder).glob("test_*.py")
-]
+] + [Path("tests/architecture/test_documentation.py")]  # the formulas of physics.md, examples, and the fields' ranges
 # It notices every change of a number and knows nothing of which is right: asked when all others have passed.
 STORED_NUMBERS = "tests/validation/test_golden.py::test_no_number_changes_without_the_version"
 # Tests that take so much longer than three times what they take without a change have noticed; processor time, of which
@@ -121,9 +121,9 @@ class Reach:
         """Tests of a place's statement, the quickest first; where the import runs it, all, those of its file first."""
         of_file = self._of_file[CALLS_C if place.file.endswith(".c") else place.file]
         lines = range(place.first, line + 1) if place.inside else ()
-        found = of_file if place.file.endswith(".c") else set().union(*(self._of_line[place.file, n] for n in lines))
-        found = (found or set().union(*self._of_file.values())) - {STORED_NUMBERS}
-        return sorted(found, key=lambda test: (test not in of_file, self.seconds[test]))
+        of_line = of_file if place.file.endswith(".c") else set().union(*(self._of_line[place.file, n] for n in lines))
+        tests = (of_line or set().union(*self._of_file.values())) - {STORED_NUMBERS}
+        return sorted(tests, key=lambda test: (test not in of_file, self.seconds[test]))
 
 
 def _digest() -> str:
@@ -176,7 +176,7 @@ def main() -> int:
     """The exit code: 0 where at most one change in ten goes unnoticed, and each of these is explained."""
     seed = int(os.environ.get("MUTATE_SEED") or 1)
     piece, pieces = map(int, (os.environ.get("MUTATE_PIECE") or "1/1").split("/"))
-    places = choose(COUNT, seed)[piece - 1 :: pieces]
+    places = [place for place in choose(COUNT, seed) if int(place.lot * pieces) == piece - 1]
     explained, counts = EXPLAINED.read_text(), dict.fromkeys(("noticed", "stored numbers", "survived", "no program"), 0)
     unexplained = 0
     with TemporaryDirectory() as folder, ThreadPoolExecutor(PROCESSES) as pool:
@@ -194,7 +194,7 @@ def main() -> int:
             unexplained += result == "survived" and f"{place.file}: {change}" not in explained
             print(f"{result} {place.file}:{place.line(source)} {change}", f"[{by}]" if by else "", flush=True)
     each = (perf_counter() - begin) / len(places)
-    print(f"{counts}, {unexplained} of the survivors not explained in docs/mutation.md; {each:.1f} s each")
+    print(f"{counts}, {unexplained} of the survivors not explained in docs/explanation/mutation.md; {each:.1f} s each")
     return int(unexplained > 0 or counts["survived"] > MOST_UNNOTICED * len(places))
 
 

@@ -2,8 +2,9 @@
 
 import ast
 import re
+from collections import Counter
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from random import Random
 from runpy import run_path
@@ -48,6 +49,7 @@ class Place:
         file: Below the repository.
         first: First line of the statement that it is in, which may begin above it.
         inside: Whether a function runs it, not the import alone.
+        lot: A number from 0 to 1 that is its own while its line stays as it is: it says in which piece it is.
     """
 
     file: str
@@ -56,6 +58,7 @@ class Place:
     text: bytes
     first: int
     inside: bool
+    lot: float = 0.0
 
     def changed(self, source: bytes) -> bytes:
         """The file with the change."""
@@ -72,14 +75,22 @@ class Place:
 
 
 def choose(count: int, seed: int) -> list[Place]:
-    """So many places: a file has as many as the root of its number of them, so that no table of constants has most."""
-    random, keyed = Random(seed), list[tuple[float, Place]]()  # noqa: S311  # no secret
+    """So many places: a file has as many as the root of its number of them, so that no table of constants has most.
+
+    Whether a place is chosen follows from the seed and its line: a change elsewhere leaves nearly all as they were.
+    """
+    keyed = list[tuple[float, Place]]()
     sources = run_path(str(CORE / "kernel" / "build.py"))["SOURCES"]
     python = [path for path in sorted(CORE.rglob("*.py")) if str(path.relative_to(CORE)) not in _NOT_THE_CORE]
     for path in [*python, *sources]:
         source, file = path.read_bytes(), str(path.relative_to(CORE.parent))
         places = list(_in_python(file, source) if path.suffix == ".py" else _in_c(file, source.decode()))
-        keyed += [(random.random() ** (len(places) ** 0.5), place) for place in places]
+        alike = Counter[str]()
+        for place in places:
+            name = f"{seed} {file} {place.describe(source)}"
+            alike[name] += 1
+            random = Random(f"{name} {alike[name]}")  # noqa: S311  # no secret
+            keyed.append((random.random() ** (len(places) ** 0.5), replace(place, lot=random.random())))
     return [place for _, place in sorted(keyed, key=lambda pair: -pair[0])[:count]]
 
 

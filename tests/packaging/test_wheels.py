@@ -108,18 +108,21 @@ scenario = Scenario(road=Road(length=60, bump=Bump(start=30)), mpc=Mpc(force_lim
 peak: float = simulate(scenario, BodyDamper).metrics["bump"]["body_acceleration"]["peak"]
 """
     (tmp_path / "right.py").write_text(program)
+    (tmp_path / "star.py").write_text(
+        program.replace("Bump, Controller, Mpc, Road, Scenario, Seen, option, simulate", "*")
+    )
     (tmp_path / "wrong.py").write_text(f"{program}Scenario(rod=Road())\nsimulate(scenario, 3)\n")
     words = ["--strict", "--config-file=", "--python-executable", core.program("python")]
     checks = [
         subprocess.run(
             [sys.executable, "-m", "mypy", *words, name], capture_output=True, text=True, check=False, cwd=tmp_path
         )
-        for name in ("right.py", "wrong.py")
+        for name in ("right.py", "star.py", "wrong.py")
     ]
-    assert checks[0].stdout == "Success: no issues found in 1 source file\n"
-    assert 'Unexpected keyword argument "rod" for "Scenario"' in checks[1].stdout
-    assert 'Argument 2 to "simulate" has incompatible type "int"' in checks[1].stdout
-    assert checks[1].stdout.endswith("Found 2 errors in 1 file (checked 1 source file)\n"), checks[1].stdout
+    assert checks[0].stdout == checks[1].stdout == "Success: no issues found in 1 source file\n"
+    assert 'Unexpected keyword argument "rod" for "Scenario"' in checks[2].stdout
+    assert 'Argument 2 to "simulate" has incompatible type "int"' in checks[2].stdout
+    assert checks[2].stdout.endswith("Found 2 errors in 1 file (checked 1 source file)\n"), checks[2].stdout
 
 
 def test_the_client_alone_is_small_and_asks_a_service(client: Environment, address: str) -> None:

@@ -75,7 +75,7 @@ def test_duration_is_never_underestimated(scenario: Scenario, strategy: str) -> 
     ],
 )
 def test_the_expected_time_is_near_that_of_the_drive(road: Road, speed: Speed, lag: float) -> None:
-    """It is somewhat short, for brakes and drive hold the plan's lower speeds longer than it reckons."""
+    """It is somewhat short, for brakes and drive hold the plan's lower speeds longer than it says."""
     scenario = Scenario(road=road, speed=speed, brake=Brake(pressure_lag=lag))
     driven = simulate(scenario, "speed_only").travel_time
     assert 0.75 * driven < expected_time(scenario, STRATEGIES["speed_only"]) < 1.01 * driven
@@ -267,7 +267,7 @@ print(most() - before)
     ],
     ids=lambda value: value if isinstance(value, str) else "",
 )
-def test_a_run_takes_no_more_memory_than_is_reckoned(strategy: str, mpc: Mpc, more: dict[str, Estimation]) -> None:
+def test_a_run_takes_no_more_memory_than_is_estimated(strategy: str, mpc: Mpc, more: dict[str, Estimation]) -> None:
     """In a process of its own, whose peak the system knows; other runs' caches take 48 MiB at most."""
     scenario = Scenario(
         road=Road(length=600, bump=Bump(start=60)),
@@ -275,11 +275,11 @@ def test_a_run_takes_no_more_memory_than_is_reckoned(strategy: str, mpc: Mpc, mo
         mpc=mpc,
         **more,  # type: ignore[arg-type]  # as the field has it
     )
-    reckoned = memory(scenario, STRATEGIES[strategy], duration(scenario, strategy))
-    assert reckoned > 8e7, "enough to be told from what any run takes"
+    estimated = memory(scenario, STRATEGIES[strategy], duration(scenario, strategy))
+    assert estimated > 8e7, "enough to be told from what any run takes"
     command = [sys.executable, "-c", MEASURE, scenario.model_dump_json(), strategy]
     measured = int(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
-    assert 0.4 * reckoned < measured < 1.05 * reckoned + 2e7
+    assert 0.4 * estimated < measured < 1.05 * estimated + 2e7
 
 
 def test_a_run_that_takes_too_much_memory_is_refused_and_the_longest_walk_is_not(

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from threadpoolctl import ThreadpoolController
 
-from sim_core.loop.drive import Run
+from sim_core.loop.run import Run
 from sim_core.metrics.evaluate import evaluate
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
@@ -38,8 +38,8 @@ print(mallinfo().hblks - before)
 
 def printed(code: str) -> str:
     """What it prints in a process whose variables are those of a user's, without what this one has imported."""
-    kept = [name for name in os.environ if not name.endswith("_NUM_THREADS") and not name.startswith("KMP_")]
-    environment = {name: os.environ[name] for name in kept}
+    names = [name for name in os.environ if not name.endswith("_NUM_THREADS") and not name.startswith("KMP_")]
+    environment = {name: os.environ[name] for name in names}
     command = [sys.executable, "-c", code]
     return subprocess.run(
         command, env=environment, capture_output=True, text=True, check=True, timeout=HANG_TIMEOUT

@@ -9,13 +9,13 @@ import pytest
 from numpy.random import default_rng
 
 from sim_core.arrays import FloatArray
+from sim_core.control.law import LinearLaw
 from sim_core.kernel import binding, build, library, prepared
 from sim_core.kernel.library import load
 from sim_core.kernel.qp import QpMemory
 from sim_core.loop.closed_loop import _norms, law_arrays
 from sim_core.loop.preview import sliding_forecast
 from sim_core.metrics.sections import Integrand, over_sections
-from sim_core.vehicle.model import LinearLaw
 from tests.unit.qp_design import qp_design
 
 INTEGRAL_OF = {  # over one fine step from a to b
@@ -109,7 +109,7 @@ def test_what_is_not_finite_shows_in_its_section_alone() -> None:
 def test_a_sliding_horizon_is_each_of_its_windows() -> None:
     horizon = 5
     forecast = sliding_forecast(default_rng(2).normal(size=(3, 20)), horizon, np.zeros((2, 16)))
-    velocities, braking = forecast.windows[:2], forecast.windows[2]
+    velocities, braking = forecast.disturbances[:2], forecast.disturbances[2]
     assert braking.shape == (16, horizon)
     about_mean = braking - braking.mean(axis=1, keepdims=True)
     norms = [np.linalg.norm(each, axis=1) for each in (*velocities, about_mean)]
@@ -124,7 +124,7 @@ def test_a_law_is_followed_up_to_the_first_step_in_which_a_limit_binds(seed: int
     A, B = np.linalg.qr(rng.normal(size=(n, n)))[0] * 0.95, rng.normal(size=(n, 2)) * 0.1
     forcing, ahead = rng.normal(size=(steps, n)) * 0.1, rng.normal(size=(3, steps + max(horizon, 1) - 1))
     forecast = sliding_forecast(ahead, max(horizon, 1), np.zeros((2, steps)))
-    windows = forecast.windows[:, :, :horizon]
+    windows = forecast.disturbances[:, :, :horizon]
     limits = rng.normal(size=(rows, 10 + 3 * horizon)) * rng.uniform(0.02, 0.1)
     law = LinearLaw(gain=rng.normal(size=(2, 10)) * 0.3, preview_gain=rng.normal(size=(2, 3 * horizon)), limits=limits)
     clips = bool(rng.integers(2))
@@ -202,8 +202,10 @@ def test_a_residual_is_the_largest_violation() -> None:
         ]
         worst = [float(each.max()) for each in violations]
         largest.add(int(np.argmax(worst)))
-        violation = QpMemory(np.zeros(4), f, b, y, multipliers).residual(matrices)
+        memory = QpMemory(matrices, 1.0)
+        memory.f[:], memory.b[:], memory.y[:], memory.multipliers[:] = f, b, y, multipliers
+        violation = memory.residual(matrices)
         assert violation == pytest.approx(max(worst), rel=1e-9)
     assert largest == set(range(5))
-    f[0] = np.nan
-    assert not QpMemory(np.zeros(4), f, b, y, multipliers).residual(matrices) < np.inf
+    memory.f[0] = np.nan
+    assert not memory.residual(matrices) < np.inf

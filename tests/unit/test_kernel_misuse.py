@@ -73,9 +73,12 @@ def test_what_a_call_is_prepared_with_lives_as_long() -> None:
     assert alive() is None
 
 
-def memory(**changed: FloatArray) -> QpMemory:
-    right = {"counts": np.zeros(4), "f": np.zeros(5), "b": np.zeros(8), "y": np.zeros(5), "multipliers": np.zeros(13)}
-    return QpMemory(**(right | changed))
+def memory(**values: FloatArray) -> QpMemory:
+    """Of that QP, with these values in it."""
+    made = QpMemory(qp_design(), 1.0)
+    for name, value in values.items():
+        getattr(made, name)[:] = value
+    return made
 
 
 A_DRIVE = """
@@ -217,15 +220,20 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     "qp, axles": lambda: qp_design(axles=np.zeros(6, dtype=np.int8)),
     "qp, a third axle": lambda: qp_design(axles=np.full(7, 2, dtype=np.int8)),
     "qp, gram": lambda: qp_design(gram=np.zeros((7, 6))),
-    "qp, answers": lambda: memory(y=np.zeros(4)),
-    "qp, multipliers": lambda: memory(multipliers=np.zeros(12)),
-    "qp, another's memory": lambda: memory(b=np.zeros(10), multipliers=np.zeros(15)).residual(qp_design()),
-    "qp, other inputs": lambda: memory().solve(qp_design(), np.zeros(18)),
+    "qp, another's memory": lambda: memory().residual(longer_qp()),
+    "qp, other inputs": lambda: memory().solve_in_c(qp_design(), np.zeros(18)),
     "qp, other inputs to be posed": lambda: memory().pose(qp_design(), np.zeros(20)),
     "linear drive, another law's qp": lambda: linear_drive(
         qp=(qp_design(by_inputs=np.zeros((7, 13)), optimum=np.zeros((7, 13))), memory())
     ),
 }
+
+
+def longer_qp() -> QpDesign:
+    """With a fifth deflection."""
+    by_value = {"bounds": np.ones(8), "axles": np.full(8, -1, dtype=np.int8), "gram": np.zeros((8, 8))}
+    tables = {"by_inputs": np.zeros((8, 19)), "optimum": np.zeros((8, 19))}
+    return qp_design(columns=np.zeros((5, 10)), **tables, **by_value)
 
 
 def fuzzy(**changed: Any) -> None:
@@ -291,4 +299,5 @@ def test_what_fits_is_taken() -> None:
     kink_peaks()
     linear_drive(qp=(qp_design(), memory()))
     memory().pose(qp_design(), np.zeros(19))
-    assert memory().solve(qp_design(), np.zeros(19)) is not None
+    assert memory().solve_in_c(qp_design(), np.zeros(19)) is not None
+    assert QpMemory(longer_qp(), 1.0).residual(longer_qp()) == 0

@@ -20,7 +20,7 @@ from sim_core.errors import UnknownNameError
 from sim_core.scenario import Road, Scenario
 from sim_core.scenario.dotted import field
 from sim_core.simulate import simulate
-from sim_core.strategies import STRATEGIES, part_read
+from sim_core.strategies import STRATEGIES, values_read
 from tests.docs.causes import least_change
 
 COPY = json.loads((Path(__file__).parents[1] / "data" / "paper_tables.json").read_text())
@@ -202,7 +202,7 @@ def test_the_paper_s_strategies_are_among_the_combinations() -> None:
     named = {variant.known_as: variant for variant in VARIANTS if variant.known_as}
     assert set(named) == {"passive", "speed_only", "lqr", "lv"}
     for name, variant in named.items():
-        assert part_read(variant.scenario(3), STRATEGIES[name]) == part_read(scenario_for({}, 3), STRATEGIES[name])
+        assert values_read(variant.scenario(3), STRATEGIES[name]) == values_read(scenario_for({}, 3), STRATEGIES[name])
     assert len({variant.id for variant in VARIANTS}) == len(VARIANTS) == 26
 
 

@@ -1,6 +1,7 @@
 """The QP solvers: no answer counts without its optimality residuals, and failures are counted, never hidden."""
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import daqp
 import numpy as np
@@ -75,6 +76,16 @@ def test_a_tenth_of_a_newton_off_is_no_answer(monkeypatch: pytest.MonkeyPatch) -
     simulate(HARD, "lv")
     assert len(residuals) > 20
     assert min(residuals) > TOLERANCE
+
+
+@pytest.mark.parametrize(("off", "answers"), [(1e-8, True), (1e-5, False)])
+def test_c_answers_only_where_its_answer_is_that_of_the_qp(off: float, answers: bool) -> None:
+    """The QP's linear term is larger by that share than the one from which the answer is made: so is the residual."""
+    design = designs(HARD)[0]
+    larger = np.where(np.arange(len(design.by_inputs)) < design.moves, 1 + off, 1.0)
+    other = replace(design, by_inputs=design.by_inputs * larger[:, np.newaxis])
+    for inputs in random_inputs(design.by_inputs.shape[1], 3):
+        assert (Qps(other).solve(other, "daqp", inputs) is not None) == answers
 
 
 @pytest.mark.parametrize("scenario", [HARD, LONG], ids=["hard", "long"])

@@ -29,7 +29,7 @@ def test_it_beats_the_papers_lqr_where_car_sensors_and_actuators_are_real_ones()
 
 
 def test_with_an_estimated_state_it_does_so_on_the_rough_road() -> None:
-    """The first four metrics; docs/robustness.md has 96 % and more of 400 points, and what the bump's peaks are."""
+    """The first four metrics; docs/explanation/robustness.md has 96 % and more of 400 points, and the bump's peaks."""
     assert min(better_than_the_papers_lqr(preset("robust"), **{"estimation.kind": "kalman"})[:4]) >= 0.9
 
 

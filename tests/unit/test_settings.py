@@ -39,7 +39,7 @@ def test_the_password_of_the_database_comes_from_a_file(tmp_path: Path) -> None:
     [
         ("WORKERS", "0", "WORKERS: "),
         ("RUN_TIMEOUT", "soon", "RUN_TIMEOUT: "),
-        ("ALLOWED_HOST", "lab", "no such setting, perhaps RIDELAB_ALLOWED_HOSTS; docs/operations.md lists all$"),
+        ("ALLOWED_HOST", "lab", "no such setting, perhaps RIDELAB_ALLOWED_HOSTS; docs/how-to/operations.md lists all$"),
         ("DATABASE_PASSWORD_FILE", "/dev/null", "needs RIDELAB_DATABASE_URL"),
         ("DATABASE_URL", "postgresql://user:secret@host:port/d", "DATABASE_URL is not"),
         ("DATABASE_URL", "sqlite://", "DATABASE_URL names neither"),

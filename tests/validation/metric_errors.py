@@ -1,4 +1,6 @@
-"""The table of docs/physics.md: how far each metric is from a run in steps of 0.02 ms, over twenty class B roads.
+"""The table of docs/explanation/physics.md: how far each metric is from a run in steps of 0.02 ms.
+
+Over twenty class B roads; to print it:
 
 .venv/bin/python -m tests.validation.metric_errors
 """

@@ -104,7 +104,7 @@ def test_gain_solves_the_independent_riccati_equation(car: Vehicle, sample_time:
     """
     theirs, model, cost = design(car, sample_time, (1, 1, 1), travel)
     T = to_deflections(car)
-    P, K = T.T @ theirs.P @ T, theirs.K * KILO @ T
+    P, K = T.T @ theirs.P @ T, -theirs.gain @ T
     maps = interval(model, sample_time, sample_time).state
     A, B = maps[:, :8], maps[:, 8:10]
     Q, S, R = cost[:8, :8], cost[:8, 8:10], cost[8:10, 8:10]
@@ -122,5 +122,5 @@ def test_gain_solves_the_independent_riccati_equation(car: Vehicle, sample_time:
 def test_closed_loop_is_stable(car: Vehicle) -> None:
     theirs = regulator(terms(car, 0.01, (1, 1, 1), 3))
     maps = interval(state_space(car), 0.01, 0.01).state
-    closed = maps[:, :8] - maps[:, 8:10] @ (theirs.K * KILO @ to_deflections(car))
+    closed = maps[:, :8] + maps[:, 8:10] @ (theirs.gain @ to_deflections(car))
     assert np.abs(np.linalg.eigvals(closed)).max() < 1

@@ -102,7 +102,7 @@ def test_the_c_program_does_what_the_model_does_over_a_whole_run(mpc: Mpc, hil: 
 
 
 def test_with_the_paper_every_hil_figure_is_within_8_percent_and_without_compensation_it_is_not() -> None:
-    """The bound is issue 4's; docs/hil.md has seeds 1 to 20."""
+    """The bound is issue 4's; docs/how-to/hil.md has seeds 1 to 20."""
 
     def changes(scenario: Scenario) -> list[float]:
         hil, lv = simulate(scenario, "lv_hil"), simulate(scenario, "lv")

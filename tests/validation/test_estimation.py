@@ -13,10 +13,11 @@ from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.control.cost import CostTerms
 from sim_core.control.regulator import regulator
 from sim_core.errors import RidelabError
+from sim_core.frequency.stability import closed_loop_matrix
 from sim_core.loop.closed_loop import ClosedLoop, Trajectory
-from sim_core.loop.drive import Run, filter_preview
 from sim_core.loop.preview import preview
-from sim_core.road.profile import profile
+from sim_core.loop.run import Run, filter_preview
+from sim_core.road.profile import road_profile
 from sim_core.road.sensed import ExpectedErrors, expected_errors
 from sim_core.scenario import Actuator, Bump, Estimation, Lqr, Mismatch, Mpc, Preview, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.presets import preset
@@ -35,7 +36,7 @@ from sim_core.vehicle.estimator import (
     unseen_share,
 )
 from sim_core.vehicle.half_car import discrete, half_car, measurement
-from sim_core.vehicle.linear import closed_loop_matrix, control_step
+from sim_core.vehicle.linear import control_step
 from sim_core.vehicle.plant import plant
 from tests.validation.reference.sampled import to_deflections
 from tests.validation.reference.vehicle import state_space
@@ -112,19 +113,19 @@ def filter_of(scenario: Scenario, mode: Preview) -> KalmanFilter:
     return kalman_filter(scenario.vehicle, scenario.estimation, STEP, intensity, _unseen(scenario, mode, speed))
 
 
-def seen_by_sensors(scenario: Scenario, time: FloatArray, motion: SpeedProfile) -> FloatArray:
+def seen_by_sensors(scenario: Scenario, time: FloatArray, speed_profile: SpeedProfile) -> FloatArray:
     """Mean velocity of the road under both axles over each step, as the sensors report it (steps, 2) [m/s]."""
     mode, mismatch, road, wheelbase = scenario.mpc.preview, scenario.mismatch, scenario.road, scenario.vehicle.wheelbase
     if mode == "none":
         return np.zeros((len(time) - 1, 2))
     if mode == "wheelbase":  # the rear axle meets what the front one has passed, at the speed of now
-        position, speed = motion.at(time[:-1])
-        ends = profile(road).height(np.stack([position, position + speed * STEP]) - wheelbase)
+        position, speed = speed_profile.at(time[:-1])
+        ends = road_profile(road).height(np.stack([position, position + speed * STEP]) - wheelbase)
         return np.column_stack([np.zeros(len(position)), (ends[1] - ends[0]) / STEP])
     if mode == "obstacle":
         road = road.model_copy(update={"roughness": 0.0})
-    position = motion.at(time - mismatch.preview_delay)[0] - mismatch.preview_offset
-    heights = profile(road).height(np.stack([position, position - wheelbase]))
+    position = speed_profile.at(time - mismatch.preview_delay)[0] - mismatch.preview_offset
+    heights = road_profile(road).height(np.stack([position, position - wheelbase]))
     return np.asarray(mismatch.preview_gain * np.diff(heights, axis=1).T / STEP)
 
 
@@ -145,7 +146,7 @@ def predicted(run: Run, trajectory: Trajectory) -> FloatArray:
     """By the textbook: x̂⁻ = A x̂ + B u + E_b braking + E_r velocity of the road seen; but for the last step."""
     scenario, excitation, commands = run.scenario, run.excitation, trajectory.commands
     braking = excitation.disturbance.reshape(len(commands), -1, 3)[:, :, 2].mean(axis=1)
-    seen, model = seen_by_sensors(scenario, excitation.grid.time, run.profile), discrete(scenario.vehicle, STEP)
+    seen, model = seen_by_sensors(scenario, excitation.grid.time, run.speed_profile), discrete(scenario.vehicle, STEP)
     by_model = trajectory.states[:, :8] @ model.A.T + commands @ model.B.T
     return np.asarray(by_model + np.outer(braking, model.E[:, 2]) + seen @ model.E[:, :2].T)[:-1]
 
@@ -238,11 +239,13 @@ def test_it_is_told_what_the_controller_itself_plans_on() -> None:
         mpc=Mpc(expected_noise=0.002, expected_offset=0.1),
     )
     run = prepare(scenario, "lv")
-    motion, excitation = run.profile, run.excitation
-    windows = preview("lookahead", scenario, motion, excitation, 30).windows
+    speed_profile, excitation = run.speed_profile, run.excitation
+    expected = preview("lookahead", scenario, speed_profile, excitation, 30).disturbances
     ours = run.estimator()
     told = make_estimator(
-        *(scenario, STEP, motion.initial_speed, excitation.disturbance), mode="lookahead", seen=windows[:2, :, 0].T
+        *(scenario, STEP, speed_profile.initial_speed, excitation.disturbance),
+        mode="lookahead",
+        seen=expected[:2, :, 0].T,
     )
     assert ours is not None
     assert told is not None
@@ -276,7 +279,7 @@ def test_the_unseen_share_goes_from_nothing_to_all() -> None:
     robust = preset("robust")
     speed, expected = robust.speed.initial_speed_kmh / 3.6, expected_errors(robust.mpc)
     of_robust = unseen_share(robust.vehicle, robust.road.roughness, speed, expected)
-    assert of_robust == pytest.approx(0.15, abs=0.005), "as docs/physics.md has it"
+    assert of_robust == pytest.approx(0.15, abs=0.005), "as docs/explanation/physics.md has it"
     assert unseen_share(CAR, 0.0, 13.9, ExpectedErrors(noise=0.001)) == pytest.approx(1)
 
 
@@ -315,10 +318,10 @@ def test_the_loop_has_the_regulators_poles_and_the_filters() -> None:
     assert estimate is not None
     loop = closed_loop_matrix(
         *control_step(plant(CAR, Actuator(), STEP, 1), CAR, estimate),
-        LinearLaw(gain=np.hstack([-1000 * design.K, np.zeros((2, 2))])),
+        LinearLaw(gain=np.hstack([design.gain, np.zeros((2, 2))])),
     )
     poles = np.concatenate(
-        [np.linalg.eigvals(model.A - model.B @ design.K * 1000), np.linalg.eigvals(estimate.state), np.zeros(2)]
+        [np.linalg.eigvals(model.A + model.B @ design.gain), np.linalg.eigvals(estimate.state), np.zeros(2)]
     )
     ours = np.linalg.eigvals(loop)
     for pole in poles:

@@ -42,8 +42,8 @@ SCENARIOS = {
 def numbers(scenario: Scenario, strategy: str) -> dict[str, float]:
     """Every metric, comfort figure and event that is a number, by dotted name."""
     result = sim_core.simulate(scenario, strategy)
-    found: dict[str, Any] = metrics(result) | {f"events.{key}": value for key, value in result.events.items()}
-    return {key: float(value) for key, value in found.items() if value is not None}
+    values: dict[str, Any] = metrics(result) | {f"events.{key}": value for key, value in result.events.items()}
+    return {key: float(value) for key, value in values.items() if value is not None}
 
 
 def test_no_number_changes_without_the_version() -> None:

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sim_core.errors import RidelabError
-from sim_core.road.profile import profile
+from sim_core.road.profile import road_profile
 from sim_core.road.survey import bumps_in, surveyed
 from sim_core.scenario import Bump, Road, Scenario, Speed
 from sim_core.scenario.measured import SPACING, MeasuredRoad
@@ -18,7 +18,7 @@ from sim_core.simulate import simulate
 def measured_on(road: Road, spacing: float = 0.05, length: float = 200) -> MeasuredRoad:
     """A generated road as a surveyor without errors measures it, on a slope of 1 %."""
     x = np.arange(0, length + spacing / 2, spacing)
-    return MeasuredRoad.of(surveyed(x + 7, profile(road).height(x) + 0.3 + 0.01 * x).heights)
+    return MeasuredRoad.of(surveyed(x + 7, road_profile(road).height(x) + 0.3 + 0.01 * x).heights)
 
 
 def test_a_line_is_taken_off_and_a_wave_keeps_its_share() -> None:
@@ -71,10 +71,11 @@ def test_a_measured_road_drives_as_the_road_it_was_measured_on(strategy: str) ->
 def test_a_bump_is_added_to_a_measured_road() -> None:
     road = measured_on(Road(bump=Bump(height=0)))
     plain, bumpy = (
-        profile(Scenario(road=Road(profile=road.id, bump=Bump(height=height))).on(road).road) for height in (0, 0.1)
+        road_profile(Scenario(road=Road(profile=road.id, bump=Bump(height=height))).on(road).road)
+        for height in (0, 0.1)
     )
     x = np.linspace(0, 149, 5000)
-    alone = profile(Road(roughness=0)).height(x)
+    alone = road_profile(Road(roughness=0)).height(x)
     np.testing.assert_allclose(bumpy.height(x) - plain.height(x), alone, atol=1e-12)
     assert plain.height(np.array([-10.0]))[0] == pytest.approx(road.heights()[0])
 

@@ -11,7 +11,7 @@ from sim_core.result import Series
 from sim_core.scenario import Actuator, Bump, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.presets import preset
 from sim_core.simulate import simulate
-from sim_core.speed.profile import SpeedProfile, plan_speed
+from sim_core.speed.profile import SpeedProfile, make_speed_profile
 from sim_core.strategies import STRATEGIES
 from tests.results import event
 from tests.validation.reference.held import errors
@@ -70,7 +70,7 @@ def test_a_passive_cars_metrics_over_any_bump_at_any_speed(car: Vehicle, bump: B
 
 
 def test_papers_peaks_over_the_bump_alone() -> None:
-    """The figures docs/physics.md prints, an adaptive solver's at 1e-10."""
+    """The figures docs/explanation/physics.md prints, an adaptive solver's at 1e-10."""
     bump = simulate(preset("bump_only"), "passive").metrics["bump"]
     peaks = [bump[name]["peak"] for name in PAPER_SIGNALS]
     np.testing.assert_allclose(peaks, [6.247, 9.973, 8582.5, 8897.7], rtol=2e-4)
@@ -115,11 +115,11 @@ def test_rms_over_intervals_of_the_road_is_by_definition(strategy: str, interval
     instants place an interval's ends within 20 µs, which is a ten-thousandth of the shortest interval's RMS.
     """
     scenario = Scenario()
-    result, motion = simulate(scenario, strategy), plan_speed(scenario, STRATEGIES[strategy].speed_plan)
-    rms = rms_between(result.series, motion, intervals)
+    result, speed_profile = simulate(scenario, strategy), make_speed_profile(scenario, STRATEGIES[strategy].speed_plan)
+    rms = rms_between(result.series, speed_profile, intervals)
     assert list(rms) == list(METRIC_SIGNALS)
     time = (np.arange(1_000_000) + 0.5) * result.travel_time / 1_000_000
-    position = motion.at(time)[0]
+    position = speed_profile.at(time)[0]
     time = time[np.any([(first <= position) & (position <= last) for first, last in intervals], axis=0)]
     fine = len(result.series.columns("front_force")) - 1
     step = time / result.series["time"][1]
@@ -137,7 +137,7 @@ def test_rms_between_knows_jumps() -> None:
     teeth = np.tile(np.linspace(0, 1, 5), (10, 1)).T
     series = Series({"time": np.arange(41) / 40}, dict.fromkeys(METRIC_SIGNALS, teeth))
     two, none = np.array([0.0, 1.0]), np.zeros(2)
-    motion = SpeedProfile(
+    speed_profile = SpeedProfile(
         initial_speed=10,
         time=two,
         position=10 * two,
@@ -151,10 +151,10 @@ def test_rms_between_knows_jumps() -> None:
         ([(2, 2.5)], 1 / 12),
         ([(1, 1.5), (3, 4)], 1 / 4),
     ):
-        assert rms_between(series, motion, intervals)["body_acceleration"] ** 2 == pytest.approx(expected)
+        assert rms_between(series, speed_profile, intervals)["body_acceleration"] ** 2 == pytest.approx(expected)
     for nowhere in ([(3, 3)], [(9, 11)], [(-1, 2)]):
         with pytest.raises(ValueError, match="interval"):
-            rms_between(series, motion, nowhere)
+            rms_between(series, speed_profile, nowhere)
 
 
 @pytest.mark.parametrize("strategy", STRATEGIES)

@@ -9,7 +9,7 @@ from sim_core.road import profile as road
 from sim_core.road.sensed import ExpectedErrors, sensed_road, trust, trusted
 from sim_core.scenario import Actuator, Bump, Mismatch, Preview, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
-from sim_core.speed.profile import plan_speed
+from sim_core.speed.profile import make_speed_profile
 
 SHORT = Scenario(road=Road(length=60, bump=Bump(start=40, width=3)), speed=Speed(detection_distance=30))
 
@@ -41,31 +41,33 @@ def test_a_saturated_actuator_gives_no_more(strategy: str) -> None:
     assert ample.metrics == simulate(SHORT, strategy).metrics
 
 
-def windows(mismatch: Mismatch, driven: Road = SHORT.road, mode: Preview = "lookahead") -> np.ndarray:
+def expected(mismatch: Mismatch, driven: Road = SHORT.road, mode: Preview = "lookahead") -> np.ndarray:
     scenario = SHORT.model_copy(update={"road": driven, "mismatch": mismatch})
     return previewed(scenario, mode, 0.01, 10)
 
 
 def previewed(scenario: Scenario, mode: Preview, step: float, horizon: int) -> np.ndarray:
     """The disturbances expected in each control step [s], those of one kind after another (steps, 3 · horizon)."""
-    motion = plan_speed(scenario, "constant")
-    excitation = excite(scenario.road, scenario.vehicle.wheelbase, motion, step, 10)
-    windows = preview(mode, scenario, motion, excitation, horizon).windows
-    return windows.transpose(1, 0, 2).reshape(windows.shape[1], -1)
+    speed_profile = make_speed_profile(scenario, "constant")
+    excitation = excite(scenario.road, scenario.vehicle.wheelbase, speed_profile, step, 10)
+    expected = preview(mode, scenario, speed_profile, excitation, horizon).disturbances
+    return expected.transpose(1, 0, 2).reshape(expected.shape[1], -1)
 
 
 def test_preview_offset_and_delay_show_the_road_elsewhere() -> None:
     """At constant speed v an offset of v·Ts is one control step, and so is a delay of Ts: the true window, shifted."""
-    exact, speed = windows(Mismatch()), SHORT.speed.initial_speed_kmh / 3.6
-    late = windows(Mismatch(preview_offset=speed * 0.01))
+    exact, speed = expected(Mismatch()), SHORT.speed.initial_speed_kmh / 3.6
+    late = expected(Mismatch(preview_offset=speed * 0.01))
     assert np.allclose(late[1:], exact[:-1], atol=1e-9)
-    assert np.allclose(windows(Mismatch(preview_delay=0.01)), late, atol=1e-9)
+    assert np.allclose(expected(Mismatch(preview_delay=0.01)), late, atol=1e-9)
 
 
 def test_preview_gain_and_noise_scale_the_heights() -> None:
-    exact = windows(Mismatch())
-    assert np.allclose(windows(Mismatch(preview_gain=0.8)), 0.8 * exact)
-    noisy = windows(Mismatch(preview_noise=0.001), Road(roughness=0, length=60, bump=Bump(height=0, start=40, width=3)))
+    exact = expected(Mismatch())
+    assert np.allclose(expected(Mismatch(preview_gain=0.8)), 0.8 * exact)
+    noisy = expected(
+        Mismatch(preview_noise=0.001), Road(roughness=0, length=60, bump=Bump(height=0, start=40, width=3))
+    )
     # A velocity is the difference of two heights over Ts, each linear between two samples: √(2 · 2/3) times the noise.
     assert noisy[:, 0].std() == pytest.approx(np.sqrt(4 / 3) * 0.001 / 0.01, rel=0.15)  # 5 standard errors of some 700
 
@@ -86,7 +88,7 @@ def test_noise_lies_in_the_road() -> None:
 def test_resolution_averages_the_road() -> None:
     """A sine of wavelength l through a mean over w shrinks by sin(π w/l)/(π w/l)."""
     wave = Road(roughness=0, length=60, bump=Bump(shape="cosine", height=0.02, width=1, start=25, count=15, spacing=1))
-    exact, blurred = windows(Mismatch(), wave), windows(Mismatch(preview_resolution=0.4), wave)
+    exact, blurred = expected(Mismatch(), wave), expected(Mismatch(preview_resolution=0.4), wave)
     inside = slice(np.flatnonzero(exact[:, 0])[0] + 20, np.flatnonzero(exact[:, 0])[-1] - 20)
     share = blurred[inside, 0].std() / exact[inside, 0].std()
     assert share == pytest.approx(np.sinc(0.4 / 1), rel=0.01)  # over a control step the road is straight
@@ -108,9 +110,9 @@ def test_resolution_averages_over_its_true_length(resolution: float) -> None:
 def test_obstacle_is_the_bump_without_the_roughness() -> None:
     smooth = SHORT.road.model_copy(update={"roughness": 0.0})
     errors = Mismatch(preview_offset=0.1, preview_gain=0.9, preview_delay=0.01)
-    alone = windows(errors, smooth)
+    alone = expected(errors, smooth)
     assert np.abs(alone[:, :20]).max() > 0.1
-    np.testing.assert_allclose(windows(errors, mode="obstacle"), alone, atol=1e-12)
+    np.testing.assert_allclose(expected(errors, mode="obstacle"), alone, atol=1e-12)
 
 
 def test_trust_is_the_best_linear_estimate() -> None:

@@ -57,7 +57,7 @@ def test_where_nothing_is_met_it_is_the_linear_car(
     fine = Hil(bits=24)  # converters of 12 bits round a difference of 1e-8 up to a whole code
     scenario = Scenario(vehicle=LINKED, hil=fine, estimation=Estimation(kind=estimation), actuator=actuator)
     never_met = scenario.model_copy(update={"vehicle": LINKED.model_copy(update={"bump_stop_clearance": 1.0})})
-    with patch("sim_core.loop.drive.under_axles", lambda _: None):
+    with patch("sim_core.loop.run.under_axles", lambda _: None):
         linear, other = simulate(scenario, strategy), simulate(never_met, strategy)
     assert other.events == pytest.approx(linear.events, abs=1e-3)
     for name, values in linear.series.items():

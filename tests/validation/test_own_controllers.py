@@ -12,7 +12,7 @@ import pytest
 import sim_core
 from sim_core import Controller, LinearLaw, Seen, Setup, check_controller, option, scenario_field, simulate
 from sim_core.errors import RidelabError
-from sim_core.road.profile import profile
+from sim_core.road.profile import road_profile
 from sim_core.scenario import Actuator, Bump, Estimation, Mismatch, Mpc, Road, Scenario, Vehicle
 from sim_core.simulate import prepare
 from sim_core.strategies import STRATEGIES, reads
@@ -120,11 +120,11 @@ class Watcher(Controller):
 
     id = "watcher"
     label = "Watcher"
-    kept: list[dict[str, Any]]
+    recorded: list[dict[str, Any]]
 
     def start(self, setup: Setup) -> None:
         self.setup = setup
-        self.kept.clear()
+        self.recorded.clear()
 
     def force(self, seen: Seen) -> Any:
         names = [
@@ -138,16 +138,16 @@ class Watcher(Controller):
             "disturbances",
             "previous_force",
         ]
-        self.kept.append({name: np.copy(getattr(seen, name)) for name in names})
+        self.recorded.append({name: np.copy(getattr(seen, name)) for name in names})
         return 0.0, 0.0
 
 
 def watched(scenario: Scenario) -> dict[str, Any]:
     """By name what a controller sees in each control step."""
     watcher = Watcher()
-    watcher.kept = []
+    watcher.recorded = []
     simulate(scenario, watcher)
-    return {name: np.stack([each[name] for each in watcher.kept]) for name in watcher.kept[0]}
+    return {name: np.stack([each[name] for each in watcher.recorded]) for name in watcher.recorded[0]}
 
 
 @pytest.mark.parametrize("vehicle", [Vehicle(), Vehicle(rebound_ratio=1.5, bump_stop_clearance=0.03)])
@@ -168,7 +168,7 @@ def test_what_it_sees_is_what_happens(vehicle: Vehicle) -> None:
         np.testing.assert_allclose(seen["measurement"][on_record][:, number], expected, atol=5e-3 * scale)
     np.testing.assert_allclose(seen["measurement"][:, 3], seen["state"][:, 5], atol=1e-5)
     np.testing.assert_allclose(seen["measurement"][:, :2], seen["state"][:, :2], atol=1e-5)
-    surface, ahead = profile(scenario.road), seen["preview"]
+    surface, ahead = road_profile(scenario.road), seen["preview"]
     assert ahead.shape == (len(seen["time"]), scenario.mpc.prediction_horizon, 2)
     later = seen["position"][1:-30]
     np.testing.assert_allclose(ahead[: len(later), 0, 0], surface.height(later), atol=1e-9)
@@ -239,6 +239,37 @@ def test_a_field_of_the_scenario_exists_and_takes_what_the_scenario_takes() -> N
     assert lv(preview="none").for_scenario(SHORT).preview == "none"
 
 
+@pytest.mark.parametrize(
+    ("base", "members", "said"),
+    [
+        (Controller, {"preview": "ahead"}, "preview is one of none, wheelbase, lookahead, obstacle"),
+        (Controller, {"prediction_horizon": -1}, "prediction_horizon is a whole number, 0 or more"),
+        (Controller, {"speed_plan": "fast"}, "speed_plan is planned or constant"),
+        (sim_core.PredictiveController, {"prediction_horizon": 0}, "prediction_horizon and a control_horizon of 1"),
+        (sim_core.PredictiveController, {"control_horizon": 0}, "prediction_horizon and a control_horizon of 1"),
+        (sim_core.EcuController, {"prediction_horizon": 0}, "prediction_horizon and a control_horizon of 1"),
+    ],
+)
+def test_a_horizon_preview_or_plan_that_is_none_is_refused(
+    base: type[Controller], members: dict[str, Any], said: str
+) -> None:
+    needed = {"force": lambda _self, _seen: (0.0, 0.0)} if base is Controller else {"weights": lambda *_: (1, 1, 1)}
+    with pytest.raises(RidelabError, match=said):
+        simulate(SHORT, type("Wrong", (base,), needed | members))
+
+
+@pytest.mark.parametrize("preview", ["none", "wheelbase", "lookahead", "obstacle"])
+@pytest.mark.parametrize("horizon", [0, 1, np.int64(7)])
+def test_a_horizon_is_any_whole_number(preview: str, horizon: int) -> None:
+    class Watcher(Controller):
+        def force(self, seen: Seen) -> tuple[float, float]:
+            assert seen.preview.shape == (horizon, 2)
+            return 0.0, 0.0
+
+    watcher = type("Watcher", (Watcher,), {"preview": preview, "prediction_horizon": horizon})
+    assert simulate(SHORT, watcher).events["limited_steps"] == 0
+
+
 def test_a_law_that_does_not_fit_its_preview_is_refused() -> None:
     class Wide(Controller):
         """Has a law for another horizon."""
@@ -261,7 +292,7 @@ def test_a_law_that_does_not_fit_its_preview_is_refused() -> None:
 def test_the_believed_car_is_told_not_the_real_one() -> None:
     scenario = SHORT.model_copy(update={"mismatch": Mismatch(body_mass=1.2)})
     watcher = Watcher()
-    watcher.kept = []
+    watcher.recorded = []
     ready = watcher.for_scenario(scenario)
     ready.start(prepare(scenario, ready).setup())
     assert ready.setup.vehicle == scenario.vehicle

@@ -16,7 +16,7 @@ from sim_core.scenario import Bump, Estimation, Hil, Lqr, Mpc, Road, Scenario, S
 from sim_core.scenario.fields import Part
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.simulate import simulate
-from sim_core.strategies import STRATEGIES, part_read, reads
+from sim_core.strategies import STRATEGIES, reads, values_read
 
 ROOT = Path(__file__).parents[2]
 
@@ -119,7 +119,7 @@ def test_fields_not_read_change_nothing_at_all(strategy: str) -> None:
     for path in unread:
         changed = with_leaf(path)
         assert changed != BASE
-        assert part_read(changed, STRATEGIES[strategy]) == part_read(BASE, STRATEGIES[strategy]), path
+        assert values_read(changed, STRATEGIES[strategy]) == values_read(BASE, STRATEGIES[strategy]), path
         assert same(simulate(changed, strategy), base), path
 
 
@@ -147,7 +147,7 @@ def test_fields_read_change_the_key_and_the_result(strategy: str) -> None:
         if not is_read(strategy, path):
             continue
         changed = with_leaf(path)
-        assert part_read(changed, STRATEGIES[strategy]) != part_read(BASE, STRATEGIES[strategy]), path
+        assert values_read(changed, STRATEGIES[strategy]) != values_read(BASE, STRATEGIES[strategy]), path
         if path not in SILENT and same(simulate(changed, strategy), base):
             silent.append(".".join(path))
     # Parts are read whole; these of their fields do nothing for these strategies here.
@@ -163,7 +163,7 @@ def test_whether_the_filter_knows_the_preview_is_read_by_those_who_look_ahead(st
     )
     looks_ahead = is_read(strategy, ("mismatch", "preview_offset"))
     assert is_read(strategy, ("estimation", "knows_preview")) == looks_ahead
-    assert (part_read(told, STRATEGIES[strategy]) == part_read(untold, STRATEGIES[strategy])) == (not looks_ahead)
+    assert (values_read(told, STRATEGIES[strategy]) == values_read(untold, STRATEGIES[strategy])) == (not looks_ahead)
     assert same(simulate(told, strategy), simulate(untold, strategy)) == (not looks_ahead)
 
 
@@ -174,10 +174,12 @@ def test_the_speed_policy_changes_the_key_exactly_where_it_changes_the_result(st
         changed = BASE.model_copy(update={"speed": BASE.speed.model_copy(update={"policy": policy})})
         result = simulate(changed, strategy)
         assert same(result, base) == (policy == own)
-        assert (part_read(changed, STRATEGIES[strategy]) == part_read(BASE, STRATEGIES[strategy])) == (policy == own)
+        assert (values_read(changed, STRATEGIES[strategy]) == values_read(BASE, STRATEGIES[strategy])) == (
+            policy == own
+        )
         # What is read follows the speed that is driven: a target matters where somebody slows down.
         slower = changed.model_copy(update={"speed": changed.speed.model_copy(update={"target_speed_kmh": 19.0})})
-        assert (part_read(slower, STRATEGIES[strategy]) == part_read(changed, STRATEGIES[strategy])) == (
+        assert (values_read(slower, STRATEGIES[strategy]) == values_read(changed, STRATEGIES[strategy])) == (
             policy == "constant"
         )
         assert same(simulate(slower, strategy), result) == (policy == "constant")

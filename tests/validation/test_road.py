@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.signal import welch
 
-from sim_core.road.profile import profile, steepest
+from sim_core.road.profile import road_profile, steepest
 from sim_core.road.sensed import ExpectedErrors, sensed_road
 from sim_core.scenario import Bump, Mismatch, Road
 from sim_core.scenario.road import BumpShape
@@ -24,7 +24,7 @@ def spectrum(roughness: float) -> tuple[np.ndarray, np.ndarray]:
     spacing, x = 0.02, np.arange(0, 2900, 0.02)
     total = np.zeros(4097)
     for seed in SEEDS:
-        height = profile(Road(roughness=roughness, seed=seed, length=3000, bump=FLAT)).height(x)
+        height = road_profile(Road(roughness=roughness, seed=seed, length=3000, bump=FLAT)).height(x)
         n, density = welch(height, fs=1 / spacing, nperseg=8192, detrend="constant", window="hann")
         total = total + density / len(SEEDS)
     return n, total
@@ -49,7 +49,7 @@ def test_density_is_iso_8608_with_the_cut_off(roughness: float) -> None:
 def test_deviation_over_many_roads_is_the_integral_of_the_density() -> None:
     """Var z = Gd n0² π / (2 n00); 400 independent starts give 3.5 % on the deviation, 3 of those allowed."""
     heights = [
-        profile(Road(seed=seed, length=20, bump=FLAT.model_copy(update={"width": 1.0}))).height(np.zeros(1))[0]
+        road_profile(Road(seed=seed, length=20, bump=FLAT.model_copy(update={"width": 1.0}))).height(np.zeros(1))[0]
         for seed in range(400)
     ]
     expected = np.sqrt(64e-6 * 0.01 * np.pi / (2 * 0.011))
@@ -59,7 +59,7 @@ def test_deviation_over_many_roads_is_the_integral_of_the_density() -> None:
 
 def test_seeds_are_different_roads_and_the_same_seed_the_same() -> None:
     x = np.linspace(-20, 100, 5000)
-    first, again, other = (profile(Road(seed=seed, bump=FLAT)).height(x) for seed in (1, 1, 2))
+    first, again, other = (road_profile(Road(seed=seed, bump=FLAT)).height(x) for seed in (1, 1, 2))
     assert np.array_equal(first, again)
     assert abs(np.corrcoef(first, other)[0, 1]) < 0.9
     assert np.abs(first - other).max() > 0.01
@@ -67,7 +67,7 @@ def test_seeds_are_different_roads_and_the_same_seed_the_same() -> None:
 
 def test_a_longer_road_only_goes_on() -> None:
     x = np.linspace(-20, 100, 5000)
-    short, long = (profile(Road(length=length, bump=FLAT)).height(x) for length in (110.0, 500.0))
+    short, long = (road_profile(Road(length=length, bump=FLAT)).height(x) for length in (110.0, 500.0))
     assert np.array_equal(short, long)
 
 
@@ -75,14 +75,14 @@ def test_a_longer_road_only_goes_on() -> None:
 @given(bumps | rows_of_bumps, st.sampled_from([0.0, 64e-6]))
 def test_the_bump_is_added_to_the_roughness(bump: Bump, roughness: float) -> None:
     x = np.linspace(20, 120, 3001)
-    whole = profile(Road(roughness=roughness, bump=bump)).height(x)
-    rough = profile(Road(roughness=roughness, bump=bump.model_copy(update={"height": 0.0}))).height(x)
+    whole = road_profile(Road(roughness=roughness, bump=bump)).height(x)
+    rough = road_profile(Road(roughness=roughness, bump=bump.model_copy(update={"height": 0.0}))).height(x)
     np.testing.assert_allclose(whole - rough, bump_height(bump, x), atol=1e-12)
 
 
 def test_the_papers_bump() -> None:
     """Eq. 2: 0 at 100 and 104 m, 0.1 m at 102 m, half of that at 101 and 103 m."""
-    height = profile(Road(roughness=0)).height(np.array([99.0, 100, 101, 102, 103, 104, 105]))
+    height = road_profile(Road(roughness=0)).height(np.array([99.0, 100, 101, 102, 103, 104, 105]))
     np.testing.assert_allclose(height, [0, 0, 0.05, 0.1, 0.05, 0, 0], atol=1e-15)
 
 
@@ -90,15 +90,17 @@ def test_a_washboard_is_a_sine() -> None:
     """Cosine bumps side by side: h/2 (1 - cos 2πx/λ), one wavelength as wide as a bump."""
     bump = Bump(height=0.03, width=0.6, start=80, count=50, spacing=0.6)
     x = np.linspace(80, 110, 4001)
-    height = profile(Road(roughness=0, bump=bump)).height(x)
+    height = road_profile(Road(roughness=0, bump=bump)).height(x)
     np.testing.assert_allclose(height, 0.015 * (1 - np.cos(2 * np.pi * (x - 80) / 0.6)), atol=1e-12)
-    assert profile(Road(roughness=0, bump=bump)).height(np.array([79.9, 110.1, 149.0])).tolist() == [0, 0, 0]
+    assert road_profile(Road(roughness=0, bump=bump)).height(np.array([79.9, 110.1, 149.0])).tolist() == [0, 0, 0]
 
 
 def test_behind_a_kerb_the_road_stays_up_and_a_second_one_goes_on_from_there() -> None:
     """Half a cosine: half the height in the middle; beyond the road's end too."""
     stairs = Bump(shape="kerb", height=0.1, width=0.2, start=50, count=2, spacing=10)
-    height = profile(Road(roughness=0, bump=stairs)).height(np.array([49, 50, 50.1, 50.2, 59.9, 60.1, 60.2, 149, 200]))
+    height = road_profile(Road(roughness=0, bump=stairs)).height(
+        np.array([49, 50, 50.1, 50.2, 59.9, 60.1, 60.2, 149, 200])
+    )
     np.testing.assert_allclose(height, [0, 0, 0.05, 0.1, 0.1, 0.15, 0.2, 0.2, 0.2], atol=1e-15)
 
 
@@ -106,7 +108,7 @@ def test_behind_a_kerb_the_road_stays_up_and_a_second_one_goes_on_from_there() -
 def test_half_a_circle_stands_on_the_road(count: int) -> None:
     """Width 2 × height: √(R² - x²), x from the crest; 0 at both feet, where the formula of the arc is 0/0."""
     bump = Bump(shape="circular", height=0.5, width=1, start=50, count=count, spacing=4)
-    height = profile(Road(roughness=0, bump=bump)).height(np.array([49.9, 50, 50.2, 50.5, 50.9, 51, 52, 149]))
+    height = road_profile(Road(roughness=0, bump=bump)).height(np.array([49.9, 50, 50.2, 50.5, 50.9, 51, 52, 149]))
     np.testing.assert_allclose(height, [0, 0, 0.4, 0.5, 0.3, 0, 0, 0], atol=1e-15)
 
 
@@ -127,7 +129,7 @@ def test_any_bump_has_a_height_and_a_slope_everywhere(bump: Bump, resolution: fl
     road = Road(length=300, bump=bump)
     edges = [bump.start + number * bump.spacing + end for number in range(bump.count) for end in (0, bump.width)]
     x = np.sort([*np.linspace(29, 300, 4000), *edges, *np.nextafter(edges, -np.inf), *np.nextafter(edges, np.inf)])
-    true = profile(road)
+    true = road_profile(road)
     sensed = sensed_road(true, road, Mismatch(preview_resolution=resolution), ExpectedErrors(), obstacle_alone=alone)
     for surface in (true, sensed):
         assert np.isfinite(surface.height(x)).all()

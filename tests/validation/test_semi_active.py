@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sim_core.arrays import FloatArray
-from sim_core.loop.drive import Recording, Run
+from sim_core.loop.run import Recording, Run
 from sim_core.result import StrategyResult
 from sim_core.scenario import Actuator, Bump, Estimation, Hook, Mismatch, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
@@ -32,7 +32,7 @@ def recorded(scenario: Scenario, law: str) -> tuple[Recording, StrategyResult]:
 
     with (
         patch.object(Run, "drive", caught_drive),
-        patch("sim_core.loop.excitation.fine_step", lambda *_, **__: 1e-4),
+        patch("sim_core.loop.excitation.longest_fine_step", lambda *_, **__: 1e-4),
     ):
         result = simulate(scenario, law)
     return caught[0], result

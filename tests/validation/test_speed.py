@@ -11,7 +11,7 @@ from sim_core.result import StrategyResult
 from sim_core.scenario import Brake, Bump, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
 from sim_core.speed.brake import BrakeChain
-from sim_core.speed.profile import plan_speed
+from sim_core.speed.profile import make_speed_profile
 from sim_core.speed.stages import segments, spans
 from tests.validation.reference.driving import brake_to_bump
 from tests.validation.strategies import between, vehicles
@@ -74,9 +74,9 @@ def test_a_stage_begins_with_the_same_step_on_either_side_of_rounding() -> None:
 
     def bump_begins(start: float) -> int:
         scenario = Scenario(road=Road(bump=Bump(start=start)))
-        motion = plan_speed(scenario, "constant")
-        excitation = excite(scenario.road, scenario.vehicle.wheelbase, motion, 0.01, 10)
-        stages = segments(spans(scenario, "constant", motion), excitation.grid.position)
+        speed_profile = make_speed_profile(scenario, "constant")
+        excitation = excite(scenario.road, scenario.vehicle.wheelbase, speed_profile, 0.01, 10)
+        stages = segments(spans(scenario, "constant", speed_profile), excitation.grid.position)
         return {stage: first for stage, first, _ in reversed(stages)}["bump"] - excitation.grid.before
 
     ulp = np.spacing(100.0)
@@ -87,7 +87,7 @@ def test_a_stage_begins_with_the_same_step_on_either_side_of_rounding() -> None:
 
 def test_a_car_that_does_not_brake_coasts_from_the_sample_that_meets_the_bump() -> None:
     """576 steps of 1/7.2 m from the detection, each rounded, end 1.5e-12 m before the 80 m."""
-    planned = plan_speed(plan(target_speed_kmh=50.0), "planned")
+    planned = make_speed_profile(plan(target_speed_kmh=50.0), "planned")
     assert planned.position[576] == pytest.approx(100, abs=1e-11)
     np.testing.assert_allclose(planned.speed[:577], 50 / 3.6, rtol=1e-12)
     assert planned.speed[577] < 50 / 3.6 - 1e-3

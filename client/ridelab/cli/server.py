@@ -29,7 +29,7 @@ def serve(
 ) -> None:
     """Serve the dashboard and the API until Ctrl-C or SIGTERM.
 
-    The same as python -m backend; more settings are RIDELAB_* variables (docs/operations.md).
+    The same as python -m backend; more settings are RIDELAB_* variables (docs/how-to/operations.md).
     """
     explain = ["--explain-limits"] * explain_limits
     command = server_command("--host", host, "--port", str(port), *explain, data_dir=data_dir)

@@ -12,7 +12,7 @@
 #define RIDELAB_STAGES 3    /* cruise, brake, bump */
 #define RIDELAB_AXLES 2
 
-/* What the control unit reckons in. The simulation builds the solver in double as well. */
+/* The control unit's real numbers. The simulation builds the solver in double as well. */
 #ifndef RIDELAB_REAL
 #define RIDELAB_REAL float
 #endif
@@ -21,9 +21,9 @@ typedef RIDELAB_REAL ridelab_real;
 /* Matrices are stored row after row. */
 typedef struct {
     int32_t intervals;  /* of the prediction, Np */
-    int32_t previewed;  /* intervals each input tells of: Np, or one more where the state is reckoned ahead */
+    int32_t previewed;  /* intervals each input tells of: Np, or one more where the state is predicted */
     int32_t rows;       /* forces and deflections that are checked; the first two are the commands */
-    int32_t predicts;   /* 1: reckon the state ahead to the moment the command takes effect */
+    int32_t predicts;   /* 1: predict the state for the moment the command takes effect */
     int32_t iterations; /* the solver stops after so many */
     int32_t highest;    /* greatest code of a command */
     ridelab_real command_step; /* what one code of a command stands for [kN] */

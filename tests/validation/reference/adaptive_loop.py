@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.integrate import ode
 
 from sim_core.kernel.prepared import FollowLaw, LawArrays
-from sim_core.loop.excitation import fine_step
+from sim_core.loop.excitation import longest_fine_step
 from sim_core.result import StrategyResult
 from sim_core.road.profile import RoadUnderAxles
 from sim_core.scenario import Actuator, Scenario, Vehicle
@@ -26,8 +26,11 @@ _SUBSAMPLES = 8  # of the road in each of these
 def solved(scenario: Scenario, strategy: str) -> StrategyResult:
     """A run of any strategy without an ECU."""
     with (
-        patch("sim_core.loop.drive.make_vehicle", SolvedCar),
-        patch("sim_core.loop.excitation.fine_step", lambda *plan, **actuated: fine_step(*plan, **actuated) / FINER),
+        patch("sim_core.loop.run.make_vehicle", SolvedCar),
+        patch(
+            "sim_core.loop.excitation.longest_fine_step",
+            lambda *plan, **actuated: longest_fine_step(*plan, **actuated) / FINER,
+        ),
     ):
         return simulate(scenario, strategy)
 

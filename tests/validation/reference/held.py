@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from sim_core import Seen
 from sim_core.loop.delayed_loop import DelayedLoop
 from sim_core.result import StrategyResult
-from sim_core.road.profile import profile
+from sim_core.road.profile import road_profile
 from sim_core.scenario import Actuator, Scenario
 from sim_core.simulate import prepare, simulate
 from sim_core.speed.profile import SpeedProfile
@@ -38,14 +38,14 @@ class Held:
     signals: dict[str, Array]
     speed: tuple[Array, Array]  # of both deflections [m/s]
 
-    def metrics(self, scenario: Scenario, motion: SpeedProfile) -> dict[str, float]:
+    def metrics(self, scenario: Scenario, speed_profile: SpeedProfile) -> dict[str, float]:
         """`window.signal.statistic` and `comfort.…` as the core names them."""
         bump, car = scenario.road.bump, scenario.vehicle
-        arrival = motion.time_at(bump.start)
-        leaving = motion.time_at(
+        arrival = speed_profile.time_at(bump.start)
+        leaving = speed_profile.time_at(
             bump.start + (bump.count - 1) * bump.spacing + bump.width + car.cg_to_front + car.cg_to_rear
         )
-        end = motion.time_at(scenario.road.length)
+        end = speed_profile.time_at(scenario.road.length)
         metrics: dict[str, float] = {}
         for window, first, last in (
             ("rough_road", 0.0, arrival),
@@ -85,12 +85,11 @@ class Held:
 def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, float], Held]:
     """One strategy's metrics by the reference, and the samples they come from."""
     core = prepare(scenario, name)
-    motion, controller, excitation = core.profile, core.controller, core.excitation
-    Ts = excitation.grid.step
+    speed_profile, controller, Ts = core.speed_profile, core.controller, core.steps.control
     if controller.delayed:
         commands, Ts = _ecu_commands(scenario)
-        held = _drive(scenario, motion, Ts, len(commands), lambda k, state: commands[k], step)
-        return held.metrics(scenario, motion), held
+        held = _drive(scenario, speed_profile, Ts, len(commands), lambda k, state: commands[k], step)
+        return held.metrics(scenario, speed_profile), held
 
     controller.start(core.setup())
     forecast = core.forecast(controller.preview, controller.preview_steps)
@@ -113,8 +112,8 @@ def run(scenario: Scenario, name: str, step: float = STEP) -> tuple[dict[str, fl
         previous = np.asarray(np.clip(previous + np.clip(wanted - previous, -most, most), -strongest, strongest))
         return previous
 
-    held = _drive(scenario, motion, Ts, len(excitation.grid.position), command, step)
-    return held.metrics(scenario, motion), held
+    held = _drive(scenario, speed_profile, Ts, len(core.excitation.grid.position), command, step)
+    return held.metrics(scenario, speed_profile), held
 
 
 def errors(scenario: Scenario, name: str, result: StrategyResult) -> dict[str, float]:
@@ -139,7 +138,12 @@ def _ecu_commands(scenario: Scenario) -> tuple[Array, float]:
 
 
 def _drive(
-    scenario: Scenario, motion: SpeedProfile, Ts: float, steps: int, command: Callable[[int, Array], Array], step: float
+    scenario: Scenario,
+    speed_profile: SpeedProfile,
+    Ts: float,
+    steps: int,
+    command: Callable[[int, Array], Array],
+    step: float,
 ) -> Held:
     """From rest behind x = 0: first from control instant to control instant, then all that lies between at once."""
     car, n = scenario.real_vehicle, max(1, round(Ts / step))
@@ -155,13 +159,13 @@ def _drive(
     rows = np.vstack([maps.state, maps.force]) if corner else maps.state
     A, B, E = rows[:, inner], rows[:, driven], rows[:, 10:15]
 
-    offset = run_in(scenario, motion, Ts)
+    offset = run_in(scenario, speed_profile, Ts)
     time = Ts * (np.arange(steps)[:, None] - offset) + h * np.arange(n + 1)
-    surface = profile(scenario.road)
+    surface = road_profile(scenario.road)
     wheelbase = scenario.vehicle.cg_to_front + scenario.vehicle.cg_to_rear
-    position = motion.at(time)[0]
+    position = speed_profile.at(time)[0]
     z = np.stack([surface.height(position), surface.height(position - wheelbase)], axis=-1)
-    a = motion.sample(motion.braking, time[:, :-1] + h / 2)
+    a = speed_profile.sample(speed_profile.braking, time[:, :-1] + h / 2)
     forced = np.concatenate([z[:, :-1], z[:, 1:], a[..., None]], axis=-1)  # (steps, n, 5)
 
     whole_A, whole_B = np.eye(len(A)), np.zeros_like(B)
@@ -201,7 +205,7 @@ def _drive(
     )
 
 
-def run_in(scenario: Scenario, motion: SpeedProfile, Ts: float) -> int:
+def run_in(scenario: Scenario, speed_profile: SpeedProfile, Ts: float) -> int:
     """Steps before x = 0; an ECU's short steps begin with a whole control step."""
     whole = scenario.mpc.sample_time if Ts < scenario.mpc.sample_time - 1e-12 else Ts
-    return round(whole / Ts) * ceil(20.0 / (motion.initial_speed * whole))
+    return round(whole / Ts) * ceil(20.0 / (speed_profile.initial_speed * whole))

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicHermiteSpline
 
 from sim_core.result import StrategyResult
-from sim_core.road.profile import profile
+from sim_core.road.profile import road_profile
 from sim_core.scenario import Scenario
 from tests.validation.reference import qp
 from tests.validation.reference.sampled import gauss, interval, mean_cost, regulator, weights
@@ -149,7 +149,7 @@ def drive(
     law: 'mpc' or 'lqr' (whose weights come from the scenario).
     """
     car, mpc, actuator = scenario.vehicle, scenario.mpc, scenario.actuator
-    model, plan, surface = state_space(car), plan_of(result), profile(scenario.road)
+    model, plan, surface = state_space(car), plan_of(result), road_profile(scenario.road)
     wheelbase, Ts = car.cg_to_front + car.cg_to_rear, mpc.sample_time
     h = result.series["time"][1] - result.series["time"][0]
     fine = round(Ts / h)

@@ -166,8 +166,8 @@ function Missed({ paper, words }: Props) {
           ))}
       </ul>
       <Box component="p" m={0} p="0 0.9rem 0.8rem" fz="0.8125rem" c="dimmed">
-        Why each does not come out is in <code>docs/paper.md</code>, beside this program’s source, under “What does not
-        reproduce, and why”.
+        Why each does not come out is in <code>docs/explanation/paper.md</code>, beside this program’s source, under
+        “What does not reproduce, and why”.
       </Box>
     </details>
   );

@@ -3,6 +3,7 @@
 from dataclasses import dataclass, replace
 from itertools import chain
 from math import inf
+from typing import get_args
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from sim_core.arrays import FloatArray
 from sim_core.catalogue import STAGES
 from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Setup
+from sim_core.errors import RidelabError
 from sim_core.loop.closed_loop import ClosedLoop
 from sim_core.loop.delayed_loop import DelayedLoop
 from sim_core.loop.excitation import Excitation, StepSizes, under_axles
@@ -24,17 +26,26 @@ from sim_core.vehicle.make import is_linear, make_vehicle
 from sim_core.vehicle.model import Estimator, SemiActiveDampers, VehicleModel
 
 
-def make_setup(scenario: Scenario, controller: Controller, profile: SpeedProfile, steps: StepSizes) -> Setup:
-    """What a controller is told before a run at that speed."""
+def make_setup(scenario: Scenario, controller: Controller, speed_profile: SpeedProfile, steps: StepSizes) -> Setup:
+    """What a controller is told before a run at that speed.
+
+    Raises:
+        RidelabError: Its preview is none that there is, or its horizon no number of steps.
+    """
+    steps_ahead: object = controller.preview_steps  # a visitor's class may hold anything
+    if controller.preview not in get_args(Preview):
+        raise RidelabError(f"{controller.label}: preview is one of {', '.join(get_args(Preview))}")
+    if not isinstance(steps_ahead, int | np.integer) or isinstance(steps_ahead, bool) or steps_ahead < 0:
+        raise RidelabError(f"{controller.label}: prediction_horizon is a whole number, 0 or more")
     return Setup(
         vehicle=scenario.vehicle,
         sample_time=steps.control,
-        steps=profile.control_steps(scenario.road.length, steps.control)[1],
+        steps=speed_profile.control_steps(scenario.road.length, steps.control)[1],
         short_steps=steps.short,
-        initial_speed=profile.initial_speed,
+        initial_speed=speed_profile.initial_speed,
         force_limit=scenario.mpc.force_limit if controller.actuated else 0.0,
         deflection_limit=scenario.mpc.deflection_limit,
-        preview_steps=controller.preview_steps,
+        preview_steps=int(steps_ahead),
         stages=tuple(STAGES),
     )
 
@@ -54,7 +65,7 @@ def run_dampers(scenario: Scenario, controller: Controller) -> SemiActiveDampers
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class Recording:
-    """What a drive leaves behind.
+    """What a run leaves behind.
 
     Attributes:
         table: plant.RECORDED (10, fine steps of a command + 1, commands) from x = 0 on.
@@ -76,7 +87,7 @@ class Run:
         scenario: What is driven.
         controller: For that scenario.
         plan: Whether the car slows down for the bump.
-        profile: The speed profile.
+        speed_profile: How fast its road is driven.
         steps: How finely it is stepped; the car in short steps.
         excitation: The road under the axles and the braking.
         stages: The driving stages.
@@ -85,7 +96,7 @@ class Run:
     scenario: Scenario
     controller: Controller
     plan: SpeedPlan
-    profile: SpeedProfile
+    speed_profile: SpeedProfile
     steps: StepSizes
     excitation: Excitation
     stages: tuple[Span, ...]
@@ -96,7 +107,7 @@ class Run:
 
     def setup(self) -> Setup:
         """What the controller is told before it."""
-        return make_setup(self.scenario, self.controller, self.profile, self.steps)
+        return make_setup(self.scenario, self.controller, self.speed_profile, self.steps)
 
     def drive(self) -> Recording:
         """Drive it.
@@ -108,13 +119,13 @@ class Run:
         controller, setup = self.controller, self.setup()
         before = self.excitation.grid.before * self.steps.short
         forecast = self.forecast(controller.preview, controller.preview_steps)
-        car, inputs, limits = self.car(), self.inputs(forecast), self._limits()
+        car, inputs, force_limits = self.car(), self.inputs(forecast), self._force_limits()
         try:
             controller.start(setup)
             if controller.delayed:
-                trajectory = DelayedLoop(controller, car, inputs, setup, limits).run()
+                trajectory = DelayedLoop(controller, car, inputs, setup, force_limits).run()
             else:
-                loop = ClosedLoop(controller, car, inputs, forecast, limits)
+                loop = ClosedLoop(controller, car, inputs, forecast, force_limits)
                 trajectory = loop.run(self.segments())
         finally:
             controller.end()
@@ -126,7 +137,7 @@ class Run:
 
     def forecast(self, mode: Preview, horizon: int) -> Forecast:
         """What is expected over so many control steps ahead."""
-        return preview(mode, self.scenario, self.profile, self.excitation, horizon)
+        return preview(mode, self.scenario, self.speed_profile, self.excitation, horizon)
 
     def estimator(self) -> Estimator | None:
         """What estimates the state for the controller; None where it has the state itself, or none needs it."""
@@ -134,8 +145,8 @@ class Run:
         if not self.controller.actuated or scenario.estimation.kind == "exact":
             return None
         mode = filter_preview(scenario, self.controller)
-        seen = None if mode == "none" else self.forecast(mode, 1).windows[:2, :, 0].T
-        step, speed = self.excitation.grid.step / short, self.profile.initial_speed
+        seen = None if mode == "none" else self.forecast(mode, 1).disturbances[:2, :, 0].T
+        step, speed = self.excitation.grid.step / short, self.speed_profile.initial_speed
         return make_estimator(scenario, step, speed, self._disturbance(), short, mode=mode, seen=seen)
 
     def car(self) -> VehicleModel:
@@ -162,7 +173,7 @@ class Run:
             position=grid.position,
             speed=grid.speed,
             stage=list(chain.from_iterable([stage] * (last - first) for stage, first, last in self.segments())),
-            windows=forecast.windows,
+            disturbances=forecast.disturbances,
             road_height=forecast.height_now,
             noise=lambda: sensor_noise(self.scenario, steps, short)[::short],
             sample_time=grid.step,
@@ -172,8 +183,8 @@ class Run:
         """`Excitation.disturbance` by steps of the car (steps, 3 · fine steps in each)."""
         return self.excitation.disturbance.reshape(-1, DISTURBANCES * self.steps.fine // self.steps.short)
 
-    def _limits(self) -> FloatArray:
-        """Those of forces in the car's steps, as `limit_force` has them."""
+    def _force_limits(self) -> FloatArray:
+        """In the car's steps, as `limit_force` has them."""
         if not self.controller.actuated:
             return np.array([0.0, inf, inf])
         rate, saturation = self.scenario.actuator.rate_limit, self.scenario.actuator.saturation

@@ -1,0 +1,26 @@
+"""The manual beside the dashboard: it is found, searched and read without a script being refused."""
+
+import re
+
+from playwright.sync_api import expect
+
+from tests.browser.dashboard import Dashboard
+from tests.servers.process import ROOT
+
+
+def test_the_manual_is_searched(dashboard: Dashboard) -> None:
+    assert (ROOT / "build/manual/index.html").is_file(), "The manual is not built: make manual builds it"
+    page = dashboard.page
+    page.goto("/manual/")
+    expect(page.get_by_role("heading", level=1)).to_contain_text("Ridelab")
+    page.get_by_role("button", name="Search").click()
+    page.get_by_role("combobox", name="Search").fill("half-car")
+    page.get_by_role("option", name="half-car").first.click()
+    expect(page).to_have_url(re.compile("/manual/explanation/.*#half-car"))
+
+
+def test_an_unknown_address_of_the_manual_is_answered_by_the_dashboard(dashboard: Dashboard) -> None:
+    answer = dashboard.page.goto("/manual/nothing-here/")
+    assert answer is not None
+    assert answer.status == 404
+    expect(dashboard.page.get_by_role("link", name="Lab").first).to_be_visible()
