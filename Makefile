@@ -12,7 +12,7 @@ PYTEST ?= --numprocesses $(PROCESSES) --dist loadfile --no-loadscope-reorder --d
 INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --require-hashes -r
 MAKEFLAGS += --jobs=2  # packages and page, and both halves of the checks, side by side
 
-.PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust manual setup development compiler lock pin dist clean
+.PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust figures manual setup development compiler lock pin dist clean
 
 run: setup ## serve the dashboard and the API at http://$(HOST):$(PORT)
 	$(BIN)/python -m backend --host $(HOST) --port $(PORT) --data-dir $(DATA)
@@ -64,8 +64,9 @@ paper: setup ## the paper's tables against ours, cell by cell, both readings als
 	$(BIN)/ridelab paper --report paper-report.html
 	$(BIN)/ridelab paper --seeds 21-60 | tail -6
 
-screenshots: development ## docs/images again: a picture of every page
+screenshots: development ## docs/images again: a picture of every page, and the README's moving one
 	$(BIN)/python -m tests.browser.screenshots
+	$(BIN)/python -m tests.browser.moving_picture
 
 ecu: development ## the ECU's program: C sources in build/ridelab-controller, the program beside them, what it takes on an STM32F103
 	mkdir -p build
@@ -75,6 +76,9 @@ ecu: development ## the ECU's program: C sources in build/ridelab-controller, th
 	$(BIN)/ridelab controller paper --program build/ridelab-controller/ridelab_ecu
 	$(BIN)/ridelab controller paper --report
 	$(BIN)/python -m benchmarks.ecu
+
+figures: development ## the figures of the manual again, from the lines below them, and what its lines print
+	UPDATE_DOCS=1 $(BIN)/python -m pytest -q tests/architecture/test_documentation.py
 
 manual: build/manual/index.html ## the manual as pages in build/manual; the service has them at /manual/
 

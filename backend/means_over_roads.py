@@ -17,7 +17,7 @@ from sim_core.strategies import STRATEGIES
 
 MAX_ROADS = 50
 
-# Smaller changes [%] on one road may be luck (docs/explanation/physics.md, "What one run resolves").
+# Smaller changes [%] on one road may be luck (docs/explanation/luck.md).
 _RESOLUTION = 7.0
 _RESOLUTION_OF_PREDICTIVE_PEAKS = 15.0
 

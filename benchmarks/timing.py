@@ -5,18 +5,21 @@ import statistics
 import subprocess
 import sys
 from collections.abc import Callable, Iterable, Sequence
-from time import perf_counter
+from time import process_time
 
 from sim_core.scenario import Scenario
 
 
 def median_ms(work: Callable[[Scenario], object], cases: Iterable[Scenario]) -> float:
-    """Median time of `work` over cases [ms], each timed once: different ones share only what work itself keeps."""
+    """Median processor time of `work`, which has one thread, over cases [ms].
+
+    Each is timed once: different ones share only what work itself keeps.
+    """
     times = []
     for case in cases:
-        begin = perf_counter()
+        begin = process_time()
         work(case)
-        times.append(perf_counter() - begin)
+        times.append(process_time() - begin)
     return statistics.median(times) * 1000
 
 

@@ -37,6 +37,6 @@ export default {
     tsConfig: { fileName: "tsconfig.app.json" },
     tsPreCompilationDeps: true,
     doNotFollow: { path: "node_modules" },
-    exclude: { path: ["^(node_modules|[.][.])", "[.]test[.]ts$"] }, // a test may compare with what uses it
+    exclude: { path: ["^(node_modules|[.][.])", "[.]test[.]tsx?$"] }, // a test may compare with what uses it
   },
 };

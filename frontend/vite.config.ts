@@ -26,12 +26,22 @@ export default defineConfig({
     // An inlined asset would be a data: address, which the page's content security policy forbids.
     assetsInlineLimit: 0,
     reportCompressedSize: false, // nobody reads it there
-    // What the first view needs is one file: in fifty the browser's six connections take turns.
-    rolldownOptions: { output: { codeSplitting: { groups: [{ name: "first", tags: ["$initial"] }] } } },
+    // What the first view needs is one file, and so is what several others need: in fifty the browser's six connections
+    // take turns. plotly.js stays apart.
+    rolldownOptions: {
+      output: {
+        codeSplitting: {
+          groups: [
+            { name: "first", tags: ["$initial"], priority: 1 },
+            { name: "shared", minShareCount: 2, test: /^(?!.*plotly)/ },
+          ],
+        },
+      },
+    },
   },
   // Files without a page share what they import: in a process of its own each would read half of the sources again.
   test: {
-    include: ["src/**/*.test.ts", "scripts/*.test.mjs"],
+    include: ["src/**/*.test.{ts,tsx}", "scripts/*.test.mjs"],
     environment: "node",
     isolate: false,
     css: { include: [/\?raw$/] },

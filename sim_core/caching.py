@@ -5,7 +5,7 @@ Results with a few small arrays of a fixed shape, such as a car's matrices, are 
 
 from collections import OrderedDict
 from collections.abc import Callable, Hashable, Iterable
-from functools import wraps
+from functools import cache, wraps
 from threading import Lock
 from typing import Any, ParamSpec, TypeVar
 
@@ -21,23 +21,27 @@ MAX_BYTES = 48 * MEBIBYTE  # of a process: a scenario that somebody edits, under
 _ENTRY_OVERHEAD = 1024  # so that the number of small entries is bounded too [bytes]
 
 
+@cache
+def _fields(kind: type) -> tuple[str, ...]:
+    return tuple(getattr(kind, "__dataclass_fields__", ()))
+
+
 def arrays(value: Any) -> list[NDArray[Any]]:
     """Itself, those in dataclasses, tuples and dictionaries; and the arrays that these are views of."""
     collected: list[NDArray[Any]] = []
-    waiting = [value]
-    while waiting:
-        part = waiting.pop()
+    parts = [value]
+    for part in parts:  # which grow meanwhile
         if isinstance(part, np.ndarray):
             while part is not None:  # between a strided view and its array stands an object of NumPy's with a base too
                 if isinstance(part, np.ndarray):
                     collected.append(part)
                 part = getattr(part, "base", None)
         elif isinstance(part, dict):
-            waiting.extend(part.values())
+            parts += part.values()
         elif isinstance(part, tuple):
-            waiting.extend(part)
+            parts += part
         else:
-            waiting.extend([getattr(part, name) for name in getattr(part, "__dataclass_fields__", ())])
+            parts += [getattr(part, name) for name in _fields(part.__class__)]
     return collected
 
 

@@ -11,7 +11,7 @@ from typing import Any
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """One named quantity: `unit` is the SI unit, '1' for none; `symbol` as in docs/reference/nomenclature.md.
+    """One thing that is named: `unit` is the SI unit, '1' for none; `symbol` as in docs/reference/nomenclature.md.
 
     Of those in LIMITS_EXCEEDED, `notable` is the value [unit] from which on a warning is shown.
     """

@@ -1,7 +1,8 @@
 """What a simulation returns: metrics always, time histories beside them."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass
+from functools import cached_property
 from typing import Any
 
 from sim_core.arrays import FloatArray
@@ -9,18 +10,22 @@ from sim_core.catalogue import SIGNALS
 
 
 class Series(Mapping[str, FloatArray]):
-    """Time histories, put together when they are asked for: most runs are asked for their metrics alone.
+    """Time histories, made when they are asked for: most runs are asked for their metrics alone.
 
     Args:
         shared: Signals as they are returned, all of one length.
-        columns: The others, each with a column for every held command (samples + 1, n): its last sample is the value
-            before the next command, which the histories leave out.
+        columns: Gives the others, each with a column for every held command (samples + 1, n): its last sample is the
+            value before the next command, which the histories leave out.
     """
 
-    def __init__(self, shared: Mapping[str, FloatArray], columns: Mapping[str, FloatArray]) -> None:
+    def __init__(self, shared: Mapping[str, FloatArray], columns: Callable[[], Mapping[str, FloatArray]]) -> None:
         self._shared = shared
-        self._columns = columns
+        self._make_columns = columns
         self._length = len(shared["time"])
+
+    @cached_property
+    def _columns(self) -> Mapping[str, FloatArray]:
+        return self._make_columns()
 
     def __getitem__(self, key: str) -> FloatArray:
         """The history of a signal (samples,), put together anew each time: long ones would take as much again."""

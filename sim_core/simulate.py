@@ -6,11 +6,15 @@ from sim_core.errors import RidelabError
 from sim_core.loop.excitation import excite, step_sizes
 from sim_core.loop.run import Run
 from sim_core.metrics.evaluate import evaluate
+from sim_core.metrics.recorder import make_recorder
 from sim_core.result import StrategyResult
-from sim_core.scenario import Scenario
+from sim_core.scenario import Bump, Road, Scenario
 from sim_core.speed.profile import make_speed_profile
 from sim_core.speed.stages import spans
 from sim_core.strategies import make_controller, resolve_speed_plan
+
+# No control law depends on the road; a Kalman filter depends on its roughness alone.
+ANY_ROAD = Road(roughness=0, length=30, bump=Bump(height=0, start=20))
 
 
 @one_thread()
@@ -36,7 +40,8 @@ def simulate(scenario: Scenario, strategy: str | type[Controller] | Controller) 
         True
     """
     run = prepare(scenario, strategy)
-    return evaluate(run, run.drive())
+    recorder = make_recorder(run)
+    return evaluate(run, recorder, run.drive(recorder))
 
 
 def prepare(scenario: Scenario, strategy: str | type[Controller] | Controller) -> Run:

@@ -124,14 +124,15 @@ def samples(scenario: Scenario, strategy: type[Controller], time: float) -> tupl
 def memory(scenario: Scenario, strategy: type[Controller], time: float) -> float:
     """About the most that a run's arrays take at once, given its time over the road [s] [bytes].
 
-    Measured: a signal's samples are 8 bytes each, and most signals are there twice while they are recorded.
+    Measured. It is driven first, with what is previewed where that is no view of the road ahead; then its time
+    histories are made, each sample 8 bytes.
     """
     steps, fine = samples(scenario, strategy, time)
-    each = 250.0 + 165.0 * fine
+    controller = strategy().for_scenario(scenario)
+    previewed = {"none": 8.0, "wheelbase": 58.0}.get(controller.preview, 0.0) * controller.preview_steps
+    each = 250.0 + max(165.0 * fine, 85.0 * fine + previewed)
     if strategy.actuated and scenario.estimation.kind != "exact":
         each += 300.0
-    if issubclass(strategy, PredictiveController):  # three disturbances at each step of the horizon
-        each += 100.0 + 24.0 * scenario.mpc.prediction_horizon
     if issubclass(strategy, EcuController):  # what went over its channels
         each += 3300.0
     return steps * each

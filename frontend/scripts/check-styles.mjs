@@ -1,4 +1,4 @@
-// Mantine's styles are named one by one in src/app/mantine.css: the build fails where a component lacks its own.
+// Mantine's styles are named one by one in src/app/mantine.css and src/ui/mantine.css: the build fails where a component lacks its own.
 import { readdirSync, readFileSync } from "node:fs";
 
 const classes = (text) => new Set(text.match(/\bm_[0-9a-f]{6,8}\b/g));
@@ -17,4 +17,4 @@ const missing = readdirSync(folder).filter(
     name.endsWith(".layer.css") &&
     [...classes(readFileSync(`${folder}/${name}`, "utf8"))].some((each) => used.has(each) && !styled.has(each)),
 );
-if (missing.length > 0) throw new Error(`src/app/mantine.css lacks ${missing.join(", ")}`);
+if (missing.length > 0) throw new Error(`src/ui/mantine.css lacks ${missing.join(", ")}`);

@@ -9,9 +9,11 @@ takes the id of one in `sim_core.STRATEGIES`.
 `sim_core.check_controller` tells what is wrong with a controller.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
+from functools import cache
+from operator import attrgetter
 from typing import Annotated, Any, ClassVar, Self, get_type_hints
 
 import numpy as np
@@ -269,12 +271,17 @@ def scenario_value(scenario: Scenario, name: str) -> Any:
     Raises:
         UnknownNameError: A scenario has no such field.
     """
-    part: Any = scenario
+    return _getter(name)(scenario)
+
+
+@cache
+def _getter(name: str) -> Callable[[Scenario], Any]:
+    part: Any = _DEFAULTS
     for key in name.split("."):
         if key not in type(part).model_fields:
             raise UnknownNameError(f"A scenario has no field {name}; there are {', '.join(dotted.offered(name))}")
         part = getattr(part, key)
-    return part
+    return attrgetter(name)
 
 
 def checked_value(kind: type[Controller], name: str, value: Any) -> Any:

@@ -1,4 +1,4 @@
-"""The normalised cost LQR and MPC share (Eq. 16's normalisation; docs/explanation/physics.md, "Cost").
+"""The normalised cost LQR and MPC share (Eq. 16's normalisation; docs/explanation/cost-and-lqr.md).
 
     q1 (z̈_b/σ_a)² + q2 (θ̈/σ_θ)² + q3 [(F_t1/σ_F1)² + (F_t2/σ_F2)²] + q4 [(d_1/d_max)² + (d_2/d_max)²] + R (u_1² + u_2²)
 
@@ -76,7 +76,7 @@ def _interval_means(vehicle: Vehicle, sample_time: float) -> FloatArray:
 class CostTerms:
     """All that the cost of one stage depends on; `Setup.cost` gives those of a run.
 
-    docs/explanation/physics.md, "Cost", has the formulas.
+    docs/explanation/cost-and-lqr.md has the formulas.
 
     Attributes:
         vehicle: The car.

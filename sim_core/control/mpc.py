@@ -16,7 +16,7 @@ _COSTLY_FIELDS = "mpc.control_horizon", "mpc.prediction_horizon", "mpc.sample_ti
 
 
 class PredictiveController(Controller):
-    """MPC with preview: a linear law while no limit binds, else a QP (docs/explanation/physics.md, "MPC").
+    """MPC with preview: a linear law while no limit binds, else a QP (docs/explanation/mpc.md).
 
     A QP's answer is verified. Where it fails the other solver is asked, and where both fail the previous force is held.
     A subclass gives the weights of each driving stage.

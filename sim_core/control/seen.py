@@ -7,9 +7,9 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.control.cost import CostTerms
+from sim_core.kernel.prepared import DrivenCar
 from sim_core.scenario import Vehicle, Weights
 from sim_core.vehicle.half_car import STATES
-from sim_core.vehicle.model import VehicleModel
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,7 +57,7 @@ class Setup:
     def cost(self, weights: Weights, deflection_weight: float, force_weight: float) -> CostTerms:
         """The normalised cost that LQR and MPC minimise, of this run's car and limits.
 
-        docs/explanation/physics.md, "Cost", has the formulas.
+        docs/explanation/cost-and-lqr.md has the formulas.
 
         Args:
             weights: Of body acceleration, pitch acceleration and tyre load: q1, q2, q3 [1].
@@ -121,7 +121,7 @@ class Seen:
     """
 
     _inputs: RunInputs
-    _car: VehicleModel
+    _car: DrivenCar
     step: int
     _car_step: int  # number of the car's step that begins then
     _car_state: FloatArray

@@ -17,21 +17,21 @@ from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller
 from sim_core.control.law import LinearLaw
 from sim_core.loop.closed_loop import law_arrays
-from sim_core.loop.excitation import step_sizes
 from sim_core.loop.preview import Forecast
-from sim_core.loop.run import filter_preview, make_setup
-from sim_core.scenario import Actuator, Bump, Mismatch, Road, Scenario, Vehicle
-from sim_core.speed.profile import make_speed_profile
-from sim_core.strategies import make_controller, resolve_speed_plan
+from sim_core.loop.run import filter_preview
+from sim_core.scenario import Actuator, Mismatch, Scenario, Vehicle
+from sim_core.simulate import ANY_ROAD, prepare
+from sim_core.strategies import make_controller
 from sim_core.vehicle.estimator import make_estimator
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 from sim_core.vehicle.linear import control_step
+from sim_core.vehicle.make import make_vehicle
 from sim_core.vehicle.model import Estimator
-from sim_core.vehicle.nonlinear import NonlinearCar
 from sim_core.vehicle.plant import plant
 
 _SETTLED = 8.0  # by then only the motion of a loop with unequal dampers that dies out last is left [s]
 _BLOCK = 100  # control steps after which its motion is brought back to size 1
+_STILL = np.zeros((2, _BLOCK + 1)), np.zeros(_BLOCK)  # road and braking
 _NO_PREVIEW = Forecast(
     disturbances=np.zeros((DISTURBANCES, _BLOCK, 0)),
     source=np.zeros(0),
@@ -39,8 +39,6 @@ _NO_PREVIEW = Forecast(
     height_now=np.zeros((2, _BLOCK)),
 )
 _NEGLIGIBLE = 1e-6  # a mode with a smaller eigenvalue has died out after one control step
-# No control law depends on the road; a Kalman filter depends on its roughness alone.
-_ANY_ROAD = Road(roughness=0, length=30, bump=Bump(height=0, start=20))
 
 
 def least_damping(scenario: Scenario, strategy: str | type[Controller] | Controller) -> float | None:
@@ -66,18 +64,16 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
     instance = make_controller(strategy)
     believed = scenario.model_copy(
         update={
-            "road": _ANY_ROAD,
+            "road": ANY_ROAD,
             "mismatch": Mismatch(),
             "mpc": scenario.mpc.model_copy(update={"preview": "none"}),
             "lqr": scenario.lqr.model_copy(update={"preview": "none"}),
         }
     )
-    controller = instance.for_scenario(believed)
+    run = prepare(believed, instance)
+    controller, setup = run.controller, run.setup()
     if controller.delayed or controller.dampers() is not None:
         return None
-    plan = resolve_speed_plan(type(instance), scenario.speed.policy)
-    speed_profile = make_speed_profile(believed, plan)
-    setup = make_setup(believed, controller, speed_profile, step_sizes(believed, controller, plan))
     controller.start(setup)
     of_stages = [controller.linear_law(stage) for stage in setup.stages]
     controller.end()
@@ -87,9 +83,9 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
     vehicle, actuator = scenario.real_vehicle, scenario.actuator if instance.actuated else Actuator()
     step, estimator = setup.sample_time, None
     if instance.actuated:
-        mode, still = filter_preview(scenario, instance.for_scenario(scenario)), np.zeros((1, DISTURBANCES))
-        estimator = make_estimator(scenario, step, speed_profile.initial_speed, still, mode=mode)
-    A, B = control_step(plant(vehicle, actuator, step, 1), vehicle, estimator)
+        mode, still = filter_preview(scenario, instance.for_scenario(scenario)), np.zeros((1, 1))
+        estimator = make_estimator(scenario, step, setup.initial_speed, still, mode=mode)
+    A, B = control_step(plant(vehicle, actuator, step), vehicle, estimator)
     loops = [closed_loop_matrix(A, B, law) for law in laws]
     of_modes = [damping(loop, step) for loop in loops]
     if vehicle.rebound_ratio == 1 or not instance.actuated:  # dampers alone only take energy out
@@ -129,7 +125,7 @@ def _last_motion(
     near_rest = vehicle.model_copy(update={"bump_stop_clearance": None, "tyre_lift_off": False})
     if estimator is not None:
         estimator = replace(estimator, input=np.zeros((_BLOCK, STATES)))
-    car = NonlinearCar(near_rest, actuator, step, np.zeros((_BLOCK, DISTURBANCES)), _BLOCK, estimator)
+    car = make_vehicle(near_rest, actuator, step, 1, *_STILL, estimator=estimator)
     motion = np.ones((_BLOCK + 1, len(loop)))
     free = law_arrays(LinearLaw(gain=law.gain), _NO_PREVIEW, np.full(3, inf), clips=True)
     follow = car.follow_law(free, motion)

@@ -12,6 +12,7 @@ from sim_core.kernel import build
 
 INT, DOUBLE, NAME = ctypes.c_int, ctypes.c_double, ctypes.c_char_p
 _BYTE = ctypes.c_char.from_buffer
+_CONTIGUOUS, _ALIGNED, _WRITEABLE = 0x1, 0x100, 0x400  # bits of `numpy.ndarray.flags`
 _FILE = Path(__file__).with_name("libridelab.so.1")  # no Python module, so not called like one
 _NOT_BUILT = (
     "The core's C is not compiled, or not from these sources: install Ridelab with `make setup` or from its wheel"
@@ -33,10 +34,11 @@ class Array:
     def __init__(
         self, *shape: int, ndim: int | None = None, dtype: type[np.generic] = np.float64, written: bool = False
     ) -> None:
-        self._shape, self._ndim, self._dtype, self._written = shape, ndim, np.dtype(dtype), written
+        self._shape, self._ndim, self._dtype = shape, ndim, np.dtype(dtype)
+        self._flags = _CONTIGUOUS | _ALIGNED | (_WRITEABLE if written else 0)
 
-    def from_param(self, value: Any) -> ctypes.c_void_p:
-        """Where C finds the numbers of an array, which this keeps alive; `ctypes` calls it for each argument.
+    def from_param(self, value: Any) -> Any:
+        """Where C finds the numbers of an array; `ctypes` calls it for each argument.
 
         Raises:
             TypeError: It is no such array.
@@ -45,13 +47,12 @@ class Array:
             raise TypeError(f"C takes an array of {self._dtype} here")
         if (self._shape and value.shape != self._shape) or value.ndim != (self._ndim or value.ndim):
             raise TypeError(f"C takes an array of {self._shape or self._ndim} here, not of {value.shape}")
-        flags = value.flags
-        if not (flags.c_contiguous and flags.aligned and flags.writeable >= self._written):
+        flags = value.flags.num
+        if flags & self._flags != self._flags:
             raise TypeError("C takes contiguous, aligned arrays, and writes into writeable ones")
-        fast = flags.writeable and value.size  # a quarter of the time that `ctypes.data` takes
-        pointer = ctypes.c_void_p(ctypes.addressof(_BYTE(value.data)) if fast else value.ctypes.data)
-        pointer.array = value  # type: ignore[attr-defined]  # a c_void_p takes any attribute
-        return pointer
+        if flags & _WRITEABLE and value.size:  # a third of the time that `ctypes.data` takes
+            return ctypes.byref(_BYTE(value.data))
+        return ctypes.c_void_p(value.ctypes.data)
 
 
 def load(file: Path, expected: str | None) -> ctypes.CDLL:
@@ -84,9 +85,9 @@ DIGEST: str = _LIBRARY.ridelab_digest().decode()  # SHA-256 of the C and of the 
 class Prepared:
     """What C has made of arrays, for many calls; it keeps them alive."""
 
-    def __init__(self, memory: Any, arguments: list[Any]) -> None:
+    def __init__(self, memory: Any, values: tuple[Any, ...]) -> None:
         self._as_parameter_ = memory
-        self._arguments = arguments
+        self._values = values
 
     @staticmethod
     def from_param(value: Any) -> Any:
@@ -142,7 +143,9 @@ class Function:
             TypeError: An argument is of another type, shape or order, or cannot be written.
         """
         first = zip(self._arguments, values, strict=False)
-        return partial(self._unchecked, *[kind.from_param(value) for kind, value in first])
+        bound = partial(self._unchecked, *[kind.from_param(value) for kind, value in first])
+        bound.values = values  # type: ignore[attr-defined]  # it takes any attribute
+        return bound
 
     def prepare(self, *values: Any) -> Prepared:
         """What the function makes of these arguments, in memory that it takes before them.
@@ -153,7 +156,7 @@ class Function:
         memory = ctypes.create_string_buffer(_PREPARED_BYTES)
         arguments = [kind.from_param(value) for kind, value in zip(self._arguments, values, strict=True)]
         self._unchecked(memory, *arguments)
-        return Prepared(memory, arguments)
+        return Prepared(memory, values)
 
 
 def require(agreed: bool, what: str) -> None:

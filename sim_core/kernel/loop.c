@@ -1,4 +1,4 @@
-/* Controller and car over many control steps (sim_core/loop/closed_loop.py), and the linear car's step. */
+/* Controller and car over many control steps (sim_core/loop/closed_loop.py). */
 
 #include "loop.h"
 
@@ -34,16 +34,6 @@ int ridelab_limit_force(const double *limits, const double *wanted, const double
     return shaped;
 }
 
-void ridelab_add_columns(const double (*restrict columns)[10], const double *restrict factors, int count,
-                         double *restrict sum)
-{
-    for (int i = 0; i < 10; i++)
-        sum[i] = columns[0][i] * factors[0];
-    for (int column = 1; column < count; column++)
-        for (int i = 0; i < 10; i++)
-            sum[i] += columns[column][i] * factors[column];
-}
-
 /* What the law multiplies in a control step: the car's state, the previous force, the preview, one kind after another. */
 static void look(const struct law *law, int step, const double *now, const double *previous)
 {
@@ -56,28 +46,46 @@ static void look(const struct law *law, int step, const double *now, const doubl
                horizon * sizeof(double));
 }
 
+/* How many numbers are not within their limit. */
+static double beyond(const double *values, int count)
+{
+    double counts[TOGETHER] = {0};
+    int i = 0;
+    for (; i + TOGETHER <= count; i += TOGETHER)
+        TWO_AT_ONCE
+        for (int part = 0; part < TOGETHER; part++)
+            counts[part] += values[i + part] <= WITHIN ? 0 : 1;
+    for (; i < count; i++)
+        counts[0] += values[i] <= WITHIN ? 0 : 1;
+    return total(counts);
+}
+
 /* Whether every row is within its limit. By Cauchy and Schwarz a row comes to no more than the norms of its parts times
-   the sizes of what they are on: most rows need no closer look, and few of the others one beyond their first part. */
+   the sizes of what they are on: most steps need no closer look, and most rows none beyond their first part. */
 static int holds(const struct law *law, int step)
 {
     int rows = (int)law->numbers->rows, steps = (int)law->numbers->steps;
     int columns = INPUTS + DISTURBANCES * (int)law->numbers->horizon;
-    const double *restrict norms = law->norms, *size = law->sizes + step;
-    double *restrict on_preview = law->inputs + columns, squares = 0;
+    const double *restrict norms = law->norms, *restrict first_part = norms + NORMS * rows, *size = law->sizes + step;
+    double *restrict inputs = law->inputs, *restrict most = inputs + columns, squares = 0;
     for (int i = 0; i < INPUTS; i++)
-        squares += law->scale[i] * law->scale[i] * law->inputs[i] * law->inputs[i];
+        squares += law->scale[i] * law->scale[i] * inputs[i] * inputs[i];
     double on_state = sqrt(squares), mean = size[0], front = size[steps], rear = size[2 * (ptrdiff_t)steps];
     double braking = size[3 * (ptrdiff_t)steps];
     for (int i = 0; i < rows; i++)
-        on_preview[i] = norms[rows + i] * mean + norms[2 * rows + i] * front + norms[3 * rows + i] * rear +
-                        norms[4 * rows + i] * braking;
+        most[i] = norms[i] * on_state + (norms[rows + i] * mean + norms[2 * rows + i] * front +
+                                         norms[3 * rows + i] * rear + norms[4 * rows + i] * braking);
+    if (beyond(most, rows) == 0)
+        return 1;
     for (int i = 0; i < rows; i++) {
-        const double *row = law->limits + (ptrdiff_t)columns * i;
-        if (!(norms[i] * on_state + on_preview[i] <= WITHIN) &&
-            !(fabs(dot(row, law->inputs, INPUTS)) + on_preview[i] <= WITHIN) &&
-            !(fabs(dot(row, law->inputs, columns)) <= WITHIN))
-            return 0;
+        double exact = 0;
+        for (int column = 0; column < INPUTS; column++)
+            exact += first_part[column * rows + i] * inputs[column];
+        most[i] += fabs(exact) - norms[i] * on_state;
     }
+    for (int i = 0; i < rows; i++)
+        if (!(most[i] <= WITHIN) && !(fabs(dot(law->limits + (ptrdiff_t)columns * i, inputs, columns)) <= WITHIN))
+            return 0;
     return 1;
 }
 
@@ -87,10 +95,10 @@ static int holds(const struct law *law, int step)
 int ridelab_follow_law(struct car *car, const struct law *law, double *loop, int *limited, int first, int last)
 {
     const struct law_numbers *numbers = law->numbers;
-    int width = car->size + FORCES, previewed = DISTURBANCES * (int)numbers->horizon;
+    int size = ridelab_car_size(car), width = size + FORCES, previewed = DISTURBANCES * (int)numbers->horizon;
     for (int step = first; step < last; step++) {
         double *now = loop + (ptrdiff_t)width * step, *next = now + width, wanted[FORCES], command[FORCES];
-        const double *previous = now + car->size;
+        const double *previous = now + size;
         int beyond = 0, lost = 0, by_qp = 0;
         look(law, step, now, previous);
         for (int axle = 0; axle < FORCES; axle++) {
@@ -106,8 +114,8 @@ int ridelab_follow_law(struct car *car, const struct law *law, double *loop, int
                 return step;
         }
         *limited += ridelab_limit_force(numbers->force_limits, wanted, previous, command) | by_qp;
-        car->advance(car, step, now, command, next);
-        memcpy(next + car->size, command, sizeof command);
+        ridelab_drive(car, step, now, command, next);
+        memcpy(next + size, command, sizeof command);
     }
     return last;
 }
@@ -115,8 +123,9 @@ int ridelab_follow_law(struct car *car, const struct law *law, double *loop, int
 /* One control step whose command stands in the next row already. */
 void ridelab_advance(struct car *car, double *loop, int step)
 {
-    double *now = loop + (ptrdiff_t)(car->size + FORCES) * step, *next = now + car->size + FORCES;
-    car->advance(car, step, now, next + car->size, next);
+    int size = ridelab_car_size(car);
+    double *now = loop + (ptrdiff_t)(size + FORCES) * step, *next = now + size + FORCES;
+    ridelab_drive(car, step, now, next + size, next);
 }
 
 void ridelab_prepare_law(struct law *law, const struct law_numbers *numbers, const double *gain,
@@ -128,23 +137,23 @@ void ridelab_prepare_law(struct law *law, const struct law_numbers *numbers, con
     *law = (struct law){numbers, gain, preview_gain, limits, scale, norms, preview, sizes, inputs, qp, qp_run};
 }
 
-/* A linear car: p' = A p + B u + forcing; A is size x size, B size x 2, forcing steps x size. */
-struct linear_car {
-    struct car car;
-    const double *A, *B, *forcing;
-};
-
-static void advance_linear(struct car *car, int step, const double *now, const double *command, double *next)
+/* What `law.sizes` has of each window that slides over what is previewed (3 x count): sums of `horizon` numbers and of their
+   squares, from one window to the next. */
+void ridelab_window_sizes(const double *ahead, int count, int horizon, double *sizes)
 {
-    const struct linear_car *me = (const struct linear_car *)car;
-    int size = car->size;
-    for (int i = 0; i < size; i++)
-        next[i] = dot(me->A + size * i, now, size) + dot(me->B + FORCES * i, command, FORCES) +
-                  me->forcing[(ptrdiff_t)size * step + i];
-}
-
-void ridelab_prepare_linear_car(struct linear_car *me, int size, const double *A, const double *B, const double *forcing)
-{
-    _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a car is prepared in memory of that size");
-    *me = (struct linear_car){{advance_linear, size}, A, B, forcing};
+    int windows = count - horizon + 1;
+    for (int kind = 0; kind < DISTURBANCES; kind++, ahead += count) {
+        double *norm = sizes + (ptrdiff_t)windows * (1 + kind), sum = 0, squares = 0;
+        for (int i = 0; i < count; i++) {
+            double leaves = i < horizon ? 0 : ahead[i - horizon];
+            sum += ahead[i] - leaves;
+            squares += ahead[i] * ahead[i] - leaves * leaves;
+            if (i + 1 < horizon)
+                continue;
+            double mean = sum / horizon, about = kind == DISTURBANCES - 1 ? squares - horizon * mean * mean : squares;
+            norm[i + 1 - horizon] = about > 0 ? sqrt(about) : 0;
+            if (kind == DISTURBANCES - 1)
+                sizes[i + 1 - horizon] = fabs(mean);
+        }
+    }
 }

@@ -2,7 +2,10 @@
 #ifndef RIDELAB_LOOP_H
 #define RIDELAB_LOOP_H
 
-enum { STATE = 8, AXLES = 2, FORCES = 2, INPUTS = STATE + FORCES, DISTURBANCES = 3 };
+enum { STATE = 8, AXLES = 2, FORCES = 2, INPUTS = STATE + FORCES, DISTURBANCES = 3, NORMS = 5 };
+
+/* Before a short loop over numbers that do not depend on each other: gcc would unroll it before it sees that. */
+#define TWO_AT_ONCE _Pragma("GCC unroll 1")
 
 /* All numbers, as they come from outside. */
 struct law_numbers {
@@ -33,7 +36,7 @@ struct law {
     const double *preview_gain; /* 2 x 3 horizon */
     const double *limits;       /* rows x (10 + 3 horizon) */
     const double *scale;        /* 10: of the state and the previous force, where `norms` have them together */
-    const double *norms;        /* 5 x rows: of a row's parts on what `sizes` measures */
+    const double *norms;        /* NORMS x rows: of a row's parts on what `sizes` measures; then INPUTS x rows: the first */
     const double *preview;      /* both road velocities and the deceleration in each coming step */
     const double *sizes;        /* 4 x steps: of the mean deceleration previewed, both velocities, its difference */
     double *inputs;             /* 10 + 3 horizon numbers that the law multiplies in the present step; and one a row */
@@ -41,20 +44,25 @@ struct law {
     struct qp_run *qp_run;
 };
 
-/* What a car's state is at the end of a control step from what it is now, and the command [N]. */
+/* A half-car on its road (car.c). */
 struct car;
-typedef void advance_function(struct car *car, int step, const double *now, const double *command, double *next);
 
-/* Each kind of car begins with it. */
-struct car {
-    advance_function *advance;
-    int size; /* numbers of its state */
-};
+/* Numbers of its state. */
+int ridelab_car_size(const struct car *car);
+
+/* Its state at the end of a control step from what it is now, and the command [N]; a recorder measures the step. */
+void ridelab_drive(struct car *car, int step, const double *now, const double *command, double *next);
 
 /* Some sums beside each other: one alone would wait for each addition. */
+enum { TOGETHER = 8 };
+
+static inline double total(const double *sum)
+{
+    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+}
+
 static inline double dot(const double *a, const double *b, int count)
 {
-    enum { TOGETHER = 8 };
     double sum[TOGETHER] = {0};
     int i = 0;
     for (; i + TOGETHER <= count; i += TOGETHER)
@@ -62,13 +70,10 @@ static inline double dot(const double *a, const double *b, int count)
             sum[part] += a[i + part] * b[i + part];
     for (; i < count; i++)
         sum[0] += a[i] * b[i];
-    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+    return total(sum);
 }
 
-/* The sum of columns of ten numbers, each times its factor. */
-void ridelab_add_columns(const double (*columns)[10], const double *factors, int count, double *sum);
-
 /* Bytes that are enough for a law or a car of any kind. */
-enum { RIDELAB_PREPARED = 32768 };
+enum { RIDELAB_PREPARED = 1024 };
 
 #endif

@@ -11,14 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.binding import LAYOUT
 from sim_core.kernel.library import DOUBLE, INT, Array, Function, Optional, Prepared, require
 from sim_core.kernel.qp import QpDesign, QpMemory
+from sim_core.kernel.record import LAYOUT, SIGNALS, Recorder
 
-CAR, ESTIMATOR = 33, 112  # numbers of `struct vehicle` and `struct estimator` of nonlinear_car.c
+CAR, ESTIMATOR = 33, 112  # numbers of `struct vehicle` and `struct estimator` of car.c
 ECU_ANSWER, _STAGES = 5, 3  # numbers of an answer in ecu.c, stages of the ECU's tables
-_LAW_NUMBERS, _SIZES = 9, 5  # of `struct law_numbers` in loop.h; columns of a law's norms
-_STATES, _LAGGING, _FORCES, _LAW_INPUTS, _DISTURBANCES, _MEASURED, _SIGNALS = 8, 10, 2, 10, 3, 4, 10
+_LAW_NUMBERS, _SIZES = 9, 4  # of `struct law_numbers` in loop.h; magnitudes of what is previewed
+CAUSES, NUMBERS, _STEPS = 20, 10, 16  # of `struct linear_step` in car.c, and how many are kept
+_STATES, _LAGGING, _FORCES, _LAW_INPUTS, _DISTURBANCES, _MEASURED = 8, 10, 2, 10, 3, 4
 _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
 _LINE_OUT, _TABLE_OUT, _LINES_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2, 3))
 
@@ -40,13 +41,12 @@ _prepare_law = Function(
     *(Array(_LAW_NUMBERS), Array(_FORCES, _LAW_INPUTS), _TABLE, _TABLE),
     *(Array(_LAW_INPUTS), _TABLE, Array(), _TABLE, _LINE_OUT, Optional, Optional),
 )
-_prepare_linear_car = Function("prepare_linear_car", INT, _TABLE, _TABLE, _TABLE)
-_prepare_nonlinear_car = Function(
-    "prepare_nonlinear_car",
-    *(Array(CAR), INT, INT, Array(ESTIMATOR), _TABLE),
-    *(INT, _LINE, Array(LAYOUT), _TABLE, _TABLE),
-    *(_TABLE, INT, INT, INT, DOUBLE, _LINES_OUT, INT),
+_prepare_car = Function(
+    "prepare_car",
+    *(Array(CAR), INT, INT, _TABLE_OUT, INT, Array(ESTIMATOR), _TABLE),
+    *(INT, _LINE, Array(LAYOUT), _TABLE, _TABLE, _TABLE, _LINE, INT, INT, INT, DOUBLE, Optional),
 )
+_sample = Function("sample", Prepared, _TABLE, INT, INT, _LINES_OUT)
 _follow_law = Function(
     "follow_law", Prepared, Prepared, _TABLE_OUT, Array(1, dtype=np.intc, written=True), INT, INT, result=INT
 )
@@ -54,7 +54,7 @@ _limit_force = Function(
     "limit_force", Array(3), Array(_FORCES), Array(_FORCES), Array(_FORCES, written=True), result=INT
 )
 _advance = Function("advance", Prepared, _TABLE_OUT, INT)
-_measure = Function("measure", Prepared, _LINE, Array(_FORCES), DOUBLE, Array(_MEASURED, written=True))
+_measure = Function("measure", Prepared, INT, _LINE, Array(_FORCES), Array(_MEASURED, written=True))
 
 
 def ecu_step(
@@ -111,7 +111,7 @@ class LawArrays:
         limits: (rows, 10 + 3 · horizon).
         scale: Of the state and the previous force, where `norms` have them together (10,).
         norms: Of each row's parts on the scaled state and force, on the mean deceleration, on both road velocities, and
-            on the deceleration's difference from its mean (5, rows).
+            on the deceleration's difference from its mean; then the first ten columns of `limits` (15, rows).
         preview: An array with all that is previewed.
         strides: How many numbers further the next kind of disturbance and the next control step are in it.
         sizes: Magnitudes of what is previewed in each step, for the last four of the norms (4, steps).
@@ -145,17 +145,18 @@ class LawArrays:
         require(
             self.limits.shape == (rows, _LAW_INPUTS + _DISTURBANCES * horizon), "Limits on everything the law knows"
         )
-        require(self.norms.shape == (_SIZES, rows) and len(self.sizes) == _SIZES - 1, "Norms of each limit and step")
+        require(self.norms.shape == (1 + _SIZES + _LAW_INPUTS, rows), "Norms and columns of each limit")
+        require(len(self.sizes) == _SIZES, "Four magnitudes in each step")
         require(
             min(kind, step) >= 0 and (beyond <= self.preview.size or not horizon), "What is previewed in every step"
         )
         numbers = np.array([rows, horizon, kind, step, steps, self.clips, *self.force_limits], dtype=np.float64)
         inputs = _LAW_INPUTS + _DISTURBANCES * horizon
-        by_row, work = (self.limits, self.scale, self.norms), np.empty(inputs + rows)
         design, memory = self.qp or (None, None)
         qp = memory.both(design, inputs) if memory and design else (None, None)
         previewed = self.preview, self.sizes
-        return _prepare_law.prepare(numbers, self.gain, self.preview_gain, *by_row, *previewed, work, *qp)
+        gains, by_row = (self.gain, self.preview_gain), (self.limits, self.scale, self.norms)
+        return _prepare_law.prepare(numbers, *gains, *by_row, *previewed, np.empty(inputs + rows), *qp)
 
     @property
     def steps(self) -> int:
@@ -169,14 +170,70 @@ FollowLaw = Callable[[int, int], tuple[int, int]]
 class DrivenCar:
     """A car over its whole drive, of which a call takes some control steps.
 
+    `size` numbers are the state p: the half-car's (8,), then a lagging actuator's forces [N] (2,). With an estimator
+    its estimate (8,) comes before them, so that p begins with what a controller acts on.
+
     Args:
-        prepared: It, as C has it.
-        size: Numbers of its state.
+        vehicle: (33,), as `struct vehicle` of car.c has them.
+        states: 8, or 10 with a lagging actuator's.
+        effects: A linear car's fine step (20, 10), as `struct linear_step` has it; None of another.
         steps: Control steps of the drive.
+        fine: Fine steps in each.
+        estimator: (112,), as `struct estimator` has them; None without one.
+        estimator_input: What is fed to it beforehand (steps, 8); of no steps without one.
+        road: Its samples (m,) [m] and layout (9,), the positions (2, n + 1) [m] of both axles at the ends of all fine
+            steps, means and moments above chords (n, 4) [m]; None where the road is straight within a fine step.
+        height: Of the road under both axles at the ends of all fine steps (2, n + 1) [m].
+        braking: Deceleration in each fine step (n,) [m/s^2].
+        substeps: Of Runge-Kutta in a fine step.
+        fine_step: In s.
+        recorder: Of its drive; None where nothing is measured.
+
+    Raises:
+        ValueError: Sizes disagree.
     """
 
-    def __init__(self, prepared: Prepared, size: int, steps: int) -> None:
-        self._prepared, self._size, self._steps = prepared, size, steps
+    def __init__(
+        self,
+        *,
+        vehicle: FloatArray,
+        states: int,
+        effects: FloatArray | None,
+        steps: int,
+        fine: int,
+        estimator: FloatArray | None,
+        estimator_input: FloatArray,
+        road: tuple[FloatArray, FloatArray, FloatArray, FloatArray] | None,
+        height: FloatArray,
+        braking: FloatArray,
+        substeps: int,
+        fine_step: float,
+        recorder: Recorder | None,
+    ) -> None:
+        all_fine, linear, estimates = steps * fine, effects is not None, estimator is not None
+        require(states in (_STATES, _LAGGING), "A state of 8 or 10 numbers")
+        require(min(steps, fine, substeps) > 0 and fine_step > 0, "A step or more")
+        require(height.shape == (2, all_fine + 1) and len(braking) == all_fine, "Road and braking in every fine step")
+        kept = np.zeros((1 if linear else _STEPS, 2 + CAUSES * NUMBERS))
+        if effects is not None:
+            require(effects.shape == (CAUSES, NUMBERS), "A linear step")
+            kept[0, 1], kept[0, 2:] = fine_step, effects.ravel()
+        require(not estimates or estimator_input.shape == (steps, _STATES), "The estimator's input in every step")
+        on_record = recorder is None or (recorder.fine, recorder.steps) == (fine, steps)
+        require(on_record, "A recorder of this drive")
+        samples, layout, position, within = road or (np.empty(0), np.zeros(LAYOUT), np.empty((0, 0)), np.empty((0, 0)))
+        if road is not None:
+            require(len(samples) > 1 and not linear, "A road has two samples at least; to a linear car it is straight")
+            require(
+                position.shape == (2, all_fine + 1) and within.shape == (all_fine, 4), "The road of every fine step"
+            )
+        self._prepared = _prepare_car.prepare(
+            *(vehicle, states, int(linear), kept),
+            *(int(estimates), np.zeros(ESTIMATOR) if estimator is None else estimator, estimator_input),
+            *(len(samples), samples, layout, position, within),
+            *(height, braking, steps, fine, substeps, fine_step, recorder and recorder.prepared),
+        )
+        self.size, self._steps, self.fine = states + (_STATES if estimates else 0), steps, fine
 
     def follow_law(self, law: LawArrays, loop: FloatArray) -> FollowLaw:
         """Drive it by a law.
@@ -219,75 +276,38 @@ class DrivenCar:
         self._check(loop)
         _advance(self._prepared, loop, step)
 
-    def measure(self, state: FloatArray, command: FloatArray, braking: float) -> FloatArray:
-        """What a nonlinear car's own sensors give (4,), from its state, command (2,) [N] and braking [m/s^2].
+    def measure(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
+        """half_car.MEASURED_OUTPUTS (4,) at the beginning of a control step, without noise.
+
+        Args:
+            step: Index of the control step.
+            state: p (size,) then.
+            command: Held until then (2,) [N].
 
         Raises:
-            ValueError: The state is another car's.
+            ValueError: The state is another car's, or the step beyond the drive.
         """
-        require(len(state) == self._size, "The state of this car")
+        require(len(state) == self.size and 0 <= step < self._steps, "The state of this car in one of its steps")
         measured = np.empty(_MEASURED)
-        _measure(self._prepared, state, command, braking, measured)
+        _measure(self._prepared, step, np.ascontiguousarray(state), np.ascontiguousarray(command), measured)
         return measured
 
+    def sample(self, first: int, last: int, loop: FloatArray) -> FloatArray:
+        """The samples of the steps from `first` to before `last`, as they were driven (steps, fine + 1, 10).
+
+        Args:
+            first: Index of a step.
+            last: Likewise.
+            loop: As `follow_law` has it, after a drive.
+
+        Raises:
+            ValueError: The steps are beyond the drive, or sizes disagree.
+        """
+        require(0 <= first <= last <= self._steps, "No steps beyond the drive")
+        self._check(loop)
+        samples = np.empty((last - first, self.fine + 1, SIGNALS))
+        _sample(self._prepared, loop[first:], first, len(samples), samples)
+        return samples
+
     def _check(self, loop: FloatArray) -> None:
-        require(loop.shape == (self._steps + 1, self._size + _FORCES), "A row before each step and after the last")
-
-
-def linear_car(A: FloatArray, B: FloatArray, forcing: FloatArray) -> DrivenCar:
-    """A linear car: A (n, n), B (n, 2), forcing (steps, n).
-
-    Raises:
-        ValueError: Sizes disagree.
-    """
-    n = len(A)
-    require(A.shape == (n, n) and B.shape == (n, _FORCES) and n >= _STATES, "A state, and two forces")
-    require(forcing.shape[1] == n, "What moves the car in every step")
-    return DrivenCar(_prepare_linear_car.prepare(n, A, B, forcing), n, len(forcing))
-
-
-def nonlinear_car(
-    *,
-    car: FloatArray,
-    states: int,
-    estimator: FloatArray | None,
-    estimator_input: FloatArray,
-    road: tuple[FloatArray, FloatArray, FloatArray, FloatArray] | None,
-    disturbance: FloatArray,
-    substeps: int,
-    fine_step: float,
-    table: FloatArray,
-) -> DrivenCar:
-    """A nonlinear car.
-
-    Args:
-        car: (33,), as `struct vehicle` has them.
-        states: 8, or 10 with a lagging actuator's.
-        estimator: (112,), as `struct estimator` has them; None without one.
-        estimator_input: Known beforehand (steps, 8); of no steps without one.
-        road: Its samples (m,) [m] and layout (9,), the positions (2, n + 1) [m] of both axles at the ends of all fine
-            steps, means and moments above chords (n, 4) [m]; None where the road is straight within a fine step.
-        disturbance: (steps, 3 · fine).
-        substeps: Of Runge-Kutta in a fine step.
-        fine_step: In s.
-        table: Where the signals of the last steps are recorded (10, fine + 1, columns).
-
-    Raises:
-        ValueError: Sizes disagree.
-    """
-    steps, fine = len(disturbance), disturbance.shape[1] // _DISTURBANCES
-    columns, all_fine, estimates = table.shape[-1], steps * fine, estimator is not None
-    require(states in (_STATES, _LAGGING) and substeps > 0 < fine, "A state of 8 or 10 numbers, and a step or more")
-    require(disturbance.shape[1] == _DISTURBANCES * fine, "Three disturbances in a fine step")
-    require(table.shape == (_SIGNALS, fine + 1, columns) and columns <= steps, "A record within the drive")
-    require(not estimates or estimator_input.shape == (steps, _STATES), "The estimator's input in every step")
-    samples, layout, position, within = road or (np.empty(0), np.zeros(LAYOUT), np.empty((0, 0)), np.empty((0, 0)))
-    if road is not None:
-        require(len(samples) > 1, "A road has two samples at least")
-        require(position.shape == (2, all_fine + 1) and within.shape == (all_fine, 4), "The road of every fine step")
-    prepared = _prepare_nonlinear_car.prepare(
-        *(car, states, int(estimates), np.zeros(ESTIMATOR) if estimator is None else estimator, estimator_input),
-        *(len(samples), samples, layout, position, within),
-        *(disturbance, steps, fine, substeps, fine_step, table, columns),
-    )
-    return DrivenCar(prepared, states + (_STATES if estimates else 0), steps)
+        require(loop.shape == (self._steps + 1, self.size + _FORCES), "A row before each step and after the last")

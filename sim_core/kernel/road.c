@@ -10,11 +10,6 @@ enum { PARTS = 4 }; /* of a fine step on a bump */
 
 static const double PI = 3.14159265358979323846;
 
-static double within(double low, double value, double high)
-{
-    return value < low ? low : value > high ? high : value;
-}
-
 /* The number of a shape by its name in a scenario; -1 for none. */
 int ridelab_shape_number(const char *name)
 {
@@ -32,7 +27,7 @@ int ridelab_shape_number(const char *name)
    through both feet and the crest. */
 static double one_bump(const struct bump *bump, double along)
 {
-    double h = bump->height, w = bump->width, s = within(0, along / w, 1);
+    double h = bump->height, w = bump->width, s = between(0, along / w, 1);
     if (h == 0)
         return 0;
     if (bump->shape == COSINE)
@@ -48,36 +43,19 @@ static double one_bump(const struct bump *bump, double along)
             return 0;
         return copysign((w * w / 4 - from_crest * from_crest) / depth, h);
     }
-    double ramp = within(0, 4 * (s < 0.5 ? s : 1 - s), 1); /* 0 to 1 within a quarter of the width at either end */
+    double ramp = between(0, 4 * (s < 0.5 ? s : 1 - s), 1); /* 0 to 1 within a quarter of the width at either end */
     return bump->shape == TRAPEZOID ? h * ramp : h / 2 * (1 - cos(PI * ramp));
 }
 
 /* Height of the bumps alone [m]; behind a kerb its whole height. */
-static double bump_height(const struct bump *bump, double position)
+double ridelab_bump_height(const struct bump *bump, double position)
 {
     double along = position - bump->start;
     if (bump->count == 1)
         return one_bump(bump, along);
-    double met = within(0, floor(along / bump->spacing), bump->count - 1);
+    double met = between(0, floor(along / bump->spacing), bump->count - 1);
     double height = one_bump(bump, along - met * bump->spacing);
     return bump->shape == KERB ? height + met * bump->height : height;
-}
-
-struct road ridelab_road(const double *roughness, int samples, const struct layout *layout)
-{
-    return (struct road){roughness, samples, *layout, 1 / layout->grid};
-}
-
-double ridelab_road_height(const struct road *road, double position)
-{
-    double place = within(0, (position - road->at.first) * road->cells, road->samples - 1.000001);
-    if (!(place >= 0)) /* not a number has no cell */
-        return place;
-    int cell = (int)place;
-    double low = road->roughness[cell], height = (road->roughness[cell + 1] - low) * (place - cell) + low;
-    if (position > road->at.bump.start && position < road->at.bump.until)
-        height += bump_height(&road->at.bump, position);
-    return height;
 }
 
 /* Roughness from independent normal numbers, in place: each height is `keep` of the one before, and what keeps its
@@ -104,21 +82,6 @@ void ridelab_road_heights(const double *roughness, int samples, const struct lay
         height[i] = ridelab_road_height(&road, position[i]);
 }
 
-/* height    of the road under the front and the rear axle at every fine instant, 2 x (steps + 1) [m]
-   braking   in each fine step [m/s^2]
-   held      steps x 3: both road velocities [m/s], braking */
-void ridelab_disturbances(const double *restrict height, const double *restrict braking, int steps, double fine_step,
-                          double *restrict held)
-{
-    const double *rear = height + steps + 1;
-    double per_step = 1 / fine_step;
-    for (int i = 0; i < steps; i++) {
-        held[3 * i] = (height[i + 1] - height[i]) * per_step;
-        held[3 * i + 1] = (rear[i + 1] - rear[i]) * per_step;
-        held[3 * i + 2] = braking[i];
-    }
-}
-
 /* Where the slope changes by k, at distances a and b from the ends, that adds -k a b / (2 (a + b)) to
    the mean and -k a b (a - b) / (12 (a + b)^2) to the moment. The bumps are judged at `PARTS` - 1 places in between
    (Simpson). */
@@ -128,8 +91,8 @@ double ridelab_above_chord(const struct road *road, double begin, double end, do
     if (!(length > 0))
         return 0;
     double per_length = 1 / length, first = (begin - road->at.first) * road->cells;
-    int last = (int)within(0, first + length * road->cells, road->samples - 2);
-    for (int i = (int)within(0, first, road->samples) + 1; i <= last; i++) {
+    int last = (int)between(0, first + length * road->cells, road->samples - 2);
+    for (int i = (int)between(0, first, road->samples) + 1; i <= last; i++) {
         const double *z = road->roughness + i;
         double a = road->at.first + i * road->at.grid - begin, b = length - a;
         double mean = -(z[1] - 2 * z[0] + z[-1]) * (road->cells / 2) * (a * b * per_length);
@@ -137,10 +100,10 @@ double ridelab_above_chord(const struct road *road, double begin, double end, do
         *moment += mean * (a - b) * (per_length / 6);
     }
     if (end > road->at.bump.start && begin < road->at.bump.until) {
-        double first = bump_height(&road->at.bump, begin), rise = bump_height(&road->at.bump, end) - first;
+        double first = ridelab_bump_height(&road->at.bump, begin), rise = ridelab_bump_height(&road->at.bump, end) - first;
         for (int part = 1; part < PARTS; part++) {
             double share = (double)part / PARTS, weight = (part % 2 ? 4.0 : 2.0) / (3 * PARTS);
-            double mean = weight * (bump_height(&road->at.bump, begin + length * share) - first - rise * share);
+            double mean = weight * (ridelab_bump_height(&road->at.bump, begin + length * share) - first - rise * share);
             all += mean;
             *moment += mean * (share - 0.5);
         }
@@ -158,72 +121,5 @@ void ridelab_within_steps(const double *roughness, int samples, const struct lay
     for (int i = 0; i < steps; i++, within += 4) {
         within[0] = ridelab_above_chord(&road, position[i], position[i + 1], within + 2);
         within[1] = ridelab_above_chord(&road, rear[i], rear[i + 1], within + 3);
-    }
-}
-
-static const double NEAR = 1e-3; /* of a fine step: a kink met so near to a section's end is met at it */
-
-/* The load's magnitude where an axle meets a kink of the road in a fine step, at a share of the step from height[0] to
-   height[1]: it deviates from the line between both samples a and b by the tyre's stiffness times the kink's height above
-   the chord. */
-static double load_at(double kink, const double *height, double share, double a, double b, double stiffness, double lowest)
-{
-    double chord = height[0] + share * (height[1] - height[0]);
-    double load = a + share * (b - a) + stiffness * (kink - chord);
-    return fabs(load < lowest ? lowest : load);
-}
-
-/* Raise the largest magnitude of each axle's tyre load in each section where it is larger at a kink of the road between
-   two samples: the roughness' own samples, and where the bumps' slope jumps. Arrays of axles have the front one first.
-
-   position  of both axles at so many fine instants, of which the record is the last [m]; height, of the road there [m]
-   load      on both tyres (2 x (fine + 1) x commands), highest, its largest magnitude under each command [N]
-   tyre      stiffness [N/m] and lowest load [N] of each
-   kinks     of the bumps, ascending [m], then infinity
-   ends      first and last place of each section, in fine steps from the record's first sample
-   rise      how far the road leaves a chord in each section at most [m]: where samples do not come so near to the peak,
-             no kink is looked at
-   peaks     2 x sections */
-void ridelab_kink_peaks(const double *roughness, int samples, const struct layout *layout, const double *position,
-                        const double *height, int instants, const double *load, const double *highest, int fine,
-                        int commands, const double *tyre, const double *kinks, const double *ends, const double *rise,
-                        int sections, double *peaks)
-{
-    const struct road road = ridelab_road(roughness, samples, layout);
-    for (int number = 0; number < 2 * sections; number++) {
-        int axle = number / sections, section = number % sections, start = instants * (axle + 1) - fine * commands - 1;
-        const double *loads = load + (ptrdiff_t)(fine + 1) * commands * axle, *most = highest + commands * axle;
-        double stiffness = tyre[2 * axle], lowest = tyre[2 * axle + 1], peak = peaks[number];
-        double first = ends[2 * section], last = ends[2 * section + 1];
-        double from = first > NEAR ? first - NEAR : 0, to = last + NEAR;
-        const double *kink = kinks;
-        for (int c = (int)(from / fine); c < commands && c * fine < to; c++) {
-            if (c * fine >= first && (c + 1) * fine <= last && most[c] < peak - stiffness * rise[section])
-                continue;
-            for (int step = c * fine; step < (c + 1) * fine; step++) {
-                const double *sample = loads + (ptrdiff_t)commands * (step - c * fine) + c;
-                double begin = position[start + step], end = position[start + step + 1];
-                double grid = floor((begin - road.at.first) / road.at.grid) + 1;
-                while (*kink <= begin && isfinite(*kink))
-                    kink++;
-                for (const double *next = kink;;) {
-                    double cell = road.at.first + grid * road.at.grid, met = cell < *next ? cell : *next;
-                    if (!(met <= end))
-                        break;
-                    if (met == *next)
-                        next++;
-                    else
-                        grid++;
-                    double share = (met - begin) / (end - begin), place = step + share;
-                    if (place >= from && place <= to) {
-                        double kink_height = ridelab_road_height(&road, met);
-                        double magnitude = load_at(kink_height, height + start + step, share, sample[0],
-                                                   sample[commands], stiffness, lowest);
-                        peak = magnitude > peak ? magnitude : peak;
-                    }
-                }
-            }
-        }
-        peaks[number] = peak;
     }
 }

@@ -23,10 +23,31 @@ struct road {
     double cells; /* in a metre */
 };
 
-struct road ridelab_road(const double *roughness, int samples, const struct layout *layout);
+static inline struct road ridelab_road(const double *roughness, int samples, const struct layout *layout)
+{
+    return (struct road){roughness, samples, *layout, 1 / layout->grid};
+}
+
+static inline double between(double low, double value, double high)
+{
+    return value < low ? low : value > high ? high : value;
+}
+
+/* Height of the bumps alone [m]; behind a kerb its whole height. */
+double ridelab_bump_height(const struct bump *bump, double position);
 
 /* Linear between the roughness' samples, level beyond them, and the bumps [m]. */
-double ridelab_road_height(const struct road *road, double position);
+static inline double ridelab_road_height(const struct road *road, double position)
+{
+    double place = between(0, (position - road->at.first) * road->cells, road->samples - 1.000001);
+    if (!(place >= 0)) /* not a number has no cell */
+        return place;
+    int cell = (int)place;
+    double low = road->roughness[cell], height = (road->roughness[cell + 1] - low) * (place - cell) + low;
+    if (position > road->at.bump.start && position < road->at.bump.until)
+        height += ridelab_bump_height(&road->at.bump, position);
+    return height;
+}
 
 /* How far the road lies above its chord between two positions, on average [m]; `moment` is its first moment about the
    middle, per length [m]. */

@@ -16,12 +16,11 @@ from sim_core.control.controller import Controller
 from sim_core.control.law import LAW_INPUTS, LinearLaw
 from sim_core.control.seen import RunInputs, Seen
 from sim_core.errors import RidelabError
-from sim_core.kernel.prepared import FollowLaw, LawArrays, limit_force
+from sim_core.kernel.prepared import DrivenCar, FollowLaw, LawArrays, limit_force
 from sim_core.kernel.qp import Qp
 from sim_core.loop.preview import Forecast
 from sim_core.speed.stages import Segment
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES
-from sim_core.vehicle.model import VehicleModel
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -29,14 +28,12 @@ class Trajectory:
     """What was driven.
 
     Attributes:
-        states: Of the car at the beginning of each of its steps (steps, n).
-        commands: Held in each (steps, 2) [N].
+        loop: [p; previous command] before each of the car's steps and after the last (steps + 1, n + 2).
         limited: Control steps in which a limit bound.
         held_commands: Commands that never took effect, of a delayed controller.
     """
 
-    states: FloatArray
-    commands: FloatArray
+    loop: FloatArray
     limited: int
     held_commands: int | None = None
 
@@ -45,7 +42,7 @@ class ClosedLoop:
     """One run's loop; limits of forces as `limit_force` has them."""
 
     def __init__(
-        self, controller: Controller, car: VehicleModel, inputs: RunInputs, forecast: Forecast, force_limits: FloatArray
+        self, controller: Controller, car: DrivenCar, inputs: RunInputs, forecast: Forecast, force_limits: FloatArray
     ) -> None:
         self._controller = controller
         self._car = car
@@ -78,7 +75,7 @@ class ClosedLoop:
                 if k < segment.last:
                     self._step(k, loop)
                     limited, k = limited + 1, k + 1
-        return Trajectory(states=loop[:-1, :n], commands=loop[1:, n:], limited=limited)
+        return Trajectory(loop=loop, limited=limited)
 
     def _step(self, k: int, loop: FloatArray) -> bool:
         """Drive one control step by the controller; whether a limit of forces or actuators shaped its command."""
@@ -117,7 +114,7 @@ def law_arrays(
     rows = np.zeros((0, LAW_INPUTS + previewed)) if law.limits is None else law.limits
     if preview_gain.shape[1] != previewed or rows.shape[1] != LAW_INPUTS + previewed:
         raise RidelabError("A linear law has three columns for each control step that is previewed")
-    scale, norms = (np.ones(LAW_INPUTS), np.zeros((5, 0))) if law.limits is None else _norms(law)
+    scale, norms = (np.ones(LAW_INPUTS), np.zeros((5 + LAW_INPUTS, 0))) if law.limits is None else _norms(law)
     kind, step, _ = (stride // forecast.disturbances.itemsize for stride in forecast.disturbances.strides)
     return LawArrays(
         gain=law.gain,
@@ -136,7 +133,7 @@ def law_arrays(
 
 @cached
 def _norms(law: LinearLaw) -> tuple[FloatArray, FloatArray]:
-    """`LawArrays.scale` (10,) and `norms` (5, rows): on the state and force in units that make the largest gain 1."""
+    """`LawArrays.scale` (10,) and `norms` (15, rows): of the state and force in units that make the largest gain 1."""
     assert law.limits is not None  # noqa: S101 - `law_arrays` asks only then
     rows, columns = law.limits.shape
     on_state = law.limits[:, :LAW_INPUTS]
@@ -144,7 +141,7 @@ def _norms(law: LinearLaw) -> tuple[FloatArray, FloatArray]:
     scale = np.abs(on_state).max(axis=0, initial=0.0)
     state = np.linalg.norm(on_state / np.where(scale > 0, scale, 1.0), axis=1)
     mean = np.abs(by_disturbance[:, 2].sum(axis=1))
-    return scale, np.ascontiguousarray([state, mean, *np.linalg.norm(by_disturbance, axis=2).T])
+    return scale, np.ascontiguousarray([state, mean, *np.linalg.norm(by_disturbance, axis=2).T, *on_state.T])
 
 
 def checked_force(controller: Controller, force: object, step: int) -> FloatArray:

@@ -10,17 +10,16 @@ from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Seen, Setup
 from sim_core.errors import RidelabError
-from sim_core.kernel.prepared import limit_force
+from sim_core.kernel.prepared import DrivenCar, limit_force
 from sim_core.loop.closed_loop import Trajectory, checked_force, read_only
 from sim_core.vehicle.half_car import FORCES
-from sim_core.vehicle.model import VehicleModel
 
 
 class DelayedLoop:
     """One run's loop; limits of forces as `limit_force` has them, of the change in a short step."""
 
     def __init__(
-        self, controller: Controller, car: VehicleModel, inputs: RunInputs, setup: Setup, force_limits: FloatArray
+        self, controller: Controller, car: DrivenCar, inputs: RunInputs, setup: Setup, force_limits: FloatArray
     ) -> None:
         self._controller = controller
         self._car = car
@@ -61,9 +60,7 @@ class DelayedLoop:
                 car.advance(i, loop)
             limited += shaped
         held_commands = int(np.count_nonzero(~used[: steps - 1]))  # the last one would take effect after the run
-        return Trajectory(
-            states=loop[:-1, : car.size], commands=loop[1:, car.size :], limited=limited, held_commands=held_commands
-        )
+        return Trajectory(loop=loop, limited=limited, held_commands=held_commands)
 
     def _arrivals(self) -> list[int]:
         """The controller's, if each command arrives after it was asked for.

@@ -12,11 +12,9 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.control.controller import Controller
-from sim_core.kernel import binding
 from sim_core.road.profile import GRID, RoadProfile, RoadUnderAxles, detail, road_profile, road_under_axles
 from sim_core.scenario import Road, Scenario
 from sim_core.speed.profile import SPEED_CONTROL_PERIOD, SpeedPlan, SpeedProfile
-from sim_core.vehicle.half_car import DISTURBANCES
 
 FINEST, COARSEST = 5e-5, 1e-3  # bounds of the fine step [s]
 SHORT_STEP = 1e-3  # longest step in which a delayed controller's commands may arrive [s]
@@ -63,15 +61,14 @@ class Excitation:
 
     Attributes:
         grid: What follows from the speed profile alone.
-        disturbance: Road velocities front and rear [m/s], braking deceleration [m/s^2], each held over a fine step;
-            (steps, 3 · fine), fine step after fine step.
+        braking: Deceleration, held over each fine step (n,) [m/s^2].
         surface: The road.
         height: Of the road under both axles at every fine instant (2, n + 1) [m].
         series: The record's signals that no suspension changes (catalogue.SIGNALS).
     """
 
     grid: TimeGrid
-    disturbance: FloatArray
+    braking: FloatArray
     surface: RoadProfile
     height: FloatArray
     series: dict[str, FloatArray]
@@ -137,14 +134,11 @@ def excite(road: Road, wheelbase: float, speed_profile: SpeedProfile, step: floa
     grid = _sampled(speed_profile, road.length, wheelbase, step, fine)
     surface = road_profile(road)
     height = surface.height(grid.axles)
-    braking = _braking(speed_profile, grid, step)
-    held = np.empty((len(grid.time) - 1, fine * DISTURBANCES))
-    binding.disturbances(height, braking, grid.fine_step, held)
     height.flags.writeable = False
     front, rear = height[:, grid.on_record]
     return Excitation(
         grid=grid,
-        disturbance=held,
+        braking=_braking(speed_profile, grid, step),
         surface=surface,
         height=height,
         series=grid.series | {"front_road": front, "rear_road": rear},
@@ -153,7 +147,7 @@ def excite(road: Road, wheelbase: float, speed_profile: SpeedProfile, step: floa
 
 @cached
 def under_axles(excitation: Excitation) -> RoadUnderAxles:
-    """The road itself within each fine step, which `disturbance` has as a straight line there."""
+    """The road itself within each fine step, in which a linear car takes it as straight."""
     return road_under_axles(excitation.surface, excitation.grid.axles)
 
 

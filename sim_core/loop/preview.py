@@ -1,4 +1,4 @@
-"""What a controller knows of the road and the braking ahead (docs/explanation/physics.md, "Sensors that look ahead").
+"""What a controller knows of the road and the braking ahead (docs/explanation/preview.md).
 
 none: the road ahead is taken as level. wheelbase: the rear axle will meet what the front has already driven.
 lookahead: the sensors that find the bump give the road for the whole horizon, and the speed plan is known.
@@ -12,6 +12,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
+from sim_core.kernel import binding
 from sim_core.loop.excitation import Excitation, TimeGrid
 from sim_core.road.profile import RoadProfile
 from sim_core.road.sensed import ExpectedErrors, expected_errors, sensed_road
@@ -73,22 +74,14 @@ def sliding_forecast(disturbances: FloatArray, horizon: int, height_now: FloatAr
         horizon: Intervals in it.
         height_now: As `Forecast`'s.
     """
-    mean = _sums(disturbances[2], horizon) / horizon
-    squares = _sums(disturbances**2, horizon)
-    squares[2] -= horizon * mean**2
+    sizes = np.empty((1 + DISTURBANCES, disturbances.shape[1] - horizon + 1))
+    binding.window_sizes(disturbances, horizon, sizes)
     return Forecast(
         disturbances=sliding_window_view(disturbances, horizon, axis=1),
         source=disturbances,
-        sizes=np.vstack([np.abs(mean), np.sqrt(squares.clip(min=0.0))]),
+        sizes=sizes,
         height_now=height_now,
     )
-
-
-def _sums(values: FloatArray, count: int) -> FloatArray:
-    """Of so many values, from each one on that has them."""
-    sums = np.cumsum(values, axis=-1)
-    sums[..., count:] -= sums[..., :-count].copy()
-    return sums[..., count - 1 :]
 
 
 @cached
@@ -105,7 +98,10 @@ def _by_sensors(
         speed_profile, grid, horizon, wheelbase, mismatch.preview_offset, mismatch.preview_delay
     )
     height = mismatch.preview_gain * surface.height(axles)
-    disturbances = np.vstack([np.diff(height) / grid.step, braking])
+    disturbances = np.empty((DISTURBANCES, len(braking)))
+    np.subtract(height[:, 1:], height[:, :-1], out=disturbances[:2])
+    disturbances[:2] /= grid.step
+    disturbances[2] = braking
     return sliding_forecast(disturbances, horizon, height[:, : len(grid.time) - 1])
 
 

@@ -12,7 +12,9 @@ from sim_core.catalogue import STAGES
 from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Setup
 from sim_core.errors import RidelabError
-from sim_core.loop.closed_loop import ClosedLoop
+from sim_core.kernel.prepared import DrivenCar
+from sim_core.kernel.record import SIGNALS, Recorder
+from sim_core.loop.closed_loop import ClosedLoop, Trajectory
 from sim_core.loop.delayed_loop import DelayedLoop
 from sim_core.loop.excitation import Excitation, StepSizes, under_axles
 from sim_core.loop.preview import Forecast, preview
@@ -21,33 +23,10 @@ from sim_core.scenario import Actuator, Preview, Scenario
 from sim_core.speed.profile import SpeedPlan, SpeedProfile
 from sim_core.speed.stages import Segment, segments
 from sim_core.vehicle.estimator import make_estimator, sensor_noise
-from sim_core.vehicle.half_car import DISTURBANCES
 from sim_core.vehicle.make import is_linear, make_vehicle
-from sim_core.vehicle.model import Estimator, SemiActiveDampers, VehicleModel
+from sim_core.vehicle.model import Estimator, SemiActiveDampers
 
-
-def make_setup(scenario: Scenario, controller: Controller, speed_profile: SpeedProfile, steps: StepSizes) -> Setup:
-    """What a controller is told before a run at that speed.
-
-    Raises:
-        RidelabError: Its preview is none that there is, or its horizon no number of steps.
-    """
-    steps_ahead: object = controller.preview_steps  # a visitor's class may hold anything
-    if controller.preview not in get_args(Preview):
-        raise RidelabError(f"{controller.label}: preview is one of {', '.join(get_args(Preview))}")
-    if not isinstance(steps_ahead, int | np.integer) or isinstance(steps_ahead, bool) or steps_ahead < 0:
-        raise RidelabError(f"{controller.label}: prediction_horizon is a whole number, 0 or more")
-    return Setup(
-        vehicle=scenario.vehicle,
-        sample_time=steps.control,
-        steps=speed_profile.control_steps(scenario.road.length, steps.control)[1],
-        short_steps=steps.short,
-        initial_speed=speed_profile.initial_speed,
-        force_limit=scenario.mpc.force_limit if controller.actuated else 0.0,
-        deflection_limit=scenario.mpc.deflection_limit,
-        preview_steps=int(steps_ahead),
-        stages=tuple(STAGES),
-    )
+_AT_ONCE = 1024  # commands whose samples are turned at once: all would take as much memory again
 
 
 def filter_preview(scenario: Scenario, controller: Controller) -> Preview:
@@ -68,15 +47,26 @@ class Recording:
     """What a run leaves behind.
 
     Attributes:
-        table: plant.RECORDED (10, fine steps of a command + 1, commands) from x = 0 on.
-        limited: Control steps in which a limit shaped the command.
-        held_commands: Commands that never took effect: lost, late, or overtaken by a later one; None where each takes
-            effect at once.
+        car: What was driven.
+        trajectory: Its states and commands.
+        first: Its first step on record.
     """
 
-    table: FloatArray
-    limited: int
-    held_commands: int | None
+    car: DrivenCar
+    trajectory: Trajectory
+    first: int
+
+    def table(self) -> FloatArray:
+        """The samples of each signal that are on record, as record.h orders them (10, fine + 1, commands).
+
+        A column has those of a held command, from the value after the command has changed to that before it does again.
+        """
+        loop, end = self.trajectory.loop, len(self.trajectory.loop) - 1
+        table = np.empty((SIGNALS, self.car.fine + 1, end - self.first))
+        for first in range(self.first, end, _AT_ONCE):
+            last = min(first + _AT_ONCE, end)
+            table[:, :, first - self.first : last - self.first] = self.car.sample(first, last, loop).T
+        return table
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -106,20 +96,42 @@ class Run:
         return segments(self.stages, self.excitation.grid.position)
 
     def setup(self) -> Setup:
-        """What the controller is told before it."""
-        return make_setup(self.scenario, self.controller, self.speed_profile, self.steps)
+        """What the controller is told before it.
 
-    def drive(self) -> Recording:
+        Raises:
+            RidelabError: Its preview is none that there is, or its horizon no number of steps.
+        """
+        scenario, controller, speed_profile = self.scenario, self.controller, self.speed_profile
+        steps_ahead: object = controller.preview_steps  # a visitor's class may hold anything
+        if controller.preview not in get_args(Preview):
+            raise RidelabError(f"{controller.label}: preview is one of {', '.join(get_args(Preview))}")
+        if not isinstance(steps_ahead, int | np.integer) or isinstance(steps_ahead, bool) or steps_ahead < 0:
+            raise RidelabError(f"{controller.label}: prediction_horizon is a whole number, 0 or more")
+        return Setup(
+            vehicle=scenario.vehicle,
+            sample_time=self.steps.control,
+            steps=speed_profile.control_steps(scenario.road.length, self.steps.control)[1],
+            short_steps=self.steps.short,
+            initial_speed=speed_profile.initial_speed,
+            force_limit=scenario.mpc.force_limit if controller.actuated else 0.0,
+            deflection_limit=scenario.mpc.deflection_limit,
+            preview_steps=int(steps_ahead),
+            stages=tuple(STAGES),
+        )
+
+    def drive(self, recorder: Recorder | None = None) -> Recording:
         """Drive it.
+
+        Args:
+            recorder: What measures it meanwhile; None for nothing.
 
         Raises:
             RidelabError: The vehicle and weights admit no stabilising controller, or the controller does not give what
                 it has to.
         """
         controller, setup = self.controller, self.setup()
-        before = self.excitation.grid.before * self.steps.short
         forecast = self.forecast(controller.preview, controller.preview_steps)
-        car, inputs, force_limits = self.car(), self.inputs(forecast), self._force_limits()
+        car, inputs, force_limits = self.car(recorder), self.inputs(forecast), self._force_limits()
         try:
             controller.start(setup)
             if controller.delayed:
@@ -129,11 +141,7 @@ class Run:
                 trajectory = loop.run(self.segments())
         finally:
             controller.end()
-        return Recording(
-            table=car.record(trajectory.states[before:], trajectory.commands[before:]),
-            limited=trajectory.limited,
-            held_commands=trajectory.held_commands,
-        )
+        return Recording(car=car, trajectory=trajectory, first=self.excitation.grid.before * self.steps.short)
 
     def forecast(self, mode: Preview, horizon: int) -> Forecast:
         """What is expected over so many control steps ahead."""
@@ -147,21 +155,24 @@ class Run:
         mode = filter_preview(scenario, self.controller)
         seen = None if mode == "none" else self.forecast(mode, 1).disturbances[:2, :, 0].T
         step, speed = self.excitation.grid.step / short, self.speed_profile.initial_speed
-        return make_estimator(scenario, step, speed, self._disturbance(), short, mode=mode, seen=seen)
+        braking = self.excitation.braking.reshape(-1, self.steps.fine // short)
+        return make_estimator(scenario, step, speed, braking, short, mode=mode, seen=seen)
 
-    def car(self) -> VehicleModel:
-        """The car on its road."""
+    def car(self, recorder: Recorder | None = None) -> DrivenCar:
+        """The car on its road, and what measures its drive."""
         scenario, dampers = self.scenario, run_dampers(self.scenario, self.controller)
-        vehicle = scenario.real_vehicle
+        vehicle, excitation = scenario.real_vehicle, self.excitation
         return make_vehicle(
             vehicle,
             scenario.actuator if self.controller.actuated else Actuator(),
-            self.excitation.grid.step / self.steps.short,
-            self._disturbance(),
-            self.excitation.grid.before * self.steps.short,
+            excitation.grid.fine_step,
+            self.steps.fine // self.steps.short,
+            excitation.height,
+            excitation.braking,
             estimator=self.estimator(),
             dampers=dampers,
-            road=None if is_linear(vehicle, dampers) else under_axles(self.excitation),
+            road=None if is_linear(vehicle, dampers) else under_axles(excitation),
+            recorder=recorder,
         )
 
     def inputs(self, forecast: Forecast) -> RunInputs:
@@ -178,10 +189,6 @@ class Run:
             noise=lambda: sensor_noise(self.scenario, steps, short)[::short],
             sample_time=grid.step,
         )
-
-    def _disturbance(self) -> FloatArray:
-        """`Excitation.disturbance` by steps of the car (steps, 3 · fine steps in each)."""
-        return self.excitation.disturbance.reshape(-1, DISTURBANCES * self.steps.fine // self.steps.short)
 
     def _force_limits(self) -> FloatArray:
         """In the car's steps, as `limit_force` has them."""

@@ -1,14 +1,11 @@
-"""ISO 2631-1 frequency weighting Wk of vertical acceleration, weighted RMS and vibration dose value."""
+"""ISO 2631-1 frequency weighting Wk of vertical acceleration."""
 
-from dataclasses import dataclass
-from math import pi, sqrt
+from functools import lru_cache
+from math import factorial, pi, sqrt
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.caching import cached
-from sim_core.kernel import binding
-from sim_core.matrices import exponential
 
 Quadratic = tuple[float, float, float]  # coefficients, highest power first
 Quotient = tuple[Quadratic, Quadratic]  # numerator and denominator
@@ -16,6 +13,7 @@ Quotient = tuple[Quadratic, Quadratic]  # numerator and denominator
 # ISO 2631-1:1997, table A.1, principal weighting Wk: frequencies [Hz] and quality factors.
 F1, F2, F3, F4, Q4, F5, Q5, F6, Q6 = 0.4, 100.0, 12.5, 12.5, 0.63, 2.37, 0.91, 3.35, 0.91
 _BUTTERWORTH = 1 / sqrt(2)
+_TERMS = 25  # of a series in z: the fastest pole turns by 0.6 rad in a step of 1 ms
 
 
 def _resonance(frequency: float, quality: float) -> Quadratic:
@@ -41,73 +39,20 @@ def wk_gain(frequency: FloatArray) -> FloatArray:
     return np.asarray(np.abs(np.prod([np.polyval(b, s) / np.polyval(a, s) for b, a in wk_quotients()], axis=0)))
 
 
-@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class _Weighting:
-    """Wk over a row of samples, straight between them: [state (8); samples] to the weighted samples but the last.
+@lru_cache(maxsize=128)
+def weighting(step: float) -> FloatArray:
+    """Wk over steps [s] between samples that are straight in between (24,), as `struct weighting` of kernel/record.c.
 
-    From row to row the state is multiplied by `onward` (8, 8), and the samples add what `inputs` (samples, 8) gives.
+    In partial fractions: each pole p has the residue r and is half of a pair q' = p q + r a, which a step from sample a
+    to b takes to e^z q + r h (φ1(z) a + φ2(z) (b - a)), z = p h, φ1(z) = (e^z - 1) / z, φ2(z) = (φ1(z) - 1) / z.
     """
-
-    outputs: FloatArray
-    inputs: FloatArray
-    onward: FloatArray
-
-
-@cached
-def _weighting(step: float, samples: int) -> _Weighting:
-    """For rows of so many samples, `step` [s] apart."""
-    A, B, C = _wk_states()
-    n = len(A)
-    ramp = np.zeros((n + 2, n + 2))  # the state, the input, and its change over the step
-    ramp[:n, :n], ramp[:n, n], ramp[n, n + 1] = A, B, 1 / step
-    over_step = exponential(ramp * step)[:n]
-    state, seen = np.eye(n, n + samples), []
-    for j in range(samples - 1):
-        seen.append(C @ state)
-        state = over_step[:, :n] @ state
-        state[:, n + j] += over_step[:, n] - over_step[:, n + 1]
-        state[:, n + j + 1] += over_step[:, n + 1]
-    return _Weighting(
-        outputs=np.ascontiguousarray(np.stack(seen).T),
-        inputs=np.ascontiguousarray(state[:, n:].T),
-        onward=np.ascontiguousarray(state[:, :n]),
-    )
-
-
-def _wk_states() -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Wk as x' = A x + B a, y = C x, its quotients one after another."""
-    n = 2 * len(wk_quotients())
-    A, B, C, through = np.zeros((n, n)), np.zeros(n), np.zeros(n), 1.0
-    for i, ((b2, b1, b0), (_, a1, a0)) in enumerate(wk_quotients()):
-        own = slice(2 * i, 2 * i + 2)
-        A[own, own] = [[0.0, 1.0], [-a0, -a1]]
-        A[2 * i + 1] += C  # what the quotients before it give
-        B[2 * i + 1] = through
-        C, through = b2 * C, b2 * through
-        C[own] = b0 - b2 * a0, b1 - b2 * a1
-    return A, B, C
-
-
-def weighted(columns: FloatArray, step: float, samples: int) -> FloatArray:
-    """So many samples of acceleration [m/s^2] through Wk, from rest; one after another within each column in turn.
-
-    Args:
-        columns: Samples `step` apart, straight in between, from one jump to the next (samples, columns): a column's
-            last sample and the next one's first are at the same time.
-        step: In s.
-        samples: How many, from the first on.
-    """
-    weighting = _weighting(step, len(columns))
-    n = len(weighting.onward)
-    states = np.zeros((columns.shape[1], n))
-    np.matmul(columns[:, :-1].T, weighting.inputs, out=states[1:])
-    binding.recurrence(weighting.onward, states)
-    through = states @ weighting.outputs[:n]
-    through += columns.T @ weighting.outputs[n:]
-    return through.reshape(-1)[:samples]
-
-
-def vibration_dose(weighted_acceleration: FloatArray, step: float) -> float:
-    """VDV = (∫ a_w⁴ dt)^¼ [m/s^1.75] (ISO 2631-1, 6.3.2)."""
-    square = weighted_acceleration**2
-    return float((np.dot(square, square) * step) ** 0.25)
+    quotients = wk_quotients()
+    pole = np.array([(-a1 + 1j * sqrt(4 * a0 - a1**2)) / 2 for _, (_, a1, a0) in quotients])
+    residue = 1 / (2j * pole.imag)
+    for i, (b, a) in enumerate(quotients):
+        residue = residue * np.polyval(b, pole) / np.where(np.arange(len(pole)) == i, 1.0, np.polyval(a, pole))
+    z = pole * step
+    second = sum(z**k / factorial(k + 2) for k in range(_TERMS))
+    first = 1 + z * second
+    modes = np.array([1 + z * first, residue * step * (first - second), residue * step * second])
+    return np.concatenate([part for mode in modes for part in (mode.real, mode.imag)])

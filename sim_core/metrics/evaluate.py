@@ -5,72 +5,66 @@ so do the accelerations. Mean squares are trapezoids within the columns; windows
 does.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import sqrt
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS, WINDOWS
-from sim_core.kernel import binding
-from sim_core.loop.excitation import Excitation
+from sim_core.kernel.record import SIGNALS, Recorder
 from sim_core.loop.run import Recording, Run
-from sim_core.metrics.comfort import vibration_dose, weighted
-from sim_core.metrics.sections import Integrand, SectionValues, over_sections
-from sim_core.metrics.tyre_peaks import peaks_with_kinks
-from sim_core.metrics.windows import Windows, section_ends, windows_of
+from sim_core.metrics.recorder import windows
+from sim_core.metrics.windows import section_ends
 from sim_core.result import Series, StrategyResult
-from sim_core.scenario import Scenario, Vehicle
+from sim_core.scenario import Scenario
 from sim_core.scenario.parts import KMH
 from sim_core.speed.profile import TARGET_BAND, SpeedProfile
-from sim_core.vehicle.plant import RECORDED
 
-_ROW = {signal: row for row, signal in enumerate(METRIC_SIGNALS)}
-_SPEEDS = len(RECORDED) - len(METRIC_SIGNALS)  # those of the deflections come before them
-# The accelerations jump with the force and are steep lines in between.
-_INTEGRANDS = [Integrand.SQUARE_OF_LINE] * 2 + [Integrand.SQUARE] * (len(METRIC_SIGNALS) - 2)
-_LOADS = slice(_ROW["front_tyre_load"], _ROW["rear_tyre_load"] + 1)
-_FORCES = slice(_ROW["front_force"], _ROW["rear_force"] + 1)
+_AIRBORNE = "airborne_ms", "front_airborne_ms", "rear_airborne_ms"
+_LINES = sum(signal.endswith("acceleration") for signal in METRIC_SIGNALS)  # straight between samples
 
 
-def evaluate(run: Run, recording: Recording) -> StrategyResult:
-    """Everything a run reports, from its recording."""
+def evaluate(run: Run, recorder: Recorder, recording: Recording) -> StrategyResult:
+    """Everything a run reports, from what was measured while it was driven."""
     scenario, controller, speed_profile = run.scenario, run.controller, run.speed_profile
-    bump, excitation, report = scenario.road.bump, run.excitation, controller.report
-    speeds, signals = recording.table[:_SPEEDS], recording.table[_SPEEDS:]
-    windows = windows_of(excitation.grid, speed_profile, bump.start, scenario.bump_left, scenario.road.length)
-    values = over_sections(signals, _INTEGRANDS, windows.ends)
-    metrics = _by_window(values, signals[_LOADS], windows, excitation, scenario.real_vehicle)
-
-    arrival = windows.arrival_speed
+    excitation, trajectory, report = run.excitation, recording.trajectory, controller.report
+    ends, arrival = (of_run := windows(run)).ends, of_run.arrival_speed
+    metrics = _by_window(recorder, ends)
+    fine_step, duration = excitation.grid.fine_step, float(ends[-1, 1])
+    samples, (squares, fourths), (power, most_power) = len(excitation.series["time"]), recorder.weighted, recorder.power
     static = scenario.real_vehicle.static_loads
     planned, actuated = run.plan == "planned", controller.actuated
     rough, whole = metrics["rough_road"], metrics["whole"]
     travel = max(whole["front_deflection"]["peak"], whole["rear_deflection"]["peak"])
-    filtered = weighted(signals[_ROW["body_acceleration"]], excitation.grid.fine_step, len(excitation.series["time"]))
+
+    def columns() -> Mapping[str, FloatArray]:
+        return dict(zip(METRIC_SIGNALS, recording.table()[SIGNALS - len(METRIC_SIGNALS) :], strict=True))
+
     return StrategyResult(
         strategy=controller.id,
         metrics=metrics,
         comfort={
-            "weighted_rms": sqrt(float(filtered @ filtered) / len(filtered)),
-            "vibration_dose": vibration_dose(filtered, excitation.grid.fine_step),
+            "weighted_rms": sqrt(squares / samples),
+            "vibration_dose": (fourths * fine_step) ** 0.25,  # (∫ a_w⁴ dt)^¼ (ISO 2631-1, 6.3.2)
             "front_dynamic_load_coefficient": rough["front_tyre_load"]["rms"] / static[0],
             "rear_dynamic_load_coefficient": rough["rear_tyre_load"]["rms"] / static[1],
-            **_power(signals[_FORCES], speeds, windows),
+            "actuator_mean_power": power / duration,
+            "actuator_peak_power": most_power,
         },
         events={
-            **_airborne(signals[_LOADS], values.highest[_LOADS], windows, static),
+            **dict(zip(_AIRBORNE, (1000 * fine_step * time for time in recorder.airborne), strict=True)),
             "target_reached": _target_reached(scenario, arrival) if planned else None,
             "bump_complete": scenario.bump_left <= scenario.road.length,
             "travel_exceeded_mm": max(0.0, travel - scenario.mpc.deflection_limit) * 1000,
-            "limited_steps": recording.limited,
+            "limited_steps": trajectory.limited,
             "qp_solves": report.solves,
             "qp_fallbacks": report.fallbacks,
             "qp_failures": report.failures,
             "max_slack_mm": report.max_slack * 1000,
             "ecu_most_iterations": report.most_iterations,
             "ecu_clipped_values": report.clipped_values,
-            "ecu_held_commands": recording.held_commands,
+            "ecu_held_commands": trajectory.held_commands,
         },
         reference={
             "front_static_load": static[0],
@@ -83,19 +77,15 @@ def evaluate(run: Run, recording: Recording) -> StrategyResult:
         stages=run.stages,
         travel_time=speed_profile.time_at(scenario.road.length),
         arrival_speed_kmh=arrival / KMH,
-        series=Series(excitation.series, dict(zip(METRIC_SIGNALS, signals, strict=True))),
+        series=Series(excitation.series, columns),
     )
 
 
-def _by_window(
-    values: SectionValues, loads: FloatArray, windows: Windows, excitation: Excitation, vehicle: Vehicle
-) -> dict[str, dict[str, dict[str, float]]]:
+def _by_window(recorder: Recorder, ends: FloatArray) -> dict[str, dict[str, dict[str, float]]]:
     """RMS and peak of METRIC_SIGNALS in WINDOWS."""
-    durations = windows.ends[:, 1] - windows.ends[:, 0]
-    rough, bump, _ = squares = values.integrals.T
-    means = rough / durations[0], bump / durations[1], squares.sum(axis=0) / durations.sum()
-    peaks, highest = values.peaks, values.highest[_LOADS]
-    peaks[:, _LOADS] = peaks_with_kinks(loads, highest, peaks[:, _LOADS].T, vehicle, windows, excitation).T
+    integrals, durations = recorder.integrals, ends[:, 1] - ends[:, 0]
+    peaks = np.where(np.isnan(integrals), integrals, recorder.peaks)
+    means = integrals[0] / durations[0], integrals[1] / durations[1], integrals.sum(axis=0) / durations.sum()
     return {
         window: {
             signal: {"rms": rms, "peak": peak}
@@ -120,46 +110,19 @@ def rms_between(
     """
     time = series["time"]
     fine_step = float(time[-1]) / (len(time) - 1)
-    table = np.ascontiguousarray([series.columns(signal) for signal in METRIC_SIGNALS])
     times = [(speed_profile.time_at(first), speed_profile.time_at(last)) for first, last in intervals]
     ends = section_ends([(first / fine_step, last / fine_step) for first, last in times])
     durations = ends[:, 1] - ends[:, 0]
-    if (durations <= 0).any() or ends.min() < 0 or ends.max() > (table.shape[1] - 1) * table.shape[2]:
+    table = np.array([series.columns(signal).T for signal in METRIC_SIGNALS])
+    if (durations <= 0).any() or ends.min() < 0 or ends.max() > table[0, :, 1:].size:
         raise ValueError("An interval ends behind its beginning and lies on the road that was driven")
-    means = over_sections(table, _INTEGRANDS, ends).integrals.sum(axis=1) / durations.sum()
+    a, b = (each.reshape(len(table), -1) for each in (table[:, :, :-1], table[:, :, 1:]))
+    squares = (a * a + b * b) / 2
+    squares[:_LINES] = (2 * squares[:_LINES] + (a * b)[:_LINES]) / 3
+    until = np.cumsum(np.pad(squares, ((0, 0), (1, 0))), axis=1)  # the integral up to each place
+    place = np.arange(until.shape[1])
+    means = [np.diff(np.interp(ends, place, integral)).sum() / durations.sum() for integral in until]
     return dict(zip(METRIC_SIGNALS, np.sqrt(means).tolist(), strict=True))
-
-
-def _power(forces: FloatArray, speeds: FloatArray, windows: Windows) -> dict[str, float]:
-    """Mean and largest |u·ḋ| summed over both axles [W], from samples (2, fine steps of a command + 1, commands)."""
-    mean = peak = 0.0
-    if forces.any():
-        power = np.empty((1, *forces.shape[1:]))
-        binding.power(forces, speeds, power)
-        values = over_sections(power, [Integrand.VALUE], windows.ends)
-        mean = float(values.integrals.sum() / (windows.ends[-1, 1] - windows.ends[0, 0]))
-        peak = float(values.peaks.max())
-    return {"actuator_mean_power": mean, "actuator_peak_power": peak}
-
-
-def _airborne(
-    loads: FloatArray, highest: FloatArray, windows: Windows, static: tuple[float, float]
-) -> dict[str, float]:
-    """Time with a tyre off the road, or pulling on it where it cannot lift off [ms].
-
-    Args:
-        loads: Front and rear (2, fine steps of a command + 1, commands) [N].
-        highest: Their largest magnitude under each command (2, commands) [N].
-        windows: Where the sections lie.
-        static: The static loads [N].
-    """
-    keys = "airborne_ms", "front_airborne_ms", "rear_airborne_ms"
-    if (highest < np.reshape(static, (2, 1))).all():
-        return dict.fromkeys(keys, 0.0)
-    front, rear = loads <= -np.reshape(static, (2, 1, 1))
-    samples = np.array([front | rear, front, rear], dtype=np.float64)
-    durations = over_sections(samples, [Integrand.VALUE] * 3, windows.ends).integrals.sum(axis=1)
-    return dict(zip(keys, (durations * (windows.fine_step * 1000)).tolist(), strict=True))
 
 
 def _target_reached(scenario: Scenario, arrival: float) -> bool:

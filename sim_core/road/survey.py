@@ -1,6 +1,6 @@
 """From a surveyed profile to a road that can be driven: resampled, freed of its slope, smoothed; and the bumps in it.
 
-docs/explanation/physics.md, "Measured roads", has the steps and their sources.
+docs/explanation/road.md has the steps and their sources.
 """
 
 from dataclasses import dataclass
@@ -92,7 +92,7 @@ def bumps_in(heights: FloatArray) -> list[DetectedBump]:
         bumps.append(
             DetectedBump(
                 start=round(first * _COARSE, 2),
-                width=round(max(last - first, 1) * _COARSE, 2),
+                width=round((last - first) * _COARSE, 2),
                 height=round(float(above[crest]), 4),
             )
         )

@@ -1,4 +1,4 @@
-"""A half-car from what a whole car's data sheet says (docs/explanation/physics.md, "From a data sheet")."""
+"""A half-car from what a whole car's data sheet says (docs/explanation/half-car.md)."""
 
 from math import pi, sqrt
 from typing import Annotated, Self

@@ -2,7 +2,7 @@
 
 Its JSON Schema makes the browser's form, the command line's options and the API's documentation.
 SI units, except speeds a person types, which end in `_kmh`. Defaults are the paper's (Table 2, 3, 6
-and section 3) unless the description says "ours"; docs/explanation/physics.md gives each one's source.
+and section 3) unless the description says "ours"; docs/explanation/model.md gives each one's source.
 """
 
 from typing import Annotated, Literal, Self

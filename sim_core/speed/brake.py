@@ -9,7 +9,7 @@ AIR_DENSITY = 1.2  # [kg/m^3]
 
 
 class BrakeChain:
-    """The chain of one car, with Eq. 6's missing fraction bar and Eq. 5's tanh (docs/explanation/physics.md).
+    """The chain of one car, with Eq. 6's missing fraction bar and Eq. 5's tanh (docs/explanation/fuzzy-drive.md).
 
     k = 2 µ is the brake factor, so T = 2 µ P A r_b for one brake.
 

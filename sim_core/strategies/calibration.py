@@ -1,11 +1,8 @@
 """What the ECU of a scenario knows, as its exported program has it."""
 
 from sim_core.ecu.calibration import Calibration, Checked
-from sim_core.loop.excitation import step_sizes
-from sim_core.loop.run import make_setup
 from sim_core.scenario import Scenario
-from sim_core.speed.profile import make_speed_profile
-from sim_core.strategies import resolve_speed_plan
+from sim_core.simulate import ANY_ROAD, prepare
 from sim_core.strategies.lv_hil import LvHil
 
 
@@ -20,6 +17,4 @@ def ecu_calibration(scenario: Scenario, checked: Checked = "all") -> Calibration
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
     controller = LvHil(checked=checked).for_scenario(scenario)
-    plan = resolve_speed_plan(LvHil, scenario.speed.policy)
-    steps = step_sizes(scenario, controller, plan)
-    return controller.calibration(make_setup(scenario, controller, make_speed_profile(scenario, plan), steps))
+    return controller.calibration(prepare(scenario.model_copy(update={"road": ANY_ROAD}), controller).setup())

@@ -2,7 +2,7 @@
 
 Measured at each control instant, just before the command changes: both suspension deflections, the body's acceleration
 and the pitch rate. The braking is known from the speed plan. Of the road the filter is told what its controller
-previews; the rest of the roughness is white velocity noise to it (docs/explanation/physics.md, "State estimation").
+previews; the rest of the roughness is white velocity noise to it (docs/explanation/estimation.md).
 """
 
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from sim_core.matrices import exponential, riccati, solve
 from sim_core.road.profile import REFERENCE_FREQUENCY
 from sim_core.road.sensed import ExpectedErrors, expected_errors, trust
 from sim_core.scenario import Estimation, Preview, Scenario, Vehicle
-from sim_core.vehicle.half_car import DISTURBANCES, MEASURED_OUTPUTS, STATES, discrete, half_car, measurement
+from sim_core.vehicle.half_car import MEASURED_OUTPUTS, STATES, discrete, half_car, measurement
 from sim_core.vehicle.model import Estimator
 
 _NOISE_STREAM = 6  # a generator of its own beside the road's
@@ -79,7 +79,7 @@ def make_estimator(
     scenario: Scenario,
     step: float,
     speed: float,
-    disturbance: FloatArray,
+    braking: FloatArray,
     per_control: int = 1,
     *,
     mode: Preview = "none",
@@ -91,7 +91,7 @@ def make_estimator(
         scenario: Whose vehicle, road and sensors.
         step: Between measurements [s].
         speed: For which the filter is made [m/s].
-        disturbance: In each step, fine step after fine step (steps, 3 · fine), as `Excitation.disturbance`.
+        braking: Deceleration in each fine step of each step (steps, fine) [m/s^2].
         per_control: As of `sensor_noise`.
         mode: What the filter's controller previews, where the filter is told of it.
         seen: Mean velocity of both axles' road over each control step, as previewed (steps / per_control, 2) [m/s];
@@ -108,11 +108,10 @@ def make_estimator(
     filtered = kalman_filter(scenario.vehicle, scenario.estimation, step, intensity, unseen, per_control)
     model, sensors, L = discrete(scenario.vehicle, step), measurement(scenario.vehicle), filtered.gain
     rest = np.eye(STATES) - L @ sensors.C
-    braking, last = disturbance.reshape(len(disturbance), -1, DISTURBANCES)[:, :, 2].mean(axis=1), disturbance[:, -1]
-    predicted = np.outer(braking, model.E[:, 2])
+    predicted = np.outer(braking.mean(axis=1), model.E[:, 2])
     if seen is not None:
         predicted += np.repeat(seen, per_control, axis=0) @ model.E[:, :2].T
-    measured = sensor_noise(scenario, len(disturbance), per_control) - np.outer(last, sensors.F)
+    measured = sensor_noise(scenario, len(braking), per_control) - np.outer(braking[:, -1], sensors.F)
     return Estimator(
         state=rest @ model.A,
         command=rest @ model.B - L @ sensors.D,

@@ -56,7 +56,7 @@ def deflection_speeds(vehicle: Vehicle) -> FloatArray:
 
 @lru_cache(maxsize=128)
 def half_car(vehicle: Vehicle) -> LinearModel:
-    """The continuous model of a vehicle (Eq. 7; wheel, body and pitch equations in docs/explanation/physics.md)."""
+    """The continuous model of a vehicle (Eq. 7; wheel, body and pitch equations in docs/explanation/half-car.md)."""
     m, inertia = vehicle.body_mass, vehicle.pitch_inertia
     arm = _arms(vehicle)
     wheel_mass = np.array([vehicle.front_wheel_mass, vehicle.rear_wheel_mass])

@@ -1,45 +1,69 @@
-"""Which kind of car a vehicle is on its road."""
+"""A vehicle on its road."""
+
+import numpy as np
 
 from sim_core.arrays import FloatArray
+from sim_core.kernel.prepared import DrivenCar
+from sim_core.kernel.record import Recorder
 from sim_core.road.profile import RoadUnderAxles
 from sim_core.scenario import Actuator, Vehicle
-from sim_core.vehicle.half_car import DISTURBANCES
-from sim_core.vehicle.linear import LinearCar
-from sim_core.vehicle.model import Estimator, SemiActiveDampers, VehicleModel
-from sim_core.vehicle.nonlinear import NonlinearCar
-from sim_core.vehicle.plant import plant
+from sim_core.vehicle.half_car import FORCES, STATES
+from sim_core.vehicle.linear import effects
+from sim_core.vehicle.model import Estimator, SemiActiveDampers
+from sim_core.vehicle.nonlinear import numbers, substeps
 
 
 def make_vehicle(
     vehicle: Vehicle,
     actuator: Actuator,
-    step: float,
-    disturbance: FloatArray,
-    before: int,
+    fine_step: float,
+    fine: int,
+    height: FloatArray,
+    braking: FloatArray,
     *,
     estimator: Estimator | None = None,
     dampers: SemiActiveDampers | None = None,
     road: RoadUnderAxles | None = None,
-) -> VehicleModel:
+    recorder: Recorder | None = None,
+) -> DrivenCar:
     """A car on its road.
 
     Args:
         vehicle: The real one.
         actuator: Its actuators.
-        step: Control step [s].
-        disturbance: In each control step, fine step after fine step (steps, 3 · fine), as `Excitation.disturbance`.
-        before: Control steps before those on record.
+        fine_step: Fine step [s].
+        fine: Fine steps in each of its steps.
+        height: Of the road under both axles at the ends of all fine steps (2, n + 1) [m].
+        braking: Deceleration in each fine step (n,) [m/s^2].
         estimator: Between car and controller; None where that has the state itself.
         dampers: Its dampers where they are semi-active; None where actuators act beside passive ones.
         road: The road itself within each fine step, to which a nonlinear car's stops, tyres and limits are sensitive;
-            None where it is straight there, as `disturbance` has it and a linear car takes it.
+            None where it is straight there, as a linear car takes it.
+        recorder: What measures its drive; None for nothing.
     """
-    if is_linear(vehicle, dampers):
-        matrices = plant(vehicle, actuator, step, disturbance.shape[1] // DISTURBANCES)
-        return LinearCar(matrices, vehicle, disturbance, before, estimator)
-    return NonlinearCar(vehicle, actuator, step, disturbance, before, estimator, dampers, road)
+    linear = is_linear(vehicle, dampers)
+    return DrivenCar(
+        vehicle=numbers(vehicle, actuator, dampers),
+        states=STATES if actuator.bandwidth is None else STATES + FORCES,
+        effects=effects(vehicle, actuator, fine_step) if linear else None,
+        steps=len(braking) // fine,
+        fine=fine,
+        estimator=None if estimator is None else _numbers_of(estimator),
+        estimator_input=np.empty((0, STATES)) if estimator is None else np.ascontiguousarray(estimator.input),
+        road=None if road is None else (road.surface.roughness, road.surface.layout, road.position, road.within),
+        height=height,
+        braking=braking,
+        substeps=1 if linear else substeps(vehicle, actuator, dampers, fine_step),
+        fine_step=fine_step,
+        recorder=recorder,
+    )
 
 
 def is_linear(vehicle: Vehicle, dampers: SemiActiveDampers | None) -> bool:
     """Whether its steps are exact: passive dampers, stops and tyres that are linear, and no semi-active `dampers`."""
     return vehicle.linear and dampers is None
+
+
+def _numbers_of(estimator: Estimator) -> FloatArray:
+    """`struct estimator` of kernel/car.c (112,)."""
+    return np.concatenate([part.ravel() for part in (estimator.state, estimator.command, estimator.measurement)])

@@ -1,12 +1,10 @@
-"""What a car on its road is: driven over many control steps by a linear law, over one by a command, and recorded."""
+"""A law of control, semi-active dampers and an estimator: what is between a car and its controller."""
 
-from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from math import inf
 
 from sim_core.arrays import FloatArray
 from sim_core.errors import RidelabError
-from sim_core.kernel.prepared import DrivenCar, FollowLaw, LawArrays
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -60,47 +58,3 @@ class Estimator:
     command: FloatArray
     measurement: FloatArray
     input: FloatArray
-
-
-class VehicleModel(ABC):
-    """`size` numbers are the state p: the half-car's (8,), then a lagging actuator's forces [N] (2,).
-
-    With an estimator its estimate (8,) comes before them, so that p begins with what a controller acts on.
-    """
-
-    size: int
-    _driven: DrivenCar
-
-    def follow_law(self, law: LawArrays, loop: FloatArray) -> FollowLaw:
-        """Drive it by a law of control, as `prepared.DrivenCar.follow_law` says.
-
-        Args:
-            law: In all control steps.
-            loop: [p; previous command] before each step and after the last (steps + 1, size + 2).
-        """
-        return self._driven.follow_law(law, loop)
-
-    def advance(self, step: int, loop: FloatArray) -> None:
-        """Fill in the state after a control step, whose command [N] stands beside it in `follow_law`'s `loop`."""
-        self._driven.advance(step, loop)
-
-    @abstractmethod
-    def measure(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
-        """half_car.MEASURED_OUTPUTS (4,) at the beginning of a control step, without noise.
-
-        Args:
-            step: Index of the control step.
-            state: p (size,) then.
-            command: Held until then (2,) [N].
-        """
-
-    @abstractmethod
-    def record(self, states: FloatArray, commands: FloatArray) -> FloatArray:
-        """plant.RECORDED (10, fine + 1, steps) of the control steps on record, as they were driven last.
-
-        A step begins with the value after its command has changed and ends with the value before the next one does.
-
-        Args:
-            states: p at the beginning of each (steps, size).
-            commands: Held in each (steps, 2) [N].
-        """

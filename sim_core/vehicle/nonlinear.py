@@ -1,4 +1,4 @@
-"""The half-car where dampers, stops and tyres are not linear, stepped by the C of kernel/nonlinear_car.c.
+"""What the C of kernel/car.c is told of a car: its numbers, and how finely it is stepped where it is not linear.
 
 F_i = k_i d + c_i(ḋ) ḋ + stop_i(d) - u_i - link_i a, a being the braking, and load_i = max(-k_t,i (z_w - z_r), -static
 load_i). The slope of each of these changes where a damper turns, a stop is met or a tyre lifts off: a step
@@ -14,12 +14,9 @@ from math import ceil, inf, pi
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.prepared import nonlinear_car
-from sim_core.road.profile import RoadUnderAxles
 from sim_core.scenario import Actuator, Vehicle
-from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, deflection_speeds, half_car
-from sim_core.vehicle.model import Estimator, SemiActiveDampers, VehicleModel
-from sim_core.vehicle.plant import RECORDED
+from sim_core.vehicle.half_car import deflection_speeds, half_car
+from sim_core.vehicle.model import SemiActiveDampers
 
 _LONGEST_ANGLE = 0.09  # of the fastest pole in one step of Runge-Kutta [rad]; larger ones miss test_nonlinear_loops
 # Of a semi-active damper that no limit is given for: it does not stop a wheel faster [s]. Without this its coefficient
@@ -28,53 +25,6 @@ _SHORTEST_STOP = 1e-3
 # One step of Runge-Kutta with semi-active dampers, whose force has corners at which no step ends: at most so long [s],
 # and at most so large an exponent of the decay that the hardest damper causes.
 _LONGEST_STEP, _LARGEST_DECAY = 2.5e-4, 1.0
-_SIGNALS = len(RECORDED)
-
-
-class NonlinearCar(VehicleModel):
-    """A nonlinear car on its road; the arguments are `make_vehicle`'s."""
-
-    def __init__(
-        self,
-        vehicle: Vehicle,
-        actuator: Actuator,
-        step: float,
-        disturbance: FloatArray,
-        before: int,
-        estimator: Estimator | None,
-        dampers: SemiActiveDampers | None = None,
-        road: RoadUnderAxles | None = None,
-    ) -> None:
-        states = STATES if actuator.bandwidth is None else STATES + FORCES
-        self.size = states + (0 if estimator is None else STATES)
-        fine = disturbance.shape[1] // DISTURBANCES
-        self._disturbance = np.ascontiguousarray(disturbance, dtype=np.float64)
-        self._table = np.empty((_SIGNALS, fine + 1, len(disturbance) - before))  # of the last drive over each step
-        self._driven = nonlinear_car(
-            car=_numbers(vehicle, actuator, dampers),
-            states=states,
-            estimator=None if estimator is None else _matrices(estimator),
-            estimator_input=np.empty((0, STATES)) if estimator is None else np.ascontiguousarray(estimator.input),
-            road=None if road is None else (road.surface.roughness, road.surface.layout, road.position, road.within),
-            disturbance=self._disturbance,
-            substeps=substeps(vehicle, actuator, dampers, step / fine),
-            fine_step=step / fine,
-            table=self._table,
-        )
-
-    def measure(self, step: int, state: FloatArray, command: FloatArray) -> FloatArray:
-        """As VehicleModel says."""
-        braking = float(self._disturbance[max(step - 1, 0), -1])
-        return self._driven.measure(np.ascontiguousarray(state), np.ascontiguousarray(command), braking)
-
-    def record(self, states: FloatArray, commands: FloatArray) -> FloatArray:
-        """As VehicleModel says: what was sampled while it drove."""
-        return self._table
-
-
-def _matrices(estimator: Estimator) -> FloatArray:
-    """`struct estimator` of nonlinear_car.c (112,)."""
-    return np.concatenate([part.ravel() for part in (estimator.state, estimator.command, estimator.measurement)])
 
 
 def substeps(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | None, fine_step: float) -> int:
@@ -101,8 +51,9 @@ def _corner(actuator: Actuator) -> float:
     return 2 * pi * (actuator.bandwidth or 0.0)
 
 
-def _numbers(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | None) -> FloatArray:
-    """`struct vehicle` of nonlinear_car.c (33,)."""
+@lru_cache(maxsize=128)
+def numbers(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | None) -> FloatArray:
+    """`struct vehicle` of kernel/car.c (33,)."""
     semi_active = dampers or SemiActiveDampers(least=0.0, most=0.0, most_force=0.0)
     compression, rebound = vehicle.damping_factors
     damping = np.array([vehicle.front_damping, vehicle.rear_damping])

@@ -4,44 +4,91 @@ And every public name of the core has an example that runs.
 """
 
 import doctest
+import io
 import os
 import re
 from collections import Counter
 from collections.abc import Callable
+from contextlib import redirect_stdout
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import sim_core
 from backend.paper import errata
-from tests.docs import scenario_reference
+from tests.docs import library_reference, scenario_reference
+from tests.docs.drawing import chart
 
 ROOT = Path(__file__).parents[2]
-BLOCK = re.compile(r"^```python\n(.*?)^```$", re.DOTALL | re.MULTILINE)
+BLOCK = re.compile(r"^```python\n(.*?)^```$(?:\n\nIt prints:\n\n```text\n(.*?)^```$)?", re.DOTALL | re.MULTILINE)
+PRINTS = "\n\nIt prints:\n\n```text\n{}```"
+FIGURE = re.compile(r"^!\[([^\]]*)\]\(([^)]+\.svg)\)$", re.MULTILINE)
+SCENARIO = re.compile(r"\[[^\]]*\]\(([\w-]+\.json)\)")
+_FORMULAS = ("road", "half-car", "fuzzy-drive", "cost-and-lqr", "mpc", "preview", "estimation", "metrics", "luck")
+_LESSONS = ("ten-cells", "own-controller", "read-a-result")
+PAGES = [
+    "README.md",
+    "sim_core/README.md",
+    "docs/gallery/index.md",
+    *(f"docs/tutorials/{name}.md" for name in _LESSONS),
+    *(f"docs/explanation/{name}.md" for name in _FORMULAS),
+]
 CONSTANTS_AND_TYPES = {"STRATEGIES", "FloatArray", "Preview", "SpeedPlan", "Weights"}  # they have no docstring
 PARTS = set(sim_core.scenario.__all__) - {"Scenario"}  # Scenario's example shows how they make one
 PUBLIC = sorted(set(sim_core.__all__) - CONSTANTS_AND_TYPES - PARTS)
 
 
-@pytest.mark.parametrize(("page", "name"), [(scenario_reference.page, "scenario.md"), (errata.page, "errata.md")])
-def test_a_reference_page_is_what_the_core_says(page: Callable[[], str], name: str) -> None:
+REFERENCE = {
+    "scenario.md": scenario_reference.page,
+    "errata.md": errata.page,
+    "library.md": library_reference.library,
+    "client.md": library_reference.client,
+}
+
+
+@pytest.mark.parametrize(("name", "page"), REFERENCE.items())
+def test_a_reference_page_is_what_the_code_says(name: str, page: Callable[[], str]) -> None:
     """UPDATE_DOCS=1 writes it."""
-    path = ROOT / "docs/reference" / name
-    if os.environ.get("UPDATE_DOCS"):
-        path.write_text(page(), encoding="utf-8")
-    assert path.read_text(encoding="utf-8") == page()
+    compare(ROOT / "docs/reference" / name, page())
 
 
-@pytest.mark.parametrize("name", ["README.md", "sim_core/README.md", "docs/explanation/physics.md"])
+@pytest.mark.parametrize("name", PAGES)
 def test_the_python_blocks_of_a_page_run(name: str) -> None:
-    """In order, each with the names of those before; a traceback has the page's lines. Those of physics.md compare."""
+    """In order, each with the names of those before; a traceback has the page's lines. Those of explanations compare.
+
+    What a page says that a block prints, it prints. A block that sets `curves` and `axes` is the figure above it; one
+    that sets `scenario` too is the file named there. UPDATE_DOCS=1 writes all of these.
+    """
     path = ROOT / name
     page, names = path.read_text(encoding="utf-8"), dict[str, object](__name__="page")
-    blocks = list(BLOCK.finditer(page))
-    assert blocks
-    for block in blocks:
+    assert BLOCK.search(page)
+
+    def again(block: re.Match[str]) -> str:
         above = "\n" * page.count("\n", 0, block.start(1))
-        exec(compile(above + block[1], str(path), "exec"), names)  # noqa: S102 - our own page
+        for figure in ("curves", "axes", "scenario"):
+            names.pop(figure, None)
+        with redirect_stdout(io.StringIO()) as printed:
+            exec(compile(above + block[1], str(path), "exec"), names)  # noqa: S102 - our own page
+        if "curves" in names:
+            compare_figure(path.parent, page[: block.start()], names)
+        return f"```python\n{block[1]}```" + (PRINTS.format(printed.getvalue()) if block[2] is not None else "")
+
+    compare(path, BLOCK.sub(again, page))
+
+
+def compare_figure(folder: Path, above: str, names: dict[str, Any]) -> None:
+    title, picture = FIGURE.findall(above)[-1]
+    compare(folder / picture, chart(names["curves"], names["axes"], title))
+    if isinstance(scenario := names.get("scenario"), sim_core.Scenario):
+        compare(folder / SCENARIO.findall(above)[-1], scenario.model_dump_json(indent=1) + "\n")
+
+
+def compare(path: Path, content: str) -> None:
+    """Hold a file to what it should be, or write that with UPDATE_DOCS=1."""
+    if os.environ.get("UPDATE_DOCS"):
+        path.write_text(content, encoding="utf-8")
+    assert path.read_text(encoding="utf-8") == content, f"{path.name} is another one: UPDATE_DOCS=1"
 
 
 def test_a_symbol_has_one_meaning() -> None:

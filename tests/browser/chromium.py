@@ -39,15 +39,15 @@ ARGUMENTS = (
     "--disable-component-update",
     "--disable-sync",
     f"--disable-features={','.join(SWITCHED_OFF)}",
-    "--js-flags=--no-maglev --no-turbofan",  # no page here lives long enough for what its scripts' compilers cost
 )
+NO_COMPILERS = "--js-flags=--no-maglev --no-turbofan"  # no test's page lives long enough for what they cost
 DOWNLOAD = [sys.executable, "-m", "playwright", "install", "chromium"]  # the whole browser, and its shell
 
 
-def launch(playwright: Playwright, *, back_forward_cache: bool = False) -> Browser:
+def launch(playwright: Playwright, *, back_forward_cache: bool = False, compilers: bool = False) -> Browser:
     """Starts it, by itself without the back/forward cache: Playwright does not follow a page that it brings back.
 
-    The shell has none: with it, it is the whole browser.
+    The shell has none: with it, it is the whole browser. With `compilers` scripts run as fast as at a visitor's.
     """
     path = next(filter(None, map(shutil.which, NAMES if back_forward_cache else (SHELL, *NAMES))), None)
     if path is None and not _downloaded():
@@ -55,7 +55,7 @@ def launch(playwright: Playwright, *, back_forward_cache: bool = False) -> Brows
     return playwright.chromium.launch(
         executable_path=path,
         channel="chromium" if path is None and back_forward_cache else None,
-        args=ARGUMENTS,
+        args=ARGUMENTS if compilers else (*ARGUMENTS, NO_COMPILERS),
         ignore_default_args=["--disable-back-forward-cache"] if back_forward_cache else [],
     )
 

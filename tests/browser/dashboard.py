@@ -20,11 +20,9 @@ REFUSE_COPYING = """
 Object.defineProperty(navigator, 'clipboard', {value: undefined});
 document.execCommand = () => false;
 """
-WATCH_DRAWINGS = """() => {
+WATCH_DRAWINGS = """async () => {
+  await new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)));
   window.drawings = 0;
-  const observer = new MutationObserver(changes => window.drawings += changes.length);
-  for (const plot of document.querySelectorAll('[data-figure] .scatterlayer'))
-    observer.observe(plot, {subtree: true, childList: true, attributes: true});
   const {stroke} = CanvasRenderingContext2D.prototype;
   CanvasRenderingContext2D.prototype.stroke = function () { window.drawings += 1; return stroke.call(this); };
 }"""
@@ -73,12 +71,13 @@ class Dashboard:
         self.expect_curves()
 
     def expect_curves(self) -> None:
-        """Waits for a stored run's curves; whatever address named another run before names this one by then.
+        """Waits for a stored run's curves and tables; whatever address named another run names this one by then.
 
         Without `expect`, which writes down the whole page for its message at every look: a quarter of a second each.
         """
-        self.page.locator(".scatterlayer .trace").first.wait_for()
-        self.page.locator("[data-testid=results][data-source=exact]:not([data-stale=true])").wait_for()
+        self.page.locator("canvas[data-drawn]").first.wait_for()
+        exact = self.page.locator("[data-testid=results][data-source=exact]:not([data-stale=true])")
+        exact.locator("table").first.wait_for()
 
     @property
     def results(self) -> Locator:
@@ -139,14 +138,21 @@ class Dashboard:
         assert self.shown_values() == expected
 
     def curves(self) -> list[str]:
-        """Every curve on the screen, as it is drawn."""
-        paths: list[str] = self.results.locator(".scatterlayer .js-line").evaluate_all(
-            "lines => lines.map(line => line.getAttribute('d'))"
+        """Every panel on the screen, as it is drawn, in steps of an eighth of a colour's range."""
+        pictures: list[str] = self.results.locator("canvas[data-drawn]").evaluate_all(
+            """panels => panels.map(panel => {
+              const {data} = panel.getContext('2d').getImageData(0, 0, panel.width, panel.height);
+              return data.map(value => Math.round(value / 32)).join('');
+            })"""
         )
-        return paths
+        return pictures
+
+    def panel(self, signal: str) -> Locator:
+        """The canvas of a figure; `data-drawn` says how many curves are on it."""
+        return self.page.locator(f"section[data-figure={signal}] canvas")
 
     def drawings(self) -> Callable[[], int]:
-        """How often a curve is drawn from now on, by plotly or on a canvas."""
+        """How often a line is drawn from now on."""
         self.page.evaluate(WATCH_DRAWINGS)
         return lambda: int(self.page.evaluate("window.drawings"))
 

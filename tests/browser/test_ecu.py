@@ -49,7 +49,7 @@ def test_the_loop_is_held_to_the_rule_and_its_switches_matter(dashboard: Dashboa
     expect(page.get_by_text("This is software in the loop with the ECU’s code, not a bench")).to_be_visible()
     expect_rule(page, run(server, {}))
     page.get_by_role("region", name="Time histories").locator("section").first.scroll_into_view_if_needed()
-    expect(page.locator(".scatterlayer .trace").first).to_be_visible()
+    expect(page.locator("canvas[data-drawn]").first).to_be_visible()
 
     bits = page.get_by_role("textbox", name="Converter bits")
     bits.fill("3")

@@ -50,24 +50,31 @@ def test_opens_on_the_bump_every_plot_has_the_same_part_and_one_cursor_reads_the
     """Dragging zooms; a double click shows the whole run, and so does its address."""
     dashboard.open()
     page = dashboard.page
-    ticks = "section[data-figure={}] .xaxislayer-above .xtick text"
-    first, second, road = (
-        page.locator(ticks.format(name)).all_text_contents for name in ("speed", "brake_pressure", "front_road")
-    )
+
+    def part(signal: str) -> str:
+        """Of the run, as the panel's name says it."""
+        name = page.locator(f"section[data-figure={signal}] [role=img]").get_attribute("aria-label") or ""
+        return name.partition(" over ")[2].partition(":")[0]
+
+    def is_part(text: str) -> None:
+        expect(page.get_by_role("img", name=f"over {text}")).to_have_count(10)
+
     x, y, width = middle_of(page.locator("section[data-figure=speed]"))
-    expect(page.locator(ticks.format("speed")).first).to_have_text("100")
-    assert first() == second() == ["100", "105", "110 m"]
-    assert road()[0] == "0"
+    bump = part("speed")
+    is_part(bump)
+    assert re.fullmatch(r"distance from 9\d\.\d to 11\d\.\d m", bump)
+    assert "whole run" in part("front_road")
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x + width / 5, y, steps=4)
     page.mouse.up()
     expect(page).to_have_url(re.compile(r"zoom=\d"))
-    assert first() == second() != ["100", "105", "110 m"]
+    is_part(part("speed"))
+    assert part("speed") != bump
     page.mouse.dblclick(x, y)
     expect(page).to_have_url(re.compile("zoom=whole"))
-    expect(page.locator(ticks.format("speed")).first).to_have_text("0")
-    assert first() == second()
+    assert part("speed").startswith("distance from 0.0 to ")
+    is_part(part("speed"))
     page.get_by_role("button", name="Bump", exact=True).last.click()
     expect(page).not_to_have_url(re.compile("zoom"))
 
@@ -94,6 +101,39 @@ def test_opens_on_the_bump_every_plot_has_the_same_part_and_one_cursor_reads_the
     for button in ("Pause", "Play"):  # the space bar does the same
         page.keyboard.press("Space")
         expect(page.get_by_role("button", name=button, exact=True)).to_be_visible()
+
+
+def test_a_panel_opens_enlarged_in_plotly(dashboard: Dashboard) -> None:
+    """Which is loaded for it, not before: with values under the pointer, a box to zoom into, and a picture."""
+    loaded: list[str] = []
+    page = dashboard.page
+    page.on("request", lambda request: loaded.append(request.url))
+    dashboard.open()
+    page.wait_for_load_state("networkidle")
+    assert not any("charts" in url for url in loaded)
+
+    page.get_by_role("button", name="Enlarge figure: Body acceleration").click()
+    figure = page.get_by_role("dialog", name="Body acceleration")
+    curves, ticks = figure.locator(".scatterlayer .trace"), figure.locator(".xaxislayer-above .xtick text")
+    expect(curves).to_have_count(3)
+    box = figure.locator(".nsewdrag").first.bounding_box()
+    assert box is not None
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    expect(figure.locator(".hoverlayer")).to_contain_text("m/s²")
+    dashboard.expect_accessible(figure)
+    before = ticks.all_text_contents()
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + box["width"] / 5, y, steps=4)
+    page.mouse.up()
+    expect(ticks.first).not_to_have_text(before[0])
+    page.mouse.move(x, y)
+    with page.expect_download() as download:
+        figure.locator(".modebar-btn").first.click()
+    assert download.value.suggested_filename == f"ridelab-{dashboard.run_id}-body_acceleration.svg"
+    page.keyboard.press("Escape")
+    expect(figure).to_have_count(0)
 
 
 def test_everything_goes_by_keyboard(dashboard: Dashboard) -> None:

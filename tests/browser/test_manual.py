@@ -16,7 +16,7 @@ def test_the_manual_is_searched(dashboard: Dashboard) -> None:
     page.get_by_role("button", name="Search").click()
     page.get_by_role("combobox", name="Search").fill("half-car")
     page.get_by_role("option", name="half-car").first.click()
-    expect(page).to_have_url(re.compile("/manual/explanation/.*#half-car"))
+    expect(page).to_have_url(re.compile("/manual/explanation/half-car/"))
 
 
 def test_an_unknown_address_of_the_manual_is_answered_by_the_dashboard(dashboard: Dashboard) -> None:

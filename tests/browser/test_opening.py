@@ -12,7 +12,7 @@ def test_opens_on_the_papers_scenario_with_every_figure(browser: Browser, server
     context = browser.new_context(viewport={"width": 1440, "height": 900}, base_url=server.url)
     dashboard = Dashboard(context.new_page(), server.url)
     dashboard.page.goto("/")
-    expect(dashboard.page.locator(".scatterlayer .trace").first).to_be_visible()
+    dashboard.expect_curves()
     expect(dashboard.page).to_have_title("100 mm bump, 50 → 22.5 km/h · Ridelab")
     expect(dashboard.page.get_by_text("The paper’s scenario")).to_be_visible()
     dashboard.expect_table_to_be_the_stored_run()

@@ -119,7 +119,7 @@ def test_sets_count_and_misprints_are_what_the_tables_show_and_the_api_says(pape
     without = api["without_preview"]["reached"]
     expect(paper.get_by_test_id("count-without")).to_contain_text(f"{without} of {api['total']}")
     misprints = [cell for cell in api["cells"] if cell["misprint"]]
-    assert len(misprints) == 3  # Table 8 rear tyre, Table 9 body acceleration twice: physics.md
+    assert len(misprints) == 3  # Table 8 rear tyre, Table 9 body acceleration twice
     for cell in misprints:
         row = paper.locator(f"#table-{cell['table']}-{cell['strategy']}-{cell['against']}-{cell['signal']}")
         follows = f"{abs(cell['misprint']['follows']):g}"

@@ -71,7 +71,7 @@ def test_a_reload_keeps_undo_redo_and_what_changes_are_against(dashboard: Dashbo
     page = dashboard.page
     with page.context.new_page() as other:
         other.goto(dashboard.address())
-        expect(other.locator(".scatterlayer .trace").first).to_be_visible()
+        expect(other.locator("canvas[data-drawn]").first).to_be_visible()
         expect(other.get_by_role("button", name="Undo")).to_be_disabled()
     page.reload()
     dashboard.expect_curves()

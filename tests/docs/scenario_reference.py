@@ -4,6 +4,7 @@ from typing import Any
 
 from sim_core.catalogue import COMFORT, EVENTS, SIGNALS, Entry
 from sim_core.scenario import Scenario, dotted
+from sim_core.scenario.data_sheet import DataSheet
 from sim_core.scenario.presets import PRESETS
 from sim_core.scenario.vehicles import VEHICLES
 from sim_core.strategies import STRATEGIES, reads
@@ -13,6 +14,8 @@ _HEAD = """# The scenario, field by field
 Written from sim_core/scenario/parts.py; a test keeps this page equal to it. Every field
 has a default, the paper's unless its text says "ours"; the range is what a slider offers, the limits what is accepted.
 """
+_DATA_SHEET = """Of what a whole car's data sheet says `sim_core.scenario.data_sheet.DataSheet`,
+`POST /api/v1/vehicles/from-data-sheet` and the page make a `vehicle`; its fields stand in no scenario."""
 
 
 def page() -> str:
@@ -22,17 +25,23 @@ def page() -> str:
     for name, part in schema["properties"].items():
         lines += _part(name, _resolve(part, schema), schema)
     lines += ["## Presets\n", "| id | what it is | other than the paper's |", "|---|---|---|"]
-    lines += [f"| `{each.id}` | {each.description} | {_changed(each.scenario)} |" for each in PRESETS.values()]
+    lines += [f"| {_named(each.id)} | {each.description} | {_changed(each.scenario)} |" for each in PRESETS.values()]
     lines += ["\n## Vehicles\n", "| id | what it is | other than the paper's |", "|---|---|---|"]
     for car in VEHICLES.values():
-        lines.append(f"| `{car.id}` | {car.description} | {_changed(Scenario(vehicle=car.vehicle))} |")
-    lines += ["\n## Strategies\n", "| id | what it does | reads |", "|---|---|---|"]
+        lines.append(f"| {_named(car.id)} | {car.description} | {_changed(Scenario(vehicle=car.vehicle))} |")
+    lines += ["", _DATA_SHEET, "", *_part("data_sheet", DataSheet.model_json_schema(), {})]
+    lines += ["## Strategies\n", "| id | what it does | reads |", "|---|---|---|"]
     for row in STRATEGIES.values():
-        lines.append(f"| `{row.id}` | {row.description()} | {', '.join(f'`{name}`' for name in reads(row))} |")
+        lines.append(f"| {_named(row.id)} | {row.description()} | {', '.join(f'`{name}`' for name in reads(row))} |")
     for title, catalogue in (("Signals", SIGNALS), ("Comfort figures", COMFORT), ("Events", EVENTS)):
         lines += [f"\n## {title}\n", "| key | label | unit | note |", "|---|---|---|---|"]
         lines += [_quantity(item) for item in catalogue.values()]
     return "\n".join(lines) + "\n"
+
+
+def _named(name: str) -> str:
+    """A name with an anchor, so that an address may end with it."""
+    return f'<a id="{name}"></a>`{name}`'
 
 
 def _changed(scenario: Scenario) -> str:
@@ -67,13 +76,13 @@ def _field(path: str, field: dict[str, Any]) -> str:
     number = next((option for option in field.get("anyOf", [field]) if "maximum" in option), field)
     if "prefixItems" in field:
         number = field["prefixItems"][0]
-    soft, default = field.get("soft_range"), field.get("default")
+    soft, default = field.get("soft_range"), field.get("default", "required")
     limits = f"{_show(number['minimum'])} to {_show(number['maximum'])}" if "maximum" in number else ""
     if "enum" in field:
         limits = ", ".join(f"`{choice}`" for choice in field["enum"])
     between = f"{_show(soft[0])} to {_show(soft[1])}" if soft else ""
     return (
-        f"| `{path}` | {_show(default)} | {field.get('unit', '')} | {between} | {limits} | "
+        f"| {_named(path)} | {_show(default)} | {field.get('unit', '')} | {between} | {limits} | "
         f"{field['title']}. {field.get('description', '')} |"
     )
 
@@ -88,4 +97,4 @@ def _show(value: Any) -> str:
 
 
 def _quantity(item: Entry) -> str:
-    return f"| `{item.key}` | {item.label} | {item.unit} | {item.description} |"
+    return f"| {_named(item.key)} | {item.label} | {item.unit} | {item.description} |"

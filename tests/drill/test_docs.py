@@ -21,7 +21,7 @@ def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
         yield service.client
 
 
-@pytest.mark.parametrize("name", ["explanation/robustness.md", "how-to/guide.md"])
+@pytest.mark.parametrize("name", ["explanation/robustness.md", "how-to/which-hump.md"])
 def test_a_page_shows_what_its_commands_print(
     name: str, client: httpx.Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

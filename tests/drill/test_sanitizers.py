@@ -79,8 +79,8 @@ def test_the_tests_drive_nothing_beyond_an_array_or_undefined(copy: Path) -> Non
 @pytest.mark.parametrize(
     ("file", "right", "wrong", "found"),
     [
-        ("road.c", "i < steps; i++) {\n        held", "i <= steps; i++) {\n        held", "heap-buffer-overflow"),
-        ("nonlinear_car.c", "own << OF_AXLE", "own << 40", "shift exponent 40 is too large"),
+        ("road.c", "i < n; i++)\n        height", "i <= n; i++)\n        height", "heap-buffer-overflow"),
+        ("car.c", "own << OF_AXLE", "own << 40", "shift exponent 40 is too large"),
     ],
     ids=["beyond an array", "undefined"],
 )

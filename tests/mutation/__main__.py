@@ -32,7 +32,7 @@ MOST_UNNOTICED = 0.1
 EXPLAINED = ROOT / "docs/explanation/mutation.md"
 TESTS = [
     path.relative_to(ROOT) for folder in ("unit", "validation") for path in (ROOT / "tests" / folder).glob("test_*.py")
-] + [Path("tests/architecture/test_documentation.py")]  # the formulas of physics.md, examples, and the fields' ranges
+] + [Path("tests/architecture/test_documentation.py")]  # formulas of docs/explanation, examples, ranges of fields
 # It notices every change of a number and knows nothing of which is right: asked when all others have passed.
 STORED_NUMBERS = "tests/validation/test_golden.py::test_no_number_changes_without_the_version"
 # Tests that take so much longer than three times what they take without a change have noticed; processor time, of which

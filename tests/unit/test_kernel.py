@@ -1,7 +1,7 @@
 """The core's C: how it is compiled, and each function against its definition in NumPy."""
 
 import subprocess
-from itertools import pairwise
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -10,19 +10,16 @@ from numpy.random import default_rng
 
 from sim_core.arrays import FloatArray
 from sim_core.control.law import LinearLaw
-from sim_core.kernel import binding, build, library, prepared
+from sim_core.kernel import build, library, prepared
 from sim_core.kernel.library import load
 from sim_core.kernel.qp import QpMemory
 from sim_core.loop.closed_loop import _norms, law_arrays
 from sim_core.loop.preview import sliding_forecast
-from sim_core.metrics.sections import Integrand, over_sections
+from sim_core.scenario import Actuator, Vehicle
+from sim_core.vehicle.half_car import measurement
+from sim_core.vehicle.nonlinear import numbers
 from tests.unit.qp_design import qp_design
-
-INTEGRAL_OF = {  # over one fine step from a to b
-    Integrand.VALUE: lambda a, b: (a + b) / 2,
-    Integrand.SQUARE: lambda a, b: (a**2 + b**2) / 2,
-    Integrand.SQUARE_OF_LINE: lambda a, b: (a**2 + a * b + b**2) / 3,
-}
+from tests.unit.still_car import still_car
 
 
 def test_where_it_is_not_built_or_of_other_sources_it_says_what_to_do(tmp_path: Path) -> None:
@@ -57,55 +54,6 @@ def test_it_is_plain_c11_to_the_machines_compiler(tmp_path: Path) -> None:
     assert (output.returncode, output.stderr) == (0, "")
 
 
-@pytest.mark.parametrize("n", [1, 10])
-def test_a_recurrence_is_step_after_step(n: int) -> None:
-    rng = default_rng(n)
-    matrix, states = rng.normal(size=(n, n)) / n, rng.normal(size=(50, n))
-    expected = states.copy()
-    for before, after in pairwise(expected):
-        after += matrix @ before
-    binding.recurrence(matrix, states)
-    np.testing.assert_allclose(states, expected, rtol=1e-12)
-
-
-def in_section(integrand: Integrand, signal: FloatArray, first: float, last: float) -> tuple[float, float]:
-    """Integral and peak of a signal (fine + 1, commands) from one place to another, fine step after fine step."""
-    fine, integral, peak = len(signal) - 1, 0.0, 0.0
-    for step in range(int(first), int(np.ceil(last))):
-        command, row = divmod(step, fine)
-        a, b = signal[row : row + 2, command]
-        low, high = max(first - step, 0.0), min(last - step, 1.0)
-        integral += (high - low) * INTEGRAL_OF[integrand](a, b)
-        peak = max(peak, abs(a + low * (b - a)), abs(a + high * (b - a)))
-    return integral, peak
-
-
-@pytest.mark.parametrize("fine", [1, 4])
-def test_sections_are_the_sum_of_their_fine_steps(fine: int) -> None:
-    """Wherever they end: at a sample or between two, under a command or where it changes, both ends under one."""
-    table = default_rng(fine).normal(size=(3, fine + 1, 8))
-    ends = np.array([[0, 8], [0.5, 0.75], [0.2, 1], [1, 3.3], [2, 2], [2.7, 7.1], [7.5, 8]]) * fine
-    values = over_sections(table, list(Integrand), ends)
-    np.testing.assert_array_equal(values.highest, np.abs(table).max(axis=1))
-    for integrand, signal, integrals, peaks in zip(Integrand, table, values.integrals, values.peaks.T, strict=True):
-        expected = [in_section(integrand, signal, *section) for section in ends.tolist()]
-        np.testing.assert_allclose(np.transpose([integrals, peaks]), expected, rtol=1e-12, atol=1e-15)
-
-
-@pytest.mark.parametrize("ends", [(-1.0, 2.0), (3.0, 2.0), (0.0, 9.0), (np.nan, 2.0)])
-def test_no_section_ends_outside_the_record(ends: tuple[float, float]) -> None:
-    with pytest.raises(ValueError, match="section"):
-        over_sections(np.zeros((1, 3, 4)), [Integrand.VALUE], np.array([ends]))
-
-
-def test_what_is_not_finite_shows_in_its_section_alone() -> None:
-    table = np.ones((1, 3, 4))
-    table[0, 1, 3] = np.nan
-    values = over_sections(table, [Integrand.SQUARE], np.array([[0.0, 6.0], [6.0, 8.0]]))
-    np.testing.assert_array_equal(values.integrals, [[6.0, np.nan]])
-    np.testing.assert_array_equal(values.peaks, [[1.0], [np.nan]])
-
-
 def test_a_sliding_horizon_is_each_of_its_windows() -> None:
     horizon = 5
     forecast = sliding_forecast(default_rng(2).normal(size=(3, 20)), horizon, np.zeros((2, 16)))
@@ -116,13 +64,58 @@ def test_a_sliding_horizon_is_each_of_its_windows() -> None:
     np.testing.assert_allclose(forecast.sizes, [np.abs(braking.mean(axis=1)), *norms])
 
 
+def random_car(
+    rng: np.random.Generator, steps: int
+) -> tuple[prepared.DrivenCar, Callable[[int, FloatArray, FloatArray], FloatArray]]:
+    """A car of random numbers, perhaps with lagging actuators and an estimator; and its control step in NumPy."""
+    n, fine, estimates = int(rng.choice([8, 10])), int(rng.integers(1, 4)), bool(rng.integers(2))
+    A, B, E = np.linalg.qr(rng.normal(size=(n, n)))[0] * 0.95, rng.normal(size=(n, 2)) * 0.1, rng.normal(size=(n, 3))
+    height, braking = rng.normal(size=(2, steps * fine + 1)) * 1e-4, rng.normal(size=steps * fine) * 0.1
+    filtered = [rng.normal(size=shape) * 0.1 for shape in ((8, 8), (8, 2), (8, 4))]
+    filtered[2][:] *= 1e-3  # accelerations and deflections of a real car
+    known = rng.normal(size=(steps, 8)) * 0.1
+    effects = np.zeros((prepared.CAUSES, prepared.NUMBERS))
+    effects[:3, :n], effects[3 : 3 + n, :n] = E.T, A.T
+    if n == 8:
+        effects[11:13, :8], effects[11:13, 8:] = B.T, np.eye(2)
+    else:
+        effects[-2:] = B.T
+    car = prepared.DrivenCar(
+        vehicle=numbers(Vehicle(), Actuator(), None),
+        states=n,
+        effects=effects,
+        steps=steps,
+        fine=fine,
+        estimator=np.concatenate([part.ravel() for part in filtered]) if estimates else None,
+        estimator_input=known,
+        road=None,
+        height=height,
+        braking=braking,
+        substeps=1,
+        fine_step=1e-3,
+        recorder=None,
+    )
+    sensors = measurement(Vehicle())
+
+    def step(k: int, state: FloatArray, command: FloatArray) -> FloatArray:
+        x = state[-n:]
+        for j in range(k * fine, (k + 1) * fine):
+            x = A @ x + B @ command + E @ [*np.diff(height)[:, j] / 1e-3, braking[j]]
+        if not estimates:
+            return x
+        y = sensors.C @ x[:8] + sensors.D @ (command if n == 8 else x[8:]) + sensors.F * braking[(k + 1) * fine - 1]
+        return np.concatenate([filtered[0] @ state[:8] + filtered[1] @ command + filtered[2] @ y + known[k], x])
+
+    return car, step
+
+
 @pytest.mark.parametrize("seed", range(20))
 def test_a_law_is_followed_up_to_the_first_step_in_which_a_limit_binds(seed: int) -> None:
     """Against the loop written out with NumPy: random cars, laws, previews and limits, of every kind."""
     rng = default_rng(seed)
-    n, steps, horizon, rows = int(rng.choice([8, 10, 16, 18])), 300, int(rng.integers(0, 9)), int(rng.integers(0, 30))
-    A, B = np.linalg.qr(rng.normal(size=(n, n)))[0] * 0.95, rng.normal(size=(n, 2)) * 0.1
-    forcing, ahead = rng.normal(size=(steps, n)) * 0.1, rng.normal(size=(3, steps + max(horizon, 1) - 1))
+    steps, horizon, rows = 300, int(rng.integers(0, 9)), int(rng.integers(0, 30))
+    car, car_step = random_car(rng, steps)
+    n, ahead = car.size, rng.normal(size=(3, steps + max(horizon, 1) - 1))
     forecast = sliding_forecast(ahead, max(horizon, 1), np.zeros((2, steps)))
     windows = forecast.disturbances[:, :, :horizon]
     limits = rng.normal(size=(rows, 10 + 3 * horizon)) * rng.uniform(0.02, 0.1)
@@ -154,8 +147,8 @@ def test_a_law_is_followed_up_to_the_first_step_in_which_a_limit_binds(seed: int
         command = previous + np.clip(np.clip(wanted, -force, force) - previous, -change, change)
         command = np.clip(command, -actuator, actuator)
         limited += int(np.abs(command - wanted).max() > 1e-6)
-        expected[k + 1] = np.concatenate([A @ expected[k, :n] + B @ command + forcing[k], command])
-    follow = prepared.linear_car(A, B, forcing).follow_law(arrays, loop)
+        expected[k + 1] = np.concatenate([car_step(k, expected[k, :n], command), command])
+    follow = car.follow_law(arrays, loop)
     assert follow(0, steps) == (stopped, limited)
     np.testing.assert_allclose(loop[: stopped + 1], expected[: stopped + 1], rtol=1e-9, atol=1e-12)
     assert follow(0, min(stopped, 7))[0] == min(stopped, 7)
@@ -172,7 +165,7 @@ def test_a_limit_on_one_kind_of_preview_binds_where_all_of_it_is_seen(kind: int,
     limits[0, 10 + 4 * kind : 14 + 4 * kind] = 0.3 * np.array(seen)  # 1.2 in step 10, 0.9 before it
     law = LinearLaw(gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 12)), limits=limits)
     arrays = law_arrays(law, sliding_forecast(ahead, 4, np.zeros((2, steps))), np.full(3, np.inf), clips=True)
-    car = prepared.linear_car(np.eye(8), np.zeros((8, 2)), np.zeros((steps, 8)))
+    car = still_car(steps=steps)
     assert car.follow_law(arrays, np.zeros((steps + 1, 10)))(0, steps)[0] == 10
 
 

@@ -14,6 +14,8 @@ from sim_core.arrays import FloatArray
 from sim_core.kernel import binding, prepared
 from sim_core.kernel.qp import QpDesign, QpMemory
 from tests.unit.qp_design import qp_design
+from tests.unit.still_car import still_car
+from tests.unit.test_recorder import LAYOUT, recorder
 
 
 def unaligned(array: FloatArray) -> FloatArray:
@@ -47,19 +49,18 @@ MISREAD: dict[str, Callable[[FloatArray], Any]] = {
 
 @pytest.mark.parametrize("kind", MISREAD)
 def test_no_array_is_misread(kind: str) -> None:
-    matrix = np.eye(3)
-    misread = MISREAD[kind](matrix)
+    misread = MISREAD[kind](np.eye(3))
     with pytest.raises(REFUSED):
-        binding.recurrence(misread, np.zeros((5, 3)))
+        binding.window_sizes(misread, 1, np.zeros((4, 3)))
     with pytest.raises(REFUSED):
         qp_design(H=MISREAD[kind](np.eye(5)))
 
 
 def test_nothing_is_written_where_nobody_may() -> None:
-    states = read_only(np.ones((5, 3)))
+    sizes = read_only(np.ones((4, 3)))
     with pytest.raises(ArgumentError, match="writeable"):
-        binding.recurrence(np.eye(3), states)
-    assert states.sum() == 15
+        binding.window_sizes(np.eye(3), 1, sizes)
+    assert sizes.sum() == 12
 
 
 def test_what_a_call_is_prepared_with_lives_as_long() -> None:
@@ -85,32 +86,36 @@ A_DRIVE = """
 import numpy as np
 from ctypes import ArgumentError
 from math import inf
-from sim_core.kernel.prepared import LawArrays, nonlinear_car
+from sim_core.kernel.prepared import DrivenCar, LawArrays
+from tests.unit.test_recorder import recorder
 
 REFUSED = ValueError, TypeError, ArgumentError
 STEPS, FINE = 6, 2
+ROAD_POSITIONS = np.zeros((2, STEPS * FINE + 1))
 RIGHT = dict(
-    car=np.ones(33), states=8, estimator=None, estimator_input=np.empty((0, 8)), substeps=3, fine_step=1e-3,
-    disturbance=np.zeros((STEPS, 3 * FINE)), table=np.zeros((10, FINE + 1, STEPS - 1)),
-    road=(np.zeros(50), np.ones(9), np.zeros((2, STEPS * FINE + 1)), np.zeros((STEPS * FINE, 4))),
+    vehicle=np.ones(33), states=8, effects=None, steps=STEPS, fine=FINE, estimator=None,
+    estimator_input=np.empty((0, 8)), substeps=3, fine_step=1e-3, height=ROAD_POSITIONS, braking=np.zeros(STEPS * FINE),
+    road=(np.zeros(50), np.ones(9), ROAD_POSITIONS, np.zeros((STEPS * FINE, 4))),
+    recorder=recorder(FINE, STEPS, np.array([[0.0, 4.0]])),
 )
 LAW = dict(
     gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 9)),
-    limits=np.zeros((4, 19)), scale=np.ones(10), norms=np.zeros((5, 4)),
+    limits=np.zeros((4, 19)), scale=np.ones(10), norms=np.zeros((15, 4)),
     preview=np.zeros((3, STEPS + 2)), strides=(STEPS + 2, 1), sizes=np.zeros((4, STEPS)),
     force_limits=np.full(3, inf), clips=True,
 )
 RUN = dict(first=0, last=STEPS, loop=np.zeros((STEPS + 1, 10)))
-ONE = dict(step=0, state=np.zeros(8), command=np.zeros(2))
+ONE = dict(step=0, measured=STEPS - 1, sampled=(0, STEPS), state=np.zeros(8), command=np.zeros(2))
 
 def drive(**changed):
-    built = nonlinear_car(**{name: changed.get(name, value) for name, value in RIGHT.items()})
+    built = DrivenCar(**{name: changed.get(name, value) for name, value in RIGHT.items()})
     run = {name: changed.get(name, value) for name, value in RUN.items()}
     law = LawArrays(**{name: changed.get(name, value) for name, value in LAW.items()})
     one = {name: changed.get(name, value) for name, value in ONE.items()}
     built.follow_law(law, run["loop"])(run["first"], run["last"])
     built.advance(one["step"], run["loop"])
-    built.measure(one["state"], one["command"], 0.0)
+    built.measure(one["measured"], one["state"], one["command"])
+    built.sample(*one["sampled"], run["loop"])
 
 def road(**changed):
     names = "samples", "layout", "position", "within"
@@ -124,8 +129,8 @@ MISUSES = {
     "preview by axle": "preview_gain=np.zeros((2, 9), order='F')",
     "big-endian preview": "preview_gain=np.zeros((2, 9), dtype='>f8')",
     "limits on the state alone": "limits=np.zeros((4, 10))",
-    "norms of other limits": "norms=np.zeros((5, 3))",
-    "norms of four parts": "norms=np.zeros((4, 4))",
+    "norms of other limits": "norms=np.zeros((15, 3))",
+    "norms of four parts": "norms=np.zeros((14, 4))",
     "a scale of the state alone": "scale=np.ones(8)",
     "a preview that ends before the drive": "preview=np.zeros((3, STEPS + 1))",
     "a preview from behind": "strides=(STEPS + 2, -1)",
@@ -139,7 +144,7 @@ MISUSES = {
     "backwards": "first=1, last=0",
     "far beyond the drive": "first=2**31 - 1",
     "more steps than the drive": "last=STEPS + 1, loop=np.zeros((STEPS + 2, 10))",
-    "a car of too few numbers": "car=np.ones(32)",
+    "a car of too few numbers": "vehicle=np.ones(32)",
     "a state of nine": "states=9",
     "an estimator that knows nothing": "estimator=np.zeros(112)",
     "half an estimator": "estimator=np.zeros(100), estimator_input=np.zeros((STEPS, 8))",
@@ -147,10 +152,20 @@ MISUSES = {
     "a road shorter than the drive": "road=road(position=np.zeros((2, STEPS * FINE)))",
     "chords of half the road": "road=road(within=np.zeros((STEPS, 4)))",
     "a road of singles": "road=road(samples=np.zeros(50, dtype=np.float32))",
-    "a record beyond the drive": "table=np.zeros((10, FINE + 1, STEPS + 1))",
-    "a record of few signals": "table=np.zeros((5, FINE + 1, STEPS))",
-    "a record nobody may write": "table=np.broadcast_to(0.0, (10, FINE + 1, STEPS))",
-    "a disturbance of two roads": "disturbance=np.zeros((STEPS, 2 * FINE))",
+    "a recorder of a shorter drive": "recorder=recorder(FINE, STEPS - 1, np.array([[0.0, 4.0]]))",
+    "a recorder of finer steps": "recorder=recorder(2 * FINE, STEPS // 2, np.array([[0.0, 4.0]]))",
+    "a road under one axle": "height=np.zeros((1, STEPS * FINE + 1))",
+    "heights of half the road": "height=np.zeros((2, STEPS * FINE))",
+    "braking in each control step": "braking=np.zeros(STEPS)",
+    "a linear car on a road": "effects=np.zeros((20, 10))",
+    "a linear step of the state alone": "road=None, effects=np.zeros((10, 10))",
+    "no fine step": "fine=0",
+    "a step that takes no time": "fine_step=0.0",
+    "a measurement beyond the drive": "measured=STEPS",
+    "a measurement before the drive": "measured=-1",
+    "samples beyond the drive": "sampled=(1, STEPS + 1)",
+    "samples before the drive": "sampled=(-1, STEPS)",
+    "samples backwards": "sampled=(2, 1)",
     "no substep": "substeps=0",
 }
 
@@ -169,10 +184,12 @@ def test_no_drive_is_let_beyond_its_arrays() -> None:
     assert set(outcomes.values()) == {"refused"}, outcomes
 
 
+ENDS = np.array([[0.0, 2.5], [2.5, 6.0]])
 ROAD = np.zeros(50), binding.road_layout(-1.0, 0.1, binding.bump_numbers("cosine", 1, 2.0, 0.1, 0.5, 3.0, 2.5))
 DISAGREEING: dict[str, Callable[[], object]] = {
-    "recurrence, matrix": lambda: binding.recurrence(np.eye(4), np.zeros((5, 3))),
-    "recurrence, no state": lambda: binding.recurrence(np.eye(3), np.zeros((0, 3))),
+    "sizes, one axle": lambda: binding.window_sizes(np.zeros((2, 5)), 2, np.zeros((4, 4))),
+    "sizes, no window": lambda: binding.window_sizes(np.zeros((3, 5)), 6, np.zeros((4, 0))),
+    "sizes, windows": lambda: binding.window_sizes(np.zeros((3, 5)), 2, np.zeros((4, 5))),
     "fuzzy, shares": lambda: fuzzy(shares=np.zeros(8)),
     "fuzzy, a rule's width": lambda: fuzzy(rules=np.zeros((25, 2), dtype=np.intc)),
     "fuzzy, no such distance": lambda: fuzzy(distance=np.zeros(4), rules=np.array([[4, 0, 0]], dtype=np.intc)),
@@ -186,28 +203,24 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     "road, heights": lambda: binding.road_heights(*ROAD, np.zeros(4), np.zeros(3)),
     "road, one sample": lambda: binding.road_heights(np.zeros(1), ROAD[1], np.zeros(4), np.zeros(4)),
     "chords, positions": lambda: binding.within_steps(*ROAD, np.zeros((2, 4)), np.zeros((4, 4))),
-    "disturbances, heights": lambda: binding.disturbances(np.zeros((2, 4)), np.zeros(4), 0.1, np.zeros((4, 3))),
-    "disturbances, held": lambda: binding.disturbances(np.zeros((2, 5)), np.zeros(4), 0.1, np.zeros((3, 3))),
-    "sections, integrands": lambda: sections(["value"]),
-    "sections, unknown integrand": lambda: sections(["value", "cube"]),
-    "sections, sums": lambda: sections(["value", "value"], sums=np.zeros((2, 2))),
-    "sections, beyond": lambda: sections(["value", "value"], ends=np.array([[0.0, 8.5]])),
-    "power, axles": lambda: binding.power(np.zeros((1, 3, 4)), np.zeros((2, 3, 4)), np.zeros((1, 3, 4))),
-    "power, both": lambda: binding.power(np.zeros((2, 3, 4)), np.zeros((2, 3, 4)), np.zeros((1, 3, 5))),
-    "kinks, record": lambda: kink_peaks(position=np.zeros((2, 8)), height=np.zeros((2, 8))),
-    "kinks, heights": lambda: kink_peaks(height=np.zeros((2, 8))),
-    "kinks, highest": lambda: kink_peaks(highest=np.zeros((2, 3))),
-    "kinks, endless": lambda: kink_peaks(kinks=np.array([1.0, 2.0])),
-    "kinks, nowhere": lambda: kink_peaks(position=np.full((2, 9), np.inf)),
-    "kinks, peaks": lambda: kink_peaks(peaks=np.zeros((2, 2))),
-    "kinks, beyond": lambda: kink_peaks(ends=np.array([[0.0, 9.0]])),
-    "linear drive, no square": lambda: linear_drive(A=np.zeros((8, 9))),
-    "linear drive, three forces": lambda: linear_drive(B=np.zeros((8, 3))),
-    "linear drive, half a state": lambda: linear_drive(
-        A=np.zeros((4, 4)), B=np.zeros((4, 2)), forcing=np.zeros((6, 4)), loop=np.zeros((7, 6))
-    ),
-    "linear drive, another's steps": lambda: linear_drive(forcing=np.zeros((5, 8))),
-    "linear drive, no row after the last": lambda: linear_drive(loop=np.zeros((6, 10))),
+    "recorder, one sample of a road": lambda: recorder(2, 4, ENDS, road=(np.zeros(1), LAYOUT)),
+    "recorder, heights": lambda: recorder(2, 4, ENDS, height=np.zeros((2, 8))),
+    "recorder, another drive": lambda: recorder(2, 4, ENDS, position=np.zeros((2, 8)), height=np.zeros((2, 8))),
+    "recorder, endless": lambda: recorder(2, 4, ENDS, kinks=np.array([1.0, 2.0])),
+    "recorder, nowhere": lambda: recorder(2, 4, ENDS, position=np.full((2, 9), np.inf)),
+    "recorder, one tyre": lambda: recorder(2, 4, ENDS, tyres=np.zeros((3, 1))),
+    "recorder, no step": lambda: recorder(2, 4, ENDS, first=4),
+    "recorder, no fine step": lambda: recorder(0, 4, ENDS),
+    "recorder, rises": lambda: recorder(2, 4, ENDS, rise=np.zeros(1)),
+    "recorder, backwards": lambda: recorder(2, 4, ENDS[::-1].copy()),
+    "recorder, before the record": lambda: recorder(2, 4, ENDS - 1.0),
+    "recorder, beyond the record": lambda: recorder(2, 4, ENDS + 1.5),
+    "recorder, not a number": lambda: recorder(2, 4, np.full((1, 2), np.nan)),
+    "recorder, too many samples": lambda: recorder(2, 4, ENDS, weighted_samples=8),
+    "recorder, a step before it": lambda: recorder(2, 4, ENDS).record(0),
+    "recorder, a step beyond it": lambda: recorder(2, 4, ENDS).record(4),
+    "drive, another's steps": lambda: linear_drive(steps=5),
+    "drive, no row after the last": lambda: linear_drive(loop=np.zeros((6, 10))),
     "qp, a column less": lambda: qp_design(columns=np.zeros((4, 8))),
     "qp, one limit of a deflection": lambda: qp_design(columns=np.zeros((5, 7))),
     "qp, slacks alone": lambda: qp_design(columns=np.zeros((2, 8)), H=np.eye(2), low=np.zeros(2), high=np.zeros(2)),
@@ -223,7 +236,7 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     "qp, another's memory": lambda: memory().residual(longer_qp()),
     "qp, other inputs": lambda: memory().solve_in_c(qp_design(), np.zeros(18)),
     "qp, other inputs to be posed": lambda: memory().pose(qp_design(), np.zeros(20)),
-    "linear drive, another law's qp": lambda: linear_drive(
+    "drive, another law's qp": lambda: linear_drive(
         qp=(qp_design(by_inputs=np.zeros((7, 13)), optimum=np.zeros((7, 13))), memory())
     ),
 }
@@ -247,33 +260,13 @@ def fuzzy(**changed: Any) -> None:
     binding.torque_shares(**(right | changed))
 
 
-def sections(integrands: list[str], **changed: Any) -> None:
-    right = {"ends": np.array([[0.0, 8.0]]), "sums": np.zeros((2, 1)), "peaks": np.zeros((1, 2))}
-    binding.sections(np.zeros((2, 3, 4)), integrands, **(right | changed))
-
-
-def kink_peaks(**changed: Any) -> None:
-    right: dict[str, Any] = {
-        "position": np.zeros((2, 9)),
-        "height": np.zeros((2, 9)),
-        "loads": np.zeros((2, 3, 4)),
-        "highest": np.zeros((2, 4)),
-        "tyres": np.ones((2, 2)),
-        "kinks": np.array([2.0, np.inf]),
-        "ends": np.array([[0.0, 8.0]]),
-        "rise": np.zeros(1),
-        "peaks": np.zeros((2, 1)),
-    }
-    binding.kink_peaks(*ROAD, **(right | changed))
-
-
 def linear_drive(qp: tuple[QpDesign, QpMemory] | None = None, **changed: Any) -> None:
     law = prepared.LawArrays(
         gain=np.zeros((2, 10)),
         preview_gain=np.zeros((2, 9)),
         limits=np.zeros((4, 19)),
         scale=np.ones(10),
-        norms=np.zeros((5, 4)),
+        norms=np.zeros((15, 4)),
         preview=np.zeros((3, 8)),
         strides=(8, 1),
         sizes=np.zeros((4, 6)),
@@ -281,9 +274,8 @@ def linear_drive(qp: tuple[QpDesign, QpMemory] | None = None, **changed: Any) ->
         clips=True,
         qp=qp,
     )
-    right = {"A": np.eye(8), "B": np.zeros((8, 2)), "forcing": np.zeros((6, 8)), "loop": np.zeros((7, 10))}
-    *car, loop = (right | changed).values()
-    prepared.linear_car(*car).follow_law(law, loop)
+    loop = changed.pop("loop", np.zeros((7, 10)))
+    still_car(**changed).follow_law(law, loop)
 
 
 @pytest.mark.parametrize("misuse", DISAGREEING)
@@ -295,8 +287,8 @@ def test_arrays_fit_each_other(misuse: str) -> None:
 def test_what_fits_is_taken() -> None:
     """The right arguments of the misuses above."""
     fuzzy()
-    sections(["value", "value"])
-    kink_peaks()
+    recorder(2, 4, ENDS).record(3)
+    binding.window_sizes(np.zeros((3, 5)), 2, np.zeros((4, 4)))
     linear_drive(qp=(qp_design(), memory()))
     memory().pose(qp_design(), np.zeros(19))
     assert memory().solve_in_c(qp_design(), np.zeros(19)) is not None

@@ -78,6 +78,16 @@ def test_a_tenth_of_a_newton_off_is_no_answer(monkeypatch: pytest.MonkeyPatch) -
     assert min(residuals) > TOLERANCE
 
 
+@pytest.mark.parametrize(("violation", "answers"), [(0.9e-6, True), (1.1e-6, False)])
+def test_osqps_answer_counts_up_to_the_tolerance(
+    violation: float, answers: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    design = designs(HARD)[0]
+    qps, inputs = Qps(design), next(random_inputs(design.by_inputs.shape[1], 1))
+    monkeypatch.setattr(qps, "residual", lambda design: violation)
+    assert (qps.solve(design, "osqp", inputs) is not None) == answers
+
+
 @pytest.mark.parametrize(("off", "answers"), [(1e-8, True), (1e-5, False)])
 def test_c_answers_only_where_its_answer_is_that_of_the_qp(off: float, answers: bool) -> None:
     """The QP's linear term is larger by that share than the one from which the answer is made: so is the residual."""

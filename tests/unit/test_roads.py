@@ -55,7 +55,7 @@ def test_a_change_against_another_scenario_is_paired_by_road() -> None:
 
 
 def test_one_road_resolves_less_of_predictive_peaks() -> None:
-    """The table of docs/explanation/physics.md, "What one run resolves"."""
+    """The table of docs/explanation/luck.md."""
     resolved = {name: list(one_road_resolution(name).values()) for name in STRATEGIES}
     assert resolved["lv"] == resolved["lv_hil"] == [7, 15]
     assert resolved["lqr"] == resolved["passive"] == [7, 7]

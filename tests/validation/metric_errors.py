@@ -1,4 +1,4 @@
-"""The table of docs/explanation/physics.md: how far each metric is from a run in steps of 0.02 ms.
+"""The table of docs/explanation/metrics.md: how far each metric is from a run in steps of 0.02 ms.
 
 Over twenty class B roads; to print it:
 

@@ -144,10 +144,10 @@ def driven(scenario: Scenario, strategy: str) -> tuple[Run, Trajectory]:
 
 def predicted(run: Run, trajectory: Trajectory) -> FloatArray:
     """By the textbook: x̂⁻ = A x̂ + B u + E_b braking + E_r velocity of the road seen; but for the last step."""
-    scenario, excitation, commands = run.scenario, run.excitation, trajectory.commands
-    braking = excitation.disturbance.reshape(len(commands), -1, 3)[:, :, 2].mean(axis=1)
+    scenario, excitation, commands = run.scenario, run.excitation, trajectory.loop[1:, -2:]
+    braking = excitation.braking.reshape(len(commands), -1).mean(axis=1)
     seen, model = seen_by_sensors(scenario, excitation.grid.time, run.speed_profile), discrete(scenario.vehicle, STEP)
-    by_model = trajectory.states[:, :8] @ model.A.T + commands @ model.B.T
+    by_model = trajectory.loop[:-1, :8] @ model.A.T + commands @ model.B.T
     return np.asarray(by_model + np.outer(braking, model.E[:, 2]) + seen @ model.E[:, :2].T)[:-1]
 
 
@@ -155,7 +155,7 @@ def predicted(run: Run, trajectory: Trajectory) -> FloatArray:
 def test_the_error_on_a_road_is_the_filters_own_covariance(mode: Preview) -> None:
     """A minute and a half of class B road, on which the road's velocity is nearly white."""
     _, trajectory = driven(with_preview(LONG, mode), "suspension_only")
-    estimate, state = trajectory.states[:, :8], trajectory.states[:, 8:]
+    estimate, state = trajectory.loop[:-1, :8], trajectory.loop[:-1, 8:-2]
     expected = np.sqrt(np.diag(filter_of(LONG, mode).covariance))
     error = (estimate - state)[200:].std(axis=0)
     # Of 10,600 steps some thousand are independent in the slow states: 5 % is two deviations of such a scatter.
@@ -174,7 +174,7 @@ def test_where_sensors_err_as_expected_the_body_is_known_as_well_as_claimed(offs
     actual = Mismatch(preview_offset=offset, preview_noise=noise)
     scenario = LONG.model_copy(update={"mpc": expected, "mismatch": actual})
     _, trajectory = driven(scenario, "suspension_only")
-    estimate, state = trajectory.states[200:, :8], trajectory.states[200:, 8:]
+    estimate, state = trajectory.loop[200:-1, :8], trajectory.loop[200:-1, 8:-2]
     error = (estimate - state).std(axis=0) / np.sqrt(np.diag(filter_of(scenario, "lookahead").covariance))
     assert 0.75 < error[4] < 1
     assert error.max() < 3.5
@@ -185,7 +185,7 @@ def test_told_the_whole_truth_it_has_the_state_itself() -> None:
     steps, numbers = 400, np.random.default_rng(3).standard_normal((5, 400)).T
     disturbance, command = numbers[:, :3] * [0.2, 0.2, 1], numbers[:, 3:] * 500
     scenario = Scenario(vehicle=CAR, estimation=KALMAN)
-    ours = make_estimator(scenario, STEP, 13.9, disturbance, mode="lookahead", seen=disturbance[:, :2])
+    ours = make_estimator(scenario, STEP, 13.9, disturbance[:, 2:], mode="lookahead", seen=disturbance[:, :2])
     assert ours is not None
     noise = np.random.default_rng((scenario.road.seed, _NOISE_STREAM)).standard_normal((steps, 4)) * NOISES
     known = ours.input - noise @ ours.measurement.T
@@ -207,10 +207,10 @@ def test_the_estimate_follows_the_textbooks_recursion(mode: Preview) -> None:
     scenario = Scenario(estimation=KALMAN, road=road, mismatch=wrong, mpc=Mpc(preview=mode))
     run, trajectory = driven(scenario, "lv")
     prediction, gain = predicted(run, trajectory), filter_of(scenario, mode).gain
-    corrections = (trajectory.states[1:, :8] - prediction).T
+    corrections = (trajectory.loop[1:-1, :8] - prediction).T
     innovation = np.linalg.lstsq(gain, corrections, rcond=None)[0]
     np.testing.assert_allclose(gain @ innovation, corrections, atol=1e-9)
-    error = trajectory.states[1:, 8:] - prediction
+    error = trajectory.loop[1:-1, 8:-2] - prediction
     noise: FloatArray = innovation - measurement(scenario.vehicle).C @ error.T
     np.testing.assert_allclose(np.std(noise, axis=1), NOISES, rtol=0.1)
     alike = np.asarray(np.corrcoef(noise))
@@ -243,7 +243,7 @@ def test_it_is_told_what_the_controller_itself_plans_on() -> None:
     expected = preview("lookahead", scenario, speed_profile, excitation, 30).disturbances
     ours = run.estimator()
     told = make_estimator(
-        *(scenario, STEP, speed_profile.initial_speed, excitation.disturbance),
+        *(scenario, STEP, speed_profile.initial_speed, excitation.braking.reshape(-1, run.steps.fine)),
         mode="lookahead",
         seen=expected[:2, :, 0].T,
     )
@@ -279,7 +279,7 @@ def test_the_unseen_share_goes_from_nothing_to_all() -> None:
     robust = preset("robust")
     speed, expected = robust.speed.initial_speed_kmh / 3.6, expected_errors(robust.mpc)
     of_robust = unseen_share(robust.vehicle, robust.road.roughness, speed, expected)
-    assert of_robust == pytest.approx(0.15, abs=0.005), "as docs/explanation/physics.md has it"
+    assert of_robust == pytest.approx(0.15, abs=0.005), "as docs/explanation/estimation.md has it"
     assert unseen_share(CAR, 0.0, 13.9, ExpectedErrors(noise=0.001)) == pytest.approx(1)
 
 
@@ -317,7 +317,7 @@ def test_the_loop_has_the_regulators_poles_and_the_filters() -> None:
     estimate = make_estimator(scenario, STEP, 13.9, np.zeros((1, 3)))
     assert estimate is not None
     loop = closed_loop_matrix(
-        *control_step(plant(CAR, Actuator(), STEP, 1), CAR, estimate),
+        *control_step(plant(CAR, Actuator(), STEP), CAR, estimate),
         LinearLaw(gain=np.hstack([design.gain, np.zeros((2, 2))])),
     )
     poles = np.concatenate(

@@ -70,7 +70,7 @@ def test_a_passive_cars_metrics_over_any_bump_at_any_speed(car: Vehicle, bump: B
 
 
 def test_papers_peaks_over_the_bump_alone() -> None:
-    """The figures docs/explanation/physics.md prints, an adaptive solver's at 1e-10."""
+    """The figures docs/explanation/metrics.md prints, an adaptive solver's at 1e-10."""
     bump = simulate(preset("bump_only"), "passive").metrics["bump"]
     peaks = [bump[name]["peak"] for name in PAPER_SIGNALS]
     np.testing.assert_allclose(peaks, [6.247, 9.973, 8582.5, 8897.7], rtol=2e-4)
@@ -135,7 +135,7 @@ def test_rms_over_intervals_of_the_road_is_by_definition(strategy: str, interval
 def test_rms_between_knows_jumps() -> None:
     """A sawtooth from 0 to 1 over each of ten held commands: its mean square is 1/3, to the middle of a tooth 1/12."""
     teeth = np.tile(np.linspace(0, 1, 5), (10, 1)).T
-    series = Series({"time": np.arange(41) / 40}, dict.fromkeys(METRIC_SIGNALS, teeth))
+    series = Series({"time": np.arange(41) / 40}, lambda: dict.fromkeys(METRIC_SIGNALS, teeth))
     two, none = np.array([0.0, 1.0]), np.zeros(2)
     speed_profile = SpeedProfile(
         initial_speed=10,

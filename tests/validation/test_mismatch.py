@@ -54,6 +54,16 @@ def previewed(scenario: Scenario, mode: Preview, step: float, horizon: int) -> n
     return expected.transpose(1, 0, 2).reshape(expected.shape[1], -1)
 
 
+def test_the_rear_axles_road_is_known_as_far_as_the_front_one_has_driven() -> None:
+    """Twelve control steps of a 128th of a second at 72 km/h are a wheelbase of 1.875 m, without any rounding."""
+    vehicle = Vehicle(cg_to_front=0.9375, cg_to_rear=0.9375)
+    scenario = SHORT.model_copy(update={"vehicle": vehicle, "speed": Speed(initial_speed_kmh=72)})
+    front, rear, _ = np.split(previewed(scenario, "wheelbase", 2.0**-7, 14), 3, axis=1)
+    assert not front.any()
+    assert rear[:, :12].all(axis=0).all()
+    assert not rear[:, 12:].any()
+
+
 def test_preview_offset_and_delay_show_the_road_elsewhere() -> None:
     """At constant speed v an offset of v·Ts is one control step, and so is a delay of Ts: the true window, shifted."""
     exact, speed = expected(Mismatch()), SHORT.speed.initial_speed_kmh / 3.6

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from sim_core.loop.excitation import Excitation, TimeGrid
-from sim_core.metrics.tyre_peaks import peaks_with_kinks
-from sim_core.metrics.windows import Windows
+from sim_core.kernel.record import WEIGHTING, Recorder
 from sim_core.road.profile import GRID, grid_positions, kinks, rough_profile
 from sim_core.scenario import Bump, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.road import BumpShape
 from sim_core.simulate import simulate
+
+LOAD = 4  # place of the front tyre's in a sample
 
 
 @pytest.mark.parametrize(("shape", "rising_and_falling"), [("cosine", 1.0), ("trapezoid", 0.5), ("flat_top", 0.5)])
@@ -48,28 +48,23 @@ def test_a_kink_between_two_samples_counts_where_it_may_raise_the_peak(spare: fl
     added = stiffness * slope * step / 2
     peak = 5_000.0
     low = peak - (1 - spare) * added
-    loads = np.array([[[peak, low]] * 3, [[0.0, 0.0]] * 3])
-    drive = TimeGrid(
-        time=0.002 * np.arange(3.0),
+    axles = np.stack([position, position - 2.9])
+    recorder = Recorder(
         fine=2,
-        before=0,
-        axles=np.stack([position, position - 2.9]),
-        position=position[:-1:2],
-        speed=np.full(2, 10.0),
-        on_record=slice(0, 5),
-        series={},
+        first=0,
+        ends=np.array([[0.0, 4.0]]),
+        rise=np.array([2 * slope * step / 4]),
+        weighted_samples=4,
+        weighting=np.zeros(WEIGHTING),
+        tyres=np.array([[stiffness, stiffness], [-np.inf, -np.inf], [-np.inf, -np.inf]]),
+        road=(surface.roughness, surface.layout),
+        position=axles,
+        height=surface.height(axles),
+        kinks=np.array([np.inf]),
     )
-    height = surface.height(drive.axles)
-    excitation = Excitation(
-        grid=drive,
-        disturbance=np.zeros((2, 6)),
-        surface=surface,
-        height=height,
-        series={},
-    )
-    ends = np.array([[0.0, 4.0], [4.0, 4.0], [4.0, 4.0]])
-    windows = Windows(ends=ends, fine_step=0.001, step_distance=np.full(3, step), arrival_speed=10.0)
-    highest = np.abs(loads).max(axis=1)
-    peaks = np.repeat(highest.max(axis=1)[:, None], 3, axis=1)
-    raised = peaks_with_kinks(loads, highest, peaks, Vehicle(), windows, excitation)
-    assert raised[0, 0] == pytest.approx(peak + max(spare, 0) * added, rel=1e-9)
+    for command, load in enumerate([peak, low]):
+        recorder.samples[:] = 0.0
+        recorder.samples[:, LOAD] = load
+        recorder.record(command)
+    assert recorder.peaks[0, LOAD - 2] == pytest.approx(peak + max(spare, 0) * added, rel=1e-9)
+    assert recorder.peaks[0, LOAD - 1] == 0

@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from sim_core.arrays import FloatArray
+from sim_core.kernel.record import Recorder
 from sim_core.loop.run import Recording, Run
 from sim_core.result import StrategyResult
 from sim_core.scenario import Actuator, Bump, Estimation, Hook, Mismatch, Mpc, Road, Scenario, Speed, Vehicle
@@ -26,8 +27,8 @@ def recorded(scenario: Scenario, law: str) -> tuple[Recording, StrategyResult]:
 
     drive = Run.drive
 
-    def caught_drive(run: Run) -> Recording:
-        caught.append(drive(run))
+    def caught_drive(run: Run, recorder: Recorder | None = None) -> Recording:
+        caught.append(drive(run, recorder))
         return caught[0]
 
     with (
@@ -40,7 +41,7 @@ def recorded(scenario: Scenario, law: str) -> tuple[Recording, StrategyResult]:
 
 def damper(scenario: Scenario, law: str) -> tuple[FloatArray, FloatArray]:
     """Speed of travel [m/s] and force of damper and control together [N], (2, samples of a command, commands)."""
-    table, car = recorded(scenario, law)[0].table, scenario.real_vehicle
+    table, car = recorded(scenario, law)[0].table(), scenario.real_vehicle
     speed, control = table[:2], table[-2:]
     ratio = car.rebound_ratio
     mean = np.array([car.front_damping, car.rear_damping]).reshape(2, 1, 1)

@@ -103,7 +103,7 @@ def test_a_half_car_has_the_frequencies_and_the_damping_of_its_data_sheet(
 ) -> None:
     """With the dynamic index 1 the axles move independently, so the two slow modes are the sheet's.
 
-    The ratios are those of light damping: what docs/explanation/physics.md says they are off by.
+    The ratios are those of light damping: what docs/explanation/half-car.md says they are off by.
     """
     dampers = {"front_damping_ratio": ratio, "rear_damping_ratio": ratio}
     car = SHEET.model_copy(update={**wheels, **dampers}).half_car()

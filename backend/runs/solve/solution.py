@@ -14,7 +14,7 @@ from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import METRICS, RMS
 from sim_core.scenario import dotted
 
-RESOLUTION = 0.005  # of a metric: peaks are exact to half a percent (docs/explanation/physics.md)
+RESOLUTION = 0.005  # of a metric: peaks are exact to half a percent (docs/explanation/metrics.md)
 MAX_EXTREMA = 4  # that one sentence names
 
 

@@ -1,6 +1,6 @@
 /** Whether the server answers: one small store, written by every request, read by the banner. */
 
-import { createStore } from "../lib/store";
+import { createAtom } from "@tanstack/react-store";
 
 export type Trouble = "down" | "busy";
 
@@ -11,7 +11,7 @@ export interface Connection {
 }
 
 const FINE: Connection = { trouble: null, wait: 0 };
-const store = createStore<Connection>(FINE);
+const store = createAtom<Connection>(FINE);
 
 export const connection = {
   get: store.get,
@@ -34,4 +34,4 @@ export async function probe(signal: AbortSignal): Promise<Readiness> {
 }
 
 /** Whether a request was refused for want of a token. */
-export const tokenWanted = createStore(false);
+export const tokenWanted = createAtom(false);

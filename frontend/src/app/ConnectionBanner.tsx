@@ -3,9 +3,10 @@
 import { Button, Text } from "@mantine/core";
 import { useQueryClient } from "@tanstack/react-query";
 import { IconPlugConnectedX } from "../ui/icons";
-import { useCallback, useEffect, useState } from "react";
+import { useCallback, useEffect, useEffectEvent, useState } from "react";
+import { isTransient } from "../api/problem";
 import { connection, probe, type Readiness, type Trouble } from "../api/connection";
-import { useStore } from "../lib/store";
+import { useSelector } from "@tanstack/react-store";
 import ui from "../ui/ui.module.css";
 
 const FIRST_WAIT_S = 1;
@@ -18,20 +19,26 @@ const MESSAGE: Readonly<Record<Readiness, string>> = {
 };
 
 /** `onBack` asks again for what queries do not hold. */
-export function ConnectionBanner({ onBack }: { readonly onBack?: () => void }) {
-  const { trouble, wait } = useStore(connection);
-  return trouble === null ? null : <Reconnecting trouble={trouble} requestedWait={wait} onBack={onBack} />;
+export function ConnectionBanner({ onBack }: { readonly onBack: () => void }) {
+  const { trouble, wait } = useSelector(connection);
+  const queries = useQueryClient();
+  const isAway = trouble !== null;
+  // Whichever request is answered first: the probe here, or one of a page.
+  const askAgain = useEffectEvent(() => {
+    onBack();
+    void queries.refetchQueries({ predicate: ({ state }) => isTransient(state.error) });
+  });
+  useEffect(() => (isAway ? () => askAgain() : undefined), [isAway]);
+  return trouble === null ? null : <Reconnecting trouble={trouble} requestedWait={wait} />;
 }
 
 interface Props {
   readonly trouble: Trouble;
   /** Seconds the server asked to wait. */
   readonly requestedWait: number;
-  readonly onBack: (() => void) | undefined;
 }
 
-function Reconnecting({ trouble, requestedWait, onBack }: Props) {
-  const queries = useQueryClient();
+function Reconnecting({ trouble, requestedWait }: Props) {
   const [attempt, setAttempt] = useState(0);
   const [wait, setWait] = useState(Math.max(FIRST_WAIT_S, requestedWait));
   const [readiness, setReadiness] = useState<Readiness>(trouble === "busy" ? "ready" : "down");
@@ -43,14 +50,12 @@ function Reconnecting({ trouble, requestedWait, onBack }: Props) {
       setReadiness(answer);
       if (answer === "ready") {
         connection.ok();
-        onBack?.();
-        void queries.refetchQueries({ predicate: (query) => query.state.status === "error" });
         return;
       }
       setAttempt((count) => count + 1);
       setWait(Math.min(LONGEST_WAIT_S, FIRST_WAIT_S * 2 ** attempt));
     },
-    [onBack, queries, attempt],
+    [attempt],
   );
 
   useEffect(() => {
@@ -68,10 +73,10 @@ function Reconnecting({ trouble, requestedWait, onBack }: Props) {
   return (
     <div className={ui.notice} data-kind="trouble" data-testid="connection" role="status">
       <IconPlugConnectedX size={18} stroke={1.7} aria-hidden />
-      <Text size="sm">
+      <Text>
         {MESSAGE[readiness]} <span aria-hidden>Next try in {wait} s.</span>
       </Text>
-      <Button size="compact-xs" variant="default" onClick={() => void tryNow(new AbortController().signal)}>
+      <Button size="compact-xs" onClick={() => void tryNow(new AbortController().signal)}>
         Try now
       </Button>
     </div>

@@ -34,7 +34,13 @@ export function Login() {
           autoComplete="current-password"
           onChange={(event) => setToken(event.currentTarget.value)}
         />
-        <Button type="submit" loading={login.isPending || login.isSuccess} disabled={token.trim() === ""}>
+        <Button
+          size="sm"
+          variant="filled"
+          type="submit"
+          loading={login.isPending || login.isSuccess}
+          disabled={token.trim() === ""}
+        >
           Log in
         </Button>
       </Stack>

@@ -1,14 +1,17 @@
 /** Navigation between the pages: links where there is room, else a menu under the name of the page shown. */
 
-import { Button, Menu } from "@mantine/core";
 import { Link, linkOptions, useNavigate, useRouterState, useSearch } from "@tanstack/react-router";
-import { IconChevronDown } from "../ui/icons";
+import { lazy } from "react";
+import { firstCurves } from "../lib/firstCurves";
+import { LazyPart } from "../ui/LazyPart";
 import type { Address } from "../lab/address";
 import { usePaletteEntries } from "../lab/actions";
 import { useLabContext, useLab } from "../lab/context";
 import { labLink } from "../lab/labAddress";
-import { useStore } from "../lib/store";
+import { useSelector } from "@tanstack/react-store";
 import classes from "./nav.module.css";
+
+const PagesMenu = lazy(async () => ({ default: (await firstCurves.then(() => import("./headerParts"))).PagesMenu }));
 
 /** The run whose scenario other pages start with: the page's own, else the lab's, which is known before its curves are. */
 function useRun(lab: Address): { readonly run?: string } {
@@ -20,7 +23,7 @@ function useRun(lab: Address): { readonly run?: string } {
 }
 
 export function Nav() {
-  const lab = useStore(useLabContext().labAddress);
+  const lab = useSelector(useLabContext().labAddress);
   const search = useRun(lab);
   const entries = [
     { section: "lab", label: "Lab", link: labLink(lab) },
@@ -34,7 +37,6 @@ export function Nav() {
   const section = path === "b" ? "sweeps" : path;
   const navigate = useNavigate();
   usePaletteEntries(entries.map(({ label, link }) => ({ group: "Pages", label, run: () => void navigate(link) })));
-  const current = entries.find((entry) => entry.section === section);
   return (
     <>
       <Link {...labLink(lab)} className={classes.home} aria-label="Ridelab, to the lab">
@@ -56,32 +58,9 @@ export function Nav() {
             </li>
           ))}
         </ul>
-        <Menu position="bottom-start" width={180}>
-          <Menu.Target>
-            <Button
-              size="xs"
-              variant="subtle"
-              color="gray"
-              className={classes.menu ?? ""}
-              aria-label={`Pages, now ${current?.label ?? "another"}`}
-              rightSection={<IconChevronDown size={14} aria-hidden />}
-            >
-              {current?.label ?? "Pages"}
-            </Button>
-          </Menu.Target>
-          <Menu.Dropdown>
-            {entries.map(({ label, link, ...entry }) => (
-              <Menu.Item
-                key={label}
-                className={classes.item ?? ""}
-                aria-current={entry.section === section ? "page" : undefined}
-                renderRoot={(props) => <Link {...link} {...props} />}
-              >
-                {label}
-              </Menu.Item>
-            ))}
-          </Menu.Dropdown>
-        </Menu>
+        <LazyPart>
+          <PagesMenu {...{ entries, section }} />
+        </LazyPart>
       </nav>
     </>
   );

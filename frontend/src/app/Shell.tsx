@@ -2,21 +2,19 @@
 
 import { Link, Outlet } from "@tanstack/react-router";
 import { useMemo, useState, lazy, type ReactNode } from "react";
-import { Box, Button, useComputedColorScheme, useMantineColorScheme } from "@mantine/core";
-import { useMutation, useQuery } from "@tanstack/react-query";
+import { Box, Button } from "@mantine/core";
 import { useLabContext } from "../lab/context";
 import { ConnectionBanner } from "./ConnectionBanner";
 import { Keyboard } from "./Keyboard";
 import { Nav } from "./Nav";
 import { SlotsContext } from "../ui/Page";
 import classes from "../ui/shell.module.css";
-import { Blank } from "../ui/Blank";
+import { Blank, Loading } from "../ui/Blank";
+import ui from "../ui/ui.module.css";
 import { tokenWanted } from "../api/connection";
-import { useStore } from "../lib/store";
+import { useSelector } from "@tanstack/react-store";
 import { LazyPart } from "../ui/LazyPart";
-import { ask, query } from "../api/http";
-import { IconLogout, IconMoon, IconSun } from "../ui/icons";
-import { IconButton } from "../ui/IconButton";
+import { firstCurves } from "../lib/firstCurves";
 
 /** Not by an address with a fragment: the address belongs to what is shown. */
 function focusMain() {
@@ -40,7 +38,9 @@ export function Shell() {
           <header className={classes.header}>
             <Nav />
             <div className={classes.tools} ref={setTools} />
-            <HeaderEnd />
+            <LazyPart>
+              <HeaderEnd />
+            </LazyPart>
           </header>
           <Outlet />
           <Keyboard />
@@ -62,9 +62,20 @@ export function PageNotFound() {
         title="There is no page at this address"
         text="The address may be incomplete. The navigation above leads to every page."
       >
-        <Button renderRoot={(props) => <Link to="/" {...props} />}>Go to the lab</Button>
+        <Button size="sm" variant="filled" renderRoot={(props) => <Link to="/" {...props} />}>
+          Go to the lab
+        </Button>
       </Blank>
     </Box>
+  );
+}
+
+/** Until its route has what the page needs. */
+export function PageLoading() {
+  return (
+    <main className={ui.main}>
+      <Loading label="Loading the page" heights={[28, 96, 440]} />
+    </main>
   );
 }
 
@@ -76,50 +87,25 @@ export function PageFailed({ error }: { readonly error: unknown }) {
         title="This page has failed"
         text={`${error instanceof Error ? error.message : "Something went wrong"}. What was computed is stored at this address; loading it again shows it.`}
       >
-        <Button onClick={() => window.location.reload()}>Load again</Button>
+        <Button size="sm" variant="filled" onClick={() => window.location.reload()}>
+          Load again
+        </Button>
       </Blank>
     </Box>
   );
 }
 
+const HeaderEnd = lazy(async () => ({ default: (await firstCurves.then(() => import("./headerParts"))).HeaderEnd }));
 const Login = lazy(async () => ({ default: (await import("./Login")).Login }));
 
 /** The page, or what asks for a token where the service wants one. */
 function LoginGate({ children }: { readonly children: ReactNode }) {
-  if (!useStore(tokenWanted)) {
+  if (!useSelector(tokenWanted)) {
     return children;
   }
   return (
     <LazyPart>
       <Login />
     </LazyPart>
-  );
-}
-
-/** What every header ends with: dark or light, whatever the system says, and logging out where there is a login. */
-function HeaderEnd() {
-  const { setColorScheme } = useMantineColorScheme();
-  const isDark = useComputedColorScheme("light") === "dark";
-  const next = isDark ? "light" : "dark";
-  const name = useQuery({ ...query("/login", {}), staleTime: Infinity }).data?.name ?? null;
-  const logOut = useMutation({
-    mutationFn: () => ask("delete", "/login", {}),
-    onSuccess: () => window.location.reload(),
-  });
-  return (
-    <>
-      <IconButton label={`Use ${next} colours`} onClick={() => setColorScheme(next)}>
-        {isDark ? <IconSun size={18} stroke={1.7} /> : <IconMoon size={18} stroke={1.7} />}
-      </IconButton>
-      {name !== null && (
-        <IconButton
-          label={logOut.error?.message ?? `Log out ${name}`}
-          disabled={logOut.isPending}
-          onClick={() => logOut.mutate()}
-        >
-          <IconLogout size={18} stroke={1.7} />
-        </IconButton>
-      )}
-    </>
   );
 }

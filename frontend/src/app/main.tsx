@@ -1,4 +1,4 @@
-import { MantineProvider, createTheme, Menu, Modal, type MantineColorsTuple } from "@mantine/core";
+import { MantineProvider, createTheme, type MantineColorsTuple } from "@mantine/core";
 import { QueryClientProvider } from "@tanstack/react-query";
 import { RouterProvider } from "@tanstack/react-router";
 import { StrictMode } from "react";
@@ -29,6 +29,8 @@ const petrol: MantineColorsTuple = [
   "#00696b",
 ];
 
+const small = { defaultProps: { size: "xs" } };
+
 const theme = createTheme({
   primaryColor: "petrol",
   // White text stands out on either.
@@ -39,18 +41,26 @@ const theme = createTheme({
   cursorType: "pointer",
   fontFamily: "Inter, system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, sans-serif",
   headings: { fontWeight: "650" },
+  fontSizes: { xs: "0.75rem", sm: "0.8125rem", md: "0.875rem", lg: "1.0625rem", xl: "1.25rem" },
   respectReducedMotion: true,
   components: {
+    Button: { defaultProps: { size: "xs", variant: "default" } },
+    Checkbox: small,
+    MultiSelect: small,
+    NativeSelect: small,
+    SegmentedControl: small,
+    Select: small,
+    TextInput: small,
     // The placeholder would be a child that a menu may not have.
-    Modal: Modal.extend({ defaultProps: { closeButtonProps: { "aria-label": "Close" } } }),
-    Menu: Menu.extend({ defaultProps: { withInitialFocusPlaceholder: false } }),
+    Modal: { defaultProps: { closeButtonProps: { "aria-label": "Close" } } },
+    Menu: { defaultProps: { withInitialFocusPlaceholder: false } },
   },
 });
 
 const queries = createQueryClient();
 
 // The lab lives as long as the tab: other pages come and go beside it.
-const pages = createAppRouter();
+const pages = createAppRouter(queries);
 // An address that names a result opens that, and nothing is behind it.
 const restored = startsAnew(pages) ? restoreSession() : null;
 const labAddress = createLabAddress(pages, restored?.view);

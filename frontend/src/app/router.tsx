@@ -1,24 +1,55 @@
 /** Every address of the page and what it shows; each page beside the lab has code of its own, fetched where it is shown. */
 
-import { createRootRoute, createRoute, createRouter, lazyRouteComponent } from "@tanstack/react-router";
+import type { QueryClient } from "@tanstack/react-query";
+import { createRootRouteWithContext, createRoute, createRouter, lazyRouteComponent } from "@tanstack/react-router";
 import { LabPage } from "../pages/lab/LabPage";
 import { readScenarioSource } from "../features/scenarioSource/scenarioSource";
 import { readChoices } from "../pages/paper/choices";
-import { PageFailed, PageNotFound } from "./Shell";
-import { Shell } from "./Shell";
+import { PageFailed, PageLoading, PageNotFound, Shell } from "./Shell";
+import { BATCH, jobQuery, TUNING, type Common, type JobKind } from "../jobs/useJob";
+import { endFirstView, firstCurves } from "../lib/firstCurves";
+import { loadCatalogues, loadResultWords } from "../server/useCatalogues";
 import { parseSearch, pick, readLabSearch, stringifySearch } from "../lab/address";
 
-const root = createRootRoute({ component: Shell, notFoundComponent: PageNotFound });
+interface Context {
+  readonly queries: QueryClient;
+}
+
+const root = createRootRouteWithContext<Context>()({ component: Shell, notFoundComponent: PageNotFound });
 
 // The lab's addresses share one component: it stays when one leads to another.
-const lab = createRoute({ getParentRoute: () => root, id: "lab", component: LabPage });
+const lab = createRoute({
+  getParentRoute: () => root,
+  id: "lab",
+  component: LabPage,
+  loader: ({ context: { queries } }) => {
+    // With the code of what needs them; where they fail, that says so.
+    void firstCurves.then(() => loadCatalogues(queries)).catch(() => undefined);
+    return loadResultWords(queries);
+  },
+});
 const start = createRoute({ getParentRoute: () => lab, path: "/", validateSearch: readLabSearch });
 const run = createRoute({ getParentRoute: () => lab, path: "/r/$id", validateSearch: readLabSearch });
 const shared = createRoute({ getParentRoute: () => lab, path: "/s/$id", validateSearch: () => ({}) });
 
+/** Pages beside the lab wait for no curves, but for all styles and all the server's lists. */
+const load = ({ context: { queries } }: { readonly context: Context }) => {
+  endFirstView();
+  return Promise.all([loadCatalogues(queries), import("../ui/mantine.css")]);
+};
+
+/** With the job that the address names: whether it is there, the page says. */
+const loadJob =
+  <Item extends Common, Job extends Item>(kind: JobKind<Item, Job>) =>
+  ({ context, params: { id } }: { readonly context: Context; readonly params: { readonly id: string } }) => {
+    context.queries.query(jobQuery(kind, id)).catch(() => undefined);
+    return load({ context });
+  };
+
 const sweep = createRoute({
   getParentRoute: () => root,
   path: "/b/$id",
+  loader: loadJob(BATCH),
   validateSearch: (raw: Record<string, unknown>) =>
     pick(raw, "plot", "x", "y", "hide", "strategy", "against", "at", "versus"),
   component: lazyRouteComponent(() => import("../pages/sweep/SweepPage"), "SweepPage"),
@@ -26,35 +57,41 @@ const sweep = createRoute({
 const sweeps = createRoute({
   getParentRoute: () => root,
   path: "/sweeps",
+  loader: load,
   component: lazyRouteComponent(() => import("../pages/sweep/SweepPage"), "SweepsPage"),
 });
 const paper = createRoute({
   getParentRoute: () => root,
   path: "/paper",
+  loader: load,
   validateSearch: readChoices,
   component: lazyRouteComponent(() => import("../pages/paper/PaperPage"), "PaperPage"),
 });
 const tuner = createRoute({
   getParentRoute: () => root,
   path: "/tuner",
+  loader: load,
   validateSearch: readScenarioSource,
   component: lazyRouteComponent(() => import("../pages/tuner/TunerPage"), "TunerPage"),
 });
 const tuning = createRoute({
   getParentRoute: () => root,
   path: "/tuner/$id",
+  loader: loadJob(TUNING),
   component: lazyRouteComponent(() => import("../pages/tuner/TuningPage"), "TuningPage"),
   remountDeps: ({ params }) => params,
 });
 const robustness = createRoute({
   getParentRoute: () => root,
   path: "/robustness",
+  loader: load,
   validateSearch: readScenarioSource,
   component: lazyRouteComponent(() => import("../pages/robustness/RobustnessPage"), "RobustnessPage"),
 });
 const study = createRoute({
   getParentRoute: () => root,
   path: "/robustness/$id",
+  loader: loadJob(BATCH),
   validateSearch: (raw: Record<string, unknown>) => pick(raw, "baseline", "one"),
   component: lazyRouteComponent(() => import("../pages/robustness/StudyPage"), "StudyPage"),
   remountDeps: ({ params }) => params,
@@ -62,6 +99,7 @@ const study = createRoute({
 const ecu = createRoute({
   getParentRoute: () => root,
   path: "/ecu",
+  loader: load,
   validateSearch: readScenarioSource,
   component: lazyRouteComponent(() => import("../pages/ecu/EcuPage"), "EcuPage"),
 });
@@ -78,13 +116,18 @@ const routeTree = root.addChildren([
   ecu,
 ]);
 
-export const createAppRouter = () =>
+export const createAppRouter = (queries: QueryClient) =>
   createRouter({
     routeTree,
+    context: { queries },
     parseSearch,
     stringifySearch,
     scrollRestoration: true,
     defaultPreload: "intent",
+    defaultStaleTime: Infinity,
+    defaultPendingMs: 100,
+    defaultPendingMinMs: 0,
+    defaultPendingComponent: PageLoading,
     defaultErrorComponent: PageFailed,
   });
 

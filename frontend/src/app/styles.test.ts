@@ -23,3 +23,13 @@ it("A module's styles are of its own classes alone", () => {
   expect(Object.keys(sheets).length).toBeGreaterThan(20);
   expect(unscoped).toEqual([]);
 });
+
+it("there are five sizes of type, the theme's", () => {
+  const others = Object.entries(sheets).flatMap(([file, text]) =>
+    [...text.matchAll(/font-size: (.*);/g)]
+      .map(([, size = ""]) => size)
+      .filter((size) => size !== "inherit" && !/^var\(--mantine-font-size-(xs|sm|md|lg|xl)\)$/.test(size))
+      .map((size) => `${file}: ${size}`),
+  );
+  expect(others).toEqual([]);
+});

@@ -52,13 +52,13 @@ export function JobList<Item extends Common, Job extends Item>({
   return (
     <Card aria-label={title} aria-busy={!items && !error} title={title}>
       {error && !items ? (
-        <Fault size="sm" className={ui.note ?? ""}>
+        <Fault size="md" className={ui.note ?? ""}>
           They could not be read: {error.message}
         </Fault>
       ) : !items ? (
         <Skeleton height={44} mx="0.9rem" mb="0.7rem" width="auto" />
       ) : items.length === 0 ? (
-        <Text size="sm" c="dimmed" className={ui.note ?? ""}>
+        <Text c="dimmed" className={ui.note ?? ""}>
           {none}
         </Text>
       ) : (
@@ -212,12 +212,10 @@ function Delete<Item extends Common, Job extends Item>({
       <Text size="xs" flex={1} {...(deletion.isError && { role: "alert", c: "red" })}>
         {deletion.error?.message ?? "Delete it for good?"}
       </Text>
-      <Button size="xs" color="red" autoFocus loading={deletion.isPending} onClick={() => deletion.mutate()}>
+      <Button variant="filled" color="red" autoFocus loading={deletion.isPending} onClick={() => deletion.mutate()}>
         Delete
       </Button>
-      <Button size="xs" variant="default" onClick={onClose}>
-        Close
-      </Button>
+      <Button onClick={onClose}>Close</Button>
     </div>
   );
 }

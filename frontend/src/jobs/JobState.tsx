@@ -54,17 +54,17 @@ export function JobState<Item extends Common, Job extends Item>({
   return (
     <Card className={classes.state} aria-label="Progress" data-state={job.state}>
       <Group gap="0.3rem 0.9rem" mih={30}>
-        <Text size="sm" fw={650} role="status" data-testid={`${kind.name}-state`}>
+        <Text fw={650} role="status" data-testid={`${kind.name}-state`}>
           {text}
           {job.reason !== null && `: ${job.reason}`}
         </Text>
-        <Text size="sm" className={classes.counts} data-testid={`${kind.name}-counts`}>
+        <Text className={classes.counts} data-testid={`${kind.name}-counts`}>
           {counts}
         </Text>
         {readOnly ? null : ended ? (
           resume
         ) : (
-          <Button size="xs" variant="default" loading={cancel.isPending} onClick={() => cancel.mutate(undefined)}>
+          <Button loading={cancel.isPending} onClick={() => cancel.mutate(undefined)}>
             Cancel
           </Button>
         )}

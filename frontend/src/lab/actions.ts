@@ -1,7 +1,7 @@
 /** What can be done by a button, a menu, the palette or a key: each action is declared here once. */
 
 import { useEffect, useRef } from "react";
-import { createStore, useSelect } from "../lib/store";
+import { createAtom, useSelector } from "@tanstack/react-store";
 
 interface Declared {
   /** What the palette and the list of keys say. */
@@ -44,7 +44,7 @@ interface Offered {
 }
 
 /** Who does each action of the page that is shown. */
-const offered = createStore<ReadonlyMap<ActionId, Offered>>(new Map());
+const offered = createAtom<ReadonlyMap<ActionId, Offered>>(new Map());
 
 const NOTHING = () => undefined;
 
@@ -70,7 +70,7 @@ export const runAction = (id: ActionId): void => offered.get().get(id)?.run.curr
 
 /** For a button or a menu entry of it. */
 export function useActionButton(id: ActionId) {
-  const disabled = !useSelect(offered, (all) => all.get(id)?.can === true);
+  const disabled = !useSelector(offered, (all) => all.get(id)?.can === true);
   const { label, short = label } = ACTIONS[id];
   return { label: short, disabled, onClick: () => runAction(id) };
 }

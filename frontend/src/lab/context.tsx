@@ -6,7 +6,7 @@ import type { Scenario } from "../api/types";
 import type { View } from "./address";
 import type { Lab, LabState } from "./labState";
 import type { LabAddress } from "./labAddress";
-import { useSelect } from "../lib/store";
+import { useSelector } from "@tanstack/react-store";
 import { standardScenario } from "../scenario/differences";
 import { schemaQuery } from "../server/queries";
 
@@ -41,11 +41,11 @@ export function useLabContext(): LabContextValue {
 }
 
 export function useLab<Part>(select: (state: LabState) => Part): Part {
-  return useSelect(useLabContext().lab, select);
+  return useSelector(useLabContext().lab, select);
 }
 
 export function useView(): View {
-  return useSelect(useLabContext().labAddress, (address) => address.view);
+  return useSelector(useLabContext().labAddress, (address) => address.view);
 }
 
 /** Nothing can be edited: the page shows a shared result. */

@@ -1,10 +1,10 @@
 /** The cursor all plots and the car share, and its playback. Outside React: it moves with every frame. */
 
 import type { Axis } from "./address";
-import { createStore, useSelect } from "../lib/store";
+import { createAtom, useSelector } from "@tanstack/react-store";
 
 /** Where somebody points, `null` while nobody does. */
-const store = createStore<{ readonly axis: Axis; readonly at: number } | null>(null);
+const store = createAtom<{ readonly axis: Axis; readonly at: number } | null>(null);
 
 export const cursor = {
   /** The place on this axis (m or s); `null` where nobody points, or points on the other axis. */
@@ -16,4 +16,4 @@ export const cursor = {
   subscribe: store.subscribe,
 };
 
-export const useCursor = (axis: Axis): number | null => useSelect(store, () => cursor.get(axis));
+export const useCursor = (axis: Axis): number | null => useSelector(store, () => cursor.get(axis));

@@ -3,7 +3,7 @@
 import { isAbort, isTransient } from "../api/problem";
 import type { LabState } from "./labState";
 import { hasErrors, NO_ERRORS } from "./problems";
-import type { Store } from "../lib/store";
+import type { Atom } from "@tanstack/react-store";
 import type { Timer } from "../lib/timer";
 
 export interface ExactRequest {
@@ -21,7 +21,7 @@ export interface ExactRequests {
 }
 
 interface Parts {
-  readonly store: Store<LabState>;
+  readonly store: Atom<LabState>;
   /** Marks what is shown as stale when it ends. */
   readonly grace: Timer;
   readonly onError: (error: unknown, again: () => void) => void;

@@ -5,7 +5,7 @@ import { DEFAULT_VIEW, type Address } from "./address";
 import type { LabApi } from "./labState";
 import { createLab } from "./lab";
 import type { LabAddress } from "./labAddress";
-import { createStore } from "../lib/store";
+import { createAtom } from "@tanstack/react-store";
 
 const PAPER: Scenario = { height: 0.1 };
 const LOW: Scenario = { height: 0.06 };
@@ -30,7 +30,7 @@ function runOf(scenario: Scenario, ids: readonly StrategyId[], roads = 1): Run {
 
 /** A labAddress without a browser. */
 function fakeRouter() {
-  const store = createStore<Address>({ runId: null, slug: null, view: DEFAULT_VIEW });
+  const store = createAtom<Address>({ runId: null, slug: null, view: DEFAULT_VIEW });
   const labAddress: LabAddress = {
     get: store.get,
     subscribe: store.subscribe,

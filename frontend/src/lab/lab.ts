@@ -7,7 +7,7 @@ import { sameValue } from "../scenario/path";
 import { begin, record, redo, undo, type History } from "./history";
 import { NO_ERRORS } from "./problems";
 import { answers } from "./result";
-import { createStore } from "../lib/store";
+import { createAtom } from "@tanstack/react-store";
 
 const OPENING_STRATEGIES: readonly StrategyId[] = ["lv", "lqr", "passive"];
 
@@ -30,7 +30,7 @@ const OPENING: LabState = {
 /** `initial` is what it opens with where no address says what. */
 export function createLab(services: Services, initial: Partial<LabState> = {}): Lab {
   const { labAddress } = services;
-  const store = createStore<LabState>({ ...OPENING, ...initial });
+  const store = createAtom<LabState>({ ...OPENING, ...initial });
   const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
   let form: LabForm = { group: null, signals: [] };
   const requests = createRequests(store, services, () => form);

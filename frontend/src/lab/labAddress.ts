@@ -2,10 +2,10 @@
 
 import { linkOptions, type RegisteredRouter } from "@tanstack/react-router";
 import { DEFAULT_VIEW, readLabSearch, searchOf, stringifySearch, viewOf, type Address, type View } from "./address";
-import { createStore, type Store } from "../lib/store";
+import { createAtom, type Atom } from "@tanstack/react-store";
 
 /** Its value is the address of what the lab shows, on whichever page the browser is. */
-export interface LabAddress extends Pick<Store<Address>, "get" | "subscribe"> {
+export interface LabAddress extends Pick<Atom<Address>, "get" | "subscribe"> {
   /** Shows another run; a new entry in the browser's history unless it is the same one. */
   readonly showRun: (runId: string, view: Partial<View>, mode: "push" | "replace") => void;
   /** The next run is no other page's: nothing leads back there. */
@@ -64,7 +64,7 @@ function readAddress(router: RegisteredRouter): Address | null {
 export function createLabAddress(router: RegisteredRouter, opening = DEFAULT_VIEW): LabAddress {
   const named = readAddress(router);
   const saysNothing = named === null || isSame(named, START);
-  const store = createStore<Address>(saysNothing ? { ...START, view: opening } : named);
+  const store = createAtom<Address>(saysNothing ? { ...START, view: opening } : named);
 
   /** Where a link, back or forward led, until it is shown. */
   let pending: Address | null = null;

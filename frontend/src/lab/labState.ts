@@ -8,7 +8,7 @@ import type { Group } from "../scenario/schema";
 import type { Address } from "./address";
 import type { History } from "./history";
 import type { Result } from "./result";
-import type { Store } from "../lib/store";
+import type { Atom } from "@tanstack/react-store";
 import type { Api } from "../api/client";
 import type { LabAddress } from "./labAddress";
 
@@ -47,7 +47,7 @@ export interface LabState {
 
 export const hasInvalidInput = ({ invalidInput }: LabState): boolean => Object.keys(invalidInput).length > 0;
 
-export interface Lab extends Pick<Store<LabState>, "get" | "subscribe"> {
+export interface Lab extends Pick<Atom<LabState>, "get" | "subscribe"> {
   readonly open: (address: Address) => void;
   /** Opens where Back or Forward led to. */
   readonly navigate: (address: Address) => void;

@@ -8,7 +8,7 @@ import { NO_ERRORS, refusal } from "./problems";
 import { ALL_POINTS } from "../server/queries";
 import { axisKey } from "./resultView";
 import { fromLive } from "./result";
-import type { Store } from "../lib/store";
+import type { Atom } from "@tanstack/react-store";
 import type { Timer } from "../lib/timer";
 
 const POINTS = 700;
@@ -20,7 +20,7 @@ interface LiveRequest {
 }
 
 interface Parts extends Pick<Services, "api" | "labAddress"> {
-  readonly store: Store<LabState>;
+  readonly store: Atom<LabState>;
   /** Marks what is shown as stale when it ends. */
   readonly grace: Timer;
   readonly form: () => LabForm;

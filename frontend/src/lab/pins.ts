@@ -1,14 +1,14 @@
 /** Pinned variants: runs by a name of their own, kept when the tab is closed. */
 
 import { LONGEST_NAME } from "../scenario/library";
-import { createStore, type Store } from "../lib/store";
+import { createAtom, type Atom } from "@tanstack/react-store";
 
 export interface Pin {
   readonly name: string;
   readonly run: string;
 }
 
-export interface Pins extends Pick<Store<readonly Pin[]>, "get" | "subscribe"> {
+export interface Pins extends Pick<Atom<readonly Pin[]>, "get" | "subscribe"> {
   /** Does nothing where the run is pinned already, or there are as many as there may be. */
   readonly add: (pin: Pin) => void;
   readonly rename: (run: string, name: string) => void;
@@ -38,7 +38,7 @@ function parse(text: string | null): readonly Pin[] {
 }
 
 export function createPins(storage: Storage | null): Pins {
-  const store = createStore<readonly Pin[]>([]);
+  const store = createAtom<readonly Pin[]>([]);
   /** What the storage held last. */
   let stored: string | null = null;
   const refresh = () => {

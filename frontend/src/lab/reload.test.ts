@@ -7,7 +7,7 @@ import { createLab } from "./lab";
 import type { LabState } from "./labState";
 import { restoreBefore, restoreTab, storeTab } from "./session";
 import type { Result } from "./result";
-import { createStore } from "../lib/store";
+import { createAtom } from "@tanstack/react-store";
 
 const [PAPER, LOW, HIGH]: readonly Scenario[] = [{ height: 1 }, { height: 2 }, { height: 3 }];
 const resultOf = (runId: string, scenario: Scenario | undefined) =>
@@ -24,13 +24,13 @@ afterEach(() => {
   vi.unstubAllGlobals();
 });
 
-const router = createStore({ runId: null, slug: null, view: DEFAULT_VIEW });
+const router = createAtom({ runId: null, slug: null, view: DEFAULT_VIEW });
 const labWith = (state: Partial<LabState>) =>
   createLab({ api: {} as never, labAddress: router as never, queries: new QueryClient() }, state);
 
 /** A lab that has shown and stored this. */
 function left(state: Partial<LabState>) {
-  const store = createStore<LabState>(labWith({}).get());
+  const store = createAtom<LabState>(labWith({}).get());
   storeTab(store);
   store.set((before) => ({ ...before, ...state }));
   return (change: Partial<LabState>) => store.set((before) => ({ ...before, ...change }));
@@ -81,7 +81,7 @@ it("What cannot be read is no tab's", () => {
 });
 
 it("The run before the last edit is asked for once, when the run that was shown is there", async () => {
-  const store = createStore(labWith({}).get());
+  const store = createAtom(labWith({}).get());
   const compareWith = vi.fn();
   restoreBefore({ ...store, compareWith }, { run: "R2", before: "R1", history: HISTORY }, (run) =>
     Promise.resolve(resultOf(run, PAPER)),

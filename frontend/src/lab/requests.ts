@@ -13,7 +13,7 @@ import { NO_ERRORS, problemOf } from "./problems";
 import { fromCache, linkKey, runKey } from "../server/queries";
 import { readSharedView } from "./sharing";
 import { fromRun, resultsAfterEdit, resultsAfterOpening } from "./result";
-import type { Store } from "../lib/store";
+import type { Atom } from "@tanstack/react-store";
 import { createTimer } from "../lib/timer";
 
 const STALE_AFTER_MS = 200;
@@ -32,7 +32,7 @@ export interface Requests {
 }
 
 export function createRequests(
-  store: Store<LabState>,
+  store: Atom<LabState>,
   { api, labAddress, queries }: Services,
   form: () => LabForm,
 ): Requests {

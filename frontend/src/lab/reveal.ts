@@ -1,10 +1,10 @@
 /** A field of the form that somebody looks for. */
 
 import type { Pointer } from "../scenario/path";
-import { createStore } from "../lib/store";
+import { createAtom } from "@tanstack/react-store";
 
 /** `null` once it has been shown. */
-export const revealed = createStore<Pointer | null>(null);
+export const revealed = createAtom<Pointer | null>(null);
 
 /** Brings it into sight, ready to be changed. */
 export function focusField(pointer: Pointer): void {

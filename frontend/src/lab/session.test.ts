@@ -7,7 +7,7 @@ import { createLab } from "./lab";
 import type { LabState } from "./labState";
 import { NO_ERRORS } from "./problems";
 import type { Result } from "./result";
-import { createStore } from "../lib/store";
+import { createAtom } from "@tanstack/react-store";
 
 const LOW: Scenario = { height: 0.06 };
 const REFUSED: Scenario = { height: -1 };
@@ -27,9 +27,9 @@ afterEach(() => {
 });
 
 function open() {
-  const router = createStore({ runId: null, slug: null, view: DEFAULT_VIEW });
+  const router = createAtom({ runId: null, slug: null, view: DEFAULT_VIEW });
   const opening = createLab({ api: {} as never, labAddress: router as never, queries: {} as never }).get();
-  const store = createStore<LabState>({ ...opening, history: begin(LOW), latestResult: exactOf(LOW), busy: true });
+  const store = createAtom<LabState>({ ...opening, history: begin(LOW), latestResult: exactOf(LOW), busy: true });
   const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
   storeSession(store, router);
   return patch;

@@ -134,10 +134,10 @@ export function restoreBefore(
   load: (run: string) => Promise<Result>,
 ): void {
   if (before === null) return;
-  const stop = lab.subscribe(() => {
+  const subscription = lab.subscribe(() => {
     const { latestResult } = lab.get();
     if (!latestResult) return;
-    stop();
+    subscription.unsubscribe();
     load(before).then(
       (shown) => lab.compareWith(latestResult.scenario, shown),
       () => undefined, // no longer stored, or no server: then there is none to compare with

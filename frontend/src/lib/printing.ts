@@ -1,9 +1,9 @@
 /** Whether the page is being printed: then everything is drawn, in sight or not. */
 
 import { flushSync } from "react-dom";
-import { createStore } from "./store";
+import { createAtom } from "@tanstack/react-store";
 
-const store = createStore(false);
+const store = createAtom(false);
 
 export const printing = { get: store.get, subscribe: store.subscribe };
 

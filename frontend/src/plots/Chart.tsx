@@ -4,11 +4,13 @@ import { useElementSize } from "@mantine/hooks";
 import { useEffect, useEffectEvent, useRef, useState, type ReactNode, type RefObject } from "react";
 import type { MadeTrace } from "../api/types";
 import classes from "./plots.module.css";
-import type { BarTrace, GridTrace, LineTrace, PlotElement, PlotLayout, PointTrace } from "./plotly";
-import { PlotlyFault, useCharts } from "./usePlotly";
+import type { BarTrace, GridTrace, LineTrace, PlotElement, PlotLayout, PlotTrace, PointTrace } from "./plotly";
+import { PlotlyFault, usePlotly } from "./usePlotly";
 
 export interface ChartFigure {
-  readonly data: readonly (PointTrace | LineTrace | BarTrace | GridTrace | MadeTrace)[];
+  readonly data: readonly (
+    (PlotTrace & { readonly name: string }) | PointTrace | LineTrace | BarTrace | GridTrace | MadeTrace
+  )[];
   readonly layout: PlotLayout;
 }
 
@@ -26,14 +28,25 @@ interface Props {
   readonly hostRef?: RefObject<HTMLDivElement | null>;
   /** What lies over it, once it is as wide as that; it counts plotly's drawings, as a new one means new axes. */
   readonly over?: (drawing: number, width: number) => ReactNode;
+  /** It can be zoomed, panned and saved, as a file of this name. */
+  readonly tools?: string;
   /** How many points it shows, where that matters to who looks for it; without any its axes mean nothing. */
   readonly points?: number;
 }
 
 const CONFIG = { displayModeBar: false, responsive: false, doubleClick: "reset", showTips: false } as const;
+const TOOLS = {
+  ...CONFIG,
+  displayModeBar: true,
+  displaylogo: false,
+  showSendToCloud: false,
+  doubleClick: "reset+autosize",
+  scrollZoom: true,
+};
 
-export function Chart({ figure, height, width: fixedWidth, label, onPoint, hostRef, over, points: count }: Props) {
-  const plotly = useCharts();
+export function Chart(props: Props) {
+  const { figure, height, width: fixedWidth, label, onPoint, hostRef, over, tools, points: count } = props;
+  const plotly = usePlotly();
   const { ref, width: room } = useElementSize<HTMLDivElement>();
   const width = fixedWidth ?? room;
   const own = useRef<HTMLDivElement>(null);
@@ -44,13 +57,15 @@ export function Chart({ figure, height, width: fixedWidth, label, onPoint, hostR
   useEffect(() => {
     if (!plotly || !figure || !host.current || width === 0) return undefined;
     let mounted = true;
-    void plotly.react(host.current, figure.data, { ...figure.layout, width, height }, CONFIG).then(() => {
+    const config =
+      tools === undefined ? CONFIG : { ...TOOLS, toImageButtonOptions: { format: "svg", filename: tools } };
+    void plotly.react(host.current, figure.data, { ...figure.layout, width, height }, config).then(() => {
       if (mounted && covered) setDrawing((before) => before + 1);
     });
     return () => {
       mounted = false;
     };
-  }, [plotly, figure, host, width, height, covered]);
+  }, [plotly, figure, host, width, height, covered, tools]);
 
   const clicked = useEffectEvent((point: number) => onPoint?.(point));
   const clickable = onPoint !== undefined;
@@ -73,7 +88,13 @@ export function Chart({ figure, height, width: fixedWidth, label, onPoint, hostR
   return (
     <div ref={ref} className={classes.chart} style={{ height }}>
       <PlotlyFault />
-      <div ref={host} role="img" aria-label={label} data-points={count} data-empty={count === 0 || undefined} />
+      <div
+        ref={host}
+        role={tools === undefined ? "img" : "group"}
+        aria-label={label}
+        data-points={count}
+        data-empty={count === 0 || undefined}
+      />
       {over?.(drawing, width)}
     </div>
   );

@@ -1,14 +1,58 @@
-/** Saves one figure as it is shown; what it takes is loaded at the first click. */
+/** Enlarges or saves one figure; what either takes is loaded when it is wanted. */
 
 import { ActionIcon } from "@mantine/core";
+import { useDisclosure } from "@mantine/hooks";
 import { lazy, useMemo, useState, type RefObject } from "react";
-import { IconDownload } from "../ui/icons";
+import type { FigureTemplate } from "../api/types";
+import { IconDownload, IconMaximize } from "../ui/icons";
 import { LazyPart } from "../ui/LazyPart";
 import classes from "./plots.module.css";
+import type { Curves } from "./curves";
+import { requestPlotly } from "./plotly";
 import type { FigureSource } from "./saved";
 import type { ChartOnPaper } from "./paperChart";
 
+const EnlargedFigure = lazy(() => import("./EnlargedFigure").then((module) => ({ default: module.EnlargedFigure })));
 const FigureMenu = lazy(() => import("./FigureMenu").then((module) => ({ default: module.FigureMenu })));
+
+interface EnlargeProps {
+  readonly template: FigureTemplate;
+  readonly curves: Curves;
+  readonly file: string;
+}
+
+/** Opens a panel as large as the window. */
+export function EnlargeButton({ template, curves, file }: EnlargeProps) {
+  const [opened, { open, close }] = useDisclosure(false);
+  const { title } = template.layout.meta;
+  const button = useMemo(
+    () => (
+      <ActionIcon
+        size={24}
+        variant="subtle"
+        color="gray"
+        className={classes.save ?? ""}
+        aria-label={`Enlarge figure: ${title}`}
+        aria-haspopup="dialog"
+        onPointerEnter={requestPlotly}
+        onClick={open}
+      >
+        <IconMaximize size={15} />
+      </ActionIcon>
+    ),
+    [title, open],
+  );
+  return (
+    <>
+      {button}
+      {opened && (
+        <LazyPart onClose={close}>
+          <EnlargedFigure {...{ template, curves, file }} onClose={close} />
+        </LazyPart>
+      )}
+    </>
+  );
+}
 
 export function FigureButton({ source }: { readonly source: FigureSource }) {
   const [requested, setRequested] = useState(false);

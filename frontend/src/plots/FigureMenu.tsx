@@ -51,7 +51,6 @@ export function FigureMenu({ source, opened, onChange, children }: Props) {
             Width
           </Text>
           <SegmentedControl
-            size="xs"
             aria-labelledby={`${id}-width`}
             orientation={isNarrow ? "vertical" : "horizontal"}
             value={width}
@@ -61,23 +60,11 @@ export function FigureMenu({ source, opened, onChange, children }: Props) {
           <Text size="xs" fw={600} id={`${id}-font`}>
             Font size
           </Text>
-          <SegmentedControl
-            size="xs"
-            aria-labelledby={`${id}-font`}
-            value={font}
-            data={[...FONT_SIZES]}
-            onChange={setFont}
-          />
+          <SegmentedControl aria-labelledby={`${id}-font`} value={font} data={[...FONT_SIZES]} onChange={setFont} />
           <Group gap="xs" wrap="nowrap">
-            <Button size="xs" variant="default" onClick={() => save("png", () => image("png"))}>
-              PNG, 300 dpi
-            </Button>
-            <Button size="xs" variant="default" onClick={() => save("svg", () => image("svg"))}>
-              SVG
-            </Button>
-            <Button size="xs" variant="default" onClick={() => save("csv", csv)}>
-              CSV
-            </Button>
+            <Button onClick={() => save("png", () => image("png"))}>PNG, 300 dpi</Button>
+            <Button onClick={() => save("svg", () => image("svg"))}>SVG</Button>
+            <Button onClick={() => save("csv", csv)}>CSV</Button>
           </Group>
           {failed && (
             <Text size="xs" role="alert">

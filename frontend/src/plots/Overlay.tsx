@@ -5,7 +5,7 @@ import { cursor } from "../lab/cursor";
 import type { Axis, Zoom } from "../lab/address";
 import { MARGIN } from "./figure";
 import classes from "./plots.module.css";
-import { createStore } from "../lib/store";
+import { createAtom } from "@tanstack/react-store";
 
 interface Props {
   readonly axis: Axis;
@@ -44,7 +44,7 @@ export function Overlay({ axis, range, onZoom }: Props) {
     drawBand();
     const stops = [cursor.subscribe(drawLine), brush.subscribe(drawBand)];
     return () => {
-      for (const stop of stops) stop();
+      for (const stop of stops) stop.unsubscribe();
     };
   }, [axis, low, high]);
 
@@ -60,6 +60,7 @@ export function Overlay({ axis, range, onZoom }: Props) {
   return (
     <div
       ref={area}
+      role="presentation" // the cursor has a slider under the car, the zoom its buttons
       className={classes.overlay}
       style={{ inset: `${MARGIN.t}px ${MARGIN.r}px ${MARGIN.b}px ${MARGIN.l}px` }}
       onPointerDown={(event) => {
@@ -94,4 +95,4 @@ interface Brush {
   readonly to: number;
 }
 
-const brush = createStore<Brush | null>(null);
+const brush = createAtom<Brush | null>(null);

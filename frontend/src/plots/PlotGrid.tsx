@@ -8,11 +8,11 @@ import { useLabContext } from "../lab/context";
 import type { ResultView } from "../lab/resultView";
 import { layersOf } from "./curves";
 import { PALETTES } from "./palettes";
-import { PlotPanel } from "./PlotPanel";
+import { EnlargeButton } from "./FigureButton";
+import { fileOf, PlotPanel } from "./PlotPanel";
 import classes from "./plots.module.css";
 import { drawnOf, subtrahend } from "./differences";
 import { useCurves, useDetail, useLayered } from "./useDetail";
-import { usePlotly } from "./usePlotly";
 import { Card } from "../ui/Card";
 import { buildFigure, MARGIN } from "./figure";
 import { Overlay } from "./Overlay";
@@ -24,7 +24,6 @@ interface Props {
 }
 
 export function PlotGrid({ templates, resultView }: Props) {
-  const plotly = usePlotly();
   const palette = PALETTES[useComputedColorScheme("light")];
   const { roads, ...pair } = useCurves(resultView);
   const own = useDetail(pair.own);
@@ -60,7 +59,6 @@ export function PlotGrid({ templates, resultView }: Props) {
       {templates.map((template) => (
         <PlotPanel
           key={template.layout.meta.signal}
-          plotly={plotly}
           template={template}
           curves={curves}
           palette={palette}
@@ -90,32 +88,25 @@ interface RoadStripProps {
 
 /** The whole road as a thin strip: where the plots below look, and a place to point and zoom. */
 export function RoadStrip({ template, resultView }: RoadStripProps) {
-  const plotly = usePlotly();
   const palette = PALETTES[useComputedColorScheme("light")];
   const onZoom = useZoom();
   const { series, summaries, strategies, axis, whole, range, shown } = resultView;
-  const figure = useMemo(
-    () =>
-      buildFigure({
-        template,
-        series,
-        sourceSeries: series,
-        summaries,
-        strategies,
-        axis,
-        range: whole,
-        palette,
-        yTicks: 3,
-      }),
-    [template, series, summaries, strategies, axis, whole, palette],
+  const { runId, coreVersion, source } = shown;
+  const curves = useMemo(
+    () => ({
+      ...{ series, sourceSeries: series, summaries, strategies, axis, range: whole },
+      ...{ live: source === "live", runId, coreVersion },
+    }),
+    [series, summaries, strategies, axis, whole, source, runId, coreVersion],
   );
+  const figure = useMemo(() => buildFigure({ template, palette, ...curves, yTicks: 3 }), [template, curves, palette]);
   const { meta } = template.layout;
   const part = (x: number) => (x - whole[0]) / (whole[1] - whole[0]);
   const [left, right] = [part(range[0]), 1 - part(range[1])];
   return (
     <Card className={classes.strip ?? ""} aria-label={`${meta.title}, curves`} data-figure={meta.signal}>
       <div role="img" aria-label={`${meta.title} in ${meta.unit} over ${axis}, whole run`}>
-        <Surface plotly={plotly} figure={figure} live={shown.source === "live"} />
+        <Surface figure={figure} live={curves.live} />
         {range !== whole && (
           <div
             className={classes.stripWindow}
@@ -133,6 +124,9 @@ export function RoadStrip({ template, resultView }: RoadStripProps) {
           {meta.unit}
         </Box>
       </h2>
+      <div className={classes.stripTools}>
+        <EnlargeButton template={template} curves={curves} file={fileOf(template, curves)} />
+      </div>
     </Card>
   );
 }

@@ -6,14 +6,13 @@ import { memo, useMemo } from "react";
 import type { FigureTemplate, FigureMeta, SeriesByStrategy, Strategy } from "../api/types";
 import type { Zoom, Axis } from "../lab/address";
 import { printing } from "../lib/printing";
-import { useStore } from "../lib/store";
-import { buildFigure } from "./figure";
+import { useSelector } from "@tanstack/react-store";
+import { axisUnit, buildFigure } from "./figure";
 import type { Curves } from "./curves";
 import type { Palette } from "./palettes";
-import { FigureButton } from "./FigureButton";
+import { EnlargeButton, FigureButton } from "./FigureButton";
 import { Overlay } from "./Overlay";
 import classes from "./plots.module.css";
-import type { Plotly } from "./plotly";
 import type { FigureSource } from "./saved";
 import { Surface } from "./Surface";
 import { Card } from "../ui/Card";
@@ -23,16 +22,18 @@ import { formatFixed } from "../units/format";
 import { extent, valueAt } from "../lib/samples";
 
 interface Props {
-  readonly plotly: Plotly | null;
   readonly template: FigureTemplate;
   readonly curves: Curves;
   readonly palette: Palette;
   readonly onZoom: (zoom: Zoom | null) => void;
 }
 
+export const fileOf = (template: FigureTemplate, { runId }: Pick<Curves, "runId">) =>
+  `ridelab-${runId ?? "live"}-${template.layout.meta.signal}`;
+
 const sourceOf = (template: FigureTemplate, curves: Curves): FigureSource => ({
   title: template.layout.meta.title,
-  file: `ridelab-${curves.runId ?? "live"}-${template.layout.meta.signal}`,
+  file: fileOf(template, curves),
   paper: async (size) => (await import("./paperFigure")).paperFigure(template, curves, size),
   csv: async () => (await import("./figureCsv")).figureCsv(template, curves, window.location.href),
 });
@@ -40,9 +41,9 @@ const sourceOf = (template: FigureTemplate, curves: Curves): FigureSource => ({
 /** Panels this close to the window are drawn too, so that scrolling meets no blank ones. */
 const NEAR = "40px 0px";
 
-export const PlotPanel = memo(function PlotPanel({ plotly, template, curves, palette, onZoom }: Props) {
+export const PlotPanel = memo(function PlotPanel({ template, curves, palette, onZoom }: Props) {
   const { ref: viewRef, entry } = useIntersection<HTMLElement>({ rootMargin: NEAR });
-  const printed = useStore(printing);
+  const printed = useSelector(printing);
   const inViewport = printed || (entry?.isIntersecting ?? false);
   const { meta } = template.layout;
   const { series, strategies, axis, range, live, minus } = curves;
@@ -52,10 +53,11 @@ export const PlotPanel = memo(function PlotPanel({ plotly, template, curves, pal
     [inViewport, template, curves, palette],
   );
   const drawn = strategies.map(({ label }) => label).join(", ");
+  const part = `${axis} from ${formatFixed(range[0], 1)} to ${formatFixed(range[1], 1)} ${axisUnit(axis)}`;
   return (
     <Card ref={viewRef} className={classes.panel ?? ""} aria-label={`${meta.title}, curves`} data-figure={meta.signal}>
       <Group component="header" gap="0.5rem" wrap="nowrap" mih="2rem" p="0 0.7rem 0 0.8rem">
-        <Box component="h2" flex="1 0 auto" m={0} fz="0.8125rem" fw={600} lh="1.3" className={classes.title ?? ""}>
+        <Box component="h2" flex="1 0 auto" m={0} fz="sm" fw={600} lh="1.3" className={classes.title ?? ""}>
           {meta.title}{" "}
           <Box component="span" fw={400} c="dimmed">
             {meta.unit}
@@ -63,10 +65,13 @@ export const PlotPanel = memo(function PlotPanel({ plotly, template, curves, pal
           </Box>
         </Box>
         <Readouts meta={meta} series={series} strategies={strategies} axis={axis} />
-        <FigureButton source={sourceOf(template, curves)} />
+        <Group gap={0} wrap="nowrap" className={classes.save ?? ""}>
+          <EnlargeButton template={template} curves={curves} file={fileOf(template, curves)} />
+          <FigureButton source={sourceOf(template, curves)} />
+        </Group>
       </Group>
-      <Box pos="relative" h={176} role="img" aria-label={`${meta.title} in ${meta.unit} over ${axis}: ${drawn}`}>
-        <Surface plotly={plotly} figure={figure} live={live} />
+      <Box pos="relative" h={176} role="img" aria-label={`${meta.title} in ${meta.unit} over ${part}: ${drawn}`}>
+        <Surface figure={figure} live={live} />
         <Overlay axis={axis} range={range} onZoom={onZoom} />
       </Box>
     </Card>

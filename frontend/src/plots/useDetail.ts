@@ -4,6 +4,7 @@ import { useQueries, useQuery, type QueryClient } from "@tanstack/react-query";
 import { useCallback, useMemo } from "react";
 import type { FigureTemplate, SeriesByStrategy } from "../api/types";
 import { allSamplesQuery, DETAIL_POINTS, figuresQuery, OVERVIEW_POINTS, seriesQuery } from "../server/queries";
+import { useFigures } from "../server/useCatalogues";
 import { axisKey, type ResultView } from "../lab/resultView";
 import { roadsOf, type Result } from "../lab/result";
 import { covering } from "../lib/samples";
@@ -45,18 +46,18 @@ const allQuery = (shown: Result, figures: Readonly<Record<string, FigureTemplate
 
 /** Means and extremes over the roads of a result; `undefined` of one road, or until they are there. */
 function useMeans(shown: Result): SeriesByStrategy | undefined {
-  const means = useQuery(meansQuery(shown, useQuery(figuresQuery).data)).data;
+  const means = useQuery(meansQuery(shown, useFigures())).data;
   return hasMeans(shown) ? means : undefined;
 }
 
 const NOTHING: SeriesByStrategy = {};
 
 export function useDetail(drawn: Drawn): SeriesByStrategy {
-  const figures = useQuery(figuresQuery).data;
+  const figures = useFigures();
   const { shown, differences } = drawn;
   const means = useMeans(shown);
   const isStored = shown.runId !== null;
-  const all = useQuery({ ...allQuery(shown, figures), enabled: differences && isStored && figures !== undefined });
+  const all = useQuery({ ...allQuery(shown, figures), enabled: differences && isStored });
   const series = means ?? drawn.series;
   const needed = !differences && needsDetail({ ...drawn, series });
   const detail = useQuery({ ...detailQuery(shown, means ? signalsOf(figures) : null), enabled: needed });
@@ -100,7 +101,7 @@ function withMeans(
 }
 
 export function useLayered({ shown, before, pins }: OtherCurves): OtherCurves {
-  const figures = useQuery(figuresQuery).data;
+  const figures = useFigures();
   const others = useMemo(
     () => (shown.over ? [...(before ? [before] : []), ...pins].map((variant) => variant.shown).filter(hasMeans) : []),
     [shown.over, before, pins],

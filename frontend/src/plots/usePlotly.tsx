@@ -2,38 +2,25 @@
 
 import { Button } from "@mantine/core";
 import { useEffect } from "react";
-import { useStore } from "../lib/store";
+import { useSelector } from "@tanstack/react-store";
 import { Fault } from "../ui/Fault";
-import { plotlyState, requestCharts, requestPlotly, type Plotly } from "./plotly";
+import { plotlyState, requestPlotly, type Plotly } from "./plotly";
 
 export function PlotlyFault() {
-  const { failed } = useStore(plotlyState);
+  const { failed } = useSelector(plotlyState);
   if (!failed) return null;
   return (
-    <Fault size="sm">
+    <Fault size="md">
       The plot library could not be loaded.{" "}
-      <Button size="compact-xs" variant="light" onClick={requestCharts}>
+      <Button size="compact-xs" variant="light" onClick={requestPlotly}>
         Try again
       </Button>
     </Fault>
   );
 }
 
-/** plotly.js, once it is loaded; asked for when the browser has nothing else to do. */
+/** plotly.js, asked for where something is drawn by it; `null` until it is there. */
 export function usePlotly(): Plotly | null {
-  const state = useStore(plotlyState);
-  useEffect(() => {
-    const idle = requestIdleCallback(requestPlotly, { timeout: LATEST_MS });
-    return () => cancelIdleCallback(idle);
-  }, []);
-  return state.plotly;
+  useEffect(requestPlotly, []);
+  return useSelector(plotlyState).plotly;
 }
-
-/** The same with every trace that charts draw. */
-export function useCharts(): Plotly | null {
-  const state = useStore(plotlyState);
-  useEffect(requestCharts, []);
-  return state.hasCharts ? state.plotly : null;
-}
-
-const LATEST_MS = 1500;

@@ -4,7 +4,7 @@ import type { JsonObject } from "../api/types";
 import { sameValue } from "./path";
 import { SCHEMA_VERSION, upgraded } from "./versions";
 import { isLike, ownStorage } from "../lib/storage";
-import { createStore, type Store, useStore } from "../lib/store";
+import { createAtom, type Atom, useSelector } from "@tanstack/react-store";
 
 export const KINDS = ["scenario", "vehicle", "road"] as const;
 export type ItemKind = (typeof KINDS)[number];
@@ -19,7 +19,7 @@ export interface Item {
 }
 
 /** All that change it throw an error where the browser keeps nothing, or the name is taken. */
-export interface Library extends Pick<Store<readonly Item[]>, "get" | "subscribe"> {
+export interface Library extends Pick<Atom<readonly Item[]>, "get" | "subscribe"> {
   /** Replaces what has this name. */
   readonly save: (kind: ItemKind, name: string, value: JsonObject) => void;
   /** Saves what came from a file, under another name where this one is taken; returns the name. What is there already stays. */
@@ -72,7 +72,7 @@ export function createLibrary(
   storage: Storage | null,
   now: () => string = () => new Date().toISOString(),
 ): Library & { readonly refresh: () => void } {
-  const store = createStore(readAll(storage));
+  const store = createAtom(readAll(storage));
   const refresh = () => store.set(readAll(storage));
   const write = (item: Item) => {
     try {
@@ -125,10 +125,10 @@ export function createLibrary(
 export const ownLibrary = createLibrary(ownStorage());
 
 /** What the open dialog offers to save; `null` while it is closed. */
-export const dialog = createStore<Exclude<ItemKind, "road"> | null>(null);
+export const dialog = createAtom<Exclude<ItemKind, "road"> | null>(null);
 
 export function useItems(kind: ItemKind): readonly Item[] {
-  return useStore(ownLibrary).filter((item) => item.kind === kind);
+  return useSelector(ownLibrary).filter((item) => item.kind === kind);
 }
 
 /** Its name in this browser's library; a road that is not in it has none. */

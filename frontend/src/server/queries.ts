@@ -3,11 +3,12 @@
 import { queryOptions, QueryClient } from "@tanstack/react-query";
 import { api } from "../api/client";
 import { ask, query } from "../api/http";
+import { isTransient } from "../api/problem";
 import type { FigureTemplates, StrategyId } from "../api/types";
 import { readSchema } from "../scenario/schema";
 
 /** Samples per strategy that cover a screen: half of them on and around the bump. */
-export const OVERVIEW_POINTS = 560;
+export const OVERVIEW_POINTS = 440;
 /** Samples per strategy once somebody zooms in: finer than a screen at any stage of a usual run. */
 export const DETAIL_POINTS = 8_000;
 
@@ -15,13 +16,19 @@ export const DETAIL_POINTS = 8_000;
 export const ALL_POINTS = 100_000;
 
 const FOR_EVER = { staleTime: Infinity, gcTime: Infinity } as const;
+/** What pages cannot do without is asked for until the server is there. */
+const UNTIL_THERE = {
+  ...FOR_EVER,
+  retry: (_count: number, error: unknown) => isTransient(error),
+  retryDelay: 1000,
+} as const;
 
 export const schemaQuery = queryOptions({
   queryKey: ["schema"],
   queryFn: async ({ signal }) => readSchema(await ask("get", "/schema", {}, signal)),
-  ...FOR_EVER,
+  ...UNTIL_THERE,
 });
-export const presetsQuery = { ...query("/presets", {}), ...FOR_EVER };
+export const presetsQuery = { ...query("/presets", {}), ...UNTIL_THERE };
 /** A measured road; it never changes. */
 export const roadQuery = (id: string) => ({
   ...query("/roads/{id}", { path: { id }, query: { points: 2 } }),
@@ -29,13 +36,13 @@ export const roadQuery = (id: string) => ({
   ...FOR_EVER,
 });
 export const vehiclesQuery = { ...query("/vehicles", {}), ...FOR_EVER };
-export const strategiesQuery = { ...query("/strategies", {}), ...FOR_EVER };
-export const catalogueQuery = { ...query("/catalogue", {}), ...FOR_EVER };
+export const strategiesQuery = { ...query("/strategies", {}), ...UNTIL_THERE };
+export const catalogueQuery = { ...query("/catalogue", {}), ...UNTIL_THERE };
 export const figuresQuery = queryOptions({
   queryKey: ["figures"],
   // plotly's own JSON, which the API's description leaves open
   queryFn: async ({ signal }) => (await ask("get", "/figures", {}, signal)).figures as unknown as FigureTemplates,
-  ...FOR_EVER,
+  ...UNTIL_THERE,
 });
 
 /** From the cache, else fetched under the caller's own signal and put there: whoever asks for something else stops it. */

@@ -1,48 +1,62 @@
-/** What pages need to know of the server before they show anything: the form, the strategies and the figures. */
+/** What pages need to know of the server before they show anything; each page's route has it fetched before. */
 
-import { useQuery } from "@tanstack/react-query";
+import { useSuspenseQuery, type QueryClient } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { useComputedColorScheme } from "@mantine/core";
-import { isTransient } from "../api/problem";
 import { metricsOf } from "./metrics";
-import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "./queries";
+import { catalogueQuery, figuresQuery, presetsQuery, schemaQuery, strategiesQuery } from "./queries";
 import type { Strategy } from "../api/types";
 import { printing } from "../lib/printing";
-import { useStore } from "../lib/store";
+import { useSelector } from "@tanstack/react-store";
+
+/** What is drawn and said of any run. */
+export const loadResultWords = (queries: QueryClient) =>
+  Promise.all([
+    queries.query({ ...strategiesQuery, staleTime: "static" }),
+    queries.query({ ...catalogueQuery, staleTime: "static" }),
+    queries.query({ ...figuresQuery, staleTime: "static" }),
+  ]);
+
+/** The same with what scenarios are made of. */
+export const loadCatalogues = (queries: QueryClient) =>
+  Promise.all([
+    loadResultWords(queries),
+    queries.query({ ...schemaQuery, staleTime: "static" }),
+    queries.query({ ...presetsQuery, staleTime: "static" }),
+  ]);
+
+export const useForm = () => useSuspenseQuery(schemaQuery).data;
+export const usePresets = () => useSuspenseQuery(presetsQuery).data;
+export const useStrategies = () => useSuspenseQuery(strategiesQuery).data;
+export const useCatalogue = () => useSuspenseQuery(catalogueQuery).data;
+export const useFigures = () => useSuspenseQuery(figuresQuery).data;
 
 export function useCatalogues() {
-  const { data: form, error: noForm } = useQuery(schemaQuery);
-  const { data: inLight, error: noStrategies } = useQuery(strategiesQuery);
-  const strategies = useSchemeColours(inLight);
-  const { data: catalogue, error: noCatalogue } = useQuery(catalogueQuery);
-  const { data: templates, error: noTemplates } = useQuery(figuresQuery);
-  /** `null` until all are there. */
-  const catalogues = useMemo(
-    () =>
-      form && strategies && catalogue && templates
-        ? { form, strategies, catalogue, figures: metricsOf(catalogue, templates) }
-        : null,
+  const [form, catalogue, templates] = [useForm(), useCatalogue(), useFigures()];
+  const strategies = useSchemeColours(useStrategies());
+  return useMemo(
+    () => ({ form, strategies, catalogue, figures: metricsOf(catalogue, templates) }),
     [form, strategies, catalogue, templates],
   );
-  const fault =
-    [noForm, noStrategies, noCatalogue, noTemplates].find((error) => error !== null && !isTransient(error)) ?? null;
-  return { catalogues, fault };
 }
 
-export type Catalogues = NonNullable<ReturnType<typeof useCatalogues>["catalogues"]>;
+export type Catalogues = ReturnType<typeof useCatalogues>;
 
 /** The same strategies with the colours of light paper, whatever the screen's. */
 export function useLightColours(strategies: readonly Strategy[]): readonly Strategy[] {
-  const { data } = useQuery(strategiesQuery);
-  return useMemo(() => strategies.map((each) => data?.find(({ id }) => id === each.id) ?? each), [strategies, data]);
+  const inLight = useStrategies();
+  return useMemo(
+    () => strategies.map((each) => inLight.find(({ id }) => id === each.id) ?? each),
+    [strategies, inLight],
+  );
 }
 
 /** The strategies with the colours that stand out on the screen's background; paper is light. */
-export function useSchemeColours<List extends readonly Strategy[] | undefined>(strategies: List) {
-  const printed = useStore(printing);
+export function useSchemeColours(strategies: readonly Strategy[]): readonly Strategy[] {
+  const printed = useSelector(printing);
   const isDark = useComputedColorScheme("light") === "dark" && !printed;
   return useMemo(
-    () => (isDark ? strategies?.map((strategy) => ({ ...strategy, colour: strategy.dark_colour })) : strategies),
+    () => (isDark ? strategies.map((strategy) => ({ ...strategy, colour: strategy.dark_colour })) : strategies),
     [strategies, isDark],
   );
 }

@@ -21,7 +21,7 @@ export function Blank({ title, text, children }: Props) {
       <Text component="h2" fw={650} size="lg" ta="center">
         {title}
       </Text>
-      <Text c="dimmed" size="sm" maw={420} ta="center">
+      <Text c="dimmed" maw={420} ta="center">
         {text}
       </Text>
       {children}
@@ -40,7 +40,9 @@ export function CouldNotLoad({ what = "page", message, onRetry, retry = "Try aga
   const queries = useQueryClient();
   return (
     <Blank title={`This ${what} could not be shown`} text={message}>
-      <Button onClick={onRetry ?? (() => void queries.refetchQueries())}>{retry}</Button>
+      <Button size="sm" variant="filled" onClick={onRetry ?? (() => void queries.refetchQueries())}>
+        {retry}
+      </Button>
     </Blank>
   );
 }

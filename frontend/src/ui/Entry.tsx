@@ -36,7 +36,6 @@ export function Entry({ unit = "1", className = "", onType, ...props }: EntryPro
         };
   return (
     <TextInput
-      size="xs"
       inputMode="decimal"
       className={className}
       {...beside}
@@ -52,7 +51,7 @@ interface ChoiceProps extends Omit<NativeSelectProps, "onChange" | "data"> {
 }
 
 export function Choice({ onPick, ...props }: ChoiceProps) {
-  return <NativeSelect size="xs" {...props} onChange={(event) => onPick(event.currentTarget.value)} />;
+  return <NativeSelect {...props} onChange={(event) => onPick(event.currentTarget.value)} />;
 }
 
 /** Things with an id and a label, to choose from. */
@@ -76,7 +75,7 @@ export function EntryRow({ title, name = title, removal = title, beside, error, 
   return (
     <div className={ui.entry} role="group" aria-label={name} data-error={error !== undefined || undefined}>
       <Group gap="0.1rem 0.7rem" pos="relative" pr="1.8rem">
-        <Box component="span" fz="sm" fw={600}>
+        <Box component="span" fz="md" fw={600}>
           {title}
         </Box>
         {beside}
@@ -108,7 +107,6 @@ export function Finder({ onPick, ...props }: FinderProps) {
   const [search, setSearch] = useState("");
   return (
     <Select
-      size="xs"
       searchable
       value={null}
       searchValue={search}

@@ -1,8 +1,8 @@
 /** A part of the page whose code is fetched when it is wanted. */
 
-import { Button, Group, Modal, Text } from "@mantine/core";
 import { CatchBoundary } from "@tanstack/react-router";
-import { Suspense, type ReactNode } from "react";
+import { lazy, Suspense, type ReactNode } from "react";
+import { firstCurves } from "../lib/firstCurves";
 
 interface Props {
   /** What stands in its place until it is there, and where it fails. */
@@ -12,6 +12,10 @@ interface Props {
   readonly children: ReactNode;
 }
 
+// Fetched ahead: where another part's code is missing, so would be its own.
+const partFailed = firstCurves.then(() => import("./PartFailed"));
+const PartFailed = lazy(async () => ({ default: (await partFailed).PartFailed }));
+
 /** Where its code is missing (after an update of the server) or it fails, a dialog says so and the rest of the page stays. */
 export function LazyPart({ fallback = null, onClose, children }: Props) {
   return (
@@ -20,43 +24,21 @@ export function LazyPart({ fallback = null, onClose, children }: Props) {
       errorComponent={({ reset }) => (
         <>
           {fallback}
-          <PartFailed
-            onClose={
-              onClose &&
-              (() => {
-                reset();
-                onClose();
-              })
-            }
-          />
+          <Suspense>
+            <PartFailed
+              onClose={
+                onClose &&
+                (() => {
+                  reset();
+                  onClose();
+                })
+              }
+            />
+          </Suspense>
         </>
       )}
     >
       <Suspense fallback={fallback}>{children}</Suspense>
     </CatchBoundary>
-  );
-}
-
-function PartFailed({ onClose }: Pick<Props, "onClose">) {
-  return (
-    <Modal
-      opened
-      onClose={onClose ?? (() => undefined)}
-      withCloseButton={onClose !== undefined}
-      title="This part of the page could not be shown"
-    >
-      <Text size="sm">
-        Ridelab may have been updated since this page was loaded. Loading it again shows what was computed: it is stored
-        at this address.
-      </Text>
-      <Group justify="flex-end" gap="xs" mt="md">
-        {onClose && (
-          <Button variant="default" onClick={onClose}>
-            Close
-          </Button>
-        )}
-        <Button onClick={() => window.location.reload()}>Load again</Button>
-      </Group>
-    </Modal>
   );
 }

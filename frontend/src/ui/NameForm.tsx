@@ -31,7 +31,6 @@ export function NameForm({ name, label, action, longest, className, error, savin
     >
       <TextInput
         ref={entry}
-        size="xs"
         flex={1}
         aria-label={label}
         placeholder="Name"
@@ -40,12 +39,10 @@ export function NameForm({ name, label, action, longest, className, error, savin
         error={error}
         onChange={(event) => setTyped(event.currentTarget.value)}
       />
-      <Button type="submit" size="xs" loading={saving}>
+      <Button variant="filled" type="submit" loading={saving}>
         {action}
       </Button>
-      <Button size="xs" variant="default" onClick={onClose}>
-        Close
-      </Button>
+      <Button onClick={onClose}>Close</Button>
     </form>
   );
 }

@@ -41,7 +41,7 @@ export function Page({ title, heading, above, lead, tools, what, instead, faults
       <main className={ui.main}>
         {above}
         {heading !== undefined && (
-          <Box component="h1" m={0} fz="1.25rem" fw={680}>
+          <Box component="h1" m={0} fz="xl" fw={680}>
             {heading}
           </Box>
         )}

@@ -11,12 +11,13 @@ from numpy.typing import NDArray
 from scipy.integrate import ode
 
 from sim_core.kernel.prepared import FollowLaw, LawArrays
+from sim_core.kernel.record import Recorder
 from sim_core.loop.excitation import longest_fine_step
 from sim_core.result import StrategyResult
 from sim_core.road.profile import RoadUnderAxles
 from sim_core.scenario import Actuator, Scenario, Vehicle
 from sim_core.simulate import simulate
-from sim_core.vehicle.model import Estimator, SemiActiveDampers, VehicleModel
+from sim_core.vehicle.model import Estimator, SemiActiveDampers
 
 Array = NDArray[np.float64]
 FINER = 4  # times as many fine steps: samples of the record, in which positions and braking are linear and constant
@@ -35,26 +36,28 @@ def solved(scenario: Scenario, strategy: str) -> StrategyResult:
         return simulate(scenario, strategy)
 
 
-class SolvedCar(VehicleModel):
+class SolvedCar:
     """A car whose arguments are `make_vehicle`'s."""
 
     def __init__(
         self,
         vehicle: Vehicle,
         actuator: Actuator,
-        step: float,
-        disturbance: Array,
-        before: int,
+        fine_step: float,
+        fine: int,
+        height: Array,
+        braking: Array,
         *,
         estimator: Estimator | None,
         dampers: SemiActiveDampers | None,
         road: RoadUnderAxles | None,
+        recorder: Recorder | None,
     ) -> None:
         assert road is not None
-        self._vehicle, self._estimator, self._before, self._dampers = vehicle, estimator, before, dampers
-        self._fine: int = disturbance.shape[1] // 3
-        self._h = step / self._fine
-        self._braking: list[float] = disturbance.reshape(-1, 3)[:, 2].tolist()
+        assert recorder is not None
+        self._vehicle, self._estimator, self._recorder, self._dampers = vehicle, estimator, recorder, dampers
+        self._fine, self._h = fine, fine_step
+        self._braking: list[float] = braking.tolist()
         self._corner = 2 * np.pi * (actuator.bandwidth or 0.0)
         self._states = 10 if self._corner else 8
         self.size = self._states + (8 if estimator else 0)
@@ -72,16 +75,11 @@ class SolvedCar(VehicleModel):
         self._stop, self._link = vehicle.bump_stop_stiffness, vehicle.link_forces
         lifts = vehicle.tyre_lift_off
         self._lowest: list[float] = [-each if lifts else -np.inf for each in vehicle.static_loads]
-        self._table = np.empty((10, self._fine + 1, len(disturbance) - before))
         rates = ode(lambda time, x: self._rates(time, x.tolist()))
         self._solver = rates.set_integrator("dopri5", nsteps=5000, first_step=self._h, rtol=1e-7, atol=1e-9)
 
-    def measure(self, step: int, state: Array, command: Array) -> Array:
-        """Nobody asks."""
-        raise NotImplementedError
-
     def follow_law(self, law: LawArrays, loop: Array) -> FollowLaw:
-        """As VehicleModel says; where a law has limits beside its forces' the controller decides each step."""
+        """As DrivenCar says; where a law has limits beside its forces' the controller decides each step."""
 
         def follow_from(first: int, last: int) -> tuple[int, int]:
             if len(law.limits):
@@ -103,19 +101,19 @@ class SolvedCar(VehicleModel):
         return follow_from
 
     def advance(self, step: int, loop: Array) -> None:
-        """As VehicleModel says."""
+        """As DrivenCar says."""
         state, command = loop[step, : self.size], loop[step + 1, self.size :]
-        x, column = [*state[-self._states :].tolist(), *command.tolist()][:10], step - self._before
+        x, samples = [*state[-self._states :].tolist(), *command.tolist()][:10], self._recorder.samples
         self._command: list[float] = command.tolist()
         for j in range(self._fine):
             self._begin(step * self._fine + j)
-            if column >= 0:
-                self._table[:, j, column] = self._signals(0.0, x)
+            samples[j] = self._signals(0.0, x)
             end = self._solver.set_initial_value(x, 0.0).integrate(self._h).tolist()
             assert self._solver.successful()
             x = [*end[:2], end[2] - self._risen[0][-1], end[3] - self._risen[1][-1], *end[4:]]
-        if column >= 0:
-            self._table[:, self._fine, column] = self._signals(self._h, end)
+        samples[self._fine] = self._signals(self._h, end)
+        if step >= self._recorder.first:
+            self._recorder.record(step)
         reached = np.array(x[: self._states])
         loop[step + 1, self.size - self._states : self.size] = reached
         if self._estimator is None:
@@ -123,17 +121,13 @@ class SolvedCar(VehicleModel):
         e, measured = self._estimator, np.array([x[0], x[1], self._rates(self._h, end)[4], x[5]])
         loop[step + 1, :8] = e.state @ state[:8] + e.command @ command + e.measurement @ measured + e.input[step]
 
-    def record(self, states: Array, commands: Array) -> Array:
-        """As VehicleModel says."""
-        return self._table
-
     def _begin(self, fine_step: int) -> None:
         place = fine_step * _SUBSAMPLES
         self._risen = [[z - road[place] for z in road[place : place + _SUBSAMPLES + 1]] for road in self._roads]
         self._brakes = self._braking[fine_step]
 
     def _signals(self, time: float, x: list[float]) -> list[float]:
-        """plant.RECORDED."""
+        """A sample, as kernel/record.h has it."""
         rates = self._rates(time, x)
         loads = [self._load(axle, time, x[2 + axle]) for axle in (0, 1)]
         control = [self._control(axle, rates[axle], x[8 + axle]) for axle in (0, 1)]

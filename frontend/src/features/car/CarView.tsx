@@ -83,28 +83,24 @@ export function CarView({ resultView }: { readonly resultView: ResultView }) {
         <Scrubber resultView={resultView} />
         <Options>
           <NativeSelect
-            size="xs"
             aria-label="Playing speed"
             data={SPEEDS}
             value={speed}
             onChange={(event) => setSpeed(event.currentTarget.value)}
           />
           <NativeSelect
-            size="xs"
             aria-label="Exaggeration of heights"
             data={EXAGGERATIONS}
             value={exaggeration}
             onChange={(event) => setExaggeration(event.currentTarget.value)}
           />
           <NativeSelect
-            size="xs"
             aria-label="Car shown"
             data={names}
             value={first.id}
             onChange={(event) => setFollowed(event.currentTarget.value)}
           />
           <NativeSelect
-            size="xs"
             aria-label="Second car"
             data={[{ value: NONE, label: "no second car" }, ...names.filter(({ value }) => value !== first.id)]}
             value={other?.id ?? NONE}

@@ -1,17 +1,16 @@
 /** What is compared with what: the choice, and in words what differs. */
 
 import { Box, Checkbox, Group, NativeSelect, Button, Tooltip } from "@mantine/core";
-import { useQuery } from "@tanstack/react-query";
 import { changedFields, changesText } from "../../scenario/differences";
 import { referenceTo, whyNotCompared, type Reference } from "../../lab/compare";
 import { useLabContext, useLab, useEdit, useFromScenario, useReadOnly } from "../../lab/context";
-import { schemaQuery } from "../../server/queries";
+import { useForm } from "../../server/useCatalogues";
 import type { ResultView } from "../../lab/resultView";
 import classes from "./compare.module.css";
 import { PinList } from "./PinList";
 import { IconPin } from "../../ui/icons";
 import { defaultName, MOST_PINS } from "../../lab/pins";
-import { useStore } from "../../lib/store";
+import { useSelector } from "@tanstack/react-store";
 import { ownPins } from "./useCompared";
 import { getAt, setAt } from "../../scenario/path";
 
@@ -24,7 +23,6 @@ export function CompareBar({ resultView }: { readonly resultView: ResultView }) 
       <AgainstSelect resultView={resultView} />
       <SpeedSelect />
       <Checkbox
-        size="xs"
         label="Plot differences"
         checked={resultView.differences}
         onChange={({ currentTarget: { checked } }) => labAddress.setView({ differences: checked })}
@@ -54,7 +52,6 @@ function AgainstSelect({
     <label className={classes.choice}>
       Change against
       <NativeSelect
-        size="xs"
         value={selected}
         onChange={({ currentTarget: { value } }) =>
           labAddress.setView(
@@ -87,9 +84,9 @@ function AgainstSelect({
 
 /** Of the variant that changes are against, or of the state before the last edit. */
 function Differences({ resultView: { shown, before, reference } }: { readonly resultView: ResultView }) {
-  const form = useQuery(schemaQuery).data;
+  const form = useForm();
   const other = reference ?? before;
-  const changes = form && other ? changedFields(form, other.shown.scenario, shown.scenario) : [];
+  const changes = other ? changedFields(form, other.shown.scenario, shown.scenario) : [];
   const unlike = reference && whyNotCompared(shown, reference.shown);
   const all = changes.map(({ name, change }) => `${name} ${change}`).join("\n");
   return (
@@ -104,8 +101,8 @@ function Differences({ resultView: { shown, before, reference } }: { readonly re
 /** Keeps the shown result under a name, beside whatever comes next. */
 function PinButton() {
   const { lab, paperScenario } = useLabContext();
-  const form = useQuery(schemaQuery).data;
-  const pins = useStore(ownPins);
+  const form = useForm();
+  const pins = useSelector(ownPins);
   const run = useLab(({ shown, stale, shared }) =>
     shown?.source === "exact" && !stale && !shared ? shown.runId : null,
   );
@@ -113,7 +110,7 @@ function PinButton() {
   const isFull = pins.length >= MOST_PINS;
   const pin = () => {
     const { shown } = lab.get();
-    if (run === null || !shown || !form) return;
+    if (run === null || !shown) return;
     const differs = changesText(changedFields(form, paperScenario, shown.scenario), 2) || "Paper’s scenario";
     ownPins.add({ name: defaultName(differs, pins), run });
   };
@@ -124,13 +121,7 @@ function PinButton() {
       : "Keeps this result here, to compare others with it";
   return (
     <Tooltip label={why} multiline w={240} openDelay={500}>
-      <Button
-        size="xs"
-        variant="default"
-        leftSection={<IconPin size={15} />}
-        disabled={run === null || isPinned || isFull || !form}
-        onClick={pin}
-      >
+      <Button leftSection={<IconPin size={15} />} disabled={run === null || isPinned || isFull || !form} onClick={pin}>
         Pin
       </Button>
     </Tooltip>
@@ -160,7 +151,6 @@ function SpeedSelect() {
       <label className={classes.choice}>
         Who slows down
         <NativeSelect
-          size="xs"
           disabled={readOnly}
           value={typeof policy === "string" ? policy : "by_strategy"}
           data={CHOICES}

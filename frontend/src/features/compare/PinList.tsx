@@ -7,7 +7,7 @@ import { useOpenInLab } from "../../ui/useOpenInLab";
 import { useReadOnly } from "../../lab/context";
 import { LONGEST_NAME } from "../../scenario/library";
 import { BEFORE_WIDTH, PIN_WIDTH, pinDash } from "../../plots/curves";
-import { useStore } from "../../lib/store";
+import { useSelector } from "@tanstack/react-store";
 import { LineKey } from "../../ui/StrategyKey";
 import classes from "./compare.module.css";
 import {
@@ -50,11 +50,10 @@ export function PinList() {
 /** There before the first edit too, so that the table below never moves. */
 function BeforeSwitch() {
   const before = useBefore();
-  const isShown = useStore(beforeShown);
+  const isShown = useSelector(beforeShown);
   const name = before?.name ?? BEFORE_EDIT;
   return (
     <Checkbox
-      size="xs"
       classNames={{ root: classes.pin ?? "", label: classes.before ?? "" }}
       label={
         <>
@@ -102,7 +101,6 @@ function PinMenu({ pin, index }: Props) {
       </Menu.Target>
       <Menu.Dropdown>
         <TextInput
-          size="xs"
           p={6}
           aria-label="Name"
           maxLength={LONGEST_NAME}

@@ -10,7 +10,7 @@ import {
   type Reference,
   type RoadPairedChanges,
 } from "../../lab/compare";
-import { useStore, createStore } from "../../lib/store";
+import { useSelector, createAtom } from "@tanstack/react-store";
 import { api } from "../../api/client";
 import { isNotFound, Unreachable } from "../../api/problem";
 import type { Run, PairedChanges } from "../../api/types";
@@ -24,7 +24,7 @@ import { baselineOf, type PartShown } from "../../lab/resultView";
 
 export function useCompared(): Compared {
   const before = useBefore();
-  const isShown = useStore(beforeShown);
+  const isShown = useSelector(beforeShown);
   const pinned = usePins();
   return useMemo(() => {
     const pins = pinned.flatMap(({ name, run, shown }, index) => (shown ? [{ name, run, shown, index }] : []));
@@ -76,7 +76,7 @@ export async function loadPinned(
 /** The pinned variants: one's own, or those of the link that is shown; each with its result once that is there. */
 export function usePins(): readonly PinnedRun[] {
   const queries = useQueryClient();
-  const own = useStore(ownPins);
+  const own = useSelector(ownPins);
   const shared = useLab((state) => state.shared);
   const lab = useLab((state) => state.roads);
   const roads = shared ? null : lab; // a link's pins are as they were shared
@@ -98,7 +98,7 @@ export function usePins(): readonly PinnedRun[] {
 
 const NAME = "ridelab-before";
 
-export const beforeShown = createStore(readStored(NAME) !== false);
+export const beforeShown = createAtom(readStored(NAME) !== false);
 
 export function showBefore(isShown: boolean): void {
   beforeShown.set(isShown);
@@ -113,7 +113,7 @@ export function useBefore(): Variant | null {
   const before = useLab(beforeEdit);
   const history = useLab((state) => state.history);
   const roads = useLab((state) => state.roads);
-  const isShown = useStore(beforeShown);
+  const isShown = useSelector(beforeShown);
   const id = before?.runId ?? "";
   const isUnlike = before !== null && roadsOf(before) !== roads;
   const { data } = useQuery({

@@ -6,7 +6,7 @@ import { useEdit, useFromScenario, useLab, useReadOnly } from "../../lab/context
 import classes from "./editor.module.css";
 import { changedPointers, resetMember } from "../../scenario/differences";
 import { focusField, revealed } from "../../lab/reveal";
-import { useStore } from "../../lib/store";
+import { useSelector } from "@tanstack/react-store";
 import { Members } from "./Members";
 import type { Pointer } from "../../scenario/path";
 import { type Group, findMember, humanise, type Member } from "../../scenario/schema";
@@ -31,7 +31,7 @@ export function Editor({ form }: { readonly form: Group }) {
     () => (searching ? all.flatMap((section) => matching(section, search) ?? []) : all),
     [all, search, searching],
   );
-  const sought = useStore(revealed);
+  const sought = useSelector(revealed);
   const itsSection = sought && all.find((section) => contains(section, [sought]))?.key;
   if (itsSection && !opened.includes(itsSection)) setOpened([...opened, itsSection]);
   if (sought && searching) setSearch("");
@@ -49,7 +49,7 @@ export function Editor({ form }: { readonly form: Group }) {
   return (
     <div className={classes.editor} data-scenario data-read-only={readOnly || undefined}>
       <div className={classes.summary}>
-        <Text size="sm" c="dimmed">
+        <Text c="dimmed">
           {changed === 0
             ? "The paper’s scenario"
             : `${changed} ${changed === 1 ? "value differs" : "values differ"} from the paper`}
@@ -70,7 +70,6 @@ export function Editor({ form }: { readonly form: Group }) {
         )}
       </div>
       <TextInput
-        size="xs"
         p="0 0.75rem 0.5rem 1rem"
         aria-label="Find a field"
         placeholder="Find a field"
@@ -83,7 +82,7 @@ export function Editor({ form }: { readonly form: Group }) {
         }}
       />
       {found.length === 0 && (
-        <Text p="0.3rem 1rem" fz="0.8125rem" c="dimmed">
+        <Text p="0.3rem 1rem" fz="sm" c="dimmed">
           No field has this name.
         </Text>
       )}
@@ -137,7 +136,7 @@ const SectionItem = memo(function SectionItem({ section, isOpen }: ItemProps) {
   return (
     <Accordion.Item value={section.key}>
       <Accordion.Control>
-        <Box component="span" fw={600} fz="sm">
+        <Box component="span" fw={600} fz="md">
           {section.title}
         </Box>
         {changed > 0 && (

@@ -129,7 +129,6 @@ export function ChoiceFieldRow({ field, leaf }: { readonly field: ChoiceField; r
       aside={
         <NativeSelect
           id={id}
-          size="xs"
           className={classes.choice ?? ""}
           value={optionOf(leaf.value)}
           disabled={leaf.readOnly}

@@ -83,7 +83,6 @@ function RoadClassRow({ field, leaf }: { readonly field: NumberField; readonly l
     >
       <SegmentedControl
         fullWidth
-        size="xs"
         mt={4}
         aria-label="Road class (ISO 8608)"
         value={roadClass}

@@ -104,7 +104,6 @@ export function NumberEntry({ id, field, leaf, label, withUnit = true, disabled 
       data-pointer={field.pointer}
       className={withUnit ? classes.entry : classes.cellEntry}
       classNames={{ input: classes.entryInput ?? "" }}
-      size="xs"
       inputMode="decimal"
       autoComplete="off"
       spellCheck={false}

@@ -48,7 +48,6 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
             <Button
               component="a"
               size="compact-xs"
-              variant="default"
               href={address("/roads/{id}", { path: { id }, query: { format: "csv" } })}
               download={`ridelab-road-${id}.csv`}
             >
@@ -61,7 +60,6 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
     >
       {(own.length > 0 || id !== "") && (
         <NativeSelect
-          size="xs"
           id={name}
           value={id}
           disabled={leaf.readOnly}

@@ -40,7 +40,6 @@ export function VehicleChoice({ group }: { readonly group: Group }) {
   return (
     <div className={classes.vehicle}>
       <NativeSelect
-        size="xs"
         aria-label="Vehicle"
         flex="1 1 8rem"
         value={chosen?.id ?? OTHER}
@@ -57,11 +56,11 @@ export function VehicleChoice({ group }: { readonly group: Group }) {
           Open file
         </OpenFiles>
       )}
-      <Button size="compact-xs" variant="default" onClick={save}>
+      <Button size="compact-xs" onClick={save}>
         Save file
       </Button>
       {!readOnly && (
-        <Button size="compact-xs" variant="default" onClick={() => dialog.set("vehicle")}>
+        <Button size="compact-xs" onClick={() => dialog.set("vehicle")}>
           Save in the library
         </Button>
       )}

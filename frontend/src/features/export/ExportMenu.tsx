@@ -11,7 +11,7 @@ import {
   IconTerminal2,
   IconWorldUpload,
 } from "../../ui/icons";
-import { useMutation, useQuery, useQueryClient } from "@tanstack/react-query";
+import { useMutation, useQueryClient } from "@tanstack/react-query";
 import { useState } from "react";
 import { address } from "../../api/http";
 import { explain } from "../../api/problem";
@@ -19,7 +19,7 @@ import { useCompared } from "../compare/useCompared";
 import { useAction, useActionButton, type ActionId } from "../../lab/actions";
 import { whyNotCompared } from "../../lab/compare";
 import { useLabContext, useLab, useView } from "../../lab/context";
-import { figuresQuery, schemaQuery, strategiesQuery } from "../../server/queries";
+import { useFigures, useForm, useStrategies } from "../../server/useCatalogues";
 import { axisKey, makeResultView } from "../../lab/resultView";
 import { useController } from "./useController";
 import { asCommand, asCurl, asPython, type CopyRequest } from "./copyAs";
@@ -41,9 +41,7 @@ export function ExportMenu() {
   const client = useQueryClient();
   const compared = useCompared();
   const { lab } = useLabContext();
-  const figures = useQuery(figuresQuery).data;
-  const strategies = useQuery(strategiesQuery).data;
-  const form = useQuery(schemaQuery).data;
+  const [figures, strategies, form] = [useFigures(), useStrategies(), useForm()];
   const [refused, setRefused] = useState<string | null>(null);
   const { copied, copy } = useCopied(setRefused);
   const { save, saving, error: unsaved, reset } = useController();
@@ -51,7 +49,7 @@ export function ExportMenu() {
 
   const picture = useMutation({
     mutationFn: async (format: "png" | "svg") => {
-      if (!shown || !figures || !strategies) return;
+      if (!shown) return;
       download(
         await plotsImage(client, figures, makeResultView(shown, strategies, selected, view, compared), format),
         `ridelab-${runId ?? "live"}.${format}`,
@@ -59,7 +57,7 @@ export function ExportMenu() {
     },
   });
   const saveReport = () => {
-    if (!shown || !strategies || runId === null) return;
+    if (!shown || runId === null) return;
     const { baseline, reference } = makeResultView(shown, strategies, selected, view, compared);
     const run = reference && whyNotCompared(shown, reference.shown) === null ? reference.shown.runId : null;
     const refersTo = { baseline: run === null ? baseline : null, against: run };
@@ -69,7 +67,6 @@ export function ExportMenu() {
     );
   };
   const copyAs = (write: (request: CopyRequest) => string) => {
-    if (!form) return;
     const scenario = lab.get().history?.present ?? shown?.scenario ?? {};
     copy(write({ origin: window.location.origin, form, scenario, strategies: selected, over: shown?.over ?? null }));
   };
@@ -89,8 +86,6 @@ export function ExportMenu() {
       <Menu position="bottom-end" width={290}>
         <Menu.Target>
           <Button
-            size="xs"
-            variant="default"
             aria-label="Export"
             leftSection={copied ? <IconCheck size={15} /> : <IconDownload size={15} />}
             classNames={compact}
@@ -102,7 +97,7 @@ export function ExportMenu() {
         </Menu.Target>
         <Menu.Dropdown className={classes.dropdown ?? ""}>
           <Menu.Label>Time histories, full resolution</Menu.Label>
-          {(strategies ?? [])
+          {strategies
             .filter(({ id }) => shown && id in shown.summaries && selected.includes(id))
             .map(({ id, label }) => (
               <div key={id} className={classes.files}>
@@ -141,10 +136,10 @@ export function ExportMenu() {
         </Menu.Dropdown>
       </Menu>
       <Modal opened={unsaved !== null} onClose={reset} title="The controller could not be exported">
-        <Text size="sm">{unsaved?.message}</Text>
+        <Text>{unsaved?.message}</Text>
       </Modal>
       <Modal opened={picture.isError} onClose={picture.reset} title="The plots could not be saved">
-        <Text size="sm">{picture.error && explain(picture.error)}</Text>
+        <Text>{picture.error && explain(picture.error)}</Text>
       </Modal>
       <Modal
         opened={refused !== null}

@@ -43,7 +43,7 @@ export function StartFoot<Estimate extends Cost>({
   return (
     <div className={className}>
       <Box flex="1 1 9rem" mih="1.4rem" role="status" data-testid="estimate">
-        <Text size="sm" {...(estimate ? { fw: 600 } : { c: "dimmed" })}>
+        <Text {...(estimate ? { fw: 600 } : { c: "dimmed" })}>
           {estimate ? `${amount(estimate)}, ${time(estimate)}` : otherwise}
         </Text>
         {estimate &&
@@ -57,6 +57,8 @@ export function StartFoot<Estimate extends Cost>({
         <ResetDraft isEdited={draft.isEdited} onReset={draft.reset} />
         {children}
         <Button
+          size="sm"
+          variant="filled"
           disabled={estimate === undefined}
           loading={starting}
           {...(inForm ? { type: "submit" } : { onClick: start })}
@@ -72,6 +74,7 @@ export function StartFoot<Estimate extends Cost>({
 function ResetDraft({ isEdited, onReset }: { readonly isEdited: boolean; readonly onReset: () => void }) {
   return (
     <Button
+      size="sm"
       variant="subtle"
       color="gray"
       ml="auto"

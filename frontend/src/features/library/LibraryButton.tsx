@@ -1,14 +1,12 @@
 /** Opens the library; what is in it is found by name. */
 
 import { Button } from "@mantine/core";
-import { useQuery } from "@tanstack/react-query";
 import { lazy } from "react";
-import type { Preset } from "../../api/types";
 import { IconTemplate } from "../../ui/icons";
 import { useAction, useActionButton, usePaletteEntries } from "../../lab/actions";
 import { useReadOnly } from "../../lab/context";
-import { schemaQuery } from "../../server/queries";
-import { useStore } from "../../lib/store";
+import { useForm, usePresets } from "../../server/useCatalogues";
+import { useSelector } from "@tanstack/react-store";
 import { compact } from "../../ui/compact";
 import { LazyPart } from "../../ui/LazyPart";
 import { useOpenItem } from "./open";
@@ -18,13 +16,13 @@ const LibraryDialog = lazy(() => import("./LibraryDialog").then((module) => ({ d
 
 const close = () => dialog.set(null);
 
-export function LibraryButton({ presets }: { readonly presets: readonly Preset[] }) {
-  const form = useQuery(schemaQuery).data;
+export function LibraryButton() {
+  const [form, presets] = [useForm(), usePresets()];
   const readOnly = useReadOnly();
-  const saving = useStore(dialog);
-  const items = useStore(ownLibrary);
+  const saving = useSelector(dialog);
+  const items = useSelector(ownLibrary);
   const open = useOpenItem();
-  const canEdit = form !== undefined && !readOnly;
+  const canEdit = !readOnly;
   useAction("library", canEdit ? () => dialog.set("scenario") : null);
   useAction("saveVehicle", canEdit ? () => dialog.set("vehicle") : null);
   const found = items.map(
@@ -34,17 +32,10 @@ export function LibraryButton({ presets }: { readonly presets: readonly Preset[]
   const { label, ...button } = useActionButton("library");
   return (
     <>
-      <Button
-        size="xs"
-        variant="default"
-        aria-label={label}
-        leftSection={<IconTemplate size={16} stroke={1.7} />}
-        classNames={compact}
-        {...button}
-      >
+      <Button aria-label={label} leftSection={<IconTemplate size={16} stroke={1.7} />} classNames={compact} {...button}>
         {label}
       </Button>
-      {saving && form && !readOnly && (
+      {saving && canEdit && (
         <LazyPart onClose={close}>
           <LibraryDialog {...{ form, presets, saving }} onClose={close} />
         </LazyPart>

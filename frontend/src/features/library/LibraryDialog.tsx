@@ -51,10 +51,10 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
       </div>
       {deleted && (
         <div className={classes.deleted}>
-          <Text size="sm" role="status">
+          <Text role="status">
             Deleted the {deleted.kind} “{deleted.name}”.
           </Text>
-          <Button size="compact-xs" variant="default" autoFocus onClick={() => restore(deleted)}>
+          <Button size="compact-xs" autoFocus onClick={() => restore(deleted)}>
             Undo
           </Button>
         </div>
@@ -62,7 +62,7 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
       <OwnItems title="Your scenarios" kind="scenario" {...{ form, open, remove }} />
       <OwnItems title="Your vehicles" kind="vehicle" {...{ form, open, remove }} />
       <OwnItems title="Your measured roads" kind="road" {...{ form, open, remove }} />
-      <Box component="h3" m="1rem 0 0.3rem" fz="sm" fw={650}>
+      <Box component="h3" m="1rem 0 0.3rem" fz="md" fw={650}>
         Presets
       </Box>
       <ul className={classes.list} aria-label="Presets">
@@ -93,7 +93,7 @@ function OwnItems({ title, kind, ...row }: ListProps) {
   if (items.length === 0) return null;
   return (
     <>
-      <Box component="h3" m="1rem 0 0.3rem" fz="sm" fw={650}>
+      <Box component="h3" m="1rem 0 0.3rem" fz="md" fw={650}>
         {title}
       </Box>
       <ul className={classes.list} aria-label={title}>
@@ -145,7 +145,6 @@ function SaveForm({ form, kind: first, onSaved }: SaveFormProps) {
       }}
     >
       <SegmentedControl
-        size="xs"
         aria-label="What is saved"
         value={kind}
         data={[
@@ -155,7 +154,6 @@ function SaveForm({ form, kind: first, onSaved }: SaveFormProps) {
         onChange={setKind}
       />
       <TextInput
-        size="xs"
         className={classes.grow ?? ""}
         aria-label="Name"
         placeholder="Name"
@@ -164,10 +162,10 @@ function SaveForm({ form, kind: first, onSaved }: SaveFormProps) {
         value={typed ?? name.slice(0, LONGEST_NAME)}
         onChange={(event) => setTyped(event.currentTarget.value)}
       />
-      <Button type="submit" size="xs" disabled={name === ""}>
+      <Button variant="filled" type="submit" disabled={name === ""}>
         {replaced ? "Replace" : "Save"}
       </Button>
-      <Button size="xs" variant="default" disabled={name === ""} onClick={() => void exportItem({ kind, name, value })}>
+      <Button disabled={name === ""} onClick={() => void exportItem({ kind, name, value })}>
         Export
       </Button>
       <Text className={classes.text} role="status">

@@ -6,7 +6,7 @@ import { useWindowEvent } from "@mantine/hooks";
 import { type ItemKind, dialog } from "../../scenario/library";
 import { useOpenFiles, notice } from "./open";
 import { useScenario } from "../../lab/context";
-import { useStore } from "../../lib/store";
+import { useSelector } from "@tanstack/react-store";
 import ui from "../../ui/ui.module.css";
 import classes from "./library.module.css";
 
@@ -36,7 +36,7 @@ export function OpenFiles({ children, name, wanted, size = "compact-xs" }: Props
       onChange={choose}
     >
       {(props) => (
-        <Button {...props} size={size} variant="default">
+        <Button {...props} size={size}>
           {children}
         </Button>
       )}
@@ -73,18 +73,16 @@ export function DropFiles() {
 }
 
 function LastNotice() {
-  const said = useStore(notice);
+  const said = useSelector(notice);
   const scenario = useScenario();
-  const isOpen = useStore(dialog) !== null;
+  const isOpen = useSelector(dialog) !== null;
   if (said?.scenario !== scenario || isOpen) return null;
   return (
     <div className={classes.message}>
       <div className={ui.notice} role={said.isWrong ? "alert" : "status"}>
         <div>
           {said.lines.map((line) => (
-            <Text key={line} size="sm">
-              {line}
-            </Text>
+            <Text key={line}>{line}</Text>
           ))}
         </div>
         <CloseButton size="sm" aria-label="Close the message" onClick={() => notice.set(null)} />

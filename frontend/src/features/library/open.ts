@@ -1,13 +1,13 @@
 /** Opens items and files in the lab, as an edit that can be undone; what came from a file is in the library too. */
 
 import { messageOf } from "../../api/problem";
-import { useQuery, useQueryClient } from "@tanstack/react-query";
+import { useQueryClient } from "@tanstack/react-query";
 import type { Scenario } from "../../api/types";
 import { withItem, type Content } from "../../scenario/withItem";
 import { sameValue } from "../../scenario/path";
 import { useEdit, useReadOnly } from "../../lab/context";
-import { schemaQuery } from "../../server/queries";
-import { createStore } from "../../lib/store";
+import { useForm } from "../../server/useCatalogues";
+import { createAtom } from "@tanstack/react-store";
 import type { Exported } from "./files";
 import { type ItemKind, dialog } from "../../scenario/library";
 
@@ -19,13 +19,12 @@ export interface Notice {
 }
 
 /** What the library has done last. */
-export const notice = createStore<Notice | null>(null);
+export const notice = createAtom<Notice | null>(null);
 
 export function useOpenItem(): (item: Content) => void {
   const edit = useEdit();
-  const form = useQuery(schemaQuery).data;
+  const form = useForm();
   return (item) => {
-    if (!form) return;
     const next = withItem(edit.newest(), item, form);
     if (!sameValue(next, edit.newest())) edit.commit(next);
   };

@@ -42,7 +42,6 @@ export function ScenarioChoice({
   return (
     <div className={classes.choice}>
       <NativeSelect
-        size="xs"
         label="Scenario"
         flex="0 1 17rem"
         miw="11rem"

@@ -7,7 +7,8 @@ import { ApiProblem } from "../../api/problem";
 import type { Preset, Scenario } from "../../api/types";
 import { useItems } from "../../scenario/library";
 import { pick } from "../../lab/address";
-import { presetsQuery, runKey } from "../../server/queries";
+import { runKey } from "../../server/queries";
+import { usePresets } from "../../server/useCatalogues";
 
 /** `?run=`, `?own=` or `?preset=`; without any it is the first preset, the paper's. */
 export type ScenarioSource = Partial<Record<"run" | "own" | "preset", string>>;
@@ -42,20 +43,20 @@ export interface PageScenario {
 export function usePageScenario(): PageScenario {
   const origin = readScenarioSource(useSearch({ strict: false }));
   const navigate = useNavigate();
-  const presets = useQuery(presetsQuery);
+  const presets = usePresets();
   const run = useQuery(runQuery(origin.run));
-  const preset = presets.data?.find(({ id }) => id === origin.preset) ?? presets.data?.[0];
+  const preset = presets.find(({ id }) => id === origin.preset) ?? presets[0];
   const own = useItems("scenario").find(({ name }) => name === origin.own);
   const [scenario, error] =
     origin.run !== undefined
       ? [run.data?.scenario, run.error]
       : origin.own !== undefined
         ? [own?.value, own ? null : NOT_SAVED]
-        : [preset?.scenario, presets.error];
+        : [preset?.scenario, null];
   return {
     origin: origin.run !== undefined || origin.own !== undefined || !preset ? origin : { preset: preset.id },
     scenario,
-    presets: presets.data ?? [],
+    presets,
     error,
     choose: (next) => void navigate({ to: ".", search: next, replace: true, resetScroll: false }),
   };

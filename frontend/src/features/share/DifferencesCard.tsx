@@ -44,7 +44,7 @@ export function DifferencesCard({ then, now, strategies, catalogue, figures, onC
     <Card mt="0.6rem" aria-label="Differences">
       <header className={classes.differencesHeader}>
         <div role="status">
-          <Text component="h2" fw={650} size="sm">
+          <Text component="h2" fw={650}>
             {differences.length === 0 ? "No differences" : `${differences.length} of ${compared} figures differ`}
           </Text>
           <Text size="xs" c="dimmed">
@@ -56,7 +56,7 @@ export function DifferencesCard({ then, now, strategies, catalogue, figures, onC
         <CloseButton size="sm" aria-label="Close the differences" onClick={onClose} />
       </header>
       {failed.map((line) => (
-        <Text key={line} size="sm" px="0.9rem" pb="xs" c="var(--danger)">
+        <Text key={line} px="0.9rem" pb="xs" c="var(--danger)">
           {line}
         </Text>
       ))}

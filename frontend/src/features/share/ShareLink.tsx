@@ -59,7 +59,6 @@ export function ShareLink({ make, obstacle, opens }: Props) {
       <Popover.Target>
         <Tooltip label={obstacle ?? "Makes a link that opens exactly this"} disabled={opened}>
           <Button
-            size="xs"
             variant="light"
             aria-label={label}
             classNames={{ ...compact, root: `${compact.root} ${classes.button}` }}
@@ -77,7 +76,7 @@ export function ShareLink({ make, obstacle, opens }: Props) {
       <Popover.Dropdown role="dialog" aria-label="Share" className={classes.dropdown ?? ""}>
         {outcome?.kind === "created" && (
           <>
-            <Text size="sm" fw={600} role="status">
+            <Text fw={600} role="status">
               {outcome.copied ? "Link copied" : "Here is the link: select and copy it"}
             </Text>
             <LinkField url={outcome.url} />
@@ -88,12 +87,10 @@ export function ShareLink({ make, obstacle, opens }: Props) {
         )}
         {outcome?.kind === "failed" && (
           <>
-            <Text size="sm" fw={600} role="alert">
+            <Text fw={600} role="alert">
               No link could be created: {outcome.message}
             </Text>
-            <Button size="xs" variant="default" onClick={share}>
-              Try again
-            </Button>
+            <Button onClick={share}>Try again</Button>
           </>
         )}
       </Popover.Dropdown>
@@ -114,7 +111,6 @@ function LinkField({ url }: { readonly url: string }) {
   return (
     <TextInput
       ref={input}
-      size="xs"
       readOnly
       data-autofocus
       aria-label="Address of the link"

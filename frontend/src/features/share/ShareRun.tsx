@@ -1,12 +1,11 @@
 /** Shares what the dashboard shows. */
 
-import { useQuery } from "@tanstack/react-query";
 import { ask } from "../../api/http";
 import { useCompared } from "../compare/useCompared";
 import { useLabContext, useLab } from "../../lab/context";
 import { cursor } from "../../lab/cursor";
 import type { LabState } from "../../lab/labState";
-import { strategiesQuery } from "../../server/queries";
+import { useStrategies } from "../../server/useCatalogues";
 import { makeResultView } from "../../lab/resultView";
 import { viewToShare } from "../../lab/sharing";
 import { ShareLink } from "./ShareLink";
@@ -26,7 +25,7 @@ function obstacleOf({ failure, shown, stale, serverErrors }: LabState): string |
 export function ShareRun() {
   const { lab, labAddress } = useLabContext();
   const obstacle = useLab(obstacleOf);
-  const catalogue = useQuery(strategiesQuery).data ?? [];
+  const catalogue = useStrategies();
   const compared = useCompared();
   const make = () => {
     const { shown, strategies } = lab.get();

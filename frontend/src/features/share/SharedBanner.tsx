@@ -7,7 +7,7 @@ import { IconCopy, IconRefresh, IconLock } from "../../ui/icons";
 import { api } from "../../api/client";
 import type { Link, Catalogue, FigureTemplate, Run, Strategy } from "../../api/types";
 import { useLabContext, useLab } from "../../lab/context";
-import { useStore } from "../../lib/store";
+import { useSelector } from "@tanstack/react-store";
 import { DifferencesCard } from "./DifferencesCard";
 import classes from "./share.module.css";
 import { Fault } from "../../ui/Fault";
@@ -15,13 +15,13 @@ import { formatDay } from "../../units/dates";
 
 interface Props {
   readonly strategies: readonly Strategy[];
-  readonly catalogue: Catalogue | undefined;
-  readonly figures: Readonly<Record<string, FigureTemplate>> | undefined;
+  readonly catalogue: Catalogue;
+  readonly figures: Readonly<Record<string, FigureTemplate>>;
 }
 
 export function SharedBanner(props: Props) {
   const { labAddress } = useLabContext();
-  const { slug } = useStore(labAddress);
+  const { slug } = useSelector(labAddress);
   const shared = useLab((state) => state.shared);
   const failed = useLab((state) => state.failure !== null && state.failure.kind !== "unreachable");
   if (shared?.run) return <Banner key={shared.slug} link={shared} run={shared.run} {...props} />;
@@ -46,26 +46,20 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
     <>
       <SharedNote link={link} what="result">
         <div className={classes.bannerTools}>
-          <Button size="xs" leftSection={<IconCopy size={15} />} onClick={openCopy}>
+          <Button variant="filled" leftSection={<IconCopy size={15} />} onClick={openCopy}>
             Open a copy to edit
           </Button>
-          <Button
-            size="xs"
-            variant="default"
-            leftSection={<IconRefresh size={15} />}
-            loading={again.isPending}
-            onClick={() => again.mutate()}
-          >
+          <Button leftSection={<IconRefresh size={15} />} loading={again.isPending} onClick={() => again.mutate()}>
             Run again on this version
           </Button>
         </div>
       </SharedNote>
       {again.isError && (
-        <Fault size="sm" className={classes.problem ?? ""}>
+        <Fault size="md" className={classes.problem ?? ""}>
           It could not be run again: {again.error.message}
         </Fault>
       )}
-      {again.data && catalogue && figures && (
+      {again.data && (
         <DifferencesCard {...{ strategies, catalogue, figures }} then={run} now={again.data} onClose={again.reset} />
       )}
     </>
@@ -85,7 +79,7 @@ export function SharedNote({
   return (
     <section className={classes.banner} aria-label="Shared result">
       <IconLock size={17} stroke={1.7} aria-hidden />
-      <Text size="sm" flex="1 1 14rem">
+      <Text flex="1 1 14rem">
         Shared {what}, computed on {formatDay(link.computed_at)} by core {link.core_version}. Read-only.
         {link.damaged_at !== null &&
           ` Something stored of it was found damaged on ${formatDay(link.damaged_at)} and computed again by that core: it may differ from what was shared.`}

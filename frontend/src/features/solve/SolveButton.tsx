@@ -19,7 +19,7 @@ interface Props {
 /** As it is while a slider moves. */
 export const SolveButton = memo(function SolveButton({ metric, label }: Props) {
   const [opened, { open, close }] = useDisclosure(false);
-  const { catalogues } = useCatalogues();
+  const catalogues = useCatalogues();
   return (
     <>
       <Tooltip label="How fast may it go so that this stays below a limit?" withArrow>
@@ -28,13 +28,12 @@ export const SolveButton = memo(function SolveButton({ metric, label }: Props) {
           size={20}
           variant="subtle"
           aria-label={`How fast may it go: ${label}`}
-          disabled={catalogues === null}
           onClick={open}
         >
           <IconGauge size={14} stroke={1.7} />
         </ActionIcon>
       </Tooltip>
-      {opened && catalogues && (
+      {opened && (
         <LazyPart onClose={close}>
           <SolveDialog {...{ catalogues, metric }} onClose={close} />
         </LazyPart>

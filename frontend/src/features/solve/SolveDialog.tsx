@@ -98,13 +98,12 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
       size="lg"
       classNames={{ title: sweep.title ?? "", body: sweep.body ?? "" }}
     >
-      <Text size="sm" c="dimmed">
+      <Text c="dimmed">
         The largest value in a range that keeps a metric at or below a limit, over several roads with its 95 % interval.
         Everything else stays as in the form.
       </Text>
       <Group gap="xs" align="flex-start">
         <Select
-          size="xs"
           label="Field"
           searchable
           allowDeselect={false}
@@ -117,7 +116,6 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
       </Group>
       <Group gap="xs" align="flex-start">
         <Select
-          size="xs"
           label="Strategy"
           allowDeselect={false}
           data={labelled(strategies)}
@@ -125,7 +123,6 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
           onChange={(id) => id !== null && patch({ strategy: id, ...withSpeedOf(id) })}
         />
         <Select
-          size="xs"
           label="Metric"
           w={250}
           searchable
@@ -144,10 +141,10 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
       )}
       {search.data && field && figure && <Answer {...{ field, figure, onClose }} solution={search.data} />}
       <Group justify="flex-end" gap="xs">
-        <Button variant="default" onClick={onClose}>
+        <Button size="sm" onClick={onClose}>
           Close
         </Button>
-        <Button disabled={!leaf || !figure} loading={search.isPending} onClick={find}>
+        <Button size="sm" variant="filled" disabled={!leaf || !figure} loading={search.isPending} onClick={find}>
           Find
         </Button>
       </Group>
@@ -203,7 +200,7 @@ function Answer({ solution, field, figure, onClose }: AnswerProps) {
           </Button>
         )}
       </Group>
-      <Text size="sm">
+      <Text>
         {fullName(figure)}: {formatResult(solution.metric_value * figure.scale)} {prettyUnit(figure.unit)} at{" "}
         {text(solution.value)}
         {solution.interval ? ", the upper end of its interval" : ""}.{" "}

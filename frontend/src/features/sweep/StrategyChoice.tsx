@@ -26,7 +26,6 @@ export function StrategyChoice({ strategies, selected, error, onChange }: Props)
         {strategies.map((strategy) => (
           <Checkbox
             key={strategy.id}
-            size="xs"
             value={strategy.id}
             label={
               <span className={classes.strategy}>

@@ -3,10 +3,9 @@
 import { Button, Tooltip } from "@mantine/core";
 import { useDisclosure } from "@mantine/hooks";
 import { IconGridDots } from "../../ui/icons";
-import { useQuery } from "@tanstack/react-query";
 import { lazy } from "react";
 import { useAction, useActionButton } from "../../lab/actions";
-import { schemaQuery, strategiesQuery } from "../../server/queries";
+import { useForm, useStrategies } from "../../server/useCatalogues";
 import { compact } from "../../ui/compact";
 import { LazyPart } from "../../ui/LazyPart";
 
@@ -14,25 +13,17 @@ const SweepDialog = lazy(() => import("./SweepDialog").then((module) => ({ defau
 
 export function SweepButton() {
   const [opened, { open, close }] = useDisclosure(false);
-  const form = useQuery(schemaQuery).data;
-  const strategies = useQuery(strategiesQuery).data;
-  useAction("sweep", form && strategies ? open : null);
+  const [form, strategies] = [useForm(), useStrategies()];
+  useAction("sweep", open);
   const { label, ...button } = useActionButton("sweep");
   return (
     <>
       <Tooltip label="Run many variants of this scenario">
-        <Button
-          size="xs"
-          variant="default"
-          aria-label={label}
-          leftSection={<IconGridDots size={15} />}
-          classNames={compact}
-          {...button}
-        >
+        <Button aria-label={label} leftSection={<IconGridDots size={15} />} classNames={compact} {...button}>
           {label}
         </Button>
       </Tooltip>
-      {opened && form && strategies && (
+      {opened && (
         <LazyPart onClose={close}>
           <SweepDialog form={form} strategies={strategies} onClose={close} />
         </LazyPart>

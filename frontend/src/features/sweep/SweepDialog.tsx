@@ -63,13 +63,12 @@ export function SweepDialog({ form: schema, strategies, onClose }: Props) {
       fullScreen={narrow}
       classNames={{ title: classes.title ?? "", body: classes.body ?? "" }}
     >
-      <Text size="sm" c="dimmed">
+      <Text c="dimmed">
         Runs many variants of the scenario in the form, each with every strategy selected here. Fields that are not
         swept keep their values.
       </Text>
       <Group gap="sm">
         <SegmentedControl
-          size="xs"
           aria-label="How values are combined"
           value={draft.method}
           data={[
@@ -140,7 +139,7 @@ export function SweepDialog({ form: schema, strategies, onClose }: Props) {
         amount={amountOf(draft.strategies.length)}
         notes={notesOf}
       >
-        <Button variant="default" onClick={onClose}>
+        <Button size="sm" onClick={onClose}>
           Cancel
         </Button>
       </StartFoot>

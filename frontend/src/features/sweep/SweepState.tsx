@@ -31,7 +31,7 @@ export function BatchState({ batch, form, connected, left, readOnly }: Props) {
     </>
   );
   const goOn = batch.state === "cancelled" && (
-    <Button size="xs" variant="default" loading={resume.isPending} onClick={() => resume.mutate(undefined)}>
+    <Button loading={resume.isPending} onClick={() => resume.mutate(undefined)}>
       Resume
     </Button>
   );

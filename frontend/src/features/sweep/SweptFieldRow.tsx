@@ -53,7 +53,6 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
     <Group gap="0.4rem 0.7rem" align="flex-end" mt="0.3rem">
       {method === "grid" && (
         <SegmentedControl
-          size="xs"
           className={classes.by ?? ""}
           aria-label={`${name}: values by`}
           value={draft.by}
@@ -106,7 +105,6 @@ function Links({ draft: { field, linked }, linkable, onChange }: Pick<Props, "dr
   const offered = [...linked, ...linkable];
   return (
     <MultiSelect
-      size="xs"
       maw="24rem"
       mt="0.4rem"
       aria-label={`${field.title}, also sets`}

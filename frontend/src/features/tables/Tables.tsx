@@ -95,7 +95,7 @@ function textOf({ shown, reference }: ResultView): string {
 /** What a change without an arrow says. */
 function ChangesNote({ resultView }: { readonly resultView: ResultView }) {
   return (
-    <Box component="p" m={0} p="0.3rem 0.9rem 0" fz="0.71875rem" c="dimmed" data-testid="changes-note">
+    <Box component="p" m={0} p="0.3rem 0.9rem 0" fz="xs" c="dimmed" data-testid="changes-note">
       {textOf(resultView)}
     </Box>
   );

@@ -40,8 +40,6 @@ export function BuildReport({ scenario, catalogue }: Props) {
         <>
           {!report.data && (
             <Button
-              size="xs"
-              variant="default"
               loading={report.isFetching}
               onClick={() => (requested === scenario ? void report.refetch() : setRequested(scenario))}
             >
@@ -55,7 +53,7 @@ export function BuildReport({ scenario, catalogue }: Props) {
         <Report report={report.data} catalogue={catalogue} />
       ) : (
         <Stack gap="xs" px="0.9rem" pb="sm">
-          <Text size="sm" c="dimmed">
+          <Text c="dimmed">
             {report.isFetching
               ? "The program is built for the part and driven over the road, the scenario’s own and smaller ones: this takes some seconds each."
               : "Compiles the controller for a Cortex-M3 at 72 MHz without floating-point hardware (64 KB RAM, 512 KB flash), counts what a step costs, and does the same with shorter horizons."}
@@ -76,7 +74,7 @@ function Report({ report, catalogue }: { readonly report: ControllerReport; read
   const least = fitting.toSorted((a, b) => largestLoss(a.changes) - largestLoss(b.changes))[0];
   return (
     <>
-      <Text size="sm" px="0.9rem" pb="sm" data-testid="fits">
+      <Text px="0.9rem" pb="sm" data-testid="fits">
         {own?.fits
           ? "The scenario’s own controller fits. "
           : `The scenario’s own controller does not fit: ${own?.reasons.join("; ") ?? ""}. `}

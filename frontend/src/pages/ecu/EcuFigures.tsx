@@ -6,7 +6,6 @@ import { useMemo, useState } from "react";
 import type { Catalogue, FigureTemplate, Run, Strategy } from "../../api/types";
 import { PALETTES } from "../../plots/palettes";
 import { PlotPanel } from "../../plots/PlotPanel";
-import { usePlotly } from "../../plots/usePlotly";
 import { DEFAULT_VIEW, type Axis, type Zoom } from "../../lab/address";
 import { DETAIL_POINTS, seriesQuery } from "../../server/queries";
 import { makeResultView } from "../../lab/resultView";
@@ -25,7 +24,6 @@ interface Props {
 }
 
 export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props) {
-  const plotly = usePlotly();
   const palette = PALETTES[useComputedColorScheme("light")];
   const [axis, setAxis] = useState<Axis>("time");
   const [zoom, setZoom] = useState<Zoom | null>(null);
@@ -62,7 +60,6 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
           ))}
         </Group>
         <SegmentedControl
-          size="xs"
           aria-label="Plots over"
           value={axis}
           data={[
@@ -75,15 +72,11 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
           }}
         />
       </Group>
-      {series.isError && <Fault size="sm">The time histories could not be read: {series.error.message}</Fault>}
+      {series.isError && <Fault size="md">The time histories could not be read: {series.error.message}</Fault>}
       <div className={classes.figures}>
         {curves
           ? templates.map((template) => (
-              <PlotPanel
-                key={template.layout.meta.signal}
-                {...{ plotly, template, curves, palette }}
-                onZoom={setZoom}
-              />
+              <PlotPanel key={template.layout.meta.signal} {...{ template, curves, palette }} onZoom={setZoom} />
             ))
           : templates.map(({ layout }) => <Box key={layout.meta.signal} h={210} className={ui.card ?? ""} />)}
       </div>

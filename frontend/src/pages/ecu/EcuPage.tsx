@@ -1,7 +1,6 @@
 /** The ECU: the controller as a C program apart from the car, what it loses by that, and whether it fits a real part. */
 
 import { Alert, Skeleton, Text, Button, Group } from "@mantine/core";
-import { useQuery } from "@tanstack/react-query";
 import { useMemo } from "react";
 import { ApiProblem, isTransient } from "../../api/problem";
 import type { Summary, Scenario } from "../../api/types";
@@ -9,8 +8,7 @@ import { usePageScenario } from "../../features/scenarioSource/scenarioSource";
 import { ScenarioChoice } from "../../features/scenarioSource/ScenarioChoice";
 import { errorsByField } from "../../scenario/errors";
 import { Page } from "../../ui/Page";
-import { useSchemeColours } from "../../server/useCatalogues";
-import { catalogueQuery, figuresQuery, schemaQuery, strategiesQuery } from "../../server/queries";
+import { useCatalogue, useFigures, useForm, useSchemeColours, useStrategies } from "../../server/useCatalogues";
 import { BuildReport } from "./BuildReport";
 import { EcuFigures } from "./EcuFigures";
 import { EcuTable } from "./EcuTable";
@@ -29,19 +27,16 @@ const NO_ERRORS = { fields: {}, general: [] };
 export function EcuPage() {
   const source = usePageScenario();
   const { scenario, run, stale, error, change, choose } = useEcuRun(source);
-  const schema = useQuery(schemaQuery);
-  const strategies = useQuery(strategiesQuery);
-  const catalogue = useQuery(catalogueQuery);
-  const figures = useQuery(figuresQuery);
+  const [form, strategies, catalogue, figures] = [useForm(), useStrategies(), useCatalogue(), useFigures()];
 
   const refused = useMemo(() => {
-    if (!error || isTransient(error) || !schema.data) return NO_ERRORS;
+    if (!error || isTransient(error)) return NO_ERRORS;
     return error instanceof ApiProblem
-      ? errorsByField(schema.data, error.errors, error.message)
+      ? errorsByField(form, error.errors, error.message)
       : { fields: {}, general: [error.message] };
-  }, [error, schema.data]);
-  const coloured = useSchemeColours(strategies.data);
-  const shown = useMemo(() => STRATEGIES.flatMap((id) => coloured?.find((each) => each.id === id) ?? []), [coloured]);
+  }, [error, form]);
+  const coloured = useSchemeColours(strategies);
+  const shown = useMemo(() => STRATEGIES.flatMap((id) => coloured.find((each) => each.id === id) ?? []), [coloured]);
   const { summaries, failures } = useMemo(() => split(run?.strategies ?? {}), [run]);
   const colour = shown.find(({ id }) => id === "lv_hil")?.colour ?? "currentColor";
   const lead = (
@@ -54,17 +49,11 @@ export function EcuPage() {
   );
 
   return (
-    <Page
-      title="ECU"
-      heading="The controller as an ECU’s program"
-      what="page"
-      lead={lead}
-      faults={[schema, strategies, catalogue, figures].map(({ error: fault }) => fault)}
-    >
+    <Page title="ECU" heading="The controller as an ECU’s program" what="page" lead={lead} faults={[]}>
       <Card className={`${ui.part}`} aria-label="Scenario and loop">
-        <ScenarioChoice source={{ ...source, choose }} form={schema.data} />
-        {schema.data && scenario ? (
-          <EcuForm form={schema.data} scenario={scenario} errors={refused.fields} onChange={change} />
+        <ScenarioChoice source={{ ...source, choose }} form={form} />
+        {scenario ? (
+          <EcuForm form={form} scenario={scenario} errors={refused.fields} onChange={change} />
         ) : (
           <Skeleton height={58} />
         )}
@@ -76,20 +65,20 @@ export function EcuPage() {
           {shown.find((each) => each.id === id)?.label ?? id} could not be driven: {reason}
         </Alert>
       ))}
-      {run && catalogue.data && figures.data && shown.length > 0 ? (
+      {run ? (
         <>
-          <EcuTable {...{ summaries, stale }} strategies={shown} catalogue={catalogue.data} figures={figures.data} />
-          <EcuFigures {...{ run, stale }} strategies={shown} catalogue={catalogue.data} figures={figures.data} />
+          <EcuTable {...{ summaries, stale }} strategies={shown} catalogue={catalogue} figures={figures} />
+          <EcuFigures {...{ run, stale }} strategies={shown} catalogue={catalogue} figures={figures} />
         </>
       ) : (
         refused === NO_ERRORS && <EcuLoading />
       )}
-      {source.scenario && catalogue.data && (
+      {source.scenario && (
         <>
-          <BuildReport scenario={source.scenario} catalogue={catalogue.data} />
+          <BuildReport scenario={source.scenario} catalogue={catalogue} />
           <RealTime
             scenario={source.scenario}
-            catalogue={catalogue.data}
+            catalogue={catalogue}
             seconds={summaries.lv_hil?.travel_time ?? undefined}
             colour={colour}
           />
@@ -118,9 +107,7 @@ function split(all: NonNullable<ReturnType<typeof useEcuRun>["run"]>["strategies
 function EcuLoading() {
   return (
     <>
-      <Text size="sm" c="dimmed">
-        The program is driven over the road.
-      </Text>
+      <Text c="dimmed">The program is driven over the road.</Text>
       <Loading label="Driving" heights={[420]} />
     </>
   );
@@ -132,8 +119,6 @@ function ExportController({ scenario }: { readonly scenario: Scenario | undefine
   return (
     <Group gap="xs">
       <Button
-        size="xs"
-        variant="default"
         leftSection={<IconDownload size={15} />}
         loading={saving}
         disabled={!scenario}

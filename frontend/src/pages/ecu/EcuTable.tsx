@@ -37,12 +37,7 @@ export function EcuTable({ summaries, strategies, catalogue, figures, stale }: P
       tools={
         <>
           {judged.length > 0 && (
-            <Text
-              size="sm"
-              fw={650}
-              data-testid="hil-count"
-              className={(reached === judged.length ? ui.good : ui.warning) ?? ""}
-            >
+            <Text fw={650} data-testid="hil-count" className={(reached === judged.length ? ui.good : ui.warning) ?? ""}>
               {reached} of {judged.length} within ±{RULE_PERCENT}&nbsp;%
             </Text>
           )}

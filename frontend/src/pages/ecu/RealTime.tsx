@@ -1,7 +1,7 @@
 /** The drive by the clock: how long answers take, how evenly, and how many come too late. */
 
 import { Box, Button, Group, Progress, SegmentedControl, Stack, Text, useComputedColorScheme } from "@mantine/core";
-import { useMutation, useQuery } from "@tanstack/react-query";
+import { useMutation } from "@tanstack/react-query";
 import { useEffect, useMemo, useRef, useState } from "react";
 import { ask } from "../../api/http";
 import { isTransient } from "../../api/problem";
@@ -9,7 +9,7 @@ import type { Catalogue, RealtimeReport, Scenario } from "../../api/types";
 import { Chart } from "../../plots/Chart";
 import { ChartButton } from "../../plots/FigureButton";
 import { ON_PAPER, PALETTES } from "../../plots/palettes";
-import { strategiesQuery } from "../../server/queries";
+import { useStrategies } from "../../server/useCatalogues";
 import { formatPercent } from "../../features/tables/change";
 import { VIEWS } from "../../features/tables/ComparisonTable";
 import { count, formatNumber, formatWhole } from "../../units/format";
@@ -40,13 +40,13 @@ export function RealTime({ scenario, catalogue, seconds, colour }: Props) {
       aria-busy={drive.isPending || undefined}
       title="In real time"
       tools={
-        <Button size="xs" variant="default" loading={drive.isPending} onClick={() => drive.mutate(scenario)}>
+        <Button loading={drive.isPending} onClick={() => drive.mutate(scenario)}>
           {report ? "Drive again" : "Drive in real time"}
         </Button>
       }
     >
       <Stack gap="xs" px="0.9rem" pb="sm">
-        <Text size="sm" c="dimmed">
+        <Text c="dimmed">
           The same program, a frame every control step by the clock; an answer after the next frame’s time is a missed
           deadline, and the actuators hold the last command. It takes as long as the drive
           {seconds === undefined ? "" : `, about ${formatNumber(seconds, 2)} s`}. An ordinary operating system wakes
@@ -134,8 +134,8 @@ function Report({
   readonly catalogue: Catalogue;
   readonly colour: string;
 }) {
-  const { data: strategies } = useQuery(strategiesQuery);
-  const lightColour = strategies?.find(({ id }) => id === "lv_hil")?.colour ?? colour;
+  const strategies = useStrategies();
+  const lightColour = strategies.find(({ id }) => id === "lv_hil")?.colour ?? colour;
   const palette = PALETTES[useComputedColorScheme("light")];
   const [kind, setKind] = useState<PlotKind>("latency");
   const label = KINDS.find(({ value }) => value === kind)?.label ?? "";
@@ -176,7 +176,7 @@ function Report({
       />
       <Box px="0.9rem" pt="xs">
         <Group gap="xs">
-          <SegmentedControl size="xs" aria-label="Histogram of" value={kind} data={[...KINDS]} onChange={setKind} />
+          <SegmentedControl aria-label="Histogram of" value={kind} data={[...KINDS]} onChange={setKind} />
           {spread && (
             <ChartButton
               title={`Histogram of ${label.toLowerCase()}`}
@@ -202,12 +202,10 @@ function Report({
             label={`Histogram of ${kind.replace("_", "-")} over ${report.steps} steps; its figures stand in the table above`}
           />
         ) : (
-          <Text size="sm" c="dimmed">
-            There is nothing to count: no answer came in time.
-          </Text>
+          <Text c="dimmed">There is nothing to count: no answer came in time.</Text>
         )}
       </Box>
-      <Text size="sm" px="0.9rem" pt={6} pb="sm">
+      <Text px="0.9rem" pt={6} pb="sm">
         <span className={ui.dim}>Against the drive in lock-step: </span>
         {VIEWS.map(({ window, statistic }) => (
           <span key={window}>

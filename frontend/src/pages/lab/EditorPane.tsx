@@ -1,22 +1,23 @@
 /** The form: beside the results where there is room, else in a sheet that leaves the plots in sight. */
 
-import { Button, Drawer, Stack, Skeleton } from "@mantine/core";
+import { Button, Drawer } from "@mantine/core";
 import { useDisclosure, useMediaQuery } from "@mantine/hooks";
 import { IconAdjustmentsHorizontal } from "../../ui/icons";
 import { Editor } from "../../features/editor/Editor";
-import type { Group } from "../../scenario/schema";
 import { useReadOnly } from "../../lab/context";
 import { revealed } from "../../lab/reveal";
-import { useStore } from "../../lib/store";
+import { useForm } from "../../server/useCatalogues";
+import { useSelector } from "@tanstack/react-store";
 import classes from "../../ui/shell.module.css";
 
-export function EditorPane({ form }: { readonly form: Group | undefined }) {
+export function EditorPane() {
+  const form = useForm();
   const narrow = useMediaQuery("(max-width: 47.99em)", false, { getInitialValueInEffect: false });
   const readOnly = useReadOnly();
   const [opened, { open, close }] = useDisclosure(false);
-  const isSought = useStore(revealed) !== null;
+  const isSought = useSelector(revealed) !== null;
   if (narrow && isSought && !opened) open();
-  const content = form ? <Editor form={form} /> : <EditorLoading />;
+  const content = <Editor form={form} />;
   if (!narrow) {
     return (
       <aside className={classes.aside} aria-label="Scenario">
@@ -26,7 +27,13 @@ export function EditorPane({ form }: { readonly form: Group | undefined }) {
   }
   return (
     <>
-      <Button className={classes.editButton ?? ""} leftSection={<IconAdjustmentsHorizontal size={18} />} onClick={open}>
+      <Button
+        size="sm"
+        variant="filled"
+        className={classes.editButton ?? ""}
+        leftSection={<IconAdjustmentsHorizontal size={18} />}
+        onClick={open}
+      >
         {readOnly ? "Scenario" : "Edit scenario"}
       </Button>
       <Drawer
@@ -45,15 +52,5 @@ export function EditorPane({ form }: { readonly form: Group | undefined }) {
         {content}
       </Drawer>
     </>
-  );
-}
-
-export function EditorLoading() {
-  return (
-    <Stack gap="0.9rem" p="1.2rem 1rem" aria-busy aria-label="Loading the form">
-      {Array.from({ length: 9 }, (_, index) => (
-        <Skeleton key={index} height={index % 4 === 0 ? 18 : 44} width={index % 4 === 0 ? "45%" : "100%"} radius="sm" />
-      ))}
-    </Stack>
   );
 }

@@ -1,22 +1,24 @@
 /** What can be done to the lab's scenario, and what of it is found by name. */
 
-import type { Preset, Strategy } from "../../api/types";
 import { useAction, usePaletteEntries, type PaletteEntry } from "../../lab/actions";
 import { useLabContext, useLab } from "../../lab/context";
 import { hasInvalidInput } from "../../lab/labState";
 import { revealed } from "../../lab/reveal";
 import { sweepFields } from "../../scenario/fields";
-import type { Group } from "../../scenario/schema";
+import { useFigures, useForm, usePresets, useStrategies } from "../../server/useCatalogues";
 import { useSelected } from "./StrategyChoice";
+import { useEffect } from "react";
 
-interface Props {
-  readonly form: Group | undefined;
-  readonly presets: readonly Preset[];
-  readonly strategies: readonly Strategy[];
-}
+/** Signals the moving car needs besides those in the figures. */
+const CAR_SIGNALS = ["rear_road"];
 
-export function LabActions({ form, presets, strategies }: Props) {
+export function LabActions() {
   const { lab } = useLabContext();
+  const [form, presets, strategies, figures] = [useForm(), usePresets(), useStrategies(), useFigures()];
+  useEffect(() => {
+    const drawn = Object.values(figures).flatMap(({ data }) => data.map(({ meta }) => meta.signal));
+    lab.configure(form, [...new Set([...drawn, ...CAR_SIGNALS])]);
+  }, [lab, form, figures]);
   const { selected, toggle } = useSelected(strategies);
   const canEdit = useLab((state) => state.shared === null);
   const canUndo = useLab((state) => hasInvalidInput(state) || (state.history?.past.length ?? 0) > 0);
@@ -37,7 +39,7 @@ export function LabActions({ form, presets, strategies }: Props) {
       description,
       run: () => toggle(id),
     })),
-    ...(form ? sweepFields(form) : []).map(({ title, section, leaf }): PaletteEntry => ({
+    ...sweepFields(form).map(({ title, section, leaf }): PaletteEntry => ({
       group: "Fields",
       label: title,
       description: section,

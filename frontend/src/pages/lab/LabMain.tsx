@@ -4,37 +4,31 @@ import { Group, Anchor, Text } from "@mantine/core";
 import { useMemo } from "react";
 import { useQuery } from "@tanstack/react-query";
 import { Link } from "@tanstack/react-router";
-import type { Catalogue, FigureTemplate, Strategy } from "../../api/types";
+import type { Strategy } from "../../api/types";
 import { useCompared, usePaired } from "../../features/compare/useCompared";
-import { SharedBanner } from "../../features/share/SharedBanner";
 import { useLab, useView, useLabContext } from "../../lab/context";
 import { partShown, withBaseline } from "../../lab/resultView";
-import { CouldNotLoad } from "../../ui/Blank";
 import { Results } from "./Results";
 import classes from "../../ui/shell.module.css";
-import { StatusLine } from "./LabTools";
-import { Toolbar } from "./Toolbar";
+import { LazyPart } from "../../ui/LazyPart";
+import bar from "../../ui/toolbar.module.css";
+import { useCatalogue, useFigures } from "../../server/useCatalogues";
+import { SharedBanner, Toolbar } from "./afterCurves";
+import { StatusLine } from "./StatusLine";
 import { titleOf } from "../../features/sweep/table";
 import { BATCH, jobQuery } from "../../jobs/useJob";
 import { parseSearch } from "../../lab/address";
-import { useStore } from "../../lib/store";
+import { useSelector } from "@tanstack/react-store";
 
-interface Props {
-  readonly strategies: readonly Strategy[];
-  readonly catalogue: Catalogue | undefined;
-  readonly figures: Readonly<Record<string, FigureTemplate>> | undefined;
-  /** Why the page's own lists could not be read. */
-  readonly fault: string | undefined;
-}
-
-export function LabMain({ strategies, catalogue, figures, fault }: Props) {
+export function LabMain({ strategies }: { readonly strategies: readonly Strategy[] }) {
+  const [catalogue, figures] = [useCatalogue(), useFigures()];
   const shown = useLab((state) => state.shown);
   const selected = useLab((state) => state.strategies);
   const { axis, zoom, baseline, reference, differences } = useView();
   const compared = useCompared();
   // Apart: another baseline leaves what is drawn as it is.
   const part = useMemo(
-    () => (shown && strategies.length > 0 ? partShown(shown, strategies, selected, { axis, zoom }) : null),
+    () => (shown ? partShown(shown, strategies, selected, { axis, zoom }) : null),
     [shown, strategies, selected, axis, zoom],
   );
   const paired = usePaired(part, compared, { baseline, reference });
@@ -50,21 +44,21 @@ export function LabMain({ strategies, catalogue, figures, fault }: Props) {
         </h1>
         <FromPage />
       </Group>
-      <SharedBanner strategies={strategies} catalogue={catalogue} figures={figures} />
-      <Toolbar
-        strategies={strategies}
-        part={
-          resultView &&
-          (resultView.range === resultView.bump ? "bump" : resultView.range === resultView.whole ? "whole" : "range")
-        }
-        hasBump={resultView !== null && resultView.bump !== null}
-      />
+      <LazyPart>
+        <SharedBanner strategies={strategies} catalogue={catalogue} figures={figures} />
+      </LazyPart>
+      <LazyPart fallback={<div className={`${bar.toolbar} ${bar.place}`} />}>
+        <Toolbar
+          strategies={strategies}
+          part={
+            resultView &&
+            (resultView.range === resultView.bump ? "bump" : resultView.range === resultView.whole ? "whole" : "range")
+          }
+          hasBump={resultView !== null && resultView.bump !== null}
+        />
+      </LazyPart>
       <StatusLine position="page" />
-      {fault === undefined ? (
-        <Results {...{ strategies, catalogue, figures, resultView }} />
-      ) : (
-        <CouldNotLoad message={fault} />
-      )}
+      <Results {...{ strategies, catalogue, figures, resultView }} />
     </main>
   );
 }
@@ -72,7 +66,7 @@ export function LabMain({ strategies, catalogue, figures, fault }: Props) {
 /** Where the lab's scenario comes from, if not from here, and the way there: another page, or the last visit. */
 function FromPage() {
   const { lab, labAddress, restored } = useLabContext();
-  const { from, slug } = useStore(labAddress);
+  const { from, slug } = useSelector(labAddress);
   // An edit makes the scenario this visit's.
   const untouched = useLab((state) => state.history?.present === restored);
   if (slug !== null) return null;

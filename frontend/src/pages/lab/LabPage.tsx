@@ -1,18 +1,13 @@
-import { useQuery } from "@tanstack/react-query";
-import { lazy, useEffect } from "react";
+import { Box, Skeleton, Stack } from "@mantine/core";
+import { lazy } from "react";
 import { useDocumentTitle } from "@mantine/hooks";
-import { isTransient } from "../../api/problem";
-import { DropFiles } from "../../features/library/OpenFiles";
-import { EditorPane } from "./EditorPane";
 import { LabMain } from "./LabMain";
-import { LabActions } from "./LabActions";
-import { LabTools } from "./LabTools";
+import { DropFiles, EditorPane, LabActions, LabTools } from "./afterCurves";
 import { Notices } from "./Notices";
 import { ShellSlot } from "../../ui/Page";
 import classes from "../../ui/shell.module.css";
-import { useLabContext, useFromScenario, useLab } from "../../lab/context";
-import { catalogueQuery, figuresQuery, presetsQuery, schemaQuery, strategiesQuery } from "../../server/queries";
-import { useSchemeColours } from "../../server/useCatalogues";
+import { useFromScenario, useLab } from "../../lab/context";
+import { useSchemeColours, useStrategies } from "../../server/useCatalogues";
 import { LazyPart } from "../../ui/LazyPart";
 import type { Scenario } from "../../api/types";
 import { getAt } from "../../scenario/path";
@@ -31,49 +26,41 @@ export function LabPage() {
   );
 }
 
-/** Signals the moving car needs besides those in the figures. */
-const CAR_SIGNALS = ["rear_road"];
-const NONE: readonly never[] = [];
-
 function LabContent() {
-  const { lab } = useLabContext();
-  const schema = useQuery(schemaQuery);
-  const presets = useQuery(presetsQuery);
-  const strategies = useQuery(strategiesQuery);
-  const coloured = useSchemeColours(strategies.data) ?? NONE;
-  const catalogue = useQuery(catalogueQuery);
-  const figures = useQuery(figuresQuery);
-  useEffect(() => {
-    if (!schema.data || !figures.data) return;
-    const drawn = Object.values(figures.data).flatMap(({ data }) => data.map(({ meta }) => meta.signal));
-    lab.configure(schema.data, [...new Set([...drawn, ...CAR_SIGNALS])]);
-  }, [lab, schema.data, figures.data]);
-
-  const failedQuery = [schema, presets, strategies, catalogue, figures].find(
-    ({ error }) => error !== null && !isTransient(error),
-  );
-
+  const strategies = useStrategies();
+  const coloured = useSchemeColours(strategies);
   return (
     <>
       <ShellSlot name="tools">
-        <LabTools presets={presets.data ?? NONE} />
+        <LazyPart>
+          <LabTools />
+          <LabActions />
+          <DropFiles />
+        </LazyPart>
       </ShellSlot>
-      <LabActions form={schema.data} presets={presets.data ?? NONE} strategies={strategies.data ?? NONE} />
       <PrintedTitle />
       <div className={classes.body}>
-        <EditorPane form={schema.data} />
-        <LabMain
-          strategies={coloured}
-          catalogue={catalogue.data}
-          figures={figures.data}
-          fault={failedQuery?.error?.message}
-        />
+        <LazyPart fallback={<EditorLoading />}>
+          <EditorPane />
+        </LazyPart>
+        <LabMain strategies={coloured} />
       </div>
-      <DropFiles />
       <ShellSlot name="notices">
-        <Notices strategies={strategies.data ?? NONE} />
+        <Notices strategies={strategies} />
       </ShellSlot>
     </>
+  );
+}
+
+function EditorLoading() {
+  return (
+    <Box component="aside" visibleFrom="sm" className={classes.aside} aria-label="Scenario" aria-busy>
+      <Stack gap="0.9rem" p="1.2rem 1rem">
+        {Array.from({ length: 9 }, (_, index) => (
+          <Skeleton key={index} height={index % 4 === 0 ? 18 : 44} width={index % 4 === 0 ? "45%" : "100%"} />
+        ))}
+      </Stack>
+    </Box>
   );
 }
 

@@ -21,22 +21,20 @@ export function Notices({ strategies }: { readonly strategies: readonly Strategy
       {busy && <SlowNotice />}
       {refused && shown && (
         <div className={ui.notice} role="status">
-          <Text size="sm">
-            The plots show the last scenario that could be run; the value to change is marked in the form.
-          </Text>
-          <Button size="compact-xs" variant="default" onClick={lab.undo}>
+          <Text>The plots show the last scenario that could be run; the value to change is marked in the form.</Text>
+          <Button size="compact-xs" onClick={lab.undo}>
             Undo
           </Button>
         </div>
       )}
       {failure?.kind === "failed" && (
         <div className={ui.notice} role="alert">
-          <Text size="sm">This scenario could not be run: {failure.message}</Text>
+          <Text>This scenario could not be run: {failure.message}</Text>
         </div>
       )}
       {shown?.failed.map(({ strategy, message }) => (
         <div key={strategy} className={ui.notice} role="alert">
-          <Text size="sm">
+          <Text>
             {strategies.find(({ id }) => id === strategy)?.label ?? strategy} could not be computed: {message}
           </Text>
         </div>
@@ -56,7 +54,7 @@ function SlowNotice() {
   return (
     <div className={ui.notice} role="status">
       <Loader size={14} />
-      <Text size="sm">Computing. The previous curves are dimmed until the new ones arrive.</Text>
+      <Text>Computing. The previous curves are dimmed until the new ones arrive.</Text>
     </div>
   );
 }

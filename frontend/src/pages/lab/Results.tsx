@@ -3,15 +3,13 @@
 import { memo, useDeferredValue } from "react";
 import { Button, Skeleton, Text } from "@mantine/core";
 import type { Catalogue, FigureTemplate, Strategy } from "../../api/types";
-import { CarView } from "../../features/car/CarView";
 import { PlotGrid, RoadStrip } from "../../plots/PlotGrid";
-import { PlotlyFault } from "../../plots/usePlotly";
 import { useLabContext, useLab } from "../../lab/context";
 import type { ResultView } from "../../lab/resultView";
-import { Tables } from "../../features/tables/Tables";
+import { LazyPart } from "../../ui/LazyPart";
 import { Blank, CouldNotLoad } from "../../ui/Blank";
 import classes from "../../ui/shell.module.css";
-import { StageLegend } from "./StageLegend";
+import { CarView, StageLegend, Tables } from "./afterCurves";
 import { getAt } from "../../scenario/path";
 import { useCurves } from "../../plots/useDetail";
 
@@ -19,8 +17,8 @@ type Figures = Readonly<Record<string, FigureTemplate>>;
 
 interface Props {
   readonly strategies: readonly Strategy[];
-  readonly catalogue: Catalogue | undefined;
-  readonly figures: Figures | undefined;
+  readonly catalogue: Catalogue;
+  readonly figures: Figures;
   readonly resultView: ResultView | null;
 }
 
@@ -38,7 +36,7 @@ export function Results({ strategies, catalogue, figures, resultView }: Props) {
   if (failure?.kind === "failed" && !shown) return <CouldNotLoad message={failure.message} onRetry={lab.openPaper} />;
   if (refused && !shown)
     return <CouldNotLoad what="scenario" message={refused} onRetry={lab.openPaper} retry="Open the paper’s scenario" />;
-  if (!resultView || !catalogue || !figures || resultView.ids.length === 0) return <Loading />;
+  if (!resultView || resultView.ids.length === 0) return <Loading />;
   return (
     <div
       className={classes.results}
@@ -52,7 +50,9 @@ export function Results({ strategies, catalogue, figures, resultView }: Props) {
         <Histories resultView={resultView} catalogue={catalogue} figures={figures} />
       ) : (
         <>
-          <Tables resultView={resultView} catalogue={catalogue} figures={figures} />
+          <LazyPart>
+            <Tables resultView={resultView} catalogue={catalogue} figures={figures} />
+          </LazyPart>
           <NoHistories reason={resultView.shown.missing} />
         </>
       )}
@@ -76,16 +76,19 @@ function Histories({ resultView, catalogue, figures }: HistoriesProps) {
   const isRide = ({ layout }: FigureTemplate) => catalogue.paper_signals.includes(layout.meta.signal);
   return (
     <>
-      <CarView resultView={resultView} />
+      <LazyPart fallback={<Skeleton h={167} radius={8} />}>
+        <CarView resultView={resultView} />
+      </LazyPart>
       {road && <RoadStrip template={road} resultView={resultView} />}
       <PlotGrid templates={Object.values(others).filter(isRide)} resultView={resultView} />
-      <PlotlyFault />
-      {meta && <StageLegend resultView={resultView} catalogue={catalogue} meta={meta} />}
-      <MemoTables
-        resultView={resultView.shown.source === "live" ? later : resultView}
-        catalogue={catalogue}
-        figures={figures}
-      />
+      <LazyPart fallback={<Skeleton h={400} radius={8} />}>
+        {meta && <StageLegend resultView={resultView} catalogue={catalogue} meta={meta} />}
+        <MemoTables
+          resultView={resultView.shown.source === "live" ? later : resultView}
+          catalogue={catalogue}
+          figures={figures}
+        />
+      </LazyPart>
       <PlotGrid templates={Object.values(others).filter((template) => !isRide(template))} resultView={resultView} />
     </>
   );
@@ -95,7 +98,9 @@ export function NothingChosen({ suggestion }: { readonly suggestion: readonly st
   const { lab } = useLabContext();
   return (
     <Blank title="No strategy chosen" text="Switch on at least one above to see how the car rides.">
-      <Button onClick={() => lab.setStrategies(suggestion)}>Show all strategies</Button>
+      <Button size="sm" variant="filled" onClick={() => lab.setStrategies(suggestion)}>
+        Show all strategies
+      </Button>
     </Blank>
   );
 }
@@ -111,7 +116,9 @@ export function NotFound() {
         ];
   return (
     <Blank title={title} text={text}>
-      <Button onClick={lab.openPaper}>Open the paper’s scenario</Button>
+      <Button size="sm" variant="filled" onClick={lab.openPaper}>
+        Open the paper’s scenario
+      </Button>
     </Blank>
   );
 }

@@ -40,8 +40,6 @@ export const StrategyChoice = memo(function StrategyChoice({
       <Menu position="bottom-start" width={300}>
         <Menu.Target>
           <Button
-            size="xs"
-            variant="default"
             className={bar.more ?? ""}
             rightSection={<IconChevronDown size={14} />}
             disabled={strategies.length === 0}

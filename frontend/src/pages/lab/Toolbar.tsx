@@ -30,7 +30,6 @@ export const Toolbar = memo(function Toolbar({ strategies, part, hasBump }: Prop
       <div className={bar.tools}>
         <RoadsSelect />
         <SegmentedControl
-          size="xs"
           aria-label="Plots over"
           value={axis}
           data={[
@@ -79,7 +78,6 @@ function ZoomButton({ label, tip, zoom, shown, disabled }: ZoomProps) {
   return (
     <Tooltip label={tip} openDelay={500}>
       <Button
-        size="xs"
         variant={shown ? "light" : "default"}
         aria-pressed={shown}
         disabled={disabled}
@@ -127,7 +125,6 @@ function RoadsSelect() {
       openDelay={500}
     >
       <NativeSelect
-        size="xs"
         aria-label="Roads"
         disabled={readOnly}
         value={String(roads)}

@@ -42,7 +42,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
       <Runs paper={paper} />
       <div className={classes.counts}>
         <div className={`${ui.card} ${classes.count}`} data-testid="count">
-          <Group component="p" gap="0.4rem" align="baseline" m={0} fz="1.0625rem">
+          <Group component="p" gap="0.4rem" align="baseline" m={0} fz="lg">
             <strong className={classes.countNumber}>{paper.reached}</strong> of {countedOf(paper, paper.counts)} cells
             reached{soFar(paper)}
             {paper.unavailable && ", "}
@@ -52,7 +52,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
           <VerdictCountList counts={paper.counts} />
         </div>
         <div className={`${ui.card} ${classes.count}`} data-testid="count-without" data-aside>
-          <Group component="p" gap="0.4rem" align="baseline" m={0} fz="1.0625rem">
+          <Group component="p" gap="0.4rem" align="baseline" m={0} fz="lg">
             <IconEyeOff size={18} stroke={1.8} aria-hidden className={classes.countIcon} />
             <span>
               Without preview: <strong className={classes.countNumber}>{without.reached}</strong> of{" "}
@@ -77,7 +77,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
         {paper.complete ? previewSentence(paper) : "This says what the claim hinges on when all runs are finished."}
       </Text>
       <Interpretations {...{ paper, choices, onChoose }} />
-      <Text maw="52rem" m="0.4rem 0 0.9rem" fz="0.8125rem" lh="1.5" c="dimmed">
+      <Text maw="52rem" m="0.4rem 0 0.9rem" fz="sm" lh="1.5" c="dimmed">
         Two named sets of readings, on the same roads. A cell is reached by its direction and size; nearer than that,
         “within ±10 points” counts the simulated changes that lie so near to the printed one, “in our interval” those
         whose printed change lies in our 95&nbsp;% interval.
@@ -88,10 +88,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
         same for every strategy, with its 95 % interval; computed by core {paper.core_version}.{" "}
         {(uncertain(paper) > 0 || !paper.complete) &&
           `In ${count(uncertain(paper), "cell")} the interval leaves the verdict open (“uncertain”). `}
-        <Anchor href="#rules" size="sm">
-          The rules
-        </Anchor>{" "}
-        were fixed before any number.
+        <Anchor href="#rules">The rules</Anchor> were fixed before any number.
       </Text>
       <OpenScenario paper={paper} />
       <Missed paper={paper} words={words} />
@@ -103,7 +100,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
 function Runs({ paper: { complete, progress } }: Pick<Props, "paper">) {
   return (
     <div className={classes.runs}>
-      <Text size="sm" c="dimmed" data-testid="progress">
+      <Text c="dimmed" data-testid="progress">
         {complete
           ? `Computed from ${count(progress.done, "run")}.`
           : `${formatWhole(progress.done)} of ${count(progress.total, "run")}`}
@@ -130,15 +127,13 @@ function OpenScenario({ paper }: Pick<Props, "paper">) {
   return (
     <div className={classes.actions}>
       <Button
-        size="xs"
-        variant="default"
         rightSection={<IconArrowRight size={15} aria-hidden />}
         loading={opening !== null}
         onClick={() => open(strategies)}
       >
         Open this scenario in the lab
       </Button>
-      {error !== null && <Fault size="sm">{error}</Fault>}
+      {error !== null && <Fault size="md">{error}</Fault>}
     </div>
   );
 }
@@ -159,13 +154,11 @@ function Missed({ paper, words }: Props) {
           .map((cell) => (
             <li key={cellId(cell)}>
               <VerdictMark verdict={cell.verdict} certain={cell.certain} />
-              <Anchor href={`#${cellId(cell)}`} size="sm">
-                {cellName(cell, words)}
-              </Anchor>
+              <Anchor href={`#${cellId(cell)}`}>{cellName(cell, words)}</Anchor>
             </li>
           ))}
       </ul>
-      <Box component="p" m={0} p="0 0.9rem 0.8rem" fz="0.8125rem" c="dimmed">
+      <Box component="p" m={0} p="0 0.9rem 0.8rem" fz="sm" c="dimmed">
         Why each does not come out is in <code>docs/explanation/paper.md</code>, beside this program’s source, under
         “What does not reproduce, and why”.
       </Box>

@@ -30,7 +30,6 @@ export function FairTable({ rows, words }: Props) {
         {FILTERS.map(({ name, label, options }) => (
           <NativeSelect
             key={name}
-            size="xs"
             label={label}
             value={filter[name]}
             data={[{ value: ANY, label: "Any" }, ...options.map(([value, text]) => ({ value, label: text }))]}
@@ -38,7 +37,6 @@ export function FairTable({ rows, words }: Props) {
           />
         ))}
         <SegmentedControl
-          size="xs"
           aria-label="Figures as"
           value={shown}
           data={[
@@ -47,7 +45,7 @@ export function FairTable({ rows, words }: Props) {
           ]}
           onChange={setShown}
         />
-        <Text size="sm" role="status">
+        <Text role="status">
           {listed.length === rows.length
             ? count(rows.length, "combination")
             : `${listed.length} of ${count(rows.length, "combination")}`}
@@ -83,7 +81,7 @@ function columnsOf(
         <>
           {partOf(row, name)}
           {index === 0 && row.is !== null && (
-            <Box component="span" display="block" fz="0.71875rem" fw={600} c="var(--accent)">
+            <Box component="span" display="block" fz="xs" fw={600} c="var(--accent)">
               {words.strategy(row.is)}
             </Box>
           )}

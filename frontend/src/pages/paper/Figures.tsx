@@ -40,7 +40,6 @@ export function Figures({ choices }: { readonly choices: Choices }) {
         a figure to look closer, double click for all of it.
       </Text>
       <SegmentedControl
-        size="xs"
         aria-label="Figures 8 to 22 over"
         className={classes.range ?? ""}
         value={range}
@@ -81,7 +80,7 @@ const Panel = memo(function Panel({ figure: { number, title, caption, figure }, 
       data-drawn={visible || undefined}
     >
       <Box component="figcaption" p="0.6rem 0.9rem 0.3rem">
-        <Box component="h3" m={0} fz="0.8125rem" fw={600} lh="1.35">
+        <Box component="h3" m={0} fz="sm" fw={600} lh="1.35">
           <Box component="span" mr="0.3rem" fw={700} c="var(--accent)">
             Figure {number}
           </Box>{" "}

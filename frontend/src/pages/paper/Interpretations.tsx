@@ -72,7 +72,6 @@ function columnsOf(paper: Paper, onShow: (id: string) => void): readonly Column<
       cell: ({ id, title }) => (
         <Button
           size="compact-xs"
-          variant="default"
           disabled={id === paper.interpretation}
           aria-label={`Show ${title}`}
           onClick={() => onShow(id)}

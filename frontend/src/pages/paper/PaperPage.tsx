@@ -31,12 +31,10 @@ export function PaperPage() {
   useDocumentTitle("The paper, checked · Ridelab");
   const [choices, choose] = useChoices();
   const { data: paper, error: refused, isPlaceholderData: waiting, refetch } = useQuery(paperQuery(choices));
-  const { words, error: wordless } = useLabels();
-  const ready = paper !== undefined && words !== null;
-  useArrival(ready);
+  const words = useLabels();
+  useArrival(paper !== undefined);
   // While it is asked for again and again, one refusal that passes is none.
-  const error = paper?.complete === false && refused !== null && isTransient(refused) ? null : refused;
-  const fault = error ?? (words === null ? wordless : null);
+  const fault = paper?.complete === false && refused !== null && isTransient(refused) ? null : refused;
 
   return (
     <>
@@ -45,8 +43,6 @@ export function PaperPage() {
         <Button
           component="a"
           href={address("/paper/report.html", { query: choices })}
-          size="xs"
-          variant="default"
           aria-label="Report"
           leftSection={<IconFileDescription size={15} aria-hidden />}
           classNames={compact}
@@ -58,15 +54,13 @@ export function PaperPage() {
         <Contents paper={paper} />
         <Box component="main" miw={0} aria-busy={waiting || paper?.complete === false}>
           <Box component="header" pt="1.1rem">
-            <Box component="h1" m="0 0 0.2rem" fz="1.5rem" fw={700} lts="-0.01em">
+            <Box component="h1" m="0 0 0.2rem" fz="xl" fw={700} lts="-0.01em">
               The paper, checked
             </Box>
             <Text className={classes.text}>
               Meng, Kong, Ding, Liu and Wang,{" "}
-              <Anchor href={`https://doi.org/${DOI}`} size="sm">
-                World Electric Vehicle Journal 16 (2025) 232
-              </Anchor>
-              : every change it prints, run here again.
+              <Anchor href={`https://doi.org/${DOI}`}>World Electric Vehicle Journal 16 (2025) 232</Anchor>: every
+              change it prints, run here again.
             </Text>
           </Box>
           {fault && (
@@ -77,7 +71,7 @@ export function PaperPage() {
               onRetry={() => void refetch()}
             />
           )}
-          {ready ? (
+          {paper ? (
             <Sections {...{ paper, words, choices, waiting, choose }} />
           ) : (
             !fault && <Waiting what="Looking up the runs" height={600} />
@@ -150,7 +144,7 @@ function PageFault({ fault, choices, onReset, onRetry }: PageFaultProps) {
         onRetry={onRetry}
       />
       {Object.keys(choices).length > 0 && (
-        <Button size="xs" variant="default" mt="0.6rem" onClick={onReset}>
+        <Button mt="0.6rem" onClick={onReset}>
           Show Ridelab’s own interpretation
         </Button>
       )}

@@ -106,12 +106,7 @@ function columnsOf(onTry: (row: Row) => void): readonly Column<Row>[] {
       head: <span className="visually-hidden">Try it</span>,
       unprinted: true,
       cell: (row) => (
-        <Button
-          size="compact-xs"
-          variant="default"
-          aria-label={`Try ${row.title}: ${row.label}`}
-          onClick={() => onTry(row)}
-        >
+        <Button size="compact-xs" aria-label={`Try ${row.title}: ${row.label}`} onClick={() => onTry(row)}>
           Try
         </Button>
       ),

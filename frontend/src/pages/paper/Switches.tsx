@@ -28,7 +28,7 @@ export function Switches({ paper, choices, waiting, onChoose }: Props) {
   return (
     <>
       <div className={classes.state} role="status">
-        <Text size="sm" fw={600}>
+        <Text fw={600}>
           {waiting
             ? "Counting under these interpretations…"
             : `Of ${count(countedOf(paper, paper.counts), "cell")}${soFar(paper)}:`}
@@ -38,7 +38,6 @@ export function Switches({ paper, choices, waiting, onChoose }: Props) {
         </span>
         <Button
           size="compact-xs"
-          variant="default"
           leftSection={<IconRestore size={14} aria-hidden />}
           disabled={changed.length === 0}
           onClick={() => onChoose(withoutChoices(choices, readings))}
@@ -84,7 +83,7 @@ function Switch({ reading, set, onChange }: SwitchProps) {
   return (
     <div className={`${ui.card} ${classes.switch}`} data-changed={isChanged || undefined} data-reading={reading.id}>
       <Group gap="0 0.8rem" align="baseline" justify="space-between">
-        <Box component="h3" id={id} m={0} fz="0.8125rem" fw={650}>
+        <Box component="h3" id={id} m={0} fz="sm" fw={650}>
           {typeset(reading.title)}
         </Box>
         {isChanged && standard && (
@@ -97,7 +96,6 @@ function Switch({ reading, set, onChange }: SwitchProps) {
         <Inline text={reading.description} />
       </Box>
       <SegmentedControl
-        size="xs"
         aria-labelledby={id}
         className={classes.control ?? ""}
         value={reading.chosen}

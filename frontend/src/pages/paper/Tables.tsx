@@ -26,14 +26,9 @@ export function Tables({ paper, words }: Props) {
         percentage points. A <span className={tables.misprintWord}>misprint</span> is a printed change that does not
         follow from the absolutes printed beside it; the verdict is taken against the one that does. The absolutes are
         not the measure: the parameters the paper prints do not give its own passive car (
-        <Anchor href="#errata" size="sm">
-          errata
-        </Anchor>
+        <Anchor href="#errata">errata</Anchor>
         ). Tables 1–3 and 6 are inputs: the fuzzy rules, the vehicle and the weights are in the{" "}
-        <Anchor href="#count" size="sm">
-          scenario
-        </Anchor>
-        .
+        <Anchor href="#count">scenario</Anchor>.
       </Text>
       {paper.tables.map((table) => (
         <Table

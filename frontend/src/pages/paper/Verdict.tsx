@@ -25,7 +25,7 @@ export function VerdictMark({ verdict, certain }: Pick<PaperJudgement, "verdict"
         {certain === false && (
           <Box
             component="span"
-            fz="0.6875rem"
+            fz="xs"
             fw={400}
             c="dimmed"
             title="A part of the 95 % interval would get another verdict"

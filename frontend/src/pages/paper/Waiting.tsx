@@ -5,7 +5,7 @@ import { useEffect, useState } from "react";
 import { useIntersection } from "@mantine/hooks";
 import classes from "./paper.module.css";
 import { printing } from "../../lib/printing";
-import { useStore } from "../../lib/store";
+import { useSelector } from "@tanstack/react-store";
 
 interface WaitingProps {
   readonly what: string;
@@ -27,7 +27,7 @@ export function Waiting({ what, height }: WaitingProps) {
       <div className={classes.waitingText}>
         <Loader size="sm" />
         <div>
-          <Text size="sm" fw={600} role="status">
+          <Text fw={600} role="status">
             {what} …
           </Text>
           <Text size="xs" c="dimmed">
@@ -43,10 +43,8 @@ export function Waiting({ what, height }: WaitingProps) {
 export function Fault({ message, onRetry }: { readonly message: string; readonly onRetry: () => void }) {
   return (
     <div className={classes.faultBox} role="alert">
-      <Text size="sm">{message}</Text>
-      <Button size="xs" variant="default" onClick={onRetry}>
-        Try again
-      </Button>
+      <Text>{message}</Text>
+      <Button onClick={onRetry}>Try again</Button>
     </div>
   );
 }
@@ -57,7 +55,7 @@ const NEAR = "300px 0px";
 /** Whether a part of the page has come near the window, or is being printed; once so, always so. */
 export function useVisible() {
   const { ref, entry } = useIntersection<HTMLElement>({ rootMargin: NEAR });
-  const printed = useStore(printing);
+  const printed = useSelector(printing);
   const [visible, setVisible] = useState(false);
   if (!visible && (printed || entry?.isIntersecting === true)) setVisible(true);
   return { ref, visible, printed };

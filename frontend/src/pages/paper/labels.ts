@@ -1,9 +1,8 @@
 /** What strategies, signals and windows are called and shown in: the catalogue's words, in one hand. */
 
-import { useQuery } from "@tanstack/react-query";
 import { useMemo } from "react";
 import type { Catalogue, FigureTemplate, Strategy } from "../../api/types";
-import { catalogueQuery, figuresQuery, strategiesQuery } from "../../server/queries";
+import { useCatalogue, useFigures, useStrategies } from "../../server/useCatalogues";
 import { headingOf, type WindowView } from "../../features/tables/ComparisonTable";
 import { shownUnit } from "../../server/metrics";
 import type { ShownUnit } from "../../units/quantity";
@@ -45,17 +44,7 @@ function wordsOf(
   };
 }
 
-/** `null` until all of it is there. */
-export function useLabels() {
-  const catalogue = useQuery(catalogueQuery);
-  const strategies = useQuery(strategiesQuery);
-  const templates = useQuery(figuresQuery);
-  const words = useMemo(
-    () =>
-      catalogue.data && strategies.data && templates.data
-        ? wordsOf(catalogue.data, strategies.data, templates.data)
-        : null,
-    [catalogue.data, strategies.data, templates.data],
-  );
-  return { words, error: catalogue.error ?? strategies.error ?? templates.error };
+export function useLabels(): Labels {
+  const [catalogue, strategies, templates] = [useCatalogue(), useStrategies(), useFigures()];
+  return useMemo(() => wordsOf(catalogue, strategies, templates), [catalogue, strategies, templates]);
 }

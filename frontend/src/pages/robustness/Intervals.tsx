@@ -27,7 +27,7 @@ export function Intervals({ summary, strategies, figure }: Props) {
   const { end, ticks } = scaleTo(most * figure.scale);
   return (
     <Box component="figure" miw={0} m={0} data-figure={figure.key}>
-      <Box component="figcaption" mb="0.2rem" fz="0.8125rem" fw={600}>
+      <Box component="figcaption" mb="0.2rem" fz="sm" fw={600}>
         {figure.label} <span className={ui.dim}>{prettyUnit(figure.unit)}</span>{" "}
         <ChartButton
           title={fullName(figure)}

@@ -34,7 +34,6 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
       tools={
         <>
           <SegmentedControl
-            size="xs"
             aria-label="Strategy"
             className={classes.segments ?? ""}
             value={strategy.id}
@@ -43,7 +42,6 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
           />
           {strategy.id !== summary.baseline && (
             <SegmentedControl
-              size="xs"
               aria-label="What follows"
               className={classes.segments ?? ""}
               value={of}
@@ -63,7 +61,7 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
         chance makes (p ≥ 0.001). Fields the strategy does not read are left out.
       </Text>
       {rows.length === 0 ? (
-        <Text size="sm" c="dimmed" className={ui.note ?? ""}>
+        <Text c="dimmed" className={ui.note ?? ""}>
           Too few points have run, or nothing that varies reaches this strategy.
         </Text>
       ) : (

@@ -45,7 +45,7 @@ export function OneAtATime({ id, ...rest }: Props) {
 function Message({ text }: { readonly text: string }) {
   return (
     <Card aria-label="Each field alone" title="Each field alone">
-      <Text size="sm" c="dimmed" className={ui.note ?? ""} role="status">
+      <Text c="dimmed" className={ui.note ?? ""} role="status">
         {text}
       </Text>
     </Card>
@@ -111,14 +111,14 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
         click opens the run.
       </Text>
       {opening.error !== null && (
-        <Fault size="sm" className={ui.note ?? ""}>
+        <Fault size="md" className={ui.note ?? ""}>
           This run could not be opened: {opening.error}
         </Fault>
       )}
       {tornado ? (
         <Bars {...{ tornado, figure, opening, batch }} />
       ) : (
-        <Text size="sm" c="dimmed" className={ui.note ?? ""} role="status">
+        <Text c="dimmed" className={ui.note ?? ""} role="status">
           {explanation}
         </Text>
       )}

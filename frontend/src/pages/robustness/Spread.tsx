@@ -27,9 +27,7 @@ export function Spread({ summary, strategies, figures, opening }: Props) {
     <Card
       aria-label="Spread"
       title="Spread of the metrics"
-      tools={
-        <SegmentedControl size="xs" aria-label="Figures" value={shownGroup} data={groups} onChange={setShownGroup} />
-      }
+      tools={<SegmentedControl aria-label="Figures" value={shownGroup} data={groups} onChange={setShownGroup} />}
     >
       <Key />
       <div className={styles.panels}>

@@ -98,7 +98,6 @@ export function StudyForm({ defaults, strategies, form, scenario, head, existing
           />
         </div>
         <Checkbox
-          size="xs"
           label="Also vary each field alone, to both ends of its range"
           checked={draft.oneByOne}
           onChange={(event) => patch({ oneByOne: event.currentTarget.checked })}
@@ -156,7 +155,7 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
             </Box>
           </>
         ) : (
-          <Box component="span" fz="0.8125rem" c="dimmed">
+          <Box component="span" fz="sm" c="dimmed">
             {exactText(field, scenario)}
           </Box>
         )}

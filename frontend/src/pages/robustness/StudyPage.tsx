@@ -19,21 +19,19 @@ import { compact } from "../../ui/compact";
 export function StudyPage() {
   const { id } = useParams({ from: "/robustness/$id" });
   const { job: batch, error, connected, left } = useJob(BATCH, id);
-  const { catalogues, fault: catalogueFault } = useCatalogues();
+  const catalogues = useCatalogues();
   const defaults = useQuery(defaultsQuery);
   const [changing, { toggle }] = useDisclosure(false);
 
-  const strategies = catalogues?.strategies;
+  const { strategies } = catalogues;
   const studied = useMemo(
-    () => strategies?.filter(({ id }) => batch?.strategies.some((each) => each === id)) ?? [],
+    () => strategies.filter(({ id }) => batch?.strategies.some((each) => each === id) ?? false),
     [strategies, batch?.strategies],
   );
   const tools = (
     <>
       {batch && defaults.data && (
         <Button
-          size="xs"
-          variant="default"
           aria-expanded={changing}
           aria-label="Change it"
           classNames={compact}
@@ -44,8 +42,6 @@ export function StudyPage() {
         </Button>
       )}
       <Button
-        size="xs"
-        variant="default"
         aria-label="New study"
         classNames={compact}
         leftSection={<IconPlus size={15} />}
@@ -55,15 +51,19 @@ export function StudyPage() {
       </Button>
     </>
   );
-  const ready = batch && catalogues && defaults.data;
+  const ready = batch && defaults.data;
   return (
     <Page
       title="Robustness study"
       heading={ready ? "Robustness" : undefined}
       what="study"
       tools={tools}
-      instead={<Button renderRoot={(props) => <Link to="/robustness" {...props} />}>New study</Button>}
-      faults={[error, defaults.error, catalogueFault]}
+      instead={
+        <Button size="sm" variant="filled" renderRoot={(props) => <Link to="/robustness" {...props} />}>
+          New study
+        </Button>
+      }
+      faults={[error, defaults.error]}
       heights={[28, 96, 440, 320]}
     >
       {ready ? (
@@ -76,7 +76,7 @@ export function StudyPage() {
               scenario={batch.scenario}
               existing={batch}
               head={
-                <Text size="sm">
+                <Text>
                   The scenario of this study.{" "}
                   <Text span c="dimmed">
                     {otherThanPaper(batch.scenario, catalogues.form)}

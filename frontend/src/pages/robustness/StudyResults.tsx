@@ -46,7 +46,7 @@ export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
   const ended = isFinal(batch);
 
   if (query.isError && !summary) {
-    return <Fault size="sm">The study could not be read: {query.error.message}</Fault>;
+    return <Fault size="md">The study could not be read: {query.error.message}</Fault>;
   }
   const finished = summary ? Math.min(...Object.values(summary.strategies).map(({ ok }) => ok)) : 0;
   if (!summary || (!ended && finished < LEAST_POINTS)) {
@@ -55,7 +55,7 @@ export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
     return (
       <div className={ui.stack}>
         {!ended && (
-          <Text size="sm" c="dimmed">
+          <Text c="dimmed">
             The first figures stand here as soon as {LEAST_POINTS} points have run under each strategy.
           </Text>
         )}
@@ -72,12 +72,12 @@ export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
       aria-busy={query.isPlaceholderData}
     >
       {finished < summary.points && (
-        <Text size="sm" className={ui.warning} role="status">
+        <Text className={ui.warning} role="status">
           {ended ? "At" : "So far at"} least {formatWhole(finished)} of {formatWhole(summary.points)} points have run
           under each strategy; the figures below are of those.
         </Text>
       )}
-      {opening.error !== null && <Fault size="sm">This run could not be opened: {opening.error}</Fault>}
+      {opening.error !== null && <Fault size="md">This run could not be opened: {opening.error}</Fault>}
       <Unstable {...shared} />
       <Leads
         {...shared}

@@ -1,11 +1,10 @@
 /** Short names of the fields a study varies, where there is no room for their titles. */
 
-import { useQuery } from "@tanstack/react-query";
 import type { Batch } from "../../api/types";
 import { showCell, type Cell } from "../../features/sweep/table";
 import { inShownUnit } from "../../scenario/limits";
 import type { Group } from "../../scenario/schema";
-import { schemaQuery } from "../../server/queries";
+import { useForm } from "../../server/useCatalogues";
 import { sweepFields } from "../../scenario/fields";
 
 const NAMES: Readonly<Record<string, string>> = {
@@ -35,6 +34,6 @@ export function fieldText(form: Group | undefined, name: string, value: Cell): s
 }
 
 export function useFieldText(): (name: string, value: Cell) => string {
-  const form = useQuery(schemaQuery).data;
+  const form = useForm();
   return (name, value) => fieldText(form, name, value);
 }

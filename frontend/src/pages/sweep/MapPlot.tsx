@@ -48,7 +48,7 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
 
   if (!grid || !other || !figure)
     return (
-      <Text p="3rem 1rem" fz="sm" ta="center" c="dimmed">
+      <Text p="3rem 1rem" fz="md" ta="center" c="dimmed">
         A map needs finished runs at two or more values of both fields.
       </Text>
     );

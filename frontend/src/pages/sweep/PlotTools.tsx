@@ -29,7 +29,6 @@ export function PlotTools({ axes, strategies, markers, figures, shown, view, onV
   const offered = KINDS.filter(({ value }) => value !== "map" || mappable);
   const metric = (label: string, figure: Metric, onPick: (key: string) => void) => (
     <Select
-      size="xs"
       label={label}
       flex="0 1 24rem"
       miw="12rem"
@@ -43,13 +42,7 @@ export function PlotTools({ axes, strategies, markers, figures, shown, view, onV
   );
   return (
     <Group gap="0.5rem 0.8rem" align="flex-end" p="0.6rem 0.9rem 0.3rem">
-      <SegmentedControl
-        size="xs"
-        aria-label="Plot"
-        value={kind}
-        data={[...offered]}
-        onChange={(plot) => onView({ plot })}
-      />
+      <SegmentedControl aria-label="Plot" value={kind} data={[...offered]} onChange={(plot) => onView({ plot })} />
       {kind === "trade_off"
         ? metric("Metric across", shown.versus, (versus) => onView({ versus }))
         : axes.length > 1 && (

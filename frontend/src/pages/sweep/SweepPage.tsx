@@ -3,13 +3,12 @@
 import { useParams } from "@tanstack/react-router";
 import { useMemo } from "react";
 import { Button, Menu } from "@mantine/core";
-import { useQuery } from "@tanstack/react-query";
 import type { Link, Batch, SharedView } from "../../api/types";
 import { BATCH, useJob } from "../../jobs/useJob";
 import { markersOf } from "../../plots/markers";
 import { LabLink } from "../../ui/LabLink";
 import { Page } from "../../ui/Page";
-import { useCatalogues } from "../../server/useCatalogues";
+import { useCatalogues, useStrategies } from "../../server/useCatalogues";
 import { BatchResults } from "./SweepResults";
 import { BatchState } from "../../features/sweep/SweepState";
 import { SharedNote } from "../../features/share/SharedBanner";
@@ -21,7 +20,6 @@ import { address, ask } from "../../api/http";
 import { download } from "../../lib/download";
 import { ShareLink } from "../../features/share/ShareLink";
 import { compact } from "../../ui/compact";
-import { strategiesQuery } from "../../server/queries";
 
 export function SweepPage() {
   const { id } = useParams({ from: "/b/$id" });
@@ -44,26 +42,26 @@ interface Props {
 
 function Sweep({ id, view, onView, link }: Props) {
   const { job: batch, error, connected, left } = useJob(BATCH, id);
-  const { catalogues, fault: catalogueFault } = useCatalogues();
+  const catalogues = useCatalogues();
   const title = batch && (batch.label ?? `Sweep of ${titleOf(batch.fields)}`);
-  const strategies = catalogues?.strategies;
+  const { strategies } = catalogues;
   const swept = useMemo(
-    () => strategies?.filter(({ id: strategy }) => batch?.strategies.some((each) => each === strategy)) ?? [],
+    () => strategies.filter(({ id: strategy }) => batch?.strategies.some((each) => each === strategy) ?? false),
     [strategies, batch?.strategies],
   );
-  const markers = useMemo(() => markersOf(strategies ?? []), [strategies]);
+  const markers = useMemo(() => markersOf(strategies), [strategies]);
   return (
     <Page
       title={title ?? "Sweep"}
-      heading={catalogues ? title : undefined}
+      heading={title}
       above={link && <SharedNote link={link} what="sweep" />}
       tools={<BatchActions batch={batch} view={view} />}
       what="sweep"
       instead={<LabLink>Go to the lab</LabLink>}
-      faults={[error, catalogueFault]}
+      faults={[error]}
       heights={[28, 96, 440, 320]}
     >
-      {batch && catalogues ? (
+      {batch ? (
         <>
           <BatchState {...{ batch, connected, left }} form={catalogues.form} readOnly={link !== undefined} />
           <BatchResults {...{ batch, markers, view }} {...catalogues} strategies={swept} onView={onView} />
@@ -100,14 +98,7 @@ function BatchActions({ batch, view }: SweepActionsProps) {
       />
       <Menu position="bottom-end" width={260}>
         <Menu.Target>
-          <Button
-            size="xs"
-            variant="default"
-            aria-label="Export"
-            classNames={compact}
-            leftSection={<IconDownload size={15} />}
-            disabled={!batch}
-          >
+          <Button aria-label="Export" classNames={compact} leftSection={<IconDownload size={15} />} disabled={!batch}>
             Export
           </Button>
         </Menu.Target>
@@ -146,16 +137,16 @@ function toShare({ fields, strategies }: Batch, { x, hidden, ...view }: BatchVie
 
 /** All sweeps there are. */
 export function SweepsPage() {
-  const { data: strategies, error } = useQuery(strategiesQuery);
+  const strategies = useStrategies();
   const lead = (
     <>
-      Many variants of one scenario, each under the same strategies. <LabLink size="sm">The lab</LabLink> starts one
+      Many variants of one scenario, each under the same strategies. <LabLink size="md">The lab</LabLink> starts one
       over the scenario it shows: “Sweep…”, at its top.
     </>
   );
   return (
-    <Page title="Sweeps" heading="Sweeps" what="page" faults={[error]} heights={[240]} lead={lead}>
-      {strategies ? <SweepList strategies={strategies} /> : null}
+    <Page title="Sweeps" heading="Sweeps" what="page" faults={[]} lead={lead}>
+      <SweepList strategies={strategies} />
     </Page>
   );
 }

@@ -82,8 +82,8 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
   if (!shown) return null;
   return (
     <div className={ui.stack} data-testid="batch-results" data-rows={columns.run?.length ?? 0}>
-      {table.isError && <Fault size="sm">The rows could not be read: {table.error.message}</Fault>}
-      {opening.error !== null && <Fault size="sm">This run could not be opened: {opening.error}</Fault>}
+      {table.isError && <Fault size="md">The rows could not be read: {table.error.message}</Fault>}
+      {opening.error !== null && <Fault size="md">This run could not be opened: {opening.error}</Fault>}
       <BatchPlot
         {...{ batch, columns, catalogue, strategies, markers, figures, shown, view, best, onView }}
         onOpen={open}

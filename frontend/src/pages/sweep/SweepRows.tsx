@@ -40,12 +40,9 @@ export function BatchRows(props: Props) {
   return (
     <Card aria-label="Rows">
       <Group gap="0.4rem 1rem" mih="2.8rem" px="0.9rem" py="0.4rem">
-        <Text size="sm" fw={600}>
-          {count(rows.length, failedOnly ? "failed run" : "run")}
-        </Text>
+        <Text fw={600}>{count(rows.length, failedOnly ? "failed run" : "run")}</Text>
         {batch.failed > 0 && (
           <Checkbox
-            size="xs"
             label="Failed only"
             checked={failedOnly}
             onChange={(event) => {

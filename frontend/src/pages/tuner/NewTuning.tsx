@@ -79,7 +79,6 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
         <ScenarioChoice source={source} form={form} />
         <Input.Wrapper size="xs" label="Strategy" labelElement="div" labelProps={{ mr: "xs" }}>
           <SegmentedControl
-            size="xs"
             className={classes.segments ?? ""}
             aria-label="Strategy"
             value={draft.strategy}
@@ -113,7 +112,6 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
         />
         {preview && (
           <MultiSelect
-            size="xs"
             maw="24rem"
             label={preview.title}
             description="Kinds to try; with fewer than two, the scenario’s is used"

@@ -61,7 +61,6 @@ function PointHead({ point: { trial, names }, load }: { readonly point: Point; r
       <span className={ui.dim}>trial {trial.number}</span>
       <Button
         size="compact-xs"
-        variant="default"
         loading={load.opening?.number === trial.number}
         aria-label={`Load in lab: ${names.join(", ")}`}
         onClick={() => load.open(trial)}

@@ -38,7 +38,7 @@ export function RangesTable({ tunable, fields, scenario, ranges, errors, onChang
         ))}
         {rows.map((row) => (
           <div key={row} className={classes.rangeRow} role="group" aria-label={row}>
-            <Box component="span" fz="0.8125rem" fw={550}>
+            <Box component="span" fz="sm" fw={550}>
               {row}
             </Box>
             {fields
@@ -91,7 +91,6 @@ function Range({ label, title, range, own, wrong, onChange }: RangeProps) {
       </span>
       <Group component="span" gap="0.4rem" wrap="nowrap" mih={30}>
         <Checkbox
-          size="xs"
           aria-label={`Tune ${label}`}
           checked={range.on}
           onChange={(event) => onChange({ on: event.currentTarget.checked })}

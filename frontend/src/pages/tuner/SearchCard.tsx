@@ -1,13 +1,12 @@
 /** Trials in the plane of two objectives with their front, or one objective over the trials. */
 
 import { Box, Group, Text, useComputedColorScheme } from "@mantine/core";
-import { useQuery } from "@tanstack/react-query";
 import { useMemo, useRef, useState } from "react";
 import type { Trial, Tuning } from "../../api/types";
 import { Chart } from "../../plots/Chart";
 import { ChartButton } from "../../plots/FigureButton";
 import { ON_PAPER, PALETTES } from "../../plots/palettes";
-import { strategiesQuery } from "../../server/queries";
+import { useStrategies } from "../../server/useCatalogues";
 import { count, formatResult } from "../../units/format";
 import { frontFigure, historyFigure, volumeFigure, type Look } from "./charts";
 import type { Shown } from "./figures";
@@ -50,11 +49,11 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
         : frontFigure({ ...look, trials, picked, front: tuning.front, named: namedOf(points), x, y, objectives });
   }, [trials, picked, objectives, several, tuning, points, x, y]);
   const figure = useMemo(() => draw({ palette, colour }), [draw, palette, colour]);
-  const strategies = useQuery(strategiesQuery).data;
+  const strategies = useStrategies();
   const host = useRef<HTMLDivElement>(null);
   const title = several ? "Pareto front" : "The best so far";
   const growth = useRef<HTMLDivElement>(null);
-  const light = strategies?.find(({ id }) => id === tuning.strategy)?.colour ?? colour;
+  const light = strategies.find(({ id }) => id === tuning.strategy)?.colour ?? colour;
   const drawOnPaper = () => ({ figure: draw({ palette: ON_PAPER, colour: light }), legend: LEGEND });
   const volume = useMemo(() => volumeFigure(tuning.history, { palette, colour }), [tuning.history, palette, colour]);
   const axis = (which: "x" | "y") => (
@@ -97,7 +96,7 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
       }
     >
       {tuning.paper === null ? (
-        <Text size="sm" c="dimmed" className={classes.plotEmpty ?? ""} style={{ height: HEIGHT }}>
+        <Text c="dimmed" className={classes.plotEmpty ?? ""} style={{ height: HEIGHT }}>
           The first generation is being computed: the paper’s weights and {tuning.population - 1} others.
         </Text>
       ) : (

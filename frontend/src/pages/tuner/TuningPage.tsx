@@ -25,15 +25,11 @@ const BESIDE = ["lqr", "passive"];
 
 export function TuningPage() {
   const { id } = useParams({ from: "/tuner/$id" });
-  const { catalogues, fault } = useNumericCatalogues();
+  const catalogues = useNumericCatalogues();
   const { job: tuning, error, connected, left } = useJob(TUNING, id);
-  const strategy = catalogues?.strategies.find((each) => each.id === tuning?.strategy)?.label ?? tuning?.strategy;
-  const heading = catalogues && strategy !== undefined ? `Weights of ${strategy}` : undefined;
-  const start = (text: string) => (
-    <Anchor size="sm" renderRoot={(props) => <Link to="/tuner" {...props} />}>
-      {text}
-    </Anchor>
-  );
+  const strategy = catalogues.strategies.find((each) => each.id === tuning?.strategy)?.label ?? tuning?.strategy;
+  const heading = strategy !== undefined ? `Weights of ${strategy}` : undefined;
+  const start = (text: string) => <Anchor renderRoot={(props) => <Link to="/tuner" {...props} />}>{text}</Anchor>;
   return (
     <Page
       title={heading ?? "Tuning"}
@@ -41,10 +37,10 @@ export function TuningPage() {
       heading={heading && `${heading}, tuned`}
       what="tuning"
       instead={start("Start a tuning")}
-      faults={[tuning ? null : error, fault]}
+      faults={[tuning ? null : error]}
       heights={[28, 150, 420]}
     >
-      {tuning && catalogues ? (
+      {tuning ? (
         <>
           <TuningState {...{ tuning, connected, left }} {...catalogues} />
           <TuningResults tuning={tuning} {...catalogues} />
@@ -77,11 +73,11 @@ function TuningResults({ tuning, form, strategies, figures }: { readonly tuning:
   return (
     <>
       {warning !== null && (
-        <Text size="sm" role="status" className={ui.warning ?? ""}>
+        <Text role="status" className={ui.warning ?? ""}>
           {warning}
         </Text>
       )}
-      {load.error !== null && <Fault size="sm">These weights could not be loaded: {load.error}</Fault>}
+      {load.error !== null && <Fault size="md">These weights could not be loaded: {load.error}</Fault>}
       <TuningPlot {...{ tuning, objectives, limits, tunable, points, colour, load }} />
       {points.length > 0 && <PointsTable {...{ tuning, objectives, limits, tunable, points, load }} />}
       <ValidationTable {...{ tuning, objectives, figures }} />

@@ -54,7 +54,7 @@ export function TuningPlot({ tuning, objectives, limits, tunable, points, colour
                 Struck through: the paper’s.
               </Text>
             )}
-            <Button size="xs" loading={load.opening?.number === picked.number} onClick={() => load.open(picked)}>
+            <Button variant="filled" loading={load.opening?.number === picked.number} onClick={() => load.open(picked)}>
               Load in lab
             </Button>
           </Stack>

@@ -101,7 +101,7 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
         error={wrong}
         onType={setTrials}
       />
-      <Button type="submit" size="xs" variant="default" disabled={wrong} loading={resume.isPending}>
+      <Button type="submit" disabled={wrong} loading={resume.isPending}>
         {tuning.state === "done" ? "Continue search" : "Resume"}
       </Button>
       {wrong && <span className={ui.error}>{formatWhole(least)} or more</span>}

@@ -34,7 +34,7 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
     return (
       <Card aria-label="Validation roads" aria-busy={!isFinal(tuning) || undefined} title="Validation roads">
         <div className={ui.note}>
-          <Text size="sm" c="dimmed">
+          <Text c="dimmed">
             {isFinal(tuning)
               ? "The comparison is made once the search is complete: resume it for that."
               : `When the search is complete, the best weights drive ${tuning.fresh_seeds.length} roads they were not tuned on, beside the paper’s.`}

@@ -40,12 +40,10 @@ export function ofKey(
 }
 
 /** What the tuner's pages need of the server: as figures only those that are numbers. */
-export function useNumericCatalogues(): ReturnType<typeof useCatalogues> {
-  const { catalogues, fault } = useCatalogues();
-  const numeric = useMemo(
-    (): Catalogues | null =>
-      catalogues && { ...catalogues, figures: catalogues.figures.filter(({ key }) => key !== "events.target_reached") },
+export function useNumericCatalogues(): Catalogues {
+  const catalogues = useCatalogues();
+  return useMemo(
+    () => ({ ...catalogues, figures: catalogues.figures.filter(({ key }) => key !== "events.target_reached") }),
     [catalogues],
   );
-  return { catalogues: numeric, fault };
 }

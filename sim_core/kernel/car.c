@@ -1,15 +1,17 @@
-/* The half-car where it is not linear: dampers that resist rebound more than compression or are semi-active, bump stops,
-   tyres that lift off. Runge-Kutta steps of fourth order, which end where the slope of one of these forces changes
-   (docs/explanation/physics.md, "Dampers, stops and lift-off"). The model and its source: sim_core/vehicle/nonlinear.py. */
+/* The half-car on its road. Where it is linear its fine steps are exact, and given. Where it is not - dampers that resist
+   rebound more than compression or are semi-active, bump stops, tyres that lift off - they are Runge-Kutta steps of fourth
+   order, which end where the slope of one of these forces changes (docs/explanation/half-car.md). The models and their
+   source: sim_core/vehicle. */
 
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
 
 #include "loop.h"
+#include "record.h"
 #include "road.h"
 
-enum { SIGNALS = 5, MEASURED = 4 };
+enum { MEASURED = 4 };
 enum { TRAVEL = 0, TYRE = 2, BODY = 4, WHEEL = 6, FORCE = 8, NUMBERS = 10 }; /* places in a state, two numbers each */
 enum { MOST_EVENTS = 4 };          /* that a step ends at; both axles' dampers may turn again and again around rest */
 enum { PARTS = 8 };                /* of a fine step in which a tyre lifts off or lands */
@@ -40,36 +42,37 @@ struct mode {
     double damping[AXLES], spring[AXLES], stop[AXLES], tyre[AXLES], lifted[AXLES];
 };
 
-/* What a step of Runge-Kutta depends on: the command, which counts where actuators lag, the road's velocity as a
-   polynomial, braking, 1, and last, as it is known last, the state. */
-enum { COMMAND, ROAD = COMMAND + FORCES, BRAKING = ROAD + 3 * AXLES, ONE, NOW, CAUSES = NOW + NUMBERS };
+/* What a step depends on in a mode, where it is linear: the road's velocity as a polynomial, first its constants, braking,
+   the state, 1, and the command, which counts where actuators lag. */
+enum { ROAD, BRAKING = ROAD + AXLES, NOW, CURVE = NOW + NUMBERS, ONE = CURVE + 2 * AXLES, COMMAND, CAUSES = COMMAND + FORCES };
 
-/* Such a step in a mode, that of `sides`: it is linear. */
+/* Such a step, in the mode of `sides`. */
 struct linear_step {
-    int sides;
-    double time; /* that it takes [s]; 0 for none */
+    double sides, time; /* of which mode; that it takes [s], 0 for none */
     double effects[CAUSES][NUMBERS];
 };
-enum { LINEAR_STEPS = 16 }; /* that are kept */
+enum { LINEAR_STEPS = 16, LINEAR_STEP_NUMBERS = 2 + CAUSES * NUMBERS }; /* that are kept; of each */
 
-/* A nonlinear car on its road over a whole drive. */
-struct nonlinear_car {
-    struct car car;
-    int states; /* 8, or 10 with a lagging actuator's */
+/* A car on its road over a whole drive. */
+struct car {
+    int size, states; /* numbers of its state, with an estimate; without: 8, or 10 with a lagging actuator's */
+    int linear;
     const struct vehicle *vehicle;
     const struct estimator *estimator; /* NULL: none */
     const double *estimator_input;     /* 8 numbers a control step */
     struct road road;                  /* without samples: straight within a fine step */
     const double *position;            /* of both axles at every fine instant, 2 x (steps fine + 1) [m] */
     const double *within;              /* 4 a fine step: both roads' means above their chords, then moments [m] */
-    const double *disturbance;         /* 3 a fine step: both road velocities [m/s], braking [m/s^2] */
+    const double *height, *braking;    /* of the road there, 2 x (steps fine + 1) [m]; in each fine step [m/s^2] */
     int steps, fine, substeps;         /* of all; fine ones in a control step; steps of Runge-Kutta in a fine one */
-    double time;                       /* of a fine step [s] */
-    double *table;                     /* 10 x (fine + 1) x columns samples, of the last control steps */
-    int columns;
-    int where;        /* `side` of the present state */
-    int linear_steps; /* that were made */
-    struct linear_step kept[LINEAR_STEPS];
+    double time, per_time;             /* of a fine step [s], and its inverse */
+    struct recorder *recorder;         /* NULL: none */
+    int where;                         /* `side` of the present state */
+    struct mode mode;                  /* of that side */
+    const struct linear_step *present; /* the step in that mode, NULL where it has to be looked up */
+    double held[NUMBERS];              /* what command and stops make of rest in it */
+    int linear_steps;                  /* that were made */
+    struct linear_step *kept;          /* LINEAR_STEPS; a linear car's, which is never another */
 };
 
 /* A fine step or a part of one: the road's velocity as a polynomial of the time from its beginning. */
@@ -78,11 +81,6 @@ struct piece {
     double braking, time;  /* [m/s^2], [s] */
     double beside[AXLES];  /* about how far the true road leaves this polynomial [m] */
 };
-
-static inline double between(double low, double value, double high)
-{
-    return value < low ? low : value > high ? high : value;
-}
 
 static inline double travel_speed(const struct vehicle *vehicle, int axle, const struct state *x)
 {
@@ -148,6 +146,21 @@ static inline double tyre_load(const struct mode *mode, int axle, const struct s
     return mode->lifted[axle] - mode->tyre[axle] * x->at[TYRE + axle];
 }
 
+/* Of an axle's damper, spring, stop and actuator, the last as `control`, and what braking lets its links bear [N]. */
+static inline double suspension_force(const struct mode *mode, const struct vehicle *vehicle, int axle,
+                                      const struct state *x, double speed, double control, double braking)
+{
+    return mode->spring[axle] * x->at[TRAVEL + axle] + mode->stop[axle] - vehicle->link[axle] * braking +
+           (mode->damping[axle] * speed - control);
+}
+
+/* Both accelerations of the body from its suspension's forces. */
+static inline void body_accelerations(const struct vehicle *vehicle, const double *force, double braking, double *rate)
+{
+    rate[0] = -force[0] * vehicle->body_share[0] - force[1] * vehicle->body_share[1];
+    rate[1] = vehicle->brake_moment * braking - force[0] * vehicle->pitch_share[0] - force[1] * vehicle->pitch_share[1];
+}
+
 /* At a time from the beginning of a piece [s]. */
 static inline struct state derivative_in(const struct mode *mode, const struct vehicle *vehicle, const struct state *x,
                                          const double *command, const struct piece *w, double time)
@@ -155,18 +168,16 @@ static inline struct state derivative_in(const struct mode *mode, const struct v
     struct state rate;
     double force[AXLES];
     for (int axle = 0; axle < AXLES; axle++) {
-        double speed = travel_speed(vehicle, axle, x), passive = mode->damping[axle], control = x->at[FORCE + axle];
+        double speed = travel_speed(vehicle, axle, x), passive = mode->damping[axle], state = x->at[FORCE + axle];
         double road = w->velocity[0][axle] + time * (w->velocity[1][axle] + time * w->velocity[2][axle]);
-        force[axle] = mode->spring[axle] * x->at[TRAVEL + axle] + mode->stop[axle] - vehicle->link[axle] * w->braking +
-                      (passive * speed - control_force(vehicle, axle, speed, passive, control));
-        double load = tyre_load(mode, axle, x);
+        double control = control_force(vehicle, axle, speed, passive, state);
+        force[axle] = suspension_force(mode, vehicle, axle, x, speed, control, w->braking);
         rate.at[TRAVEL + axle] = speed;
         rate.at[TYRE + axle] = x->at[WHEEL + axle] - road;
-        rate.at[WHEEL + axle] = (load + force[axle]) * vehicle->per_wheel_mass[axle];
-        rate.at[FORCE + axle] = vehicle->corner ? control_rate(vehicle, axle, speed, passive, command[axle], control) : 0;
+        rate.at[WHEEL + axle] = (tyre_load(mode, axle, x) + force[axle]) * vehicle->per_wheel_mass[axle];
+        rate.at[FORCE + axle] = vehicle->corner ? control_rate(vehicle, axle, speed, passive, command[axle], state) : 0;
     }
-    rate.at[BODY] = -force[0] * vehicle->body_share[0] - force[1] * vehicle->body_share[1];
-    rate.at[BODY + 1] = vehicle->brake_moment * w->braking - force[0] * vehicle->pitch_share[0] - force[1] * vehicle->pitch_share[1];
+    body_accelerations(vehicle, force, w->braking, rate.at + BODY);
     return rate;
 }
 
@@ -204,7 +215,7 @@ static inline struct state advance_in(const struct mode *mode, const struct vehi
 }
 
 /* The step in the mode of `sides`: what each cause alone makes of rest. */
-static const struct linear_step *linear_step(struct nonlinear_car *me, int sides, double h)
+static const struct linear_step *linear_step(struct car *me, int sides, double h)
 {
     for (int i = 0; i < LINEAR_STEPS; i++)
         if (me->kept[i].sides == sides && me->kept[i].time == h)
@@ -219,10 +230,12 @@ static const struct linear_step *linear_step(struct nonlinear_car *me, int sides
         double command[FORCES] = {cause == COMMAND, cause == COMMAND + 1};
         for (int axle = 0; axle < AXLES && cause != ONE; axle++)
             mode.stop[axle] = mode.lifted[axle] = 0;
-        if (cause >= NOW)
+        if (cause >= NOW && cause < CURVE)
             x.at[cause - NOW] = 1;
-        else if (cause >= ROAD && cause < BRAKING)
-            w.velocity[(cause - ROAD) / AXLES][(cause - ROAD) % AXLES] = 1;
+        else if (cause >= CURVE && cause < ONE)
+            w.velocity[1 + (cause - CURVE) / AXLES][(cause - CURVE) % AXLES] = 1;
+        else if (cause < BRAKING)
+            w.velocity[0][cause - ROAD] = 1;
         first = derivative_in(&mode, me->vehicle, &x, command, &w, 0);
         x = advance_in(&mode, me->vehicle, h, command, &w, 0, &first, &x);
         memcpy(step->effects[cause], x.at, sizeof x);
@@ -230,22 +243,59 @@ static const struct linear_step *linear_step(struct nonlinear_car *me, int sides
     return step;
 }
 
-static void advance_linearly(const struct linear_step *step, int lagging, const double *command, const struct piece *w,
-                             double time, const struct state *x, struct state *next)
+/* What causes make of a state, added to it: columns of so many numbers, each times its factor. Both counts have to be
+   constants: then a compiler takes two numbers at once. */
+static inline void add_columns(const double (*restrict columns)[NUMBERS], const double *restrict factors, int count,
+                               double *restrict sum, int numbers)
 {
-    double cause[CAUSES];
+    for (int i = 0; i < numbers; i++) {
+        double all = sum[i];
+        for (int column = 0; column < count; column++)
+            all += columns[column][i] * factors[column];
+        sum[i] = all;
+    }
+}
+
+/* A linear step: what road and braking `met` make, and the state, and what is held; without a lag, the forces are. */
+static inline void add_causes(const struct car *me, const struct linear_step *step, const double *met,
+                              const double *restrict x, double *restrict next)
+{
+    memcpy(next, me->held, sizeof me->held);
+    if (me->states == STATE) {
+        add_columns(step->effects, met, DISTURBANCES, next, STATE);
+        add_columns(step->effects + NOW, x, STATE, next, STATE);
+    } else {
+        add_columns(step->effects, met, DISTURBANCES, next, NUMBERS);
+        add_columns(step->effects + NOW, x, NUMBERS, next, NUMBERS);
+    }
+}
+
+/* The step in the present mode. */
+static const struct linear_step *present_step(struct car *me, double h, const double *command)
+{
+    if (me->present && me->present->time == h)
+        return me->present;
+    me->present = me->linear ? me->kept : linear_step(me, me->where, h);
+    int lagging = me->states == NUMBERS;
+    memcpy(me->held, me->present->effects[ONE], sizeof me->held);
+    add_columns(me->present->effects + (lagging ? COMMAND : NOW + FORCE), command, FORCES, me->held, NUMBERS);
+    return me->present;
+}
+
+static inline void advance_linearly(struct car *me, double h, const double *command, const struct piece *w, double time,
+                                    const struct state *x, struct state *next)
+{
+    const struct linear_step *step = present_step(me, h, command);
+    double met[DISTURBANCES] = {[BRAKING] = w->braking}, curve[2 * AXLES];
     for (int axle = 0; axle < AXLES; axle++) {
         double v0 = w->velocity[0][axle], v1 = w->velocity[1][axle], v2 = w->velocity[2][axle];
-        cause[COMMAND + axle] = command[axle];
-        cause[ROAD + axle] = v0 + time * (v1 + time * v2);
-        cause[ROAD + AXLES + axle] = v1 + 2 * time * v2;
-        cause[ROAD + 2 * AXLES + axle] = v2;
+        met[ROAD + axle] = v0 + time * (v1 + time * v2);
+        curve[axle] = v1 + 2 * time * v2;
+        curve[AXLES + axle] = v2;
     }
-    cause[BRAKING] = w->braking;
-    cause[ONE] = 1;
-    memcpy(cause + NOW, x->at, sizeof x->at);
-    int first = lagging ? COMMAND : ROAD;
-    ridelab_add_columns(step->effects + first, cause + first, CAUSES - first, next->at);
+    add_causes(me, step, met, x->at, next->at);
+    if (me->road.samples)
+        add_columns(step->effects + CURVE, curve, 2 * AXLES, next->at, NUMBERS);
 }
 
 /* The share of a step at which a number crosses zero, if that is before `share`. */
@@ -290,26 +340,28 @@ static void advance_by_events(const struct vehicle *vehicle, double h, const dou
     }
 }
 
-static void sample(const struct vehicle *vehicle, int where, const struct state *x, const double *command, const struct piece *w,
-                   double time, double *table, size_t signal)
+static void sample(const struct car *me, const struct state *x, double braking, double *signals)
 {
-    struct mode mode = mode_of(vehicle, where);
-    struct state rate = derivative_in(&mode, vehicle, x, command, w, time);
+    const struct mode *mode = &me->mode;
+    double force[AXLES];
     for (int axle = 0; axle < AXLES; axle++) {
-        double speed = rate.at[TRAVEL + axle], control = x->at[FORCE + axle];
-        const double signals[SIGNALS] = {speed, rate.at[BODY + axle], tyre_load(&mode, axle, x), x->at[TRAVEL + axle],
-                                         control_force(vehicle, axle, speed, mode.damping[axle], control)};
-        for (size_t i = 0; i < SIGNALS; i++)
-            table[(AXLES * i + (size_t)axle) * signal] = signals[i];
+        double speed = travel_speed(me->vehicle, axle, x);
+        double control = control_force(me->vehicle, axle, speed, mode->damping[axle], x->at[FORCE + axle]);
+        force[axle] = suspension_force(mode, me->vehicle, axle, x, speed, control, braking);
+        signals[SPEED + axle] = speed;
+        signals[LOAD + axle] = tyre_load(mode, axle, x);
+        signals[TRAVEL_SIGNAL + axle] = x->at[TRAVEL + axle];
+        signals[FORCE_SIGNAL + axle] = control;
     }
+    body_accelerations(me->vehicle, force, braking, signals + ACCELERATION);
 }
 
 /* Its road is the chord and the polynomial of third degree 6 mean s (1 - s) - 60 moment s (1 - s) (1 - 2 s) above it, s
    from 0 to 1. */
-static struct piece piece(const double *chord, const double *mean, const double *moment, double braking, double time)
+static struct piece piece(const double *chord, const double *mean, const double *moment, double braking, double time,
+                          double per)
 {
     struct piece w = {.braking = braking, .time = time};
-    double per = 1 / time;
     for (int axle = 0; axle < AXLES; axle++) {
         double bow = mean[axle] * (6 * per), bend = moment[axle] * (60 * per);
         w.velocity[0][axle] = chord[axle] + bow - bend;
@@ -320,25 +372,42 @@ static struct piece piece(const double *chord, const double *mean, const double 
     return w;
 }
 
-static struct piece fine_step(const struct nonlinear_car *me, int step)
+/* What the car meets in a fine step, where the road is straight within it. */
+static inline void meet(const struct car *me, int step, double *met)
 {
-    static const double none[2 * AXLES];
-    const double *w = me->disturbance + (ptrdiff_t)DISTURBANCES * step;
-    const double *within = me->road.samples ? me->within + (ptrdiff_t)2 * AXLES * step : none;
-    return piece(w, within, within + AXLES, w[2], me->time);
+    const double *front = me->height + step, *rear = front + me->steps * me->fine + 1;
+    met[ROAD] = (front[1] - front[0]) * me->per_time;
+    met[ROAD + 1] = (rear[1] - rear[0]) * me->per_time;
+    met[BRAKING] = me->braking[step];
+}
+
+static struct piece fine_step(const struct car *me, int step)
+{
+    double w[DISTURBANCES];
+    meet(me, step, w);
+    const double *within = me->within + (ptrdiff_t)2 * AXLES * step;
+    if (!me->road.samples)
+        return (struct piece){.velocity = {{w[ROAD], w[ROAD + 1]}}, .braking = w[BRAKING], .time = me->time};
+    return piece(w + ROAD, within, within + AXLES, w[BRAKING], me->time, me->per_time);
+}
+
+static void enter(struct car *me, int where)
+{
+    me->where = where;
+    me->mode = mode_of(me->vehicle, where);
+    me->present = NULL;
 }
 
 /* Over a piece. */
-static void cross(struct nonlinear_car *me, int steps, const double *command, const struct piece *w, struct state *x)
+static void cross(struct car *me, int steps, const double *command, const struct piece *w, struct state *x)
 {
     const struct vehicle *vehicle = me->vehicle;
-    double h = w->time / steps;
-    int lagging = vehicle->corner != 0;
+    double h = steps == 1 ? w->time : w->time / steps;
     for (int step = 0; step < steps; step++) {
         struct state next;
         int there = MAY_TURN;
         if (!(me->where & MAY_TURN)) {
-            advance_linearly(linear_step(me, me->where, h), lagging, command, w, step * h, x, &next);
+            advance_linearly(me, h, command, w, step * h, x, &next);
             there = side(vehicle, &next);
         }
         if (there & MAY_TURN || there != me->where) {
@@ -347,7 +416,8 @@ static void cross(struct nonlinear_car *me, int steps, const double *command, co
             there = side(vehicle, &next);
         }
         *x = next;
-        me->where = there;
+        if (there != me->where)
+            enter(me, there);
     }
 }
 
@@ -364,12 +434,12 @@ static int may_lift(const struct vehicle *vehicle, const struct piece *w, const 
 }
 
 /* A fine step in so many parts, each with a polynomial of its own. */
-static void cross_parts(struct nonlinear_car *me, int step, int parts, const double *command, struct state *x)
+static void cross_parts(struct car *me, int step, int parts, const double *command, struct state *x)
 {
     int substeps = (me->substeps + parts - 1) / parts;
     const double *front = me->position + step, *rear = front + me->steps * me->fine + 1;
     double share = 1.0 / parts, time = me->time * share, length = (front[1] - front[0]) * share;
-    double braking = me->disturbance[(ptrdiff_t)DISTURBANCES * step + 2];
+    double braking = me->braking[step];
     double begin[AXLES] = {front[0], rear[0]}, low[AXLES], chord[AXLES], mean[AXLES], moment[AXLES];
     for (int axle = 0; axle < AXLES; axle++)
         low[axle] = ridelab_road_height(&me->road, begin[axle]);
@@ -381,45 +451,65 @@ static void cross_parts(struct nonlinear_car *me, int step, int parts, const dou
             begin[axle] = end;
             low[axle] = high;
         }
-        struct piece w = piece(chord, mean, moment, braking, time);
+        struct piece w = piece(chord, mean, moment, braking, time, 1 / time);
         cross(me, substeps, command, &w, x);
     }
 }
 
 /* Into how many parts a fine step goes, so that none is longer than a cell of the road's grid: no polynomial follows two
    of its kinks. */
-static int cells(const struct nonlinear_car *me, int step)
+static int cells(const struct car *me, int step)
 {
     double length = me->position[step + 1] - me->position[step], cell = me->road.at.grid * (1 + ROUNDING);
     return length <= cell ? 1 : (int)ceil(length / cell);
 }
 
-/* One control step, whose first fine step is given; its samples in a column of the table unless that is NULL. */
-static void hold(struct nonlinear_car *me, int first, const double *command, struct state *x, double *column)
+/* One control step of the linear car, whose first fine step is given; its samples, those at the ends of its fine steps,
+   unless they are NULL. */
+static void hold_linear(struct car *me, int first, const double *command, struct state *x, double (*samples)[SIGNALS])
 {
-    const struct vehicle *vehicle = me->vehicle;
-    size_t columns = (size_t)me->columns, signal = columns * (size_t)(me->fine + 1);
+    enter(me, 0);
+    const struct linear_step *step = present_step(me, me->time, command);
+    for (int j = 0; j < me->fine; j++) {
+        double met[DISTURBANCES];
+        struct state next;
+        meet(me, first + j, met);
+        if (samples)
+            sample(me, x, met[BRAKING], samples[j]);
+        add_causes(me, step, met, x->at, next.at);
+        *x = next;
+    }
+    if (samples)
+        sample(me, x, me->braking[first + me->fine - 1], samples[me->fine]);
+}
+
+/* The same of another car. */
+static void hold(struct car *me, int first, const double *command, struct state *x, double (*samples)[SIGNALS])
+{
     struct piece w = {.time = 0};
-    me->where = side(vehicle, x);
+    enter(me, side(me->vehicle, x));
     for (int j = 0; j < me->fine; j++) {
         w = fine_step(me, first + j);
-        if (column)
-            sample(vehicle, me->where, x, command, &w, 0, column + (size_t)j * columns, signal);
+        if (samples)
+            sample(me, x, w.braking, samples[j]);
+        if (!me->road.samples) {
+            cross(me, me->substeps, command, &w, x);
+            continue;
+        }
         struct state before = *x;
-        int where = me->where;
-        int parts = me->road.samples ? cells(me, first + j) : 1;
+        int where = me->where, parts = cells(me, first + j);
         if (parts > 1)
             cross_parts(me, first + j, parts, command, x);
         else
             cross(me, me->substeps, command, &w, x);
-        if (me->road.samples && may_lift(vehicle, &w, &before, x)) {
+        if (may_lift(me->vehicle, &w, &before, x)) {
             *x = before;
-            me->where = where;
+            enter(me, where);
             cross_parts(me, first + j, PARTS, command, x);
         }
     }
-    if (column)
-        sample(vehicle, me->where, x, command, &w, w.time, column + (size_t)me->fine * columns, signal);
+    if (samples)
+        sample(me, x, w.braking, samples[me->fine]);
 }
 
 struct estimator {
@@ -453,45 +543,74 @@ static void estimate(const struct estimator *estimator, const double *y, const d
 }
 
 /* The car's own part of what the loop knows of it; without a lag the actuators' forces are the commands. */
-static struct state state_of(const struct nonlinear_car *me, const double *now, const double *command)
+static struct state state_of(const struct car *me, const double *now, const double *command)
 {
     struct state x = {.at[FORCE] = command[0], .at[FORCE + 1] = command[1]};
-    memcpy(x.at, now + me->car.size - me->states, (size_t)me->states * sizeof(double));
+    memcpy(x.at, now + me->size - me->states, (size_t)me->states * sizeof(double));
     return x;
 }
 
-static void advance_nonlinear(struct car *car, int step, const double *now, const double *command, double *next)
+static void advance(struct car *me, int step, const double *now, const double *command, double *next,
+                    double (*samples)[SIGNALS])
 {
-    struct nonlinear_car *me = (struct nonlinear_car *)car;
-    int column = step - (me->steps - me->columns), first = step * me->fine;
+    int first = step * me->fine;
     struct state x = state_of(me, now, command);
-    hold(me, first, command, &x, column < 0 ? NULL : me->table + column);
-    memcpy(next + car->size - me->states, x.at, (size_t)me->states * sizeof(double));
+    if (me->linear)
+        hold_linear(me, first, command, &x, samples);
+    else
+        hold(me, first, command, &x, samples);
+    memcpy(next + me->size - me->states, x.at, (size_t)me->states * sizeof(double));
     if (me->estimator) {
-        double y[MEASURED], braking = me->disturbance[(ptrdiff_t)DISTURBANCES * (first + me->fine) - 1];
-        measure(me->vehicle, &x, command, braking, y);
+        double y[MEASURED];
+        measure(me->vehicle, &x, command, me->braking[first + me->fine - 1], y);
         estimate(me->estimator, y, command, me->estimator_input + (ptrdiff_t)STATE * step, now, next);
     }
 }
 
-/* What its own sensors give, from its state and its command [N] and the braking [m/s^2]. */
-void ridelab_measure(const struct nonlinear_car *me, const double *now, const double *command, double braking, double *y)
+int ridelab_car_size(const struct car *me)
 {
-    struct state x = state_of(me, now, command);
-    measure(me->vehicle, &x, command, braking, y);
+    return me->size;
 }
 
-/* The state is an estimator's where it `estimates`, then the car's; the road has no samples where it is straight within
-   a fine step. The others as the struct has them. */
-void ridelab_prepare_nonlinear_car(struct nonlinear_car *me, const struct vehicle *vehicle, int states, int estimates,
-                                   const struct estimator *estimator, const double *estimator_input, int samples,
-                                   const double *roughness, const struct layout *layout, const double *position,
-                                   const double *within, const double *disturbance, int steps, int fine, int substeps,
-                                   double time, double *table, int columns)
+void ridelab_drive(struct car *me, int step, const double *now, const double *command, double *next)
+{
+    double (*samples)[SIGNALS] = me->recorder ? ridelab_samples(me->recorder, step) : NULL;
+    advance(me, step, now, command, next, samples);
+    if (samples)
+        ridelab_record(me->recorder, step);
+}
+
+/* The samples of control steps that were driven, from `first` on: steps x (fine + 1), of the rows of a loop from the first
+   one's on. */
+void ridelab_sample(struct car *me, const double *loop, int first, int steps, double (*samples)[SIGNALS])
+{
+    int width = me->size + FORCES;
+    double next[STATE + NUMBERS];
+    for (int step = 0; step < steps; step++, loop += width, samples += me->fine + 1)
+        advance(me, first + step, loop, loop + width + me->size, next, samples);
+}
+
+/* What its own sensors give at the beginning of a control step, from its state and the command held until then [N]. */
+void ridelab_measure(const struct car *me, int step, const double *now, const double *command, double *y)
+{
+    struct state x = state_of(me, now, command);
+    int last = step > 0 ? step * me->fine - 1 : me->fine - 1;
+    measure(me->vehicle, &x, command, me->braking[last], y);
+}
+
+/* The state is an estimator's where it `estimates`, then the car's. A linear car's fine step is the first of those kept;
+   those of another are made. The road has no samples where it is straight within a fine step. The others as the struct
+   has them. */
+void ridelab_prepare_car(struct car *me, const struct vehicle *vehicle, int states, int linear, struct linear_step *kept,
+                         int estimates, const struct estimator *estimator, const double *estimator_input, int samples,
+                         const double *roughness, const struct layout *layout, const double *position,
+                         const double *within, const double *height, const double *braking, int steps, int fine,
+                         int substeps, double time, struct recorder *recorder)
 {
     _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a car is prepared in memory of that size");
-    *me = (struct nonlinear_car){
-        {advance_nonlinear, states + (estimates ? STATE : 0)}, states, vehicle, estimates ? estimator : NULL, estimator_input,
-        ridelab_road(roughness, samples, layout), position, within, disturbance, steps, fine, substeps, time, table, columns, 0, 0,
-        {{.time = 0}}};
+    *me = (struct car){.size = states + (estimates ? STATE : 0), .states = states, .linear = linear, .kept = kept,
+                       .vehicle = vehicle, .estimator = estimates ? estimator : NULL,
+                       .estimator_input = estimator_input, .road = ridelab_road(roughness, samples, layout),
+                       .position = position, .within = within, .height = height, .braking = braking, .steps = steps,
+                       .fine = fine, .substeps = substeps, .time = time, .per_time = 1 / time, .recorder = recorder};
 }

@@ -1,0 +1,74 @@
+/** What of the header follows the first curves: the pages where they have no room side by side, colours and logging out. */
+
+import { Button, Menu, useComputedColorScheme, useMantineColorScheme } from "@mantine/core";
+import { useMutation, useQuery } from "@tanstack/react-query";
+import { Link, type LinkOptions } from "@tanstack/react-router";
+import { ask, query } from "../api/http";
+import { IconButton } from "../ui/IconButton";
+import { IconChevronDown, IconLogout, IconMoon, IconSun } from "../ui/icons";
+import classes from "./nav.module.css";
+
+interface PagesProps {
+  readonly entries: readonly { readonly section: string; readonly label: string; readonly link: LinkOptions }[];
+  /** That of the page shown. */
+  readonly section: string | undefined;
+}
+
+export function PagesMenu({ entries, section }: PagesProps) {
+  const current = entries.find((entry) => entry.section === section);
+  return (
+    <Menu position="bottom-start" width={180}>
+      <Menu.Target>
+        <Button
+          variant="subtle"
+          color="gray"
+          className={classes.menu ?? ""}
+          aria-label={`Pages, now ${current?.label ?? "another"}`}
+          rightSection={<IconChevronDown size={14} aria-hidden />}
+        >
+          {current?.label ?? "Pages"}
+        </Button>
+      </Menu.Target>
+      <Menu.Dropdown>
+        {entries.map(({ label, link, ...entry }) => (
+          <Menu.Item
+            key={label}
+            className={classes.item ?? ""}
+            aria-current={entry.section === section ? "page" : undefined}
+            renderRoot={(props) => <Link {...link} {...props} />}
+          >
+            {label}
+          </Menu.Item>
+        ))}
+      </Menu.Dropdown>
+    </Menu>
+  );
+}
+
+/** What every header ends with: dark or light, whatever the system says, and logging out where there is a login. */
+export function HeaderEnd() {
+  const { setColorScheme } = useMantineColorScheme();
+  const isDark = useComputedColorScheme("light") === "dark";
+  const next = isDark ? "light" : "dark";
+  const name = useQuery({ ...query("/login", {}), staleTime: Infinity }).data?.name ?? null;
+  const logOut = useMutation({
+    mutationFn: () => ask("delete", "/login", {}),
+    onSuccess: () => window.location.reload(),
+  });
+  return (
+    <>
+      <IconButton label={`Use ${next} colours`} onClick={() => setColorScheme(next)}>
+        {isDark ? <IconSun size={18} stroke={1.7} /> : <IconMoon size={18} stroke={1.7} />}
+      </IconButton>
+      {name !== null && (
+        <IconButton
+          label={logOut.error?.message ?? `Log out ${name}`}
+          disabled={logOut.isPending}
+          onClick={() => logOut.mutate()}
+        >
+          <IconLogout size={18} stroke={1.7} />
+        </IconButton>
+      )}
+    </>
+  );
+}

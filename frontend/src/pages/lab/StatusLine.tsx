@@ -1,0 +1,38 @@
+/** Whether the shown answer was stored or computed, and what it cost. */
+
+import { Text } from "@mantine/core";
+import { useLab } from "../../lab/context";
+import type { Result } from "../../lab/result";
+import classes from "../../ui/shell.module.css";
+
+const ms = (value: number) => `${value < 9.5 ? value.toFixed(1) : value.toFixed(0)} ms`;
+
+function describe({ source, timing }: Result): string {
+  const { cached, computed, computeMs, roundTripMs, opened } = timing;
+  if (opened) return `Stored result, opened in ${ms(roundTripMs)}`;
+  const parts = [
+    cached > 0 ? `${cached} from store` : "",
+    computed > 0 ? `${computed} computed in ${ms(computeMs)}` : "",
+  ];
+  return `${source === "live" ? "Live" : "Exact"}: ${parts.filter(Boolean).join(", ")} · ${ms(roundTripMs)} in all`;
+}
+
+interface Props {
+  /** Where it stands: in the header, or under it where the header has no room. */
+  readonly position: "header" | "page";
+}
+
+export function StatusLine({ position }: Props) {
+  const shown = useLab((state) => state.shown);
+  const behind = useLab((state) => state.stale && !state.busy);
+  return (
+    <Text
+      className={classes.status}
+      data-position={position}
+      data-testid={`status-${position}`}
+      title={shown ? `Computed by core ${shown.coreVersion}` : ""}
+    >
+      {shown ? (behind ? "The last result: the form has changed since" : describe(shown)) : "\u00a0"}
+    </Text>
+  );
+}

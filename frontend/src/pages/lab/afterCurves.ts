@@ -1,0 +1,16 @@
+/** The parts of the lab that are fetched, as one file, once the first curves stand. */
+
+import { lazy } from "react";
+import { firstCurves } from "../../lib/firstCurves";
+
+const parts = () => firstCurves.then(() => import("./parts"));
+
+export const CarView = lazy(async () => ({ default: (await parts()).CarView }));
+export const DropFiles = lazy(async () => ({ default: (await parts()).DropFiles }));
+export const EditorPane = lazy(async () => ({ default: (await parts()).EditorPane }));
+export const LabActions = lazy(async () => ({ default: (await parts()).LabActions }));
+export const LabTools = lazy(async () => ({ default: (await parts()).LabTools }));
+export const SharedBanner = lazy(async () => ({ default: (await parts()).SharedBanner }));
+export const StageLegend = lazy(async () => ({ default: (await parts()).StageLegend }));
+export const Tables = lazy(async () => ({ default: (await parts()).Tables }));
+export const Toolbar = lazy(async () => ({ default: (await parts()).Toolbar }));

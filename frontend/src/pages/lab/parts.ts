@@ -1,0 +1,13 @@
+/** See afterCurves.ts. */
+
+import "../../ui/mantine.css";
+
+export { CarView } from "../../features/car/CarView";
+export { DropFiles } from "../../features/library/OpenFiles";
+export { SharedBanner } from "../../features/share/SharedBanner";
+export { Tables } from "../../features/tables/Tables";
+export { EditorPane } from "./EditorPane";
+export { LabActions } from "./LabActions";
+export { LabTools } from "./LabTools";
+export { StageLegend } from "./StageLegend";
+export { Toolbar } from "./Toolbar";

@@ -1,0 +1,109 @@
+"""What is measured of a run while it is driven (kernel/record.c)."""
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.kernel.library import INT, Array, Function, Prepared, require
+
+LAYOUT = 9  # numbers of `struct layout` in road.h
+SIGNALS = 10  # numbers of a sample, as record.h has them
+WEIGHTING = 24  # numbers of `struct weighting` in record.c
+_METRICS, _RECORD, _FOUND = 8, 11, 15  # signals with a metric; numbers of `struct record_numbers` and `struct found`
+_LINE, _TABLE, _TABLE_OUT = Array(ndim=1), Array(ndim=2), Array(ndim=2, written=True)
+_prepare_recorder = Function(
+    "prepare_recorder",
+    *(Array(_RECORD), _TABLE, _LINE, _TABLE_OUT, _TABLE_OUT, Array(_FOUND, written=True), Array(WEIGHTING)),
+    *(_TABLE_OUT, Array(ndim=1, written=True), _LINE, INT, Array(LAYOUT), _TABLE, _TABLE, _LINE),
+)
+_record = Function("record", Prepared, INT)
+
+
+class Recorder:
+    """Integrals and peaks of a run's signals in sections of its drive, and what its comfort and events need.
+
+    Times and places are in fine steps from the first sample on record; signals are the last eight of a sample, as
+    record.h has them.
+
+    Args:
+        fine: Fine steps in a step of the car.
+        first: Its first step on record.
+        ends: First and last place of each section (sections, 2), ascending; together they are the whole record.
+        rise: How far the road leaves a chord in each section at most (sections,) [m].
+        weighted_samples: Samples of which the acceleration is weighted.
+        weighting: `struct weighting` of record.c (24,).
+        tyres: Of both axles their stiffness [N/m], lowest load and that at which they are in the air [N] (3, 2).
+        road: Samples of its roughness (m,) [m] and layout (9,).
+        position: Of both axles at every fine instant of the drive (2, n) [m].
+        height: Of the road there [m].
+        kinks: Of the bumps, ascending to infinity [m].
+
+    Attributes:
+        integrals: Of the signals' squares over each section (sections, 8).
+        peaks: Their largest magnitude in each, the tyre loads' at kinks of the road too (sections, 8).
+        samples: Of the step that is being driven (fine + 1, 10).
+
+    Raises:
+        ValueError: Sizes disagree.
+    """
+
+    def __init__(
+        self,
+        *,
+        fine: int,
+        first: int,
+        ends: FloatArray,
+        rise: FloatArray,
+        weighted_samples: int,
+        weighting: FloatArray,
+        tyres: FloatArray,
+        road: tuple[FloatArray, FloatArray],
+        position: FloatArray,
+        height: FloatArray,
+        kinks: FloatArray,
+    ) -> None:
+        instants, sections = position.shape[1], len(ends)
+        samples, layout = road
+        require(fine > 0 and len(samples) > 1, "A fine step or more, and two samples of the road at least")
+        self.fine, self.first, self.steps = fine, first, (instants - 1) // fine
+        require(position.shape == height.shape == (2, instants) and instants > 1, "Two axles on a road")
+        require(
+            bool(np.isfinite(position[:, [0, -1]]).all()) and kinks[-1] == np.inf, "An axle is somewhere, no kink last"
+        )
+        require(tyres.shape == (3, 2) and 0 <= first < self.steps, "Two tyres, and a record within the drive")
+        require(ends.shape == (sections, 2) and len(rise) == sections > 0, "Every section has two ends and a rise")
+        on_record = fine * (self.steps - first)
+        require(ends[0, 0] >= 0 and ends[-1, 1] <= on_record, "Sections within the record")
+        require(bool((np.diff(ends.ravel()) >= 0).all()) and weighted_samples <= on_record + 1, "Sections ascend")
+        self.integrals, self.peaks = np.zeros((sections, _METRICS)), np.zeros((sections, _METRICS))
+        self._found = np.zeros(_FOUND)
+        self.samples = np.empty((fine + 1, SIGNALS))
+        self.prepared = _prepare_recorder.prepare(
+            np.array([fine, first, sections, weighted_samples, instants, *tyres.ravel()], dtype=np.float64),
+            *(ends, rise, self.integrals, self.peaks, self._found, weighting, self.samples, np.empty(fine + 1)),
+            *(samples, len(samples), layout, position, height, kinks),
+        )
+
+    def record(self, step: int) -> None:
+        """Measure a step of the car whose samples are in `samples`.
+
+        Raises:
+            ValueError: It is not on record.
+        """
+        require(self.first <= step < self.steps, "A step on record")
+        _record(self.prepared, step)
+
+    @property
+    def power(self) -> tuple[float, float]:
+        """Of both actuators |u·ḋ|: its integral [W] and its peak [W]."""
+        return float(self._found[0]), float(self._found[1])
+
+    @property
+    def airborne(self) -> list[float]:
+        """For how long any tyre was in the air, the front one, the rear one."""
+        airborne: list[float] = self._found[2:5].tolist()
+        return airborne
+
+    @property
+    def weighted(self) -> tuple[float, float]:
+        """Sums of the weighted acceleration's squares and fourth powers over the samples."""
+        return float(self._found[5]), float(self._found[6])

@@ -1,0 +1,77 @@
+"""The reference of a library, written from its docstrings: docs/reference/library.md and client.md."""
+
+import inspect
+import re
+from collections.abc import Iterator
+from types import ModuleType
+from typing import Any
+
+import ridelab
+import sim_core
+
+_SECTION = re.compile(r"^(Args|Attributes|Returns|Raises|Yields|Example|Examples|Note):$")
+_ENTRY = re.compile(r"^(\*{0,2}[\w.]+): (.*)$")
+
+
+def library() -> str:
+    """The core's page."""
+    return _page(sim_core, "The library `sim_core`", "pip install ./sim_core")
+
+
+def client() -> str:
+    """The client's page."""
+    return _page(ridelab, "The client `ridelab`", "pip install ./client")
+
+
+def _page(package: ModuleType, title: str, install: str) -> str:
+    lines = [f"# {title}", "", f"Written from its docstrings; a test keeps this page equal to them. `{install}`.", ""]
+    for name in package.__all__:
+        public = getattr(package, name)
+        if not (inspect.isclass(public) or inspect.isfunction(public)):
+            continue  # constants and types
+        lines += [f"## {name}", "", f"`{name}{_signature(public)}`", "", *_text(public), ""]
+        for method, function in _methods(public):
+            lines += [f"### {name}.{method}", "", f"`{method}{_signature(function)}`", "", *_text(function), ""]
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def _methods(public: Any) -> Iterator[tuple[str, Any]]:
+    """Methods and properties that a class itself documents, in their order."""
+    if not inspect.isclass(public) or "model_fields" in dir(public):  # what pydantic adds is not ours
+        return
+    for name, member in vars(public).items():
+        function = getattr(member, "__func__", getattr(member, "fget", None) or member)
+        if not name.startswith("_") and inspect.isfunction(function) and function.__doc__:
+            yield name, member if isinstance(member, property) else function
+
+
+def _signature(public: Any) -> str:
+    """Names and defaults; types are in the code and in what an editor shows."""
+    if isinstance(public, property) or (inspect.isclass(public) and "model_fields" in dir(public)):
+        return ""
+    try:
+        signature = inspect.signature(public)
+    except ValueError:
+        return "()"
+    bare = [each.replace(annotation=each.empty) for name, each in signature.parameters.items() if name != "self"]
+    text = str(signature.replace(parameters=bare, return_annotation=signature.empty))
+    return re.sub(r"<function (\w+) at 0x\w+>", r"\1", text)  # a default that is a function
+
+
+def _text(public: Any) -> Iterator[str]:
+    """A Google docstring as Markdown: entries as a list, examples as code."""
+    section = ""
+    for line in inspect.cleandoc(public.__doc__ or "").splitlines():
+        if match := _SECTION.match(line):
+            if section.startswith("Example"):
+                yield "```"
+            section = match[1]
+            yield from ("", f"**{section}**", "", *(["```pycon"] if section.startswith("Example") else []))
+        elif section.startswith("Example"):
+            yield line.removeprefix("    ")
+        elif section and (entry := _ENTRY.match(line.removeprefix("    "))):
+            yield f"- `{entry[1]}`: {entry[2]}"
+        else:
+            yield f"  {line.strip()}" if section and line.startswith("     ") else line.strip()
+    if section.startswith("Example"):
+        yield "```"
