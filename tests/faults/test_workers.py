@@ -50,6 +50,13 @@ def do() -> Iterator[Do]:
         loop.close()
 
 
+async def ended_process(pid: int) -> None:
+    """Wait until it has ended: its successor may be there before."""
+    async with asyncio.timeout(HANG_TIMEOUT):
+        while psutil.pid_exists(pid):
+            await asyncio.sleep(0.01)
+
+
 def test_a_worker_outlives_errors_but_not_its_time_limit(do: Do, monkeypatch: pytest.MonkeyPatch) -> None:
     async def use(workers: Workers) -> None:
         pid = await workers.call(os.getpid)
@@ -62,7 +69,7 @@ def test_a_worker_outlives_errors_but_not_its_time_limit(do: Do, monkeypatch: py
                 await workers.call(time.sleep, 3600)
         other = await workers.call(os.getpid)
         assert other != pid
-        assert not psutil.pid_exists(pid)
+        await ended_process(pid)
 
     do(use)
 
@@ -107,7 +114,7 @@ def test_a_task_that_nobody_waits_for_ends_or_never_begins(do: Do, tmp_path: Pat
         assert ended.exists(), "a short one ends by itself"
         await gone(workers, "signal.pthread_sigmask(0, {signal.SIGUSR1}); time.sleep(3600)", cost=30.0)
         assert await workers.call(os.getpid) != pid, "one that cannot be interrupted ends with its process"
-        assert not psutil.pid_exists(pid)
+        await ended_process(pid)
 
     do(use)
     assert not never.exists()
@@ -159,9 +166,7 @@ def test_a_worker_that_has_grown_is_replaced_while_it_serves() -> None:
             fresh = first
             while fresh == first:
                 fresh = await workers.call(os.getpid)
-            async with asyncio.timeout(HANG_TIMEOUT):
-                while psutil.pid_exists(first):
-                    await asyncio.sleep(0.01)
+            await ended_process(first)
             assert workers.load["busy"] + workers.load["idle"] <= 1
             assert await workers.call(os.getpid) != first
         finally:
