@@ -7,7 +7,6 @@ export { DropFiles } from "../../features/library/OpenFiles";
 export { SharedBanner } from "../../features/share/SharedBanner";
 export { Tables } from "../../features/tables/Tables";
 export { EditorPane } from "./EditorPane";
-export { LabActions } from "./LabActions";
-export { LabTools } from "./LabTools";
+export { LabActions, LabTools } from "./LabTools";
 export { StageLegend } from "./StageLegend";
 export { Toolbar } from "./Toolbar";
