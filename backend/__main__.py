@@ -157,11 +157,11 @@ def _application(settings: "Settings") -> "FastAPI":
         SettingsError: The database cannot be used.
     """
     from backend.compute.workers import RESERVED, Workers
-    from backend.runs.warm_up import warm_up
+    from backend.runs import WARM_UP
     from backend.settings import SettingsError
 
-    workers = Workers(settings.workers, timeout=settings.run_timeout, warm_up=warm_up, reserved=RESERVED)
-    workers.spawn()
+    workers = Workers(settings.workers, timeout=settings.run_timeout, warm_up=WARM_UP, reserved=RESERVED)
+    workers.begin()
     gc.disable()  # what is imported stays: to look for garbage in it takes a tenth of the start
 
     from sqlalchemy.exc import SQLAlchemyError
@@ -175,7 +175,6 @@ def _application(settings: "Settings") -> "FastAPI":
         app = create_app(settings, workers)
         app.state.services.store.migrate()
     except (UnusableDatabaseError, SQLAlchemyError, ImportError) as error:
-        workers.abandon()
         raise SettingsError(str(error)) from None
     finally:
         gc.freeze()

@@ -23,11 +23,11 @@ from backend.metrics import service_registry
 from backend.paper.rows import REPRODUCTION
 from backend.paper.service import Paper
 from backend.roads.service import MeasuredRoads
+from backend.runs import WARM_UP
 from backend.runs.result_cache import ResultCache
 from backend.runs.result_finder import ResultFinder
 from backend.runs.service import Runs
 from backend.runs.solve.service import Solver
-from backend.runs.warm_up import warm_up
 from backend.settings import Settings
 from backend.store import Store
 from backend.tunings.service import TuningService
@@ -76,7 +76,7 @@ def services_of(request: HTTPConnection) -> Services:
 
 def interactive_workers(settings: Settings) -> Workers:
     """The processes that answer requests."""
-    return Workers(settings.workers, timeout=settings.run_timeout, warm_up=warm_up, reserved=RESERVED)
+    return Workers(settings.workers, timeout=settings.run_timeout, warm_up=WARM_UP, reserved=RESERVED)
 
 
 def make_services(settings: Settings, workers: Workers) -> Services:
@@ -85,7 +85,7 @@ def make_services(settings: Settings, workers: Workers) -> Services:
     tokens = None if settings.tokens_file is None else Tokens(settings.tokens_file)
     # Where Dask computes the jobs, one process is left for longer planning and summaries.
     count = settings.batch_workers if settings.dask_scheduler is None else 1
-    batch_workers = Workers(count, timeout=settings.run_timeout, warm_up=warm_up, nice=BATCH_NICE)
+    batch_workers = Workers(count, timeout=settings.run_timeout, warm_up=WARM_UP, nice=BATCH_NICE)
     spool = Spool(settings.data_dir / "spool", gate)
     roads = MeasuredRoads(store=store, workers=workers, gate=gate)
     memory = ResultCache(settings.series_cache_bytes)
@@ -144,4 +144,4 @@ async def _connect(settings: Settings, batch_workers: Workers) -> Executor:
         return LocalExecutor(batch_workers)
     from backend.compute.dask_executor import DaskExecutor  # takes half a second to import: not before there is a job
 
-    return await DaskExecutor.connected(settings, warm_up)
+    return await DaskExecutor.connected(settings, WARM_UP)

@@ -1,4 +1,4 @@
-"""What a visitor waits for, in headless Chromium against a service that runs: the first curves, and a dragged value."""
+"""What a visitor waits for, in headless Chromium against a service that runs: curves, a dragged value, many runs."""
 
 import math
 from collections.abc import Iterator
@@ -7,7 +7,8 @@ from statistics import median
 from time import perf_counter, sleep
 from typing import Any
 
-from playwright.sync_api import Browser, Page, sync_playwright
+import httpx
+from playwright.sync_api import Browser, Page, Route, sync_playwright
 
 from benchmarks.api_latency import server
 from benchmarks.timing import table
@@ -21,6 +22,7 @@ STRIDE = 0.4  # [px]
 FIRST_LOAD, FIRST_PLOT = 250.0, 700.0  # goals [kB], [ms]
 REDRAW, FRAMES = 50.0, 60.0  # goals: 95th percentile [ms], frames a second
 CURVES = "[data-drawn] >> nth=0"
+ROWS, LONGEST_TASK = 10_000, 100.0  # of a sweep; goal [ms]
 
 # When each live request left and its answer was there, when a canvas was cleared to be drawn anew, and each frame.
 WATCH = """
@@ -39,6 +41,16 @@ CanvasRenderingContext2D.prototype.clearRect = function (...area) {
   return clearRect.apply(this, area);
 };
 """
+TASKS = """
+window.tasks = [];
+new PerformanceObserver(list => tasks.push(...list.getEntries())).observe({type: 'longtask'});
+"""
+# Of tasks that ended after the rows had come; shorter ones than 50 ms are not told.
+LONGEST = """() => {
+  const [{responseEnd}] = performance.getEntriesByType('resource').filter(({name}) => name.includes('/table?'));
+  const after = tasks.filter(({startTime, duration}) => startTime + duration > responseEnd);
+  return Math.max(0, ...after.map(({duration}) => duration));
+}"""
 # When the first curves stood, and the size of all that had come by then, answers' heads included [ms, kB].
 FIRST = """() => {
   const [drawn] = seen.drawn;
@@ -60,6 +72,7 @@ def run() -> None:
         browser = launch(playwright, compilers=True)
         first = [first_view(browser, address) for _ in range(REPEATS)]
         redraws, rate = drag(browser, address)
+        longest = arrival(browser, client)
         browser.close()
     size, taken, whole = (median(each[index] for each in first) for index in range(3))
     slowest = percentile(redraws, 0.95)
@@ -73,6 +86,7 @@ def run() -> None:
             ["from a move of a slider to its curves, median [ms]", median(redraws), ""],
             ["the same, 95th percentile [ms]", slowest, REDRAW],
             ["frames a second meanwhile", rate, FRAMES],
+            [f"longest task when a sweep's {ROWS} rows come [ms]", longest, LONGEST_TASK],
         ],
     )
 
@@ -123,6 +137,31 @@ def drag(browser: Browser, address: str) -> tuple[list[float], float]:
         page.mouse.up()
     frames = seen["frames"]
     return redraw_times(seen), 1000 * (len(frames) - 1) / (frames[-1] - frames[0])
+
+
+def arrival(browser: Browser, client: httpx.Client) -> float:
+    """Milliseconds of the longest task in which a sweep's page reads and draws many rows; they are made up of one."""
+    body = {"scenario": {}, "strategies": ["lv"], "sweep": {"grid": {"road.bump.height": [0.05, 0.1]}}}
+    batch = client.post("/api/v1/batches", json=body).raise_for_status().json()["id"]
+    client.get(f"/api/v1/batches/{batch}/events")  # a stream that ends with the batch
+
+    def many(route: Route) -> None:
+        answer = route.fetch().json()
+        answer["columns"] = {name: [values[0]] * ROWS for name, values in answer["columns"].items()} | {
+            "run": list(range(ROWS)),
+            "road.bump.height": [0.05 + 0.1 * index / ROWS for index in range(ROWS)],
+            "bump.body_acceleration.peak": [1 + (index % 100) / 100 for index in range(ROWS)],
+        }
+        route.fulfill(json=answer)
+
+    with opened(browser) as page:
+        page.add_init_script(TASKS)
+        page.route("**/table?*", many)
+        page.goto(f"{client.base_url}/b/{batch}")
+        page.locator(f"[data-points='{ROWS}']").wait_for()
+        page.wait_for_load_state("networkidle")
+        longest: float = page.evaluate(LONGEST)
+        return longest
 
 
 def redraw_times(seen: dict[str, list[Any]]) -> list[float]:

@@ -5,8 +5,8 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from backend.compute.workers import Workers
+from backend.runs import WARM_UP
 from backend.runs.compute_run import compute_run
-from backend.runs.warm_up import warm_up
 from benchmarks.cost import drawn
 from benchmarks.timing import table
 from sim_core.scenario import Scenario
@@ -44,7 +44,7 @@ async def _pid(workers: Workers) -> int:
 
 async def measure() -> None:
     """Print the table."""
-    workers = Workers(1, timeout=90, warm_up=warm_up)
+    workers = Workers(1, timeout=90, warm_up=WARM_UP)
     workers.start()
     try:
         await workers.wait_until_warm()

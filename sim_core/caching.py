@@ -17,7 +17,7 @@ P = ParamSpec("P")
 T = TypeVar("T")
 
 MEBIBYTE = 1024 * 1024
-MAX_BYTES = 48 * MEBIBYTE  # of a process: a scenario that somebody edits, under every strategy, several times over
+MAX_BYTES = 28 * MEBIBYTE  # of a process: a scenario that somebody edits, under every strategy, several times over
 _ENTRY_OVERHEAD = 1024  # so that the number of small entries is bounded too [bytes]
 
 

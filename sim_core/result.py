@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass
-from functools import cache
+from functools import cached_property
 from typing import Any
 
 from sim_core.arrays import FloatArray
@@ -20,8 +20,12 @@ class Series(Mapping[str, FloatArray]):
 
     def __init__(self, shared: Mapping[str, FloatArray], columns: Callable[[], Mapping[str, FloatArray]]) -> None:
         self._shared = shared
-        self._columns = cache(columns)
+        self._make_columns = columns
         self._length = len(shared["time"])
+
+    @cached_property
+    def _columns(self) -> Mapping[str, FloatArray]:
+        return self._make_columns()
 
     def __getitem__(self, key: str) -> FloatArray:
         """The history of a signal (samples,), put together anew each time: long ones would take as much again."""
@@ -31,7 +35,7 @@ class Series(Mapping[str, FloatArray]):
         """A signal's samples from `start` up to before `end`."""
         if key in self._shared:
             return self._shared[key][start:end]
-        columns = self._columns()[key]
+        columns = self._columns[key]
         each = len(columns) - 1
         first = start // each
         return columns[:-1, first : -(-end // each)].T.reshape(-1)[start - first * each : end - first * each]
@@ -42,7 +46,7 @@ class Series(Mapping[str, FloatArray]):
         Raises:
             KeyError: It is none of those a suspension changes.
         """
-        return self._columns()[key]
+        return self._columns[key]
 
     def __iter__(self) -> Iterator[str]:
         """Names in the catalogue's order."""

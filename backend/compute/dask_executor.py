@@ -15,7 +15,6 @@ from distributed import Client, Security, get_worker
 from backend.compute.chunk_messages import Chunk, ChunkOutcome
 from backend.compute.executor import ExecutorLostError
 from backend.compute.local_executor import LocalExecutor
-from backend.compute.processes import WarmUp
 from backend.compute.workers import BATCH_NICE, Workers
 from backend.settings import Settings
 from sim_core import __version__ as CORE_VERSION
@@ -29,12 +28,12 @@ _executors: dict[str, LocalExecutor] = {}  # of this process, by Dask worker
 class DaskExecutor:
     """Sends chunks to Dask; see `Executor`."""
 
-    def __init__(self, client: Client, warm_up: WarmUp) -> None:
+    def __init__(self, client: Client, warm_up: str) -> None:
         self._client = client
         self._warm_up = warm_up
 
     @classmethod
-    async def connected(cls, settings: Settings, warm_up: WarmUp) -> Self:
+    async def connected(cls, settings: Settings, warm_up: str) -> Self:
         """Connect to the scheduler.
 
         Args:
@@ -114,7 +113,7 @@ def _security(settings: Settings) -> Security | None:
     )
 
 
-async def _on_worker(chunk: Chunk, warm_up: WarmUp) -> ChunkOutcome:
+async def _on_worker(chunk: Chunk, warm_up: str) -> ChunkOutcome:
     """On a Dask worker, in its event loop: pass the chunk to a process."""
     worker = get_worker()
     if chunk.core_version != CORE_VERSION:

@@ -7,12 +7,12 @@ import signal
 import threading
 from collections.abc import Callable
 from contextlib import suppress
+from importlib import import_module
 from multiprocessing import parent_process
 from pathlib import Path
 from typing import Any, TypeVar
 
 T = TypeVar("T")
-WarmUp = Callable[[], object]
 INTERRUPT = signal.SIGUSR1
 _interruptible = False  # while a task runs
 
@@ -79,9 +79,9 @@ def _interrupt(*_: object) -> None:
         raise _Interrupt
 
 
-def prepare(warm_up: WarmUp) -> int:
-    """Do before the first task what the first would else have to do; the process's id."""
-    warm_up()
+def prepare(warm_up: str) -> int:
+    """Import that module, unless the process was forked from one that has; the process's id."""
+    import_module(warm_up)
     return os.getpid()
 
 

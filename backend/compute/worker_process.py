@@ -8,43 +8,71 @@ import contextlib
 import multiprocessing
 import os
 import signal
-from collections.abc import Callable
-from concurrent.futures import Future
+import sys
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future, wait
 from concurrent.futures.process import BrokenProcessPool
-from typing import Any, Literal, TypeVar
+from multiprocessing import forkserver, resource_tracker
+from typing import Any, TypeVar
 
 from pebble import ProcessPool
 
 from backend.compute import processes
 
 T = TypeVar("T")
+# Elsewhere a system's own libraries may fail in what was forked.
+METHOD = "forkserver" if sys.platform == "linux" else "spawn"
 GRACE = 15.0  # beyond the task's own time limit: then the pool itself is stuck [s]
 WARM_UP = 120.0  # a new process may take to import and warm up, on a busy machine [s]
+STARTING = 1.0  # a process that is ended before it is warm may take to start [s]
 POLL_INTERVAL = 0.25  # of a process that computes [s]
+
+
+def begin(warm_up: str) -> None:
+    """Have the fork server warm up, where there is one: its children come later."""
+    if METHOD == "forkserver":
+        _context(warm_up)
+        resource_tracker.ensure_running()  # by itself the fork server would start this, which unblocks interrupts
+        with _interrupts_blocked():
+            forkserver.ensure_running()
+
+
+def _context(warm_up: str) -> Any:
+    context = multiprocessing.get_context(METHOD)
+    context.set_forkserver_preload([warm_up])  # no other method takes notice
+    return context
+
+
+@contextlib.contextmanager
+def _interrupts_blocked() -> Iterator[None]:
+    """Children inherit this: Ctrl-C, which a terminal sends to all, is the service's."""
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 class WorkerProcess:
     """A process that has warmed up before its first task.
 
-    Attributes:
-        state: `grown` while a successor of a process that takes too much memory is warmed, `succeeded` once that is
-            warm: then it ends when it is idle.
+    A fork server's child shares what that has warmed and is there at once; the first one waits for the server.
+
+    Args:
+        warm_up: Name of a module whose import warms up.
+        nice: How far behind other processes it stands.
 
     Raises:
         BrokenProcessPool: It broke at once.
     """
 
-    def __init__(self, warm_up: processes.WarmUp, nice: int) -> None:
-        context = multiprocessing.get_context("spawn")
-        # Inherited: Ctrl-C, which a terminal sends to all, is the service's; one that still imports would fail loudly.
-        before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-        try:
-            self._pool = ProcessPool(max_workers=1, initializer=processes.start, initargs=(nice,), context=context)
+    def __init__(self, warm_up: str, nice: int) -> None:
+        with _interrupts_blocked():
+            self._pool = ProcessPool(
+                max_workers=1, initializer=processes.start, initargs=(nice,), context=_context(warm_up)
+            )
             self._warm = self._schedule(processes.prepare, (warm_up,), WARM_UP)
-        finally:
-            signal.pthread_sigmask(signal.SIG_SETMASK, before)
         self._pid = 0
-        self.state: Literal["serving", "grown", "succeeded"] = "serving"
 
     @property
     def active(self) -> bool:
@@ -74,6 +102,7 @@ class WorkerProcess:
 
     def end(self) -> None:
         """End its process; takes at most a few seconds."""
+        wait([self._warm], STARTING)  # it would complain of locks that are gone
         with contextlib.suppress(Exception):  # a broken pool may fail to end tidily; its process is ended all the same
             self._pool.stop()  # type: ignore[no-untyped-call]  # pebble leaves it untyped
             self._pool.join()

@@ -1,6 +1,6 @@
 """Warm worker processes, which clients share fairly.
 
-One that dies or hangs is replaced while the others serve; one whose memory has grown too large, once another is warm.
+One that dies, hangs, or whose memory has grown too large is replaced while the others serve.
 """
 
 import asyncio
@@ -13,8 +13,8 @@ from typing import Any, TypeVar
 
 from pebble import ProcessExpired
 
+from backend.compute import worker_process
 from backend.compute.fair_queue import SHORT, FairQueue, Task
-from backend.compute.processes import WarmUp
 from backend.compute.worker_process import WorkerProcess
 from backend.errors import WorkerLostError, WorkersBusyError, WorkerTimeoutError
 from backend.metrics import WORKER_FAILURES
@@ -37,7 +37,7 @@ class Workers:
     Args:
         count: How many tasks of one client may run at once.
         timeout: A task may take this long [s].
-        warm_up: What each process does before its first task; a function of a module.
+        warm_up: Name of the module that each process imports before its first task, which warms it up.
         nice: How far behind other processes these stand (0 to 19).
         max_memory: Resident, after a task; beyond it a process is replaced [bytes].
         reserved: So many processes more are left to short tasks of clients that have none running.
@@ -48,7 +48,7 @@ class Workers:
         count: int,
         *,
         timeout: float,
-        warm_up: WarmUp,
+        warm_up: str,
         nice: int = 0,
         max_memory: int = MAX_WORKER_MEMORY,
         reserved: int = 0,
@@ -63,31 +63,24 @@ class Workers:
         self._turns: dict[Task, asyncio.Future[WorkerProcess]] = {}  # of the tasks that wait
         self._idle: list[WorkerProcess] = []
         self._processes: set[WorkerProcess] = set()
+        self._ending: set[WorkerProcess] = set()  # which `close` waits for
         self._chores: set[asyncio.Task[Any]] = set()
-        self._spawned: list[WorkerProcess] = []
         self._warm = asyncio.Event()
         self._started = False
 
-    def spawn(self) -> None:
-        """Begin to spawn and warm processes, one core left to this one; needs no event loop yet, `start` goes on."""
-        os.environ.update(ONE_THREAD)  # before they are spawned: BLAS reads it once
-        for _ in range(min(self._count, max(1, (os.cpu_count() or 1) - 1))):
-            with contextlib.suppress(OSError, BrokenProcessPool):  # `start` tries again
-                self._spawned.append(WorkerProcess(self._warm_up, self._nice))
+    def begin(self) -> None:
+        """Begin to warm up; needs no event loop yet, `start` goes on."""
+        os.environ.update(ONE_THREAD)  # before anything is spawned: BLAS reads it once
+        worker_process.begin(self._warm_up)
 
     def start(self) -> None:
-        """Begin to spawn and warm every process, unless that has begun, and use each once it is warm."""
+        """Begin to add every process, each of them used once it is warm."""
         self._started = True
-        os.environ.update(ONE_THREAD)
+        self.begin()
         for _ in range(self._count):
-            self._chore(self._add_process(self._spawned.pop() if self._spawned else None))
+            self._chore(self._add_process())
         for _ in range(self._reserved):
             self._chore(self._add_reserved())
-
-    def abandon(self) -> None:
-        """End the processes that `spawn` began, where the application does not start."""
-        for process in self._spawned:
-            process.end()
 
     async def wait_until_warm(self) -> None:
         """Wait until the first worker is warm."""
@@ -154,22 +147,21 @@ class Workers:
         self, task: Task, process: WorkerProcess, function: Callable[..., T], args: tuple[Any, ...]
     ) -> T:
         """Run it in that process, which then is idle again, or discarded where it is not well."""
-        healthy = False
+        healthy = well = False
         try:
             result, memory = await process.call(function, args, self._timeout)
-            healthy = True
-            if memory > self._max_memory and all(each.state == "serving" for each in self._processes):  # one at a time
+            healthy = well = True
+            if memory > self._max_memory:
                 logger.info("A worker has grown to %d MB and is replaced", memory >> 20)
-                process.state = "grown"
-                self._chore(self._replace(process))
+                well = False
             return result
         except (ProcessExpired, BrokenProcessPool, TimeoutError):
             raise
         except Exception:
-            healthy = True  # the function raised, its process is well
+            healthy = well = True  # the function raised, its process is well
             raise
         finally:
-            self._give_back(task, process, healthy=healthy)
+            self._give_back(task, process, killed=not healthy, reusable=well)
 
     def _call_off(self, task: Task, process: WorkerProcess, attempt: "asyncio.Task[Any]") -> None:
         """Interrupt a task that nobody waits for; a short one may end by itself, as an interrupt empties the caches."""
@@ -184,12 +176,13 @@ class Workers:
 
     async def close(self) -> None:
         """End every process; takes at most a few seconds."""
-        ending, self._processes = self._processes, set()
+        self._ending |= self._processes
+        self._processes = set()
         chores = tuple(self._chores)
         for chore in chores:
             chore.cancel()
         await asyncio.gather(*chores, return_exceptions=True)
-        await asyncio.gather(*(asyncio.to_thread(process.end) for process in ending))
+        await asyncio.gather(*(asyncio.to_thread(process.end) for process in self._ending))
 
     async def _free_process(self, client: str, cost: float) -> tuple[Task, WorkerProcess]:
         """A task that begins now, and the process that is to run it."""
@@ -201,7 +194,7 @@ class Workers:
                 return task, await turn
         except BaseException as error:
             if turn.done() and not turn.cancelled():  # its turn came just then
-                self._give_back(task, turn.result(), healthy=True)
+                self._give_back(task, turn.result())
             self._queue.remove(task)
             if isinstance(error, TimeoutError):
                 raise WorkersBusyError from None
@@ -221,10 +214,10 @@ class Workers:
             else:
                 turn.set_result(self._idle.pop())
 
-    def _give_back(self, task: Task, process: WorkerProcess, *, healthy: bool) -> None:
-        """A task has ended: its process takes the next one, or is discarded."""
-        self._queue.end(task, killed=not healthy)
-        if healthy and process.state != "succeeded":
+    def _give_back(self, task: Task, process: WorkerProcess, *, killed: bool = False, reusable: bool = True) -> None:
+        """A task has ended: its process takes the next one, or is replaced."""
+        self._queue.end(task, killed=killed)
+        if reusable:
             self._idle.append(process)
         else:
             self._discard(process)
@@ -234,38 +227,34 @@ class Workers:
         if process not in self._processes:  # the service is closing, and ends it
             return
         self._processes.discard(process)
-        self._chore(asyncio.to_thread(process.end))
-        if process.state == "serving":  # else its successor is warm, or soon will be
-            self._chore(self._add_process())
+        self._ending.add(process)
+        self._chore(self._end(process))
+        self._chore(self._add_process())
 
-    async def _replace(self, process: WorkerProcess) -> None:
-        """Warm a successor, then end that process as soon as it is idle."""
-        await self._add_process()
-        process.state = "succeeded"
-        if process in self._idle:
-            self._idle.remove(process)
-            self._discard(process)
+    async def _end(self, process: WorkerProcess) -> None:
+        """End a process; where that is called off, `close` does it."""
+        await asyncio.to_thread(process.end)
+        self._ending.discard(process)
 
     async def _add_reserved(self) -> None:
         """Add a process that the service needs only once another one has something to do."""
         await self._warm.wait()
         await self._add_process()
 
-    async def _add_process(self, process: WorkerProcess | None = None) -> None:
+    async def _add_process(self) -> None:
         """Spawn a process, warm it and hand it out; keep trying, more slowly, while that fails."""
         for delay in (0.1, 1.0, 5.0, *[30.0] * 1000):
+            # In a thread: the first waits for what warms up.
+            spawning = asyncio.ensure_future(asyncio.to_thread(WorkerProcess, self._warm_up, self._nice))
             try:
-                process = process or WorkerProcess(self._warm_up, self._nice)
+                process = await asyncio.shield(spawning)
                 await process.wait_until_warm()
             except asyncio.CancelledError:
-                if process is not None:
-                    await asyncio.shield(asyncio.to_thread(process.end))
+                await asyncio.shield(_end(spawning))
                 raise
             except Exception:  # whatever kept it from starting, the service goes on trying
                 logger.exception("A worker did not start")
-                if process is not None:
-                    await asyncio.to_thread(process.end)
-                process = None
+                await _end(spawning)
                 await asyncio.sleep(delay)
             else:
                 self._processes.add(process)
@@ -285,3 +274,10 @@ class Workers:
         self._chores.discard(task)
         if not task.cancelled():
             task.exception()
+
+
+async def _end(spawning: "asyncio.Future[WorkerProcess]") -> None:
+    """End a process that does not serve, if it came to be one."""
+    with contextlib.suppress(Exception):
+        process = await spawning
+        await asyncio.to_thread(process.end)

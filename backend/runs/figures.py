@@ -1,4 +1,4 @@
-"""Every time-history figure, defined once with plotly.graph_objects.
+"""Every time-history figure, defined once, in plotly's form.
 
 A template holds the layout and one empty trace for each signal of each strategy (`meta` names them); the browser
 fills it with series, `filled` does the same here. Values are SI in series and references; `layout.meta.scale` makes
@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
-import plotly.graph_objects as go
 
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
@@ -131,46 +130,49 @@ def filled(name: str, outcomes: Mapping[str, Outcome], axis: str) -> JsonObject:
 def _template(panel: Panel) -> JsonObject:
     unit, scale = panel.shown
     title = panel.title or SIGNALS[panel.signal].label
-    figure = go.Figure(layout={"template": go.layout.Template()})
-    for strategy in STRATEGIES.values():
-        style = STYLES[strategy.id]
-        figure.add_scatter(
-            name=strategy.label,
-            mode="lines",
-            line={"color": style.colour, "dash": style.dash, "width": 1.5},
-            legendgroup=strategy.id,
-            hovertemplate=f"%{{y:.4~g}} {unit}" if unit != "1" else "%{y:.4~g}",
-            meta={"strategy": strategy.id, "signal": panel.signal},
-        )
-    figure.update_layout(
-        title={"text": title},
-        meta={
-            "title": title,
-            "unit": unit,
-            "scale": scale,
-            "signal": panel.signal,
-            "least_span": scale * LEAST_SPANS.get(SIGNALS[panel.signal].unit, 0.0),
-            "braking": BRAKING,
-            "reference": [key for key, _ in panel.references],
-            "reference_factors": {key: list(factors) for key, factors in panel.references},
-            "reference_labels": {key: REFERENCES[key].label for key, _ in panel.references},
-            "band": list(panel.band) if panel.band else None,
-            "axes": {key: _axis_title(key) for key in AXES},
-            "stage_fills": STAGE_FILLS,
-            "band_fill": BAND_FILL,
-            "neutral": NEUTRAL,
-        },
-        xaxis={"title": {"text": _axis_title(AXES[0])}, **_AXIS},
-        yaxis={"title": {"text": f"{title} [{unit}]"}, **_AXIS},
-        hovermode="x unified",
-        showlegend=True,
-        legend={"orientation": "h", "y": 1.02, "yanchor": "bottom"},
-        margin={"l": 64, "r": 16, "t": 48, "b": 48},
-        paper_bgcolor="rgba(0,0,0,0)",
-        plot_bgcolor="rgba(0,0,0,0)",
-    )
-    plain: JsonObject = figure.to_plotly_json()
-    return {"data": list(plain["data"]), "layout": plain["layout"]}
+    traces = [
+        {
+            "type": "scatter",
+            "name": strategy.label,
+            "mode": "lines",
+            "line": {"color": style.colour, "dash": style.dash, "width": 1.5},
+            "legendgroup": strategy.id,
+            "hovertemplate": f"%{{y:.4~g}} {unit}" if unit != "1" else "%{y:.4~g}",
+            "meta": {"strategy": strategy.id, "signal": panel.signal},
+        }
+        for strategy in STRATEGIES.values()
+        for style in [STYLES[strategy.id]]
+    ]
+    meta = {
+        "title": title,
+        "unit": unit,
+        "scale": scale,
+        "signal": panel.signal,
+        "least_span": scale * LEAST_SPANS.get(SIGNALS[panel.signal].unit, 0.0),
+        "braking": BRAKING,
+        "reference": [key for key, _ in panel.references],
+        "reference_factors": {key: list(factors) for key, factors in panel.references},
+        "reference_labels": {key: REFERENCES[key].label for key, _ in panel.references},
+        "band": list(panel.band) if panel.band else None,
+        "axes": {key: _axis_title(key) for key in AXES},
+        "stage_fills": STAGE_FILLS,
+        "band_fill": BAND_FILL,
+        "neutral": NEUTRAL,
+    }
+    layout = {
+        "template": {},
+        "title": {"text": title},
+        "meta": meta,
+        "xaxis": {"title": {"text": _axis_title(AXES[0])}, **_AXIS},
+        "yaxis": {"title": {"text": f"{title} [{unit}]"}, **_AXIS},
+        "hovermode": "x unified",
+        "showlegend": True,
+        "legend": {"orientation": "h", "y": 1.02, "yanchor": "bottom"},
+        "margin": {"l": 64, "r": 16, "t": 48, "b": 48},
+        "paper_bgcolor": "rgba(0,0,0,0)",
+        "plot_bgcolor": "rgba(0,0,0,0)",
+    }
+    return {"data": traces, "layout": layout}
 
 
 def _axis_title(axis: str) -> str:

@@ -1,11 +1,15 @@
-"""What a worker does before its first task. It imports the core itself, so it can be spawned before the service is."""
+"""Importing this warms a process up: the first request finds filled caches.
 
+Workers that are forked from such a process share its memory, as far as they leave it unchanged.
+"""
 
-def warm_up() -> None:
-    """Run the paper's scenario with every strategy once: the first request finds filled caches."""
-    from backend.runs.compute_run import compute
-    from sim_core.scenario import Scenario
-    from sim_core.strategies import STRATEGIES
+import gc
 
-    for strategy in STRATEGIES:
-        compute(Scenario(), strategy, "")
+from backend.runs.compute_run import compute
+from sim_core.scenario import Scenario
+from sim_core.strategies import STRATEGIES
+
+for _strategy in STRATEGIES:
+    compute(Scenario(), _strategy, "")
+gc.collect()
+gc.freeze()  # nothing of it is looked at again, which would copy it

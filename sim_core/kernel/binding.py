@@ -13,10 +13,9 @@ from sim_core.kernel.library import DOUBLE, INT, NAME, Array, Function, require
 from sim_core.kernel.record import LAYOUT
 
 _MOST_FUZZY_SETS, _DISTURBANCES = 20, 3
-_LINE, _TABLE, _LINES = Array(ndim=1), Array(ndim=2), Array(ndim=3)
-_LINE_OUT, _TABLE_OUT, _LINES_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2, 3))
+_LINE, _TABLE = Array(ndim=1), Array(ndim=2)
+_LINE_OUT, _TABLE_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2))
 _ROAD = _LINE, INT, Array(LAYOUT)
-_INTEGERS = Array(ndim=1, dtype=np.intc)
 
 _torque_shares = Function(
     "torque_shares", _LINE, _TABLE, INT, Array(ndim=2, dtype=np.intc), INT, _TABLE, INT, INT, _LINE_OUT

@@ -358,10 +358,10 @@ static void sample(const struct car *me, const struct state *x, double braking, 
 
 /* Its road is the chord and the polynomial of third degree 6 mean s (1 - s) - 60 moment s (1 - s) (1 - 2 s) above it, s
    from 0 to 1. */
-static struct piece piece(const double *chord, const double *mean, const double *moment, double braking, double time)
+static struct piece piece(const double *chord, const double *mean, const double *moment, double braking, double time,
+                          double per)
 {
     struct piece w = {.braking = braking, .time = time};
-    double per = 1 / time;
     for (int axle = 0; axle < AXLES; axle++) {
         double bow = mean[axle] * (6 * per), bend = moment[axle] * (60 * per);
         w.velocity[0][axle] = chord[axle] + bow - bend;
@@ -388,7 +388,7 @@ static struct piece fine_step(const struct car *me, int step)
     const double *within = me->within + (ptrdiff_t)2 * AXLES * step;
     if (!me->road.samples)
         return (struct piece){.velocity = {{w[ROAD], w[ROAD + 1]}}, .braking = w[BRAKING], .time = me->time};
-    return piece(w + ROAD, within, within + AXLES, w[BRAKING], me->time);
+    return piece(w + ROAD, within, within + AXLES, w[BRAKING], me->time, me->per_time);
 }
 
 static void enter(struct car *me, int where)
@@ -402,7 +402,7 @@ static void enter(struct car *me, int where)
 static void cross(struct car *me, int steps, const double *command, const struct piece *w, struct state *x)
 {
     const struct vehicle *vehicle = me->vehicle;
-    double h = w->time / steps;
+    double h = steps == 1 ? w->time : w->time / steps;
     for (int step = 0; step < steps; step++) {
         struct state next;
         int there = MAY_TURN;
@@ -451,7 +451,7 @@ static void cross_parts(struct car *me, int step, int parts, const double *comma
             begin[axle] = end;
             low[axle] = high;
         }
-        struct piece w = piece(chord, mean, moment, braking, time);
+        struct piece w = piece(chord, mean, moment, braking, time, 1 / time);
         cross(me, substeps, command, &w, x);
     }
 }

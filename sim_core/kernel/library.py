@@ -38,7 +38,7 @@ class Array:
         self._flags = _CONTIGUOUS | _ALIGNED | (_WRITEABLE if written else 0)
 
     def from_param(self, value: Any) -> Any:
-        """Where C finds the numbers of an array, which this keeps alive; `ctypes` calls it for each argument.
+        """Where C finds the numbers of an array; `ctypes` calls it for each argument.
 
         Raises:
             TypeError: It is no such array.
@@ -52,9 +52,7 @@ class Array:
             raise TypeError("C takes contiguous, aligned arrays, and writes into writeable ones")
         if flags & _WRITEABLE and value.size:  # a third of the time that `ctypes.data` takes
             return ctypes.byref(_BYTE(value.data))
-        pointer = ctypes.c_void_p(value.ctypes.data)
-        pointer.array = value  # type: ignore[attr-defined]  # a c_void_p takes any attribute
-        return pointer
+        return ctypes.c_void_p(value.ctypes.data)
 
 
 def load(file: Path, expected: str | None) -> ctypes.CDLL:
@@ -87,9 +85,9 @@ DIGEST: str = _LIBRARY.ridelab_digest().decode()  # SHA-256 of the C and of the 
 class Prepared:
     """What C has made of arrays, for many calls; it keeps them alive."""
 
-    def __init__(self, memory: Any, arguments: list[Any]) -> None:
+    def __init__(self, memory: Any, values: tuple[Any, ...]) -> None:
         self._as_parameter_ = memory
-        self._arguments = arguments
+        self._values = values
 
     @staticmethod
     def from_param(value: Any) -> Any:
@@ -145,7 +143,9 @@ class Function:
             TypeError: An argument is of another type, shape or order, or cannot be written.
         """
         first = zip(self._arguments, values, strict=False)
-        return partial(self._unchecked, *[kind.from_param(value) for kind, value in first])
+        bound = partial(self._unchecked, *[kind.from_param(value) for kind, value in first])
+        bound.values = values  # type: ignore[attr-defined]  # it takes any attribute
+        return bound
 
     def prepare(self, *values: Any) -> Prepared:
         """What the function makes of these arguments, in memory that it takes before them.
@@ -156,7 +156,7 @@ class Function:
         memory = ctypes.create_string_buffer(_PREPARED_BYTES)
         arguments = [kind.from_param(value) for kind, value in zip(self._arguments, values, strict=True)]
         self._unchecked(memory, *arguments)
-        return Prepared(memory, arguments)
+        return Prepared(memory, values)
 
 
 def require(agreed: bool, what: str) -> None:

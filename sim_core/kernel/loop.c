@@ -61,15 +61,15 @@ static double beyond(const double *values, int count)
 }
 
 /* Whether every row is within its limit. By Cauchy and Schwarz a row comes to no more than the norms of its parts times
-   the sizes of what they are on: most rows need no closer look, and few of the others one beyond their first part. */
+   the sizes of what they are on: most steps need no closer look, and most rows none beyond their first part. */
 static int holds(const struct law *law, int step)
 {
     int rows = (int)law->numbers->rows, steps = (int)law->numbers->steps;
     int columns = INPUTS + DISTURBANCES * (int)law->numbers->horizon;
-    const double *restrict norms = law->norms, *size = law->sizes + step;
-    double *restrict most = law->inputs + columns, squares = 0;
+    const double *restrict norms = law->norms, *restrict first_part = norms + NORMS * rows, *size = law->sizes + step;
+    double *restrict inputs = law->inputs, *restrict most = inputs + columns, squares = 0;
     for (int i = 0; i < INPUTS; i++)
-        squares += law->scale[i] * law->scale[i] * law->inputs[i] * law->inputs[i];
+        squares += law->scale[i] * law->scale[i] * inputs[i] * inputs[i];
     double on_state = sqrt(squares), mean = size[0], front = size[steps], rear = size[2 * (ptrdiff_t)steps];
     double braking = size[3 * (ptrdiff_t)steps];
     for (int i = 0; i < rows; i++)
@@ -78,12 +78,14 @@ static int holds(const struct law *law, int step)
     if (beyond(most, rows) == 0)
         return 1;
     for (int i = 0; i < rows; i++) {
-        const double *row = law->limits + (ptrdiff_t)columns * i;
-        if (!(most[i] <= WITHIN) &&
-            !(most[i] - norms[i] * on_state + fabs(dot(row, law->inputs, INPUTS)) <= WITHIN) &&
-            !(fabs(dot(row, law->inputs, columns)) <= WITHIN))
-            return 0;
+        double exact = 0;
+        for (int column = 0; column < INPUTS; column++)
+            exact += first_part[column * rows + i] * inputs[column];
+        most[i] += fabs(exact) - norms[i] * on_state;
     }
+    for (int i = 0; i < rows; i++)
+        if (!(most[i] <= WITHIN) && !(fabs(dot(law->limits + (ptrdiff_t)columns * i, inputs, columns)) <= WITHIN))
+            return 0;
     return 1;
 }
 

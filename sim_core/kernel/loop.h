@@ -2,7 +2,7 @@
 #ifndef RIDELAB_LOOP_H
 #define RIDELAB_LOOP_H
 
-enum { STATE = 8, AXLES = 2, FORCES = 2, INPUTS = STATE + FORCES, DISTURBANCES = 3 };
+enum { STATE = 8, AXLES = 2, FORCES = 2, INPUTS = STATE + FORCES, DISTURBANCES = 3, NORMS = 5 };
 
 /* Before a short loop over numbers that do not depend on each other: gcc would unroll it before it sees that. */
 #define TWO_AT_ONCE _Pragma("GCC unroll 1")
@@ -36,7 +36,7 @@ struct law {
     const double *preview_gain; /* 2 x 3 horizon */
     const double *limits;       /* rows x (10 + 3 horizon) */
     const double *scale;        /* 10: of the state and the previous force, where `norms` have them together */
-    const double *norms;        /* 5 x rows: of a row's parts on what `sizes` measures */
+    const double *norms;        /* NORMS x rows: of a row's parts on what `sizes` measures; then INPUTS x rows: the first */
     const double *preview;      /* both road velocities and the deceleration in each coming step */
     const double *sizes;        /* 4 x steps: of the mean deceleration previewed, both velocities, its difference */
     double *inputs;             /* 10 + 3 horizon numbers that the law multiplies in the present step; and one a row */

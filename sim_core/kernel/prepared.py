@@ -17,7 +17,7 @@ from sim_core.kernel.record import LAYOUT, SIGNALS, Recorder
 
 CAR, ESTIMATOR = 33, 112  # numbers of `struct vehicle` and `struct estimator` of car.c
 ECU_ANSWER, _STAGES = 5, 3  # numbers of an answer in ecu.c, stages of the ECU's tables
-_LAW_NUMBERS, _SIZES = 9, 5  # of `struct law_numbers` in loop.h; columns of a law's norms
+_LAW_NUMBERS, _SIZES = 9, 4  # of `struct law_numbers` in loop.h; magnitudes of what is previewed
 CAUSES, NUMBERS, _STEPS = 20, 10, 16  # of `struct linear_step` in car.c, and how many are kept
 _STATES, _LAGGING, _FORCES, _LAW_INPUTS, _DISTURBANCES, _MEASURED = 8, 10, 2, 10, 3, 4
 _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
@@ -111,7 +111,7 @@ class LawArrays:
         limits: (rows, 10 + 3 · horizon).
         scale: Of the state and the previous force, where `norms` have them together (10,).
         norms: Of each row's parts on the scaled state and force, on the mean deceleration, on both road velocities, and
-            on the deceleration's difference from its mean (5, rows).
+            on the deceleration's difference from its mean; then the first ten columns of `limits` (15, rows).
         preview: An array with all that is previewed.
         strides: How many numbers further the next kind of disturbance and the next control step are in it.
         sizes: Magnitudes of what is previewed in each step, for the last four of the norms (4, steps).
@@ -145,7 +145,8 @@ class LawArrays:
         require(
             self.limits.shape == (rows, _LAW_INPUTS + _DISTURBANCES * horizon), "Limits on everything the law knows"
         )
-        require(self.norms.shape == (_SIZES, rows) and len(self.sizes) == _SIZES - 1, "Norms of each limit and step")
+        require(self.norms.shape == (1 + _SIZES + _LAW_INPUTS, rows), "Norms and columns of each limit")
+        require(len(self.sizes) == _SIZES, "Four magnitudes in each step")
         require(
             min(kind, step) >= 0 and (beyond <= self.preview.size or not horizon), "What is previewed in every step"
         )

@@ -114,7 +114,7 @@ def law_arrays(
     rows = np.zeros((0, LAW_INPUTS + previewed)) if law.limits is None else law.limits
     if preview_gain.shape[1] != previewed or rows.shape[1] != LAW_INPUTS + previewed:
         raise RidelabError("A linear law has three columns for each control step that is previewed")
-    scale, norms = (np.ones(LAW_INPUTS), np.zeros((5, 0))) if law.limits is None else _norms(law)
+    scale, norms = (np.ones(LAW_INPUTS), np.zeros((5 + LAW_INPUTS, 0))) if law.limits is None else _norms(law)
     kind, step, _ = (stride // forecast.disturbances.itemsize for stride in forecast.disturbances.strides)
     return LawArrays(
         gain=law.gain,
@@ -133,7 +133,7 @@ def law_arrays(
 
 @cached
 def _norms(law: LinearLaw) -> tuple[FloatArray, FloatArray]:
-    """`LawArrays.scale` (10,) and `norms` (5, rows): on the state and force in units that make the largest gain 1."""
+    """`LawArrays.scale` (10,) and `norms` (15, rows): of the state and force in units that make the largest gain 1."""
     assert law.limits is not None  # noqa: S101 - `law_arrays` asks only then
     rows, columns = law.limits.shape
     on_state = law.limits[:, :LAW_INPUTS]
@@ -141,7 +141,7 @@ def _norms(law: LinearLaw) -> tuple[FloatArray, FloatArray]:
     scale = np.abs(on_state).max(axis=0, initial=0.0)
     state = np.linalg.norm(on_state / np.where(scale > 0, scale, 1.0), axis=1)
     mean = np.abs(by_disturbance[:, 2].sum(axis=1))
-    return scale, np.ascontiguousarray([state, mean, *np.linalg.norm(by_disturbance, axis=2).T])
+    return scale, np.ascontiguousarray([state, mean, *np.linalg.norm(by_disturbance, axis=2).T, *on_state.T])
 
 
 def checked_force(controller: Controller, force: object, step: int) -> FloatArray:

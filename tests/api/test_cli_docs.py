@@ -130,10 +130,12 @@ def check(name: str, client: httpx.Client, folder: Path, monkeypatch: pytest.Mon
     assert without_changing_values(page.path.read_text(encoding="utf-8")) == without_changing_values(again)
 
 
+HOW_TO = [f"how-to/{name}.md" for name in ("own-vehicle", "measured-road", "share-and-export", "check-in-ci")]
+PAGES = ["../README.md", "reference/cli.md", "reference/api.md", "tutorials/sweep-from-a-script.md", *HOW_TO]
+
+
 @pytest.mark.usefixtures("reproduced")
-@pytest.mark.parametrize(
-    "name", ["../README.md", "reference/cli.md", "reference/api.md", "tutorials/sweep-from-a-script.md"]
-)
+@pytest.mark.parametrize("name", PAGES)
 def test_a_page_shows_what_its_commands_print(
     name: str, client: httpx.Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -8,15 +8,17 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import httpx
 import pytest
 
 from backend.controller.build import NO_COMPILER, NO_CROSS_COMPILER
 from backend.paper import models
-from backend.settings import Settings
-from tests.api.conftest import Service, serve
+from backend.store import Store
 from tests.client.cli import Cli
 from tests.html import check, read
+from tests.servers.api import Api
 from tests.servers.compilers import Bare
+from tests.servers.process import HANG_TIMEOUT
 from tests.servers.reproduction import store_without_ecu
 
 REASON = "Nobody drove there"
@@ -28,24 +30,32 @@ SCENARIO: dict[str, Any] = {
 
 
 @pytest.fixture(scope="module")
-def bare(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Service]:
-    """Whatever builds and drives is a process of its own, with that machine's environment."""
-    with pytest.MonkeyPatch.context() as patch:
-        for name, value in Bare(tmp_path_factory.mktemp("machine")).environment.items():
-            patch.setenv(name, value)
-        for service in serve(Settings(data_dir=tmp_path_factory.mktemp("data"), workers=1, batch_workers=1)):
-            store_without_ecu(service.app.state.services.store, REASON)
-            yield service
+def bare(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
+    """Asks a service that is a process of its own: those that build and drive have that machine's environment."""
+    folder = tmp_path_factory.mktemp("service")
+    (folder / "data").mkdir()
+    store = Store(f"sqlite:///{folder}/data/ridelab.sqlite")
+    store.migrate()
+    store_without_ecu(store, REASON)
+    store.close()
+    machine = Bare(tmp_path_factory.mktemp("machine")).environment
+    api = Api(folder, RIDELAB_WORKERS="1", RIDELAB_BATCH_WORKERS="1", **machine)
+    try:
+        api.wait_until_ready()
+        with httpx.Client(base_url=api.url, timeout=HANG_TIMEOUT) as client:
+            yield client
+    finally:
+        api.end()
 
 
 @pytest.fixture
-def command(bare: Service, capfdbinary: pytest.CaptureFixture[bytes], monkeypatch: pytest.MonkeyPatch) -> Cli:
-    monkeypatch.setenv("RIDELAB_SERVER", str(bare.client.base_url))
+def command(bare: httpx.Client, capfdbinary: pytest.CaptureFixture[bytes], monkeypatch: pytest.MonkeyPatch) -> Cli:
+    monkeypatch.setenv("RIDELAB_SERVER", str(bare.base_url))
     return Cli(capfdbinary)
 
 
-def test_a_run_needs_none(bare: Service) -> None:
-    run = bare.run(["lv_hil", "passive"], SCENARIO).json()
+def test_a_run_needs_none(bare: httpx.Client) -> None:
+    run = bare.post("/api/v1/runs", json={"scenario": SCENARIO, "strategies": ["lv_hil", "passive"]}).json()
     assert {name: each["status"] for name, each in run["strategies"].items()} == {"lv_hil": "ok", "passive": "ok"}
 
 
@@ -58,10 +68,10 @@ def test_a_run_needs_none(bare: Service) -> None:
     ids=["report", "clock"],
 )
 def test_what_is_measured_is_refused_at_once(
-    bare: Service, command: Cli, tmp_path: Path, path: str, arguments: tuple[str, ...], sentence: str
+    bare: httpx.Client, command: Cli, tmp_path: Path, path: str, arguments: tuple[str, ...], sentence: str
 ) -> None:
     """Nobody is asked to wait: the client would, and then ask again for nothing."""
-    answer = bare.client.post(f"/api/v1/controller{path}", json={"scenario": SCENARIO})
+    answer = bare.post(f"/api/v1/controller{path}", json={"scenario": SCENARIO})
     problem = answer.json()
     assert (answer.status_code, problem["type"]) == (503, "urn:problem-type:ridelab:ecu-unavailable")
     assert problem["detail"] == f"{sentence}."
@@ -73,8 +83,8 @@ def test_what_is_measured_is_refused_at_once(
     assert f"{sentence}. (request " in command.error
 
 
-def test_of_the_paper_the_simulated_cells_stand(bare: Service, command: Cli) -> None:
-    answer = bare.client.get("/api/v1/paper").raise_for_status().json()
+def test_of_the_paper_the_simulated_cells_stand(bare: httpx.Client, command: Cli) -> None:
+    answer = bare.get("/api/v1/paper").raise_for_status().json()
     models.PaperAnswer.model_validate(answer)
     missing = [cell for cell in answer["cells"] if cell["verdict"] == "unavailable"]
     assert answer["unavailable"] == {"cells": len(missing), "reason": REASON}
@@ -91,8 +101,8 @@ def test_of_the_paper_the_simulated_cells_stand(bare: Service, command: Cli) -> 
     assert lines[-1].startswith(f"{answer['reached']} of 40 cells reached")
 
 
-def test_so_do_they_in_the_report(bare: Service) -> None:
-    page = read(bare.client.get("/api/v1/paper/report.html").raise_for_status().text)
+def test_so_do_they_in_the_report(bare: httpx.Client) -> None:
+    page = read(bare.get("/api/v1/paper/report.html").raise_for_status().text)
     check(page)
     assert next(page.all("h1")).text.endswith(" of 40 cells reached, 8 not available here")
     assert f"not counted. {REASON}." in page.text

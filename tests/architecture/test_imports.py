@@ -6,7 +6,7 @@ from pathlib import Path
 
 # Each takes a tenth of a second of a core or more, and belongs to a run, a survey, a search or a cluster.
 HEAVY = {"skfuzzy", "scipy.ndimage", "scipy.optimize", "scipy.sparse", "scipy.spatial", "scipy.stats"}
-HEAVY |= {"distributed", "optuna", "plotly.basedatatypes"}
+HEAVY |= {"distributed", "optuna", "plotly"}
 
 
 def test_the_service_starts_without_what_few_requests_need() -> None:

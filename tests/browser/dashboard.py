@@ -71,13 +71,14 @@ class Dashboard:
         self.expect_curves()
 
     def expect_curves(self) -> None:
-        """Waits for a stored run's curves and tables; whatever address named another run names this one by then.
+        """Waits for a stored run's curves, tables and tools; whatever address named another run names this one by then.
 
         Without `expect`, which writes down the whole page for its message at every look: a quarter of a second each.
         """
         self.page.locator("canvas[data-drawn]").first.wait_for()
         exact = self.page.locator("[data-testid=results][data-source=exact]:not([data-stale=true])")
         exact.locator("table").first.wait_for()
+        self.page.locator("header").get_by_role("button", name="Export").wait_for()
 
     @property
     def results(self) -> Locator:

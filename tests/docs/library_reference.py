@@ -54,7 +54,8 @@ def _signature(public: Any) -> str:
     except ValueError:
         return "()"
     bare = [each.replace(annotation=each.empty) for name, each in signature.parameters.items() if name != "self"]
-    return str(signature.replace(parameters=bare, return_annotation=signature.empty))
+    text = str(signature.replace(parameters=bare, return_annotation=signature.empty))
+    return re.sub(r"<function (\w+) at 0x\w+>", r"\1", text)  # a default that is a function
 
 
 def _text(public: Any) -> Iterator[str]:

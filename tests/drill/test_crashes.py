@@ -20,7 +20,7 @@ from tests.servers.accepted import Accepted, database
 from tests.servers.api import Api
 from tests.servers.compose import Topology
 from tests.servers.postgres import Postgres
-from tests.servers.process import Program, wait_until
+from tests.servers.process import FORK_SERVER, Program, wait_until
 
 KILLS = int(os.environ.get("DRILL_KILLS", "50"))
 SEED = int(os.environ.get("DRILL_SEED", "1"))
@@ -77,7 +77,7 @@ def kill_worker(program: Program, chance: random.Random) -> Victim:
         workers = []
         for child in program.children():
             try:
-                if "spawn_main" in " ".join(child.cmdline()):
+                if FORK_SERVER in " ".join(child.cmdline()):  # what forks them too
                     workers.append(child)
             except psutil.NoSuchProcess:
                 continue

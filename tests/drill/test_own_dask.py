@@ -15,13 +15,13 @@ from distributed import Client
 from backend.compute.chunk_messages import Chunk, ChunkOutcome
 from backend.compute.dask_executor import DaskExecutor
 from backend.job_run import JobRun
+from backend.runs import WARM_UP
 from backend.runs.compute_run import compute as compute_run
-from backend.runs.warm_up import warm_up
 from backend.settings import Settings
 from sim_core import __version__
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from tests.servers import loops
-from tests.servers.process import HANG_TIMEOUT, ROOT, Program, reserved_port
+from tests.servers.process import FORK_SERVER, HANG_TIMEOUT, ROOT, Program, reserved_port
 
 PAGE = (ROOT / "docs/how-to/operations.md").read_text()
 PLAIN = {"DASK_CONFIG": "backend/deploy/dask.yaml", "DASK_DISTRIBUTED__COMM__REQUIRE_ENCRYPTION": "false"}
@@ -72,7 +72,7 @@ async def compute(address: str, seeds: list[int]) -> list[ChunkOutcome]:
     """The chunks' outcomes for a service that uses that scheduler."""
     for _ in range(60):
         with contextlib.suppress(OSError):
-            executor = await DaskExecutor.connected(Settings(dask_scheduler=address), warm_up)
+            executor = await DaskExecutor.connected(Settings(dask_scheduler=address), WARM_UP)
             break
     try:
         while await executor.capacity() < 2:
@@ -90,7 +90,7 @@ def test_workers_of_both_kinds_compute_in_processes_of_their_own(address: str) -
     with Client(address) as client:
         children: dict[str, list[str]] = client.run(commands_of_children)
     assert len(children) == 2
-    assert all(any("spawn_main" in command for command in commands) for commands in children.values())
+    assert all(any(FORK_SERVER in command for command in commands) for commands in children.values())
 
 
 def commands_of_children() -> list[str]:

@@ -17,9 +17,9 @@ COPIED = ("sim_core", "backend", "client", "tests", "benchmarks", "docs", "pypro
 SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fno-omit-frame-pointer", "-g", "-fPIC")
 # What drives all of the C: roads and kinks, every damper, stop and actuator, metrics, the fuzzy rules, QPs, the ECU.
 TESTS = (
-    *("unit/test_kernel.py", "unit/test_kernel_misuse.py", "unit/test_qp.py"),
+    *("unit/test_kernel.py", "unit/test_kernel_misuse.py", "unit/test_qp.py", "unit/test_recorder.py"),
     *(f"validation/test_{name}.py" for name in ("ecu", "estimation", "fuzzy", "measured", "metrics", "mismatch")),
-    *(f"validation/test_{name}.py" for name in ("nonlinear", "road", "semi_active", "shape", "vehicles")),
+    *(f"validation/test_{name}.py" for name in ("nonlinear", "road", "sampling", "semi_active", "shape", "vehicles")),
 )
 
 pytestmark = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc here")

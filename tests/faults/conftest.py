@@ -12,7 +12,7 @@ from backend.compute.workers import RESERVED
 from backend.store import Store
 from tests.data import release
 from tests.servers.api import Api
-from tests.servers.process import HANG_TIMEOUT, wait_until
+from tests.servers.process import HANG_TIMEOUT, is_worker, wait_until
 
 PAGE = '<!doctype html><html><head><meta charset="utf-8"><title>Ridelab</title></head><body></body></html>'
 
@@ -30,7 +30,7 @@ class Process(Api):
         workers, niceness = [], min(19, psutil.Process().nice() + nice)
         for child in self.children():
             with contextlib.suppress(psutil.Error):  # it may end meanwhile
-                if "spawn_main" in " ".join(child.cmdline()) and child.nice() == niceness:
+                if is_worker(child) and child.nice() == niceness:
                     workers.append(child)
         return workers
 

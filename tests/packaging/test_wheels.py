@@ -154,6 +154,12 @@ def test_the_servers_wheel_has_its_pages(address: str, path: str, assets: int) -
         assert (asset.status_code, bool(asset.content)) == (200, True), name
 
 
+def test_the_servers_wheel_has_the_manual(address: str) -> None:
+    for path in ("/manual/", "/manual/reference/scenario/", "/manual/search.json"):
+        page = httpx.get(address + path, timeout=HANG_TIMEOUT)
+        assert (page.status_code, "Ridelab" in page.text or "ridelab" in page.text) == (200, True), path
+
+
 def test_the_servers_wheel_has_the_ecus_sources_and_the_reports_templates(address: str) -> None:
     body = {"scenario": {"road": {"length": 40, "bump": {"start": 20}}}, "strategies": ["lv_hil", "passive"]}
     run = httpx.post(f"{address}/api/v1/runs", json=body, timeout=HANG_TIMEOUT).json()

@@ -5,10 +5,10 @@ import time
 
 import psutil
 
-from tests.servers.process import HANG_TIMEOUT
+from tests.servers.process import FORK_SERVER, HANG_TIMEOUT
 
 MARK = "STARTED_BY_TESTS_OF"  # in the environment of whatever this process starts
-OURS = "multiprocessing.resource_tracker"  # Python's own; it ends with the process that runs the tests
+OURS = ("multiprocessing.resource_tracker", FORK_SERVER)  # Python's own; they end with the process that runs the tests
 
 
 def mark() -> None:
@@ -32,7 +32,8 @@ def _marked() -> dict[psutil.Process, str]:
         try:
             if process.environ().get(MARK) == str(os.getpid()) and process.status() != psutil.STATUS_ZOMBIE:
                 command = " ".join(process.cmdline())
-                if OURS not in command and process.pid != os.getpid():
+                ours = process.ppid() == os.getpid() and any(each in command for each in OURS)
+                if not ours and process.pid != os.getpid():
                     commands[process] = command
         except psutil.Error:  # it ended, or is not ours to look at
             continue

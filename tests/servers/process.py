@@ -18,6 +18,7 @@ import psutil
 ROOT = Path(__file__).parents[2]
 # The limit of every wait of every test [s]. It ends what hangs: a machine that is busy never reaches it.
 HANG_TIMEOUT = 600.0
+FORK_SERVER = "multiprocessing.forkserver"  # in the command line of what workers are forked from, and in theirs
 
 
 # For plain HTTP no certificate is needed; without this httpx reads all it knows for every request, 20 ms of a core.
@@ -52,6 +53,12 @@ def wait_until(condition: Callable[[], object], what: str, *, pause: float = 0.0
                 return
         time.sleep(pause)
     raise TimeoutError(f"It hangs: {what}")
+
+
+def is_worker(process: psutil.Process) -> bool:
+    """Whether it computes for a service: it was forked from a warm process, and has its command line."""
+    parent = process.parent()
+    return parent is not None and all(FORK_SERVER in " ".join(each.cmdline()) for each in (process, parent))
 
 
 class Program:

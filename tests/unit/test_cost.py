@@ -269,7 +269,7 @@ print(most() - before)
     ids=lambda value: value if isinstance(value, str) else "",
 )
 def test_a_run_takes_no_more_memory_than_is_estimated(strategy: str, mpc: Mpc, more: dict[str, Estimation]) -> None:
-    """With its time histories, in a process of its own, whose peak the system knows; other runs' caches take 48 MiB."""
+    """With its time histories, in a process of its own, whose peak the system knows; other runs' caches take 28 MiB."""
     scenario = Scenario(
         road=Road(length=600, bump=Bump(start=60)),
         speed=Speed(initial_speed_kmh=5, target_speed_kmh=5),

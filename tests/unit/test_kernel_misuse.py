@@ -100,7 +100,7 @@ RIGHT = dict(
 )
 LAW = dict(
     gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 9)),
-    limits=np.zeros((4, 19)), scale=np.ones(10), norms=np.zeros((5, 4)),
+    limits=np.zeros((4, 19)), scale=np.ones(10), norms=np.zeros((15, 4)),
     preview=np.zeros((3, STEPS + 2)), strides=(STEPS + 2, 1), sizes=np.zeros((4, STEPS)),
     force_limits=np.full(3, inf), clips=True,
 )
@@ -129,8 +129,8 @@ MISUSES = {
     "preview by axle": "preview_gain=np.zeros((2, 9), order='F')",
     "big-endian preview": "preview_gain=np.zeros((2, 9), dtype='>f8')",
     "limits on the state alone": "limits=np.zeros((4, 10))",
-    "norms of other limits": "norms=np.zeros((5, 3))",
-    "norms of four parts": "norms=np.zeros((4, 4))",
+    "norms of other limits": "norms=np.zeros((15, 3))",
+    "norms of four parts": "norms=np.zeros((14, 4))",
     "a scale of the state alone": "scale=np.ones(8)",
     "a preview that ends before the drive": "preview=np.zeros((3, STEPS + 1))",
     "a preview from behind": "strides=(STEPS + 2, -1)",
@@ -266,7 +266,7 @@ def linear_drive(qp: tuple[QpDesign, QpMemory] | None = None, **changed: Any) ->
         preview_gain=np.zeros((2, 9)),
         limits=np.zeros((4, 19)),
         scale=np.ones(10),
-        norms=np.zeros((5, 4)),
+        norms=np.zeros((15, 4)),
         preview=np.zeros((3, 8)),
         strides=(8, 1),
         sizes=np.zeros((4, 6)),

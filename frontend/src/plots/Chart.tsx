@@ -1,11 +1,24 @@
 /** One small plot of its own: drawn anew when its figure or its width changes; points can be clicked. */
 
+import { Button } from "@mantine/core";
 import { useElementSize } from "@mantine/hooks";
+import { useSelector } from "@tanstack/react-store";
 import { useEffect, useEffectEvent, useRef, useState, type ReactNode, type RefObject } from "react";
 import type { MadeTrace } from "../api/types";
 import classes from "./plots.module.css";
-import type { BarTrace, GridTrace, LineTrace, PlotElement, PlotLayout, PlotTrace, PointTrace } from "./plotly";
-import { PlotlyFault, usePlotly } from "./usePlotly";
+import { Fault } from "../ui/Fault";
+import {
+  plotlyState,
+  requestPlotly,
+  type Plotly,
+  type BarTrace,
+  type GridTrace,
+  type LineTrace,
+  type PlotElement,
+  type PlotLayout,
+  type PlotTrace,
+  type PointTrace,
+} from "./plotly";
 
 export interface ChartFigure {
   readonly data: readonly (
@@ -98,4 +111,24 @@ export function Chart(props: Props) {
       {over?.(drawing, width)}
     </div>
   );
+}
+
+/** Says that plotly.js could not be loaded, and tries again. */
+function PlotlyFault() {
+  const { failed } = useSelector(plotlyState);
+  if (!failed) return null;
+  return (
+    <Fault size="md">
+      The plot library could not be loaded.{" "}
+      <Button size="compact-xs" variant="light" onClick={requestPlotly}>
+        Try again
+      </Button>
+    </Fault>
+  );
+}
+
+/** plotly.js, asked for where something is drawn by it; `null` until it is there. */
+function usePlotly(): Plotly | null {
+  useEffect(requestPlotly, []);
+  return useSelector(plotlyState).plotly;
 }

@@ -1,7 +1,7 @@
-/** What the lab puts into the header: library, undo and redo, what the last answer cost, sweep, share and export. */
+/** What the lab puts into the header: library, undo and redo, what the last answer cost, sweep, share and export; and its actions. */
 
+import { useAction, useActionButton, usePaletteEntries, type PaletteEntry } from "../../lab/actions";
 import { IconArrowBackUp, IconArrowForwardUp } from "../../ui/icons";
-import { useActionButton } from "../../lab/actions";
 import { ExportMenu } from "../../features/export/ExportMenu";
 import { LibraryButton } from "../../features/library/LibraryButton";
 import { ShareRun } from "../../features/share/ShareRun";
@@ -9,6 +9,13 @@ import { SweepButton } from "../../features/sweep/SweepButton";
 import { IconButton } from "../../ui/IconButton";
 import classes from "../../ui/shell.module.css";
 import { StatusLine } from "./StatusLine";
+import { useLabContext, useLab } from "../../lab/context";
+import { hasInvalidInput } from "../../lab/labState";
+import { revealed } from "../../lab/reveal";
+import { sweepFields } from "../../scenario/fields";
+import { useFigures, useForm, usePresets, useStrategies } from "../../server/useCatalogues";
+import { useSelected } from "./StrategyChoice";
+import { useEffect } from "react";
 
 export function LabTools() {
   return (
@@ -27,4 +34,45 @@ export function LabTools() {
       <ExportMenu />
     </>
   );
+}
+
+/** Signals the moving car needs besides those in the figures. */
+const CAR_SIGNALS = ["rear_road"];
+
+/** What can be done to the lab's scenario, and what of it is found by name. */
+export function LabActions() {
+  const { lab } = useLabContext();
+  const [form, presets, strategies, figures] = [useForm(), usePresets(), useStrategies(), useFigures()];
+  useEffect(() => {
+    const drawn = Object.values(figures).flatMap(({ data }) => data.map(({ meta }) => meta.signal));
+    lab.configure(form, [...new Set([...drawn, ...CAR_SIGNALS])]);
+  }, [lab, form, figures]);
+  const { selected, toggle } = useSelected(strategies);
+  const canEdit = useLab((state) => state.shared === null);
+  const canUndo = useLab((state) => hasInvalidInput(state) || (state.history?.past.length ?? 0) > 0);
+  const canRedo = useLab((state) => (state.history?.future.length ?? 0) > 0);
+  useAction("undo", canEdit && canUndo ? lab.undo : null);
+  useAction("redo", canEdit && canRedo ? lab.redo : null);
+  useAction("paper", canEdit ? lab.openPaper : null);
+  usePaletteEntries([
+    ...(canEdit ? presets : []).map(({ label, description, scenario }): PaletteEntry => ({
+      group: "Presets",
+      label,
+      description,
+      run: () => lab.commit(scenario),
+    })),
+    ...strategies.map(({ id, label, description }): PaletteEntry => ({
+      group: "Strategies",
+      label: `${selected.includes(id) ? "Hide" : "Show"} ${label}`,
+      description,
+      run: () => toggle(id),
+    })),
+    ...sweepFields(form).map(({ title, section, leaf }): PaletteEntry => ({
+      group: "Fields",
+      label: title,
+      description: section,
+      run: () => revealed.set(leaf.pointer),
+    })),
+  ]);
+  return null;
 }

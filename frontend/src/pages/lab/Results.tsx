@@ -9,6 +9,7 @@ import type { ResultView } from "../../lab/resultView";
 import { LazyPart } from "../../ui/LazyPart";
 import { Blank, CouldNotLoad } from "../../ui/Blank";
 import classes from "../../ui/shell.module.css";
+import plots from "../../plots/plots.module.css";
 import { CarView, ChangeChips, StageLegend, Tables, VerdictLine } from "./afterCurves";
 import { getAt } from "../../scenario/path";
 import { useCurves } from "../../plots/useDetail";
@@ -138,7 +139,7 @@ function Loading() {
     <div className={classes.results} aria-busy aria-label="Loading results">
       <Skeleton h={150} radius={8} />
       <Skeleton h={66} radius={8} />
-      <div className={classes.loadingGrid}>
+      <div className={plots.grid}>
         {Array.from({ length: 6 }, (_, index) => (
           <Skeleton key={index} height={210} radius={8} />
         ))}

@@ -1,7 +1,7 @@
 /** The plot and the rows, and from a row to its run. */
 
 import { keepPreviousData, useQuery } from "@tanstack/react-query";
-import { useEffect, useEffectEvent, useMemo, useCallback } from "react";
+import { useCallback, useDeferredValue, useEffect, useEffectEvent, useMemo } from "react";
 import type { Group, NumberField } from "../../scenario/schema";
 import { BatchRows } from "./SweepRows";
 import { paperMetrics } from "../../server/metrics";
@@ -45,7 +45,9 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
   );
   const requested = useMemo(() => [...new Set([...keys, ...CAVEAT_COLUMNS])], [keys]);
   const table = useQuery({ ...tableQuery(batch, requested), placeholderData: keepPreviousData });
-  const fetched = table.data?.columns ?? NOTHING;
+  const arrived = table.data?.columns ?? NOTHING;
+  // Drawn in pieces: ten thousand rows do not hold the page.
+  const fetched = useDeferredValue(arrived, NOTHING);
   const columns = useMemo(() => shownColumns(fetched, storedFields, form), [fetched, storedFields, form]);
   // The first finished runs are shown as soon as they are known of, not when rows are due again.
   const readFirst = useEffectEvent(() => {
@@ -90,7 +92,7 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
       />
       <BatchRows
         {...{ batch, columns, catalogue, strategies, markers, best }}
-        loading={table.isPending}
+        loading={table.isPending || fetched !== arrived}
         figures={listed}
         opening={opening.opening?.run ?? null}
         onOpen={open}
