@@ -5,7 +5,7 @@ so do the accelerations. Mean squares are trapezoids within the columns; windows
 does.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from math import sqrt
 
 import numpy as np
@@ -54,7 +54,6 @@ def evaluate(run: Run, recorder: Recorder, recording: Recording) -> StrategyResu
         },
         events={
             **dict(zip(_AIRBORNE, (1000 * fine_step * time for time in recorder.airborne), strict=True)),
-            "stop_contact_ms": _stop_contact(columns, scenario.real_vehicle.bump_stop_clearance) * 1000 * fine_step,
             "target_reached": _target_reached(scenario, arrival) if planned else None,
             "bump_complete": scenario.bump_left <= scenario.road.length,
             "travel_exceeded_mm": max(0.0, travel - scenario.mpc.deflection_limit) * 1000,
@@ -124,15 +123,6 @@ def rms_between(
     place = np.arange(until.shape[1])
     means = [np.diff(np.interp(ends, place, integral)).sum() / durations.sum() for integral in until]
     return dict(zip(METRIC_SIGNALS, np.sqrt(means).tolist(), strict=True))
-
-
-def _stop_contact(columns: Callable[[], Mapping[str, FloatArray]], clearance: float | None) -> int:
-    """Fine steps in which a suspension is on its bump stops, whose clearance [m] is None where there are none."""
-    if clearance is None:
-        return 0
-    signals = columns()
-    deflections = np.maximum(np.abs(signals["front_deflection"]), np.abs(signals["rear_deflection"]))
-    return int(np.count_nonzero(deflections[:-1] > clearance))
 
 
 def _target_reached(scenario: Scenario, arrival: float) -> bool:

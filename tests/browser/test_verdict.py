@@ -68,4 +68,4 @@ def test_a_strategy_stands_out_and_the_table_is_sorted_and_grouped(dashboard: Da
     expect_new_address(page, address)
     comparison.get_by_label("Group by strategy").check()
     expect(comparison.get_by_role("rowheader", name="LV control", exact=True)).to_be_visible()
-    expect(comparison.get_by_role("button", name="Bump height 12")).to_have_count(3)
+    expect(comparison.locator("table").get_by_role("button", name="Bump height 12")).to_have_count(3)

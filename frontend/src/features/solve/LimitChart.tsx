@@ -61,7 +61,7 @@ export function LimitChart({ scenario, question, strategies, field, figure, limi
   const waiting = answers.some(({ isPending }) => isPending);
   if (waiting || curves.every(({ points }) => points.length < 2))
     return (
-      <Text size="sm" c="dimmed" h={HEIGHT} role="status">
+      <Text size="sm" c="dimmed" h={HEIGHT} aria-busy={waiting}>
         {waiting ? "Driving every strategy over the range…" : "No strategy could be driven over this range."}
       </Text>
     );

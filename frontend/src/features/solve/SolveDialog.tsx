@@ -68,7 +68,12 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
     () => (leaf && figure ? readDraft(draft, leaf, figure) : { question: null, wrong: {}, driven: null }),
     [draft, leaf, figure],
   );
-  const [settled] = useDebouncedValue(driven, TYPED_MS);
+  const [typed] = useDebouncedValue(
+    useMemo(() => ({ driven, field: draft.field }), [driven, draft.field]),
+    TYPED_MS,
+  );
+  // Another field has other values: none of it is asked for over those of the one before.
+  const settled = typed.field === draft.field ? typed.driven : null;
   const isSpeed = draft.field === speedField(byId(draft.strategy), scenario);
   const search = useMutation({
     mutationFn: (body: Question) => ask("post", "/solve", { body: { scenario, ...body } }),

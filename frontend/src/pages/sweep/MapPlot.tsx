@@ -83,7 +83,7 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
       <Group gap="0" align="flex-start" justify="space-between" wrap="nowrap" pr="0.7rem">
         <Text size="xs" p="0.2rem 0.9rem 0.6rem" c="dimmed" data-testid="map-note">
           {colours}. {sentence}
-          {hatched(grid, columns).flat().includes(true) && " Strokes: a tyre was in the air or a bump stop was hit."}
+          {hatched(grid, columns).flat().includes(true) && " Strokes: a tyre was in the air."}
           {unsettled(grid, noise).flat().includes(true) && " Pale: within one road’s luck."}
           {gaps > 0 && ` ${count(gaps, "gap")} without a value.`} A click on a cell opens its run; drag to zoom, double
           click for all.

@@ -41,7 +41,7 @@ describe("a map", () => {
     expect(grid && shareBelow(grid, -60)).toEqual({ below: 1, computed: 3, gaps: 1 });
   });
 
-  it("knows where the car left the linear range, and where a change may be luck", () => {
+  it("knows where a tyre was in the air, and where a change may be luck", () => {
     const grid = mapGrid(
       { ...COLUMNS, "events.airborne_ms": [0, 0, 5, 0, 0.5, 0, 0, 9] },
       { ...QUESTION, against: "passive" },

@@ -15,14 +15,11 @@ export interface MapGrid {
   readonly rows: readonly (readonly (number | null)[])[];
 }
 
-/** Events that leave what a linear car can tell, in a batch's columns. */
-export const LEFT_LINEAR = ["events.airborne_ms", "events.stop_contact_ms"];
+const AIRBORNE = "events.airborne_ms";
 
-/** Where a tyre was in the air or a bump stop was hit, cell by cell. */
+/** Where a tyre was in the air, cell by cell. */
 export const hatched = ({ rows }: MapGrid, columns: Columns): readonly (readonly boolean[])[] =>
-  rows.map((line) =>
-    line.map((row) => row !== null && LEFT_LINEAR.some((event) => Number(cell(columns, event, row) ?? 0) >= 1)),
-  );
+  rows.map((line) => line.map((row) => row !== null && Number(cell(columns, AIRBORNE, row) ?? 0) >= 1));
 
 /** Where a change [%] is within the luck of the roads, cell by cell. */
 export const unsettled = ({ values }: MapGrid, noise: number): readonly (readonly boolean[])[] =>

@@ -19,7 +19,7 @@ interface Input {
   readonly threshold: number | null;
   /** What a cell says of itself, line by line. */
   readonly textOf: (row: number, value: number) => readonly string[];
-  /** Cells in which a tyre was in the air or a bump stop was hit. */
+  /** Cells in which a tyre was in the air. */
   readonly hatched: readonly (readonly boolean[])[];
   /** Cells whose change may be luck. */
   readonly pale: readonly (readonly boolean[])[];
@@ -83,7 +83,7 @@ function line({ grid, threshold, unit }: Input): readonly GridTrace[] {
 
 const GROUND = { light: "#ffffff", dark: "#1a1b1e" } as const;
 
-/** Over the cells: a veil where the change may be luck, strokes where the car left the linear range. */
+/** Over the cells: a veil where the change may be luck, strokes where a tyre was in the air. */
 function marks({ grid, hatched, pale, scheme }: Input): readonly (GridTrace | PointTrace)[] {
   const [xs, ys] = [grid.xs.map(named), grid.ys.map(named)];
   const veil: GridTrace = {
