@@ -49,7 +49,7 @@ def test_dragging_is_live_the_release_exact_and_both_are_compared_with_before(da
     comparison = dashboard.page.get_by_role("region", name="Comparison")
     comparison.get_by_label("Plot differences").check()
     expect(drawn).to_have_attribute("data-drawn", "3")
-    expect(dashboard.page.get_by_role("region", name="Body acceleration")).to_contain_text("less before the last edit")
+    expect(dashboard.page.get_by_role("region", name="Body acceleration")).to_contain_text("change against before the last edit")
     comparison.get_by_label("Plot differences").uncheck()
     expect(drawn).to_have_attribute("data-drawn", "6")
     comparison.get_by_label("Change against").select_option("Passive")

@@ -143,7 +143,7 @@ function Leads({ summary, strategies, figures, onBaseline }: LeadsProps) {
         Share of the points at which {baseline.label} has the lower value; below, how much higher the other strategy is:
         in the scenario itself, then the median and the range of 90 % of the points.
       </Text>
-      <ul className={ui.note} aria-label="Conclusion">
+      <Box component="ul" m={0} fz="sm" className={ui.note ?? ""} style={{ listStyle: "none" }} aria-label="Conclusion">
         {others.map(({ id, label }) => {
           const margins = figures.flatMap(({ key }) => summary.strategies[id]?.figures[key]?.margin ?? []);
           const leads = margins.flatMap(({ worse, better }) =>
@@ -151,7 +151,7 @@ function Leads({ summary, strategies, figures, onBaseline }: LeadsProps) {
           );
           return leads.length > 0 && <li key={id}>{leadSentence(baseline.label, label, leads)}</li>;
         })}
-      </ul>
+      </Box>
       <DataTable
         label="Leads"
         rows={others}
