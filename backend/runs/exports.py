@@ -160,7 +160,12 @@ def column_name(key: str) -> str:
 def _tables(members: Members, export: Export) -> Iterator[tuple[str, list[SeriesArray]]]:
     """Strategy after strategy some samples of each signal."""
     for name, make in members.items():
-        columns = make()
-        for start in range(0, columns.count, AT_ONCE):
-            end = min(columns.count, start + AT_ONCE)
-            yield name, [columns.values(key, start, end) for key in export.signals]
+        for samples in _pieces(make(), export.signals):
+            yield name, samples
+
+
+def _pieces(columns: Columns, signals: Sequence[str]) -> Iterator[list[SeriesArray]]:
+    """Some samples of each signal at a time; at the end nothing keeps the strategy's any more."""
+    for start in range(0, columns.count, AT_ONCE):
+        end = min(columns.count, start + AT_ONCE)
+        yield [columns.values(key, start, end) for key in signals]

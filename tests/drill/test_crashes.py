@@ -24,8 +24,8 @@ from tests.servers.process import FORK_SERVER, Program, wait_until
 
 KILLS = int(os.environ.get("DRILL_KILLS", "50"))
 SEED = int(os.environ.get("DRILL_SEED", "1"))
-RUNS = 240  # of one batch: some seconds of two cores
-LEAST_WORK = 200  # runs that wait while it kills
+RUNS = 480  # of one batch: a second or two of two cores
+LEAST_WORK = 400  # runs that wait while it kills
 LIFE = 4.0  # of a service that is killed again and again [s]
 LIVES = 4  # times the runs of another batch
 WHILE_WORKING = 0.7  # of the kills come while results come in, the others at any moment, such as during a start
@@ -37,8 +37,9 @@ def drill(accepted: Accepted, victims: Sequence[Victim], chance: random.Random) 
     """Kill at random moments, in rounds that shuffle the victims; then wait for everything."""
     killed: Counter[str] = Counter()
     next_victims: list[Victim] = []
-    accepted.submit()
     while killed.total() < KILLS:
+        if accepted.waiting() < LEAST_WORK:
+            accepted.submit()
         if chance.random() < WHILE_WORKING:
             accepted.await_work()
         time.sleep(chance.uniform(0.01, 1.5))  # the moment of the kill is what chance is for
@@ -49,8 +50,6 @@ def drill(accepted: Accepted, victims: Sequence[Victim], chance: random.Random) 
         killed[what] += 1
         accepted.check_stored()
         print(f"{killed.total():3} of {KILLS}: killed {what}, {len(accepted.stored)} results stored")
-        if accepted.waiting() < LEAST_WORK:
-            accepted.submit()
     accepted.finish()
     with accepted.engine.connect() as connection:
         stored = connection.execute(select(func.count()).select_from(results)).scalar_one()

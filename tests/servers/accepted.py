@@ -48,9 +48,9 @@ class Accepted:
             return int(connection.execute(query).scalar_one())
 
     def await_work(self) -> None:
-        """Wait for new results; a service that has just been killed takes some seconds."""
+        """Wait for new results, if any are to come; a service that has just been killed takes some seconds."""
         before = self.waiting()
-        wait_until(lambda: self.waiting() != before, "results come in")
+        wait_until(lambda: not before or self.waiting() != before, "results come in")
 
     def check_stored(self) -> None:
         """Every result stored before is the same row now: neither lost nor computed again."""
