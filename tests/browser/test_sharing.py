@@ -76,7 +76,7 @@ def test_a_link_opens_the_same_numbers_the_same_view_and_the_pins(dashboard: Das
     page.get_by_role("menuitem", name="Try again").click()
     expect(page.locator(pinned)).to_be_visible()
     expect(page.get_by_label("Change against").locator("option:checked")).to_have_text("As printed")
-    expect(page.locator(head)).to_contain_text("less As printed")
+    expect(page.locator(head)).to_contain_text("change against As printed")
     comparison.get_by_role("button", name="As printed").click()
     page.get_by_role("menuitem", name="Unpin").click()
     expect(page.locator(pinned)).to_have_count(0)

@@ -37,5 +37,5 @@ it("a panel opens on its part of the run and has all of it to pan to; what is ty
   expect(data[0]).toMatchObject({ x: lv.position, name: "LV &lt;b>" });
   const { xaxis, yaxis } = layout as unknown as Record<"xaxis" | "yaxis", { range: readonly [number, number] }>;
   expect(xaxis).toMatchObject({ range: [0, 10], title: { text: "Distance [m]" } });
-  expect(yaxis).toMatchObject({ title: { text: "Load [kN], less a&lt;b" } });
+  expect(yaxis).toMatchObject({ title: { text: "Load [kN], change against a&lt;b" } });
 });

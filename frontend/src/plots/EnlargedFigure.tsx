@@ -57,7 +57,7 @@ export function enlarged(template: FigureTemplate, curves: Curves, palette: Pale
   const panel = buildFigure({ template, palette, ...curves }).layout;
   const { data, layout } = buildFigure({ template, palette, ...curves, range: [0, Math.max(...ends)] });
   const x = `${meta.axes[axisSignal(axis)] ?? ""}${roads === undefined ? "" : `. ${overRoads(roads, minus !== undefined)}`}`;
-  const y = `${meta.title} [${meta.unit}]${minus === undefined ? "" : `, less ${asText(minus)}`}`;
+  const y = `${meta.title} [${meta.unit}]${minus === undefined ? "" : `, change against ${asText(minus)}`}`;
   return {
     data: withPlainNames(data).map((trace) => ({
       ...trace,
