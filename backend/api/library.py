@@ -1,11 +1,11 @@
-"""What there is to choose from, as the core declares it; and half-cars from data sheets."""
+"""What there is to choose from, as the core declares it, and what may be refused; and half-cars from data sheets."""
 
 from fastapi import Response
 
 from backend.api import router
 from backend.json_types import JsonObject
 from backend.library import answers
-from backend.library.models import Catalogue, HalfCarAnswer, PresetAnswer, StrategyAnswer, VehicleAnswer
+from backend.library.models import Catalogue, HalfCarAnswer, PresetAnswer, ProblemAnswer, StrategyAnswer, VehicleAnswer
 from backend.models import Figures
 from sim_core.scenario.data_sheet import DataSheet
 
@@ -51,6 +51,12 @@ async def get_figures() -> Response:
 async def get_vehicles() -> Response:
     """Vehicles with their sources, as a scenario's `vehicle`."""
     return _answer(answers.vehicles())
+
+
+@library.get("/problems", operation_id="getProblems", response_model=list[ProblemAnswer])
+async def get_problems() -> Response:
+    """Every kind of problem that the service answers with: what happened, and what to do about it."""
+    return _answer(answers.problems())
 
 
 @data_sheets.post("/vehicles/from-data-sheet", operation_id="makeHalfCar", response_model=HalfCarAnswer)

@@ -7,7 +7,8 @@ from typing import Any
 import orjson
 from pydantic import BaseModel
 
-from backend.library.models import Catalogue, PresetAnswer, StrategyAnswer, VehicleAnswer
+from backend.http.kinds import KINDS
+from backend.library.models import Catalogue, PresetAnswer, ProblemAnswer, StrategyAnswer, VehicleAnswer
 from backend.means_over_roads import one_road_resolution
 from backend.runs import figures
 from sim_core import catalogue as core
@@ -54,6 +55,12 @@ def strategies() -> bytes:
 
 
 @cache
+def problems() -> bytes:
+    """Every kind of problem, by status."""
+    return _json([ProblemAnswer(**dataclasses.asdict(kind)) for kind in KINDS.values()])
+
+
+@cache
 def catalogue() -> bytes:
     """The core's catalogue."""
     lists = {name: getattr(core, name.upper()) for name in Catalogue.model_fields}
@@ -69,7 +76,7 @@ def figure_templates() -> bytes:
 
 def warm() -> None:
     """Build every answer, so that the first request finds it."""
-    for make in (schema, presets, vehicles, strategies, catalogue, figure_templates):
+    for make in (schema, presets, vehicles, strategies, problems, catalogue, figure_templates):
         make()
 
 

@@ -1,4 +1,4 @@
-"""The shapes of what is answered about the core's own lists: presets, vehicles, strategies, the catalogue."""
+"""The shapes of what is answered about lists: presets, vehicles, strategies, the catalogue, kinds of problem."""
 
 from pydantic import Field
 
@@ -29,6 +29,16 @@ class StrategyAnswer(Answer):
         description="Smaller changes [%] on one road may be luck; by statistic, comfort figures as an RMS. Of two "
         "strategies the larger one counts"
     )
+
+
+class ProblemAnswer(Answer):
+    """One kind of problem, by which programs go."""
+
+    name: str = Field(description="The end of its `type`, which is `urn:problem-type:ridelab:` and this")
+    statuses: list[int] = Field(description="HTTP statuses it comes with, nearly always one")
+    title: str
+    meaning: str = Field(description="What happened")
+    remedy: str = Field(description="What whoever asked can do about it")
 
 
 class QuantityAnswer(Answer):

@@ -12,6 +12,7 @@ import httpx
 import pytest
 
 from backend.batches.robustness import UNCERTAINTIES
+from backend.http.kinds import KINDS
 from backend.http.openapi import EXAMPLES
 from backend.runs.reports import inputs
 from sim_core.catalogue import METRICS
@@ -371,5 +372,6 @@ def test_names_are_listed_with_what_a_script_needs(cli: Cli) -> None:
     assert cli("vehicles") == cli("vehicle")
     assert {each["name"] for each in json.loads(cli("vehicles", "--json"))} == set(VEHICLES)
     assert cli("presets", "watts", "circular").count("watts_hump") == 1
+    assert {each["name"] for each in json.loads(cli("problems", "--json"))} == set(KINDS)
     cli("strategies", "no", "such", code=2)
     assert "Nothing here has no and such" in cli.error

@@ -1,4 +1,4 @@
-"""`ridelab fields`, `metrics`, `strategies`, `presets` and `vehicles`: the names a script needs, from the service."""
+"""`ridelab fields`, `metrics`, `strategies`, `presets`, `vehicles`, `problems`: the names a script needs."""
 
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Any
@@ -43,7 +43,12 @@ def vehicles(services: Services, words: Words = None, as_json: options.AsJson = 
     _named(list(services.at().vehicles().values()), words, as_json=as_json)
 
 
-LISTS = (fields, metrics, strategies, presets, vehicles)
+def problems(services: Services, words: Words = None, as_json: options.AsJson = False) -> None:
+    """List the kinds of problem that the service answers with, and what to do about each."""
+    _show(services.at().get("/problems"), ("name", "statuses", "meaning", "remedy"), words, as_json=as_json)
+
+
+LISTS = (fields, metrics, strategies, presets, vehicles, problems)
 
 
 def _named(entries: Sequence[Mapping[str, Any]], words: Sequence[str] | None, *, as_json: bool) -> None:

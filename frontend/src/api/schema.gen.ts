@@ -76,6 +76,9 @@ export interface paths {
     readonly "/presets": {
         readonly get: operations["getPresets"];
     };
+    readonly "/problems": {
+        readonly get: operations["getProblems"];
+    };
     readonly "/roads": {
         readonly post: operations["createRoad"];
     };
@@ -837,6 +840,13 @@ export interface components {
             readonly label: string;
             readonly scenario: JsonObject;
         };
+        readonly ProblemAnswer: {
+            readonly meaning: string;
+            readonly name: string;
+            readonly remedy: string;
+            readonly statuses: readonly number[];
+            readonly title: string;
+        };
         readonly Progress: {
             readonly done: number;
             readonly total: number;
@@ -1404,6 +1414,7 @@ export type PaperFigures = components['schemas']['PaperFigures'];
 export type Part = components['schemas']['Part'];
 export type Place = components['schemas']['Place'];
 export type PresetAnswer = components['schemas']['PresetAnswer'];
+export type ProblemAnswer = components['schemas']['ProblemAnswer'];
 export type Progress = components['schemas']['Progress'];
 export type QuantityAnswer = components['schemas']['QuantityAnswer'];
 export type ReadingAnswer = components['schemas']['ReadingAnswer'];
@@ -1879,6 +1890,15 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/json": readonly components["schemas"]["PresetAnswer"][];
+                };
+            };
+        };
+    };
+    readonly getProblems: {
+        readonly responses: {
+            readonly 200: {
+                content: {
+                    readonly "application/json": readonly components["schemas"]["ProblemAnswer"][];
                 };
             };
         };
