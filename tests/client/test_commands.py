@@ -355,3 +355,21 @@ def test_the_shell_completes_names_that_a_service_gave(cli: Cli, tmp_path: Path)
         variables |= {"_RIDELAB_COMPLETE": "complete_bash", "XDG_CACHE_HOME": str(tmp_path / "cache")}
         run = subprocess.run(command(), env=environment(**variables), capture_output=True, text=True, check=False)
         assert completed in run.stdout.split(), (words, run)
+
+
+def test_names_are_listed_with_what_a_script_needs(cli: Cli) -> None:
+    assert {each["name"] for each in json.loads(cli("metrics", "--json"))} == set(METRICS)
+    listed = {each["name"]: each for each in json.loads(cli("fields", "--json"))}
+    assert set(listed) == {name for name in dotted.fields() if not name.rpartition(".")[2].isdigit()}
+    height, clearance = listed["road.bump.height"], listed["vehicle.bump_stop_clearance"]
+    assert (height["unit"], height["default"], height["minimum"], height["maximum"]) == ("m", 0.1, -1, 1)
+    assert (clearance["default"], clearance["minimum"]) == (None, 0.005)
+    assert "kerb" in listed["road.bump.shape"]["choices"]
+    assert [line.split()[0] for line in cli("fields", "STAGE", "comfort").splitlines()[1:]] == [
+        "mpc.stage_weights.cruise"
+    ]
+    assert cli("vehicles") == cli("vehicle")
+    assert {each["name"] for each in json.loads(cli("vehicles", "--json"))} == set(VEHICLES)
+    assert cli("presets", "watts", "circular").count("watts_hump") == 1
+    cli("strategies", "no", "such", code=2)
+    assert "Nothing here has no and such" in cli.error

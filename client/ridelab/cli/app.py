@@ -14,6 +14,7 @@ from ridelab.cli import jobs
 from ridelab.cli.compare import compare
 from ridelab.cli.controller import controller, hil
 from ridelab.cli.export import export
+from ridelab.cli.lists import LISTS
 from ridelab.cli.options import option
 from ridelab.cli.paper import paper
 from ridelab.cli.reporting import BROKEN_PIPE, InputError, ReportingGroup, abandon_output
@@ -84,6 +85,7 @@ COMMANDS = (
     open_,
     export,
     backup,
+    *LISTS,
 )
 JOBS = typer.Typer(help="Batches and tunings: list, show, follow, label, cancel, resume, delete.", no_args_is_help=True)
 app.add_typer(JOBS, name="jobs")

@@ -29,7 +29,7 @@ class Names:
         """The names of a service, saved for the shell's completion."""
         schema, catalogue = ridelab.get("/schema"), ridelab.get("/catalogue")
         names = cls(
-            fields=dict(_fields(schema, schema["$defs"], "")),
+            fields=dict(_units(schema)),
             strategies={each["id"]: each["label"] for each in ridelab.get("/strategies")},
             presets={each["id"]: each["scenario"] for each in ridelab.get("/presets")},
             signals={each["key"]: (each["label"], each["unit"]) for each in catalogue["signals"]},
@@ -66,11 +66,21 @@ def _remembered_in() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "ridelab" / "names.json"
 
 
-def _fields(part: Mapping[str, Any], parts: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, str]]:
-    """Name and unit of the fields in a part of the scenario's JSON Schema, weights one by one too."""
+def fields_of(schema: Mapping[str, Any]) -> dict[str, Mapping[str, Any]]:
+    """By dotted name the JSON Schema of each field of the scenario, in its order; three weights are one field."""
+    return dict(_fields(schema, schema["$defs"], ""))
+
+
+def _fields(part: Mapping[str, Any], parts: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, Mapping[str, Any]]]:
     for key, schema in part["properties"].items():
         if "$ref" in schema:
             yield from _fields(parts[schema["$ref"].rpartition("/")[2]], parts, f"{prefix}{key}.")
-            continue
-        for name in (key, *(f"{key}.{index}" for index in range(schema.get("maxItems", 0)))):
-            yield prefix + name, schema.get("unit", "1")
+        else:
+            yield prefix + key, schema
+
+
+def _units(schema: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
+    """Name and unit of what `--set` takes: each field, and weights one by one too."""
+    for name, field in fields_of(schema).items():
+        for each in (name, *(f"{name}.{index}" for index in range(field.get("maxItems", 0)))):
+            yield each, field.get("unit", "1")

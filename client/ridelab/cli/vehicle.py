@@ -9,6 +9,7 @@ import typer
 
 from ridelab.cli import options
 from ridelab.cli.fields import VEHICLE, vehicle_of
+from ridelab.cli.lists import vehicles
 from ridelab.cli.reporting import InputError, deliver, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, with_unit
@@ -35,8 +36,7 @@ def vehicle(
     if which is None and sheet is None:
         if out is not None:
             raise InputError("--out needs a VEHICLE or --sheet FILE")
-        vehicles = services.at().vehicles()
-        print_json(list(vehicles.values())) if as_json else _show_all(vehicles)
+        vehicles(services, as_json=as_json)
         return
     content = _of_sheet(sheet, services) if sheet is not None else _named(str(which), services)
     if out is not None:
@@ -48,8 +48,8 @@ def vehicle(
 
 
 def _named(which: str, services: Services) -> Mapping[str, Any]:
-    vehicles = {} if Path(which).is_file() else services.at().vehicles()
-    return vehicles.get(which) or {VEHICLE: vehicle_of(which, services)}
+    known = {} if Path(which).is_file() else services.at().vehicles()
+    return known.get(which) or {VEHICLE: vehicle_of(which, services)}
 
 
 def _of_sheet(sheet: Path, services: Services) -> Mapping[str, Any]:
@@ -57,11 +57,6 @@ def _of_sheet(sheet: Path, services: Services) -> Mapping[str, Any]:
     if not isinstance(data_sheet, dict):
         raise InputError(f"{sheet}: this has to be a JSON object")
     return {VEHICLE: services.at().half_car(data_sheet), "derived": ["From the data sheet"], "data_sheet": data_sheet}
-
-
-def _show_all(vehicles: Mapping[str, Mapping[str, Any]]) -> None:
-    rows = [[name, each["label"], each["description"]] for name, each in vehicles.items()]
-    show_table(["vehicle", "label", "what it is"], rows)
 
 
 def _show(content: Mapping[str, Any], units: Mapping[str, str]) -> None:

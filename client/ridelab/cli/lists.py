@@ -1,0 +1,77 @@
+"""`ridelab fields`, `metrics`, `strategies`, `presets` and `vehicles`: the names a script needs, from the service."""
+
+from collections.abc import Mapping, Sequence
+from typing import Annotated, Any
+
+import typer
+
+from ridelab.cli import options
+from ridelab.cli.names import fields_of
+from ridelab.cli.reporting import InputError, print_json
+from ridelab.cli.service import Services
+from ridelab.cli.tables import show_table, shown
+
+_WORDS = "Only those that have all these words in what is said of them."
+Words = Annotated[list[str] | None, typer.Argument(metavar="[WORD]...", help=_WORDS)]
+_PARTS = ("unit", "default", "minimum", "maximum", "choices")
+
+
+def fields(services: Services, words: Words = None, as_json: options.AsJson = False) -> None:
+    """List the scenario's fields: unit, the paper's value, range or choices, and what each is."""
+    listed = [_field(name, schema) for name, schema in fields_of(services.at().get("/schema")).items()]
+    _show(listed, ("name", "unit", "default", "range", "title"), words, as_json=as_json)
+
+
+def metrics(services: Services, words: Words = None, as_json: options.AsJson = False) -> None:
+    """List the metrics by the flat names that --metric, --limit and compare take, each with its unit."""
+    listed = [{"name": name, "unit": unit} for name, unit in services.at().units.items()]
+    _show(listed, ("name", "unit"), words, as_json=as_json)
+
+
+def strategies(services: Services, words: Words = None, as_json: options.AsJson = False) -> None:
+    """List the strategies that --strategy takes."""
+    _named(services.at().get("/strategies"), words, as_json=as_json)
+
+
+def presets(services: Services, words: Words = None, as_json: options.AsJson = False) -> None:
+    """List the presets: complete scenarios that stand in the place of SCENARIO."""
+    _named(services.at().get("/presets"), words, as_json=as_json)
+
+
+def vehicles(services: Services, words: Words = None, as_json: options.AsJson = False) -> None:
+    """List the vehicles that --set vehicle=NAME takes; `ridelab vehicle NAME` shows one."""
+    _named(list(services.at().vehicles().values()), words, as_json=as_json)
+
+
+LISTS = (fields, metrics, strategies, presets, vehicles)
+
+
+def _named(entries: Sequence[Mapping[str, Any]], words: Sequence[str] | None, *, as_json: bool) -> None:
+    _show([{"name": each["id"], **each} for each in entries], ("name", "label", "description"), words, as_json=as_json)
+
+
+def _field(name: str, schema: Mapping[str, Any]) -> dict[str, Any]:
+    """A field's unit, default, limits and choices; None where it has none of that."""
+    value = next((each for each in schema.get("anyOf", ()) if each.get("type") != "null"), schema)
+    found = {**value, **schema, "choices": value.get("enum")}
+    low, high = found.get("minimum"), found.get("maximum")
+    span = shown(found["choices"]) if found["choices"] else "" if low is None else f"{shown(low)} .. {shown(high)}"
+    parts = {part: found.get(part) for part in _PARTS}
+    return {"name": name, **parts, "range": span, "title": schema["title"], "description": schema["description"]}
+
+
+def _show(
+    entries: Sequence[Mapping[str, Any]], columns: Sequence[str], words: Sequence[str] | None, *, as_json: bool
+) -> None:
+    asked = [word.casefold() for word in words or ()]
+    chosen = [
+        each
+        for each in entries
+        if all(any(word in str(each.get(key)).casefold() for key in (*columns, "description")) for word in asked)
+    ]
+    if not chosen:
+        raise InputError(f"Nothing here has {' and '.join(words or ())}")
+    if as_json:
+        print_json(chosen)
+    else:
+        show_table(columns, [[each[column] for column in columns] for each in chosen])
