@@ -23,6 +23,7 @@ from sim_core.control.law import LinearLaw
 from sim_core.control.mpc import PredictiveController
 from sim_core.control.regulator import feedforward, regulator
 from sim_core.control.seen import Seen, Setup
+from sim_core.controller_files import load_controllers
 from sim_core.ecu.controller import EcuController
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
@@ -72,6 +73,7 @@ __all__ = [
     "axle_velocities",
     "check_controller",
     "feedforward",
+    "load_controllers",
     "option",
     "regulator",
     "scenario_field",

@@ -2,13 +2,13 @@
 
 import inspect
 import re
-import traceback
 
 import numpy as np
 
 from sim_core.catalogue import METRICS
 from sim_core.control.controller import Controller, Force, Option, checked_value, scenario_value
 from sim_core.control.seen import Seen, Setup
+from sim_core.controller_files import said_by
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Road, Scenario
@@ -65,7 +65,7 @@ def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> li
         other = simulate(scenario, controller) if isinstance(controller, type) else first
         has_both = kind.linear_law is not Controller.linear_law and kind.force is not Controller.force
         by_force = simulate(scenario, _ByForce(instance)) if has_both and not instance.delayed else first
-    except Exception as error:  # noqa: BLE001 - of anybody's code
+    except (Exception, SystemExit) as error:  # noqa: BLE001 - of anybody's code
         return [_raised(error, controller)]
     if first.summary() != other.summary():
         return [
@@ -140,13 +140,10 @@ def _close(first: StrategyResult, second: StrategyResult) -> bool:
     return np.allclose(ours, theirs, rtol=_SAME_LAW, atol=_NEGLIGIBLE)
 
 
-def _raised(error: Exception, controller: type[Controller] | Controller) -> str:
+def _raised(error: BaseException, controller: type[Controller] | Controller) -> str:
     """An error of a run in a sentence, with the last line of the controller's own file, if it came from there."""
     if isinstance(error, RidelabError):
         return error.message
     kind = controller if isinstance(controller, type) else type(controller)
-    frames = [each for each in traceback.extract_tb(error.__traceback__) if each.filename == inspect.getfile(kind)]
-    place = f" at {frames[-1].filename}, line {frames[-1].lineno}" if frames else ""
-    if "read-only" in str(error):
-        return f"It changes what it was given{place}: copy it first"
-    return f"{type(error).__name__}{place}: {error}"
+    said = said_by(error, inspect.getfile(kind))
+    return f"{said} (it changes what it was given: copy it first)" if "read-only" in str(error) else said

@@ -16,14 +16,15 @@ def program(strategy: type[Controller]) -> dict[str, str]:
     """What computes its results.
 
     The core's version, the digest of the kernel's sources and flags, OSQP's version, and the digest of the controller's
-    own file. Another processor or another BLAS computes the same within rounding
-    (docs/decisions/0018-c-beneath-numpy.md).
+    own file (`Controller.file_digest` of one that `load_controllers` loaded). Another processor or another BLAS
+    computes the same within rounding (docs/decisions/0018-c-beneath-numpy.md).
 
     Raises:
         OSError: The controller's file cannot be read.
         TypeError: It is in no file: `sys.modules` has no such module.
     """
-    return {"core": sim_core.__version__, "kernel": DIGEST, "osqp": _osqp(), "controller": _source(strategy)}  # type: ignore[arg-type]  # a class can be hashed
+    controller = vars(strategy).get("file_digest") or _source(strategy)  # type: ignore[arg-type]  # a class can be hashed
+    return {"core": sim_core.__version__, "kernel": DIGEST, "osqp": _osqp(), "controller": controller}
 
 
 @cache

@@ -141,6 +141,8 @@ class Controller:
         prediction_horizon: For how many control steps ahead; by default the scenario's, 0 for none.
         report: Counts of the present run, for its events; new at each start.
         declared: Its options and scenario fields by their names.
+        files: Names of further files that it reads, such as weights, beside its own one.
+        file_digest: SHA-256 of its file and of those, where `load_controllers` loaded it; None elsewhere.
 
     Example:
         >>> from sim_core import Controller, Scenario, option, simulate
@@ -165,6 +167,8 @@ class Controller:
     prediction_horizon: int = scenario_field("mpc.prediction_horizon")
     report: Report
     declared: ClassVar[Mapping[str, ScenarioField | Option]] = {}
+    files: ClassVar[Sequence[str]] = ()
+    file_digest: ClassVar[str | None] = None
 
     def __init_subclass__(cls, **options: Any) -> None:
         """List its options and scenario fields; one that a subclass replaces by a plain value is no longer listed."""

@@ -6,6 +6,7 @@ Adding one is adding its file and its class here.
 from typing import Any
 
 from sim_core.control.controller import Controller
+from sim_core.controller_files import named_controllers
 from sim_core.errors import RidelabError, UnknownNameError
 from sim_core.scenario import Scenario
 from sim_core.speed.profile import SpeedPlan
@@ -26,15 +27,18 @@ STRATEGIES: dict[str, type[Controller]] = {
 
 
 def strategy_named(name: str) -> type[Controller]:
-    """The strategy with that id.
+    """The strategy with that id: one of ours, or of the files that `RIDELAB_CONTROLLERS` names.
 
     Raises:
         UnknownNameError: There is none; the message lists the ids.
+        ControllerFileError: It is none of ours, and one of those files cannot be used.
     """
-    try:
+    if name in STRATEGIES:
         return STRATEGIES[name]
-    except KeyError:
-        raise UnknownNameError(f"Unknown strategy; there are {', '.join(STRATEGIES)}") from None
+    own = named_controllers()
+    if name not in own:
+        raise UnknownNameError(f"Unknown strategy; there are {', '.join([*STRATEGIES, *own])}")
+    return own[name]
 
 
 def make_controller(strategy: str | type[Controller] | Controller) -> Controller:

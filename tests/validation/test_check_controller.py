@@ -57,7 +57,7 @@ class Faulty(Controller):
         ("nothing", "it gave None"),
         ("not finite", "not finite"),
         ("writes", "changes what it was given"),
-        ("raises", "KeyError at "),
+        ("raises", "KeyError: "),
         ("keeps state", "start has to forget"),
         ("not repeatable", "A second run of the same object differs"),
     ],

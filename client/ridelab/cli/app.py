@@ -16,6 +16,7 @@ from ridelab.cli.controller import controller, hil
 from ridelab.cli.export import export
 from ridelab.cli.lists import LISTS
 from ridelab.cli.options import option
+from ridelab.cli.own import NEW, check
 from ridelab.cli.paper import paper
 from ridelab.cli.reporting import BROKEN_PIPE, InputError, ReportingGroup, abandon_output
 from ridelab.cli.road import road
@@ -85,13 +86,15 @@ COMMANDS = (
     open_,
     export,
     backup,
+    check,
     *LISTS,
 )
 JOBS = typer.Typer(help="Batches and tunings: list, show, follow, label, cancel, resume, delete.", no_args_is_help=True)
 app.add_typer(JOBS, name="jobs")
+app.add_typer(NEW, name="new")
 for group, commands in ((app, COMMANDS), (JOBS, jobs.COMMANDS)):
     for command in commands:
-        own = command if command in (serve, backup) else with_services(command)
+        own = command if command in (serve, backup, check) else with_services(command)
         group.command(command.__name__.partition("_")[0], cls=Command)(own)
 
 

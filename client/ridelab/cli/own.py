@@ -1,0 +1,86 @@
+"""`ridelab new` and `ridelab check`: files with a controller of one's own."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from ridelab.cli.reporting import DIFFERENT, InputError
+from ridelab.cli.service import server_command, server_environment
+
+LIMIT = 60.0  # a check drives some short roads, which takes seconds [s]
+_NAME = re.compile("[a-z][a-z0-9_]*")
+_TEMPLATE = '''"""A controller for Ridelab; `ridelab check {name}.py` says what is wrong with it."""
+
+import numpy as np
+
+from sim_core import Controller, option
+
+
+class {kind}(Controller):
+    """Damps the body over each axle against the sky."""
+
+    id, label = "{name}", "{label}"
+    damping: float = option(3000.0, unit="N s/m", ge=0, le=20_000, help="Force per velocity of the body.")
+
+    def start(self, setup):
+        """Once a run: what the car is."""
+        self.arms = np.array([-setup.vehicle.cg_to_front, setup.vehicle.cg_to_rear])
+
+    def force(self, seen):
+        """Once a control step: both forces, front and rear [N], up on the body."""
+        return -self.damping * (seen.state[4] + self.arms * seen.state[5])
+'''
+NEW = typer.Typer(help="Write a file to begin with.", no_args_is_help=True)
+
+
+@NEW.callback()
+def new() -> None:
+    """Write a file to begin with."""
+
+
+@NEW.command("controller")
+def new_controller(
+    name: Annotated[str, typer.Argument(metavar="NAME", help="Its id, and the file's name before .py.")],
+) -> None:
+    """Write NAME.py here: a controller that runs, for a law of your own in its place."""
+    if not _NAME.fullmatch(name):
+        raise InputError("NAME begins with a small letter and has small letters, digits and underscores only")
+    words = name.split("_")
+    text = _TEMPLATE.format(
+        name=name, kind="".join(map(str.capitalize, words)), label=" ".join(words).strip().capitalize()
+    )
+    file = Path(f"{name}.py")
+    try:
+        with file.open("x", encoding="utf-8") as new_file:
+            new_file.write(text)
+    except FileExistsError:
+        raise InputError(f"{file} is there already") from None
+    typer.echo(f"{file}: ridelab check {file} tries it")
+
+
+def check(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="A Python file with controllers.", exists=True)],
+) -> None:
+    """Say in words what is wrong with a file's controllers, and draw their forces in an SVG file beside it.
+
+    The file is run, with all that you may do. Exit code 1 where something is wrong, 2 where it cannot be loaded.
+    """
+    server_command()  # says how to install the core where it is missing
+    command = [sys.executable, "-P", "-m", "sim_core.check_file", str(file)]
+    try:
+        run = subprocess.run(  # noqa: S603  # no shell
+            command, env=server_environment(), stdout=subprocess.PIPE, timeout=LIMIT, check=False
+        )
+    except subprocess.TimeoutExpired:
+        raise InputError(f"{file}: it was ended after {LIMIT:.0f} s; has it a loop without an end?") from None
+    text = run.stdout.decode(errors="replace")
+    if not text:  # the check's own answer always has a line
+        raise InputError(f"{file}: it ended Python with the code {run.returncode}")
+    if run.returncode not in (0, DIFFERENT):
+        raise InputError(*text.splitlines())
+    typer.echo(text, nl=False)
+    raise typer.Exit(run.returncode)

@@ -1,0 +1,57 @@
+"""`ridelab new controller` writes a file that `ridelab check` likes; broken ones are told in words."""
+
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+import pytest
+
+from ridelab.cli import own
+from tests.client.cli import Cli
+
+
+@pytest.fixture
+def file(cli: Cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    assert cli("new", "controller", "my_law") == "my_law.py: ridelab check my_law.py tries it\n"
+    return tmp_path / "my_law.py"
+
+
+def test_a_new_controller_runs_and_its_forces_are_drawn(cli: Cli, file: Path) -> None:
+    assert cli("check", file).startswith("my_law (My law): nothing wrong was found\n")
+    picture = ElementTree.parse(file.with_name("my_law-forces.svg")).getroot()  # noqa: S314 - our own
+    front, rear = picture.iter("{http://www.w3.org/2000/svg}polyline")
+    assert front.get("points") != rear.get("points")
+
+
+def test_no_file_is_written_over_and_a_name_is_an_id(cli: Cli, file: Path) -> None:
+    before = file.read_text()
+    cli("new", "controller", "my_law", code=2)
+    assert "my_law.py is there already" in cli.error
+    for name in ("My-law", "../law", "größe", "1law", ""):
+        cli("new", "controller", name, code=2)
+        assert "NAME begins with a small letter" in cli.error
+    assert file.read_text() == before
+    assert [each.name for each in file.parent.iterdir()] == ["my_law.py"]
+
+
+@pytest.mark.parametrize(
+    ("law", "code", "said"),
+    [
+        ("return 1 / 0", 1, "line 20: ZeroDivisionError"),
+        ("raise SystemExit", 1, "line 20: It ends the program"),
+        ("return [float('inf'), 0.0]", 1, "not finite"),
+        ("import os; os._exit(0)", 2, "it ended Python with the code 0"),
+        ("while True: pass", 2, "it was ended after 5 s; has it a loop without an end?"),
+        ("(", 2, "SyntaxError"),
+    ],
+)
+def test_a_broken_law_is_told_in_words(
+    cli: Cli, file: Path, law: str, code: int, said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if "while" in law:  # which no time is enough for
+        monkeypatch.setattr(own, "LIMIT", 5.0)
+    before, _, _ = file.read_text().rpartition("return")
+    file.write_text(f"{before}{law}\n")
+    printed = cli("check", file, code=code)
+    assert said in printed + cli.error
+    assert not file.with_name("my_law-forces.svg").exists()
