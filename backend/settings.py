@@ -232,6 +232,8 @@ def _check_certificates(files: Mapping[str, Path | None]) -> None:
 
 
 def _unknown(name: int | str) -> str:
+    if name == "controllers":
+        return "it is the library's, and the service drives Ridelab's own strategies alone: start it without"
     similar = [_variable(field) for field in get_close_matches(str(name), Settings.model_fields)]
     perhaps = f", perhaps {' or '.join(similar)}" if similar else ""
     return f"there is no such setting{perhaps}; docs/how-to/operations.md lists all"

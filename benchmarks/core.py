@@ -1,6 +1,7 @@
 """The core: against the plain loop, by strategy, over roads, and linear against nonlinear cars."""
 
 from collections.abc import Callable
+from pathlib import Path
 from statistics import median
 from time import process_time
 
@@ -9,6 +10,7 @@ import numpy as np
 from backend.compute.processes import keep_freed_memory
 from benchmarks import plain_osqp_loop
 from benchmarks.timing import fresh_process, median_ms, peak_memory_mb, table
+from sim_core import Controller, load_controllers
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.scenario import Scenario
 from sim_core.scenario.presets import preset
@@ -16,6 +18,7 @@ from sim_core.simulate import simulate
 
 TOGETHER = ("lv", "lqr", "passive")
 PAPER = preset("paper")
+EXAMPLES = Path(__file__).parents[1] / "examples" / "controllers"
 _COLD = """
 from time import process_time
 t0 = process_time()
@@ -150,6 +153,19 @@ def over_roads() -> None:
     print(f"  ten roads take {ratios[0]:.1f} times one (goal: at most 5)")
 
 
+def own_lqr() -> None:
+    """LQR as a visitor writes it against ours, in turn on new roads."""
+    laws: tuple[str | type[Controller], ...] = "lqr", load_controllers(EXAMPLES / "my_lqr.py")["my_lqr"]
+    times: list[list[float]] = [[], []]
+    for roads in zip(new_roads(PAPER, 31, 5000), new_roads(PAPER, 31, 5100), strict=True):
+        for scenario, law, spent in zip(roads, laws, times, strict=True):
+            begin = process_time()
+            simulate(scenario, law)
+            spent.append(1000 * (process_time() - begin))
+    ours, theirs = map(median, times)
+    print(f"  LQR of examples/controllers takes {theirs / ours:.2f} times ours (goal: at most 2)")
+
+
 def run() -> None:
     """All of it."""
     print(f"The core's imports take {peak_memory_mb():.0f} MB")
@@ -159,3 +175,4 @@ def run() -> None:
     over_roads()
     by_linearity()
     print(f"\nPeak memory: {peak_memory_mb():.0f} MB")
+    own_lqr()

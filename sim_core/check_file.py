@@ -1,7 +1,7 @@
 """`python -m sim_core.check_file FILE`: what is wrong with its controllers, in words, and pictures of their forces."""
 
 import sys
-from contextlib import redirect_stdout
+from contextlib import redirect_stdout, suppress
 from pathlib import Path
 
 import numpy as np
@@ -14,12 +14,14 @@ from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
 
 FAULTS, UNUSABLE = 1, 2
+MEMORY = 2**31  # a process that checks may have, so that a law that takes ever more is told so [bytes]
 _WIDTH, _HEIGHT, _MARGIN = 800, 300, 40  # of the picture
 _AXLES = (("front", "#1C5FDF"), ("rear", "#C0300C"))
 
 
 def main(file: Path) -> int:
     """Print a line for each controller and each fault; the exit code says whether there are any."""
+    _bound_memory()
     with redirect_stdout(sys.stderr):  # what the file itself prints is no part of the answer
         try:
             lines, faults = _checked(file)
@@ -27,6 +29,13 @@ def main(file: Path) -> int:
             lines, faults = [error.message], UNUSABLE
     sys.stdout.write("\n".join([*lines, ""]))
     return faults
+
+
+def _bound_memory() -> None:
+    with suppress(ImportError, ValueError, OSError):  # not on Windows, nor where less is allowed already
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, resource.getrlimit(resource.RLIMIT_AS)[1]))
 
 
 def _checked(file: Path) -> tuple[list[str], int]:
