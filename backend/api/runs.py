@@ -23,6 +23,7 @@ from backend.http.answers import (
 from backend.http.routing import ComputingRoute, ScenarioRoute
 from backend.json_types import JsonObject
 from backend.runs.figures import PANELS
+from backend.runs.frequency import FrequencyAnswer, FrequencyRequest
 from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
 from backend.runs.service import Runs
 from backend.runs.solve.models import Solution, SolveRequest
@@ -60,6 +61,12 @@ async def live(body: models.LiveRequest, service: RunsService, client: Client) -
 async def solve(body: SolveRequest, solver: SolverService, client: Client) -> Response:
     """The largest value of one field that keeps one metric at or below a limit, and the run at that value."""
     return json_answer(await solver.solve(body, client))
+
+
+@computing.post("/frequency", operation_id="frequency", response_model=FrequencyAnswer)
+async def frequency(body: FrequencyRequest, service: RunsService, client: Client) -> Response:
+    """Responses from the road to ride and tyre loads, modes, margins and spectra while no limit binds."""
+    return json_answer(await service.frequency(body, client))
 
 
 @runs.get(

@@ -33,6 +33,8 @@ from backend.runs.answers import (
     live_answer,
     run_answer,
 )
+from backend.runs.frequency import COST as FREQUENCY_COST
+from backend.runs.frequency import FrequencyAnswer, FrequencyRequest, frequency_answer
 from backend.runs.histories import Histories
 from backend.runs.reports import page
 from backend.runs.reports import run as run_report
@@ -53,6 +55,7 @@ class Runs:
         self, *, store: Store, workers: Workers, results: ResultFinder, gate: Gate, roads: MeasuredRoads, spool: Spool
     ) -> None:
         self._store = store
+        self._workers = workers
         self._results = results
         self._gate = gate
         self._roads = roads
@@ -143,6 +146,26 @@ class Runs:
             if outcome.series is not None:
                 fields[name]["series"] = {key: series.packed(outcome.series[series.ROWS[key]]) for key in keys}
         return live_answer(scenario, outcomes, fields)
+
+    async def frequency(self, asked: FrequencyRequest, client: str) -> FrequencyAnswer:
+        """Responses, modes, margins and spectra of strategies; nothing is stored.
+
+        Raises:
+            TemporaryError: Too much is being computed.
+        """
+        names, cost = ordered(asked.strategies), FREQUENCY_COST * len(asked.strategies)
+        scenario = await self._roads.with_length(asked.scenario)
+        with self._gate.computing(client, cost):
+            return await self._workers.call(
+                frequency_answer,
+                scenario,
+                names,
+                asked.frequencies,
+                asked.outputs,
+                asked.stage,
+                client=client,
+                cost=cost,
+            )
 
     async def series(
         self,

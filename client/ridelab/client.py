@@ -126,6 +126,28 @@ class Ridelab(Connection):
         except (KeyError, TypeError):
             raise RidelabConnectionError(f"{self.address} does not answer as Ridelab does") from None
 
+    def frequency(
+        self,
+        scenario: Scenario,
+        strategies: Sequence[str],
+        *,
+        frequencies: Sequence[float] | None = None,
+        outputs: Sequence[str] | None = None,
+        stage: str = "cruise",
+    ) -> dict[str, Any]:
+        """Responses from road height, modes, margins and spectra while no limit binds, by strategy.
+
+        Args:
+            scenario: Whose car, road, sensors and actuators.
+            strategies: Ids.
+            frequencies: [Hz]; None is 200 from 0.3 to 30 Hz.
+            outputs: Signals; None is both accelerations, tyre loads and deflections.
+            stage: cruise, brake or bump, whose weights hold.
+        """
+        chosen = {"frequencies": frequencies, "outputs": outputs, "stage": stage}
+        answer: dict[str, Any] = self._post("/frequency", {"scenario": scenario, "strategies": strategies, **chosen})
+        return answer
+
     def series(
         self,
         run: RunResult | str,

@@ -35,7 +35,7 @@ values = ["{link}"]
 
 [[operations]]
 include-operation-id = [
-    "createRun", "live", "solve", "createBatch", "createTuning", "resumeTuning", "createLink", "getSeries", "getBands",
+    "createRun", "live", "solve", "frequency", "createBatch", "createTuning", "resumeTuning", "createLink", "getSeries", "getBands",
     "getChanges", "getRunReport", "getBatchTable", "getBatchSummary",
     "exportController", "reportController", "driveByClock", "makeHalfCar", "createRoad",
     "getPaper", "getPaperReadings", "getPaperAttribution", "getPaperFigures", "getPaperReport",
@@ -77,7 +77,7 @@ unexpected-methods = ["PUT"]
 
 [[operations]]
 include-operation-id = [
-    "createRun", "live", "solve", "createBatch", "createTuning",
+    "createRun", "live", "solve", "frequency", "createBatch", "createTuning",
     "exportController", "reportController", "driveByClock",
 ]
 phases.coverage.enabled = false

@@ -14,6 +14,7 @@ from ridelab.cli import jobs
 from ridelab.cli.compare import compare
 from ridelab.cli.controller import controller, hil
 from ridelab.cli.export import export
+from ridelab.cli.frequency import frequency
 from ridelab.cli.lists import LISTS
 from ridelab.cli.options import option
 from ridelab.cli.own import NEW, check
@@ -74,6 +75,7 @@ COMMANDS = (
     serve,
     run_,
     solve,
+    frequency,
     sweep,
     robustness,
     tune,

@@ -44,6 +44,9 @@ export interface paths {
     readonly "/figures": {
         readonly get: operations["getFigures"];
     };
+    readonly "/frequency": {
+        readonly post: operations["frequency"];
+    };
     readonly "/links": {
         readonly post: operations["createLink"];
     };
@@ -588,6 +591,23 @@ export interface components {
             readonly start: number;
             readonly width: number;
         };
+        readonly FrequencyAnswer: {
+            readonly bands: readonly (readonly number[])[];
+            readonly frequency: readonly number[];
+            readonly modes: readonly components["schemas"]["Mode"][];
+            readonly stage: string;
+            readonly strategies: {
+                readonly [key: string]: components["schemas"]["StrategyFrequency"];
+            };
+        };
+        readonly FrequencyRequest: {
+            readonly frequencies?: readonly number[] | null;
+            readonly outputs?: readonly ("body_acceleration" | "pitch_acceleration" | "front_tyre_load" | "rear_tyre_load" | "front_deflection" | "rear_deflection")[] | null;
+            readonly scenario?: JsonObject;
+            /** @enum {string} */
+            readonly stage?: "cruise" | "brake" | "bump";
+            readonly strategies: readonly string[];
+        };
         readonly Generation: {
             readonly best: readonly (number | null)[];
             readonly feasible: number;
@@ -741,6 +761,19 @@ export interface components {
             readonly name: string | null;
             readonly required: boolean;
         };
+        readonly LoopMargin: {
+            readonly delay: number | null;
+            readonly gain: number | null;
+            readonly gain_reduction: number | null;
+            readonly phase: number | null;
+        };
+        readonly Margins: {
+            readonly disk: number;
+            readonly disk_gain: number | null;
+            readonly disk_phase: number;
+            readonly front: components["schemas"]["LoopMargin"];
+            readonly rear: components["schemas"]["LoopMargin"];
+        };
         readonly MarginSummary: {
             readonly better: number | null;
             readonly highest: components["schemas"]["Place"] | null;
@@ -756,6 +789,10 @@ export interface components {
         readonly Misprint: {
             readonly follows: number;
             readonly printed: number;
+        };
+        readonly Mode: {
+            readonly damping_ratio: number;
+            readonly natural_frequency: number;
         };
         readonly Objective: {
             readonly figure?: string | null;
@@ -897,6 +934,10 @@ export interface components {
             readonly misses: number;
             readonly steps: number;
             readonly wake_up: components["schemas"]["Times"];
+        };
+        readonly Response: {
+            readonly magnitude: readonly number[];
+            readonly phase: readonly number[];
         };
         readonly RoadAnswer: {
             readonly bumps: readonly components["schemas"]["FoundBumpAnswer"][];
@@ -1099,6 +1140,21 @@ export interface components {
              * @enum {string}
              */
             readonly status: "failed";
+        };
+        readonly StrategyFrequency: {
+            readonly bands: {
+                readonly [key: string]: readonly number[];
+            } | null;
+            readonly margins: components["schemas"]["Margins"] | null;
+            readonly modes: readonly components["schemas"]["Mode"][] | null;
+            readonly psd: {
+                readonly [key: string]: readonly number[];
+            } | null;
+            readonly reason: string | null;
+            readonly responses: {
+                readonly [key: string]: components["schemas"]["Response"];
+            } | null;
+            readonly speed: number;
         };
         readonly StrategyResult: {
             readonly arrival_speed_kmh: number;
@@ -1384,6 +1440,8 @@ export type Figure8 = components['schemas']['Figure8'];
 export type Figures = components['schemas']['Figures'];
 export type FigureSummary = components['schemas']['FigureSummary'];
 export type FoundBumpAnswer = components['schemas']['FoundBumpAnswer'];
+export type FrequencyAnswer = components['schemas']['FrequencyAnswer'];
+export type FrequencyRequest = components['schemas']['FrequencyRequest'];
 export type Generation = components['schemas']['Generation'];
 export type HalfCarAnswer = components['schemas']['HalfCarAnswer'];
 export type Interpretation = components['schemas']['Interpretation'];
@@ -1402,8 +1460,11 @@ export type LiveResult = components['schemas']['LiveResult'];
 export type LiveRun = components['schemas']['LiveRun'];
 export type LoginRequest = components['schemas']['LoginRequest'];
 export type LoginState = components['schemas']['LoginState'];
+export type LoopMargin = components['schemas']['LoopMargin'];
+export type Margins = components['schemas']['Margins'];
 export type MarginSummary = components['schemas']['MarginSummary'];
 export type Misprint = components['schemas']['Misprint'];
+export type Mode = components['schemas']['Mode'];
 export type Objective = components['schemas']['Objective'];
 export type ObjectiveAnswer = components['schemas']['ObjectiveAnswer'];
 export type Operations = components['schemas']['Operations'];
@@ -1422,6 +1483,7 @@ export type ReadingChoice = components['schemas']['ReadingChoice'];
 export type ReadingRow = components['schemas']['ReadingRow'];
 export type ReadingsAnswer = components['schemas']['ReadingsAnswer'];
 export type RealtimeReport = components['schemas']['RealtimeReport'];
+export type Response = components['schemas']['Response'];
 export type RoadAnswer = components['schemas']['RoadAnswer'];
 export type RoadsResult = components['schemas']['RoadsResult'];
 export type RoadsRun = components['schemas']['RoadsRun'];
@@ -1442,6 +1504,7 @@ export type StepTime = components['schemas']['StepTime'];
 export type StrategyAnswer = components['schemas']['StrategyAnswer'];
 export type StrategyChanges = components['schemas']['StrategyChanges'];
 export type StrategyFailure = components['schemas']['StrategyFailure'];
+export type StrategyFrequency = components['schemas']['StrategyFrequency'];
 export type StrategyResult = components['schemas']['StrategyResult'];
 export type StrategySummary = components['schemas']['StrategySummary'];
 export type Sweep = components['schemas']['Sweep'];
@@ -1713,6 +1776,20 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/json": components["schemas"]["Figures"];
+                };
+            };
+        };
+    };
+    readonly frequency: {
+        readonly requestBody: {
+            readonly content: {
+                readonly "application/json": components["schemas"]["FrequencyRequest"];
+            };
+        };
+        readonly responses: {
+            readonly 200: {
+                content: {
+                    readonly "application/json": components["schemas"]["FrequencyAnswer"];
                 };
             };
         };

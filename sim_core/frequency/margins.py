@@ -1,0 +1,123 @@
+"""How far a sampled loop is from instability: gain and phase margins loop at a time, and the disk margin of both.
+
+The loop is broken where the command leaves the controller for the actuators. Disk margins: Seiler, Packard and Gahinet,
+An Introduction to Disk Margins, IEEE Control Systems Magazine 40 (2020), with skew 0.
+"""
+
+from dataclasses import dataclass
+from math import asin, atan, inf, pi
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.frequency.sampled_loop import ComplexArray, SampledLoop
+
+_POINTS = 240  # per loop; crossings between them are bisected
+_LOWEST = 0.02  # [Hz]
+_BISECTIONS = 40  # halve an interval of the grid to rounding
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LoopMargin:
+    """Of one axle's loop, the other one closed.
+
+    Attributes:
+        gain: The loop becomes unstable where its gain is multiplied by this, above 1 [1]; None: by no factor.
+        gain_reduction: The same below 1 [1]; None: by no factor.
+        phase: Phase that the loop can lose [rad]; None: its gain is nowhere 1.
+        delay: The delay that makes of it, at the frequency where that is least [s].
+    """
+
+    gain: float | None
+    gain_reduction: float | None
+    phase: float | None
+    delay: float | None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Margins:
+    """Of a strategy's loop.
+
+    Attributes:
+        front: Of the front axle's loop.
+        rear: Of the rear axle's.
+        disk: α of both together, each perturbed on its own [1].
+        disk_gain: Both gains may change at the same time by any factor between 1 / this and this [1].
+        disk_phase: And both phases by this, either way [rad].
+    """
+
+    front: LoopMargin
+    rear: LoopMargin
+    disk: float
+    disk_gain: float
+    disk_phase: float
+
+
+def margins(loop: SampledLoop) -> Margins:
+    """Of a stable loop."""
+    top = 0.5 / loop.step
+    grid = 2 * pi * np.append(np.geomspace(_LOWEST, top, _POINTS)[:-1], top)
+    M = transfer(loop, grid)
+    sensitivity = np.asarray(np.linalg.inv(np.eye(2) - M), dtype=np.complex128)
+    largest = float(_structured(sensitivity - np.eye(2) / 2).max())
+    disk = 1 / largest
+    return Margins(
+        front=_one(loop, grid, M, 0),
+        rear=_one(loop, grid, M, 1),
+        disk=disk,
+        disk_gain=(2 + disk) / (2 - disk) if disk < 2 else inf,
+        disk_phase=2 * atan(disk / 2),
+    )
+
+
+def transfer(loop: SampledLoop, omega: FloatArray) -> ComplexArray:
+    """From the command at the actuators to that of the controller (frequencies, 2, 2); 1 is the critical point."""
+    z = np.exp(1j * omega * loop.step)
+    inner = loop.A + loop.C @ loop.K
+    return np.asarray(loop.K @ np.linalg.solve(z[:, None, None] * np.eye(len(inner)) - inner, loop.B.astype(complex)))
+
+
+def _single(M: ComplexArray, axle: int) -> ComplexArray:
+    """Negative loop gain of one axle, the other one's loop closed."""
+    other = 1 - axle
+    around = M[:, axle, other] * M[:, other, axle] / (1 - M[:, other, other])
+    return np.asarray(-(M[:, axle, axle] + around))
+
+
+def _one(loop: SampledLoop, grid: FloatArray, M: ComplexArray, axle: int) -> LoopMargin:
+    L = _single(M, axle)
+    real_axis = _roots(loop, grid, L.imag, axle, lambda each: each.imag)
+    at = _single(transfer(loop, real_axis), axle).real if len(real_axis) else np.zeros(0)
+    at = np.append(at, [_single(transfer(loop, np.zeros(1)), axle)[0].real, L[-1].real])  # real at both ends
+    factors = -1 / at[at < 0]
+    unit = _roots(loop, grid, np.abs(L) - 1, axle, lambda each: np.abs(each) - 1)
+    phases = 2 * np.abs(np.array([asin(min(abs(1 + each) / 2, 1)) for each in _single(transfer(loop, unit), axle)]))
+    lags = np.mod(np.angle(_single(transfer(loop, unit), axle)) + pi, 2 * pi)
+    return LoopMargin(
+        gain=float(factors[factors > 1].min()) if (factors > 1).any() else None,
+        gain_reduction=float(factors[factors < 1].max()) if (factors < 1).any() else None,
+        phase=float(phases.min()) if len(phases) else None,
+        delay=float((lags / unit).min()) if len(unit) else None,
+    )
+
+
+def _roots(loop: SampledLoop, grid: FloatArray, values: FloatArray, axle: int, of: object) -> FloatArray:
+    """Where a function of the loop gain changes its sign, all of them bisected together."""
+    changes = np.flatnonzero(np.sign(values[1:]) * np.sign(values[:-1]) < 0)
+    low, high, sign = grid[changes], grid[changes + 1], np.sign(values[changes])
+    for _ in range(_BISECTIONS if len(low) else 0):
+        middle = (low + high) / 2
+        same = np.sign(of(_single(transfer(loop, middle), axle))) == sign  # type: ignore[operator]
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    return np.asarray((low + high) / 2)
+
+
+def _structured(M: ComplexArray) -> FloatArray:
+    """The structured singular value of each matrix (frequencies, 2, 2) for two complex factors on the diagonal.
+
+    Scaled by diag(d, 1) a matrix keeps its determinant, so its largest singular value is least where its Frobenius norm
+    is: |m12| d = |m21| / d. For two blocks that bound is the value itself (Packard and Doyle 1993).
+    """
+    norm = np.abs(M[:, 0, 0]) ** 2 + np.abs(M[:, 1, 1]) ** 2 + 2 * np.abs(M[:, 0, 1] * M[:, 1, 0])
+    product = np.abs(np.linalg.det(M)) ** 2
+    return np.asarray(np.sqrt((norm + np.sqrt(np.maximum(norm**2 - 4 * product, 0))) / 2))

@@ -1,0 +1,217 @@
+"""Responses from road to signals, modes, margins and spectra of strategies in one driving stage.
+
+docs/explanation/frequencies.md has the method. The road is height exp(jωt) under the front axle, and under the rear
+one the wheelbase later. In the steady state the samples of the loop have that frequency alone; a force that is held for
+a step h has there its fundamental, (1 - exp(-jωh)) / (jωh) of the samples' (Franklin, Powell and Workman, Digital
+Control of Dynamic Systems, 3rd ed., section 5.4), and so has every signal of the linear car.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.control.controller import Controller
+from sim_core.errors import RidelabError
+from sim_core.frequency.margins import Margins, margins
+from sim_core.frequency.sampled_loop import (
+    ComplexArray,
+    NotLinearError,
+    SampledLoop,
+    continuous,
+    preview_command,
+    previewed,
+    sampled_loop,
+)
+from sim_core.metrics.comfort import wk_gain
+from sim_core.road.profile import CUTOFF_FREQUENCY, REFERENCE_FREQUENCY
+from sim_core.scenario import Road, Scenario
+from sim_core.simulate import ANY_ROAD, prepare
+from sim_core.vehicle.half_car import OUTPUTS, half_car
+from sim_core.vehicle.plant import plant
+
+RESPONSES = OUTPUTS[:6]
+BANDS = ((1.0, 2.0), (4.0, 8.0), (10.0, 12.0))  # body, the passengers' most sensitive range, wheels [Hz]
+DEFAULT_FREQUENCIES = tuple(np.geomspace(0.3, 30, 200).tolist())
+_PER_BAND = 24
+_NEGLIGIBLE = 1e-6  # a mode with a smaller eigenvalue has died out after one control step
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Mode:
+    """A mode exp(s·t), one of a conjugate pair.
+
+    Attributes:
+        natural_frequency: |s| / 2π [Hz].
+        damping_ratio: -Re(s) / |s| [1]; below 0 it grows.
+    """
+
+    natural_frequency: float
+    damping_ratio: float
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class FrequencyResult:
+    """A strategy's loop in one stage.
+
+    Attributes:
+        stage: Driving stage, whose weights hold.
+        speed: At which it is driven [m/s].
+        modes: Of the closed loop, slowest first; none where there is no linear law.
+        responses: Per metre of road height, by signal (frequencies,); none where there are none.
+        margins: Of the loop, broken where the command leaves the controller; none without one.
+        psd: One-sided spectra on the scenario's road by signal (frequencies,) [unit²/Hz], and of the acceleration as
+            Wk weighs it, `weighted_body_acceleration`; none on a measured road.
+        bands: RMS on that road in each of `BANDS`, by signal (3,).
+        reason: Why something is not there.
+    """
+
+    stage: str
+    speed: float
+    modes: tuple[Mode, ...] | None = None
+    responses: dict[str, ComplexArray] | None = None
+    margins: Margins | None = None
+    psd: dict[str, FloatArray] | None = None
+    bands: dict[str, FloatArray] | None = None
+    reason: str | None = None
+
+
+def frequency_response(
+    scenario: Scenario,
+    strategy: str | type[Controller] | Controller,
+    frequencies: Sequence[float] = DEFAULT_FREQUENCIES,
+    outputs: Sequence[str] = RESPONSES,
+    stage: str = "cruise",
+) -> FrequencyResult:
+    """What a strategy does at each frequency while no limit binds.
+
+    Inside are the held force, the actuator's lag, the estimator, an ECU's delay and the preview; not noise, converters,
+    the limits of forces. In stage `bump` a car that brakes for it is driven at the target speed, else at its first one.
+
+    Args:
+        scenario: Its vehicle, road, mismatch and speeds.
+        strategy: Its id, a controller's class, or an object of it.
+        frequencies: [Hz], above 0.
+        outputs: Of `RESPONSES`.
+        stage: cruise, brake or bump.
+
+    Raises:
+        UnknownNameError: No such strategy.
+        RidelabError: The vehicle and weights admit no stabilising controller, or there is no such output.
+
+    Example:
+        >>> from sim_core import Scenario
+        >>> result = frequency_response(Scenario(), "passive", [0.01])
+        >>> round(abs(result.responses["front_tyre_load"][0]), -1)  # the car follows a long wave
+        30.0
+    """
+    if unknown := set(outputs) - set(RESPONSES):
+        raise RidelabError(f"There is no response of {', '.join(sorted(unknown))}")
+    run = prepare(scenario.model_copy(update={"road": _level(scenario)}), strategy)
+    planned = run.plan == "planned" and stage == "bump"
+    speed = min(scenario.speed.initial, scenario.speed.target) if planned else scenario.speed.initial
+    try:
+        loop = sampled_loop(run, stage, speed)
+    except NotLinearError as error:
+        return FrequencyResult(stage=stage, speed=speed, reason=str(error))
+    own = modes(loop.closed, loop.step)
+    if np.abs(np.linalg.eigvals(loop.closed)).max() >= 1:
+        return FrequencyResult(stage=stage, speed=speed, modes=own, reason="The loop is unstable: no motion is steady")
+    of_bands = [np.linspace(low, high, _PER_BAND) for low, high in BANDS]
+    together = np.concatenate([np.asarray(frequencies, dtype=np.float64), *of_bands])
+    every = dict(zip(RESPONSES, _responses(loop, 2 * pi * together).T, strict=True))
+    count, judged = len(frequencies), None
+    if run.controller.actuated:
+        judged = margins(loop)
+    density = _road_density(scenario, together, speed)
+    psd = bands = None
+    reason = "A measured road has no spectrum of its own: see POST /api/v1/roads" if density is None else None
+    if density is not None:
+        psd = {name: np.abs(every[name]) ** 2 * density for name in outputs}
+        if "body_acceleration" in psd:
+            psd["weighted_body_acceleration"] = psd["body_acceleration"] * wk_gain(together) ** 2
+        bands = {name: _rms(values[count:]) for name, values in psd.items()}
+        psd = {name: values[:count] for name, values in psd.items()}
+    responses = {name: every[name][:count] for name in outputs}
+    return FrequencyResult(
+        stage=stage, speed=speed, modes=own, responses=responses, margins=judged, psd=psd, bands=bands, reason=reason
+    )
+
+
+def passive_modes(scenario: Scenario) -> tuple[Mode, ...]:
+    """Of the real car by itself, with the mean of unequal dampers."""
+    return _modes(np.linalg.eigvals(half_car(scenario.real_vehicle).A).astype(np.complex128))
+
+
+def modes(closed: FloatArray, step: float) -> tuple[Mode, ...]:
+    """Of z' = closed·z over a step [s]; what is gone after a step is left out."""
+    eigenvalues = np.linalg.eigvals(closed).astype(np.complex128)
+    return _modes(np.asarray(np.log(eigenvalues[np.abs(eigenvalues) > _NEGLIGIBLE]) / step, dtype=np.complex128))
+
+
+def _modes(poles: ComplexArray) -> tuple[Mode, ...]:
+    size = np.abs(poles)
+    kept = sorted((float(a), float(-s.real / a)) for s, a in zip(poles, size, strict=True) if s.imag >= 0 and a > 0)
+    return tuple(Mode(natural_frequency=a / (2 * pi), damping_ratio=ratio) for a, ratio in kept)
+
+
+def _responses(loop: SampledLoop, omega: FloatArray) -> ComplexArray:
+    """Of all outputs per metre of road height (frequencies, 6)."""
+    A, B, E, C, D = continuous(loop)
+    s, h = 1j * omega, loop.step
+    n, size = len(A), len(loop.within)
+    velocity = s[:, None] * np.stack([np.ones_like(s), np.exp(-s * loop.scenario.vehicle.wheelbase / loop.speed)], 1)
+    resolvent = s[:, None, None] * np.eye(n) - A
+    of_road: ComplexArray = np.asarray(np.linalg.solve(resolvent, (velocity @ E.T)[..., None])[..., 0], np.complex128)
+    feed = preview_command(loop, omega)
+    forcing = np.zeros((len(omega), len(loop.A)), dtype=np.complex128)
+    forcing[:, :size] = _road_in_step(loop, omega, of_road)
+    forcing += feed @ (loop.B + loop.C).T
+    z = np.linalg.solve(np.exp(s * h)[:, None, None] * np.eye(len(loop.A)) - loop.closed, forcing[..., None])[..., 0]
+    command = z[:, size : size + 2] if loop.delayed else z @ loop.K.T + feed
+    held = command * ((1 - np.exp(-s * h)) / (s * h))[:, None]
+    x = of_road + np.linalg.solve(resolvent, (held @ B.T)[..., None])[..., 0]
+    return np.asarray((x @ C.T + held @ D.T)[:, : len(RESPONSES)])
+
+
+def _road_in_step(loop: SampledLoop, omega: FloatArray, of_road: ComplexArray) -> ComplexArray:
+    """What the road adds to filter and car in one control step (frequencies, 8 + n or n).
+
+    From rest a car under a steady motion X exp(jωt) gets (exp(jωh) - Φ) X in a step h, exactly.
+    """
+    h = loop.step / loop.short
+    turn = np.exp(1j * omega * h)[:, None]
+    within = plant(loop.scenario.real_vehicle, loop.actuator, h)
+    added = turn * of_road - of_road @ within.A.T
+    if loop.filtered is None:
+        return np.asarray(added)
+    told, measured = loop.filtered
+    seen = previewed(loop, loop.told, omega, 1)[:, :, 0] @ told.T
+    over = np.zeros((len(omega), len(loop.within)), dtype=np.complex128)
+    for i in range(loop.short):
+        now = added * turn**i
+        over = over @ loop.within.T + np.hstack([now @ measured.T + seen, now])
+    return np.asarray(over)
+
+
+def _level(scenario: Scenario) -> Road:
+    """A short road of that roughness, which a filter is made for; a measured road's has none."""
+    return ANY_ROAD.model_copy(update={"roughness": scenario.road.roughness})
+
+
+def _road_density(scenario: Scenario, frequencies: FloatArray, speed: float) -> FloatArray | None:
+    """One-sided density of the road's height over frequency [m²/Hz], that of ISO 8608 with the cut-off."""
+    if scenario.road.profile is not None:
+        return None
+    n = frequencies / speed
+    density = scenario.road.roughness * REFERENCE_FREQUENCY**2 / (n**2 + CUTOFF_FREQUENCY**2) / speed
+    return np.asarray(density)
+
+
+def _rms(values: FloatArray) -> FloatArray:
+    """Of a spectrum sampled in each band, the RMS in it (3,)."""
+    parts = values.reshape(len(BANDS), _PER_BAND)
+    width = np.array([high - low for low, high in BANDS]) / (_PER_BAND - 1)
+    return np.asarray(np.sqrt((parts[:, 1:] + parts[:, :-1]).sum(axis=1) / 2 * width))

@@ -1,0 +1,40 @@
+"""`POST /frequency` over HTTP: what is asked and answered. The numbers are tests/validation/test_frequency.py's."""
+
+import httpx
+import numpy as np
+import pytest
+
+from backend.runs.frequency import FrequencyAnswer
+from sim_core.frequency.responses import frequency_response
+from sim_core.scenario import Scenario
+
+
+def test_responses_are_the_cores(client: httpx.Client) -> None:
+    body = {"strategies": ["lqr", "passive"], "frequencies": [1.5, 10], "outputs": ["body_acceleration"]}
+    answer = FrequencyAnswer.model_validate(client.post("/api/v1/frequency", json=body).json())
+    ours = frequency_response(Scenario(), "lqr", [1.5, 10], ["body_acceleration"])
+    assert ours.responses is not None
+    lqr, passive = answer.strategies["lqr"], answer.strategies["passive"]
+    assert lqr.responses is not None
+    assert list(lqr.responses) == ["body_acceleration"]
+    magnitude = np.abs(ours.responses["body_acceleration"])
+    assert lqr.responses["body_acceleration"].magnitude == pytest.approx(magnitude.tolist(), rel=1e-12)
+    assert answer.frequency == [1.5, 10]
+    assert passive.margins is None
+    assert passive.modes is not None
+    # the sampled car's modes are its own, to rounding of the logarithm
+    assert passive.modes[0].natural_frequency == pytest.approx(answer.modes[0].natural_frequency, rel=1e-9)
+
+
+def test_what_is_not_linear_is_null_and_says_why(client: httpx.Client) -> None:
+    body = {"scenario": {"hook": {"semi_active": True}}, "strategies": ["skyhook"]}
+    skyhook = client.post("/api/v1/frequency", json=body).json()["strategies"]["skyhook"]
+    assert skyhook["responses"] is None
+    assert "semi-active" in skyhook["reason"]
+
+
+@pytest.mark.parametrize("wrong", [{"frequencies": [0]}, {"outputs": ["speed"]}, {"stage": "jump"}, {"strategies": []}])
+def test_what_cannot_be_asked_is_refused_at_its_field(client: httpx.Client, wrong: dict[str, object]) -> None:
+    answer = client.post("/api/v1/frequency", json={"strategies": ["lqr"], **wrong})
+    assert answer.status_code == 422
+    assert next(iter(wrong)) in answer.json()["errors"][0]["pointer"]
