@@ -12,6 +12,7 @@ from benchmarks import plain_osqp_loop
 from benchmarks.timing import fresh_process, median_ms, peak_memory_mb, table
 from sim_core import Controller, load_controllers
 from sim_core.catalogue import PAPER_SIGNALS
+from sim_core.frequency.responses import frequency_response
 from sim_core.scenario import Scenario
 from sim_core.scenario.presets import preset
 from sim_core.simulate import simulate
@@ -166,6 +167,13 @@ def own_lqr() -> None:
     print(f"  LQR of examples/controllers takes {theirs / ours:.2f} times ours (goal: at most 2)")
 
 
+def _frequencies() -> None:
+    """Responses of three strategies, each time with weights that nothing is kept for."""
+    cases = [changed(PAPER, "mpc", force_weight=PAPER.mpc.force_weight * (1 + i / 1000)) for i in range(1, 22)]
+    time = median_ms(lambda scenario: [frequency_response(scenario, name) for name in TOGETHER], cases)
+    print(f"\nFrequency responses, modes and margins of {', '.join(TOGETHER)}: {time:.0f} ms (goal: under 30)")
+
+
 def run() -> None:
     """All of it."""
     print(f"The core's imports take {peak_memory_mb():.0f} MB")
@@ -174,5 +182,6 @@ def run() -> None:
     by_strategy()
     over_roads()
     by_linearity()
+    _frequencies()
     print(f"\nPeak memory: {peak_memory_mb():.0f} MB")
     own_lqr()

@@ -54,6 +54,7 @@ SCENARIO = {"road": {"length": 130, "bump": {"height": 0.08}}, "speed": {"target
 EXAMPLES: dict[str, JsonObject] = {  # of bodies, by their schema
     "RunRequest": {"scenario": SCENARIO, "strategies": ["lv", "passive"]},
     "LiveRequest": {"scenario": SCENARIO, "strategies": ["lv"], "points": 200, "signals": [PAPER_SIGNALS[0]]},
+    "FrequencyRequest": {"scenario": SCENARIO, "strategies": ["lqr", "passive"], "frequencies": [1, 5, 11]},
     "SolveRequest": {
         "scenario": SCENARIO,
         "strategy": "passive",

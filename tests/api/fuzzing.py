@@ -35,8 +35,8 @@ values = ["{link}"]
 
 [[operations]]
 include-operation-id = [
-    "createRun", "live", "solve", "frequency", "createBatch", "createTuning", "resumeTuning", "createLink", "getSeries", "getBands",
-    "getChanges", "getRunReport", "getBatchTable", "getBatchSummary",
+    "createRun", "live", "solve", "frequency", "createBatch", "createTuning", "resumeTuning", "createLink",
+    "getSeries", "getBands", "getChanges", "getRunReport", "getBatchTable", "getBatchSummary",
     "exportController", "reportController", "driveByClock", "makeHalfCar", "createRoad",
     "getPaper", "getPaperReadings", "getPaperAttribution", "getPaperFigures", "getPaperReport",
 ]
