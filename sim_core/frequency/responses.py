@@ -104,8 +104,8 @@ def frequency_response(
     Example:
         >>> from sim_core import Scenario
         >>> result = frequency_response(Scenario(), "passive", [0.01])
-        >>> round(abs(result.responses["front_tyre_load"][0]), -1)  # the car follows a long wave
-        30.0
+        >>> round(float(abs(result.responses["front_tyre_load"][0])), 1)  # [N/m]: the car follows a long wave
+        3.5
     """
     if unknown := set(outputs) - set(RESPONSES):
         raise RidelabError(f"There is no response of {', '.join(sorted(unknown))}")
