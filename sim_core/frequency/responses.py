@@ -127,7 +127,7 @@ def frequency_response(
         judged = margins(loop)
     density = _road_density(scenario, together, speed)
     psd = bands = None
-    reason = "A measured road has no spectrum of its own: see POST /api/v1/roads" if density is None else None
+    reason = "A measured road has no class, so no spectrum of its height is known" if density is None else None
     if density is not None:
         psd = {name: np.abs(every[name]) ** 2 * density for name in outputs}
         if "body_acceleration" in psd:

@@ -38,3 +38,16 @@ def test_what_cannot_be_asked_is_refused_at_its_field(client: httpx.Client, wron
     answer = client.post("/api/v1/frequency", json={"strategies": ["lqr"], **wrong})
     assert answer.status_code == 422
     assert next(iter(wrong)) in answer.json()["errors"][0]["pointer"]
+
+
+def test_a_measured_road_has_responses_and_no_spectrum(client: httpx.Client) -> None:
+    heights = "distance [m],height [mm]\n" + "".join(f"{x},{x % 3}\n" for x in range(0, 200))
+    headers = {"Content-Type": "text/csv"}
+    road = client.post("/api/v1/roads", content=heights, headers=headers).json()["id"]
+    body = {"scenario": {"road": {"profile": road}}, "strategies": ["lqr"]}
+    answer = client.post("/api/v1/frequency", json=body)
+    assert answer.status_code == 200, answer.text
+    lqr = answer.json()["strategies"]["lqr"]
+    assert lqr["responses"] is not None
+    assert lqr["psd"] is None
+    assert "measured road" in lqr["reason"]
