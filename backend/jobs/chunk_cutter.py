@@ -10,9 +10,6 @@ from backend.job_run import JobRun
 from backend.store import Store, StoredJob
 
 CHUNK_SECONDS = 1.0  # a chunk is cut to take about so long
-SHORTEST_CHUNK = 0.1  # and no shorter where the processes share the rest of a job [s]
-FIRST_CHUNK = 8  # runs at most, before a run has been timed
-FIRST_COST = 2.0  # their estimated cost [s]
 LONGEST_CHUNK = 1000  # runs
 STRIKES = 3  # a run alone may lose its processes so often (two each time) before it fails
 
@@ -83,14 +80,11 @@ class RunningJob:
     def record_time(self, runs: int, seconds: float) -> None:
         """Update the mean time of a run: a chunk of `runs` took `seconds`."""
         if runs:
-            each = max(seconds, 1e-4) / runs
+            each = seconds / runs
             self.run_seconds = each if self.run_seconds is None else 0.7 * self.run_seconds + 0.3 * each
 
     def size(self, max_chunks: int) -> int:
         """Runs in the next chunk, where `max_chunks` can be open: at the end the processes share the rest."""
-        if self.run_seconds is None:
-            each = self.job.estimated_cost / self.job.total
-            return min(FIRST_CHUNK, max(1, int(FIRST_COST / max(each, 1e-3))))
+        each = self.run_seconds or self.job.estimated_cost / self.job.total
         left = self.job.total - 1 - self.position
-        share = max(math.ceil(left / max_chunks), round(SHORTEST_CHUNK / self.run_seconds))
-        return min(LONGEST_CHUNK, max(1, min(round(CHUNK_SECONDS / self.run_seconds), share)))
+        return max(1, min(LONGEST_CHUNK, int(CHUNK_SECONDS / max(each, 1e-4)), math.ceil(left / max_chunks)))

@@ -10,18 +10,19 @@ from functools import partial
 import orjson
 
 from backend.compute.shared_computations import SharedComputations
-from backend.errors import BusyError
+from backend.errors import BusyError, TooManyRequestsError
 from backend.job_run import JobRun
 from backend.jobs.kind import JobKind
 from backend.jobs.service import request_hash
 from backend.json_types import JsonObject
 from backend.paper.paper_rows import compute_row
 from backend.store import Store, StoredJob
-from backend.store.job import FINAL, UNFINISHED
+from backend.store.job import FINAL
 from sim_core.scenario import Scenario
 
 RETRY_AFTER = 30
-MAX_JOBS = 8  # that compute rows, of all visitors
+MAX_JOBS = 16  # that compute rows, of all visitors
+MAX_CLIENT_JOBS = 4  # of one visitor; the page asks for four at once
 TRY_AGAIN = timedelta(minutes=1)  # rows that failed are not tried again before, for those who ask every second
 JOB_POLL_INTERVAL = 1.0  # between two looks at a job of another process [s]
 ROW_COST = 0.02  # [s of one core]
@@ -53,21 +54,24 @@ class PaperRows:
     def __init__(self, store: Store) -> None:
         self._store = store
         self._waits: SharedComputations[str, str | None] = SharedComputations()
+        self._clients: dict[str, str] = {}  # who submitted an unfinished job, by its id
 
-    async def get(self, requests: Sequence[JobRun], patience: float | None) -> Rows:
+    async def get(self, requests: Sequence[JobRun], client: str, patience: float | None) -> Rows:
         """These rows; the first ones are computed first.
 
         Args:
             requests: What is needed; each row may be there several times.
+            client: Who asks.
             patience: How long to wait for what is missing [s]; None is until it is there.
 
         Raises:
-            BusyError: Too much of the paper page is being computed.
+            TooManyRequestsError: Too much of the paper page is being computed for this client.
+            BusyError: Too much of it is being computed.
         """
         unique = list({request.key: request for request in requests}.values())
         rows, reason = await self._stored(unique)
         if len(rows) < len(unique) and reason is None:
-            job = await self._job(unique, patient=patience is None)
+            job = await self._job(unique, client, patient=patience is None)
             with contextlib.suppress(TimeoutError):
                 async with asyncio.timeout(None if job.state in FINAL else patience):
                     reason = await self._waits.join(job.id, partial(self._wait, job))
@@ -83,7 +87,7 @@ class PaperRows:
         reasons = [result.summary["reason"] for result in results.values() if result.status == "failed"]
         return rows, next(iter(reasons), None)
 
-    async def _job(self, requests: Sequence[JobRun], *, patient: bool) -> StoredJob:
+    async def _job(self, requests: Sequence[JobRun], client: str, *, patient: bool) -> StoredJob:
         """The job that computes these rows: an unfinished one, or (unless `patient`) one that failed lately."""
         key = f"paper {request_hash([request.key for request in requests])}"
         existing = await self._store.read(self._store.jobs.by_idempotency_key, REPRODUCTION.name, key)
@@ -93,11 +97,7 @@ class PaperRows:
             if ended is None or (failed_lately and await self._store.read(self._store.now) - ended < TRY_AGAIN):
                 return existing
             await self._store.write(self._store.jobs.delete, existing.id)
-        counts = await self._store.read(self._store.jobs.counts)
-        waiting = [n for (kind, state), (n, _) in counts.items() if kind == REPRODUCTION.name and state in UNFINISHED]
-        if sum(waiting) >= MAX_JOBS:
-            detail = "The service is full: too much of the paper page is being computed."
-            raise BusyError(detail, retry_after=RETRY_AFTER)
+        await self._check_open_jobs(client)
         job = StoredJob(
             kind=REPRODUCTION.name,
             request={"scenario": Scenario().model_dump(mode="json"), "strategies": [], "fields": []},
@@ -107,7 +107,20 @@ class PaperRows:
         )
         runs = [request._replace(position=position) for position, request in enumerate(requests)]
         stored, _ = await self._store.write(self._store.jobs.create, job, runs, key)
+        self._clients.setdefault(stored.id, client)
         return stored
+
+    async def _check_open_jobs(self, client: str) -> None:
+        """Refuse a further job where too many are unfinished."""
+        unfinished = await self._store.read(self._store.jobs.unfinished)
+        waiting = {job.id for job in unfinished if job.kind == REPRODUCTION.name}
+        self._clients = {job_id: each for job_id, each in self._clients.items() if job_id in waiting}
+        if list(self._clients.values()).count(client) >= MAX_CLIENT_JOBS:
+            detail = f"This client has used its share: {MAX_CLIENT_JOBS} parts of the paper page are being computed."
+            raise TooManyRequestsError(detail, retry_after=RETRY_AFTER)
+        if len(waiting) >= MAX_JOBS:
+            detail = "The service is full: too much of the paper page is being computed."
+            raise BusyError(detail, retry_after=RETRY_AFTER)
 
     async def _wait(self, job: StoredJob) -> str | None:
         """Wait for the job's end; why one of its runs failed."""

@@ -128,7 +128,7 @@ class Paper:
         self._gate.check_cost(cost_of(Scenario(), claims.STRATEGIES))
         with self._gate.hold(client, requests=1):
             every = [row for by_strategy in requests for rows in by_strategy.values() for row in rows]
-            return await self._rows.get(every, patience)
+            return await self._rows.get(every, client, patience)
 
 
 async def _requests(choices: Mapping[str, str], roads: range) -> Requests:

@@ -1,5 +1,6 @@
 """The paper page's answers against runs asked for one by one."""
 
+import asyncio
 import statistics
 from collections.abc import Mapping
 from typing import Any
@@ -7,9 +8,13 @@ from typing import Any
 import httpx
 import pytest
 
+from backend.errors import TooManyRequestsError
+from backend.job_run import JobRun
 from backend.paper import models
 from backend.paper.claims import FIGURES
 from backend.paper.interpretations import DEFAULT
+from backend.paper.rows import MAX_CLIENT_JOBS, PaperRows
+from backend.store import Store
 from tests.api.conftest import Service
 from tests.servers.process import wait_until
 
@@ -156,3 +161,21 @@ def test_more_than_it_bears_at_once_is_refused(service: Service, monkeypatch: py
     response = service.client.get(PAPER, params={"first_seed": "9000"})
     assert (response.status_code, response.json()["type"]) == (503, "urn:problem-type:ridelab:full")
     assert response.headers["retry-after"]
+
+
+def test_one_visitor_leaves_the_paper_page_to_others(store: Store) -> None:
+    rows = PaperRows(store)
+
+    async def ask(client: str, number: int) -> bool:
+        request = JobRun(0, "{}", "paper.lv", f"key {number}")
+        return (await rows.get([request], client, patience=0.0)).complete
+
+    async def ask_all() -> None:
+        for number in range(MAX_CLIENT_JOBS):
+            assert not await ask("greedy", number), "nobody computes here"
+        with pytest.raises(TooManyRequestsError):
+            await ask("greedy", 100)
+        assert not await ask("greedy", 0), "what is being computed is no further part"
+        assert not await ask("polite", 101)
+
+    asyncio.run(ask_all())

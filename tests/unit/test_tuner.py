@@ -291,6 +291,8 @@ def test_the_rest_of_a_batch_is_shared_among_its_processes() -> None:
     running.record_time(32, 0.64)
     assert running.size(max_chunks=4) == 8, "32 are left"
     running.position = 55
-    assert running.size(max_chunks=4) == 5, "no shorter than a tenth of a second"
+    assert running.size(max_chunks=4) == 2, "8 are left"
     long = RunningJob(compute=compute, job=replace(BATCH, total=10_000), run_seconds=0.02)
     assert long.size(max_chunks=4) == 50, "about a second while there is enough"
+    new = RunningJob(compute=compute, job=replace(BATCH, total=10_000, estimated_cost=500.0))
+    assert new.size(max_chunks=4) == 20, "by the estimate until a run has been timed"
