@@ -69,6 +69,32 @@ class Span:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class RecordingReport:
+    """How a recording became a result (sim_core.recorded).
+
+    Attributes:
+        offset: Position of its distance 0 [m]; like the next three None where no place was found.
+        scale: Metres of the road in a metre of its distance; where that follows from its time, also what a second of
+            its clock lasts.
+        likeness: Correlation coefficient with the simulated drive it was placed by.
+        reference: That drive's strategy.
+        start: Where on the road it begins [m].
+        end: Where it ends [m].
+        missing: Signals that it does not have.
+        notes: All of this in words, and what may be wrong.
+    """
+
+    offset: float | None
+    scale: float | None
+    likeness: float | None
+    reference: str | None
+    start: float
+    end: float
+    missing: tuple[str, ...]
+    notes: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class StrategyResult:
     """One strategy's run over one scenario.
 
@@ -84,6 +110,7 @@ class StrategyResult:
         travel_time: Front axle from x = 0 to the road's end [s].
         arrival_speed_kmh: Speed when the front axle meets the bump [km/h].
         series: Time histories: signal -> array (samples,), `time` ascending from 0; units are in catalogue.SIGNALS.
+        recording: How a recording became this result, whose values may be NaN; None of a simulated one.
 
     Example:
         >>> from sim_core import Scenario, simulate
@@ -104,9 +131,11 @@ class StrategyResult:
     travel_time: float
     arrival_speed_kmh: float
     series: Series
+    recording: RecordingReport | None = None
 
     def summary(self) -> dict[str, Any]:
         """Everything but the series and the strategy's id, ready for JSON."""
+        of_recording = {} if self.recording is None else {"recording": asdict(self.recording)}
         return {
             "metrics": self.metrics,
             "comfort": self.comfort,
@@ -115,4 +144,5 @@ class StrategyResult:
             "stages": [asdict(span) for span in self.stages],
             "travel_time": self.travel_time,
             "arrival_speed_kmh": self.arrival_speed_kmh,
+            **of_recording,
         }

@@ -6,6 +6,7 @@ from dataclasses import asdict
 import numpy as np
 
 from backend.compute.workers import Workers
+from backend.csv_lines import CsvError
 from backend.errors import InvalidError, NotFoundError, ShortRoadError
 from backend.gate import Gate
 from backend.roads import export, survey
@@ -39,7 +40,7 @@ class MeasuredRoads:
         with self._gate.hold(client, road_files=1, requests=1, background_cost=SURVEY_COST):
             try:
                 surveyed = await self._workers.call(survey.read, content, client=client, cost=SURVEY_COST)
-            except survey.SurveyError as error:
+            except CsvError as error:
                 raise InvalidError(f"Line {error.line}: {error.message}.", pointer="") from None
         await self._store.write(self._store.roads.save, surveyed.road)
         road = surveyed.road

@@ -1,22 +1,21 @@
 """A surveyed profile as CSV: read line by line, checked, converted to a road. Runs in a worker: no web here."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from backend import csv_lines
+from backend.csv_lines import CsvError
 from backend.roads import export
 from sim_core.arrays import FloatArray
 from sim_core.road.survey import CONTACT, DetectedBump, bumps_in, surveyed
 from sim_core.scenario.measured import SPACING, MeasuredRoad
 
 MAX_LENGTH, MIN_LENGTH = 3000.0, 5.0  # of a road [m]
-MAX_LINES = 350_000  # a height every 9 mm on the longest road
-MAX_LINE = 500  # characters
 MAX_GAP = 5.0  # between two heights [m]
 WIDE_GAP = 0.25  # beyond which a warning says what is missing [m]
-MAX_NUMBER = 1e12  # in any unit
 MAX_HEIGHT = 1e5  # beyond which it is none [m]
 HILLY = 1.0  # heights beyond this, without the slope, may be in another unit [m]
 
@@ -39,20 +38,6 @@ FORM = (
 )
 
 
-class SurveyError(Exception):
-    """The file is not a road.
-
-    Args:
-        message: Why.
-        line: Where, the first being 1.
-    """
-
-    def __init__(self, message: str, line: int) -> None:
-        super().__init__(message, line)
-        self.message = message
-        self.line = line
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Survey:
     """The result of reading a file: the road, the bumps in it, and warnings."""
@@ -66,15 +51,12 @@ def read(content: bytes) -> Survey:
     """The road of a CSV file.
 
     Raises:
-        SurveyError: It is none; `line` is where.
+        CsvError: It is none; `line` is where.
     """
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise SurveyError("This is not UTF-8", content.count(b"\n", 0, error.start) + 1) from None
-    lines = _lines(text)
+    text = csv_lines.decoded(content)
+    lines = csv_lines.lines(text)
     number, head = next(lines, (1, ""))
-    separator = next((each for each in ("\t", ";", ",") if each in head), ",")
+    separator = csv_lines.separator(head)
     exported = export.exported_id(text)
     scales, order = _columns([name.strip() for name in head.split(separator)], number, alone=exported is not None)
     numbers, table = _table(lines, separator, len(scales))
@@ -95,23 +77,6 @@ def read(content: bytes) -> Survey:
     return replace(survey, warnings=[changed, *survey.warnings])
 
 
-def _lines(text: str) -> Iterator[tuple[int, str]]:
-    """Line numbers and lines, without empty ones and comments (#)."""
-    start, number = 0, 0
-    while start < len(text):
-        end = text.find("\n", start)
-        end = len(text) if end < 0 else end
-        number += 1
-        if number > MAX_LINES:
-            raise SurveyError(f"The file may have {MAX_LINES} lines", number)
-        if end - start > MAX_LINE:
-            raise SurveyError(f"A line may have {MAX_LINE} characters", number)
-        line = text[start:end].strip()
-        if line and not line.startswith("#"):
-            yield number, line
-        start = end + 1
-
-
 def _columns(names: Sequence[str], line: int, *, alone: bool) -> tuple[list[float], list[int]]:
     """Each column's unit in metres, and the columns of distance and height, or left and right height.
 
@@ -119,42 +84,29 @@ def _columns(names: Sequence[str], line: int, *, alone: bool) -> tuple[list[floa
     """
     titles, scales = [], []
     for name in names:
-        title, bracket, unit = name.replace('"', "").replace("(", "[").replace(")", "]").partition("[")
-        unit = unit.strip().removesuffix("]").strip().lower()
-        if not bracket or unit not in UNITS:
-            raise SurveyError(f"{FORM}; units are {', '.join(dict.fromkeys(UNITS))}", line)
-        titles.append(title.strip().lower())
+        title, unit = csv_lines.title_and_unit(name)
+        unit = unit.lower()
+        if unit not in UNITS:
+            raise CsvError(f"{FORM}; units are {', '.join(dict.fromkeys(UNITS))}", line)
+        titles.append(title.lower())
         scales.append(UNITS[unit])
     for wanted in ((DISTANCE, HEIGHT), (DISTANCE, LEFT, RIGHT), *([(HEIGHT,)] * alone)):
         matches = [[index for index, title in enumerate(titles) if title in each] for each in wanted]
         if len(titles) == len(wanted) and all(len(each) == 1 for each in matches):
             return scales, [each[0] for each in matches]
-    raise SurveyError(FORM, line)
+    raise CsvError(FORM, line)
 
 
-def _table(lines: Iterator[tuple[int, str]], separator: str, columns: int) -> tuple[list[int], FloatArray]:
+def _table(lines: csv_lines.Lines, separator: str, columns: int) -> tuple[list[int], FloatArray]:
     """Line numbers and values (lines, columns)."""
     numbers, rows = [], []
-    for number, line in lines:
-        cells = line.split(separator)
-        if len(cells) != columns:
-            raise SurveyError(f"The header has {columns} columns and this line {len(cells)}", number)
-        try:
-            row = (
-                [float(cell.replace(",", ".")) for cell in cells]
-                if separator == ";"
-                else [float(cell) for cell in cells]
-            )
-        except ValueError:
-            raise SurveyError("A value is not a number", number) from None
+    for number, row in csv_lines.numbers(lines, separator, columns):
         if not all(map(math.isfinite, row)):
-            raise SurveyError("A value is not a finite number", number)
-        if max(map(abs, row)) > MAX_NUMBER:
-            raise SurveyError(f"A value is beyond {MAX_NUMBER:g}", number)
+            raise CsvError("A value is not a finite number", number)
         numbers.append(number)
         rows.append(row)
     if len(rows) < 2:
-        raise SurveyError("A road has two heights at least", numbers[-1] if numbers else 1)
+        raise CsvError("A road has two heights at least", numbers[-1] if numbers else 1)
     return numbers, np.array(rows)
 
 
@@ -163,27 +115,27 @@ def _check_distances(distance: FloatArray, numbers: Sequence[int]) -> None:
     back, far = np.flatnonzero(steps <= 0), np.flatnonzero(steps > MAX_GAP)
     if len(back):
         what = "goes back" if steps[back[0]] < 0 else "stands still"
-        raise SurveyError(f"The distance {what}: every line is further on than the one before", numbers[back[0] + 1])
+        raise CsvError(f"The distance {what}: every line is further on than the one before", numbers[back[0] + 1])
     if len(far):
-        raise SurveyError(f"A gap of more than {MAX_GAP:g} m since the line before", numbers[far[0] + 1])
+        raise CsvError(f"A gap of more than {MAX_GAP:g} m since the line before", numbers[far[0] + 1])
     beyond = np.flatnonzero(distance - distance[0] > MAX_LENGTH + 1e-6)
     if len(beyond):
-        raise SurveyError(f"A road is {MAX_LENGTH:g} m long at most", numbers[beyond[0]])
+        raise CsvError(f"A road is {MAX_LENGTH:g} m long at most", numbers[beyond[0]])
     if distance[-1] - distance[0] < MIN_LENGTH:
-        raise SurveyError(f"A road is {MIN_LENGTH:g} m long at least; is the unit right?", numbers[-1])
+        raise CsvError(f"A road is {MIN_LENGTH:g} m long at least; is the unit right?", numbers[-1])
 
 
 def _check_heights(tracks: Sequence[FloatArray], numbers: Sequence[int]) -> None:
     beyond = np.flatnonzero(np.abs(tracks).max(axis=0) > MAX_HEIGHT)
     if len(beyond):
-        raise SurveyError(f"A height of more than {MAX_HEIGHT / 1000:g} km; is the unit right?", numbers[beyond[0]])
+        raise CsvError(f"A height of more than {MAX_HEIGHT / 1000:g} km; is the unit right?", numbers[beyond[0]])
 
 
 def _survey(distance: FloatArray, tracks: Sequence[FloatArray]) -> Survey:
     profile = surveyed(distance, np.mean(tracks, axis=0))
     most = float(np.abs(profile.heights).max())
     if not most <= export.HIGHEST:  # nor NaN
-        raise SurveyError("Heights differ by kilometres; is the unit right?", 1)
+        raise CsvError("Heights differ by kilometres; is the unit right?", 1)
     road, widest = MeasuredRoad.of(profile.heights), float(np.diff(distance).max())
     warnings = ["The mean of left and right track is taken"] if len(tracks) == 2 else []
     if distance[0]:

@@ -95,6 +95,13 @@ def _by_window(recorder: Recorder, ends: FloatArray) -> dict[str, dict[str, dict
     }
 
 
+def mean_squares(a: FloatArray, b: FloatArray) -> FloatArray:
+    """Of METRIC_SIGNALS between samples a and b (signals, n): accelerations as lines, all else by trapezoids."""
+    squares = (a * a + b * b) / 2
+    squares[:_LINES] = (2 * squares[:_LINES] + (a * b)[:_LINES]) / 3
+    return squares
+
+
 def rms_between(
     series: Series, speed_profile: SpeedProfile, intervals: Sequence[tuple[float, float]]
 ) -> dict[str, float]:
@@ -117,9 +124,7 @@ def rms_between(
     if (durations <= 0).any() or ends.min() < 0 or ends.max() > table[0, :, 1:].size:
         raise ValueError("An interval ends behind its beginning and lies on the road that was driven")
     a, b = (each.reshape(len(table), -1) for each in (table[:, :, :-1], table[:, :, 1:]))
-    squares = (a * a + b * b) / 2
-    squares[:_LINES] = (2 * squares[:_LINES] + (a * b)[:_LINES]) / 3
-    until = np.cumsum(np.pad(squares, ((0, 0), (1, 0))), axis=1)  # the integral up to each place
+    until = np.cumsum(np.pad(mean_squares(a, b), ((0, 0), (1, 0))), axis=1)  # the integral up to each place
     place = np.arange(until.shape[1])
     means = [np.diff(np.interp(ends, place, integral)).sum() / durations.sum() for integral in until]
     return dict(zip(METRIC_SIGNALS, np.sqrt(means).tolist(), strict=True))
