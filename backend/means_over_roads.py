@@ -50,6 +50,11 @@ def seeded(scenario: Scenario, roads: int) -> list[Scenario]:
     ]
 
 
+def default_baseline(strategies: Sequence[str]) -> str:
+    """The default baseline of changes: passive, or the first strategy where passive is not run."""
+    return "passive" if "passive" in strategies else strategies[0]
+
+
 def one_road_resolution(strategy: str) -> dict[str, float]:
     """By statistic the smallest change [%] that one road tells from luck; an RMS's is also that of comfort figures.
 

@@ -5,7 +5,7 @@ What is answered is built as its model, a large table and what is stored as JSON
 
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInfo, WithJsonSchema, field_validator
+from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInfo, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
 from backend.json_types import JsonObject
@@ -84,26 +84,6 @@ class StrategiesRequest(RequestModel):
 
     scenario: Scenario = Scenario()
     strategies: list[StrategyName] = Field(min_length=1, max_length=32)
-
-
-class RunRequest(StrategiesRequest):
-    """What to run, on how many roads."""
-
-    roads: RoadCount = 1
-    baseline: StrategyName | None = Field(
-        None,
-        description="What the changes over several roads refer to, one of the strategies; null is passive, or the "
-        "first strategy where passive does not run",
-    )
-
-    @field_validator("baseline")
-    @classmethod
-    def _baseline_runs(cls, baseline: str | None, info: ValidationInfo) -> str | None:
-        names = info.data.get("strategies")
-        if baseline is not None and names is not None and baseline not in names:
-            message = "One of the strategies that run: {names}"
-            raise PydanticCustomError("baseline_not_run", message, {"names": ", ".join(names)})
-        return baseline
 
 
 class LiveRequest(StrategiesRequest):
@@ -216,22 +196,6 @@ class RunBase(Answer):
 
     core_version: str
     scenario: Scenario
-
-
-class Run(RunBase, WithId):
-    """A stored run; it never changes."""
-
-    strategies: dict[str, Annotated[StrategyResult | StrategyFailure, Field(discriminator="status")]] = keys_of(
-        STRATEGY_IDS, "By strategy"
-    )
-
-
-class CreatedRun(RunBase, WithId):
-    """The answer to the request that created a run."""
-
-    strategies: dict[str, Annotated[CachedResult | CachedFailure, Field(discriminator="status")]] = keys_of(
-        STRATEGY_IDS, "By strategy"
-    )
 
 
 class LiveRun(RunBase):

@@ -22,8 +22,10 @@ from backend.http.answers import (
 )
 from backend.http.routing import ComputingRoute, ScenarioRoute
 from backend.json_types import JsonObject
+from backend.requirements import Requirement, read
 from backend.runs.figures import PANELS
 from backend.runs.frequency import FrequencyAnswer, FrequencyRequest
+from backend.runs.models import CreatedRun, Run, RunRequest
 from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
 from backend.runs.service import Runs
 from backend.runs.solve.models import Solution, SolveRequest
@@ -41,13 +43,24 @@ Signals = Annotated[str | None, Query(description="Keys with commas; omitted is 
 Points = Annotated[int | None, Query(ge=2, le=models.MAX_POINTS, description="About how many samples; omitted is all")]
 RunId = Annotated[str, Path(alias="id", description=f"{RUN_ID_LENGTH} characters", max_length=64)]
 Axis = Annotated[Literal["position", "time"], Query(description="What is on the x axis")]
+Required = Annotated[
+    str | None,
+    Query(description="What it is held to: a list of requirements as of `POST /runs`, as JSON", max_length=8000),
+]
 CACHED_FOR_AN_HOUR = {"Cache-Control": "public, max-age=3600"}
 
 
-@computing.post("/runs", operation_id="createRun", response_model=models.CreatedRun | CreatedRoadsRun)
-async def create_run(body: models.RunRequest, service: RunsService, client: Client) -> Response:
+@computing.post("/runs", operation_id="createRun", response_model=CreatedRun | CreatedRoadsRun)
+async def create_run(body: RunRequest, service: RunsService, client: Client) -> Response:
     """Run what is not stored yet, on one road or several; the answer comes after the commit."""
-    work = service.create(body.scenario, body.strategies, client, roads=body.roads, baseline=body.baseline)
+    work = service.create(
+        body.scenario,
+        body.strategies,
+        client,
+        roads=body.roads,
+        baseline=body.baseline,
+        requirements=body.requirements,
+    )
     return json_answer(await work)
 
 
@@ -72,15 +85,23 @@ async def frequency(body: FrequencyRequest, service: RunsService, client: Client
 @runs.get(
     "/runs/{id}",
     operation_id="getRun",
-    response_model=models.Run | RoadsRun,
+    response_model=Run | RoadsRun,
     responses={304: {"description": "Not changed"}},
 )
-async def get_run(run_id: RunId, request: Request, service: RunsService, client: Client) -> Response:
+async def get_run(
+    run_id: RunId,
+    request: Request,
+    service: RunsService,
+    client: Client,
+    requirements: Required = None,
+    baseline: Annotated[str | None, Query(description="What their changes refer to", max_length=64)] = None,
+) -> Response:
     """A stored run; it changes only where its results were removed and another core version computes them again."""
     tag = f'W/"{run_id}"'  # weak: the body may be compressed
     if is_cached(request, tag) and await service.is_stored(run_id):
         return tagged(tag, IMMUTABLE)
-    return tagged(tag, IMMUTABLE, await cancel_on_disconnect(request, service.get(run_id, client)))
+    work = service.get(run_id, client, requirements=_required(requirements), baseline=baseline)
+    return tagged(tag, IMMUTABLE, await cancel_on_disconnect(request, work))
 
 
 @runs.get("/runs/{id}/changes", operation_id="getChanges", response_model=PairedChanges)
@@ -206,6 +227,11 @@ async def get_run_report(
     compressed = takes_gzip(request)
     report = await service.report(run_id, client, baseline=baseline, against=against, axis=x, compressed=compressed)
     return html_answer(report, f"ridelab-{run_id}.html")
+
+
+def _required(requirements: str | None) -> list[Requirement]:
+    """The requirements in a parameter; none where it was omitted."""
+    return [] if requirements is None else read(requirements)
 
 
 def _names(parameter: str, text: str | None, offered: dict[str, Any]) -> list[str] | None:

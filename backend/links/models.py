@@ -14,8 +14,9 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from backend.batches.models import Batch
-from backend.models import Answer, RequestModel, Run, StrategyName, inconsistent
+from backend.models import Answer, RequestModel, StrategyName, inconsistent
 from backend.plain_text import PlainText
+from backend.runs.models import Run
 from backend.runs.over_roads import RoadsRun
 from sim_core.catalogue import METRIC_SIGNALS, METRICS, RUN_FIGURES, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario

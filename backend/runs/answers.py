@@ -13,15 +13,21 @@ import orjson
 from backend.errors import InvalidError
 from backend.intervals import Interval
 from backend.json_types import JsonObject
-from backend.means_over_roads import Changes, Comparison, Numbers, compare, numbers, paired_changes
+from backend.means_over_roads import Changes, Comparison, Numbers, compare, default_baseline, numbers, paired_changes
 from backend.outcome import Outcome
+from backend.requirements import Driven, Requirement, judge
 from backend.store import StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
 
 
 def run_answer(
-    stored: StoredRun, *, baseline: str | None = None, cached: Mapping[str, bool] | None = None
+    stored: StoredRun,
+    *,
+    baseline: str | None = None,
+    cached: Mapping[str, bool] | None = None,
+    requirements: Sequence[Requirement] = (),
+    judged_against: str | None = None,
 ) -> JsonObject:
     """A stored run, for orjson.
 
@@ -29,11 +35,19 @@ def run_answer(
         stored: The run, its scenario today's.
         baseline: What the changes over several roads refer to; None is the run's own.
         cached: To the request that created it, by strategy whether nothing of it was computed for that one.
+        requirements: What its strategies are held to.
+        judged_against: The strategy that their changes refer to, where one was named.
     """
     fields: dict[str, JsonObject] = {name: {} for name in stored.by_strategy}
     if cached is not None:
         fields = {name: {"cached": value} for name, value in cached.items()}
-    head = {"id": stored.id, "core_version": stored.core_version, "scenario": stored.scenario}
+    head: JsonObject = {
+        "id": stored.id,
+        "core_version": stored.core_version,
+        "scenario": stored.scenario,
+    }
+    if requirements:
+        head["requirement_results"] = _judged(stored, requirements, judged_against or baseline)
     if stored.roads == 1:
         return head | {"strategies": {item.strategy: item.answer(**fields[item.strategy]) for item in stored.results}}
     baseline = baseline or stored.baseline or ""
@@ -47,6 +61,19 @@ def run_answer(
             for name, items in stored.by_strategy.items()
         },
     }
+
+
+def _judged(stored: StoredRun, requirements: Sequence[Requirement], baseline: str | None) -> list[JsonObject]:
+    driven: dict[str, Driven] = {}
+    for name, items in stored.by_strategy.items():
+        failed = next((item for item in items if item.status != "ok"), None)
+        driven[name] = [item.summary for item in items] if failed is None else failed.summary["reason"]
+    return [result.model_dump() for result in judge(requirements, driven, baseline or _named_baseline(stored))]
+
+
+def _named_baseline(stored: StoredRun) -> str | None:
+    """The run's own baseline where it is none that nobody named."""
+    return None if stored.baseline == default_baseline(list(stored.by_strategy)) else stored.baseline
 
 
 def as_plain(answer: JsonObject) -> JsonObject:
@@ -100,11 +127,6 @@ def changes_to_run(stored: StoredRun, against: StoredRun) -> JsonObject:
 def _check_several(stored: StoredRun) -> None:
     if stored.roads == 1:
         raise InvalidError("This run is of one road: a change has no interval", parameter="id")
-
-
-def default_baseline(strategies: Sequence[str]) -> str:
-    """The default baseline of changes: passive, or the first strategy where passive is not run."""
-    return "passive" if "passive" in strategies else strategies[0]
 
 
 def _driven(stored: StoredRun) -> dict[str, list[Numbers]]:

@@ -10,11 +10,10 @@ from backend.models import (
     CachedFailure,
     DriveResult,
     Histories,
-    RunBase,
     StrategyFailure,
-    WithId,
     keys_of,
 )
+from backend.runs.models import JudgedRun
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, WINDOWS
 
 
@@ -69,7 +68,7 @@ class CachedRoadsResult(RoadsResult):
     cached: bool = Field(description="No road was computed for this request")
 
 
-class RoadsRunBase(RunBase, WithId):
+class RoadsRunBase(JudgedRun):
     """What every form of a run over several roads has."""
 
     roads: int = Field(description="Seeds road.seed, road.seed + 1, …; time histories and events are the first's")

@@ -20,16 +20,16 @@ from backend.file_formats import FormatName
 from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile
 from backend.json_types import JsonObject
-from backend.means_over_roads import seeded
+from backend.means_over_roads import default_baseline, seeded
 from backend.metrics import CACHE
 from backend.outcome import Outcome
+from backend.requirements import Requirement
 from backend.roads.service import MeasuredRoads
 from backend.runs import exports, figures, series
 from backend.runs.answers import (
     as_plain,
     changes_to_run,
     changes_to_strategy,
-    default_baseline,
     live_answer,
     run_answer,
 )
@@ -62,7 +62,14 @@ class Runs:
         self._histories = Histories(store=store, workers=workers, results=results, gate=gate, roads=roads, spool=spool)
 
     async def create(
-        self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None
+        self,
+        scenario: Scenario,
+        strategies: Iterable[str],
+        client: str,
+        *,
+        roads: int,
+        baseline: str | None,
+        requirements: Sequence[Requirement] = (),
     ) -> JsonObject:
         """The run of that scenario, computed where it was not stored.
 
@@ -73,9 +80,11 @@ class Runs:
             roads: How many roads; their seeds follow the scenario's.
             baseline: Which strategy the changes over several roads refer to; None is passive, or the first where
                 passive does not run.
+            requirements: What the strategies are held to.
         """
         saved, cached = await self.drive(scenario, strategies, client, roads=roads, baseline=baseline)
-        return await asyncio.to_thread(run_answer, saved, cached=cached)
+        answer = partial(run_answer, saved, cached=cached, requirements=requirements, judged_against=baseline)
+        return await asyncio.to_thread(answer)
 
     async def drive(
         self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None
@@ -109,13 +118,16 @@ class Runs:
         """Whether there is a run of this id, whatever has become of its results."""
         return await self._store.read(self._store.runs.is_stored, run_id)
 
-    async def get(self, run_id: str, client: str) -> JsonObject:
-        """The stored run.
+    async def get(
+        self, run_id: str, client: str, *, requirements: Sequence[Requirement] = (), baseline: str | None = None
+    ) -> JsonObject:
+        """The stored run, held to requirements.
 
         Raises:
             NotFoundError: There is none.
         """
-        return await asyncio.to_thread(run_answer, await self.stored(run_id, client))
+        stored = await self.stored(run_id, client)
+        return await asyncio.to_thread(partial(run_answer, stored, judged_against=baseline, requirements=requirements))
 
     async def changes(self, run_id: str, client: str, *, against: str | None, baseline: str | None) -> JsonObject:
         """What a run over several roads changes against another one, or its strategies against one of them.

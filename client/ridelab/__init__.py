@@ -14,6 +14,7 @@ from ridelab.errors import (
     RidelabConnectionError,
 )
 from ridelab.jobs import Batch, Job, Tuning
+from ridelab.requirements import RequirementResult
 from ridelab.results import Interval, Link, LinkedResult, Outcome, RunResult, Solution, Stage, Statistics
 from ridelab.streams import Event
 
@@ -30,6 +31,7 @@ __all__ = [
     "Link",
     "LinkedResult",
     "Outcome",
+    "RequirementResult",
     "Ridelab",
     "RidelabAPIError",
     "RidelabClientError",

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 Scenario = Any  # its JSON, as a mapping, or a pydantic model such as the core's
+Requirement = Mapping[str, Any]
 
 
 class Ridelab(Connection):
@@ -61,7 +62,13 @@ class Ridelab(Connection):
         return units
 
     def run(
-        self, scenario: Scenario, strategies: Sequence[str], *, roads: int = 1, baseline: str | None = None
+        self,
+        scenario: Scenario,
+        strategies: Sequence[str],
+        *,
+        roads: int = 1,
+        baseline: str | None = None,
+        requirements: Sequence[Requirement] = (),
     ) -> RunResult:
         """Run what is not stored yet.
 
@@ -72,9 +79,12 @@ class Ridelab(Connection):
                 `Interval`s, means with their 95 % interval.
             baseline: The strategy that changes over several roads refer to; None is passive, or the first one where
                 passive does not run.
+            requirements: What the strategies have to keep, `requirement_results` of the answer say how: each
+                `{"metric": name, "max": limit}`, or `min`, or `max_change` [%] against the baseline; perhaps
+                `strategies`, all but the baseline where they are left out.
         """
         body = {"scenario": scenario, "strategies": strategies, "roads": roads, "baseline": baseline}
-        return self._run(self._post("/runs", body))
+        return self._run(self._post("/runs", body | _required(requirements)))
 
     def get_run(self, run_id: str) -> RunResult:
         """A stored run; it never changes."""
@@ -360,6 +370,11 @@ class Ridelab(Connection):
 
 def _id(run: RunResult | str) -> str:
     return quote(run.id if isinstance(run, RunResult) else run, safe="")
+
+
+def _required(requirements: Sequence[Requirement]) -> dict[str, Any]:
+    """Nothing where nothing is required: a service of an older version does not know the word."""
+    return {"requirements": list(requirements)} if requirements else {}
 
 
 def _series(

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, Self, TypedDict
 
 from ridelab.jobs import Batch
+from ridelab.requirements import RequirementResult
 
 Figure = float | bool | None
 _AVERAGED = {"metrics", "comfort"}
@@ -132,6 +133,7 @@ class RunResult:
         baseline: What the changes refer to; None for a run of one road.
         changes: strategy -> window (or `comfort`) -> signal -> statistic: paired change of the mean against the
             baseline [%]; None against a zero. Empty for a run of one road.
+        requirement_results: How the strategies keep the requirements that it was asked for with.
         answer: The JSON as the service sent it.
     """
 
@@ -142,6 +144,7 @@ class RunResult:
     roads: int = 1
     baseline: str | None = None
     changes: Mapping[str, Any] = field(default_factory=dict, repr=False)
+    requirement_results: Sequence[RequirementResult] = ()
     answer: dict[str, Any] = field(repr=False)
     catalogue_units: Callable[[], dict[str, str]] = field(default=dict, repr=False, compare=False)
 
@@ -160,6 +163,7 @@ class RunResult:
             roads=answer.get("roads", 1),
             baseline=answer.get("baseline"),
             changes=intervals(answer.get("changes", {})),
+            requirement_results=[RequirementResult.of(each) for each in answer.get("requirement_results", ())],
             answer=dict(answer),
             catalogue_units=catalogue_units,
         )

@@ -122,6 +122,7 @@ def check(name: str, client: httpx.Client, folder: Path, monkeypatch: pytest.Mon
     """Compare a page with what its commands print now, or write that into it."""
     address = str(client.base_url).rstrip("/")
     monkeypatch.chdir(folder)
+    (folder / "examples").symlink_to(ROOT / "examples")
     monkeypatch.setenv("RIDELAB_SERVER", address)
     page = Page(name, address)
     again = page.again()

@@ -12,8 +12,8 @@ import pytest
 from backend import digest
 from backend.intervals import change_with_interval, mean_with_interval
 from backend.means_over_roads import seeded
-from backend.models import CreatedRun
 from backend.runs import bands, histories
+from backend.runs.models import CreatedRun
 from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
 from sim_core.catalogue import COMFORT, METRIC_SIGNALS, SIGNALS, STATISTICS, WINDOWS
 from sim_core.scenario import Scenario

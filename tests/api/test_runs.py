@@ -6,7 +6,8 @@ from typing import Any
 import pytest
 
 from backend.digest import run_id
-from backend.models import CreatedRun, LiveRun, Run
+from backend.models import LiveRun
+from backend.runs.models import CreatedRun, Run
 from backend.store.runs import RunStore
 from sim_core import __version__
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, REFERENCES, SIGNALS, STATISTICS, WINDOWS

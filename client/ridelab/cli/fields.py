@@ -46,8 +46,7 @@ def changed(
     pairs.sort(key=lambda pair: pair[0] != VEHICLE)  # its fields may be changed, wherever it stands
     units = services.names.fields
     values = {
-        name: vehicle_of(text, services) if name == VEHICLE else _read(name, text, _value, units)
-        for name, text in pairs
+        name: vehicle_of(text, services) if name == VEHICLE else read(name, text, _value, units) for name, text in pairs
     }
     result, named, road = with_values(whole, values), {*values, *swept}, scenario.get("road")
     has_length = isinstance(road, dict) and "length" in road and PROFILE not in named
@@ -108,15 +107,15 @@ def ranges_of(specs: Sequence[str], option: str, units: Mapping[str, str]) -> di
 def limit_of(text: str, units: Mapping[str, str], example: str) -> tuple[str, float]:
     """The metric and the number of `METRIC=MOST`; `units` are the metrics' own."""
     name, most = _pair(text, f"--limit takes METRIC=MOST, such as {example}")
-    return name, _read(name, most, quantity, units)
+    return name, read(name, most, quantity, units)
 
 
-def _unique(specs: Sequence[str], option: str, form: str, read: Read, units: Mapping[str, str]) -> dict[str, Any]:
+def _unique(specs: Sequence[str], option: str, form: str, reader: Read, units: Mapping[str, str]) -> dict[str, Any]:
     values: dict[str, Any] = {}
     for name, text in (_pair(spec, f"{option} takes {form}") for spec in specs):
         if name in values:
             raise InputError(f"{name}: given twice to {option}")
-        values[name] = _read(name, text, read, units)
+        values[name] = read(name, text, reader, units)
     return values
 
 
@@ -128,10 +127,10 @@ def _pair(text: str, form: str) -> tuple[str, str]:
     return name, value
 
 
-def _read(name: str, text: str, read: Read, units: Mapping[str, str]) -> Any:
+def read(name: str, text: str, reader: Read, units: Mapping[str, str]) -> Any:
     """What the text says in that name's unit; `units` is empty where the names are not known here."""
     try:
-        return read(text, units.get(name, "1"))
+        return reader(text, units.get(name, "1"))
     except ValueError as error:
         if units and name not in units:  # then its unit was a guess
             similar = " or ".join(get_close_matches(name, units))

@@ -4,11 +4,12 @@ from typing import Annotated, Any
 
 import typer
 
-from ridelab.cli import fields, options, targets
+from ridelab.cli import fields, options, requirements, targets
 from ridelab.cli.names import Names
 from ridelab.cli.reporting import DIFFERENT, InputError, note, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table
+from ridelab.requirements import failing
 from ridelab.results import Interval, Outcome, RunResult
 
 _VIEWS = (("rough_road", "rms", "RMS on the rough road"), ("bump", "peak", "peak on the bump"))
@@ -22,12 +23,18 @@ def run(
     strategy: options.Strategies = None,
     roads: Annotated[int, typer.Option(metavar="N", min=1, max=50, help=_ROADS)] = 1,
     baseline: options.Baseline = None,
+    require: requirements.Require = None,
+    strict: requirements.Strict = False,
+    junit: requirements.Junit = None,
     as_json: Annotated[bool, options.flag("The whole run as JSON, as compare reads it.", "--json")] = False,
 ) -> None:
     """Run strategies over one scenario and show how they compare.
 
     All strategies unless --strategy names some. What is stored already is not computed again. Over several roads every
     figure is a mean with half its 95 % interval's width, every change that of the means, paired road by road.
+
+    With --require the exit code is 1 where a requirement fails, 0 where all pass; over several roads one is uncertain
+    where the interval holds its limit.
     """
     names = options.listed(strategy)
     if names and baseline is not None and baseline not in names:
@@ -35,14 +42,25 @@ def run(
     source = targets.find(scenario, services)
     changed = fields.changed(source.scenario, changes or [], services)
     ridelab = services.at()
-    result = ridelab.run(changed, names or list(services.names.strategies), roads=roads, baseline=baseline)
+    required = requirements.requirements_of(require, services)
+    requirements.check_file(junit, required)
+    names = names or list(services.names.strategies)
+    result = ridelab.run(changed, names, roads=roads, baseline=baseline, requirements=required)
+    judged = result.requirement_results
+    if junit is not None:
+        requirements.write_junit(judged, junit, "ridelab run", services.names.metrics, strict=strict)
     if as_json:
         print_json(with_units(result))
     else:
         _show(result, ", ".join([source.name, *(changes or [])]), baseline, services.names)
+        if judged:
+            typer.echo()
+            requirements.show(judged, services)
         typer.echo(f"\nrun {result.id}" if services.private else f"\n{ridelab.address}/r/{result.id}")
     if any(outcome.status != "ok" for outcome in result):
         note("Not every strategy could run")
+        raise typer.Exit(DIFFERENT)
+    if failing(judged, strict=strict):
         raise typer.Exit(DIFFERENT)
 
 

@@ -513,6 +513,7 @@ export interface components {
             };
             readonly core_version: string;
             readonly id: string;
+            readonly requirement_results?: readonly components["schemas"]["RequirementResult"][];
             readonly roads: number;
             readonly scenario: JsonObject;
             readonly strategies: {
@@ -522,6 +523,7 @@ export interface components {
         readonly CreatedRun: {
             readonly core_version: string;
             readonly id: string;
+            readonly requirement_results?: readonly components["schemas"]["RequirementResult"][];
             readonly scenario: JsonObject;
             readonly strategies: {
                 readonly [key: string]: components["schemas"]["CachedResult"] | components["schemas"]["CachedFailure"];
@@ -935,6 +937,27 @@ export interface components {
             readonly steps: number;
             readonly wake_up: components["schemas"]["Times"];
         };
+        readonly Requirement: {
+            readonly max?: number | null;
+            readonly max_change?: number | null;
+            readonly metric: string;
+            readonly min?: number | null;
+            readonly strategies?: readonly string[] | null;
+        };
+        readonly RequirementResult: {
+            readonly baseline: string | null;
+            readonly high: number | null;
+            readonly low: number | null;
+            readonly max: number | null;
+            readonly max_change: number | null;
+            readonly metric: string;
+            readonly min: number | null;
+            readonly reason: string | null;
+            /** @enum {string} */
+            readonly result: "pass" | "fail" | "uncertain";
+            readonly strategy: string;
+            readonly value: number | null;
+        };
         readonly Response: {
             readonly magnitude: readonly number[];
             readonly phase: readonly number[];
@@ -979,6 +1002,7 @@ export interface components {
             };
             readonly core_version: string;
             readonly id: string;
+            readonly requirement_results?: readonly components["schemas"]["RequirementResult"][];
             readonly roads: number;
             readonly scenario: JsonObject;
             readonly strategies: {
@@ -999,6 +1023,7 @@ export interface components {
         readonly Run: {
             readonly core_version: string;
             readonly id: string;
+            readonly requirement_results?: readonly components["schemas"]["RequirementResult"][];
             readonly scenario: JsonObject;
             readonly strategies: {
                 readonly [key: string]: components["schemas"]["StrategyResult"] | components["schemas"]["StrategyFailure"];
@@ -1006,6 +1031,7 @@ export interface components {
         };
         readonly RunRequest: {
             readonly baseline?: string | null;
+            readonly requirements?: readonly components["schemas"]["Requirement"][];
             readonly roads?: number;
             readonly scenario?: JsonObject;
             readonly strategies: readonly string[];
@@ -1483,6 +1509,8 @@ export type ReadingChoice = components['schemas']['ReadingChoice'];
 export type ReadingRow = components['schemas']['ReadingRow'];
 export type ReadingsAnswer = components['schemas']['ReadingsAnswer'];
 export type RealtimeReport = components['schemas']['RealtimeReport'];
+export type Requirement = components['schemas']['Requirement'];
+export type RequirementResult = components['schemas']['RequirementResult'];
 export type Response = components['schemas']['Response'];
 export type RoadAnswer = components['schemas']['RoadAnswer'];
 export type RoadsResult = components['schemas']['RoadsResult'];
@@ -2038,6 +2066,10 @@ export interface operations {
     };
     readonly getRun: {
         readonly parameters: {
+            readonly query?: {
+                readonly baseline?: string | null;
+                readonly requirements?: string | null;
+            };
             readonly path: {
                 readonly id: string;
             };

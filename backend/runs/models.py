@@ -1,0 +1,69 @@
+"""The shapes of a run's request and answers; beside `backend.models`."""
+
+from typing import Annotated
+
+from pydantic import ConfigDict, Field, ValidationInfo, field_validator
+from pydantic_core import PydanticCustomError
+
+from backend.models import (
+    STRATEGY_IDS,
+    CachedFailure,
+    CachedResult,
+    RoadCount,
+    RunBase,
+    StrategiesRequest,
+    StrategyFailure,
+    StrategyName,
+    StrategyResult,
+    WithId,
+    keys_of,
+)
+from backend.requirements import RequirementResult, Requirements
+
+
+class RunRequest(StrategiesRequest):
+    """What to run, on how many roads."""
+
+    roads: RoadCount = 1
+    baseline: StrategyName | None = Field(
+        None,
+        description="What the changes over several roads refer to, one of the strategies; null is passive, or the "
+        "first strategy where passive does not run",
+    )
+
+    @field_validator("baseline")
+    @classmethod
+    def _baseline_runs(cls, baseline: str | None, info: ValidationInfo) -> str | None:
+        names = info.data.get("strategies")
+        if baseline is not None and names is not None and baseline not in names:
+            message = "One of the strategies that run: {names}"
+            raise PydanticCustomError("baseline_not_run", message, {"names": ", ".join(names)})
+        return baseline
+
+    requirements: Requirements = Field([])
+
+
+class JudgedRun(RunBase, WithId):
+    """What every form of a stored run has."""
+
+    model_config = ConfigDict(json_schema_serialization_defaults_required=False)
+
+    requirement_results: list[RequirementResult] = Field(
+        [], description="How the strategies keep `requirements`, in their order; only where some were sent"
+    )
+
+
+class Run(JudgedRun):
+    """A stored run; it never changes."""
+
+    strategies: dict[str, Annotated[StrategyResult | StrategyFailure, Field(discriminator="status")]] = keys_of(
+        STRATEGY_IDS, "By strategy"
+    )
+
+
+class CreatedRun(JudgedRun):
+    """The answer to the request that created a run."""
+
+    strategies: dict[str, Annotated[CachedResult | CachedFailure, Field(discriminator="status")]] = keys_of(
+        STRATEGY_IDS, "By strategy"
+    )

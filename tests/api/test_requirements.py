@@ -1,0 +1,90 @@
+"""Requirements over HTTP: limits of metrics, judged from the numbers that are answered beside them."""
+
+import json
+from typing import Any
+
+import httpx
+import pytest
+
+from tests.api.conftest import ROAD, Service
+
+PEAK = "bump.body_acceleration.peak"
+SCENARIO = {"road": ROAD}
+
+
+def judged(client: httpx.Client, requirements: list[Any], **more: Any) -> Any:
+    body = {"scenario": SCENARIO, "strategies": ["lqr", "lv", "passive"], "requirements": requirements, **more}
+    response = client.post("/api/v1/runs", json=body)
+    assert response.status_code == 200, response.text
+    return response.json()
+
+
+def peak(run: Any, strategy: str) -> Any:
+    return run["strategies"][strategy]["metrics"]["bump"]["body_acceleration"]["peak"]
+
+
+def test_a_run_is_held_to_requirements_which_are_no_part_of_its_id(service: Service, run: dict[str, Any]) -> None:
+    most = (peak(run, "lqr") + peak(run, "lv")) / 2
+    change = 100 * (peak(run, "lv") / peak(run, "passive") - 1)
+    requirements = [
+        {"metric": PEAK, "max": most},
+        {"metric": PEAK, "min": peak(run, "passive"), "strategies": ["passive"]},
+        {"metric": PEAK, "max_change": change + 0.1, "strategies": ["lv"]},
+        {"metric": PEAK, "max_change": change - 0.1, "strategies": ["lv"]},
+        {"metric": "events.ecu_most_iterations", "max": 9, "strategies": ["lv"]},
+    ]
+    answer = judged(service.client, requirements)
+    results = answer.pop("requirement_results")
+    assert [(each["strategy"], each["result"]) for each in results] == [
+        *(("lv", "pass"), ("lqr", "fail"), ("passive", "pass")),
+        *(("lv", "pass"), ("lv", "fail"), ("lv", "fail")),
+    ]
+    assert (results[1]["value"], results[1]["max"]) == (peak(run, "lqr"), most)
+    assert (results[3]["baseline"], results[3]["value"]) == ("passive", pytest.approx(change, rel=1e-12))
+    assert (results[5]["value"], results[5]["reason"]) == (None, "It has no such metric")
+    assert answer["id"] == run["id"]
+    stored = service.client.get(f"/api/v1/runs/{run['id']}")
+    assert "requirement_results" not in stored.json()
+    held = service.client.get(f"/api/v1/runs/{run['id']}", params={"requirements": json.dumps(requirements)})
+    assert held.json()["requirement_results"] == results
+
+
+def test_over_several_roads_a_limit_within_the_interval_is_uncertain(client: httpx.Client) -> None:
+    run = judged(client, [{"metric": PEAK, "max": 1}], roads=3)
+    mean = peak(run, "lv")
+    limits = {"pass": mean["high"], "uncertain": mean["mean"], "fail": mean["low"] - 1e-6}
+    change = run["changes"]["lv"]["bump"]["body_acceleration"]["peak"]
+    requirements = [{"metric": PEAK, "max": limit, "strategies": ["lv"]} for limit in limits.values()]
+    requirements += [{"metric": PEAK, "min": limit, "strategies": ["lv"]} for limit in limits.values()]
+    requirements += [{"metric": PEAK, "max_change": change[key], "strategies": ["lv"]} for key in ("high", "mean")]
+    results = judged(client, requirements, roads=3)["requirement_results"]
+    of_min = ["uncertain" if mean["low"] < mean["high"] else "pass"] * 2 + ["pass"]
+    assert [each["result"] for each in results] == [*limits, *of_min, "pass", "uncertain"]
+    assert (results[0]["value"], results[0]["low"], results[0]["high"]) == (mean["mean"], mean["low"], mean["high"])
+
+
+def test_a_strategy_that_cannot_run_fails_with_its_reason(service: Service, lqr_fails: int) -> None:
+    scenario = {"road": {**ROAD, "seed": lqr_fails}}
+    answer = judged(service.client, [{"metric": PEAK, "max": 99, "strategies": ["lqr"]}], scenario=scenario)
+    (result,) = answer["requirement_results"]
+    assert (result["result"], result["reason"]) == ("fail", "no controller")
+
+
+@pytest.mark.parametrize(
+    ("requirement", "pointer"),
+    [
+        ({"metric": PEAK}, "max"),
+        ({"metric": PEAK, "max": 1, "min": 0}, "max"),
+        ({"metric": "bump.peak", "max": 1}, "metric"),
+        ({"metric": PEAK, "max": 1, "strategies": ["lv", "skyhook"]}, "strategies/1"),
+        ({"metric": PEAK, "max_change": 1, "strategies": ["passive"]}, "max_change"),
+        ({"metric": PEAK, "max": "3"}, "max"),
+    ],
+)
+def test_what_is_no_requirement_is_refused_at_its_field(
+    client: httpx.Client, requirement: dict[str, Any], pointer: str
+) -> None:
+    body = {"strategies": ["lv", "passive"], "requirements": [{"metric": PEAK, "max": 1}, requirement]}
+    response = client.post("/api/v1/runs", json=body)
+    assert response.status_code == 422
+    assert [each["pointer"] for each in response.json()["errors"]] == [f"/requirements/1/{pointer}"]

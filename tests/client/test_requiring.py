@@ -1,0 +1,81 @@
+"""`--require`: what is sent for what is typed, the exit codes, and the file for a CI system."""
+
+import json
+from pathlib import Path
+from typing import Any
+from xml.etree import ElementTree
+
+import pytest
+
+from backend.requirements import Requirement, judge
+from tests.client.cli import Cli
+from tests.client.conftest import Prepared
+
+PEAK = "bump.body_acceleration.peak"
+
+
+@pytest.fixture(autouse=True)
+def judged(prepared: Prepared, outcomes: dict[str, dict[str, Any]]) -> None:
+    """Runs are judged as the service judges them, on roads that differ by a tenth where there are several."""
+    run: Any = prepared.answers["POST /runs"]
+
+    def answer(body: Any) -> dict[str, Any]:
+        requirements = [Requirement.model_validate(each) for each in body["requirements"]]
+        higher = json.loads(json.dumps(outcomes))
+        higher["lv"]["metrics"]["bump"]["body_acceleration"]["peak"] *= 1.1
+        roads = [outcomes, higher][: body["roads"]]
+        driven = {name: [road[name] for road in roads] for name in body["strategies"]}
+        results = [each.model_dump() for each in judge(requirements, driven, body["baseline"])]
+        return {**run(body), "requirement_results": results}
+
+    prepared.answers["POST /runs"] = answer
+
+
+def test_what_is_typed_is_sent_in_the_metrics_own_unit(cli: Cli, prepared: Prepared, tmp_path: Path) -> None:
+    file = tmp_path / "claims.json"
+    file.write_text(json.dumps([{"metric": "events.airborne_ms", "max": 0}]))
+    texts = [f"{PEAK}<=1g", "lv,passive: travel_time > 0.1 min", f"{PEAK}<-20%", "comfort.weighted_rms<.5", str(file)]
+    required = [word for text in texts for word in ("--require", text)]
+    cli("run", "-s", "lv,passive", *required, code=1)
+    assert prepared.bodies("POST /runs")[0]["requirements"] == [
+        {"metric": PEAK, "max": 9.80665},
+        {"metric": "travel_time", "min": 6, "strategies": ["lv", "passive"]},
+        {"metric": PEAK, "max_change": -20},
+        {"metric": "comfort.weighted_rms", "max": 0.5},
+        {"metric": "events.airborne_ms", "max": 0},
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        (f"{PEAK}=3", f"--require takes METRIC<LIMIT or METRIC>LIMIT or a file, and {PEAK}=3 is none"),
+        (f"{PEAK}<3 kg", f"{PEAK}: 3 kg is not understood: it takes m/s^2 or g"),
+        ("bump.peek<3m", "bump.peek: there is no such name"),
+        (f"{PEAK}>-20%", f"{PEAK}: a change has an upper limit, such as {PEAK}<-20%"),
+    ],
+)
+def test_what_is_none_is_said(cli: Cli, prepared: Prepared, text: str, message: str) -> None:
+    cli("run", "--require", text, code=2)
+    assert cli.error.startswith(message)
+    assert not prepared.bodies("POST /runs")
+
+
+def test_the_exit_code_is_1_where_one_fails_and_uncertain_fails_with_strict(
+    cli: Cli, outcomes: dict[str, dict[str, Any]], tmp_path: Path
+) -> None:
+    peak = outcomes["lv"]["metrics"]["bump"]["body_acceleration"]["peak"]
+    run = ("run", "-s", "lv,passive", "--require")
+    assert "pass" in cli(*run, f"{PEAK}<{1.01 * peak}")
+    assert "fail" in cli(*run, f"{PEAK}<{0.99 * peak}", code=1)
+    file = tmp_path / "junit.xml"
+    several = (*run, f"{PEAK}<{1.05 * peak}", "--require", "travel_time>0", "--roads", "2")
+    for options, code, of_uncertain in (((), 0, "skipped"), (("--strict",), 1, "failure")):
+        assert "uncertain" in cli(*several, "--junit", file, *options, code=code)
+        suite = ElementTree.parse(file).getroot()  # noqa: S314  # written here
+        assert (suite.get("tests"), suite.get("failures")) == ("2", str(code))
+        uncertain, passed = suite.iter("testcase")
+        assert [child.tag for child in uncertain] == [of_uncertain]
+        assert (uncertain.get("classname"), list(passed)) == ("ridelab.lv", [])
+    cli("run", "--junit", file, code=2)
+    assert cli.error.startswith("--junit writes what becomes of requirements")
