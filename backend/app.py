@@ -7,10 +7,11 @@ from contextlib import asynccontextmanager
 from fastapi import FastAPI
 from fastapi.responses import JSONResponse
 from starlette.middleware import Middleware
-from starlette.middleware.gzip import GZipMiddleware
+from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
 
 from backend.api import batches, controller, health, library, links, login, paper, roads, runs, site, tunings
 from backend.compute.workers import Workers
+from backend.file_formats import BINARY
 from backend.http import openapi, problems
 from backend.http.guard import GuardMiddleware
 from backend.http.request_log import RequestLogMiddleware
@@ -75,7 +76,12 @@ def create_app(settings: Settings, workers: Workers | None = None) -> FastAPI:
             Middleware(RequestLogMiddleware),
             Middleware(GuardMiddleware, settings.hosts),
             *by_token,
-            Middleware(GZipMiddleware, COMPRESS_FROM, compresslevel=1),
+            Middleware(
+                GZipMiddleware,
+                COMPRESS_FROM,
+                compresslevel=1,
+                exclude_content_types=(*DEFAULT_EXCLUDED_CONTENT_TYPES, BINARY),
+            ),
         ],
     )
     app.state.services = services  # read by `services_of` and `parts_of`, which say its type

@@ -12,6 +12,7 @@ MEDIA_TYPES = {
     "csv": "text/csv; charset=utf-8; header=present",
     "parquet": "application/vnd.apache.parquet",
 }
+BINARY = "application/octet-stream"  # numbers as they are: hardly smaller compressed
 
 
 def has_parquet() -> bool:

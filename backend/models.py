@@ -91,6 +91,10 @@ class LiveRequest(StrategiesRequest):
 
     points: Points = DEFAULT_POINTS
     signals: list[SignalName] | None = Field(None, description="Time and position always come; none is all.")
+    encoding: Literal["base64", "binary"] = Field(
+        "base64",
+        description="Of time histories: typed arrays in JSON, or float32 behind it (`application/octet-stream`)",
+    )
 
 
 def keys_of(names: Any, description: str) -> Any:

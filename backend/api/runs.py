@@ -10,7 +10,7 @@ from backend.api import router
 from backend.api.deps import Client, html_answer, service
 from backend.digest import RUN_ID_LENGTH
 from backend.errors import InvalidError
-from backend.file_formats import MEDIA_TYPES, FileFormat
+from backend.file_formats import BINARY, MEDIA_TYPES, FileFormat
 from backend.http.answers import (
     IMMUTABLE,
     cancel_on_disconnect,
@@ -64,10 +64,17 @@ async def create_run(body: RunRequest, service: RunsService, client: Client) -> 
     return json_answer(await work)
 
 
-@computing.post("/live", operation_id="live", response_model=models.LiveRun)
+@computing.post(
+    "/live",
+    operation_id="live",
+    response_model=models.LiveRun,
+    responses={200: {"content": {BINARY: {}}}},
+)
 async def live(body: models.LiveRequest, service: RunsService, client: Client) -> Response:
     """Figures and decimated time histories while somebody drags; nothing is stored."""
-    return json_answer(await service.live(body.scenario, body.strategies, body.points, body.signals, client))
+    binary = body.encoding == "binary"
+    content = await service.live(body.scenario, body.strategies, body.points, body.signals, client, binary=binary)
+    return content_answer(content, {}, BINARY if binary else MEDIA_TYPES["json"])
 
 
 @computing.post("/solve", operation_id="solve", response_model=Solution)

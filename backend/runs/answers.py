@@ -4,7 +4,7 @@ They have the shapes of `backend.models` and `backend.runs.over_roads`; what is 
 Over 50 roads they take 0.2 s: they are made in threads, beside the event loop.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from math import isfinite
 
@@ -16,6 +16,7 @@ from backend.json_types import JsonObject
 from backend.means_over_roads import Changes, Comparison, Numbers, compare, default_baseline, numbers, paired_changes
 from backend.outcome import Outcome
 from backend.requirements import Driven, Requirement, judge
+from backend.runs import series
 from backend.store import StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
@@ -82,13 +83,42 @@ def as_plain(answer: JsonObject) -> JsonObject:
     return plain
 
 
-def live_answer(scenario: Scenario, outcomes: Mapping[str, Outcome], fields: Mapping[str, JsonObject]) -> JsonObject:
-    """A run that is not stored; `fields` holds what each strategy has beside its metrics."""
-    return {
-        "core_version": CORE_VERSION,
-        "scenario": scenario.model_dump(mode="json"),
-        "strategies": {name: outcome.answer(**fields[name]) for name, outcome in outcomes.items()},
-    }
+def live_json(scenario: Scenario, outcomes: Mapping[str, Outcome], signals: Sequence[str]) -> bytes:
+    """A run that is not stored, with the time histories of these signals in base64."""
+
+    def typed(values: series.SeriesArray) -> JsonObject:
+        return {key: series.packed(values[series.ROWS[key]]) for key in signals}
+
+    return _live(scenario, outcomes, typed)
+
+
+def live_binary(scenario: Scenario, outcomes: Mapping[str, Outcome], signals: Sequence[str]) -> bytes:
+    """The same in a third less: the length of its JSON (uint32), the JSON, then all numbers as float32, little-endian.
+
+    JSON has `signals` and `samples` of each strategy that succeeded, whose numbers follow each other in its order. They
+    begin at a multiple of four bytes, as spaces end the JSON.
+    """
+    numbers: list[bytes] = []
+
+    def described(values: series.SeriesArray) -> JsonObject:
+        numbers.append(values[[series.ROWS[key] for key in signals]].astype("<f4", copy=False).tobytes())
+        return {"signals": signals, "samples": values.shape[1]}
+
+    head = _live(scenario, outcomes, described)
+    head += b" " * (-len(head) % 4)
+    return b"".join((len(head).to_bytes(4, "little"), head, *numbers))
+
+
+def _live(
+    scenario: Scenario, outcomes: Mapping[str, Outcome], described: Callable[[series.SeriesArray], JsonObject]
+) -> bytes:
+    def entry(outcome: Outcome) -> orjson.Fragment:
+        values = outcome.series
+        return outcome.answer(cached=outcome.cached, **({} if values is None else {"series": described(values)}))
+
+    strategies = {name: entry(outcome) for name, outcome in outcomes.items()}
+    head = {"core_version": CORE_VERSION, "scenario": scenario.model_dump(mode="json")}
+    return orjson.dumps(head | {"strategies": strategies})
 
 
 def changes_to_strategy(stored: StoredRun, baseline: str) -> JsonObject:

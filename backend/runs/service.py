@@ -30,7 +30,8 @@ from backend.runs.answers import (
     as_plain,
     changes_to_run,
     changes_to_strategy,
-    live_answer,
+    live_binary,
+    live_json,
     run_answer,
 )
 from backend.runs.frequency import COST as FREQUENCY_COST
@@ -146,18 +147,21 @@ class Runs:
         )
 
     async def live(
-        self, scenario: Scenario, strategies: Iterable[str], points: int, signals: Sequence[str] | None, client: str
-    ) -> JsonObject:
-        """Figures and decimated time histories of that scenario; nothing is stored."""
+        self,
+        scenario: Scenario,
+        strategies: Iterable[str],
+        points: int,
+        signals: Sequence[str] | None,
+        client: str,
+        *,
+        binary: bool,
+    ) -> bytes:
+        """Figures and decimated time histories of that scenario, as JSON or `binary`; nothing is stored."""
         names, scenario = ordered(strategies), await self._roads.with_length(scenario)
         self._gate.check_cost(cost_of(scenario, names))
         outcomes = await self._results.get(scenario, names, client, points=points)
-        keys = series.ordered_signals(signals)
-        fields: dict[str, JsonObject] = {name: {"cached": outcome.cached} for name, outcome in outcomes.items()}
-        for name, outcome in outcomes.items():
-            if outcome.series is not None:
-                fields[name]["series"] = {key: series.packed(outcome.series[series.ROWS[key]]) for key in keys}
-        return live_answer(scenario, outcomes, fields)
+        render = live_binary if binary else live_json
+        return render(scenario, outcomes, series.ordered_signals(signals))
 
     async def frequency(self, asked: FrequencyRequest, client: str) -> FrequencyAnswer:
         """Responses, modes, margins and spectra of strategies; nothing is stored.

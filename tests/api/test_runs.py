@@ -1,6 +1,8 @@
 """POST and GET of runs: every field of the contract, and what is computed again."""
 
 import itertools
+import json
+from base64 import b64encode
 from typing import Any
 
 import pytest
@@ -111,6 +113,23 @@ def test_what_the_client_has_is_neither_read_nor_rendered(
     assert client.get(f"/api/v1/runs/{'A' * 22}", headers={"If-None-Match": unknown}).status_code == 404
 
 
+def assert_same_in_binary(strategies: dict[str, Any], response: Any) -> None:
+    """JSON, then the numbers of all time histories as they are, uncompressed."""
+    assert response.headers["content-type"] == "application/octet-stream"
+    assert "content-encoding" not in response.headers
+    length = int.from_bytes(response.content[:4], "little")
+    entries, numbers = json.loads(response.content[4 : 4 + length])["strategies"], response.content[4 + length :]
+    for name, entry in entries.items():
+        described = entry.pop("series")
+        for signal in described["signals"]:
+            assert (
+                strategies[name]["series"][signal]["bdata"] == b64encode(numbers[: 4 * described["samples"]]).decode()
+            )
+            numbers = numbers[4 * described["samples"] :]
+        assert entry == {key: value for key, value in strategies[name].items() if key != "series"}
+    assert (numbers, length % 4) == (b"", 0)
+
+
 def test_live_answers_series_and_stores_nothing(service: Any, client: Any, unseen: dict[str, Any]) -> None:
     first = service.live(["lv", "passive"], unseen)
     assert first.status_code == 200
@@ -122,7 +141,9 @@ def test_live_answers_series_and_stores_nothing(service: Any, client: Any, unsee
     for entry in answer["strategies"].values():
         assert entry["cached"] is False
         assert list(entry["series"]) == list(SIGNALS)
-    assert all(entry["cached"] for entry in service.live(["lv", "passive"], unseen).json()["strategies"].values())
+    again = service.live(["lv", "passive"], unseen).json()["strategies"]
+    assert all(entry["cached"] for entry in again.values())
+    assert_same_in_binary(again, service.live(["lv", "passive"], unseen, encoding="binary"))
     posted = service.run(["lv", "passive"], unseen).json()
     assert all(entry["cached"] for entry in posted["strategies"].values()), "what a drag computed is stored as it is"
     for name, entry in posted["strategies"].items():

@@ -1,7 +1,7 @@
 /** Runs, links and curves: what the page reads in another form than the server answers. */
 
-import { decodeBand, decodeSeries } from "./decode";
-import { ask } from "./http";
+import { decodeBand, decodeLive, decodeSeries } from "./decode";
+import { ask, askFile } from "./http";
 import type {
   Link,
   LiveRequest,
@@ -41,7 +41,8 @@ export const api = {
     const link = await ask("get", "/links/{slug}", { path: { slug } }, signal);
     return { ...link, run: link.run && readRun(link.run) };
   },
-  live: (body: LiveRequest, signal?: AbortSignal) => ask("post", "/live", { body }, signal),
+  live: async (body: Omit<LiveRequest, "encoding">, signal?: AbortSignal) =>
+    decodeLive(await (await askFile("post", "/live", { body: { ...body, encoding: "binary" } }, signal)).arrayBuffer()),
 
   series: async (
     id: string,

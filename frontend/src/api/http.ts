@@ -77,7 +77,12 @@ export const askFile = async <M extends Method, P extends Path<M>>(
   method: M,
   path: P,
   question: Question<Operation<M, P>> & Sent,
-): Promise<Blob> => read((await send(method, path, question)).blob());
+  signal?: AbortSignal,
+): Promise<Blob> => {
+  const content = await read((await send(method, path, question, signal)).blob());
+  connection.ok();
+  return content;
+};
 
 async function send(
   method: Method,

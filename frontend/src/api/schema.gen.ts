@@ -715,6 +715,8 @@ export interface components {
             ] | null;
         };
         readonly LiveRequest: {
+            /** @enum {string} */
+            readonly encoding?: "base64" | "binary";
             readonly points?: number;
             readonly scenario?: JsonObject;
             readonly signals?: readonly string[] | null;
@@ -1860,6 +1862,7 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/json": components["schemas"]["LiveRun"];
+                    readonly "application/octet-stream": string;
                 };
             };
         };

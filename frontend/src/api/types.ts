@@ -26,7 +26,6 @@ export type {
   Judgement as PaperJudgement,
   LimitAnswer as Limit,
   LinkView as SharedView,
-  LiveRun as LiveAnswer,
   ObjectiveAnswer as Objective,
   PaperAnswer as Paper,
   PresetAnswer as Preset,
@@ -55,6 +54,11 @@ export interface RunAnswer {
   readonly strategies: Readonly<Record<StrategyId, Summary | Failure>>;
 }
 export type RoadsAnswer = RoadsRun | CreatedRoadsRun;
+
+/** A run that is not stored, with its curves. */
+export interface LiveAnswer extends Omit<RunAnswer, "id"> {
+  readonly series: SeriesByStrategy;
+}
 
 /** What several roads say of a run: the changes are paired, against the baseline. */
 export interface OverRoads extends Pick<RoadsRun, "roads" | "baseline" | "changes"> {

@@ -66,7 +66,12 @@ function harness() {
     live: ({ scenario = {}, strategies }, signal) =>
       hold<LiveAnswer>(
         "live",
-        { core_version: "1", scenario, strategies: byStrategy(strategies, { ...summary, cached: false, series: {} }) },
+        {
+          core_version: "1",
+          scenario,
+          strategies: byStrategy(strategies, { ...summary, cached: false }),
+          series: byStrategy(strategies, {}),
+        },
         signal,
       ),
   };

@@ -1,6 +1,5 @@
 /** What the plots and tables show: one complete answer, exact or live. */
 
-import { decodeSeries } from "../api/decode";
 import { sameValue } from "../scenario/path";
 import type {
   Failure,
@@ -82,9 +81,6 @@ export function fromRun(run: Run, { series, missing }: Histories, roundTripMs: n
 
 export function fromLive(answer: LiveAnswer, roundTripMs: number): Result {
   const { summaries, failed } = split(answer.strategies);
-  const decoded = Object.entries(answer.strategies).flatMap(([strategy, entry]) =>
-    entry.status === "ok" ? [[strategy, decodeSeries(entry.series)] as const] : [],
-  );
   return {
     source: "live",
     runId: null,
@@ -93,7 +89,7 @@ export function fromLive(answer: LiveAnswer, roundTripMs: number): Result {
     summaries,
     failed,
     over: null,
-    series: Object.fromEntries(decoded),
+    series: answer.series,
     missing: null,
     timing: timing(answer.strategies, roundTripMs, false),
   };
