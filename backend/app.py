@@ -9,7 +9,7 @@ from fastapi.responses import JSONResponse
 from starlette.middleware import Middleware
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
 
-from backend.api import batches, controller, health, library, links, login, paper, roads, runs, site, tunings
+from backend.api import batches, controller, fmus, health, library, links, login, paper, roads, runs, site, tunings
 from backend.compute.workers import Workers
 from backend.file_formats import BINARY
 from backend.http import openapi, problems
@@ -40,6 +40,7 @@ ROUTERS = (
     links.links,
     paper.paper,
     controller.controller,
+    fmus.fmus,
     library.library,
     library.data_sheets,
     roads.surveying,

@@ -12,6 +12,7 @@ from backend.compute.executor import Executor
 from backend.compute.local_executor import LocalExecutor
 from backend.compute.workers import BATCH_NICE, RESERVED, Workers
 from backend.controller.service import Controllers
+from backend.fmu.service import Fmus
 from backend.gate import Gate
 from backend.http.logins import Logins
 from backend.http.parts import HttpParts
@@ -51,6 +52,7 @@ class Services(HttpParts):
     paper: Paper
     links: Links
     controllers: Controllers
+    fmus: Fmus
     tuning_steps: TuningSteps
     scheduler: Scheduler
 
@@ -119,6 +121,7 @@ def make_services(settings: Settings, workers: Workers) -> Services:
         paper=Paper(store=store, results=results, gate=gate),
         links=Links(store=store, workers=workers, runs=runs, gate=gate, roads=roads),
         controllers=Controllers(workers=workers, gate=gate, roads=roads, max_request_cost=settings.max_request_cost),
+        fmus=Fmus(workers=workers, gate=gate, roads=roads),
         tuning_steps=tuning_steps,
         scheduler=Scheduler(
             store=store,

@@ -23,6 +23,7 @@ MOST_CACHED = 120_000_000  # what the compiler keeps; its runtime takes 50 MB, e
 FOLDER = "RIDELAB_ECU_DIR"
 REMEDY = "make compiler"  # installs the package ziglang, a C compiler that builds for the control unit too
 NO_COMPILER = f"There is no C compiler to build the ECU's program: install one (gcc, clang) or run “{REMEDY}”"
+TOO_LONG = "the compiler took too long"
 NO_CROSS_COMPILER = f"There is no compiler for the control unit's processor, a Cortex-M3: run “{REMEDY}”"
 
 
@@ -135,18 +136,19 @@ def built(sources: Sequence[Path], include: Sequence[Path]) -> Path:
     raise EcuError(f"The ECU's program cannot be built: {'; '.join(reasons)}{other}")
 
 
-def compiled(command: Sequence[str], cache: Path) -> str | None:
-    """Run a compiler; None, or why it failed."""
+def compiled(command: Sequence[str], cache: Path, timeout: float = COMPILER_TIMEOUT) -> str | None:
+    """Run a compiler for so many seconds at most; None, or why it failed."""
     environment = os.environ | {"ZIG_GLOBAL_CACHE_DIR": str(cache), "ZIG_LOCAL_CACHE_DIR": str(cache)}
     try:
         run = subprocess.run(  # noqa: S603  # our own command, no shell
-            command, env=environment, capture_output=True, text=True, timeout=COMPILER_TIMEOUT, check=False
+            command, env=environment, capture_output=True, text=True, timeout=timeout, check=False
         )
     except subprocess.TimeoutExpired:
-        return "the compiler took too long"
+        return TOO_LONG
     except OSError as error:
         return f"the compiler does not start ({error.strerror})"
     if run.returncode == 0:
         return None
     lines = run.stderr.strip().splitlines()
-    return f"the compiler failed ({lines[0][:200] if lines else run.returncode})"
+    said = next((line for line in lines if "error" in line), *lines[:1] or [str(run.returncode)])
+    return f"the compiler failed ({said[:200]})"

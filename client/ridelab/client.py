@@ -335,6 +335,27 @@ class Ridelab(Connection):
         """The `lv_hil` controller of a scenario as a zip of C sources; the same scenario gives the same bytes."""
         return self._http.send("POST", f"{API}/controller", body={"scenario": scenario}).content
 
+    def fmu(
+        self,
+        scenario: Scenario,
+        strategy: str = "lv",
+        *,
+        of: str = "controller",
+        version: str = "2.0",
+        platforms: Sequence[str] = ("linux64", "win64", "darwin64"),
+    ) -> bytes:
+        """A controller as an FMU for co-simulation.
+
+        Args:
+            scenario: Whose.
+            strategy: Id of the strategy whose controller it is.
+            of: `controller`.
+            version: Of FMI, `2.0`.
+            platforms: For which it is compiled, as far as the service can.
+        """
+        body = {"scenario": scenario, "strategy": strategy, "of": of, "version": version, "platforms": [*platforms]}
+        return self._http.send("POST", f"{API}/fmus", body=body).content
+
     def controller_report(self, scenario: Scenario) -> dict[str, Any]:
         """Whether that controller fits a small microcontroller, and what does; takes about ten seconds."""
         return self._post("/controller/report", {"scenario": scenario})

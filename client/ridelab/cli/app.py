@@ -14,6 +14,7 @@ from ridelab.cli import jobs
 from ridelab.cli.compare import compare
 from ridelab.cli.controller import controller, hil
 from ridelab.cli.export import export
+from ridelab.cli.fmu import fmu
 from ridelab.cli.frequency import frequency
 from ridelab.cli.lists import LISTS
 from ridelab.cli.options import option
@@ -84,6 +85,7 @@ COMMANDS = (
     road,
     controller,
     hil,
+    fmu,
     compare,
     open_,
     export,

@@ -44,6 +44,9 @@ export interface paths {
     readonly "/figures": {
         readonly get: operations["getFigures"];
     };
+    readonly "/fmus": {
+        readonly post: operations["exportFmu"];
+    };
     readonly "/frequency": {
         readonly post: operations["frequency"];
     };
@@ -587,6 +590,15 @@ export interface components {
             readonly nominal: number | null;
             readonly quantiles: readonly number[] | null;
             readonly sensitivity: readonly components["schemas"]["Sensitivity"][];
+        };
+        readonly FmuRequest: {
+            /** @constant */
+            readonly of?: "controller";
+            readonly platforms?: readonly ("linux64" | "win64" | "darwin64")[];
+            readonly scenario?: JsonObject;
+            readonly strategy?: string;
+            /** @constant */
+            readonly version?: "2.0";
         };
         readonly FoundBumpAnswer: {
             readonly height: number;
@@ -1467,6 +1479,7 @@ export type Estimate = components['schemas']['Estimate'];
 export type Figure8 = components['schemas']['Figure8'];
 export type Figures = components['schemas']['Figures'];
 export type FigureSummary = components['schemas']['FigureSummary'];
+export type FmuRequest = components['schemas']['FmuRequest'];
 export type FoundBumpAnswer = components['schemas']['FoundBumpAnswer'];
 export type FrequencyAnswer = components['schemas']['FrequencyAnswer'];
 export type FrequencyRequest = components['schemas']['FrequencyRequest'];
@@ -1806,6 +1819,20 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/json": components["schemas"]["Figures"];
+                };
+            };
+        };
+    };
+    readonly exportFmu: {
+        readonly requestBody: {
+            readonly content: {
+                readonly "application/json": components["schemas"]["FmuRequest"];
+            };
+        };
+        readonly responses: {
+            readonly 200: {
+                content: {
+                    readonly "application/zip": string;
                 };
             };
         };

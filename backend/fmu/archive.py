@@ -1,0 +1,62 @@
+"""An FMU's zip."""
+
+import hashlib
+import io
+import json
+import zipfile
+from collections.abc import Sequence
+
+from backend.fmu.binaries import PLATFORMS, binaries
+from backend.fmu.controller import controller_model
+from backend.fmu.description import (
+    Version,
+    build_description,
+    compiled_files,
+    documentation,
+    model_description,
+)
+from backend.fmu.model import Model, sources, variables_header
+from sim_core.ecu.sources import SOURCES as ECU_SOURCES
+from sim_core.scenario import Scenario
+
+_OLDEST = (1980, 1, 1, 0, 0, 0)  # the only time a zip can have that says nothing
+LICENCE = ECU_SOURCES.parent.parent / "LICENSE"
+
+
+def fmu(
+    scenario: Scenario, strategy: str, of: str, version: Version, platforms: Sequence[str] = tuple(PLATFORMS)
+) -> bytes:
+    """The scenario's controller or vehicle as an FMU.
+
+    Raises:
+        UnknownNameError: No such strategy.
+        RidelabError: The strategy's controller cannot be exported.
+    """
+    return _zipped(controller_model(scenario, strategy), scenario, version, platforms)
+
+
+def _zipped(model: Model, scenario: Scenario, version: Version, platforms: Sequence[str]) -> bytes:
+    own = {**model.sources, **sources([f"fmi{version[0]}.c"])}
+    token = "{" + hashlib.sha256(repr((version, model, sorted(own.items()))).encode()).hexdigest()[:32] + "}"
+    own["ridelab_variables.h"] = variables_header(model, token)
+    built, missing = binaries(model.name, own, compiled_files(model, version), version, platforms)
+    plain = json.dumps(scenario.model_dump(mode="json"), indent=1) + "\n"
+    licence = "documentation/license.txt" if version == "2.0" else "documentation/licenses/license.txt"
+    content = {
+        "modelDescription.xml": model_description(model, version, token),
+        **built,
+        **{f"sources/{name}": text.encode() for name, text in sorted(own.items())},
+        "documentation/index.html": documentation(model, missing),
+        licence: LICENCE.read_bytes(),
+        "resources/scenario.json": plain.encode(),
+    }
+    if version == "3.0":
+        content["sources/buildDescription.xml"] = build_description(model, version)
+    file = io.BytesIO()
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED, compresslevel=6) as archive:
+        for name, data in content.items():
+            entry = zipfile.ZipInfo(name, _OLDEST)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.external_attr = 0o644 << 16
+            archive.writestr(entry, data)
+    return file.getvalue()

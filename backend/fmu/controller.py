@@ -1,0 +1,174 @@
+"""A scenario's suspension controller as a model: of a linear law the law with its greatest force."""
+
+import numpy as np
+
+from backend.fmu.model import Model, Variable, array, sources
+from sim_core.arrays import FloatArray
+from sim_core.control.controller import Controller
+from sim_core.control.law import LAW_INPUTS, LinearLaw
+from sim_core.control.seen import Setup
+from sim_core.errors import RidelabError
+from sim_core.scenario import Scenario
+from sim_core.simulate import ANY_ROAD, prepare
+from sim_core.strategies import strategy_named
+
+_STATE = (
+    ("Suspension deflection front, longer is positive", "m"),
+    ("Suspension deflection rear, longer is positive", "m"),
+    ("Tyre deflection front, wheel minus road", "m"),
+    ("Tyre deflection rear, wheel minus road", "m"),
+    ("Body velocity, up", "m/s"),
+    ("Pitch rate, nose down", "rad/s"),
+    ("Wheel velocity front, up", "m/s"),
+    ("Wheel velocity rear, up", "m/s"),
+)
+_GAIN_UNITS = {"m": "N/m", "m/s": "N.s/m", "rad/s": "N.s/rad"}
+_ORDER = (
+    "A communication step gives the command that follows from the inputs at its beginning. Whoever steps vehicle and "
+    "controller side by side applies it one communication step later; to apply it at once, step the controller first."
+)
+
+
+def state(causality: str) -> list[Variable]:
+    """The half-car's state, `state[1]` to `state[8]`."""
+    texts, units = zip(*_STATE, strict=True)
+    return list(array("state", "output" if causality == "output" else "input", texts, units))
+
+
+def preview(steps: int) -> list[Variable]:
+    """Road heights now and at the end of each coming control step, and the braking in each."""
+    if not steps:
+        return []
+    ends = [f"at the end of control step {i + 1} from now" for i in range(steps)]
+    axles = ("front", "rear")
+    now = [
+        Variable(name=f"road_{axle}", causality="input", description=f"Road height under the {axle} axle now", unit="m")
+        for axle in axles
+    ]
+    heights = [
+        each
+        for axle in axles
+        for each in array(
+            f"preview_{axle}", "input", [f"Road height under the {axle} axle {end}" for end in ends], ["m"] * steps
+        )
+    ]
+    braking = array(
+        "braking",
+        "input",
+        [f"Braking deceleration in control step {i + 1} from now" for i in range(steps)],
+        ["m/s2"] * steps,
+    )
+    return [*now, *heights, *braking]
+
+
+def forces() -> list[Variable]:
+    """The commands."""
+    return [
+        Variable(
+            name=f"force_{axle}", causality="output", description=f"Actuator force {axle}, up on the body", unit="N"
+        )
+        for axle in ("front", "rear")
+    ]
+
+
+def period(sample_time: float) -> Variable:
+    """How often the command changes."""
+    text = "Control step: the command changes so often, whatever the communication step is"
+    return Variable(name="sample_time", causality="constant", description=text, unit="s", start=sample_time)
+
+
+def controller_model(scenario: Scenario, strategy: str) -> Model:
+    """The model of a strategy's suspension controller.
+
+    Raises:
+        UnknownNameError: No such strategy.
+        RidelabError: It has none that an FMU can hold, or the vehicle and weights admit none.
+    """
+    run = prepare(scenario.model_copy(update={"road": ANY_ROAD}), strategy_named(strategy))
+    setup = run.setup()
+    run.controller.start(setup)
+    try:
+        return _law_model(run.controller, setup)
+    finally:
+        run.controller.end()
+
+
+def _law_model(controller: Controller, setup: Setup) -> Model:
+    """Of a linear law.
+
+    Raises:
+        RidelabError: It is none, or something else decides where a limit binds.
+    """
+    by_stage = [controller.linear_law(stage) for stage in setup.stages]
+    different = list(dict.fromkeys(by_stage))
+    laws = [law for law in (different if len(different) == 1 else by_stage) if law is not None]
+    reason = None
+    if len(laws) < len(different) or controller.delayed:
+        reason = "its forces follow no linear law"
+    elif controller.dampers() is not None:
+        reason = "it sets the coefficients of semi-active dampers, not forces"
+    elif any(law.limits is not None for law in laws):
+        reason = "a QP decides where one of its limits binds; lv is exported as the ECU's program"
+    elif type(controller).force is not Controller.force:
+        reason = "a function in Python decides beyond the force limit"
+    if reason is not None:
+        raise RidelabError(f"{controller.label} cannot be exported as an FMU: {reason}", field="strategy")
+    prefixes = [""] if len(laws) == 1 else [f"{stage}_" for stage in setup.stages]
+    steps = setup.preview_steps if any(law.preview_gain is not None for law in laws) else 0
+    stage = Variable(
+        name="stage",
+        causality="input",
+        description="Driving stage: 0 cruise, 1 brake, 2 bump",
+        whole=True,
+        least=0,
+        most=2,
+    )
+    limit = Variable(
+        name="force_limit", causality="parameter", description="Greatest magnitude of each force", unit="N",
+        start=setup.force_limit, least=0,
+    )  # fmt: skip
+    gains = [each for law, prefix in zip(laws, prefixes, strict=True) for each in _gains(law, prefix)]
+    return Model(
+        name=f"ridelab_{controller.id}",
+        description=f"{controller.label}: {controller.description()}",
+        variables=[*([stage] if len(laws) > 1 else []), *state("input"), *preview(steps), *forces(), limit, *gains,
+                   period(setup.sample_time)],
+        sources={
+            **sources(("model.h", "instance.h", "sampled.h", "law.c")),
+            "ridelab_gains.h": _preview_gains(laws, steps),
+        },
+        sizes={"SAMPLE_TIME": setup.sample_time, "PREVIEWED": steps, "LAWS": len(laws)},
+        step=setup.sample_time,
+        notes=[_ORDER],
+    )  # fmt: skip
+
+
+def _gains(law: LinearLaw, prefix: str) -> list[Variable]:
+    on = [(f"on {text[0].lower()}{text[1:]}", _GAIN_UNITS[unit]) for text, unit in _STATE]
+    on += [("on the previous force front", "1"), ("on the previous force rear", "1")]
+    return [
+        each
+        for axle, row in zip(("front", "rear"), law.gain, strict=True)
+        for each in array(
+            f"{prefix}gain_{axle}", "parameter", [f"Gain of the {axle} force {what}" for what, _ in on],
+            [unit for _, unit in on], row.tolist(),
+        )
+    ]  # fmt: skip
+
+
+def _preview_gains(laws: list[LinearLaw], steps: int) -> str:
+    if not steps:
+        return "/* Generated. Nothing is previewed. */\n"
+    gains = [np.zeros((2, 3 * steps)) if law.preview_gain is None else law.preview_gain for law in laws]
+    text = ", ".join(f"{{{', '.join(_row(row) for row in gain)}}}" for gain in gains)
+    return (
+        "/* Generated. Of both forces on the front road's velocities [N.s/m], the rear's, the braking [N.s2/m]. */\n"
+        f"static const double preview_gain[LAWS][2][{3 * steps}] = {{{text}}};\n"
+    )
+
+
+def _row(row: FloatArray) -> str:
+    return f"{{{', '.join(map(repr, row.tolist()))}}}"
+
+
+assert len(_STATE) + 2 == LAW_INPUTS  # noqa: S101

@@ -1,0 +1,141 @@
+"""modelDescription.xml of FMI 2.0 and 3.0, and what else describes an FMU in its zip."""
+
+import xml.etree.ElementTree as ET
+from html import escape
+from typing import Literal
+
+from backend.fmu.model import Model, Variable
+from sim_core import __version__
+
+Version = Literal["2.0", "3.0"]
+GENERATED_BY = f"Ridelab {__version__}"
+_UNITS = {
+    "1": {},
+    "m": {"m": 1},
+    "s": {"s": 1},
+    "kg": {"kg": 1},
+    "Hz": {"s": -1},
+    "m/s": {"m": 1, "s": -1},
+    "m/s2": {"m": 1, "s": -2},
+    "rad/s": {"rad": 1, "s": -1},
+    "rad/s2": {"rad": 1, "s": -2},
+    "kg.m2": {"kg": 1, "m": 2},
+    "N": {"kg": 1, "m": 1, "s": -2},
+    "N/m": {"kg": 1, "s": -2},
+    "N.s/m": {"kg": 1, "s": -1},
+    "N.s/rad": {"kg": 1, "m": 1, "s": -1, "rad": -1},
+}  # in base units
+
+
+def model_description(model: Model, version: Version, token: str) -> bytes:
+    """The file's content."""
+    root = ET.Element("fmiModelDescription", fmiVersion=version, modelName=model.name, description=model.description)
+    root.set("guid" if version == "2.0" else "instantiationToken", token)
+    root.set("generationTool", GENERATED_BY)
+    root.set("license", "Apache-2.0")
+    root.set("variableNamingConvention", "structured")
+    co_simulation = ET.SubElement(root, "CoSimulation", modelIdentifier=model.name)
+    co_simulation.set("canHandleVariableCommunicationStepSize", "true")
+    if version == "2.0":
+        co_simulation.set("canNotUseMemoryManagementFunctions", "true")
+        files = ET.SubElement(co_simulation, "SourceFiles")
+        for name in compiled_files(model, version):
+            ET.SubElement(files, "File", name=name)
+    units = ET.SubElement(root, "UnitDefinitions")
+    for unit in sorted({each.unit for each in model.variables} | {"s"}):
+        base = {name: str(exponent) for name, exponent in _UNITS[unit].items()}
+        ET.SubElement(ET.SubElement(units, "Unit", name=unit), "BaseUnit", base)
+    ET.SubElement(root, "DefaultExperiment", startTime="0", stopTime="10", stepSize=repr(model.step))
+    variables, structure = ET.SubElement(root, "ModelVariables"), ET.SubElement(root, "ModelStructure")
+    outputs = [place for place, each in enumerate(model.variables) if each.causality == "output"]
+    if version == "2.0":
+        for place, variable in enumerate(model.variables):
+            ET.SubElement(_scalar(variables, variable, place), *_type_2(variable))
+        for kind in ("Outputs", "InitialUnknowns"):
+            unknowns = ET.SubElement(structure, kind)
+            for place in outputs:
+                ET.SubElement(unknowns, "Unknown", index=str(place + 1))
+    else:
+        time = str(len(model.variables))
+        ET.SubElement(
+            variables, "Float64", name="time", valueReference=time, causality="independent", variability="continuous",
+            unit="s",
+        )  # fmt: skip
+        for place, variable in enumerate(model.variables):
+            _variable_3(variables, variable, place)
+        for kind in ("Output", "InitialUnknown"):
+            for place in outputs:
+                ET.SubElement(structure, kind, valueReference=str(place))
+    return _text(root)
+
+
+def build_description(model: Model, version: Version) -> bytes:
+    """`sources/buildDescription.xml`, which FMI 3.0 asks for."""
+    root = ET.Element("fmiBuildDescription", fmiVersion=version)
+    files = ET.SubElement(ET.SubElement(root, "BuildConfiguration", modelIdentifier=model.name), "SourceFileSet")
+    files.set("language", "C11")
+    for name in compiled_files(model, version):
+        ET.SubElement(files, "SourceFile", name=name)
+    return _text(root)
+
+
+def compiled_files(model: Model, version: Version) -> list[str]:
+    """The C files that are compiled; the others are included."""
+    return sorted([*(name for name in model.sources if name.endswith(".c")), f"fmi{version[0]}.c"])
+
+
+def documentation(model: Model, missing: dict[str, str]) -> bytes:
+    """`documentation/index.html`; `missing` says why a platform's binary is not inside."""
+    rows = "".join(
+        f"<tr><td><code>{each.name}</code><td>{each.causality}<td>{escape(each.unit)}"
+        f"<td>{'' if each.causality == 'output' else f'{each.start:g}'}<td>{escape(each.description)}"
+        for each in model.variables
+    )
+    notes = [*model.notes, *(f"No binary for {platform}: {reason}." for platform, reason in missing.items())]
+    notes.append("The sources are inside; any C11 compiler builds them, without another file.")
+    return (
+        f'<!doctype html><html lang="en"><meta charset="utf-8"><title>{model.name}</title>'
+        f"<h1>{escape(model.description)}</h1>{''.join(f'<p>{escape(note)}</p>' for note in notes)}"
+        f"<table><tr><th>Variable<th>Causality<th>Unit<th>Start<th>Description{rows}</table></html>\n"
+    ).encode()
+
+
+def _scalar(parent: ET.Element, variable: Variable, place: int) -> ET.Element:
+    return ET.SubElement(parent, "ScalarVariable", _common(variable, place))
+
+
+def _common(variable: Variable, place: int) -> dict[str, str]:
+    constant = variable.causality == "constant"
+    continuous = "discrete" if variable.whole else "continuous"
+    variability = {"constant": "constant", "parameter": "fixed"}.get(variable.causality, continuous)
+    return {
+        "name": variable.name,
+        "valueReference": str(place),
+        "causality": "local" if constant else variable.causality,
+        "variability": variability,
+        "description": variable.description,
+    }
+
+
+def _values(variable: Variable) -> dict[str, str]:
+    written = (lambda value: str(int(value))) if variable.whole else repr
+    values = {} if variable.whole or variable.unit == "1" else {"unit": variable.unit}
+    limits = {"min": variable.least, "max": variable.most}
+    values |= {name: written(limit) for name, limit in limits.items() if limit is not None}
+    if variable.causality != "output":
+        values["start"] = written(variable.start)
+    return values
+
+
+def _type_2(variable: Variable) -> tuple[str, dict[str, str]]:
+    return "Integer" if variable.whole else "Real", _values(variable)
+
+
+def _variable_3(parent: ET.Element, variable: Variable, place: int) -> None:
+    ET.SubElement(parent, "Int32" if variable.whole else "Float64", _common(variable, place) | _values(variable))
+
+
+def _text(root: ET.Element) -> bytes:
+    ET.indent(root)
+    text: bytes = ET.tostring(root, encoding="UTF-8", xml_declaration=True)
+    return text + b"\n"

@@ -1,0 +1,20 @@
+"""The shape of what is asked for as an FMU."""
+
+from typing import Literal
+
+from pydantic import Field
+
+from backend.models import RequestModel, StrategyName
+from sim_core.scenario import Scenario
+
+
+class FmuRequest(RequestModel):
+    """What is exported; an omitted part of the scenario takes the paper's default."""
+
+    scenario: Scenario = Scenario()
+    strategy: StrategyName = Field("lv", description="Whose controller")
+    of: Literal["controller"] = Field("controller", description="What the FMU is")
+    version: Literal["2.0"] = Field("2.0", description="Of FMI for co-simulation")
+    platforms: list[Literal["linux64", "win64", "darwin64"]] = Field(
+        ["linux64", "win64", "darwin64"], description="For which it is compiled, as far as that is possible"
+    )

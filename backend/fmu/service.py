@@ -1,0 +1,30 @@
+"""FMUs of scenarios. A worker does the work."""
+
+from backend.compute.workers import Workers
+from backend.fmu.archive import fmu
+from backend.fmu.models import FmuRequest
+from backend.gate import Gate
+from backend.roads.service import MeasuredRoads
+
+COST = 2.0  # of describing and compiling one [s of one core]
+
+
+class Fmus:
+    """The one service of FMUs."""
+
+    def __init__(self, *, workers: Workers, gate: Gate, roads: MeasuredRoads) -> None:
+        self._workers = workers
+        self._gate = gate
+        self._roads = roads
+
+    async def archive(self, asked: FmuRequest, client: str) -> bytes:
+        """The FMU, a zip.
+
+        Raises:
+            TemporaryError: Too much is being computed.
+        """
+        scenario = await self._roads.with_length(asked.scenario)
+        with self._gate.computing(client, COST, controller=1):
+            return await self._workers.call(
+                fmu, scenario, asked.strategy, asked.of, asked.version, asked.platforms, client=client, cost=COST
+            )
