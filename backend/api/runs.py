@@ -25,6 +25,7 @@ from backend.json_types import JsonObject
 from backend.requirements import Requirement, read
 from backend.runs.figures import PANELS
 from backend.runs.frequency import FrequencyAnswer, FrequencyRequest
+from backend.runs.instants import InstantAnswer
 from backend.runs.models import CreatedRun, Run, RunRequest
 from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
 from backend.runs.service import Runs
@@ -158,6 +159,21 @@ async def get_series(
             f'attachment; filename="{"-".join(["ridelab", run_id, *(names or [])])}.{file_format}"'
         )
     return content_answer(content, headers, MEDIA_TYPES[file_format])
+
+
+@drawing.get("/runs/{id}/instant", operation_id="getInstant", response_model=InstantAnswer)
+async def get_instant(
+    run_id: RunId,
+    request: Request,
+    service: RunsService,
+    client: Client,
+    strategy: Annotated[str | None, Query(description="Id; may be omitted where the run has one")] = None,
+    position: Annotated[float | None, Query(description="Of the front axle [m]", allow_inf_nan=False)] = None,
+    time: Annotated[float | None, Query(description="In place of a position [s]", allow_inf_nan=False)] = None,
+) -> Response:
+    """What a controller saw and decided in the control step there, which limits shaped it, and at what price."""
+    work = service.instant(run_id, strategy, position, time, client)
+    return json_answer(await cancel_on_disconnect(request, work), CACHED_FOR_AN_HOUR)
 
 
 @drawing.get("/runs/{id}/bands", operation_id="getBands", response_model=Bands)

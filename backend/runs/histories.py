@@ -80,7 +80,7 @@ class Histories:
         scenario = Scenario.model_validate(stored.scenario)
         async with self._pinned(scenario, keys, client) as pinned:
             if pinned is None:
-                await self._on_its_road(scenario)
+                await self.on_its_road(scenario)
                 return await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
             with self._gate.computing(client, 0.0):
                 arrays = await self._workers.call(pins.opened, pinned, _stages(stored), FIGURE_POINTS, client=client)
@@ -104,7 +104,7 @@ class Histories:
         cost = exports.BYTE_COST * size
         async with self._pinned(scenario, keys, client) as pinned:
             if pinned is None:
-                scenario = await self._on_its_road(scenario)
+                scenario = await self.on_its_road(scenario)
                 cost += cost_of(scenario, keys)
             with self._gate.computing(client, cost), self._spool.reserved(client, size) as write:
                 call = partial(self._workers.call, client=client, cost=cost)
@@ -182,7 +182,7 @@ class Histories:
                 before, after = after, before
         return before
 
-    async def _on_its_road(self, scenario: Scenario) -> Scenario:
+    async def on_its_road(self, scenario: Scenario) -> Scenario:
         """A stored run's scenario with the heights of its measured road.
 
         Raises:

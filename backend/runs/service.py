@@ -37,6 +37,7 @@ from backend.runs.answers import (
 from backend.runs.frequency import COST as FREQUENCY_COST
 from backend.runs.frequency import FrequencyAnswer, FrequencyRequest, frequency_answer
 from backend.runs.histories import Histories
+from backend.runs.instants import InstantAnswer, Instants
 from backend.runs.reports import page
 from backend.runs.reports import run as run_report
 from backend.runs.reports.page import Report, in_thread
@@ -61,6 +62,7 @@ class Runs:
         self._gate = gate
         self._roads = roads
         self._histories = Histories(store=store, workers=workers, results=results, gate=gate, roads=roads, spool=spool)
+        self._instants = Instants(workers=workers, gate=gate, histories=self._histories)
 
     async def create(
         self,
@@ -182,6 +184,18 @@ class Runs:
                 client=client,
                 cost=cost,
             )
+
+    async def instant(
+        self, run_id: str, strategy: str | None, position: float | None, time: float | None, client: str
+    ) -> InstantAnswer:
+        """What a strategy's controller saw and decided in the control step at a position [m] or a time [s].
+
+        Raises:
+            NotFoundError: No such run.
+            InvalidError: It has no such strategy, or the place is not on its drive.
+            GoneError: Another core version computed it, or its road is gone.
+        """
+        return await self._instants.look(await self.stored(run_id, client), strategy, position, time, client)
 
     async def series(
         self,

@@ -158,6 +158,24 @@ class Ridelab(Connection):
         answer: dict[str, Any] = self._post("/frequency", {"scenario": scenario, "strategies": strategies, **chosen})
         return answer
 
+    def instant(
+        self, run: RunResult | str, strategy: str, *, position: float | None = None, time: float | None = None
+    ) -> dict[str, Any]:
+        """What a strategy's controller saw and decided at one control step of a stored run; what it has not is None.
+
+        Args:
+            run: The run, or its id; of one over several roads the first road.
+            strategy: Its id.
+            position: Of the front axle [m].
+            time: In its place [s].
+
+        Raises:
+            RidelabAPIError: The run has no such strategy, or the place is not on its drive.
+        """
+        asked = {"strategy": strategy, "position": position, "time": time}
+        answer: dict[str, Any] = self.get(f"/runs/{_id(run)}/instant", asked)
+        return answer
+
     def series(
         self,
         run: RunResult | str,

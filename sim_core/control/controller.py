@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from pydantic import Field, TypeAdapter
 
 from sim_core.control.law import LinearLaw
+from sim_core.control.plan import Plan
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RidelabError, UnknownNameError
 from sim_core.kernel.qp import Qp
@@ -237,6 +238,13 @@ class Controller:
 
     def qp(self, stage: str) -> Qp | None:
         """What decides the steps of a driving stage in which a limit of its law binds; None where `force` does."""
+        return None
+
+    def plan(self, seen: Seen) -> Plan | None:
+        """What it plans for the coming control steps; None for a controller that plans nothing.
+
+        Asked where somebody wants to know why a force was commanded, between `start` and `end`, never during a run.
+        """
         return None
 
     def dampers(self) -> SemiActiveDampers | None:

@@ -109,12 +109,26 @@ class CostTerms:
 @lru_cache(maxsize=512)
 def stage_cost(terms: CostTerms) -> FloatArray:
     """One interval's cost [1] as z'S z, S (13, 13); z as in `_interval_means`, with forces in kN."""
+    S: FloatArray = np.tensordot(_scales(terms), _interval_means(terms.vehicle, terms.sample_time), axes=1)
+    forces = np.arange(STATES, STATES + FORCES)
+    S[forces, forces] += terms.force_weight * KILO**2
+    return S
+
+
+def cost_by_output(terms: CostTerms, z: FloatArray) -> FloatArray:
+    """What each cost output, the first six of `half_car.OUTPUTS`, adds to the cost [1] of intervals z (n, 13): (n, 6).
+
+    z as in `stage_cost`, whose force term is not among them.
+    """
+    means = _interval_means(terms.vehicle, terms.sample_time)
+    return np.asarray(np.einsum("ni,oij,nj->no", z, means, z, optimize=True) * _scales(terms))
+
+
+def _scales(terms: CostTerms) -> FloatArray:
+    """What each cost output's mean square is multiplied by (6,)."""
     sigma = np.array(passive_rms(terms.vehicle, terms.speed))
     q1, q2, q3 = terms.weights
     scale = np.empty(COST_OUTPUTS)
     scale[:4] = np.array([q1, q2, q3, q3]) / sigma**2
     scale[4:] = terms.deflection_weight / terms.deflection_limit**2
-    S: FloatArray = np.tensordot(scale, _interval_means(terms.vehicle, terms.sample_time), axes=1)
-    forces = np.arange(STATES, STATES + FORCES)
-    S[forces, forces] += terms.force_weight * KILO**2
-    return S
+    return scale

@@ -6,6 +6,8 @@ from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller, scenario_field, undefined
 from sim_core.control.law import LinearLaw
 from sim_core.control.mpc_design import MpcDesign, design
+from sim_core.control.mpc_plan import make_plan
+from sim_core.control.plan import Plan
 from sim_core.control.qp import SOLVERS, Qps
 from sim_core.control.seen import Seen, Setup
 from sim_core.errors import RidelabError, TooExpensiveError
@@ -95,10 +97,19 @@ class PredictiveController(Controller):
             faster = () if self.solver == "daqp" else ("mpc.solver",)
             raise TooExpensiveError("The run's QPs take too many iterations", fields=(*faster, *_COSTLY_FIELDS))
         inputs = np.concatenate([seen.state, seen.previous_force, seen.disturbances.ravel()])
-        for name in (self.solver, *(name for name in SOLVERS if name != self.solver)):
+        for name in self._solvers():
             force = qps.solve(self._designs[seen.stage].qp, name, inputs)
             if force is not None:
                 self.report.fallbacks += name != self.solver
                 return force
         self.report.failures += 1
         return seen.previous_force
+
+    def plan(self, seen: Seen) -> Plan | None:
+        """The constrained optimum over the horizon; None where no solver proves one."""
+        design = self._designs[seen.stage]
+        return make_plan(design, self._solvers(), seen.state, seen.previous_force, seen.disturbances)
+
+    def _solvers(self) -> tuple[str, ...]:
+        """Both, the scenario's first."""
+        return (self.solver, *(name for name in SOLVERS if name != self.solver))

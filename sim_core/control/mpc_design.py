@@ -30,10 +30,14 @@ class MpcDesign:
     Attributes:
         law: The unconstrained optimum's first force; its limits are the QP's `optimum`.
         qp: What decides where one of them binds.
+        terms: Of the interval costs.
+        force_change_weight: On the moves of the force [1/N²].
     """
 
     law: LinearLaw
     qp: QpDesign
+    terms: CostTerms
+    force_change_weight: float
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -142,6 +146,8 @@ def design(terms: CostTerms, horizon: int, moves: int, force_limit: float, force
     effects = np.vstack([np.eye(free), p.rows[: AXLES * horizon, :free]])
     gram = effects @ solve(2 * H, effects.T)
     return MpcDesign(
+        terms=terms,
+        force_change_weight=force_change_weight,
         law=law,
         qp=QpDesign(
             H=with_slacks,

@@ -87,6 +87,9 @@ class EcuController(PredictiveController):
         """None: its forces are in whole steps of the converters."""
         return None
 
+    def plan(self, seen: Seen) -> None:
+        """None: the program answers with forces alone."""
+
     def force(self, seen: Seen) -> FloatArray | None:
         """What the program answers; None where nothing came in time."""
         calibration = self._calibration

@@ -29,11 +29,13 @@ class Trajectory:
 
     Attributes:
         loop: [p; previous command] before each of the car's steps and after the last (steps + 1, n + 2).
+        asked: Forces that the controller was asked for and gave (steps, 2) [N]; NaN where a law or no command decided.
         limited: Control steps in which a limit bound.
         held_commands: Commands that never took effect, of a delayed controller.
     """
 
     loop: FloatArray
+    asked: FloatArray
     limited: int
     held_commands: int | None = None
 
@@ -54,13 +56,14 @@ class ClosedLoop:
         """Drive the driving stages from rest, without a command before the first step."""
         n = self._car.size
         loop = np.zeros((segments[-1].last + 1, n + FORCES))  # [car; previous command] at every control instant
+        asked = np.full((segments[-1].last, FORCES), np.nan)
         limited = 0
         prepared: dict[LinearLaw, FollowLaw] = {}
         clips = type(self._controller).force is Controller.force
         for segment in segments:
             law = self._controller.linear_law(segment.stage)
             if law is None:
-                limited += sum(self._step(k, loop) for k in range(segment.first, segment.last))
+                limited += sum(self._step(k, loop, asked) for k in range(segment.first, segment.last))
                 continue
             if not isinstance(law, LinearLaw):
                 raise RidelabError(f"{self._controller.label}: linear_law gives a LinearLaw or None")
@@ -73,18 +76,18 @@ class ClosedLoop:
                 k, shaped = follow(k, segment.last)
                 limited += shaped
                 if k < segment.last:
-                    self._step(k, loop)
+                    self._step(k, loop, asked)
                     limited, k = limited + 1, k + 1
-        return Trajectory(loop=loop, limited=limited)
+        return Trajectory(loop=loop, asked=asked, limited=limited)
 
-    def _step(self, k: int, loop: FloatArray) -> bool:
+    def _step(self, k: int, loop: FloatArray, asked: FloatArray) -> bool:
         """Drive one control step by the controller; whether a limit of forces or actuators shaped its command."""
         n = self._car.size
         state, previous = loop[k, :n], loop[k, n:]
         seen = Seen(self._inputs, self._car, k, k, read_only(state), read_only(previous))
         counted = self._controller.report.limited_steps
-        wanted = checked_force(self._controller, self._controller.force(seen), k)
-        limited = limit_force(self._force_limits, wanted, previous, loop[k + 1, n:])
+        asked[k] = checked_force(self._controller, self._controller.force(seen), k)
+        limited = limit_force(self._force_limits, asked[k], previous, loop[k + 1, n:])
         self._car.advance(k, loop)
         return limited or self._controller.report.limited_steps > counted
 

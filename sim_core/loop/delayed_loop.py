@@ -33,7 +33,8 @@ class DelayedLoop:
         loop = np.zeros((steps * n + 1, car.size + FORCES))  # [car; previous command] before every short step
         arrivals = self._arrivals()
         newest = [-1] * (steps * n)  # the command that arrives at a short step, the newest of several
-        asked = np.zeros((steps + 1, FORCES))  # by command [N]; the last row is none, -1
+        asked = np.full((steps + 1, FORCES), np.nan)  # by command [N]
+        asked[-1] = 0.0  # that of none, -1
         used = np.zeros(steps + 1, dtype=bool)
         held, present, limited = -1, np.zeros(FORCES), 0
         settled, bound = True, False  # whether the actuators change no more, and whether their limits hold them back
@@ -60,7 +61,7 @@ class DelayedLoop:
                 car.advance(i, loop)
             limited += shaped
         held_commands = int(np.count_nonzero(~used[: steps - 1]))  # the last one would take effect after the run
-        return Trajectory(loop=loop, limited=limited, held_commands=held_commands)
+        return Trajectory(loop=loop, asked=asked[:-1], limited=limited, held_commands=held_commands)
 
     def _arrivals(self) -> list[int]:
         """The controller's, if each command arrives after it was asked for.

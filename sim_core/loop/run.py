@@ -131,7 +131,7 @@ class Run:
         """
         controller, setup = self.controller, self.setup()
         forecast = self.forecast(controller.preview, controller.preview_steps)
-        car, inputs, force_limits = self.car(recorder), self.inputs(forecast), self._force_limits()
+        car, inputs, force_limits = self.car(recorder), self.inputs(forecast), self.force_limits()
         try:
             controller.start(setup)
             if controller.delayed:
@@ -190,7 +190,7 @@ class Run:
             sample_time=grid.step,
         )
 
-    def _force_limits(self) -> FloatArray:
+    def force_limits(self) -> FloatArray:
         """In the car's steps, as `limit_force` has them."""
         if not self.controller.actuated:
             return np.array([0.0, inf, inf])

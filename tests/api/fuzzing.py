@@ -36,7 +36,7 @@ values = ["{link}"]
 [[operations]]
 include-operation-id = [
     "createRun", "live", "solve", "frequency", "createBatch", "createTuning", "resumeTuning", "createLink",
-    "getSeries", "getBands", "getChanges", "getRunReport", "getBatchTable", "getBatchSummary",
+    "getSeries", "getInstant", "getBands", "getChanges", "getRunReport", "getBatchTable", "getBatchSummary",
     "exportController", "reportController", "driveByClock", "makeHalfCar", "createRoad",
     "getPaper", "getPaperReadings", "getPaperAttribution", "getPaperFigures", "getPaperReport",
 ]

@@ -115,6 +115,11 @@ def test_frequencies_are_asked_for_by_stage(ridelab: Ridelab, prepared: Prepared
     }
 
 
+def test_an_instant_is_asked_for_by_place(ridelab: Ridelab, prepared: Prepared) -> None:
+    prepared.answers[f"GET /runs/{RUN}/instant"] = {"strategy": "lv", "why": "So."}
+    assert ridelab.instant(RUN, "lv", position=40.5)["why"] == "So."
+
+
 def test_a_solution_is_typed(ridelab: Ridelab, prepared: Prepared) -> None:
     numbers = {"value": 0.064, "metric_value": 3.99, "resolution": 7.0, "resolved_value": 0.06, "runs": 20}
     words = {"run_id": RUN, "unit": "m", "metric_unit": "m/s^2", "warnings": [], "tried": []}

@@ -261,6 +261,7 @@ def test_a_robustness_study_is_a_sweep_of_what_is_uncertain(cli: Cli, prepared: 
         ("solve --field road.bump.height=0.1:0.2:3 --limit travel_time=4 -s lv", "a range is LOW:HIGH"),
         ("solve --field road.bump.height=0.1:0.2 --limit travel_time=4", "--strategy names the one that drives: lv, "),
         ("solve --field road.bump.height=0.1:0.2 --limit 4 -s lv", "--limit takes METRIC=MOST"),
+        ("instant paper -s lv", "Give --position or --time"),
         ("frequency --stage jump", "--stage is one of cruise, brake, bump"),
         (
             "robustness --exact " + ",".join(each.field for each in UNCERTAINTIES),

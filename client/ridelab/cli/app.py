@@ -16,6 +16,7 @@ from ridelab.cli.controller import controller, hil
 from ridelab.cli.export import export
 from ridelab.cli.fmu import fmu
 from ridelab.cli.frequency import frequency
+from ridelab.cli.instant import instant
 from ridelab.cli.lists import LISTS
 from ridelab.cli.options import option
 from ridelab.cli.own import NEW, check
@@ -77,6 +78,7 @@ COMMANDS = (
     run_,
     solve,
     frequency,
+    instant,
     sweep,
     robustness,
     tune,

@@ -112,6 +112,9 @@ export interface paths {
     readonly "/runs/{id}/figures/{name}": {
         readonly get: operations["getRunFigure"];
     };
+    readonly "/runs/{id}/instant": {
+        readonly get: operations["getInstant"];
+    };
     readonly "/runs/{id}/report.html": {
         readonly get: operations["getRunReport"];
     };
@@ -453,6 +456,16 @@ export interface components {
             readonly figures: readonly components["schemas"]["ComparedFigure"][];
             readonly points: readonly components["schemas"]["ComparedPoint"][];
         };
+        readonly ControllerLimit: {
+            readonly distance: number;
+            readonly force_without: readonly number[] | null;
+            readonly limit: number;
+            readonly multiplier: number | null;
+            readonly multipliers: readonly number[] | null;
+            readonly name: string;
+            readonly unit: string;
+            readonly values: readonly number[];
+        };
         readonly ControllerPart: {
             readonly clock: number;
             readonly flash: number;
@@ -631,6 +644,36 @@ export interface components {
         };
         readonly HalfCarAnswer: {
             readonly vehicle: JsonObject;
+        };
+        readonly InstantAnswer: {
+            readonly cost: {
+                readonly [key: string]: number;
+            } | null;
+            readonly estimated_state: readonly number[] | null;
+            readonly forces: components["schemas"]["InstantForces"];
+            readonly limits: readonly components["schemas"]["ControllerLimit"][];
+            readonly measurement: readonly number[];
+            readonly parts: {
+                readonly [key: string]: readonly number[];
+            } | null;
+            readonly position: number;
+            readonly predicted_forces: readonly (readonly number[])[] | null;
+            readonly predicted_states: readonly (readonly number[])[] | null;
+            readonly predicted_time: readonly number[] | null;
+            readonly preview: components["schemas"]["RoadAhead"] | null;
+            readonly speed: number;
+            readonly stage: string;
+            readonly state: readonly number[];
+            readonly step: number;
+            readonly strategy: string;
+            readonly time: number;
+            readonly why: string;
+        };
+        readonly InstantForces: {
+            readonly acting: readonly number[];
+            readonly asked: readonly number[] | null;
+            readonly command: readonly number[];
+            readonly previous: readonly number[];
         };
         readonly Interpretation: {
             readonly agreement: components["schemas"]["Agreement"];
@@ -975,6 +1018,13 @@ export interface components {
         readonly Response: {
             readonly magnitude: readonly number[];
             readonly phase: readonly number[];
+        };
+        readonly RoadAhead: {
+            readonly mode: string;
+            readonly position: readonly number[];
+            readonly real: readonly (readonly number[])[];
+            readonly seen: readonly (readonly number[])[];
+            readonly time: readonly number[];
         };
         readonly RoadAnswer: {
             readonly bumps: readonly components["schemas"]["FoundBumpAnswer"][];
@@ -1463,6 +1513,7 @@ export type Comfort = components['schemas']['Comfort'];
 export type ComparedFigure = components['schemas']['ComparedFigure'];
 export type ComparedPoint = components['schemas']['ComparedPoint'];
 export type Comparison = components['schemas']['Comparison'];
+export type ControllerLimit = components['schemas']['ControllerLimit'];
 export type ControllerPart = components['schemas']['ControllerPart'];
 export type ControllerReport = components['schemas']['ControllerReport'];
 export type ControllerRequest = components['schemas']['ControllerRequest'];
@@ -1485,6 +1536,8 @@ export type FrequencyAnswer = components['schemas']['FrequencyAnswer'];
 export type FrequencyRequest = components['schemas']['FrequencyRequest'];
 export type Generation = components['schemas']['Generation'];
 export type HalfCarAnswer = components['schemas']['HalfCarAnswer'];
+export type InstantAnswer = components['schemas']['InstantAnswer'];
+export type InstantForces = components['schemas']['InstantForces'];
 export type Interpretation = components['schemas']['Interpretation'];
 export type Interval = components['schemas']['Interval'];
 export type Judgement = components['schemas']['Judgement'];
@@ -1527,6 +1580,7 @@ export type RealtimeReport = components['schemas']['RealtimeReport'];
 export type Requirement = components['schemas']['Requirement'];
 export type RequirementResult = components['schemas']['RequirementResult'];
 export type Response = components['schemas']['Response'];
+export type RoadAhead = components['schemas']['RoadAhead'];
 export type RoadAnswer = components['schemas']['RoadAnswer'];
 export type RoadsResult = components['schemas']['RoadsResult'];
 export type RoadsRun = components['schemas']['RoadsRun'];
@@ -2181,6 +2235,25 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/json": JsonObject;
+                };
+            };
+        };
+    };
+    readonly getInstant: {
+        readonly parameters: {
+            readonly query?: {
+                readonly position?: number | null;
+                readonly strategy?: string | null;
+                readonly time?: number | null;
+            };
+            readonly path: {
+                readonly id: string;
+            };
+        };
+        readonly responses: {
+            readonly 200: {
+                content: {
+                    readonly "application/json": components["schemas"]["InstantAnswer"];
                 };
             };
         };

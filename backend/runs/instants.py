@@ -1,0 +1,183 @@
+"""`GET /runs/{id}/instant`: what a controller saw and decided at one control step of a stored run."""
+
+from typing import Any
+
+import numpy as np
+from pydantic import Field
+
+from backend.compute.workers import Workers
+from backend.cost.estimate import check_affordable, cost_of
+from backend.errors import GoneError, InvalidError
+from backend.gate import Gate
+from backend.models import Answer
+from backend.runs.histories import Histories
+from backend.store import StoredRun
+from sim_core import __version__ as CORE_VERSION
+from sim_core.instant import Instant, instant
+from sim_core.scenario import Scenario
+
+Two = list[float]
+
+
+class RoadAhead(Answer):
+    """The road ahead as the sensors gave it, beside the real one, at the end of each coming control step."""
+
+    mode: str = Field(description="What is previewed: wheelbase, lookahead or obstacle")
+    time: list[float] = Field(description="[s]")
+    position: list[float] = Field(description="Of the front axle then [m]")
+    seen: list[Two] = Field(description="Heights under front and rear axle, as the sensors gave them [m]")
+    real: list[Two] = Field(description="Those of the road there [m]")
+
+
+class InstantForces(Answer):
+    """Forces front and rear [N], up on the body."""
+
+    asked: Two | None = Field(description="By the controller; null where no command came")
+    command: Two = Field(description="What the actuators are told in this step, within all limits")
+    previous: Two = Field(description="What they were told before")
+    acting: Two = Field(description="What acts on the car just after the change")
+
+
+class ControllerLimit(Answer):
+    """A limit on the magnitude of one quantity."""
+
+    name: str = Field(description="The quantity, such as front_force, rear_force_change or front_deflection")
+    unit: str
+    limit: float = Field(description="Its largest magnitude [unit]")
+    distance: float = Field(description="From the value nearest to the limit; negative beyond it [unit]")
+    multiplier: float | None = Field(
+        description="By how much the cost falls where the limit is raised [1/unit]; null where nothing is minimised"
+    )
+    values: list[float] = Field(description="What it limits: now, or in every interval of the horizon [unit]")
+    multipliers: list[float] | None = Field(description="Of each value; negative at the lower limit [1/unit]")
+    force_without: Two | None = Field(description="Forces that would be commanded without this limit [N]")
+
+
+class InstantAnswer(Answer):
+    """One control step; what the law has not is null."""
+
+    strategy: str
+    step: int = Field(description="Its number; the first ones are before x = 0")
+    time: float = Field(description="[s]")
+    position: float = Field(description="Of the front axle [m]")
+    speed: float = Field(description="[m/s]")
+    stage: str = Field(description="cruise, brake or bump")
+    state: list[float] = Field(
+        description="Of the car: suspension and tyre deflections [m], body velocity [m/s], pitch rate [rad/s], wheel "
+        "velocities [m/s]; front before rear"
+    )
+    estimated_state: list[float] | None = Field(description="What the controller has in its place")
+    measurement: list[float] = Field(
+        description="By its sensors: suspension deflections [m], body acceleration [m/s^2], pitch rate [rad/s]"
+    )
+    preview: RoadAhead | None
+    forces: InstantForces
+    parts: dict[str, Two] | None = Field(description="Of a linear law, what each part of its inputs adds [N]")
+    limits: list[ControllerLimit]
+    predicted_time: list[float] | None = Field(description="Now and at the end of each step of the horizon [s]")
+    predicted_states: list[list[float]] | None = Field(description="Then, in the order of state")
+    predicted_forces: list[Two] | None = Field(description="In each of its steps [N]")
+    cost: dict[str, float] | None = Field(description="What is minimised, by its terms [1]")
+    why: str = Field(description="One sentence that says why these forces")
+
+
+class Instants:
+    """Looks at single instants of stored runs."""
+
+    def __init__(self, *, workers: Workers, gate: Gate, histories: Histories) -> None:
+        self._workers = workers
+        self._gate = gate
+        self._histories = histories
+
+    async def look(
+        self, stored: StoredRun, strategy: str | None, position: float | None, time: float | None, client: str
+    ) -> InstantAnswer:
+        """The instant; of a run over several roads on the first one.
+
+        Raises:
+            InvalidError: The run has no such strategy, or the place is not on its drive.
+            GoneError: Another core version computed the run, or its road is gone.
+        """
+        drives = {item.strategy: item.summary for item in stored.shown}
+        if strategy is None and len(drives) == 1:
+            (strategy,) = drives
+        if strategy not in drives:
+            message = f"This run drove {', '.join(drives) or 'nothing'}; name one of them"
+            raise InvalidError(message, parameter="strategy")
+        if (position is None) == (time is None):
+            raise InvalidError("Give a position or a time", parameter="position" if time is None else "time")
+        scenario = Scenario.model_validate(stored.scenario)
+        end, name = (scenario.road.length, "position") if time is None else (drives[strategy]["travel_time"], "time")
+        if not 0 <= (position if time is None else time) <= end:  # type: ignore[operator]  # one of both is given
+            raise InvalidError(f"The drive goes from 0 to {end:g} {'m' if time is None else 's'}", parameter=name)
+        if stored.core_version != CORE_VERSION:
+            raise GoneError(
+                f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: its "
+                "instants cannot be made again. Post its scenario to run it on this version."
+            )
+        scenario = await self._histories.on_its_road(scenario)
+        cost = cost_of(scenario, [strategy])
+        with self._gate.computing(client, cost):
+            return await self._workers.call(
+                instant_answer, scenario, strategy, position, time, client=client, cost=cost
+            )
+
+
+def instant_answer(scenario: Scenario, strategy: str, position: float | None, time: float | None) -> InstantAnswer:
+    """The answer, computed in a worker, which keeps the drive for the next one."""
+    check_affordable(scenario, strategy)
+    return as_answer(strategy, instant(scenario, strategy, position=position, time=time))
+
+
+def as_answer(strategy: str, seen: Instant) -> InstantAnswer:
+    """As it is sent."""
+    plan, preview = seen.plan, seen.preview
+    ahead = np.arange(0 if plan is None else len(plan.states))
+    return InstantAnswer(
+        strategy=strategy,
+        step=seen.step,
+        time=seen.time,
+        position=seen.position,
+        speed=seen.speed,
+        stage=seen.stage,
+        state=seen.state.tolist(),
+        estimated_state=_listed(seen.estimated_state),
+        measurement=seen.measurement.tolist(),
+        preview=preview
+        and RoadAhead(
+            mode=preview.mode,
+            time=preview.time.tolist(),
+            position=preview.position.tolist(),
+            seen=preview.seen.tolist(),
+            real=preview.real.tolist(),
+        ),
+        forces=InstantForces(
+            asked=_listed(seen.asked),
+            command=seen.command.tolist(),
+            previous=seen.previous.tolist(),
+            acting=seen.acting.tolist(),
+        ),
+        parts=seen.parts and {name: part.tolist() for name, part in seen.parts.items()},
+        limits=[
+            ControllerLimit(
+                name=limit.name,
+                unit=limit.unit,
+                limit=limit.bound,
+                distance=limit.distance,
+                multiplier=limit.multiplier,
+                values=limit.values.tolist(),
+                multipliers=_listed(limit.multipliers),
+                force_without=_listed(limit.force_without),
+            )
+            for limit in seen.limits
+        ],
+        predicted_time=None if plan is None else (seen.time + ahead * seen.sample_time).tolist(),
+        predicted_states=None if plan is None else plan.states.tolist(),
+        predicted_forces=None if plan is None else plan.forces.tolist(),
+        cost=None if plan is None else plan.cost,
+        why=seen.why,
+    )
+
+
+def _listed(values: Any) -> Any:
+    return None if values is None else values.tolist()

@@ -1,0 +1,76 @@
+"""`ridelab instant`: why a controller commanded its forces at one instant of a run."""
+
+from typing import Annotated, Any
+
+import typer
+
+from ridelab.cli import fields, options, targets
+from ridelab.cli.reporting import InputError, print_json
+from ridelab.cli.service import Services
+from ridelab.cli.tables import show_table
+
+_RUN = "Id or address of a run or link; or a scenario, which is run first."
+_LEAST_SHARE = 0.005  # of the cost, that is shown
+
+
+def instant(
+    services: Services,
+    target: Annotated[str, typer.Argument(metavar="RUN", help=_RUN, autocompletion=options.completes("presets"))],
+    strategy: Annotated[str, options.option("ID", "Whose controller.", "--strategy", "-s", completes="strategies")],
+    changes: options.Changes = None,
+    position: Annotated[float | None, options.option("M", "Of the front axle [m].", "--position")] = None,
+    time: Annotated[float | None, options.option("S", "In its place [s].", "--time")] = None,
+    as_json: options.AsJson = False,
+) -> None:
+    """Show why a controller commanded its forces at one instant: what it saw, its limits with their price, its cost.
+
+    Over a run of several roads it is the first road.
+    """
+    if (position is None) == (time is None):
+        raise InputError("Give --position or --time")
+    source = targets.find(target, services)
+    ridelab = source.ridelab or services.at()
+    run = source.run
+    if run is None or changes:
+        run = ridelab.run(fields.changed(source.scenario, changes or [], services), [strategy])
+    answer = ridelab.instant(run, strategy, position=position, time=time)
+    if as_json:
+        print_json(answer)
+        return
+    label = services.names.label(strategy)
+    where = f"{answer['position']:.2f} m, {answer['time']:.3f} s, {3.6 * answer['speed']:.1f} km/h"
+    typer.echo(f"{label} at {where}, stage {answer['stage']}\n{answer['why']}\n")
+    forces = answer["forces"]
+    show_table(
+        ["force [N]", *forces],
+        [[axle, *(_newtons(each and each[i]) for each in forces.values())] for i, axle in enumerate(("front", "rear"))],
+    )
+    if answer["limits"]:
+        typer.echo()
+        show_table(
+            ["limit", "of", "distance", "multiplier", "front without [N]", "rear without [N]"],
+            [_limit(each) for each in answer["limits"]],
+        )
+    if answer["cost"]:
+        total = sum(answer["cost"].values())
+        shares = {name: value / total for name, value in answer["cost"].items() if value > _LEAST_SHARE * total}
+        typer.echo()
+        show_table(["cost", "share"], [[name, f"{share:.1%}"] for name, share in shares.items()])
+
+
+def _limit(limit: dict[str, Any]) -> list[str]:
+    """A row: its price is a dash where nothing is minimised."""
+    unit, multiplier = limit["unit"], limit["multiplier"]
+    price = "-" if multiplier is None else f"{multiplier:.3g} 1/{unit}"
+    without = limit["force_without"] or [None, None]
+    return [
+        limit["name"],
+        f"{limit['limit']:.4g} {unit}",
+        f"{limit['distance']:.4g} {unit}",
+        price,
+        *map(_newtons, without),
+    ]
+
+
+def _newtons(force: float | None) -> str:
+    return "-" if force is None else f"{force:.0f}"

@@ -1,0 +1,70 @@
+"""A run that was driven, of which any control step can be looked at again."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sim_core.arrays import FloatArray
+from sim_core.caching import cached
+from sim_core.control.controller import Controller
+from sim_core.control.seen import RunInputs, Seen
+from sim_core.errors import RidelabError
+from sim_core.loop.closed_loop import read_only
+from sim_core.loop.run import Recording, Run
+from sim_core.scenario import Scenario
+from sim_core.simulate import prepare
+
+_NEAR = 1e-9  # of a step, for rounding
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class Drive:
+    """A run after its drive.
+
+    Attributes:
+        run: With its controller, whose `end` was called.
+        recording: What was driven.
+        inputs: What `Seen` reported.
+    """
+
+    run: Run
+    recording: Recording
+    inputs: RunInputs
+
+    def step_at(self, position: float | None, time: float | None) -> int:
+        """The control step in which the front axle is at a position [m], or at a time [s].
+
+        Raises:
+            RidelabError: It is outside the road, or not one of both is given.
+        """
+        grid, stages = self.run.excitation.grid, self.run.stages
+        if (position is None) == (time is None):
+            raise RidelabError("An instant is at a position or at a time")
+        asked, starts = (position, grid.position) if time is None else (time, grid.time[:-1])
+        end = stages[-1].end_position if time is None else stages[-1].end_time
+        assert asked is not None  # noqa: S101 - one of both is given
+        if not 0 <= asked <= end:
+            unit = "m" if time is None else "s"
+            raise RidelabError(f"The drive goes from 0 to {end:.4g} {unit}")
+        near = _NEAR * float(starts[-1] - starts[0])
+        return max(int(starts.searchsorted(asked + near, side="right")) - 1, 0)
+
+    def seen(self, step: int) -> Seen:
+        """What the controller was told in that step."""
+        row, car = step * self.run.steps.short, self.recording.car
+        now = read_only(self.recording.trajectory.loop[row])
+        return Seen(self.inputs, car, step, row, now[: car.size], now[car.size :])
+
+    def sample(self, step: int) -> FloatArray:
+        """The recorded signals just after that step's command has changed (10,), as kernel/record.h orders them."""
+        row, loop = step * self.run.steps.short, self.recording.trajectory.loop
+        return np.asarray(self.recording.car.sample(row, row + 1, loop)[0, 0])
+
+
+@cached
+def driven(scenario: Scenario, strategy: type[Controller] | Controller) -> Drive:
+    """The drive of a run, which is kept: who looks at one of its instants looks at more."""
+    run = prepare(scenario, strategy)
+    recording = run.drive()
+    forecast = run.forecast(run.controller.preview, run.controller.preview_steps)
+    return Drive(run=run, recording=recording, inputs=run.inputs(forecast))

@@ -1,0 +1,182 @@
+"""Instants: what a controller planned against what is then driven, and the price of limits against optimality."""
+
+from typing import Any
+
+import numpy as np
+import osqp
+import pytest
+from scipy.sparse import csc_matrix, triu
+
+from sim_core import Controller, FloatArray, RidelabError, Scenario, Seen, simulate
+from sim_core.control.mpc_design import MpcDesign
+from sim_core.control.plan import Plan
+from sim_core.control.qp import CENTI, Qps
+from sim_core.instant import instant
+from sim_core.loop.run import Run
+from sim_core.scenario.measured import MeasuredRoad
+from sim_core.simulate import prepare
+from sim_core.strategies import STRATEGIES
+from sim_core.strategies.suspension_only import SuspensionOnly
+
+BUMP = {"bump": {"start": 40, "height": 0.1}, "length": 60}
+BOUND = Scenario.model_validate({"road": BUMP, "mpc": {"force_limit": 1500, "deflection_limit": 0.03}})
+AT_BUMP = 40.3  # where limits of both kinds bind
+LIMITS = ["front_force", "rear_force", "front_deflection", "rear_deflection"]
+LAGGING = {"estimation": {"kind": "kalman"}, "actuator": {"bandwidth": 10, "rate_limit": 20_000, "saturation": 1000}}
+
+
+@pytest.mark.parametrize("parts", [{}, LAGGING, {"hook": {"semi_active": True}}])
+@pytest.mark.parametrize("strategy", STRATEGIES)
+def test_an_instant_is_of_the_run_that_simulate_drives(strategy: str, parts: dict[str, Any]) -> None:
+    """State and force are the recorded ones; time and position find the same step.
+
+    A held force is the next sample's too; one that lags, or is a damper's, has moved on by 2 % of its limit at most.
+    """
+    scenario = Scenario.model_validate({**BOUND.model_dump(), **parts})
+    series = simulate(scenario, strategy).series
+    at = instant(scenario, strategy, position=AT_BUMP)
+    again = instant(scenario, strategy, time=at.time)
+    assert (again.step, again.position) == (at.step, at.position)
+    before, after = np.flatnonzero(np.abs(series["time"] - at.time) < 1e-9)[[0, -1]]
+    for axle, where in enumerate(("front", "rear")):
+        assert series[f"{where}_deflection"][before] == pytest.approx(at.state[axle], abs=1e-9)
+        force = series[f"{where}_force"][after + 1]
+        assert force == pytest.approx(at.acting[axle], abs=0.02 * BOUND.mpc.force_limit if parts else 1e-6)
+    asked = at.asked
+    assert asked is not None
+    if not at.limits:
+        assert strategy in ("passive", "speed_only")
+    elif all(limit.distance > 0 for limit in at.limits) and strategy != "lv_hil":
+        np.testing.assert_allclose(at.command, asked, atol=1e-6)
+    assert (at.plan is None) == (strategy not in ("lv", "suspension_only"))
+    assert (at.estimated_state is None) == (not parts.get("estimation") or not STRATEGIES[strategy].actuated)
+
+
+class Follows(Controller):
+    """Commands given forces from one control step on, none before."""
+
+    id, label = "follows", "Follows a plan"
+    preview = "none"
+
+    def __init__(self, first: int = 0, forces: FloatArray | None = None) -> None:
+        super().__init__()
+        self._first, self._forces = first, np.zeros((0, 2)) if forces is None else forces
+
+    def force(self, seen: Seen) -> FloatArray:
+        """Those."""
+        later = seen.step - self._first
+        return self._forces[later] if 0 <= later < len(self._forces) else np.zeros(2)
+
+
+def planned(scenario: Scenario, controller: Controller, step: int, state: FloatArray, previous: FloatArray) -> Plan:
+    """A controller's plan at a step of a run, from any state."""
+    run = prepare(scenario, controller)
+    run.controller.start(run.setup())
+    forecast = run.forecast(run.controller.preview, run.controller.preview_steps)
+    plan = run.controller.plan(Seen(run.inputs(forecast), run.car(), step, step, state, previous))
+    assert plan is not None
+    return plan
+
+
+def test_a_plan_that_is_followed_with_a_perfect_model_is_what_the_simulation_does() -> None:
+    """To 1e-9 of the largest number: the road bends at control instants alone, where the plan takes it to bend.
+
+    At 10 m/s the front axle passes a kink each 10 cm at the end of a control step of 10 ms; so does the rear one, 29 of
+    them later.
+    """
+    kinks = 0.02 * np.random.default_rng(7).standard_normal(601).round(2)
+    road = MeasuredRoad.of(np.interp(np.arange(0, 60.005, 0.01), 0.1 * np.arange(601), kinks))
+    scenario = Scenario.model_validate(
+        {
+            "vehicle": {"cg_to_front": 1.0, "cg_to_rear": 1.9},
+            "road": {"profile": road.id, "length": 60, "roughness": 0.001, "bump": {"height": 0, "start": 50}},
+            "speed": {"initial_speed_kmh": 36, "policy": "constant"},
+            "mpc": {"force_limit": 800, "deflection_limit": 0.02},
+        }
+    ).on(road)
+    without = prepare(scenario, Follows()).drive()
+    first = without.first + 200
+    now = without.trajectory.loop[first]
+    plan = planned(scenario, SuspensionOnly(), first, now[:8], now[8:])
+    assert any(limit.multiplier for limit in plan.limits), "a limit binds"
+    driven = prepare(scenario, Follows(first, plan.forces)).drive().trajectory.loop
+    there = driven[first : first + len(plan.states), :8]
+    np.testing.assert_allclose(there, plan.states, atol=1e-9 * np.abs(plan.states).max())
+
+
+@pytest.mark.parametrize(("field", "kind"), [("force_limit", "force"), ("deflection_limit", "deflection")])
+def test_a_multiplier_is_by_how_much_the_cost_falls_where_its_limit_is_raised(field: str, kind: str) -> None:
+    """Against a central difference of the sum of the cost's terms, from one state: 1e-4, the difference's error."""
+    at, change = instant(BOUND, "suspension_only", position=AT_BUMP), 1e-4
+
+    def cost(factor: float) -> float:
+        mpc = BOUND.mpc.model_copy(update={field: getattr(BOUND.mpc, field) * factor})
+        # the cost divides deflections by their limit: its weight undoes that
+        weight = BOUND.mpc.deflection_weight * (factor**2 if kind == "deflection" else 1)
+        other = BOUND.model_copy(update={"mpc": mpc})
+        plan = planned(other, SuspensionOnly(deflection_weight=weight), at.step, at.state, at.previous)
+        return sum(plan.cost.values())
+
+    slope = (cost(1 - change) - cost(1 + change)) / (2 * change * getattr(BOUND.mpc, field))
+    price = sum(limit.multiplier or 0.0 for limit in at.limits if limit.name.endswith(kind))
+    assert price > 0
+    assert slope == pytest.approx(price, rel=1e-4)
+
+
+def by_osqp(design: MpcDesign, inputs: FloatArray, without: str | None) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Forces [N] of the same QP without the rows of one limit; multipliers of moves and of deflections."""
+    qps = Qps(design.qp)
+    qps.pose(design.qp, inputs)
+    n, rows = design.qp.columns.shape
+    A = np.vstack([np.eye(n), design.qp.columns.T])
+    low, high = np.append(design.qp.low, np.full(rows, -np.inf)), np.append(design.qp.high, qps.b)
+    horizon = rows // 4
+    moves, upper, lower = np.arange(n - 2), *np.arange(n, n + rows).reshape(2, 2, horizon)
+    groups = (moves[::2], moves[1::2], *np.hstack([upper, lower]))
+    dropped = dict(zip(LIMITS, groups, strict=True)).get(without or "", np.arange(0))
+    kept = np.setdiff1d(np.arange(n + rows), dropped)
+    settings = {"eps_abs": 1e-10, "eps_rel": 1e-10, "max_iter": 100_000, "polishing": True, "verbose": False}
+    solver = osqp.OSQP()
+    solver.setup(csc_matrix(triu(design.qp.H)), qps.f, csc_matrix(A[kept]), low[kept], high[kept], **settings)
+    found = solver.solve(raise_error=True)
+    duals = np.zeros(n + rows)
+    duals[kept] = found.y
+    upper, lower = duals[n:].reshape(2, -1)
+    return found.x[:2] * 1000, duals[: n - 2] / 1000, (upper - lower) * CENTI
+
+
+def test_forces_without_a_limit_and_all_multipliers_are_those_of_osqp() -> None:
+    """To 1e-6 of the largest: two solvers of one QP, the one without a limit being the QP without its rows."""
+    at = instant(BOUND, "suspension_only", position=AT_BUMP)
+    run = prepare(BOUND, "suspension_only")
+    run.controller.start(run.setup())
+    assert isinstance(run.controller, SuspensionOnly)
+    disturbances = run.forecast(run.controller.preview, run.controller.preview_steps).disturbances[:, at.step]
+    design = run.controller.designs(run.setup())[at.stage]
+    inputs = np.concatenate([at.state, at.previous, disturbances.ravel()])
+    force, of_moves, of_travel = by_osqp(design, inputs, None)
+    np.testing.assert_allclose(at.command, force, atol=1e-6 * BOUND.mpc.force_limit)
+    ours = {limit.name: limit for limit in at.limits}
+    assert list(ours) == LIMITS
+    assert sum(bool(limit.multiplier) for limit in ours.values()) >= 3
+    theirs = dict(zip(LIMITS, (of_moves[::2], of_moves[1::2], *np.split(of_travel, 2)), strict=True))
+    for name, limit in ours.items():
+        assert limit.multipliers is not None
+        assert limit.force_without is not None
+        np.testing.assert_allclose(limit.multipliers, theirs[name], atol=1e-6 * np.abs(theirs[name]).max(initial=1e-3))
+        freed = by_osqp(design, inputs, name)[0]
+        np.testing.assert_allclose(limit.force_without, freed, atol=1e-6 * np.abs(freed).max())
+    assert "limit shapes it" in at.why
+
+
+def test_a_moving_cursor_drives_the_run_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    scenario = BOUND.model_copy(update={"road": BOUND.road.model_copy(update={"seed": 99})})
+    first = instant(scenario, "lqr", position=30)
+    monkeypatch.setattr(Run, "drive", None)
+    assert instant(scenario, "lqr", position=30.5).step > first.step
+
+
+def test_a_place_beside_the_road_is_refused() -> None:
+    for place in ({"position": -1.0}, {"position": 60.1}, {"time": 1e4}, {}, {"position": 1.0, "time": 1.0}):
+        with pytest.raises(RidelabError, match=r"The drive goes from 0 to|at a position or at a time"):
+            instant(BOUND, "passive", **place)
