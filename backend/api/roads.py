@@ -1,19 +1,33 @@
-"""Measured roads: upload as CSV, read, and export."""
+"""Measured roads: upload as CSV or OpenCRG, read, and export."""
 
-from typing import Annotated, Literal
+from collections.abc import Mapping
+from typing import Annotated, ClassVar, Literal
 
 from fastapi import Path, Query, Request, Response
 
 from backend.api import API, router
 from backend.api.deps import Client, service
+from backend.errors import InvalidError
 from backend.http.answers import IMMUTABLE
 from backend.http.openapi import BYTES
-from backend.http.routing import ComputingRoute, CsvRoute
+from backend.http.routing import ComputingRoute, FileRoute
 from backend.models import MAX_POINTS
+from backend.roads import export, opencrg, survey
 from backend.roads.models import CreatedRoad, RoadAnswer
 from backend.roads.service import MeasuredRoads
 
-surveying = router("roads", 408, 413, 415, 429, 503, route_class=CsvRoute)
+OPENCRG = "application/x-opencrg"
+LONGEST_GRID = 16 * 1024 * 1024  # of an OpenCRG file [bytes]
+FAR = 100.0  # from the reference line [m]
+
+
+class RoadFileRoute(FileRoute):
+    """A route whose body is a road in one of its two formats."""
+
+    TYPES: ClassVar[Mapping[str, int]] = {**FileRoute.TYPES, OPENCRG: LONGEST_GRID}
+
+
+surveying = router("roads", 408, 413, 415, 429, 503, route_class=RoadFileRoute)
 roads = router("roads", 404, 429, 503, route_class=ComputingRoute)
 EXAMPLE = "distance [m],height [mm]\n0,0\n5,12\n10,3\n"
 
@@ -26,11 +40,33 @@ RoadsService = Annotated[MeasuredRoads, service(lambda services: services.roads)
     operation_id="createRoad",
     status_code=201,
     response_model=CreatedRoad,
-    openapi_extra={"requestBody": {"required": True, "content": {"text/csv": {"schema": BYTES, "example": EXAMPLE}}}},
+    openapi_extra={
+        "requestBody": {
+            "required": True,
+            "content": {"text/csv": {"schema": BYTES, "example": EXAMPLE}, OPENCRG: {"schema": BYTES}},
+        }
+    },
 )
-async def create_road(request: Request, response: Response, service: RoadsService, client: Client) -> CreatedRoad:
-    """Store a measured profile: distance and height, or left and right height, each column's unit in the header."""
-    created = await service.create(await request.body(), client)
+async def create_road(
+    request: Request,
+    response: Response,
+    service: RoadsService,
+    client: Client,
+    left: Annotated[float | None, Query(ge=-FAR, le=FAR, description="Of OpenCRG: v of the left wheel [m]")] = None,
+    right: Annotated[float | None, Query(ge=-FAR, le=FAR, description="Of OpenCRG: v of the right wheel [m]")] = None,
+) -> CreatedRoad:
+    """Store a measured profile: CSV with each column's unit in its header, or an OpenCRG file, text or binary.
+
+    CSV has distance and height, or left and right height. Of OpenCRG two wheel tracks are taken, 0.75 m left and right
+    of the reference line if `left` and `right` say no other.
+    """
+    content = await request.body()
+    if request.headers["content-type"].lower().startswith(OPENCRG):
+        created = await service.create(client, opencrg.read, content, left, right)
+    elif left is None and right is None:
+        created = await service.create(client, survey.read, content)
+    else:
+        raise InvalidError("Only an OpenCRG file has wheels to place", parameter="right" if left is None else "left")
     response.headers["Location"] = f"{API}/roads/{created.id}"
     return created
 
@@ -39,7 +75,7 @@ async def create_road(request: Request, response: Response, service: RoadsServic
     "/roads/{id}",
     operation_id="getRoad",
     response_model=RoadAnswer,
-    responses={200: {"content": {"text/csv": {}}}},
+    responses={200: {"content": {"text/csv": {}, OPENCRG: {}}}},
 )
 async def get_road(
     service: RoadsService,
@@ -47,11 +83,16 @@ async def get_road(
     road_id: Annotated[str, Path(alias="id", max_length=64, description="Of the road")],
     points: Annotated[int, Query(ge=2, le=MAX_POINTS, description="Of JSON: about how many heights")] = 2000,
     file_format: Annotated[
-        Literal["json", "csv"], Query(alias="format", description="CSV has every height and can be sent again")
+        Literal["json", "csv", "crg"],
+        Query(alias="format", description="CSV and OpenCRG have every height and can be sent again"),
     ] = "json",
+    encoding: Annotated[Literal["binary", "text"], Query(description="Of OpenCRG: of its values")] = "binary",
 ) -> RoadAnswer | Response:
     """A measured road; it never changes."""
     if file_format == "json":
         return await service.get(road_id, points, client)
-    headers = {"Content-Disposition": f'attachment; filename="ridelab-road-{road_id}.csv"', "Cache-Control": IMMUTABLE}
-    return Response(await service.csv(road_id, client), headers=headers, media_type="text/csv")
+    name, media_type = f"ridelab-road-{road_id}.{file_format}", "text/csv" if file_format == "csv" else OPENCRG
+    headers = {"Content-Disposition": f'attachment; filename="{name}"', "Cache-Control": IMMUTABLE}
+    writers = {"csv": export.as_csv, "crg": opencrg.as_text if encoding == "text" else opencrg.as_binary}
+    content = await service.exported(road_id, client, writers[file_format])
+    return Response(content, headers=headers, media_type=media_type)

@@ -54,6 +54,7 @@ roads = Table(
     Column("samples", Integer, nullable=False),
     Column("content", LargeBinary, nullable=False),
     Column("created_at", Utc, nullable=False, default=Now(), index=True),
+    Column("analysis", Json, nullable=True),  # of the first file; null for roads of before revision 0011
 )
 
 run_roads = Table(

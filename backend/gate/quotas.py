@@ -50,7 +50,7 @@ def quotas(settings: Settings) -> dict[str, Quota]:
         "road_files": Quota(what="road files", taken_by="1: a measured road being read", per_client=1, total=2),
         "bodies": Quota(
             what="long request bodies",
-            taken_by="1: a body over 64 KiB, from its first byte to the answer",
+            taken_by="1 for each 4 MiB begun: a body over 64 KiB, from its first byte to the answer",
             per_client=4,
             total=16,
         ),

@@ -159,7 +159,7 @@ _LIST = (
         "unsupported-media-type",
         415,
         "Unsupported media type",
-        "The body has to be JSON as it is, with the header Content-Type: application/json; a road's is text/csv.",
+        "The body has to be JSON as it is, with the header Content-Type: application/json; a file has its own.",
         "Set the header, and send the body uncompressed.",
     ),
     _kind(

@@ -2,11 +2,11 @@
 
 import asyncio
 from collections import Counter
-from collections.abc import Callable, Coroutine, Sequence
+from collections.abc import Callable, Coroutine, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
 from functools import partial
-from typing import Any
+from typing import Any, ClassVar
 
 from fastapi import Request, Response
 from fastapi.dependencies.utils import get_flat_params
@@ -25,6 +25,7 @@ from backend.plain_text import MESSAGE, is_plain
 from backend.unknown_names import is_name, unknown_name
 
 BULKY = 64 * 1024  # a longer body takes a place and is parsed beside the event loop; a scenario is a few kB [bytes]
+PLACE = 4 * 1024 * 1024  # of a long body is what one place of the quota stands for [bytes]
 SCENARIO_VALUES = 10_000  # a scenario has about a hundred
 
 # One thread: the next long body waits, so that they never crowd out the event loop, whose lock they share.
@@ -43,22 +44,23 @@ def client_of(request: Request) -> str:
 
 
 async def _read_body(request: Request, held: ExitStack, longest: int) -> bytes:
-    """The whole body of at most so many bytes; `held` keeps the place of a bulky one until the request is answered.
+    """The whole body of at most so many bytes; `held` keeps the places of a bulky one until the request is answered.
 
     Raises:
         RequestError: It is too long, announced or in pieces, or takes too long to come.
         TemporaryError: Too many bulky ones are being read.
     """
     parts = parts_of(request)
-    pieces, bulky = bytearray(), False
+    pieces, places = bytearray(), 0
 
     def expect(length: int) -> None:
-        nonlocal bulky
+        nonlocal places
         if length > longest:
             raise RequestError("too-long", f"The body may have {longest} bytes.")
-        if length > BULKY and not bulky:
-            bulky = True
-            held.enter_context(parts.gate.hold(client_of(request), bodies=1))
+        more = -(-length // PLACE) - places if length > BULKY else 0
+        if more > 0:
+            held.enter_context(parts.gate.hold(client_of(request), bodies=more))
+            places += more
 
     announced = request.headers.get("content-length", "")
     expect(int(announced[:12]) if announced.isdecimal() else 0)
@@ -144,22 +146,29 @@ class ScenarioRoute(ComputingRoute):
     MAX_VALUES = SCENARIO_VALUES
 
 
-class CsvRoute(StrictRoute):
-    """A route whose body is a CSV file, read whole with `request.body()`."""
+class FileRoute(StrictRoute):
+    """A route whose body is a file, read whole with `request.body()`.
 
-    MAX_BYTES = 4 * 1024 * 1024
+    Attributes:
+        TYPES: The media types it takes, each with the longest file [bytes].
+    """
+
+    TYPES: ClassVar[Mapping[str, int]] = {"text/csv": PLACE}
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
         """The framework's handler, after checks that it does not make."""
-        handler = super().get_route_handler()
+        handler = APIRoute.get_route_handler(self)
+        parameters = [field.alias for field in get_flat_params(self.dependant)]
 
         async def strict(request: Request) -> Response:
-            _check_parameters(request.query_params, ())
-            if request.headers.get("content-type", "").partition(";")[0].strip().lower() != "text/csv":
-                raise RequestError("unsupported-media-type", "The body has to be CSV, with Content-Type: text/csv.")
+            _check_parameters(request.query_params, parameters)
+            kind = request.headers.get("content-type", "").partition(";")[0].strip().lower()
+            if kind not in self.TYPES:
+                message = f"The body has to be a file, with Content-Type: {' or '.join(self.TYPES)}."
+                raise RequestError("unsupported-media-type", message)
             _check_encoding(request)
             with ExitStack() as held:
-                request._body = await _read_body(request, held, self.MAX_BYTES)
+                request._body = await _read_body(request, held, self.TYPES[kind])
                 return await handler(request)
 
         return strict

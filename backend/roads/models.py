@@ -13,7 +13,39 @@ class FoundBumpAnswer(Answer):
     height: float = Field(description="Above the road around it, negative in a pothole [m]")
 
 
-class RoadHead(Answer):
+class IriAnswer(Answer):
+    """International Roughness Index (ASTM E1926) of the heights as they came."""
+
+    tracks: list[float] = Field(description="Of each wheel track, left before right [m/km]")
+    mean: float = Field(description="Of the tracks [m/km]")
+
+
+class EstimateAnswer(Answer):
+    """A fitted value with its 95 % interval."""
+
+    value: float
+    low: float
+    high: float
+
+
+class SpectrumAnswer(Answer):
+    """Displacement PSD, smoothed in the bands of ISO 8608."""
+
+    frequency: list[float] = Field(description="Centres of the bands [1/m]")
+    density: list[float] = Field(description="Mean PSD in each, of all tracks [m³]")
+
+
+class RoadAnalysis(Answer):
+    """What the heights of a file amount to as they came; all null where that file is not known any more."""
+
+    iri: IriAnswer | None = None
+    iso_class: str | None = Field(None, description="Road class of ISO 8608 by `roughness`, A to H; null below 20 m")
+    roughness: EstimateAnswer | None = Field(None, description="Gd(n0) of the line fitted to `spectrum` [m³]")
+    waviness: EstimateAnswer | None = Field(None, description="Its negative slope w: Gd(n) = Gd(n0) (n/n0)^-w")
+    spectrum: SpectrumAnswer | None = None
+
+
+class RoadHead(RoadAnalysis):
     """A measured road."""
 
     id: str = Field(description="For `road.profile` of a scenario; equal heights have equal ids")

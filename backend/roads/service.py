@@ -1,6 +1,6 @@
-"""Measured roads: read from CSV, stored, answered, and added to scenarios that name them."""
+"""Measured roads: read from files, stored, answered, and added to scenarios that name them."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict
 
 import numpy as np
@@ -9,7 +9,7 @@ from backend.compute.workers import Workers
 from backend.csv_lines import CsvError
 from backend.errors import InvalidError, NotFoundError, ShortRoadError
 from backend.gate import Gate
-from backend.roads import export, survey
+from backend.roads import survey
 from backend.roads.models import CreatedRoad, FoundBumpAnswer, RoadAnswer
 from backend.store import Store
 from sim_core.errors import RidelabError
@@ -18,7 +18,7 @@ from sim_core.scenario import Scenario
 from sim_core.scenario.measured import SPACING, MeasuredRoad
 
 SURVEY_COST = 1.0  # reading the longest file allowed [s of one core]
-CSV_COST = 2e-6  # of one height [s of one core]
+EXPORT_COST = 2e-6  # of one height [s of one core]
 POINTER = "/scenario/road/profile"
 
 
@@ -30,8 +30,8 @@ class MeasuredRoads:
         self._workers = workers
         self._gate = gate
 
-    async def create(self, content: bytes, client: str) -> CreatedRoad:
-        """Read a CSV file and store its road.
+    async def create(self, client: str, read: Callable[..., survey.Survey], *file: object) -> CreatedRoad:
+        """Store the road that `read` makes of a file.
 
         Raises:
             InvalidError: It is none; the message has the line.
@@ -39,10 +39,11 @@ class MeasuredRoads:
         """
         with self._gate.hold(client, road_files=1, requests=1, background_cost=SURVEY_COST):
             try:
-                surveyed = await self._workers.call(survey.read, content, client=client, cost=SURVEY_COST)
-            except CsvError as error:
-                raise InvalidError(f"Line {error.line}: {error.message}.", pointer="") from None
-        await self._store.write(self._store.roads.save, surveyed.road)
+                surveyed = await self._workers.call(read, *file, client=client, cost=SURVEY_COST)
+            except (CsvError, survey.SurveyError) as error:
+                place = "" if error.line is None else f"Line {error.line}: "
+                raise InvalidError(f"{place}{error.message}.", pointer="") from None
+        await self._store.write(self._store.roads.save, surveyed.road, surveyed.analysis)
         road = surveyed.road
         return CreatedRoad(
             id=road.id,
@@ -50,6 +51,7 @@ class MeasuredRoads:
             samples=road.samples,
             bumps=_bumps(surveyed.bumps),
             warnings=surveyed.warnings,
+            **surveyed.analysis,
         )
 
     async def get(self, road_id: str, points: int, client: str) -> RoadAnswer:
@@ -60,6 +62,7 @@ class MeasuredRoads:
             TemporaryError: Too much is being computed.
         """
         road = await self._stored(road_id)
+        analysis = await self._store.read(self._store.roads.analysis, road_id)
         with self._gate.computing(client, 0.0):
             distance, height, bumps = await self._workers.call(drawn, road, points, client=client)
         return RoadAnswer(
@@ -69,19 +72,20 @@ class MeasuredRoads:
             bumps=_bumps(bumps),
             distance=distance,
             height=height,
+            **analysis,
         )
 
-    async def csv(self, road_id: str, client: str) -> bytes:
-        """Every height of the stored road as CSV; sent again, it is the same road.
+    async def exported(self, road_id: str, client: str, write: Callable[[MeasuredRoad], bytes]) -> bytes:
+        """Every height of the stored road, as `write` writes it; sent again, it is the same road.
 
         Raises:
             NotFoundError: There is none.
             TemporaryError: Too much is being computed.
         """
         road = await self._stored(road_id)
-        cost = CSV_COST * road.samples
+        cost = EXPORT_COST * road.samples
         with self._gate.computing(client, cost):
-            return await self._workers.call(export.as_csv, road, client=client, cost=cost)
+            return await self._workers.call(write, road, client=client, cost=cost)
 
     async def _stored(self, road_id: str) -> MeasuredRoad:
         road = (await self._store.read(self._store.roads.load, [road_id])).get(road_id)

@@ -1,15 +1,18 @@
-"""A surveyed profile as CSV: read line by line, checked, converted to a road. Runs in a worker: no web here."""
+"""A surveyed profile: read from CSV line by line, checked, converted to a road. Runs in a worker: no web here."""
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, replace
 
 import numpy as np
 
 from backend import csv_lines
 from backend.csv_lines import CsvError
+from backend.json_types import JsonObject
 from backend.roads import export
 from sim_core.arrays import FloatArray
+from sim_core.road.iri import iri
+from sim_core.road.iso8608 import classified
 from sim_core.road.survey import CONTACT, DetectedBump, bumps_in, surveyed
 from sim_core.scenario.measured import SPACING, MeasuredRoad
 
@@ -38,12 +41,27 @@ FORM = (
 )
 
 
+class SurveyError(Exception):
+    """The file is not a road.
+
+    Args:
+        message: Why.
+        line: Where, the first being 1; None where it is not of one line.
+    """
+
+    def __init__(self, message: str, line: int | None) -> None:
+        super().__init__(message, line)
+        self.message = message
+        self.line = line
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Survey:
-    """The result of reading a file: the road, the bumps in it, and warnings."""
+    """The result of reading a file: the road, its bumps, the analysis of the heights as they came, and warnings."""
 
     road: MeasuredRoad
     bumps: list[DetectedBump]
+    analysis: JsonObject
     warnings: list[str] = field(default_factory=list)
 
 
@@ -65,16 +83,8 @@ def read(content: bytes) -> Survey:
         columns.insert(0, SPACING * np.arange(len(table), dtype=float))
     distance, *tracks = columns
     _check_distances(distance, numbers)
-    _check_heights(tracks, numbers)
-    if exported is None:
-        return _survey(distance, tracks)
-    road = export.unchanged(exported, distance, tracks[0]) if len(tracks) == 1 else None
-    if road:
-        said = ["This is an exported road: its heights are taken as they are"]
-        return Survey(road=road, bumps=bumps_in(road.heights()), warnings=said)
-    survey = _survey(distance, tracks)
-    changed = "This exported road was changed: it is read as a new measurement"
-    return replace(survey, warnings=[changed, *survey.warnings])
+    check_heights(tracks, numbers)
+    return survey_of(distance, tracks) if exported is None else exported_survey(exported, distance, tracks)
 
 
 def _columns(names: Sequence[str], line: int, *, alone: bool) -> tuple[list[float], list[int]]:
@@ -111,6 +121,7 @@ def _table(lines: csv_lines.Lines, separator: str, columns: int) -> tuple[list[i
 
 
 def _check_distances(distance: FloatArray, numbers: Sequence[int]) -> None:
+    """Raises a CsvError where heights do not follow each other, or are too far apart, or too few."""
     steps = np.diff(distance)
     back, far = np.flatnonzero(steps <= 0), np.flatnonzero(steps > MAX_GAP)
     if len(back):
@@ -125,17 +136,50 @@ def _check_distances(distance: FloatArray, numbers: Sequence[int]) -> None:
         raise CsvError(f"A road is {MIN_LENGTH:g} m long at least; is the unit right?", numbers[-1])
 
 
-def _check_heights(tracks: Sequence[FloatArray], numbers: Sequence[int]) -> None:
+def check_heights(tracks: Sequence[FloatArray], numbers: Sequence[int | None]) -> None:
+    """Raises a SurveyError where a height is beyond what a road can have."""
     beyond = np.flatnonzero(np.abs(tracks).max(axis=0) > MAX_HEIGHT)
     if len(beyond):
-        raise CsvError(f"A height of more than {MAX_HEIGHT / 1000:g} km; is the unit right?", numbers[beyond[0]])
+        raise SurveyError(f"A height of more than {MAX_HEIGHT / 1000:g} km; is the unit right?", numbers[beyond[0]])
 
 
-def _survey(distance: FloatArray, tracks: Sequence[FloatArray]) -> Survey:
+def exported_survey(road_id: str, distance: FloatArray, tracks: Sequence[FloatArray]) -> Survey:
+    """The road of a file that says it is an export: the same one again, if nothing in it was changed."""
+    alike = all(np.array_equal(track, tracks[0]) for track in tracks[1:])
+    road = export.unchanged(road_id, distance, tracks[0]) if alike else None
+    if road is None:
+        survey = survey_of(distance, tracks)
+        changed = "This exported road was changed: it is read as a new measurement"
+        return replace(survey, warnings=[changed, *survey.warnings])
+    said = ["This is an exported road: its heights are taken as they are"]
+    heights = road.heights()
+    return Survey(road=road, bumps=bumps_in(heights), analysis=analysis_of(distance, [heights]), warnings=said)
+
+
+def analysis_of(distance: FloatArray, tracks: Sequence[FloatArray]) -> JsonObject:
+    """IRI and ISO 8608 fit of heights as they came, in the form of `RoadHead`; as far apart as most of them are."""
+    length = float(distance[-1] - distance[0])
+    steps = max(1, round(length / max(SPACING, float(np.median(np.diff(distance))))))
+    spacing = length / steps
+    x = distance[0] + spacing * np.arange(steps + 1)
+    even = [np.interp(x, distance, track) for track in tracks]
+    indices = [iri(track, spacing) for track in even]
+    fit = classified(even, spacing)
+    return {
+        "iri": {"tracks": indices, "mean": float(np.mean(indices))},
+        "iso_class": fit and fit.iso_class,
+        "roughness": fit and asdict(fit.roughness),
+        "waviness": fit and asdict(fit.waviness),
+        "spectrum": fit and {"frequency": fit.frequency.tolist(), "density": fit.density.tolist()},
+    }
+
+
+def survey_of(distance: FloatArray, tracks: Sequence[FloatArray]) -> Survey:
+    """The road of one track or two (n,) [m], and what was done to them."""
     profile = surveyed(distance, np.mean(tracks, axis=0))
     most = float(np.abs(profile.heights).max())
     if not most <= export.HIGHEST:  # nor NaN
-        raise CsvError("Heights differ by kilometres; is the unit right?", 1)
+        raise SurveyError("Heights differ by kilometres; is the unit right?", 1)
     road, widest = MeasuredRoad.of(profile.heights), float(np.diff(distance).max())
     warnings = ["The mean of left and right track is taken"] if len(tracks) == 2 else []
     if distance[0]:
@@ -149,4 +193,4 @@ def _survey(distance: FloatArray, tracks: Sequence[FloatArray]) -> Survey:
         warnings.append(f"Heights are up to {widest:.3g} m apart: waves shorter than {2 * widest:.3g} m are missing")
     if most > HILLY:
         warnings.append(f"Heights reach {most:.3g} m beside the straight line; is the unit right?")
-    return Survey(road=road, bumps=bumps_in(profile.heights), warnings=warnings)
+    return Survey(road=road, bumps=bumps_in(profile.heights), analysis=analysis_of(distance, tracks), warnings=warnings)

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterable
 
-from sqlalchemy import select, update
+from sqlalchemy import func, literal, select, update
 
 from backend.db.clock import Now
 from backend.db.database import Database, insert_new
@@ -34,12 +34,21 @@ class RoadStore:
     def __init__(self, database: Database) -> None:
         self._database = database
 
-    def save(self, road: MeasuredRoad) -> None:
-        """Commit a road; for one already stored, restart its retention."""
-        row = {"id": road.id, "samples": road.samples, "content": road.content}
+    def save(self, road: MeasuredRoad, analysis: JsonObject | None = None) -> None:
+        """Commit a road; for one already stored, restart its retention. The first analysis of it stays."""
+        row = {"id": road.id, "samples": road.samples, "content": road.content, "analysis": analysis}
         with self._database.writing() as connection:
             insert_new(connection, roads, [row])
-            connection.execute(update(roads).where(roads.c.id == road.id).values(created_at=Now()))
+            first = func.coalesce(roads.c.analysis, literal(analysis, roads.c.analysis.type))
+            connection.execute(update(roads).where(roads.c.id == road.id).values(created_at=Now(), analysis=first))
+
+    def analysis(self, road_id: str) -> JsonObject:
+        """What was said of the first file of the stored road; empty where that was before roads were analysed."""
+        with self._database.reading() as connection:
+            said: JsonObject | None = connection.execute(
+                select(roads.c.analysis).where(roads.c.id == road_id)
+            ).scalar_one_or_none()
+        return said or {}
 
     def load(self, ids: Iterable[str]) -> dict[str, MeasuredRoad]:
         """The stored ones of these roads, by id."""

@@ -1,6 +1,7 @@
 """The client itself: one method for each thing a service does."""
 
 import os
+import re
 import uuid
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
@@ -316,22 +317,38 @@ class Ridelab(Connection):
         """The newest tunings first, without what stands behind their scenario; as `batches`."""
         return [Tuning(self._http, each) for each in self._listed("tunings", state, label, limit)]
 
-    def upload_road(self, source: str | os.PathLike[str] | bytes) -> dict[str, Any]:
-        """Send a measured profile, a CSV file or its content; `id` is for a scenario's `road.profile`.
+    def upload_road(
+        self, source: str | os.PathLike[str] | bytes, *, left: float | None = None, right: float | None = None
+    ) -> dict[str, Any]:
+        """Send a measured profile, a CSV or OpenCRG file or its content; `id` is for a scenario's `road.profile`.
 
-        The answer has `length` [m], `samples`, `bumps` (found in it) and `warnings` (what was done to it).
+        The answer has `length` [m], `samples`, `bumps` (found in it), `warnings` (what was done to it), and of the
+        heights as they came `iri` [m/km] and by ISO 8608 `iso_class`, `roughness` [m^3] and `waviness`, with intervals.
+
+        Args:
+            source: The file; which of the two it is is seen from its content.
+            left: Of OpenCRG: where the left wheel runs, v [m]; None is 0.75.
+            right: The same of the right wheel; None is -0.75.
         """
         content = source if isinstance(source, bytes) else Path(source).read_bytes()
-        return self._http.json("POST", f"{API}/roads", body=content)
+        kind = "application/x-opencrg" if re.search(rb"^\$\$\$\$", content, re.MULTILINE) else "text/csv"
+        wheels = {"left": left, "right": right}
+        return self._http.json("POST", f"{API}/roads", body=content, params=wheels, headers={"Content-Type": kind})
 
     def road(self, road_id: str, points: int = 2000) -> dict[str, Any]:
-        """A measured road: `length`, `bumps`, and about so many heights, `distance` and `height` [m]."""
+        """A measured road: as `upload_road` has it, and about so many heights, `distance` and `height` [m]."""
         road: dict[str, Any] = self.get(f"/roads/{_id(road_id)}", {"points": points})
         return road
 
-    def road_content(self, road_id: str) -> Iterator[bytes]:
-        """Every height of a measured road as CSV, piece by piece; `upload_road` makes the same road of it anywhere."""
-        return self._content(f"/roads/{_id(road_id)}", {"format": "csv"})
+    def road_content(self, road_id: str, file_format: str = "csv", encoding: str = "binary") -> Iterator[bytes]:
+        """Every height of a measured road, piece by piece; `upload_road` makes the same road of it anywhere.
+
+        Args:
+            road_id: Its id.
+            file_format: `csv` or `crg`, which is OpenCRG.
+            encoding: Of OpenCRG: `binary` or `text`.
+        """
+        return self._content(f"/roads/{_id(road_id)}", {"format": file_format, "encoding": encoding})
 
     def vehicles(self) -> dict[str, dict[str, Any]]:
         """Vehicles with sources by id: `label`, `description`, `vehicle` (for a scenario), `sources`, `derived`."""

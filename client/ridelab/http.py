@@ -83,7 +83,7 @@ class Http:
         Args:
             method: HTTP method.
             path: Below the service's address.
-            body: Sent as JSON, pydantic models and NumPy values as plain ones; bytes are a CSV file, sent as it is.
+            body: Sent as JSON, pydantic models and NumPy values as plain ones; bytes are a file, sent as it is.
             params: Query; entries that are None are left out.
             headers: More headers.
             repeatable: Asking twice does what asking once does; else a request that may have arrived is not repeated.
@@ -93,7 +93,7 @@ class Http:
         as_it_is = body is None or isinstance(body, bytes)
         content = body if as_it_is else json.dumps(body, allow_nan=False, default=plain)
         kind = "text/csv" if isinstance(body, bytes) else "application/json"
-        more = {**(headers or {}), **({} if body is None else {"Content-Type": kind})}
+        more = {**({} if body is None else {"Content-Type": kind}), **(headers or {})}
         sent = {key: value for key, value in (params or {}).items() if value is not None}
         request = self.client.build_request(method, path, params=sent, headers=more, content=content)
         if silence is not None:

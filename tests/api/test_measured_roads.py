@@ -55,7 +55,7 @@ def test_a_road_is_known_by_its_content(client: httpx.Client, sent: dict[str, An
     again = send(client, "# once more\r\n" + FILE.replace("\n", "\r\n"), **{"Content-Type": "text/csv; charset=utf-8"})
     assert again.json() == sent
     got = client.get(f"/api/v1/roads/{sent['id']}", params={"points": 400}).json()
-    assert {key: got[key] for key in ("id", "length", "samples", "bumps")} == {
+    assert {key: value for key, value in got.items() if key not in ("distance", "height")} == {
         key: value for key, value in sent.items() if key != "warnings"
     }
     assert 200 < len(got["distance"]) == len(got["height"]) <= 401
@@ -235,7 +235,12 @@ def test_how_long_a_road_may_be_counts_what_the_profile_does_not_have(
         (HEAD + "0,0\n1,nan\n", {}, 422, "Line 3: A value is not a finite number."),
         (HEAD + "0,0\n2,0\n1,0\n9,0\n", {}, 422, "Line 4: The distance goes back"),
         ("", {}, 422, "Line 1: The header names the columns"),
-        (HEAD, {"Content-Type": "application/json"}, 415, "The body has to be CSV"),
+        (
+            HEAD,
+            {"Content-Type": "application/json"},
+            415,
+            "The body has to be a file, with Content-Type: text/csv or app",
+        ),
         (HEAD, {"Content-Encoding": "gzip"}, 415, "without a Content-Encoding"),
         (b"0" * (4 * 1024 * 1024 + 1), {}, 413, "The body may have 4194304 bytes."),
     ],
@@ -256,3 +261,80 @@ def test_the_samples_are_what_their_command_prints_and_have_their_bumps(name: st
     bump = {"street": HUMP_OF_STREET, "gravel": POTHOLE}[name]
     assert detected.start == pytest.approx(bump.start, abs=0.5)
     assert detected.height == pytest.approx(bump.height, rel=0.2)
+
+
+OPENCRG = {"Content-Type": "application/x-opencrg"}
+
+
+def grid(width: float = 1.0) -> bytes:
+    """A sloping road whose right half is twice as rough, as text."""
+    head = (
+        "$CT\n$\n$ROAD_CRG\nREFERENCE_LINE_INCREMENT = 0.1\nREFERENCE_LINE_START_S = 0.02\n$\n$KD_DEFINITION\n#:LRFI\n"
+    )
+    sections = "".join(f"D:long section at v = {width * v},m\n" for v in (-1, 0, 1))
+    rough = 0.004 * np.cumsum(np.random.default_rng(1).standard_normal(600))
+    rows = "".join(f"{2 * h:10.6f}{h:10.6f}{h:10.6f}\n" for h in rough)
+    return f"{head}{sections}$\n$$$$\n{rows}".encode()
+
+
+def test_a_road_comes_and_goes_as_opencrg(client: httpx.Client) -> None:
+    sent = send(client, grid(), **OPENCRG)
+    assert sent.status_code == 201, sent.text
+    road = sent.json()
+    assert road == send(client, grid(), **{"Content-Type": "Application/X-OpenCRG; charset=latin-1"}).json()
+    assert road["warnings"][0] == "Wheels run 0.75 m left of the reference line and 0.75 m right of it"
+    left, right = road["iri"]["tracks"]
+    assert right == pytest.approx(1.75 * left, rel=1e-4), (
+        "each of its own track, heights there three quarters of the way"
+    )
+    assert road["iri"]["mean"] == pytest.approx((left + right) / 2)
+    beside = client.post("/api/v1/roads", params={"left": 1, "right": 0}, content=grid(), headers=OPENCRG).json()
+    assert beside["iri"]["tracks"] == [pytest.approx(left)] * 2
+    assert road["roughness"]["low"] < road["roughness"]["value"] < road["roughness"]["high"]
+    assert road["waviness"]["low"] < 2 < road["waviness"]["high"]
+    assert road["iso_class"] in "ABCDEFGH"
+    assert len(road["spectrum"]["frequency"]) == len(road["spectrum"]["density"]) > 20
+    for encoding in ("binary", "text"):
+        answer = client.get(f"/api/v1/roads/{road['id']}", params={"format": "crg", "encoding": encoding})
+        assert answer.headers["content-type"] == OPENCRG["Content-Type"]
+        assert f"ridelab-road-{road['id']}.crg" in answer.headers["content-disposition"]
+        again = send(client, answer.content, **OPENCRG).json()
+        assert (again["id"], again["bumps"]) == (road["id"], road["bumps"])
+        assert again["iri"]["mean"] != road["iri"]["mean"], "the heights in this file are the smoothed ones"
+    got = client.get(f"/api/v1/roads/{road['id']}").json()
+    assert {name: got[name] for name in ("iri", "iso_class", "roughness", "waviness", "spectrum")} == {
+        name: road[name] for name in ("iri", "iso_class", "roughness", "waviness", "spectrum")
+    }, "of the first file"
+
+
+@pytest.mark.parametrize(
+    ("content", "params", "headers", "status", "said"),
+    [
+        (b"$CT\n", {}, OPENCRG, 422, "Line 2: This is no OpenCRG file"),
+        (grid(0.5), {"left": 0.75}, OPENCRG, 422, "The wheels' places, right below left, are within the road"),
+        (grid(), {"left": "x"}, OPENCRG, 422, "left"),
+        (grid(), {"middle": 1}, OPENCRG, 422, "middle"),
+        (FILE.encode(), {"right": -0.5}, {"Content-Type": "text/csv"}, 422, "Only an OpenCRG file has wheels to place"),
+        (b"0" * (16 * 1024 * 1024 + 1), {}, OPENCRG, 413, "The body may have 16777216 bytes."),
+    ],
+)
+def test_what_is_no_grid_is_refused(
+    client: httpx.Client, content: bytes, params: dict[str, Any], headers: dict[str, str], status: int, said: str
+) -> None:
+    answer = client.post("/api/v1/roads", params=params, content=content, headers=headers)
+    assert answer.status_code == status
+    assert said in answer.text
+
+
+def test_a_road_of_an_older_version_has_no_indices_until_its_file_comes_again(
+    service: Service, client: httpx.Client
+) -> None:
+    content = FILE + "140.0,56\n"
+    road = send(client, content).json()
+    with service.app.state.services.store.writing() as connection:
+        connection.execute(update(roads).where(roads.c.id == road["id"]).values(analysis=None))
+    address = f"/api/v1/roads/{road['id']}"
+    got = client.get(address).json()
+    assert [got[name] for name in ("iri", "iso_class", "roughness", "waviness", "spectrum")] == [None] * 5
+    assert send(client, content).json() == road
+    assert client.get(address).json()["iri"] == road["iri"]

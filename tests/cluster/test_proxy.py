@@ -12,15 +12,15 @@ from pathlib import Path
 import httpx
 import pytest
 
+from backend.api.roads import LONGEST_GRID
 from backend.http.problems import Problem
-from backend.http.routing import CsvRoute
 from backend.settings import Settings
 from tests.cluster.replica import Replica
 from tests.servers.haproxy import Proxy
 from tests.servers.process import HANG_TIMEOUT, ROOT, request, wait_until
 from tests.servers.programs import find
 
-LONGEST, LONGEST_ROAD = Settings().max_body_bytes, CsvRoute.MAX_BYTES
+LONGEST, LONGEST_ROAD = Settings().max_body_bytes, LONGEST_GRID
 REQUEST_TIMEOUT = 2.0  # what the hasty proxy gives a request to arrive; ten seconds in production [s]
 
 

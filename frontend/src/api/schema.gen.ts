@@ -518,9 +518,14 @@ export interface components {
         readonly CreatedRoad: {
             readonly bumps: readonly components["schemas"]["FoundBumpAnswer"][];
             readonly id: string;
+            readonly iri: components["schemas"]["IriAnswer"] | null;
+            readonly iso_class: string | null;
             readonly length: number;
+            readonly roughness: components["schemas"]["EstimateAnswer"] | null;
             readonly samples: number;
+            readonly spectrum: components["schemas"]["SpectrumAnswer"] | null;
             readonly warnings: readonly string[];
+            readonly waviness: components["schemas"]["EstimateAnswer"] | null;
         };
         readonly CreatedRoadsRun: {
             readonly baseline: string;
@@ -578,6 +583,11 @@ export interface components {
             readonly notes: readonly string[];
             readonly points: number;
             readonly total: number;
+        };
+        readonly EstimateAnswer: {
+            readonly high: number;
+            readonly low: number;
+            readonly value: number;
         };
         readonly Figure8: {
             readonly change_vs_passive: number;
@@ -694,6 +704,10 @@ export interface components {
             readonly high: number;
             readonly low: number;
             readonly mean: number;
+        };
+        readonly IriAnswer: {
+            readonly mean: number;
+            readonly tracks: readonly number[];
         };
         readonly Judgement: {
             readonly certain: boolean | null;
@@ -1031,8 +1045,13 @@ export interface components {
             readonly distance: readonly number[];
             readonly height: readonly number[];
             readonly id: string;
+            readonly iri: components["schemas"]["IriAnswer"] | null;
+            readonly iso_class: string | null;
             readonly length: number;
+            readonly roughness: components["schemas"]["EstimateAnswer"] | null;
             readonly samples: number;
+            readonly spectrum: components["schemas"]["SpectrumAnswer"] | null;
+            readonly waviness: components["schemas"]["EstimateAnswer"] | null;
         };
         readonly RoadsResult: {
             readonly arrival_speed_kmh: number;
@@ -1165,6 +1184,10 @@ export interface components {
             readonly roads?: number;
             readonly scenario?: JsonObject;
             readonly strategy: string;
+        };
+        readonly SpectrumAnswer: {
+            readonly density: readonly number[];
+            readonly frequency: readonly number[];
         };
         readonly StabilitySummary: {
             readonly highest: components["schemas"]["Place"] | null;
@@ -1527,6 +1550,7 @@ export type DataSheet = components['schemas']['DataSheet'];
 export type EqualSpeed = components['schemas']['EqualSpeed'];
 export type Erratum = components['schemas']['Erratum'];
 export type Estimate = components['schemas']['Estimate'];
+export type EstimateAnswer = components['schemas']['EstimateAnswer'];
 export type Figure8 = components['schemas']['Figure8'];
 export type Figures = components['schemas']['Figures'];
 export type FigureSummary = components['schemas']['FigureSummary'];
@@ -1540,6 +1564,7 @@ export type InstantAnswer = components['schemas']['InstantAnswer'];
 export type InstantForces = components['schemas']['InstantForces'];
 export type Interpretation = components['schemas']['Interpretation'];
 export type Interval = components['schemas']['Interval'];
+export type IriAnswer = components['schemas']['IriAnswer'];
 export type Judgement = components['schemas']['Judgement'];
 export type LabelRequest = components['schemas']['LabelRequest'];
 export type LatinHypercube = components['schemas']['LatinHypercube'];
@@ -1594,6 +1619,7 @@ export type SeriesOfSeveral = components['schemas']['SeriesOfSeveral'];
 export type Share = components['schemas']['Share'];
 export type Solution = components['schemas']['Solution'];
 export type SolveRequest = components['schemas']['SolveRequest'];
+export type SpectrumAnswer = components['schemas']['SpectrumAnswer'];
 export type StabilitySummary = components['schemas']['StabilitySummary'];
 export type Stage = components['schemas']['Stage'];
 export type Statistics = components['schemas']['Statistics'];
@@ -2093,8 +2119,15 @@ export interface operations {
         };
     };
     readonly createRoad: {
+        readonly parameters: {
+            readonly query?: {
+                readonly left?: number | null;
+                readonly right?: number | null;
+            };
+        };
         readonly requestBody: {
             readonly content: {
+                readonly "application/x-opencrg": string;
                 readonly "text/csv": string;
             };
         };
@@ -2109,7 +2142,8 @@ export interface operations {
     readonly getRoad: {
         readonly parameters: {
             readonly query?: {
-                readonly format?: "json" | "csv";
+                readonly encoding?: "binary" | "text";
+                readonly format?: "json" | "csv" | "crg";
                 readonly points?: number;
             };
             readonly path: {
@@ -2120,6 +2154,7 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/json": components["schemas"]["RoadAnswer"];
+                    readonly "application/x-opencrg": string;
                     readonly "text/csv": string;
                 };
             };
