@@ -24,7 +24,8 @@ FmusService = Annotated[Fmus, service(lambda services: services.fmus)]
     },
 )
 async def export_fmu(body: FmuRequest, service: FmusService, client: Client) -> Response:
-    """A scenario's controller as an FMU for co-simulation, sources inside; 422 with the reason where there is none."""
+    """A scenario's controller or vehicle as an FMU, sources inside; 422 with the reason where it cannot be one."""
     content = await service.archive(body, client)
-    headers = {"Content-Disposition": f'attachment; filename="ridelab-{body.strategy}.fmu"'}
+    name = "vehicle" if body.of == "vehicle" else body.strategy
+    headers = {"Content-Disposition": f'attachment; filename="ridelab-{name}.fmu"'}
     return Response(content, headers=headers, media_type="application/zip")

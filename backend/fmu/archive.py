@@ -16,6 +16,7 @@ from backend.fmu.description import (
     model_description,
 )
 from backend.fmu.model import Model, sources, variables_header
+from backend.fmu.vehicle import vehicle_model
 from sim_core.ecu.sources import SOURCES as ECU_SOURCES
 from sim_core.scenario import Scenario
 
@@ -32,7 +33,8 @@ def fmu(
         UnknownNameError: No such strategy.
         RidelabError: The strategy's controller cannot be exported.
     """
-    return _zipped(controller_model(scenario, strategy), scenario, version, platforms)
+    model = vehicle_model(scenario) if of == "vehicle" else controller_model(scenario, strategy)
+    return _zipped(model, scenario, version, platforms)
 
 
 def _zipped(model: Model, scenario: Scenario, version: Version, platforms: Sequence[str]) -> bytes:

@@ -1,16 +1,23 @@
-"""A scenario's suspension controller as a model: of a linear law the law with its greatest force."""
+"""A scenario's suspension controller as a model: the ECU's program, or a linear law with its greatest force."""
 
 import numpy as np
 
+from backend.controller import export
 from backend.fmu.model import Model, Variable, array, sources
 from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller
+from sim_core.control.cost import KILO
 from sim_core.control.law import LAW_INPUTS, LinearLaw
 from sim_core.control.seen import Setup
+from sim_core.ecu.channels import PREVIEW, SENSORS
+from sim_core.ecu.controller import EcuController
+from sim_core.ecu.sources import SOURCES as ECU_SOURCES
 from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario
 from sim_core.simulate import ANY_ROAD, prepare
 from sim_core.strategies import strategy_named
+from sim_core.strategies.lv import Lv
+from sim_core.strategies.lv_hil import LvHil
 
 _STATE = (
     ("Suspension deflection front, longer is positive", "m"),
@@ -26,6 +33,10 @@ _GAIN_UNITS = {"m": "N/m", "m/s": "N.s/m", "rad/s": "N.s/rad"}
 _ORDER = (
     "A communication step gives the command that follows from the inputs at its beginning. Whoever steps vehicle and "
     "controller side by side applies it one communication step later; to apply it at once, step the controller first."
+)
+_ECU = (
+    "Its program expects that a command takes effect one control step after the inputs were measured, and predicts the "
+    "state for that moment where hil.compensation is predict. Noise, jitter and losses of the scenario are not inside."
 )
 
 
@@ -78,19 +89,60 @@ def period(sample_time: float) -> Variable:
 
 
 def controller_model(scenario: Scenario, strategy: str) -> Model:
-    """The model of a strategy's suspension controller.
+    """The model of a strategy's suspension controller; of `lv` that of `lv_hil`, the same MPC as an ECU's program.
 
     Raises:
         UnknownNameError: No such strategy.
         RidelabError: It has none that an FMU can hold, or the vehicle and weights admit none.
     """
-    run = prepare(scenario.model_copy(update={"road": ANY_ROAD}), strategy_named(strategy))
+    named = LvHil if strategy == Lv.id else strategy_named(strategy)
+    run = prepare(scenario.model_copy(update={"road": ANY_ROAD}), named)
     setup = run.setup()
+    if isinstance(run.controller, EcuController):
+        return _program_model(run.controller, setup)
     run.controller.start(setup)
     try:
         return _law_model(run.controller, setup)
     finally:
         run.controller.end()
+
+
+def _program_model(controller: EcuController, setup: Setup) -> Model:
+    """Of the ECU's program, float32, behind its converters.
+
+    Raises:
+        RidelabError: There is no stabilising controller.
+    """
+    calibration = controller.calibration(setup)
+    full_scale = ", ".join(repr(channel.full_scale) for channel in (*SENSORS, *PREVIEW))
+    iterations = Variable(
+        name="iterations", causality="parameter", description="The solver stops after so many", whole=True,
+        start=calibration.iterations, least=0,
+    )  # fmt: skip
+    return Model(
+        name=f"ridelab_{controller.id}",
+        description=f"{controller.label}: {controller.description()}",
+        variables=[_stage(), *state("input"), *preview(setup.preview_steps), *forces(), iterations,
+                   period(setup.sample_time)],
+        sources={
+            **sources(("model.h", "instance.h", "sampled.h", "program.c")),
+            **sources(export.CONTROLLER, ECU_SOURCES),
+            **export.generated(calibration),
+            "ridelab_converters.h": f"/* Generated. */\nstatic const double full_scale[] = {{{full_scale}}};\n",
+        },
+        sizes={
+            "SAMPLE_TIME": setup.sample_time,
+            "PREVIEWED": setup.preview_steps,
+            "FORCE_OF_CODE": calibration.command_step * KILO,
+        },
+        step=setup.sample_time,
+        notes=[_ORDER, _ECU],
+    )  # fmt: skip
+
+
+def _stage() -> Variable:
+    text = "Driving stage when the command takes effect: 0 cruise, 1 brake, 2 bump"
+    return Variable(name="stage", causality="input", description=text, whole=True, least=0, most=2)
 
 
 def _law_model(controller: Controller, setup: Setup) -> Model:
@@ -108,21 +160,13 @@ def _law_model(controller: Controller, setup: Setup) -> Model:
     elif controller.dampers() is not None:
         reason = "it sets the coefficients of semi-active dampers, not forces"
     elif any(law.limits is not None for law in laws):
-        reason = "a QP decides where one of its limits binds; lv is exported as the ECU's program"
+        reason = "a QP decides where one of its limits binds (of lv the ECU's program is exported)"
     elif type(controller).force is not Controller.force:
         reason = "a function in Python decides beyond the force limit"
     if reason is not None:
         raise RidelabError(f"{controller.label} cannot be exported as an FMU: {reason}", field="strategy")
     prefixes = [""] if len(laws) == 1 else [f"{stage}_" for stage in setup.stages]
     steps = setup.preview_steps if any(law.preview_gain is not None for law in laws) else 0
-    stage = Variable(
-        name="stage",
-        causality="input",
-        description="Driving stage: 0 cruise, 1 brake, 2 bump",
-        whole=True,
-        least=0,
-        most=2,
-    )
     limit = Variable(
         name="force_limit", causality="parameter", description="Greatest magnitude of each force", unit="N",
         start=setup.force_limit, least=0,
@@ -131,7 +175,7 @@ def _law_model(controller: Controller, setup: Setup) -> Model:
     return Model(
         name=f"ridelab_{controller.id}",
         description=f"{controller.label}: {controller.description()}",
-        variables=[*([stage] if len(laws) > 1 else []), *state("input"), *preview(steps), *forces(), limit, *gains,
+        variables=[*([_stage()] if len(laws) > 1 else []), *state("input"), *preview(steps), *forces(), limit, *gains,
                    period(setup.sample_time)],
         sources={
             **sources(("model.h", "instance.h", "sampled.h", "law.c")),

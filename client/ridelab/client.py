@@ -379,13 +379,13 @@ class Ridelab(Connection):
         version: str = "2.0",
         platforms: Sequence[str] = ("linux64", "win64", "darwin64"),
     ) -> bytes:
-        """A controller as an FMU for co-simulation.
+        """A controller, or the vehicle, as an FMU for co-simulation.
 
         Args:
             scenario: Whose.
             strategy: Id of the strategy whose controller it is.
-            of: `controller`.
-            version: Of FMI, `2.0`.
+            of: `controller` or `vehicle`.
+            version: Of FMI, `2.0` or `3.0`.
             platforms: For which it is compiled, as far as the service can.
         """
         body = {"scenario": scenario, "strategy": strategy, "of": of, "version": version, "platforms": [*platforms]}

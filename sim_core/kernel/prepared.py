@@ -18,7 +18,7 @@ from sim_core.kernel.record import LAYOUT, SIGNALS, Recorder
 CAR, ESTIMATOR = 33, 112  # numbers of `struct vehicle` and `struct estimator` of car.c
 ECU_ANSWER, _STAGES = 5, 3  # numbers of an answer in ecu.c, stages of the ECU's tables
 _LAW_NUMBERS, _SIZES = 9, 4  # of `struct law_numbers` in loop.h; magnitudes of what is previewed
-CAUSES, NUMBERS, _STEPS = 20, 10, 16  # of `struct linear_step` in car.c, and how many are kept
+CAUSES, NUMBERS, KEPT_STEPS = 20, 10, 16  # of `struct linear_step` in car.c, and how many are kept
 _STATES, _LAGGING, _FORCES, _LAW_INPUTS, _DISTURBANCES, _MEASURED = 8, 10, 2, 10, 3, 4
 _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
 _LINE_OUT, _TABLE_OUT, _LINES_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2, 3))
@@ -214,7 +214,7 @@ class DrivenCar:
         require(states in (_STATES, _LAGGING), "A state of 8 or 10 numbers")
         require(min(steps, fine, substeps) > 0 and fine_step > 0, "A step or more")
         require(height.shape == (2, all_fine + 1) and len(braking) == all_fine, "Road and braking in every fine step")
-        kept = np.zeros((1 if linear else _STEPS, 2 + CAUSES * NUMBERS))
+        kept = np.zeros((1 if linear else KEPT_STEPS, 2 + CAUSES * NUMBERS))
         if effects is not None:
             require(effects.shape == (CAUSES, NUMBERS), "A linear step")
             kept[0, 1], kept[0, 2:] = fine_step, effects.ravel()

@@ -30,13 +30,13 @@ static inline void begin_again(struct instance *me)
     me->phase = INSTANTIATED;
     me->time = 0;
     memcpy(me->value, start, sizeof start);
-    memset(me->memory, 0, ridelab_memory_bytes);
+    memset(me->memory, 0, model_memory_bytes);
 }
 
 /* 0 where there is no memory. */
 static inline int prepare(struct instance *me)
 {
-    me->memory = malloc(ridelab_memory_bytes);
+    me->memory = malloc(model_memory_bytes);
     if (me->memory)
         begin_again(me);
     return me->memory != NULL;
@@ -56,7 +56,7 @@ static inline const char *get_number(struct instance *me, unsigned reference, in
     if (wrong)
         return wrong;
     if (me->phase == INITIALIZING)
-        ridelab_begin(me->value, me->memory);
+        model_begin(me->value, me->memory);
     *number = me->value[reference];
     return NULL;
 }
@@ -80,7 +80,7 @@ static inline const char *enter(struct instance *me, enum phase from, enum phase
     if (me->phase != from)
         return "The function is not allowed at this moment";
     if (to == STEPPING)
-        ridelab_begin(me->value, me->memory);
+        model_begin(me->value, me->memory);
     me->phase = to;
     return NULL;
 }
@@ -91,7 +91,7 @@ static inline const char *make_step(struct instance *me, double time, double ste
         return "A step is made between initialization and termination";
     if (!(step > 0 && isfinite(time + step)))
         return "A step is longer than 0 s, and ends";
-    const char *wrong = ridelab_step(me->value, me->memory, time, step);
+    const char *wrong = model_step(me->value, me->memory, time, step);
     me->time = time + step;
     return wrong;
 }

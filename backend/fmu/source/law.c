@@ -4,7 +4,7 @@
 
 enum { STATES = 8, FORCES = 2, ON_STATE = STATES + FORCES };
 
-const size_t ridelab_memory_bytes = sizeof(struct control_steps);
+const size_t model_memory_bytes = sizeof(struct control_steps);
 
 static void control(double *value)
 {
@@ -34,13 +34,13 @@ static void control(double *value)
         value[V_FORCE_FRONT + axle] = force[axle] > limit ? limit : force[axle] < -limit ? -limit : force[axle];
 }
 
-void ridelab_begin(double *value, void *memory)
+void model_begin(double *value, void *memory)
 {
     (void)value;
     (void)memory;
 }
 
-const char *ridelab_step(double *value, void *memory, double time, double step)
+const char *model_step(double *value, void *memory, double time, double step)
 {
 #if LAWS > 1
     if (!(value[V_STAGE] >= 0 && value[V_STAGE] < LAWS))

@@ -7,12 +7,12 @@
 #include "ridelab_variables.h" /* generated: VARIABLES, the place V_... of each or of an array's first, what they are and begin with */
 
 /* Bytes that a model keeps from step to step, all of them 0 at the beginning. */
-extern const size_t ridelab_memory_bytes;
+extern const size_t model_memory_bytes;
 
 /* The outputs before the first step, from the parameters and the first inputs; called again where these change. */
-void ridelab_begin(double *value, void *memory);
+void model_begin(double *value, void *memory);
 
 /* The outputs after a step from the inputs at its beginning [s]; NULL, or why there are none. */
-const char *ridelab_step(double *value, void *memory, double time, double step);
+const char *model_step(double *value, void *memory, double time, double step);
 
 #endif

@@ -615,13 +615,13 @@ export interface components {
             readonly sensitivity: readonly components["schemas"]["Sensitivity"][];
         };
         readonly FmuRequest: {
-            /** @constant */
-            readonly of?: "controller";
+            /** @enum {string} */
+            readonly of?: "controller" | "vehicle";
             readonly platforms?: readonly ("linux64" | "win64" | "darwin64")[];
             readonly scenario?: JsonObject;
             readonly strategy?: string;
-            /** @constant */
-            readonly version?: "2.0";
+            /** @enum {string} */
+            readonly version?: "2.0" | "3.0";
         };
         readonly FoundBumpAnswer: {
             readonly height: number;
