@@ -13,7 +13,7 @@ from backend.intervals import Interval, changes_with_intervals, means_with_inter
 from sim_core import PredictiveController
 from sim_core.catalogue import PEAK, RMS
 from sim_core.scenario import Scenario
-from sim_core.strategies import STRATEGIES
+from sim_core.strategies import strategies
 
 MAX_ROADS = 50
 
@@ -58,12 +58,9 @@ def default_baseline(strategies: Sequence[str]) -> str:
 def one_road_resolution(strategy: str) -> dict[str, float]:
     """By statistic the smallest change [%] that one road tells from luck; an RMS's is also that of comfort figures.
 
-    Of two strategies the larger one counts.
-
-    Raises:
-        KeyError: No such strategy.
+    Of two strategies the larger one counts; one that is there no more counts as predictive.
     """
-    predictive = issubclass(STRATEGIES[strategy], PredictiveController)
+    predictive = issubclass(strategies().get(strategy, PredictiveController), PredictiveController)
     return {RMS: _RESOLUTION, PEAK: _RESOLUTION_OF_PREDICTIVE_PEAKS if predictive else _RESOLUTION}
 
 

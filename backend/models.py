@@ -12,14 +12,14 @@ from backend.json_types import JsonObject
 from backend.means_over_roads import MAX_ROADS
 from backend.unknown_names import unknown_name
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, NUMBERS, REFERENCES, SIGNALS, STAGES, WINDOWS
+from sim_core.check_controller import ID
 from sim_core.scenario import Scenario
 from sim_core.scenario.road import MAX_SEED
-from sim_core.strategies import STRATEGIES
+from sim_core.strategies import STRATEGIES, strategies
 
 DEFAULT_POINTS = 800
 MAX_POINTS = 100_000
 MAX_LIVE_POINTS = 10_000  # of an answer that stays in memory: nine strategies take 7 MB
-STRATEGY_IDS = list(STRATEGIES)
 
 
 class RequestModel(BaseModel):
@@ -40,8 +40,8 @@ def inconsistent(field: str, message: str, key: str | None = None) -> PydanticCu
 
 
 def _check_strategy(name: str) -> str:
-    if name not in STRATEGIES:
-        raise PydanticCustomError("unknown_strategy", "{said}", {"said": unknown_name("strategy", name, STRATEGY_IDS)})
+    if name not in STRATEGIES and name not in (offered := strategies()):
+        raise PydanticCustomError("unknown_strategy", "{said}", {"said": unknown_name("strategy", name, list(offered))})
     return name
 
 
@@ -57,7 +57,8 @@ def _check_signal(name: str) -> str:
     return name
 
 
-StrategyName = Annotated[str, AfterValidator(_check_strategy), Field(json_schema_extra={"enum": STRATEGY_IDS})]
+# The API's description lists those that there are when it is asked for.
+StrategyName = Annotated[str, AfterValidator(_check_strategy), Field(json_schema_extra={"enum": list(STRATEGIES)})]
 SignalName = Annotated[str, AfterValidator(_check_signal), Field(json_schema_extra={"enum": list(SIGNALS)})]
 MetricName = Annotated[str, AfterValidator(_check_metric), Field(json_schema_extra={"enum": list(NUMBERS)})]
 Points = Annotated[int, Field(ge=2, le=MAX_LIVE_POINTS, description="About how many samples; peaks survive.")]
@@ -102,6 +103,11 @@ def keys_of(names: Any, description: str) -> Any:
     return Field(description=description, json_schema_extra={"propertyNames": {"enum": list(names)}})
 
 
+def by_strategy(description: str = "By strategy") -> Any:
+    """A mapping's field whose keys are ids of strategies, perhaps of some that are there no more."""
+    return Field(description=description, json_schema_extra={"propertyNames": {"pattern": ID}})
+
+
 class Statistics(Answer):
     """One signal in one window."""
 
@@ -130,10 +136,18 @@ Event = Annotated[
 ]
 
 
+class Source(Answer):
+    """The file of a controller of one's own."""
+
+    file: str = Field(description="Its name, or that of a package's entry point")
+    digest: str = Field(description="SHA-256 of it and of the files it names")
+
+
 class DriveResult(Answer):
     """What a strategy's result has beside its metrics; of several roads, the first one's."""
 
     status: Literal["ok"]
+    source: Source | None = Field(description="What the law was when it was driven; null for Ridelab's own")
     compute_ms: float = Field(description="The worker's own time [ms]; work shared between strategies counts once")
     events: dict[str, Event] = keys_of(EVENTS, "Catalogue: events")
     reference: dict[str, float | None] = keys_of(REFERENCES, "Lines a plot draws; catalogue: references")
@@ -205,9 +219,7 @@ class RunBase(Answer):
 class LiveRun(RunBase):
     """A run that is not stored."""
 
-    strategies: dict[str, Annotated[LiveResult | CachedFailure, Field(discriminator="status")]] = keys_of(
-        STRATEGY_IDS, "By strategy"
-    )
+    strategies: dict[str, Annotated[LiveResult | CachedFailure, Field(discriminator="status")]] = by_strategy()
 
 
 Histories = Annotated[

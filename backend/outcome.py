@@ -12,8 +12,10 @@ import orjson
 from numpy.typing import NDArray
 
 from backend.json_types import JsonObject
+from sim_core.controller_files import ControllerFileError
 from sim_core.errors import MissingRoadError, RidelabError, TooExpensiveError
 
+SOURCE = b'{"source":'  # begins the JSON of a controller of one's own
 JSON_OPTIONS = orjson.OPT_SERIALIZE_NUMPY
 
 
@@ -57,7 +59,7 @@ class Outcome:
             status="failed",
             json=orjson.dumps(content),
             compute_ms=elapsed_ms(begin),
-            cacheable=not isinstance(error, MissingRoadError),
+            cacheable=not isinstance(error, MissingRoadError | ControllerFileError),
             points=points,
         )
 
@@ -75,6 +77,8 @@ class Outcome:
     def answer(self, **fields: object) -> orjson.Fragment:
         """Its entry in the answer about a run, with these members beside its own; a failure's kind is never missing."""
         head = {"status": self.status, "compute_ms": self.compute_ms, **fields}
+        if self.status == "ok" and not self.json.startswith(SOURCE):
+            head["source"] = None
         if self.status != "ok":
             return orjson.Fragment(orjson.dumps({**head, "kind": "refused", "fields": [], **self.summary}))
         return orjson.Fragment(orjson.dumps(head)[:-1] + b"," + self.json[1:])

@@ -21,6 +21,7 @@ from backend.http.tokens import Tokens
 from backend.jobs.scheduler import Scheduler
 from backend.links.service import Links
 from backend.metrics import service_registry
+from backend.own.watch import Watch
 from backend.paper.rows import REPRODUCTION
 from backend.paper.service import Paper
 from backend.roads.service import MeasuredRoads
@@ -58,11 +59,13 @@ class Services(HttpParts):
 
     def start(self) -> None:
         """Spawn the workers, and lead jobs where no other service does; batch workers start with their first task."""
+        self.own_files.begin()
         self.workers.start()
         self.scheduler.start()
 
     async def close(self) -> None:
         """End what runs, the database last."""
+        await self.own_files.close()
         await self.scheduler.close()
         self.tuning_steps.close()
         await self.workers.close()
@@ -108,6 +111,7 @@ def make_services(settings: Settings, workers: Workers) -> Services:
         gate=gate,
         tokens=tokens,
         logins=None if tokens is None else _logins(tokens, store),
+        own_files=Watch(settings.controller_timeout),
         store=store,
         workers=workers,
         batch_workers=batch_workers,

@@ -53,6 +53,14 @@ class Settings(BaseModel):
     frontend_dir: DirectoryPath = Field(BUILT_PAGE, description="The built frontend and the API page's assets.")
     workers: int = Field(default_factory=_default_workers, ge=1, le=64, description="Warm worker processes.")
     run_timeout: float = Field(90, gt=0, le=3600, description="One worker task may take this long [s].")
+    controllers: str | None = Field(
+        None,
+        description="Files and folders with controllers of one's own, separated like PATH: each file is run, as code "
+        "that you trust.",
+    )
+    controller_timeout: float = Field(
+        20, gt=0, le=3600, description="One run of such a controller may take this long [s]; less than RUN_TIMEOUT."
+    )
     max_request_cost: float = Field(30, gt=0, description="Greatest estimated cost of one request [s of one core].")
     max_queued_cost: float = Field(
         120, gt=0, description="Estimated cost [s of one core] accepted at once; beyond it 503."
@@ -152,6 +160,12 @@ class Settings(BaseModel):
         return value
 
     @model_validator(mode="after")
+    def _check_timeouts(self) -> Self:
+        if self.controllers is not None and self.controller_timeout >= self.run_timeout:
+            raise ValueError(f"{_variable('controller_timeout')} has to be less than {_variable('run_timeout')}")
+        return self
+
+    @model_validator(mode="after")
     def _check_dask(self) -> Self:
         """A scheduler's address needs Dask; TLS needs its three files, and they go together."""
         if self.dask_scheduler is not None and find_spec("distributed") is None:
@@ -232,8 +246,6 @@ def _check_certificates(files: Mapping[str, Path | None]) -> None:
 
 
 def _unknown(name: int | str) -> str:
-    if name == "controllers":
-        return "it is the library's, and the service drives Ridelab's own strategies alone: start it without"
     similar = [_variable(field) for field in get_close_matches(str(name), Settings.model_fields)]
     perhaps = f", perhaps {' or '.join(similar)}" if similar else ""
     return f"there is no such setting{perhaps}; docs/how-to/operations.md lists all"

@@ -19,7 +19,8 @@ from sim_core.vehicle.model import SemiActiveDampers
 _SHORT = Scenario(road=Road(length=60, bump=Bump(start=30)))
 _SAME_LAW = 1e-4  # relative: a solver's answer is no closer to the law's
 _NEGLIGIBLE = 1e-6  # in SI units: smaller differences do not count
-_ID = re.compile("[a-z][a-z0-9_]*")
+ID = "^[a-z][a-z0-9_]{0,63}$"
+_TAKEN = ("none",)  # what a view says where no strategy is chosen
 
 
 def check_controller(controller: str | type[Controller] | Controller, scenario: Scenario | None = None) -> list[str]:
@@ -50,7 +51,7 @@ def check_controller(controller: str | type[Controller] | Controller, scenario: 
     kind: type = controller if isinstance(controller, type) else type(controller)
     if not issubclass(kind, Controller):
         return ["A controller is a class derived from sim_core.Controller, or an object of one"]
-    wrong = _declared(kind)
+    wrong = declaration_faults(kind)
     return wrong or _driven(controller, _SHORT if scenario is None else scenario)
 
 
@@ -81,15 +82,15 @@ def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> li
     return []
 
 
-def _declared(kind: type[Controller]) -> list[str]:
+def declaration_faults(kind: type[Controller]) -> list[str]:
     """What is wrong with its id, label, description and fields."""
     wrong = []
     name: object = kind.id  # a visitor's class may hold anything
     label: object = kind.label
-    if not (isinstance(name, str) and _ID.fullmatch(name)):
-        wrong.append("id begins with a small letter and has small letters, digits and underscores only")
-    elif STRATEGIES.get(name, kind) is not kind:
-        wrong.append(f"id is that of a strategy of Ridelab's; taken are {', '.join(STRATEGIES)}")
+    if not (isinstance(name, str) and re.match(ID, name)):
+        wrong.append("id begins with a small letter and has small letters, digits and underscores only, 64 at most")
+    elif STRATEGIES.get(name, kind) is not kind or name in _TAKEN:
+        wrong.append(f"id is that of a strategy of Ridelab's; taken are {', '.join((*STRATEGIES, *_TAKEN))}")
     if not isinstance(label, str):
         wrong.append("label is no text")
     elif not label:

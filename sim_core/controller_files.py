@@ -1,7 +1,8 @@
 """Controllers from files of one's own: loaded, named by what stands in the files, and loaded again when those change.
 
-`RIDELAB_CONTROLLERS` names files and folders, separated like PATH; a folder stands for the Python files in it. Loading
-a file runs it: it is code that whoever names it trusts.
+`RIDELAB_CONTROLLERS` names files and folders, separated like PATH; a folder stands for the files in it that `LOADERS`
+can load. A package names its own by the entry-point group `ridelab.controllers`. Loading a file runs it: it is code
+that whoever names it trusts.
 """
 
 import hashlib
@@ -9,8 +10,10 @@ import inspect
 import os
 import sys
 import traceback
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cache
+from importlib.metadata import EntryPoint, entry_points
 from pathlib import Path
 from types import ModuleType
 
@@ -18,9 +21,12 @@ from sim_core.control.controller import Controller
 from sim_core.errors import RidelabError
 
 VARIABLE = "RIDELAB_CONTROLLERS"
+GROUP = "ridelab.controllers"
+INSTALLED = "entry point "  # how the source of a package's controllers begins
 _PREFIX = "ridelab_controllers_"  # of the modules' names: no package has it
 
-_Signature = tuple[tuple[int, int], ...]  # of each file: when it was last written [ns], and its size [bytes]
+Controllers = dict[str, type[Controller]]  # by id
+Signature = tuple[tuple[int, int], ...]  # of each file: when it was last written [ns], and its size [bytes]
 
 
 class ControllerFileError(RidelabError):
@@ -29,15 +35,15 @@ class ControllerFileError(RidelabError):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Loaded:
-    signature: _Signature
-    controllers: dict[str, type[Controller]]
+    signature: Signature
+    controllers: Controllers
 
 
 _loaded: dict[Path, _Loaded] = {}
 
 
-def load_controllers(file: str | Path) -> dict[str, type[Controller]]:
-    """The controllers of a Python file, by id; it is run once, and again when it has changed.
+def load_controllers(file: str | Path) -> Controllers:
+    """The controllers of a file, by id; it is run once, and again when it has changed.
 
     A class that an import brought in does not count, nor does one without an id, which others derive from. A
     controller that reads further files, such as weights, names them in `files`: with its own file they make
@@ -70,51 +76,114 @@ def load_controllers(file: str | Path) -> dict[str, type[Controller]]:
     """
     path = Path(file).absolute()
     known = _loaded.get(path)
-    if known is None or known.signature != _signature(path, known.controllers):
-        controllers = _run(path)
-        known = _loaded[path] = _Loaded(signature=_signature(path, controllers), controllers=controllers)
+    if known is None or known.signature != signature(path, files_of(known.controllers)):
+        controllers = LOADERS.get(path.suffix, _run)(path)
+        known = _loaded[path] = _Loaded(signature=signature(path, files_of(controllers)), controllers=controllers)
     return dict(known.controllers)
 
 
-def named_controllers() -> dict[str, type[Controller]]:
-    """The controllers of all files that `RIDELAB_CONTROLLERS` names, by id.
+def named_controllers() -> Controllers:
+    """The controllers of everything in `sources`, by id.
 
     Raises:
-        ControllerFileError: One of them cannot be used, or two have a controller of one id.
+        ControllerFileError: One of the files cannot be used, or two have a controller of one id.
     """
-    controllers: dict[str, type[Controller]] = {}
-    for file in _named_files():
-        for name, controller in load_controllers(file).items():
+    return _find()
+
+
+def use(find: Callable[[], Controllers]) -> None:
+    """Have `named_controllers` answer otherwise in this process: the service runs nobody's file in its own."""
+    global _find
+    _find = find
+
+
+def load_all() -> Controllers:
+    """The controllers of everything in `sources`, loaded in this process; raises ControllerFileError."""
+    controllers: Controllers = {}
+    for source in sources():
+        for name, controller in load(source).items():
             if name in controllers:
                 other = inspect.getfile(controllers[name])
-                raise ControllerFileError(f"{file}: {other} has a controller of the id {name} too")
+                raise ControllerFileError(f"{source}: {other} has a controller of the id {name} too")
             controllers[name] = controller
     return controllers
 
 
+_find = load_all
+
+
+def source_of(controller: type[Controller]) -> dict[str, str] | None:
+    """The name of a controller's file and its digest; None of one that no file was loaded for."""
+    if controller.file_digest is None:
+        return None
+    return {"file": Path(inspect.getfile(controller)).name, "digest": controller.file_digest}
+
+
+def sources() -> list[str]:
+    """Where controllers come from: paths of files, and `entry point NAME` of an installed package's."""
+    return [*map(str, _named_files()), *(f"{INSTALLED}{name}" for name in _installed())]
+
+
+def load(source: str) -> Controllers:
+    """The controllers of one of `sources`, by id.
+
+    Raises:
+        ControllerFileError: It cannot be used.
+    """
+    if not source.startswith(INSTALLED):
+        return load_controllers(source)
+    try:
+        loaded = _installed()[source.removeprefix(INSTALLED)].load()
+    except KeyError:
+        raise ControllerFileError(f"{source}: no installed package has it") from None
+    except (Exception, SystemExit) as error:
+        raise ControllerFileError(said_by(error, source)) from error
+    if isinstance(loaded, ModuleType):
+        return _with_digest(Path(str(loaded.__file__)), _controllers(Path(str(loaded.__file__)), loaded))
+    if not (isinstance(loaded, type) and issubclass(loaded, Controller) and loaded.id):
+        raise ControllerFileError(f"{source}: it names no module and no class derived from sim_core.Controller")
+    return _with_digest(Path(inspect.getfile(loaded)), {loaded.id: loaded})
+
+
+@cache
+def _installed() -> Mapping[str, EntryPoint]:
+    return {each.name: each for each in entry_points(group=GROUP)}
+
+
 def _named_files() -> Iterator[Path]:
     for text in filter(None, os.environ.get(VARIABLE, "").split(os.pathsep)):
-        path = Path(text).expanduser()
+        path = Path(text).expanduser().absolute()
         if path.is_dir():
-            yield from sorted(each for each in path.glob("*.py") if not each.name.startswith("_"))
+            yield from sorted(
+                each for each in path.iterdir() if each.suffix in LOADERS and not each.name.startswith(("_", "."))
+            )
         else:
             yield path
 
 
-def _signature(path: Path, controllers: dict[str, type[Controller]]) -> _Signature:
+def signature(path: Path, files: Iterable[str]) -> Signature:
+    """By which a change of a file, or of those that its controllers read, is noticed.
+
+    Raises:
+        ControllerFileError: One of them cannot be read.
+    """
     try:
-        return tuple((each.st_mtime_ns, each.st_size) for each in map(Path.stat, _files(path, controllers)))
+        return tuple((each.st_mtime_ns, each.st_size) for each in map(Path.stat, _files(path, files)))
     except OSError as error:
         raise _unreadable(path, error) from None
 
 
-def _files(path: Path, controllers: dict[str, type[Controller]]) -> list[Path]:
-    """The file, and those that its controllers read."""
-    names = {name for each in controllers.values() for name in each.files}
+def files_of(controllers: Controllers) -> set[str]:
+    """What those controllers read beside their own file."""
+    return {name for each in controllers.values() for name in each.files}
+
+
+def _files(path: Path, names: Iterable[str]) -> list[Path]:
     return [path, *(path.parent / name for name in sorted(names))]
 
 
-def _run(path: Path) -> dict[str, type[Controller]]:
+def _run(path: Path) -> Controllers:
+    """Run a Python file."""
     try:
         source = path.read_bytes()
     except OSError as error:
@@ -126,19 +195,29 @@ def _run(path: Path) -> dict[str, type[Controller]]:
         exec(compile(source, str(path), "exec"), vars(module))  # noqa: S102 - it is what was asked for
     except (Exception, SystemExit) as error:
         raise ControllerFileError(said_by(error, path)) from error
-    controllers = _controllers(path, module)
+    return _with_digest(path, _controllers(path, module), source)
+
+
+# What loads a file, by its suffix: a further kind of controller needs a function that gives its classes, each with a
+# `file_digest`, and nothing else.
+LOADERS: dict[str, Callable[[Path], Controllers]] = {".py": _run}
+
+
+def _with_digest(path: Path, controllers: Controllers, source: bytes | None = None) -> Controllers:
+    """The same controllers, which know the digest of their file and of those that they read."""
     try:
-        contents = [each.read_bytes() for each in _files(path, controllers)[1:]]
+        contents = [path.read_bytes() if source is None else source]
+        contents += [each.read_bytes() for each in _files(path, files_of(controllers))[1:]]
     except OSError as error:
         raise _unreadable(path, error) from None
-    digests = [hashlib.sha256(content).digest() for content in (source, *contents)]
+    digests = b"".join(hashlib.sha256(content).digest() for content in contents)
     for controller in controllers.values():
-        controller.file_digest = hashlib.sha256(b"".join(digests)).hexdigest()
+        controller.file_digest = hashlib.sha256(digests).hexdigest()
     return controllers
 
 
-def _controllers(path: Path, module: ModuleType) -> dict[str, type[Controller]]:
-    controllers: dict[str, type[Controller]] = {}
+def _controllers(path: Path, module: ModuleType) -> Controllers:
+    controllers: Controllers = {}
     for value in vars(module).values():
         if not (isinstance(value, type) and issubclass(value, Controller)) or value.__module__ != module.__name__:
             continue

@@ -31,6 +31,19 @@ class UnknownNameError(RidelabError):
     """A strategy, preset, field, signal or metric that does not exist; the message lists those that do."""
 
 
+class ForceError(RidelabError):
+    """A controller did not give two finite numbers.
+
+    Args:
+        message: What it gave.
+        controller: Its id.
+    """
+
+    def __init__(self, message: str, *, controller: str = "") -> None:
+        super().__init__(message)
+        self.controller = controller
+
+
 class UnstableVehicleError(RidelabError):
     """The passive car has no stationary response, so a normalised cost cannot be formed."""
 

@@ -40,6 +40,10 @@ class Series(Mapping[str, FloatArray]):
         first = start // each
         return columns[:-1, first : -(-end // each)].T.reshape(-1)[start - first * each : end - first * each]
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """As its histories, put together."""
+        return type(self), ({key: self[key] for key in self}, dict)
+
     def columns(self, key: str) -> FloatArray:
         """A signal with its values at both ends of every held command (samples + 1, n).
 

@@ -6,6 +6,7 @@ from fastapi import APIRouter, Request, Response
 from prometheus_client.exposition import choose_encoder
 from pydantic import Field
 
+from backend import own
 from backend.http.answers import json_answer
 from backend.models import Answer
 from backend.services import services_of
@@ -26,6 +27,9 @@ class Readiness(Answer):
     store: bool
     workers: bool
     reason: str | None = Field(description="What an operator has to do before it can work; null where nothing")
+    controllers: dict[str, str] = Field(
+        description="By file name why a controller file cannot be used; it keeps nothing else from working"
+    )
 
 
 @health.get("/healthz", operation_id="getHealth", response_model=Health)
@@ -45,7 +49,8 @@ async def readyz(request: Request) -> Response:
     services = services_of(request)
     parts = {"store": await services.store.usable(), "workers": services.workers.ready}
     ready = all(parts.values())
-    answer = {"status": "ready" if ready else "starting", **parts, "reason": services.store.damage}
+    answer: dict[str, object] = {"status": "ready" if ready else "starting", **parts, "reason": services.store.damage}
+    answer["controllers"] = own.faults()
     return json_answer(answer, status=200 if ready else 503)
 
 

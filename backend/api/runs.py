@@ -1,6 +1,7 @@
 """Runs: create, read, drag, search a limit, time histories, figures."""
 
-from typing import Annotated, Any, Literal
+from collections.abc import Collection
+from typing import Annotated, Literal
 
 from fastapi import Path, Query, Request, Response
 from fastapi.responses import HTMLResponse
@@ -32,7 +33,6 @@ from backend.runs.service import Runs
 from backend.runs.solve.models import Solution, SolveRequest
 from backend.runs.solve.service import Solver
 from sim_core.catalogue import SIGNALS
-from sim_core.strategies import STRATEGIES
 
 runs = router("runs", 404, 410, 422, 429, 503)
 computing = router("runs", 400, 413, 415, 422, 429, 503, route_class=ScenarioRoute)
@@ -143,7 +143,7 @@ async def get_series(
     encoding: Annotated[Literal["list", "base64"], Query(description="Of JSON only")] = "list",
 ) -> Response:
     """Time histories in SI units; time and position always come along."""
-    names = _names("strategy", strategy, STRATEGIES)
+    names = _names("strategy", strategy)
     content = await service.series(
         run_id,
         client,
@@ -190,7 +190,7 @@ async def get_bands(
     content = await service.bands(
         run_id,
         client,
-        strategies=_names("strategy", strategy, STRATEGIES),
+        strategies=_names("strategy", strategy),
         signals=_names("signals", signals, SIGNALS),
         points=points,
         encoding=encoding,
@@ -245,8 +245,6 @@ async def get_run_report(
     x: Axis = "position",
 ) -> Response:
     """The run as one HTML file that needs nothing else; its figures are inside, or it says why there are none."""
-    if baseline is not None:
-        _names("baseline", baseline, STRATEGIES)
     compressed = takes_gzip(request)
     report = await service.report(run_id, client, baseline=baseline, against=against, axis=x, compressed=compressed)
     return html_answer(report, f"ridelab-{run_id}.html")
@@ -257,7 +255,7 @@ def _required(requirements: str | None) -> list[Requirement]:
     return [] if requirements is None else read(requirements)
 
 
-def _names(parameter: str, text: str | None, offered: dict[str, Any]) -> list[str] | None:
+def _names(parameter: str, text: str | None, offered: Collection[str] | None = None) -> list[str] | None:
     """The names in a comma-separated parameter; None where it was omitted.
 
     Raises:
@@ -266,7 +264,7 @@ def _names(parameter: str, text: str | None, offered: dict[str, Any]) -> list[st
     if text is None:
         return None
     names = [name.strip() for name in text.split(",")]
-    if not set(names) <= set(offered):
+    if offered is not None and not set(names) <= set(offered):
         message = f"Unknown name; there are {', '.join(offered)}"
         raise InvalidError(message, parameter=parameter)
     return names

@@ -5,7 +5,7 @@ from collections.abc import Collection, Mapping, Sequence
 from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from sim_core.scenario import dotted
-from sim_core.strategies import STRATEGIES, reads, resolve_speed_plan
+from sim_core.strategies import reads, resolve_speed_plan, strategy_named
 
 POLICY = "speed.policy"
 INITIAL, TARGET = "speed.initial_speed_kmh", "speed.target_speed_kmh"
@@ -32,14 +32,14 @@ def _unread(
 ) -> list[str]:
     said = []
     for name in names:
-        read = [field for policy in policies for field in reads(STRATEGIES[name], policy)]
+        read = [field for policy in policies for field in reads(strategy_named(name), policy)]
         unread = [axis for axis, linked in axes.items() if not any(_reads(read, each) for each in (axis, *linked))]
         keys = [run.key for run in runs if run.strategy == name and run.key]
         if unread and len(set(keys)) < len(keys):
             fields = _listed([_inside(dotted.field(axis).title) for axis in unread])
             results = len(set(keys))
             counted = f"its {len(keys)} runs give {results} result{'s' if results > 1 else ''}"
-            said.append(f"{STRATEGIES[name].label} does not use {fields}: {counted}")
+            said.append(f"{strategy_named(name).label} does not use {fields}: {counted}")
     return said
 
 
@@ -53,9 +53,9 @@ def _clamped(
 ) -> list[str]:
     """A speed plan only slows down: a target above the initial speed is the initial speed."""
     planned = [
-        STRATEGIES[name].label
+        strategy_named(name).label
         for name in names
-        if any(resolve_speed_plan(STRATEGIES[name], policy) == "planned" for policy in policies)
+        if any(resolve_speed_plan(strategy_named(name), policy) == "planned" for policy in policies)
     ]
     if not planned or not any(TARGET in point or INITIAL in point for point in points[:1]):
         return []

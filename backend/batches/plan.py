@@ -16,6 +16,7 @@ from backend.cost.estimate import estimate
 from backend.job_run import JobRun, PackedRuns
 from backend.json_types import JsonObject
 from backend.scenario_at import NO_ROADS, contradiction, scenario_at
+from sim_core.controller_files import ControllerFileError
 from sim_core.errors import RidelabError
 from sim_core.scenario.measured import MeasuredRoad
 
@@ -136,6 +137,8 @@ def pilot(
             for name in strategies:
                 simulate(scenario, name).summary()
             times.append(time.perf_counter() - begin)
+        except ControllerFileError:  # each point might take its whole time
+            return None
         except (ValidationError, RidelabError):
             continue
     return statistics.median(times) if times else None

@@ -12,8 +12,7 @@ from backend.batches.summary_models import RobustnessDefaults, UncertainRange
 from backend.json_types import JsonObject
 from sim_core.catalogue import LIMITS_EXCEEDED, PAPER_METRICS
 from sim_core.scenario import dotted
-from sim_core.strategies import STRATEGIES as KNOWN
-from sim_core.strategies import reads
+from sim_core.strategies import reads, strategies
 
 SAMPLES = 200
 BASELINE = "lv"
@@ -72,9 +71,10 @@ def sweep(ranges: Mapping[str, Sequence[float]], samples: int, seed: int) -> Jso
 
 def fields_read(strategy: str, fields: Sequence[str], scenario: JsonObject) -> list[str]:
     """The fields that can change the strategy's result; preview errors only where it has preview."""
-    if strategy not in KNOWN:  # another version's
+    known = strategies()
+    if strategy not in known:  # another version's, or a file's that is gone
         return list(fields)
-    parts = reads(KNOWN[strategy], str(dotted.value(scenario, "speed.policy")))
+    parts = reads(known[strategy], str(dotted.value(scenario, "speed.policy")))
     named = [name for name in fields if any(name == part or name.startswith(f"{part}.") for part in parts)]
     whose = "lqr.preview" if strategy == "lqr" else "mpc.preview"
     preview = "lookahead" if whose in fields else dotted.value(scenario, whose)

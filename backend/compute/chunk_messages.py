@@ -7,6 +7,7 @@ from typing import Literal
 from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
+from backend.own.registry import Found
 from sim_core.scenario import Scenario
 from sim_core.scenario.measured import MeasuredRoad
 
@@ -28,6 +29,7 @@ class Chunk:
         budget: After so long no further run of it is begun [s].
         timeout: The whole chunk may take so long [s].
         priority: Those of the highest come first.
+        controllers: Those of one's own that there are (`backend.own.found`).
     """
 
     compute: ComputeRun
@@ -40,6 +42,7 @@ class Chunk:
     budget: float
     timeout: float
     priority: int = 0
+    controllers: tuple[Found, ...] = ()
 
 
 Trouble = Literal["lost", "busy", "timeout", "misfit", "bug"]

@@ -85,13 +85,21 @@ def prepare(warm_up: str) -> int:
     return os.getpid()
 
 
-def call_and_measure(function: Callable[..., T], args: tuple[Any, ...]) -> tuple[T, int]:
+def call_and_measure(function: Callable[..., T], args: tuple[Any, ...], controllers: Any) -> tuple[T, int]:
     """The function's result, and the resident memory of this process afterwards [bytes]; 0 outside Linux.
+
+    Args:
+        function: What to call.
+        args: Its arguments.
+        controllers: Those of one's own that there are (`backend.own.found`).
 
     Raises:
         CalledOffError: By INTERRUPT, between two steps of Python; the process is well and its caches are empty.
     """
+    from backend import own
+
     global _interruptible
+    own.adopt(controllers)
     try:
         try:
             _interruptible = True

@@ -91,7 +91,9 @@ class WorkerProcess:
             ProcessExpired: The process died.
             TimeoutError: It took longer than `timeout` [s] and was ended, or the pool is stuck.
         """
-        task = self._schedule(processes.call_and_measure, (function, args), timeout)
+        from backend import own  # takes the core, which the service imports beside its first worker
+
+        task = self._schedule(processes.call_and_measure, (function, args, own.found()), timeout)
         result: tuple[T, int] = await self._result(task, timeout)
         return result
 

@@ -4,6 +4,7 @@ import ctypes
 from contextlib import suppress
 
 from backend.cost.estimate import check_affordable, expected_time, memory
+from backend.own import isolated
 from sim_core.caching import SHARED
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
@@ -14,12 +15,16 @@ LARGE = 100e6  # a run's arrays, before which everything that can be spared make
 
 
 def simulate(scenario: Scenario, name: str) -> StrategyResult:
-    """Drive one strategy.
+    """Drive one strategy; one of somebody's own in a process of its own.
 
     Raises:
         TooExpensiveError: It does more than one run may.
         RidelabError: As `sim_core.simulate.simulate` raises.
     """
+    return isolated(name, _simulate, scenario, name)
+
+
+def _simulate(scenario: Scenario, name: str) -> StrategyResult:
     strategy = strategy_named(name)
     if memory(scenario, strategy, expected_time(scenario, strategy)) > LARGE:
         make_room()

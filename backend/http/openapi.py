@@ -4,6 +4,7 @@ Headers, examples, links and tags stand here and not at each route, because they
 """
 
 from collections.abc import Iterator
+from typing import Any
 
 from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
@@ -15,7 +16,8 @@ from backend.http.problems import MEDIA_TYPE, Problem
 from backend.http.request_log import HEADER
 from backend.json_types import JsonObject
 from sim_core.catalogue import PAPER_SIGNALS
-from sim_core.strategies import STRATEGIES
+from sim_core.check_controller import ID
+from sim_core.strategies import STRATEGIES, strategies
 
 TAGS = {
     "runs": "A scenario and the strategies that drive it: computed once, stored, read, drawn.",
@@ -114,7 +116,7 @@ LINKS = {  # operations that take the id, by the operation that answers with it
 
 
 def describe(app: FastAPI) -> JsonObject:
-    """The OpenAPI 3.1 description, built once."""
+    """The OpenAPI 3.1 description, built once; it lists the strategies that there are at the moment."""
     if app.openapi_schema is None:
         whole = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
         whole["tags"] = [{"name": name, "description": text} for name, text in TAGS.items()]
@@ -140,7 +142,17 @@ def describe(app: FastAPI) -> JsonObject:
                 _name_strategies(parameter["name"], parameter["schema"])
             _describe_answers(operation)
         app.openapi_schema = whole
+    _list_strategies(app.openapi_schema, list(strategies()))
     return app.openapi_schema
+
+
+def _list_strategies(part: Any, names: list[str]) -> None:
+    """Put these ids wherever ours are listed."""
+    if isinstance(part, dict) and part.get("enum", [])[: len(STRATEGIES)] == list(STRATEGIES):
+        part["enum"] = names + [each for each in part["enum"] if each is None]
+    elif isinstance(part, dict | list):
+        for each in part.values() if isinstance(part, dict) else part:
+            _list_strategies(each, names)
 
 
 def _describe_fields(model: str, schema: JsonObject, schemas: JsonObject) -> None:
@@ -201,6 +213,6 @@ def _name_strategies(name: str, field: JsonObject) -> None:
     if name in ("strategy", "baseline", "strategies") and not listed:
         for each in (field, field.get("items", {}), *field.get("anyOf", [])):
             if each.get("type") == "string" and "enum" not in each:
-                each["enum"] = list(STRATEGIES)
+                each["pattern"] = ID  # perhaps of one that is there no more
             elif each.get("type") == "object":
-                each["propertyNames"] = {"enum": list(STRATEGIES)}
+                each["propertyNames"] = {"pattern": ID}

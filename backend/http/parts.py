@@ -7,6 +7,7 @@ from starlette.requests import HTTPConnection
 from backend.gate import Gate
 from backend.http.logins import Logins
 from backend.http.tokens import Tokens
+from backend.own.watch import Watch
 from backend.settings import Settings
 
 
@@ -18,6 +19,7 @@ class HttpParts:
     gate: Gate
     tokens: Tokens | None
     logins: Logins | None
+    own_files: Watch
 
 
 def parts_of(request: HTTPConnection) -> HttpParts:

@@ -119,6 +119,7 @@ class StrictRoute(APIRoute):
                 raise RequestError("unsupported-media-type")
             if takes_body:
                 _check_encoding(request)
+            await parts_of(request).own_files.current()
             with ExitStack() as held:
                 longest = parts_of(request).settings.max_body_bytes
                 body = await _read_body(request, held, longest) if takes_body else b""

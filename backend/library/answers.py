@@ -1,13 +1,16 @@
-"""The answers about what there is to choose from, as JSON; none changes while the service runs."""
+"""The answers about what there is to choose from, as JSON; those about strategies change with files of one's own."""
 
 import dataclasses
+from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
 import orjson
 from pydantic import BaseModel
 
+from backend import own
 from backend.http.kinds import KINDS
+from backend.json_types import JsonObject
 from backend.library.models import Catalogue, PresetAnswer, ProblemAnswer, StrategyAnswer, VehicleAnswer
 from backend.means_over_roads import one_road_resolution
 from backend.runs import figures
@@ -15,7 +18,8 @@ from sim_core import catalogue as core
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.presets import PRESETS
 from sim_core.scenario.vehicles import VEHICLES
-from sim_core.strategies import STRATEGIES, reads
+from sim_core.strategies import reads
+from sim_core.strategies import strategies as known_strategies
 
 
 @cache
@@ -36,7 +40,6 @@ def vehicles() -> bytes:
     return _json([VehicleAnswer.model_validate(preset) for preset in VEHICLES.values()])
 
 
-@cache
 def strategies() -> bytes:
     """Every strategy."""
     return _json(
@@ -47,11 +50,26 @@ def strategies() -> bytes:
                 description=strategy.description(),
                 reads=reads(strategy),
                 one_road_resolution=one_road_resolution(strategy.id),
-                **dataclasses.asdict(figures.STYLES[strategy.id]),
+                **dataclasses.asdict(figures.style_of(strategy.id)),
+                **_origin(strategy.id),
             )
-            for strategy in STRATEGIES.values()
+            for strategy in known_strategies().values()
         ]
     )
+
+
+def _origin(name: str) -> JsonObject:
+    """What is said of a controller of one's own beside what is said of every strategy."""
+    origin = own.origin(name)
+    if origin is None:
+        return {"own": False, "source": None, "options": _options({}), "fault": None}
+    found, description = origin
+    source = {"file": found.name, "digest": description.digest}
+    return {"own": True, "source": source, "options": _options(description.options), "fault": found.fault}
+
+
+def _options(options: Mapping[str, JsonObject]) -> JsonObject:
+    return {"type": "object", "properties": dict(options), "additionalProperties": False}
 
 
 @cache
@@ -68,7 +86,6 @@ def catalogue() -> bytes:
     return _json(Catalogue(**plain))
 
 
-@cache
 def figure_templates() -> bytes:
     """Every figure without data, in the order of display."""
     return orjson.dumps({"figures": figures.templates()})

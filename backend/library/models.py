@@ -2,7 +2,8 @@
 
 from pydantic import Field
 
-from backend.models import Answer
+from backend.json_types import JsonObject
+from backend.models import Answer, Source
 from sim_core.scenario import Scenario, Vehicle
 
 
@@ -25,6 +26,10 @@ class StrategyAnswer(Answer):
     colour: str
     dark_colour: str = Field(description="On a dark background")
     dash: str
+    own: bool = Field(description="Whether it comes from a file or a package of the operator's")
+    source: Source | None = Field(description="Of one's own; null for Ridelab's")
+    options: JsonObject = Field(description="JSON Schema of its options, which a scenario sets as `own.ID.OPTION`")
+    fault: str | None = Field(description="Why it cannot be driven at the moment: what is wrong with its file")
     one_road_resolution: dict[str, float] = Field(
         description="Smaller changes [%] on one road may be luck; by statistic, comfort figures as an RMS. Of two "
         "strategies the larger one counts"

@@ -8,11 +8,14 @@ from collections.abc import Mapping
 
 import orjson
 
+from backend import digest, own
 from backend.cost.affordable import simulate
 from backend.outcome import JSON_OPTIONS, Outcome, elapsed_ms
 from backend.runs.series import pack
+from sim_core.controller_files import ControllerFileError, source_of
 from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario
+from sim_core.strategies import strategy_named
 
 
 def compute_run(scenario: Scenario, keys: Mapping[str, str], points: int | None) -> dict[str, Outcome]:
@@ -30,10 +33,19 @@ def compute(scenario: Scenario, strategy: str, key: str, points: int | None = No
     """Simulate one strategy; arguments as of `compute_run`."""
     begin = time.perf_counter()
     try:
-        result = simulate(scenario, strategy)
+        if key and own.is_own(strategy) and digest.result_key(scenario, strategy) != key:
+            raise ControllerFileError("Its file was saved meanwhile: run it again")
+        return own.isolated(strategy, _compute, scenario, strategy, key, points)
     except RidelabError as error:
         return Outcome.refused(key, strategy, error, begin, points)
-    json = orjson.dumps(result.summary(), option=JSON_OPTIONS, default=dict)
+
+
+def _compute(scenario: Scenario, strategy: str, key: str, points: int | None) -> Outcome:
+    begin = time.perf_counter()
+    result = simulate(scenario, strategy)
+    source = source_of(strategy_named(strategy))
+    summary = result.summary() if source is None else {"source": source, **result.summary()}
+    json = orjson.dumps(summary, option=JSON_OPTIONS, default=dict)
     return Outcome(
         key=key,
         strategy=strategy,

@@ -7,7 +7,7 @@ them the unit shown.
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache
+from functools import lru_cache
 
 import numpy as np
 
@@ -15,7 +15,7 @@ from backend.json_types import JsonObject
 from backend.outcome import Outcome
 from backend.runs.series import ROWS, SeriesArray, packed
 from sim_core.catalogue import METRIC_SIGNALS, REFERENCES, SIGNALS, STAGES
-from sim_core.strategies import STRATEGIES
+from sim_core.strategies import strategies
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,7 +30,7 @@ class Style:
 # 0.13 or more apart in OKLab with normal, protan and deutan vision, and each 3:1 or more on white and on #1a1b1e (a
 # search under these bounds; Okabe and Ito's colours come as near as 0.03 there); the three hook laws 0.1 with normal
 # vision. A dash of its own besides. The dark ones: 4.5:1 or more on #1a1b1e and on both stages' shading, 0.13 apart.
-_OURS: dict[str, Style] = {
+STYLES: dict[str, Style] = {
     "lv": Style(colour="#1C5FDF", dark_colour="#7CBEF9", dash="solid"),
     "lv_hil": Style(colour="#C0300C", dark_colour="#D2744F", dash="longdashdot"),
     "lqr": Style(colour="#FF5F00", dark_colour="#FE9D3B", dash="dash"),
@@ -41,13 +41,12 @@ _OURS: dict[str, Style] = {
     "speed_only": Style(colour="#A882D9", dark_colour="#9774FE", dash="longdash"),
     "passive": Style(colour="#666873", dark_colour="#9984B0", dash="dot"),
 }
-_OTHERS = (  # for strategies without a style of their own, in turn
-    Style(colour="#6B6A00", dark_colour="#E3E04A", dash="6px,2px,6px,6px"),
-    Style(colour="#A3002F", dark_colour="#FF8FA6", dash="1px,3px,8px,3px"),
-    Style(colour="#3D3D8F", dark_colour="#B9C0FF", dash="12px,6px"),
+OTHERS = (  # for controllers of one's own, in turn
+    Style(colour="#7A7900", dark_colour="#E3E04A", dash="6px,2px,6px,6px"),
+    Style(colour="#D0315E", dark_colour="#FF8FA6", dash="1px,3px,8px,3px"),
+    Style(colour="#5E5CE0", dark_colour="#B9C0FF", dash="12px,6px"),
 )
-_without = [name for name in STRATEGIES if name not in _OURS]
-STYLES = {name: _OURS.get(name) or _OTHERS[_without.index(name) % len(_OTHERS)] for name in STRATEGIES}
+_GONE = Style(colour="#868E96", dark_colour="#868E96", dash="solid")  # of one that is there no more
 
 # SI unit -> the unit a plot shows and the factor to it.
 SHOWN_UNITS = {"m": ("mm", 1000.0), "m/s": ("km/h", 3.6), "Pa": ("MPa", 1e-6), "N": ("kN", 1e-3)}
@@ -95,10 +94,18 @@ PANELS: dict[str, Panel] = {
 }
 
 
-@cache
+def style_of(strategy: str) -> Style:
+    """How a strategy is drawn."""
+    if strategy in STYLES:
+        return STYLES[strategy]
+    others = [name for name in strategies() if name not in STYLES]
+    return OTHERS[others.index(strategy) % len(OTHERS)] if strategy in others else _GONE
+
+
 def templates() -> JsonObject:
     """Figure name -> plotly figure as plain JSON values, traces without data; in the order of display."""
-    return {name: _template(panel) for name, panel in PANELS.items()}
+    labels = tuple((name, each.label) for name, each in strategies().items())
+    return {name: _template(panel, labels) for name, panel in PANELS.items()}
 
 
 def filled(name: str, outcomes: Mapping[str, Outcome], axis: str) -> JsonObject:
@@ -109,8 +116,11 @@ def filled(name: str, outcomes: Mapping[str, Outcome], axis: str) -> JsonObject:
         outcomes: By strategy; those without series are left out.
         axis: `position` or `time`, for x.
     """
-    panel, template = PANELS[name], templates()[name]
     members = {name: outcome.series for name, outcome in outcomes.items() if outcome.series is not None}
+    known = {name: each.label for name, each in strategies().items()}
+    labels = {**known, **{name: name for name in members if name not in known}}
+    panel = PANELS[name]
+    template = _template(panel, tuple(labels.items()))
     summaries = {name: outcomes[name].summary for name in members}
     scale = np.float32(panel.shown[1])
     traces = [
@@ -127,21 +137,23 @@ def filled(name: str, outcomes: Mapping[str, Outcome], axis: str) -> JsonObject:
     return {"data": traces, "layout": {**template["layout"], "xaxis": x_axis, "shapes": shapes}}
 
 
-def _template(panel: Panel) -> JsonObject:
+@lru_cache(4 * len(PANELS))
+def _template(panel: Panel, labels: tuple[tuple[str, str], ...]) -> JsonObject:
+    """A panel's figure with an empty trace for each strategy, given its id and label."""
     unit, scale = panel.shown
     title = panel.title or SIGNALS[panel.signal].label
     traces = [
         {
             "type": "scatter",
-            "name": strategy.label,
+            "name": label,
             "mode": "lines",
             "line": {"color": style.colour, "dash": style.dash, "width": 1.5},
-            "legendgroup": strategy.id,
+            "legendgroup": strategy,
             "hovertemplate": f"%{{y:.4~g}} {unit}" if unit != "1" else "%{y:.4~g}",
-            "meta": {"strategy": strategy.id, "signal": panel.signal},
+            "meta": {"strategy": strategy, "signal": panel.signal},
         }
-        for strategy in STRATEGIES.values()
-        for style in [STYLES[strategy.id]]
+        for strategy, label in labels
+        for style in [style_of(strategy)]
     ]
     meta = {
         "title": title,

@@ -6,7 +6,6 @@ from pydantic import ConfigDict, Field, ValidationInfo, field_validator
 from pydantic_core import PydanticCustomError
 
 from backend.models import (
-    STRATEGY_IDS,
     CachedFailure,
     CachedResult,
     RoadCount,
@@ -16,7 +15,7 @@ from backend.models import (
     StrategyName,
     StrategyResult,
     WithId,
-    keys_of,
+    by_strategy,
 )
 from backend.requirements import RequirementResult, Requirements
 
@@ -56,14 +55,10 @@ class JudgedRun(RunBase, WithId):
 class Run(JudgedRun):
     """A stored run; it never changes."""
 
-    strategies: dict[str, Annotated[StrategyResult | StrategyFailure, Field(discriminator="status")]] = keys_of(
-        STRATEGY_IDS, "By strategy"
-    )
+    strategies: dict[str, Annotated[StrategyResult | StrategyFailure, Field(discriminator="status")]] = by_strategy()
 
 
 class CreatedRun(JudgedRun):
     """The answer to the request that created a run."""
 
-    strategies: dict[str, Annotated[CachedResult | CachedFailure, Field(discriminator="status")]] = keys_of(
-        STRATEGY_IDS, "By strategy"
-    )
+    strategies: dict[str, Annotated[CachedResult | CachedFailure, Field(discriminator="status")]] = by_strategy()

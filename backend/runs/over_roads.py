@@ -5,12 +5,12 @@ from typing import Annotated, Any
 from pydantic import Field, create_model
 
 from backend.models import (
-    STRATEGY_IDS,
     Answer,
     CachedFailure,
     DriveResult,
     Histories,
     StrategyFailure,
+    by_strategy,
     keys_of,
 )
 from backend.runs.models import JudgedRun
@@ -73,23 +73,19 @@ class RoadsRunBase(JudgedRun):
 
     roads: int = Field(description="Seeds road.seed, road.seed + 1, …; time histories and events are the first's")
     baseline: str
-    changes: dict[str, StrategyChanges] = keys_of(STRATEGY_IDS, "By strategy; not of the baseline, nor of failures")
+    changes: dict[str, StrategyChanges] = by_strategy("By strategy; not of the baseline, nor of failures")
 
 
 class RoadsRun(RoadsRunBase):
     """A stored run over several roads; it never changes."""
 
-    strategies: dict[str, Annotated[RoadsResult | StrategyFailure, Field(discriminator="status")]] = keys_of(
-        STRATEGY_IDS, "By strategy"
-    )
+    strategies: dict[str, Annotated[RoadsResult | StrategyFailure, Field(discriminator="status")]] = by_strategy()
 
 
 class CreatedRoadsRun(RoadsRunBase):
     """The answer to the request that created a run over several roads."""
 
-    strategies: dict[str, Annotated[CachedRoadsResult | CachedFailure, Field(discriminator="status")]] = keys_of(
-        STRATEGY_IDS, "By strategy"
-    )
+    strategies: dict[str, Annotated[CachedRoadsResult | CachedFailure, Field(discriminator="status")]] = by_strategy()
 
 
 class PairedChanges(Answer):
@@ -98,9 +94,7 @@ class PairedChanges(Answer):
     against: str | None = Field(description="Id of the run, over the same roads, whose same strategies they refer to")
     baseline: str | None = Field(description="The strategy of this run that they refer to instead")
     roads: int
-    changes: dict[str, StrategyChanges] = keys_of(
-        STRATEGY_IDS, "By strategy that succeeded in both runs; not of the baseline"
-    )
+    changes: dict[str, StrategyChanges] = by_strategy("By strategy that succeeded in both runs; not of the baseline")
 
 
 class Band(Answer):

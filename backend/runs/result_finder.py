@@ -4,7 +4,7 @@ import asyncio
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from backend import digest
+from backend import digest, own
 from backend.compute.shared_computations import SharedComputations
 from backend.compute.workers import Workers
 from backend.cost.estimate import estimate
@@ -115,9 +115,10 @@ class ResultFinder:
         tasks = {name: task for name, key in missing.items() if (task := running_task(key))}
         joined = set(tasks)
         fresh = {name: key for name, key in missing.items() if name not in joined}
-        if fresh:
-            computing = self._compute_fresh(scenario, fresh, request)
-            tasks |= dict.fromkeys(fresh, self._in_progress.begin([(key, points) for key in fresh.values()], computing))
+        ours = {name: key for name, key in fresh.items() if not own.is_own(name)}
+        for each in filter(None, (ours, *({name: fresh[name]} for name in fresh.keys() - ours.keys()))):
+            computing = self._compute_fresh(scenario, each, request)  # somebody's own law may take its whole time
+            tasks |= dict.fromkeys(each, self._in_progress.begin([(key, points) for key in each.values()], computing))
         outcomes = await self._in_progress.wait(set(tasks.values()))
         return {name: replace(outcomes[task][name], cached=name in joined) for name, task in tasks.items()}
 

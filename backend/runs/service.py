@@ -47,7 +47,7 @@ from backend.store.roads import measured_roads
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.versions import NewerScenarioError, restored
-from sim_core.strategies import STRATEGIES
+from sim_core.strategies import strategies as known_strategies
 
 
 class Runs:
@@ -380,9 +380,9 @@ class Runs:
 
 
 def ordered(strategies: Iterable[str]) -> list[str]:
-    """The strategies, each once, in the catalogue's order."""
-    requested = set(strategies)
-    return [name for name in STRATEGIES if name in requested]
+    """The strategies, each once, in the catalogue's order; those of one's own that are there no more come last."""
+    requested = dict.fromkeys(strategies)
+    return [name for name in {**known_strategies(), **requested} if name in requested]
 
 
 def upgraded_scenario(scenario: JsonObject, schema_version: int) -> JsonObject:

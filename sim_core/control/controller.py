@@ -193,6 +193,11 @@ class Controller:
         """The first line of its docstring."""
         return (cls.__doc__ or "").strip().partition("\n")[0]
 
+    @classmethod
+    def options(cls) -> dict[str, Option]:
+        """Its own fields by their names."""
+        return {name: each for name, each in cls.declared.items() if isinstance(each, Option)}
+
     @property
     def preview_steps(self) -> int:
         """Control steps for which the road ahead is reported."""

@@ -15,7 +15,7 @@ from sim_core.caching import cached
 from sim_core.control.controller import Controller
 from sim_core.control.law import LAW_INPUTS, LinearLaw
 from sim_core.control.seen import RunInputs, Seen
-from sim_core.errors import RidelabError
+from sim_core.errors import ForceError, RidelabError
 from sim_core.kernel.prepared import DrivenCar, FollowLaw, LawArrays, limit_force
 from sim_core.kernel.qp import Qp
 from sim_core.loop.preview import Forecast
@@ -151,7 +151,7 @@ def checked_force(controller: Controller, force: object, step: int) -> FloatArra
     """A controller's forces (2,) [N].
 
     Raises:
-        RidelabError: They are not two finite numbers.
+        ForceError: They are not two finite numbers.
     """
     try:
         forces = np.asarray(force)
@@ -160,7 +160,8 @@ def checked_force(controller: Controller, force: object, step: int) -> FloatArra
     numbers = forces.dtype.kind in "biuf"
     if numbers and forces.shape == (FORCES,):
         if not all(map(isfinite, forces.tolist())):
-            raise RidelabError(f"{controller.label}: force gave a value that is not finite in control step {step}")
+            said = f"{controller.label}: force gave a value that is not finite in control step {step}"
+            raise ForceError(said, controller=controller.id)
         return forces.astype(np.float64)
     if force is None:
         came = "None"
@@ -168,7 +169,8 @@ def checked_force(controller: Controller, force: object, step: int) -> FloatArra
         came = f"an array of the shape {forces.shape}"
     else:
         came = f"an object of type {type(force).__name__} that does not hold real numbers"
-    raise RidelabError(f"{controller.label}: force gives two numbers, front and rear; in step {step} it gave {came}")
+    said = f"{controller.label}: force gives two numbers, front and rear; in step {step} it gave {came}"
+    raise ForceError(said, controller=controller.id)
 
 
 def read_only(array: FloatArray) -> FloatArray:

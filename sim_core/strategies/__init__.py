@@ -26,8 +26,17 @@ STRATEGIES: dict[str, type[Controller]] = {
 }
 
 
+def strategies() -> dict[str, type[Controller]]:
+    """Ours, and those of `RIDELAB_CONTROLLERS` and of installed packages, by id.
+
+    Raises:
+        ControllerFileError: One of those files cannot be used.
+    """
+    return STRATEGIES | {name: each for name, each in named_controllers().items() if name not in STRATEGIES}
+
+
 def strategy_named(name: str) -> type[Controller]:
-    """The strategy with that id: one of ours, or of the files that `RIDELAB_CONTROLLERS` names.
+    """The strategy with that id: one of ours, or of the files that `RIDELAB_CONTROLLERS` or a package names.
 
     Raises:
         UnknownNameError: There is none; the message lists the ids.

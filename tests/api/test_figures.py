@@ -11,7 +11,7 @@ import plotly.graph_objects as go
 import pytest
 
 from backend.models import Figures
-from backend.runs.figures import PANELS, STAGE_FILLS, STYLES, stage_shapes
+from backend.runs.figures import OTHERS, PANELS, STAGE_FILLS, STYLES, stage_shapes
 from backend.runs.series import ROWS
 from sim_core.catalogue import REFERENCES, SIGNALS
 from sim_core.strategies import STRATEGIES
@@ -41,12 +41,13 @@ def blended(fill: str, background: str) -> str:
 
 def test_colours_are_legible_on_both_themes_and_dashes_differ() -> None:
     assert list(STYLES) == list(STRATEGIES)
-    for style in STYLES.values():
+    styles = [*STYLES.values(), *OTHERS]
+    for style in styles:
         assert contrast(style.colour, "#ffffff") >= 3
         assert contrast(style.colour, "#1a1b1e") >= 3
         for background in (DARK, *(blended(fill, DARK) for fill in STAGE_FILLS.values())):
             assert contrast(style.dark_colour, background) >= 4.5
-    assert len({style.dash for style in STYLES.values()}) == len(STYLES)
+    assert len({style.dash for style in styles}) == len(styles)
 
 
 def test_templates_name_what_fills_them(client: httpx.Client) -> None:

@@ -39,11 +39,7 @@ def test_the_password_of_the_database_comes_from_a_file(tmp_path: Path) -> None:
     [
         ("WORKERS", "0", "WORKERS: "),
         ("RUN_TIMEOUT", "soon", "RUN_TIMEOUT: "),
-        (
-            "CONTROLLERS",
-            "mine.py",
-            "CONTROLLERS: it is the library's, and the service drives Ridelab's own strategies alone",
-        ),
+        ("CONTROLLER_TIMEOUT", "0", "CONTROLLER_TIMEOUT: "),
         ("ALLOWED_HOST", "lab", "no such setting, perhaps RIDELAB_ALLOWED_HOSTS; docs/how-to/operations.md lists all$"),
         ("DATABASE_PASSWORD_FILE", "/dev/null", "needs RIDELAB_DATABASE_URL"),
         ("DATABASE_URL", "postgresql://user:secret@host:port/d", "DATABASE_URL is not"),

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from sim_core import Controller, check_controller, load_controllers, simulate
+from sim_core import Controller, check_controller, controller_files, load_controllers, simulate
 from sim_core.controller_files import VARIABLE, ControllerFileError
 from sim_core.errors import UnknownNameError
 from sim_core.program import program
@@ -28,6 +28,12 @@ class Mine(sim_core.Controller):
     def force(self, seen):
         return -self.damping * seen.state[4], -self.damping * seen.state[4]
 '''
+
+
+@pytest.fixture(autouse=True)
+def as_in_a_library(monkeypatch: pytest.MonkeyPatch) -> None:
+    """This process may have been a service's."""
+    monkeypatch.setattr(controller_files, "_find", controller_files.load_all)
 
 
 @pytest.fixture

@@ -2,7 +2,7 @@
 
 from backend.json_types import JsonObject
 from backend.runs import figures
-from sim_core.strategies import STRATEGIES
+from sim_core.strategies import strategies
 
 # Plotly's named dashes as SVG's, for lines two wide; others are lengths.
 _DASHES = {
@@ -17,7 +17,8 @@ _DASHES = {
 
 def label(strategy: str) -> str:
     """A strategy's label; its id where the current catalogue no longer has it."""
-    return STRATEGIES[strategy].label if strategy in STRATEGIES else strategy
+    known = strategies().get(strategy)
+    return strategy if known is None else known.label
 
 
 def inside(text: str) -> str:
@@ -27,9 +28,7 @@ def inside(text: str) -> str:
 
 def key_of(strategy: str) -> dict[str, str]:
     """A strategy's label and line style."""
-    style = figures.STYLES.get(
-        strategy, figures.Style(colour=figures.NEUTRAL, dark_colour=figures.NEUTRAL, dash="solid")
-    )
+    style = figures.style_of(strategy)
     return {"id": strategy, "label": label(strategy), "colour": style.colour, "dash": _svg(style.dash)}
 
 

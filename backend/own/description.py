@@ -1,0 +1,129 @@
+"""What the service knows of a controller of somebody's own, and the class that stands for it where it is not driven."""
+
+import inspect
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any, Literal, get_type_hints
+
+from pydantic import Field, TypeAdapter
+
+from backend.json_types import JsonObject
+from sim_core import Controller, DampingController, EcuController, PredictiveController
+from sim_core.check_controller import declaration_faults
+from sim_core.control.controller import Option, ScenarioField
+from sim_core.control.law import LinearLaw
+from sim_core.controller_files import ControllerFileError
+from sim_core.speed.profile import SpeedPlan
+
+LONGEST_LABEL = 80
+_BASES: dict[str, type[Controller]] = {  # the first that it derives from says what its runs cost
+    each.__name__: each for each in (EcuController, PredictiveController, DampingController, Controller)
+}
+_TYPES: dict[Any, Any] = {"number": float, "integer": int, "boolean": bool, "string": str}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Description:
+    """A controller without its code.
+
+    Attributes:
+        id: Its id.
+        label: Its label.
+        text: Its docstring.
+        base: The name of the class of ours that it derives from.
+        speed_plan: Its own.
+        actuated: Whether it has actuators.
+        delayed: Whether its commands take effect later.
+        linear: Whether it says a linear law.
+        fixed: Of what it sees of the road ahead, what is no field.
+        declared: Its options and scenario fields by name.
+        options: JSON Schema of each option.
+        files: Further files that it reads.
+        file: Where it stands.
+        digest: Of its file and of those.
+    """
+
+    id: str
+    label: str
+    text: str
+    base: str = Controller.__name__
+    speed_plan: SpeedPlan = "planned"
+    actuated: bool = True
+    delayed: bool = False
+    linear: bool = False
+    fixed: Mapping[str, Any]
+    declared: Mapping[str, Option | ScenarioField]
+    options: Mapping[str, JsonObject]
+    files: tuple[str, ...] = ()
+    file: Path
+    digest: str
+
+
+def described(controller: type[Controller]) -> Description:
+    """A controller's description.
+
+    Raises:
+        ControllerFileError: It declares something that cannot be used.
+    """
+    file = Path(inspect.getfile(controller))
+    wrong = declaration_faults(controller)
+    if wrong:
+        raise ControllerFileError(f"{file}, class {controller.__name__}: {'; '.join(wrong)}")
+    ahead = ("preview", "prediction_horizon")
+    return Description(
+        id=controller.id,
+        label=" ".join(controller.label.split())[:LONGEST_LABEL],
+        text=controller.description(),
+        base=next(name for name, base in _BASES.items() if issubclass(controller, base)),
+        speed_plan=controller.speed_plan,
+        actuated=bool(controller.actuated),
+        delayed=bool(controller.delayed),
+        linear=controller.linear_law is not Controller.linear_law,
+        fixed={name: getattr(controller, name) for name in ahead if name not in controller.declared},
+        declared=dict(controller.declared),
+        options={name: _schema(controller, name, each) for name, each in controller.options().items()},
+        files=tuple(controller.files),
+        file=file,
+        digest=str(controller.file_digest),
+    )
+
+
+def _schema(controller: type[Controller], name: str, option: Option) -> JsonObject:
+    annotation: Any = get_type_hints(controller).get(name, type(option.default))
+    schema = TypeAdapter(Annotated[annotation, Field(ge=option.ge, le=option.le)]).json_schema()
+    schema |= {"title": name.replace("_", " ").capitalize(), "description": option.help, "default": option.default}
+    if schema.get("type") in ("number", "integer"):
+        size = abs(option.default) or 1
+        schema["unit"] = option.unit
+        schema["soft_range"] = [
+            -2 * size if option.ge is None and option.default < 0 else option.ge or 0,
+            2 * size if option.le is None else option.le,
+        ]
+    return schema
+
+
+def stand_in(description: Description) -> type[Controller]:
+    """A class with the same fields, which cannot be driven."""
+    base = _BASES[description.base]
+    members = {
+        "__doc__": description.text,
+        "__annotations__": {name: _type(schema) for name, schema in description.options.items()},
+        **{name: getattr(description, name) for name in ("id", "label", "speed_plan", "actuated", "delayed", "files")},
+        **description.fixed,
+        **description.declared,
+        "file_digest": description.digest,
+    }
+    if description.linear and base.linear_law is Controller.linear_law:
+        members["linear_law"] = _linear_law
+    return type(description.id, (base,), members)
+
+
+def _linear_law(_controller: Controller, _stage: str) -> LinearLaw | None:
+    return None
+
+
+def _type(schema: JsonObject) -> Any:
+    if "enum" in schema:
+        return Literal[tuple(schema["enum"])]
+    return _TYPES.get(schema.get("type"), Any)

@@ -1,0 +1,172 @@
+"""The process that runs a file of somebody's own.
+
+It may print, exit, hang, crash or eat memory: whoever asked gets a `ControllerFileError` with the file's message and
+line, and nothing else of the service notices.
+"""
+
+import ctypes
+import inspect
+import os
+import pickle
+import resource
+import signal
+import subprocess
+import sys
+from collections.abc import Callable
+from contextlib import suppress
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import Any, TypeVar
+
+from sim_core import controller_files
+from sim_core.controller_files import ControllerFileError, said_by
+from sim_core.errors import ForceError, RidelabError
+from sim_core.strategies import strategy_named
+
+T = TypeVar("T")
+MEMORY = 4 * 1024**3  # of address space, so that a law that takes ever more is told so [bytes]
+STARTING = 30.0  # Python and the core may take to be imported on a busy machine [s]
+GRACE = 2.0  # beyond its limit: a law that catches everything does not end by itself [s]
+_MAIN = "import sys; from backend.own.host import main; main(sys.argv[1])"
+_PARENT_DEATH_SIGNAL = 1  # prctl(2)
+
+
+class _OutOfTime(BaseException):
+    """Nothing that a law should catch."""
+
+
+class Host:
+    """A process with one file loaded.
+
+    Args:
+        source: One of `sim_core.controller_files.sources`.
+    """
+
+    def __init__(self, source: str) -> None:
+        self._name = Path(source).name
+        self._process = subprocess.Popen(  # noqa: S603 - our own module, no shell
+            [sys.executable, "-P", "-c", _MAIN, source],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            env={**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))},
+            start_new_session=True,
+        )
+        assert self._process.stdin is not None  # noqa: S101 - both are pipes
+        assert self._process.stdout is not None  # noqa: S101
+        self._tasks = Connection(os.dup(self._process.stdin.fileno()), readable=False)
+        self._answers = Connection(os.dup(self._process.stdout.fileno()), writable=False)
+        self._process.stdin.close()
+        self._process.stdout.close()
+        self._started = False
+
+    def call(self, function: Callable[..., T], *args: Any, limit: float) -> T:
+        """`function(*args)` in the process, which ends where it gives no answer.
+
+        Args:
+            function: Of a module.
+            *args: Its arguments.
+            limit: It may take so long [s].
+
+        Raises:
+            ControllerFileError: The file's code failed, ended its process or did not end.
+            RidelabError: As the function raises.
+        """
+        try:
+            if not self._started:
+                self._receive(STARTING)
+                self._started = True
+            with suppress(BrokenPipeError):  # it has ended, which the answer says
+                self._tasks.send_bytes(pickle.dumps((function, args, limit)))
+            answer = self._receive(limit + GRACE)
+        except BaseException:  # also whoever calls this off
+            self.close()
+            raise
+        if isinstance(answer, RidelabError):
+            raise answer
+        result: T = answer
+        return result
+
+    def _receive(self, limit: float) -> Any:
+        try:
+            if self._answers.poll(limit):
+                return pickle.loads(self._answers.recv_bytes())  # noqa: S301 - from our own module
+        except (EOFError, OSError):
+            raise ControllerFileError(f"{self._name}: {self._end()}") from None
+        raise ControllerFileError(f"{self._name}: {_unended(limit - GRACE)}, and was ended")
+
+    def _end(self) -> str:
+        code = self._process.wait()
+        how = f"by {signal.Signals(-code).name}" if code < 0 else f"with the code {code}"
+        return f"it ended its process {how}"
+
+    @property
+    def alive(self) -> bool:
+        """Whether it can be asked again."""
+        return not self._tasks.closed
+
+    def close(self) -> None:
+        """End the process."""
+        self._process.kill()
+        self._process.wait()
+        self._tasks.close()
+        self._answers.close()
+
+
+def _unended(limit: float) -> str:
+    return f"it did not end within {limit:g} s"
+
+
+def main(source: str) -> None:
+    """Load the file when the first task comes, then do what is asked until nobody asks any more."""
+    tasks, answers = Connection(os.dup(0), writable=False), Connection(os.dup(1), readable=False)
+    nowhere = os.open(os.devnull, os.O_RDWR)
+    for stream in (0, 1, 2):  # what the file prints is no answer
+        os.dup2(nowhere, stream)
+    with suppress(OSError, AttributeError):  # not on Linux: there it ends with the pipe
+        ctypes.CDLL(None).prctl(_PARENT_DEATH_SIGNAL, signal.SIGKILL)
+    with suppress(ValueError, OSError):  # less is allowed already
+        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, resource.getrlimit(resource.RLIMIT_AS)[1]))
+    signal.signal(signal.SIGALRM, _stop)
+    os._exit = sys.exit  # type: ignore[assignment]  # with a traceback, so that its line can be told
+    answers.send_bytes(pickle.dumps(None))
+    with suppress(EOFError):
+        while True:
+            answers.send_bytes(_answer(source, tasks.recv_bytes()))
+
+
+def _stop(*_: object) -> None:
+    raise _OutOfTime
+
+
+def _answer(source: str, task: bytes) -> bytes:
+    """The pickled result of a task, or the error to raise in its place."""
+    function, args, limit = pickle.loads(task)  # noqa: S301 - from our own service
+    file = source
+    try:
+        signal.setitimer(signal.ITIMER_REAL, limit)
+        try:
+            controllers = controller_files.load(source)
+            controller_files.use(lambda: controllers)  # whatever becomes of the file meanwhile
+            file = inspect.getfile(next(iter(controllers.values())))
+            return pickle.dumps(function(*args))
+        finally:
+            signal.setitimer(signal.ITIMER_REAL, 0)
+    except BaseException as error:  # noqa: BLE001 - of anybody's code
+        if isinstance(error, RidelabError) and not isinstance(error, ControllerFileError | ForceError):
+            return pickle.dumps(error)
+        folder = f"{Path(file).parent}{os.sep}"  # which is no business of whoever asked
+        return pickle.dumps(ControllerFileError(_said(error, file, limit).replace(folder, "")))
+
+
+def _said(error: BaseException, file: str, limit: float) -> str:
+    """What it says, with the last line of the file that led to it."""
+    if isinstance(error, ControllerFileError):
+        return error.message
+    if isinstance(error, ForceError):
+        code = getattr(strategy_named(error.controller).force, "__code__", None)
+        return f"{file}{'' if code is None else f', line {code.co_firstlineno}'}: {error.message}"
+    text = said_by(error, file)
+    if isinstance(error, _OutOfTime):
+        return text.replace(_OutOfTime.__name__, _unended(limit))
+    return f"{text} (it changes what it was given: copy it first)" if "read-only" in str(error) else text

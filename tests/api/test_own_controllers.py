@@ -1,0 +1,178 @@
+"""Controllers of one's own are strategies like ours, and what is wrong with one costs its own column alone."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from sim_core.controller_files import VARIABLE
+from sim_core.scenario import Scenario
+from sim_core.simulate import simulate
+from tests.api.conftest import ROAD, Service
+
+SCENARIO = {"road": ROAD}
+LAW = '''"""Mine."""
+from sim_core import Controller, option
+
+
+class Mine(Controller):
+    """Damps the body."""
+
+    id, label = "mine", "Mine"
+    damping: float = option(2000.0, unit="N s/m", ge=0, le=20_000, help="Force per velocity.")
+
+    def force(self, seen):
+        return -self.damping * seen.state[4], -self.damping * seen.state[4]
+'''
+BROKEN = {
+    "raises": "return 1 / 0",
+    "nan": "return float('nan'), 0.0",
+    "shape": "return [0.0]",
+    "ends": "raise SystemExit",
+    "ends_at_once": "import os; os._exit(3)",
+    "killed": "import os; os.kill(os.getpid(), 9)",
+    "changes": "seen.state[0] = 1.0; return 0.0, 0.0",
+    "memory": "import numpy; return numpy.ones(2**30), 0.0",
+    "deep": "return self.force(seen)",
+}
+
+
+@pytest.fixture
+def folder(service: Service, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """A folder that the service is told of; files that are written there are strategies."""
+    monkeypatch.setenv(VARIABLE, str(tmp_path))
+    yield tmp_path
+    monkeypatch.undo()
+    service.client.get("/api/v1/strategies")  # which forgets them
+
+
+def own(service: Service) -> dict[str, Any]:
+    return {each["id"]: each for each in service.client.get("/api/v1/strategies").json() if each["own"]}
+
+
+def driven(service: Service, strategies: list[str], scenario: dict[str, Any] = SCENARIO) -> dict[str, Any]:
+    answer: dict[str, Any] = service.run(strategies, scenario).json()["strategies"]
+    return answer
+
+
+def test_a_file_is_a_strategy_and_a_saved_one_another_law(service: Service, folder: Path) -> None:
+    assert own(service) == {}
+    (folder / "mine.py").write_text(LAW)
+    first = own(service)["mine"]
+    assert (first["label"], first["description"], first["fault"]) == ("Mine", "Damps the body.", None)
+    assert first["source"]["file"] == "mine.py"
+    assert (
+        first["options"]["properties"]["damping"].items()
+        >= {
+            "type": "number",
+            "unit": "N s/m",
+            "minimum": 0,
+            "maximum": 20_000,
+            "default": 2000.0,
+            "description": "Force per velocity.",
+        }.items()
+    )
+    run = service.run(["mine", "passive"], SCENARIO).json()
+    outcome = run["strategies"]["mine"]
+    assert (outcome["source"], run["strategies"]["passive"]["source"]) == (first["source"], None)
+    text = LAW.replace("2000.0", "4000.0")
+    (folder / "mine.py").write_text(text)
+    again = driven(service, ["mine", "passive"])
+    assert again["mine"]["source"]["digest"] != outcome["source"]["digest"]
+    assert (again["mine"]["cached"], again["passive"]["cached"]) == (False, True)
+    assert again["mine"]["metrics"] != outcome["metrics"]
+    stored = service.client.get(f"/api/v1/runs/{run['id']}").json()["strategies"]["mine"]
+    assert stored == {key: value for key, value in outcome.items() if key != "cached"}, "the old law's, as it was"
+    (folder / "mine.py").write_text(LAW)
+    assert driven(service, ["mine"])["mine"] == {**outcome, "cached": True}
+
+
+def test_it_is_driven_as_in_the_library(service: Service, folder: Path) -> None:
+    (folder / "mine.py").write_text(LAW)
+    namespace: dict[str, Any] = {"__name__": __name__}
+    exec(LAW, namespace)  # noqa: S102 - ours
+    expected = simulate(Scenario.model_validate(SCENARIO), namespace["Mine"]).summary()
+    assert driven(service, ["mine"])["mine"]["metrics"] == expected["metrics"]
+    live = service.live(["mine"], SCENARIO, points=50, signals=["front_force"]).json()["strategies"]["mine"]
+    assert set(live["series"]) == {"time", "position", "front_force"}
+
+
+def test_a_law_that_fails_costs_its_own_column_and_is_told_with_its_line(service: Service, folder: Path) -> None:
+    laws = [
+        LAW.partition("\n\n\n")[2].replace("Mine", name.title()).replace("mine", name).rpartition("return")[0] + body
+        for name, body in BROKEN.items()
+    ]
+    (folder / "broken.py").write_text("from sim_core import Controller, option\n" + "\n\n".join(laws))
+    lines = (folder / "broken.py").read_text().splitlines()
+    line = {name: lines.index(f"        {body}") + 1 for name, body in BROKEN.items()}
+    (folder / "chatty.py").write_text(LAW.replace("mine", "chatty").replace("return", "print('x' * 10_000); return"))
+    outcomes = driven(service, [*BROKEN, "chatty", "passive"])
+    assert {name for name, each in outcomes.items() if each["status"] == "ok"} == {"chatty", "passive"}
+    reasons = {name: outcomes[name]["reason"] for name in BROKEN}
+    assert reasons == {
+        "raises": f"broken.py, line {line['raises']}: ZeroDivisionError: division by zero",
+        "nan": f"broken.py, line {line['nan'] - 1}: Nan: force gave a value that is not finite in control step 0",
+        "shape": f"broken.py, line {line['shape'] - 1}: Shape: force gives two numbers, front and rear; "
+        "in step 0 it gave an array of the shape (1,)",
+        "ends": f"broken.py, line {line['ends']}: It ends the program: leave out sys.exit",
+        "ends_at_once": f"broken.py, line {line['ends_at_once']}: It ends the program: leave out sys.exit",
+        "killed": "broken.py: it ended its process by SIGKILL",
+        "changes": f"broken.py, line {line['changes']}: ValueError: assignment destination is read-only "
+        "(it changes what it was given: copy it first)",
+        "memory": reasons["memory"],
+        "deep": f"broken.py, line {line['deep']}: RecursionError: maximum recursion depth exceeded",
+    }
+    assert f"broken.py, line {line['memory']}: " in reasons["memory"]
+    assert "MemoryError: Unable to allocate 8.00 GiB" in reasons["memory"]
+    assert all(not each["cached"] for each in driven(service, ["raises"]).values()), "it is tried again"
+
+
+def test_a_law_that_does_not_end_is_ended(service: Service, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(service.app.state.services.own_files, "_limit", 0.5)
+    head = LAW.rpartition("return")[0]
+    (folder / "endless.py").write_text(head.replace("mine", "endless") + "while True: pass")
+    (folder / "stubborn.py").write_text(
+        head.replace("mine", "stubborn")
+        + "import signal; signal.alarm(0); signal.signal(14, signal.SIG_IGN)\n        while True: pass"
+    )
+    outcomes = driven(service, ["endless", "stubborn", "passive"])
+    assert {name: each.get("reason") for name, each in outcomes.items()} == {
+        "passive": None,
+        "endless": "endless.py, line 12: it did not end within 0.5 s",
+        "stubborn": "stubborn.py: it did not end within 0.5 s, and was ended",
+    }
+
+
+def test_a_file_that_cannot_be_used_keeps_nothing_else_from_working(service: Service, folder: Path) -> None:
+    texts = {
+        "half.py": LAW[:-40],
+        "endless.py": "while True: pass",
+        "lqr.py": LAW.replace('"mine"', '"lqr"'),
+        "twice.py": LAW,
+        "mine.py": LAW,
+        "bad_default.py": LAW.replace("mine", "bad_default").replace("2000.0", "-1.0"),
+    }
+    for name, text in texts.items():
+        (folder / name).write_text(text)
+    faults = service.client.get("/readyz").json()["controllers"]
+    while not faults:  # the endless one takes longer than a request waits
+        own(service)
+        faults = service.client.get("/readyz").json()["controllers"]
+    assert faults == {
+        "half.py": "half.py, line 12: SyntaxError: invalid syntax",
+        "endless.py": "endless.py, line 1: it did not end within 5 s",
+        "lqr.py": faults["lqr.py"],
+        "twice.py": "twice.py: mine.py has a controller of the id mine too",
+        "bad_default.py": "bad_default.py, class Mine: damping: Input should be greater than or equal to 0",
+    }
+    assert "id is that of a strategy of Ridelab's" in faults["lqr.py"]
+    assert own(service)["half"]["fault"] == faults["half.py"], "it stands where its author looks"
+    outcomes = driven(service, ["half", "mine", "lqr"])
+    assert {name: each["status"] for name, each in outcomes.items()} == {"half": "failed", "mine": "ok", "lqr": "ok"}
+    assert outcomes["half"]["reason"] == faults["half.py"]
+    (folder / "half.py").write_text(LAW.replace("mine", "whole"))
+    assert own(service)["whole"]["fault"] is None
+    (folder / "half.py").unlink()
+    assert "whole" not in own(service)
+    assert service.run(["whole"], SCENARIO).status_code == 422
