@@ -8,6 +8,7 @@ import numpy as np
 from pydantic import Field
 
 from backend.models import Answer, StrategiesRequest
+from backend.own import isolated
 from sim_core.arrays import FloatArray
 from sim_core.errors import RidelabError
 from sim_core.frequency import responses
@@ -117,7 +118,7 @@ def _one(
     scenario: Scenario, strategy: str, frequencies: Sequence[float], outputs: Sequence[str], stage: str
 ) -> StrategyFrequency:
     try:
-        result = frequency_response(scenario, strategy, frequencies, outputs, stage)
+        result = isolated(strategy, frequency_response, scenario, strategy, frequencies, outputs, stage)
     except RidelabError as error:
         result = FrequencyResult(stage=stage, speed=scenario.speed.initial, reason=str(error))
     return StrategyFrequency(

@@ -10,6 +10,7 @@ from backend.cost.estimate import check_affordable, cost_of
 from backend.errors import GoneError, InvalidError
 from backend.gate import Gate
 from backend.models import Answer
+from backend.own import isolated
 from backend.runs.histories import Histories
 from backend.store import StoredRun
 from sim_core import __version__ as CORE_VERSION
@@ -126,6 +127,10 @@ class Instants:
 def instant_answer(scenario: Scenario, strategy: str, position: float | None, time: float | None) -> InstantAnswer:
     """The answer, computed in a worker, which keeps the drive for the next one."""
     check_affordable(scenario, strategy)
+    return isolated(strategy, _instant_answer, scenario, strategy, position, time)
+
+
+def _instant_answer(scenario: Scenario, strategy: str, position: float | None, time: float | None) -> InstantAnswer:
     return as_answer(strategy, instant(scenario, strategy, position=position, time=time))
 
 
