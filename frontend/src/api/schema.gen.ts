@@ -329,6 +329,7 @@ export interface components {
             readonly reference: {
                 readonly [key: string]: number | null;
             };
+            readonly source: components["schemas"]["Source"] | null;
             readonly stages: readonly components["schemas"]["Stage"][];
             /**
              * @description discriminator enum property added by openapi-typescript
@@ -355,6 +356,7 @@ export interface components {
             readonly reference: {
                 readonly [key: string]: number | null;
             };
+            readonly source: components["schemas"]["Source"] | null;
             readonly stages: readonly components["schemas"]["Stage"][];
             /**
              * @description discriminator enum property added by openapi-typescript
@@ -812,6 +814,7 @@ export interface components {
             readonly series: {
                 readonly [key: string]: components["schemas"]["TypedArray"];
             };
+            readonly source: components["schemas"]["Source"] | null;
             readonly stages: readonly components["schemas"]["Stage"][];
             /**
              * @description discriminator enum property added by openapi-typescript
@@ -1070,6 +1073,7 @@ export interface components {
             readonly reference: {
                 readonly [key: string]: number | null;
             };
+            readonly source: components["schemas"]["Source"] | null;
             readonly stages: readonly components["schemas"]["Stage"][];
             /**
              * @description discriminator enum property added by openapi-typescript
@@ -1185,6 +1189,10 @@ export interface components {
             readonly scenario?: JsonObject;
             readonly strategy: string;
         };
+        readonly Source: {
+            readonly digest: string;
+            readonly file: string;
+        };
         readonly SpectrumAnswer: {
             readonly density: readonly number[];
             readonly frequency: readonly number[];
@@ -1221,12 +1229,16 @@ export interface components {
             readonly dark_colour: string;
             readonly dash: string;
             readonly description: string;
+            readonly fault: string | null;
             readonly id: string;
             readonly label: string;
             readonly one_road_resolution: {
                 readonly [key: string]: number;
             };
+            readonly options: JsonObject;
+            readonly own: boolean;
             readonly reads: readonly string[];
+            readonly source: components["schemas"]["Source"] | null;
         };
         readonly StrategyChanges: {
             readonly bump: {
@@ -1286,6 +1298,7 @@ export interface components {
             readonly reference: {
                 readonly [key: string]: number | null;
             };
+            readonly source: components["schemas"]["Source"] | null;
             readonly stages: readonly components["schemas"]["Stage"][];
             /**
              * @description discriminator enum property added by openapi-typescript
@@ -1619,6 +1632,7 @@ export type SeriesOfSeveral = components['schemas']['SeriesOfSeveral'];
 export type Share = components['schemas']['Share'];
 export type Solution = components['schemas']['Solution'];
 export type SolveRequest = components['schemas']['SolveRequest'];
+export type Source = components['schemas']['Source'];
 export type SpectrumAnswer = components['schemas']['SpectrumAnswer'];
 export type StabilitySummary = components['schemas']['StabilitySummary'];
 export type Stage = components['schemas']['Stage'];
