@@ -38,7 +38,7 @@ int ridelab_limit_force(const double *limits, const double *wanted, const double
 static void look(const struct law *law, int step, const double *now, const double *previous)
 {
     const double *preview = law->preview + (ptrdiff_t)law->numbers->step_stride * step;
-    size_t horizon = (size_t)law->numbers->horizon;
+    size_t horizon = (size_t)law->design->horizon;
     memcpy(law->inputs, now, STATE * sizeof(double));
     memcpy(law->inputs + STATE, previous, FORCES * sizeof(double));
     for (size_t kind = 0; kind < DISTURBANCES; kind++)
@@ -46,46 +46,38 @@ static void look(const struct law *law, int step, const double *now, const doubl
                horizon * sizeof(double));
 }
 
-/* How many numbers are not within their limit. */
-static double beyond(const double *values, int count)
+/* The most that a row with such norms comes to, by Cauchy and Schwarz. */
+static inline double most(const double *norms, const double *size)
 {
-    double counts[TOGETHER] = {0};
-    int i = 0;
-    for (; i + TOGETHER <= count; i += TOGETHER)
-        TWO_AT_ONCE
-        for (int part = 0; part < TOGETHER; part++)
-            counts[part] += values[i + part] <= WITHIN ? 0 : 1;
-    for (; i < count; i++)
-        counts[0] += values[i] <= WITHIN ? 0 : 1;
-    return total(counts);
+    return (norms[0] * size[0] + norms[1] * size[1]) + (norms[2] * size[2] + norms[3] * size[3]) + norms[4] * size[4];
 }
 
-/* Whether every row is within its limit. By Cauchy and Schwarz a row comes to no more than the norms of its parts times
-   the sizes of what they are on: most steps need no closer look, and most rows none beyond their first part. */
+/* Whether every row is within its limit. Most groups of rows need no closer look, and most rows none beyond their first
+   part. */
 static int holds(const struct law *law, int step)
 {
-    int rows = (int)law->numbers->rows, steps = (int)law->numbers->steps;
-    int columns = INPUTS + DISTURBANCES * (int)law->numbers->horizon;
-    const double *restrict norms = law->norms, *restrict first_part = norms + NORMS * rows, *size = law->sizes + step;
-    double *restrict inputs = law->inputs, *restrict most = inputs + columns, squares = 0;
+    const struct law_design *design = law->design;
+    const double *inputs = law->inputs, *norms = design->norms, *of_group = norms + NORMS * design->rows;
+    double size[NORMS], scaled[INPUTS];
     for (int i = 0; i < INPUTS; i++)
-        squares += law->scale[i] * law->scale[i] * inputs[i] * inputs[i];
-    double on_state = sqrt(squares), mean = size[0], front = size[steps], rear = size[2 * (ptrdiff_t)steps];
-    double braking = size[3 * (ptrdiff_t)steps];
-    for (int i = 0; i < rows; i++)
-        most[i] = norms[i] * on_state + (norms[rows + i] * mean + norms[2 * rows + i] * front +
-                                         norms[3 * rows + i] * rear + norms[4 * rows + i] * braking);
-    if (beyond(most, rows) == 0)
-        return 1;
-    for (int i = 0; i < rows; i++) {
-        double exact = 0;
-        for (int column = 0; column < INPUTS; column++)
-            exact += first_part[column * rows + i] * inputs[column];
-        most[i] += fabs(exact) - norms[i] * on_state;
+        scaled[i] = design->scale[i] * inputs[i];
+    size[0] = sqrt(dot(scaled, scaled, INPUTS));
+    for (int i = 1; i < NORMS; i++)
+        size[i] = law->sizes[(ptrdiff_t)law->numbers->steps * (i - 1) + step];
+    for (int first = 0; first < design->rows; first += GROUP, of_group += NORMS) {
+        if (most(of_group, size) <= WITHIN)
+            continue;
+        for (int i = first; i < first + GROUP && i < design->rows; i++) {
+            const double *row = design->limits + (ptrdiff_t)design->columns * i;
+            double at_most = most(norms + NORMS * i, size);
+            if (at_most <= WITHIN)
+                continue;
+            double first_part = dot(row, inputs, INPUTS);
+            if (!(at_most + (fabs(first_part) - norms[NORMS * i] * size[0]) <= WITHIN) &&
+                !(fabs(first_part + dot(row + INPUTS, inputs + INPUTS, design->columns - INPUTS)) <= WITHIN))
+                return 0;
+        }
     }
-    for (int i = 0; i < rows; i++)
-        if (!(most[i] <= WITHIN) && !(fabs(dot(law->limits + (ptrdiff_t)columns * i, inputs, columns)) <= WITHIN))
-            return 0;
     return 1;
 }
 
@@ -95,15 +87,16 @@ static int holds(const struct law *law, int step)
 int ridelab_follow_law(struct car *car, const struct law *law, double *loop, int *limited, int first, int last)
 {
     const struct law_numbers *numbers = law->numbers;
-    int size = ridelab_car_size(car), width = size + FORCES, previewed = DISTURBANCES * (int)numbers->horizon;
+    const struct law_design *design = law->design;
+    int size = ridelab_car_size(car), width = size + FORCES;
     for (int step = first; step < last; step++) {
         double *now = loop + (ptrdiff_t)width * step, *next = now + width, wanted[FORCES], command[FORCES];
         const double *previous = now + size;
         int beyond = 0, lost = 0, by_qp = 0;
         look(law, step, now, previous);
         for (int axle = 0; axle < FORCES; axle++) {
-            wanted[axle] = dot(law->gain + INPUTS * axle, law->inputs, INPUTS) +
-                           dot(law->preview_gain + previewed * axle, law->inputs + INPUTS, previewed);
+            const double *gain = design->gain + design->columns * axle;
+            wanted[axle] = dot(gain, law->inputs, INPUTS) + dot(gain + INPUTS, law->inputs + INPUTS, design->columns - INPUTS);
             beyond |= !(fabs(wanted[axle]) <= numbers->force_limits[0] * WITHIN);
             lost |= isnan(wanted[axle]);
         }
@@ -128,13 +121,19 @@ void ridelab_advance(struct car *car, double *loop, int step)
     ridelab_drive(car, step, now, next + size, next);
 }
 
-void ridelab_prepare_law(struct law *law, const struct law_numbers *numbers, const double *gain,
-                         const double *preview_gain, const double *limits, const double *scale, const double *norms,
+void ridelab_prepare_law_design(struct law_design *me, int rows, int horizon, const double *gain, const double *limits,
+                                const double *scale, const double *norms)
+{
+    _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a law is prepared in memory of that size");
+    *me = (struct law_design){rows, horizon, INPUTS + DISTURBANCES * horizon, gain, limits, scale, norms};
+}
+
+void ridelab_prepare_law(struct law *me, const struct law_design *design, const struct law_numbers *numbers,
                          const double *preview, const double *sizes, double *inputs, const struct qp *qp,
                          struct qp_run *qp_run)
 {
-    _Static_assert(sizeof *law <= RIDELAB_PREPARED, "a law is prepared in memory of that size");
-    *law = (struct law){numbers, gain, preview_gain, limits, scale, norms, preview, sizes, inputs, qp, qp_run};
+    _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a law is prepared in memory of that size");
+    *me = (struct law){design, numbers, preview, sizes, inputs, qp, qp_run};
 }
 
 /* What `law.sizes` has of each window that slides over what is previewed (3 x count): sums of `horizon` numbers and of their

@@ -2,14 +2,13 @@
 #ifndef RIDELAB_LOOP_H
 #define RIDELAB_LOOP_H
 
-enum { STATE = 8, AXLES = 2, FORCES = 2, INPUTS = STATE + FORCES, DISTURBANCES = 3, NORMS = 5 };
+enum { STATE = 8, AXLES = 2, FORCES = 2, INPUTS = STATE + FORCES, DISTURBANCES = 3, NORMS = 5, GROUP = 10 };
 
 /* Before a short loop over numbers that do not depend on each other: gcc would unroll it before it sees that. */
 #define TWO_AT_ONCE _Pragma("GCC unroll 1")
 
 /* All numbers, as they come from outside. */
 struct law_numbers {
-    double rows, horizon;            /* of the limits; steps previewed */
     double kind_stride, step_stride; /* in `preview`: from one kind of disturbance, one control step, to the next */
     double steps;                    /* of the run */
     double clips;                    /* 1 where a force beyond the limit is clipped, 0 where the law does not decide it */
@@ -29,17 +28,22 @@ struct qp_counts {
 int ridelab_solve_qp(const struct qp *qp, struct qp_run *run, const double *inputs, double *force);
 int ridelab_may_solve(const struct qp_run *run);
 
-/* u = gain [state; previous force] + preview_gain preview, where each of the limits' rows is between -1 and 1. */
+/* u = gain [state; previous force; preview], where each of the limits' rows is between -1 and 1. */
+struct law_design {
+    int rows, horizon, columns; /* of the limits; steps previewed; INPUTS + 3 horizon */
+    const double *gain;         /* 2 x columns */
+    const double *limits;       /* rows x columns */
+    const double *scale;        /* INPUTS: of the state and the previous force, where `norms` have them together */
+    const double *norms;        /* rows x NORMS: of a row's parts on what `sizes` measures; then each group's largest */
+};
+
+/* It in a run. */
 struct law {
+    const struct law_design *design;
     const struct law_numbers *numbers;
-    const double *gain;         /* 2 x 10 */
-    const double *preview_gain; /* 2 x 3 horizon */
-    const double *limits;       /* rows x (10 + 3 horizon) */
-    const double *scale;        /* 10: of the state and the previous force, where `norms` have them together */
-    const double *norms;        /* NORMS x rows: of a row's parts on what `sizes` measures; then INPUTS x rows: the first */
     const double *preview;      /* both road velocities and the deceleration in each coming step */
     const double *sizes;        /* 4 x steps: of the mean deceleration previewed, both velocities, its difference */
-    double *inputs;             /* 10 + 3 horizon numbers that the law multiplies in the present step; and one a row */
+    double *inputs;             /* that it multiplies in the present step */
     const struct qp *qp;        /* NULL: C solves none */
     struct qp_run *qp_run;
 };

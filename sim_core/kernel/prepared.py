@@ -5,7 +5,7 @@ C-contiguous, or cannot be written into. The arrays live as long as what is call
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +17,8 @@ from sim_core.kernel.record import LAYOUT, SIGNALS, Recorder
 
 CAR, ESTIMATOR = 33, 112  # numbers of `struct vehicle` and `struct estimator` of car.c
 ECU_ANSWER, _STAGES = 5, 3  # numbers of an answer in ecu.c, stages of the ECU's tables
-_LAW_NUMBERS, _SIZES = 9, 4  # of `struct law_numbers` in loop.h; magnitudes of what is previewed
+_LAW_NUMBERS, _SIZES = 7, 4  # of `struct law_numbers` in loop.h; magnitudes of what is previewed
+_GROUP = 10  # rows of limits that loop.h looks at together
 CAUSES, NUMBERS, KEPT_STEPS = 20, 10, 16  # of `struct linear_step` in car.c, and how many are kept
 _STATES, _LAGGING, _FORCES, _LAW_INPUTS, _DISTURBANCES, _MEASURED = 8, 10, 2, 10, 3, 4
 _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
@@ -36,11 +37,8 @@ _ecu_step = Function(
     *(Array(ECU_ANSWER, dtype=np.int32, written=True), Array(1, dtype=np.float32, written=True), INT),
     result=INT,
 )
-_prepare_law = Function(
-    "prepare_law",
-    *(Array(_LAW_NUMBERS), Array(_FORCES, _LAW_INPUTS), _TABLE, _TABLE),
-    *(Array(_LAW_INPUTS), _TABLE, Array(), _TABLE, _LINE_OUT, Optional, Optional),
-)
+_prepare_law_design = Function("prepare_law_design", INT, INT, _TABLE, _TABLE, Array(_LAW_INPUTS), _TABLE)
+_prepare_law = Function("prepare_law", Prepared, Array(_LAW_NUMBERS), Array(), _TABLE, _LINE_OUT, Optional, Optional)
 _prepare_car = Function(
     "prepare_car",
     *(Array(CAR), INT, INT, _TABLE_OUT, INT, Array(ESTIMATOR), _TABLE),
@@ -102,16 +100,58 @@ def limit_force(limits: FloatArray, wanted: FloatArray, previous: FloatArray, co
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
-class LawArrays:
-    """A law of control and its limits in one run, as loop.h has them.
+class LawDesign:
+    """A law of control and its limits, as loop.h has them.
 
     Attributes:
-        gain: (2, 10).
-        preview_gain: (2, 3 · horizon).
+        gain: On the state, the previous force and what is previewed (2, 10 + 3 · horizon).
         limits: (rows, 10 + 3 · horizon).
-        scale: Of the state and the previous force, where `norms` have them together (10,).
-        norms: Of each row's parts on the scaled state and force, on the mean deceleration, on both road velocities, and
-            on the deceleration's difference from its mean; then the first ten columns of `limits` (15, rows).
+        prepared: All of it, as C has it.
+
+    Raises:
+        ValueError: Sizes disagree.
+    """
+
+    gain: FloatArray
+    limits: FloatArray
+    prepared: Prepared = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Check the arrays and hand them to C."""
+        rows, inputs = self.limits.shape
+        horizon = (inputs - _LAW_INPUTS) // _DISTURBANCES
+        require(inputs == _LAW_INPUTS + _DISTURBANCES * horizon and horizon >= 0, "Limits on everything the law knows")
+        require(self.gain.shape == (_FORCES, inputs), "A gain for everything the law knows")
+        arrays = self.gain, self.limits, *self._norms(horizon)
+        object.__setattr__(self, "prepared", _prepare_law_design.prepare(rows, horizon, *arrays))
+
+    def _norms(self, horizon: int) -> tuple[FloatArray, FloatArray]:
+        """`scale` (10,) and `norms` (rows and groups, 5) of loop.h.
+
+        The norms of each row's parts are of that on state and force in units that make their largest gain 1, on the
+        mean deceleration, on both road velocities, and on the deceleration's difference from its mean.
+        """
+        on_state, by_disturbance = self.limits[:, :_LAW_INPUTS], self.limits[:, _LAW_INPUTS:]
+        by_disturbance = by_disturbance.reshape(len(self.limits), _DISTURBANCES, horizon)
+        scale = np.abs(on_state).max(axis=0, initial=0.0)
+        state = np.linalg.norm(on_state / np.where(scale > 0, scale, 1.0), axis=1)
+        mean = np.abs(by_disturbance[:, 2].sum(axis=1))
+        norms = np.column_stack([state, mean, np.linalg.norm(by_disturbance, axis=2)])
+        groups = [norms[first : first + _GROUP].max(axis=0) for first in range(0, len(norms), _GROUP)]
+        return scale, np.vstack([norms, *groups])
+
+    @property
+    def inputs(self) -> int:
+        """How many numbers the law multiplies."""
+        return len(self.gain[0])
+
+
+@dataclass(frozen=True, slots=True, eq=False, kw_only=True)
+class LawArrays:
+    """A law of control in one run, as loop.h has it.
+
+    Attributes:
+        design: The law.
         preview: An array with all that is previewed.
         strides: How many numbers further the next kind of disturbance and the next control step are in it.
         sizes: Magnitudes of what is previewed in each step, for the last four of the norms (4, steps).
@@ -120,11 +160,7 @@ class LawArrays:
         qp: What decides the steps in which a limit binds, and its memory in this run; None where C does not.
     """
 
-    gain: FloatArray
-    preview_gain: FloatArray
-    limits: FloatArray
-    scale: FloatArray
-    norms: FloatArray
+    design: LawDesign
     preview: FloatArray
     strides: tuple[int, int]
     sizes: FloatArray
@@ -138,25 +174,17 @@ class LawArrays:
         Raises:
             ValueError: Sizes disagree.
         """
-        horizon, rows, steps = self.preview_gain.shape[1] // _DISTURBANCES, len(self.limits), self.sizes.shape[1]
-        kind, step = self.strides
+        inputs, steps, (kind, step) = self.design.inputs, self.sizes.shape[1], self.strides
+        horizon = (inputs - _LAW_INPUTS) // _DISTURBANCES
         beyond = (_DISTURBANCES - 1) * kind + (steps - 1) * step + horizon
-        require(self.preview_gain.shape == (_FORCES, _DISTURBANCES * horizon), "A gain for everything previewed")
-        require(
-            self.limits.shape == (rows, _LAW_INPUTS + _DISTURBANCES * horizon), "Limits on everything the law knows"
-        )
-        require(self.norms.shape == (1 + _SIZES + _LAW_INPUTS, rows), "Norms and columns of each limit")
         require(len(self.sizes) == _SIZES, "Four magnitudes in each step")
         require(
             min(kind, step) >= 0 and (beyond <= self.preview.size or not horizon), "What is previewed in every step"
         )
-        numbers = np.array([rows, horizon, kind, step, steps, self.clips, *self.force_limits], dtype=np.float64)
-        inputs = _LAW_INPUTS + _DISTURBANCES * horizon
+        numbers = np.array([kind, step, steps, self.clips, *self.force_limits], dtype=np.float64)
         design, memory = self.qp or (None, None)
         qp = memory.both(design, inputs) if memory and design else (None, None)
-        previewed = self.preview, self.sizes
-        gains, by_row = (self.gain, self.preview_gain), (self.limits, self.scale, self.norms)
-        return _prepare_law.prepare(numbers, *gains, *by_row, *previewed, np.empty(inputs + rows), *qp)
+        return _prepare_law.prepare(self.design.prepared, numbers, self.preview, self.sizes, np.empty(inputs), *qp)
 
     @property
     def steps(self) -> int:

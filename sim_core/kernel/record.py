@@ -1,5 +1,8 @@
 """What is measured of a run while it is driven (kernel/record.c)."""
 
+from itertools import pairwise
+from math import isfinite
+
 import numpy as np
 
 from sim_core.arrays import FloatArray
@@ -66,14 +69,14 @@ class Recorder:
         require(fine > 0 and len(samples) > 1, "A fine step or more, and two samples of the road at least")
         self.fine, self.first, self.steps = fine, first, (instants - 1) // fine
         require(position.shape == height.shape == (2, instants) and instants > 1, "Two axles on a road")
-        require(
-            bool(np.isfinite(position[:, [0, -1]]).all()) and kinks[-1] == np.inf, "An axle is somewhere, no kink last"
-        )
+        outermost = position[0, 0], position[0, -1], position[1, 0], position[1, -1]
+        require(all(map(isfinite, outermost)) and kinks[-1] == np.inf, "An axle is somewhere, no kink last")
         require(tyres.shape == (3, 2) and 0 <= first < self.steps, "Two tyres, and a record within the drive")
         require(ends.shape == (sections, 2) and len(rise) == sections > 0, "Every section has two ends and a rise")
         on_record = fine * (self.steps - first)
-        require(ends[0, 0] >= 0 and ends[-1, 1] <= on_record, "Sections within the record")
-        require(bool((np.diff(ends.ravel()) >= 0).all()) and weighted_samples <= on_record + 1, "Sections ascend")
+        places = [0, *ends.ravel().tolist(), on_record]
+        require(all(a <= b for a, b in pairwise(places)), "Sections ascend within the record")
+        require(weighted_samples <= on_record + 1, "No sample beyond the record is weighted")
         self.integrals, self.peaks = np.zeros((sections, _METRICS)), np.zeros((sections, _METRICS))
         self._found = np.zeros(_FOUND)
         self.samples = np.empty((fine + 1, SIGNALS))

@@ -16,7 +16,7 @@ from sim_core.control.controller import Controller
 from sim_core.control.law import LAW_INPUTS, LinearLaw
 from sim_core.control.seen import RunInputs, Seen
 from sim_core.errors import ForceError, RidelabError
-from sim_core.kernel.prepared import DrivenCar, FollowLaw, LawArrays, limit_force
+from sim_core.kernel.prepared import DrivenCar, FollowLaw, LawArrays, LawDesign, limit_force
 from sim_core.kernel.qp import Qp
 from sim_core.loop.preview import Forecast
 from sim_core.speed.stages import Segment
@@ -112,19 +112,9 @@ def law_arrays(
     Raises:
         RidelabError: It is a law for another horizon.
     """
-    previewed = DISTURBANCES * forecast.disturbances.shape[2]
-    preview_gain = np.zeros((FORCES, previewed)) if law.preview_gain is None else law.preview_gain
-    rows = np.zeros((0, LAW_INPUTS + previewed)) if law.limits is None else law.limits
-    if preview_gain.shape[1] != previewed or rows.shape[1] != LAW_INPUTS + previewed:
-        raise RidelabError("A linear law has three columns for each control step that is previewed")
-    scale, norms = (np.ones(LAW_INPUTS), np.zeros((5 + LAW_INPUTS, 0))) if law.limits is None else _norms(law)
     kind, step, _ = (stride // forecast.disturbances.itemsize for stride in forecast.disturbances.strides)
     return LawArrays(
-        gain=law.gain,
-        preview_gain=preview_gain,
-        limits=rows,
-        scale=scale,
-        norms=norms,
+        design=_law_design(law, forecast.disturbances.shape[2]),
         preview=forecast.source,
         strides=(kind, step),
         sizes=forecast.sizes,
@@ -135,16 +125,18 @@ def law_arrays(
 
 
 @cached
-def _norms(law: LinearLaw) -> tuple[FloatArray, FloatArray]:
-    """`LawArrays.scale` (10,) and `norms` (15, rows): of the state and force in units that make the largest gain 1."""
-    assert law.limits is not None  # noqa: S101 - `law_arrays` asks only then
-    rows, columns = law.limits.shape
-    on_state = law.limits[:, :LAW_INPUTS]
-    by_disturbance = law.limits[:, LAW_INPUTS:].reshape(rows, DISTURBANCES, (columns - LAW_INPUTS) // DISTURBANCES)
-    scale = np.abs(on_state).max(axis=0, initial=0.0)
-    state = np.linalg.norm(on_state / np.where(scale > 0, scale, 1.0), axis=1)
-    mean = np.abs(by_disturbance[:, 2].sum(axis=1))
-    return scale, np.ascontiguousarray([state, mean, *np.linalg.norm(by_disturbance, axis=2).T, *on_state.T])
+def _law_design(law: LinearLaw, horizon: int) -> LawDesign:
+    """The law as C has it.
+
+    Raises:
+        RidelabError: It is a law for another horizon.
+    """
+    previewed = DISTURBANCES * horizon
+    preview_gain = np.zeros((FORCES, previewed)) if law.preview_gain is None else law.preview_gain
+    limits = np.zeros((0, LAW_INPUTS + previewed)) if law.limits is None else law.limits
+    if preview_gain.shape[1] != previewed or limits.shape[1] != LAW_INPUTS + previewed:
+        raise RidelabError("A linear law has three columns for each control step that is previewed")
+    return LawDesign(gain=np.hstack([law.gain, preview_gain]), limits=limits)
 
 
 def checked_force(controller: Controller, force: object, step: int) -> FloatArray:

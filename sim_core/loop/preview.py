@@ -8,7 +8,6 @@ obstacle: of that road they give the bump alone.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.lib.stride_tricks import sliding_window_view
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
@@ -74,10 +73,11 @@ def sliding_forecast(disturbances: FloatArray, horizon: int, height_now: FloatAr
         horizon: Intervals in it.
         height_now: As `Forecast`'s.
     """
-    sizes = np.empty((1 + DISTURBANCES, disturbances.shape[1] - horizon + 1))
+    windows, (kind, step) = disturbances.shape[1] - horizon + 1, disturbances.strides
+    sizes = np.empty((1 + DISTURBANCES, windows))
     binding.window_sizes(disturbances, horizon, sizes)
     return Forecast(
-        disturbances=sliding_window_view(disturbances, horizon, axis=1),
+        disturbances=np.ndarray((DISTURBANCES, windows, horizon), buffer=disturbances, strides=(kind, step, step)),
         source=disturbances,
         sizes=sizes,
         height_now=height_now,

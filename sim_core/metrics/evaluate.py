@@ -6,7 +6,7 @@ does.
 """
 
 from collections.abc import Mapping, Sequence
-from math import sqrt
+from math import isnan, sqrt
 
 import numpy as np
 
@@ -83,15 +83,15 @@ def evaluate(run: Run, recorder: Recorder, recording: Recording) -> StrategyResu
 
 def _by_window(recorder: Recorder, ends: FloatArray) -> dict[str, dict[str, dict[str, float]]]:
     """RMS and peak of METRIC_SIGNALS in WINDOWS."""
-    integrals, durations = recorder.integrals, ends[:, 1] - ends[:, 0]
-    peaks = np.where(np.isnan(integrals), integrals, recorder.peaks)
-    means = integrals[0] / durations[0], integrals[1] / durations[1], integrals.sum(axis=0) / durations.sum()
+    squares, peaks, times = recorder.integrals.tolist(), recorder.peaks.tolist(), (ends[:, 1] - ends[:, 0]).tolist()
+    squares[-1] = [sum(each) for each in zip(*squares, strict=True)]  # the whole, not what follows the bump
+    peaks[-1], times[-1] = [max(each) for each in zip(*peaks, strict=True)], sum(times)
     return {
         window: {
-            signal: {"rms": rms, "peak": peak}
-            for signal, rms, peak in zip(METRIC_SIGNALS, np.sqrt(mean).tolist(), highest.tolist(), strict=True)
+            signal: {"rms": sqrt(square / time), "peak": square if isnan(square) else peak}
+            for signal, square, peak in zip(METRIC_SIGNALS, *of_section, strict=True)
         }
-        for window, mean, highest in zip(WINDOWS, means, (*peaks[:2], peaks.max(axis=0)), strict=True)
+        for window, time, *of_section in zip(WINDOWS, times, squares, peaks, strict=True)
     }
 
 

@@ -13,8 +13,8 @@ from sim_core.control.law import LinearLaw
 from sim_core.kernel import build, library, prepared
 from sim_core.kernel.library import load
 from sim_core.kernel.qp import QpMemory
-from sim_core.loop.closed_loop import _norms, law_arrays
-from sim_core.loop.preview import sliding_forecast
+from sim_core.loop.closed_loop import law_arrays
+from sim_core.loop.preview import Forecast, sliding_forecast
 from sim_core.scenario import Actuator, Vehicle
 from sim_core.vehicle.half_car import measurement
 from sim_core.vehicle.nonlinear import numbers
@@ -122,24 +122,14 @@ def test_a_law_is_followed_up_to_the_first_step_in_which_a_limit_binds(seed: int
     law = LinearLaw(gain=rng.normal(size=(2, 10)) * 0.3, preview_gain=rng.normal(size=(2, 3 * horizon)), limits=limits)
     clips = bool(rng.integers(2))
     force, change, actuator = (float(each) for each in rng.choice([0.5, 2.0, np.inf], size=3))
-    scale, norms = _norms(law)
-    arrays = prepared.LawArrays(
-        gain=law.gain,
-        preview_gain=law.preview_gain if law.preview_gain is not None else np.zeros((2, 0)),
-        limits=limits,
-        scale=scale,
-        norms=norms,
-        preview=ahead,
-        strides=(ahead.shape[1], 1),
-        sizes=forecast.sizes,
-        force_limits=np.array([force, change, actuator]),
-        clips=clips,
-    )
+    limits_of_forces = np.array([force, change, actuator])
+    sees_nothing = Forecast(disturbances=windows, source=ahead, sizes=forecast.sizes, height_now=forecast.height_now)
+    arrays = law_arrays(law, forecast if horizon else sees_nothing, limits_of_forces, clips=clips)
     loop = np.zeros((steps + 1, n + 2))
     expected, stopped, limited = loop.copy(), steps, 0
     for k in range(steps):
         z = np.concatenate([expected[k, :8], expected[k, n:], windows[:, k].ravel()])
-        wanted = np.hstack([law.gain, arrays.preview_gain]) @ z
+        wanted = arrays.design.gain @ z
         if np.abs(limits @ z).max(initial=0) > 1 or (np.abs(wanted).max() > force and not clips):
             stopped = k
             break

@@ -86,7 +86,7 @@ A_DRIVE = """
 import numpy as np
 from ctypes import ArgumentError
 from math import inf
-from sim_core.kernel.prepared import DrivenCar, LawArrays
+from sim_core.kernel.prepared import DrivenCar, LawArrays, LawDesign
 from tests.unit.test_recorder import recorder
 
 REFUSED = ValueError, TypeError, ArgumentError
@@ -98,9 +98,8 @@ RIGHT = dict(
     road=(np.zeros(50), np.ones(9), ROAD_POSITIONS, np.zeros((STEPS * FINE, 4))),
     recorder=recorder(FINE, STEPS, np.array([[0.0, 4.0]])),
 )
+DESIGN = dict(gain=np.zeros((2, 19)), limits=np.zeros((14, 19)))
 LAW = dict(
-    gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 9)),
-    limits=np.zeros((4, 19)), scale=np.ones(10), norms=np.zeros((15, 4)),
     preview=np.zeros((3, STEPS + 2)), strides=(STEPS + 2, 1), sizes=np.zeros((4, STEPS)),
     force_limits=np.full(3, inf), clips=True,
 )
@@ -110,7 +109,8 @@ ONE = dict(step=0, measured=STEPS - 1, sampled=(0, STEPS), state=np.zeros(8), co
 def drive(**changed):
     built = DrivenCar(**{name: changed.get(name, value) for name, value in RIGHT.items()})
     run = {name: changed.get(name, value) for name, value in RUN.items()}
-    law = LawArrays(**{name: changed.get(name, value) for name, value in LAW.items()})
+    design = LawDesign(**{name: changed.get(name, value) for name, value in DESIGN.items()})
+    law = LawArrays(design=design, **{name: changed.get(name, value) for name, value in LAW.items()})
     one = {name: changed.get(name, value) for name, value in ONE.items()}
     built.follow_law(law, run["loop"])(run["first"], run["last"])
     built.advance(one["step"], run["loop"])
@@ -124,14 +124,13 @@ def road(**changed):
 MISUSES = {
     "nothing wrong": "",
     "gain for half a state": "gain=np.zeros((2, 4))",
-    "gain of integers": "gain=np.zeros((2, 10), dtype=int)",
-    "preview of one axle": "preview_gain=np.zeros((1, 9))",
-    "preview by axle": "preview_gain=np.zeros((2, 9), order='F')",
-    "big-endian preview": "preview_gain=np.zeros((2, 9), dtype='>f8')",
-    "limits on the state alone": "limits=np.zeros((4, 10))",
-    "norms of other limits": "norms=np.zeros((15, 3))",
-    "norms of four parts": "norms=np.zeros((14, 4))",
-    "a scale of the state alone": "scale=np.ones(8)",
+    "gain of integers": "gain=np.zeros((2, 19), dtype=int)",
+    "gain of one axle": "gain=np.zeros((1, 19))",
+    "gain by axle": "gain=np.zeros((2, 19), order='F')",
+    "gain on one kind of preview": "gain=np.zeros((2, 13))",
+    "big-endian gain": "gain=np.zeros((2, 19), dtype='>f8')",
+    "limits on the state alone": "limits=np.zeros((14, 10))",
+    "limits on two kinds of preview": "gain=np.zeros((2, 12)), limits=np.zeros((14, 12))",
     "a preview that ends before the drive": "preview=np.zeros((3, STEPS + 1))",
     "a preview from behind": "strides=(STEPS + 2, -1)",
     "sizes in fewer steps": "sizes=np.zeros((4, STEPS - 1))",
@@ -261,12 +260,9 @@ def fuzzy(**changed: Any) -> None:
 
 
 def linear_drive(qp: tuple[QpDesign, QpMemory] | None = None, **changed: Any) -> None:
+    design = prepared.LawDesign(gain=np.zeros((2, 19)), limits=np.zeros((4, 19)))
     law = prepared.LawArrays(
-        gain=np.zeros((2, 10)),
-        preview_gain=np.zeros((2, 9)),
-        limits=np.zeros((4, 19)),
-        scale=np.ones(10),
-        norms=np.zeros((15, 4)),
+        design=design,
         preview=np.zeros((3, 8)),
         strides=(8, 1),
         sizes=np.zeros((4, 6)),

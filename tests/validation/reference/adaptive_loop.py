@@ -82,14 +82,14 @@ class SolvedCar:
         """As DrivenCar says; where a law has limits beside its forces' the controller decides each step."""
 
         def follow_from(first: int, last: int) -> tuple[int, int]:
-            if len(law.limits):
+            if len(law.design.limits):
                 return first, 0
-            horizon, limited = law.preview_gain.shape[1] // 3, 0
+            horizon, limited = (law.design.inputs - 10) // 3, 0
             for k in range(first, last):
                 kind, step = law.strides
                 seen = [law.preview.ravel()[i * kind + k * step :][:horizon] for i in range(3)]
                 state, previous = loop[k, :8], loop[k, self.size :]
-                wanted = law.gain @ np.concatenate([state, previous]) + law.preview_gain @ np.concatenate(seen)
+                wanted = law.design.gain @ np.concatenate([state, previous, *seen])
                 force, change, actuator = law.force_limits
                 command = previous + np.clip(np.clip(wanted, -force, force) - previous, -change, change)
                 command = np.clip(command, -actuator, actuator)
