@@ -193,4 +193,7 @@ def survey_of(distance: FloatArray, tracks: Sequence[FloatArray]) -> Survey:
         warnings.append(f"Heights are up to {widest:.3g} m apart: waves shorter than {2 * widest:.3g} m are missing")
     if most > HILLY:
         warnings.append(f"Heights reach {most:.3g} m beside the straight line; is the unit right?")
-    return Survey(road=road, bumps=bumps_in(profile.heights), analysis=analysis_of(distance, tracks), warnings=warnings)
+    bumps = bumps_in(profile.heights)
+    if bumps:
+        warnings.append("IRI, roughness and waviness count its bumps too")
+    return Survey(road=road, bumps=bumps, analysis=analysis_of(distance, tracks), warnings=warnings)
