@@ -19,6 +19,7 @@ from types import ModuleType
 
 from sim_core.control.controller import Controller
 from sim_core.errors import RidelabError
+from sim_core.fmi.controller import controllers_of_fmu
 
 VARIABLE = "RIDELAB_CONTROLLERS"
 GROUP = "ridelab.controllers"
@@ -184,10 +185,7 @@ def _files(path: Path, names: Iterable[str]) -> list[Path]:
 
 def _run(path: Path) -> Controllers:
     """Run a Python file."""
-    try:
-        source = path.read_bytes()
-    except OSError as error:
-        raise _unreadable(path, error) from None
+    source = _read(path)
     module = ModuleType(f"{_PREFIX}{hashlib.sha256(os.fsencode(path) + source).hexdigest()[:16]}")
     module.__file__ = str(path)
     sys.modules[module.__name__] = module  # where `inspect` and the types of options look for it
@@ -198,9 +196,17 @@ def _run(path: Path) -> Controllers:
     return _with_digest(path, _controllers(path, module), source)
 
 
+def _fmu(path: Path) -> Controllers:
+    content = _read(path)
+    try:
+        return _with_digest(path, controllers_of_fmu(path, content), content)
+    except RidelabError as error:
+        raise ControllerFileError(f"{path}: {error.message}") from None
+
+
 # What loads a file, by its suffix: a further kind of controller needs a function that gives its classes, each with a
 # `file_digest`, and nothing else.
-LOADERS: dict[str, Callable[[Path], Controllers]] = {".py": _run}
+LOADERS: dict[str, Callable[[Path], Controllers]] = {".py": _run, ".fmu": _fmu}
 
 
 def _with_digest(path: Path, controllers: Controllers, source: bytes | None = None) -> Controllers:
@@ -244,6 +250,13 @@ def said_by(error: BaseException, path: Path | str) -> str:
         lines, detail = [error.lineno], error.msg
     place = f"{path}, line {lines[-1]}" if lines else str(path)
     return f"{place}: {kind}{f': {detail}' if detail else ''}"
+
+
+def _read(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise _unreadable(path, error) from None
 
 
 def _unreadable(path: Path, error: OSError) -> ControllerFileError:

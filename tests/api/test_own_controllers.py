@@ -5,7 +5,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from pythonfmu.builder import FmuBuilder
 
+from backend.fmu.archive import fmu
 from sim_core.controller_files import VARIABLE
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
@@ -86,6 +88,36 @@ def test_a_file_is_a_strategy_and_a_saved_one_another_law(service: Service, fold
     assert stored == {key: value for key, value in outcome.items() if key != "cached"}, "the old law's, as it was"
     (folder / "mine.py").write_text(LAW)
     assert driven(service, ["mine"])["mine"] == {**outcome, "cached": True}
+
+
+CRASHES = """
+import os
+from pythonfmu import Fmi2Causality, Fmi2Slave, Real
+
+
+class Crashes(Fmi2Slave):
+    def __init__(self, **values):
+        super().__init__(**values)
+        self.force_front = self.force_rear = 0.0
+        self.register_variable(Real("force_front", causality=Fmi2Causality.output))
+        self.register_variable(Real("force_rear", causality=Fmi2Causality.output))
+
+    def do_step(self, time, step):
+        os.kill(os.getpid(), 11)
+"""
+
+
+def test_an_fmu_is_a_strategy_too_and_one_that_crashes_costs_its_own_column(service: Service, folder: Path) -> None:
+    exported = fmu(Scenario.model_validate(SCENARIO), "lqr", "controller", "2.0", ["linux64"])
+    (folder / "theirs.fmu").write_bytes(exported)
+    (folder / "_crashes.py").write_text(CRASHES)
+    FmuBuilder.build_FMU(folder / "_crashes.py", dest=folder)
+    options = own(service)["theirs"]["options"]["properties"]
+    assert options["force_limit"]["unit"] == "N"
+    outcomes = driven(service, ["theirs", "crashes", "lqr"])
+    assert outcomes["crashes"]["reason"] == "Crashes.fmu: it ended its process by SIGSEGV"
+    ours, theirs = (outcomes[name]["metrics"]["whole"]["body_acceleration"]["rms"] for name in ("lqr", "theirs"))
+    assert theirs == pytest.approx(ours, rel=1e-9)
 
 
 def test_it_is_driven_as_in_the_library(service: Service, folder: Path) -> None:

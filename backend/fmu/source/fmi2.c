@@ -34,7 +34,7 @@ static fmi2Status told(struct fmu *me, const char *wrong)
     if (!wrong)
         return fmi2OK;
     if (me->callbacks.logger)
-        me->callbacks.logger(me->callbacks.componentEnvironment, me->name, fmi2Error, "logStatusError", "%s", wrong);
+        me->callbacks.logger(me->callbacks.componentEnvironment, me->name, fmi2Error, "logStatusError", wrong); /* none has a % */
     return fmi2Error;
 }
 

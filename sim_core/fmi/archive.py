@@ -1,0 +1,73 @@
+"""An FMU's zip, unpacked once for as long as this process runs."""
+
+import sys
+import zipfile
+import zlib
+from functools import cache
+from io import BytesIO
+from pathlib import Path, PurePosixPath
+from platform import machine
+from tempfile import TemporaryDirectory
+
+from sim_core.errors import RidelabError
+from sim_core.fmi.description import Description, read_description
+
+MOST_FILES, MOST_BYTES = 20_000, 500_000_000  # that an FMU unpacks to
+_SYSTEMS = {"linux": ("linux", ".so"), "win32": ("windows", ".dll"), "darwin": ("darwin", ".dylib")}
+_OLD_NAMES = {
+    "x86_64-linux": "linux64",
+    "x86_64-windows": "win64",
+    "x86_64-darwin": "darwin64",
+    "aarch64-darwin": "darwin64",
+}
+
+
+def unpack(content: bytes) -> tuple[Description, Path, Path]:
+    """What an FMU says of itself, its folder, and its library for this machine.
+
+    Raises:
+        RidelabError: It is no FMU that can be driven here; the message says why.
+    """
+    try:
+        with zipfile.ZipFile(BytesIO(content)) as archive:
+            _check(archive)
+            description = read_description(archive.read("modelDescription.xml"))
+            library = _library(description, archive.namelist())
+            folder = Path(_folders().name) / str(len(list(Path(_folders().name).iterdir())))
+            archive.extractall(folder)
+    except KeyError:
+        raise RidelabError("It has no modelDescription.xml") from None
+    except (zipfile.BadZipFile, zlib.error, RuntimeError, NotImplementedError, EOFError) as error:
+        raise RidelabError(f"It is no zip that can be read: {error}") from None
+    except OSError as error:
+        raise RidelabError(f"It cannot be unpacked: {error.strerror}") from None
+    return description, folder, folder / library
+
+
+def _check(archive: zipfile.ZipFile) -> None:
+    entries = archive.infolist()
+    if len(entries) > MOST_FILES or sum(entry.file_size for entry in entries) > MOST_BYTES:
+        raise RidelabError(f"It unpacks to more than {MOST_FILES} files or {MOST_BYTES // 10**6} MB")
+    for entry in entries:
+        path = PurePosixPath(entry.filename)
+        if path.is_absolute() or ".." in path.parts or "\\" in entry.orig_filename or ":" in entry.filename:
+            raise RidelabError("A file in its zip has a path that leads out of it")
+
+
+def _library(description: Description, names: list[str]) -> str:
+    system, ending = _SYSTEMS.get(sys.platform, (sys.platform, ".so"))
+    processor = {"amd64": "x86_64", "arm64": "aarch64"}.get(machine().lower(), machine().lower())
+    platform = f"{processor}-{system}"
+    if description.version == 2:
+        platform = _OLD_NAMES.get(platform, platform)
+    library = f"binaries/{platform}/{description.identifier}{ending}"
+    if library not in names:
+        there = sorted({name.split("/")[1] for name in names if name.startswith("binaries/") and name.count("/") > 1})
+        raise RidelabError(f"It has no binary for {platform}; there is {', '.join(there) or 'none at all'}")
+    return library
+
+
+@cache
+def _folders() -> TemporaryDirectory[str]:
+    """Removed when the process ends."""
+    return TemporaryDirectory(prefix="ridelab-fmu-")

@@ -1,0 +1,201 @@
+"""FMUs as controllers: each drives like the same law in Python, and what is wrong with one is told in words."""
+
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from pythonfmu.builder import FmuBuilder
+
+from backend.fmu.archive import fmu
+from backend.fmu.description import Version
+from sim_core import Controller, RidelabError, Scenario, StrategyResult, check_controller, load_controllers, simulate
+from sim_core.control.controller import Option
+from sim_core.fmi import archive
+
+SCENARIO = Scenario.model_validate(
+    {
+        "road": {"length": 30, "bump": {"start": 15, "width": 3, "height": 0.09}},
+        "speed": {"target_speed_kmh": 30, "detection_distance": 12},
+        "mpc": {"preview": "lookahead", "force_limit": 1500},
+        "lqr": {"preview": "lookahead", "preview_horizon": 12},
+    }
+)
+ROUNDING = 1e-9  # of a signal's largest value
+SLAVE = """
+from pythonfmu import Boolean, Fmi2Causality, Fmi2Slave, Fmi2Variability, Integer, Real
+
+
+class Damper(Fmi2Slave):
+    description = "Damps the body, a little harder in every stage, and more and more."
+
+    def __init__(self, **values):
+        super().__init__(**values)
+        self.damping, self.harder, self.broken = 3000.0, 2, False
+        self.stage, self.velocity, self.rate, self.steps = 0, 0.0, 0.0, 0
+        self.force_front = self.force_rear = 0.0
+        fixed = {"causality": Fmi2Causality.parameter, "variability": Fmi2Variability.fixed}
+        self.register_variable(Real("damping", start=3000.0, description="Force per velocity", **fixed))
+        self.register_variable(Integer("harder", start=2, **fixed))
+        self.register_variable(Boolean("broken", start=False, **fixed))
+        for name, attribute in (("state[5]", "velocity"), ("state[6]", "rate"), ("stage", "stage")):
+            kind = Integer if name == "stage" else Real
+            setter = lambda value, to=attribute: setattr(self, to, value)
+            getter = lambda of=attribute: getattr(self, of)
+            self.register_variable(kind(name, causality=Fmi2Causality.input, start=0, getter=getter, setter=setter))
+        self.register_variable(Real("force_front", causality=Fmi2Causality.output))
+        self.register_variable(Real("force_rear", causality=Fmi2Causality.output))
+
+    def do_step(self, time, step):
+        self.steps += 1
+        damping = -self.damping * (1 + self.harder * self.stage / 10) * (1 + self.steps / 1000)
+        self.force_front = damping * (self.velocity - 1.015 * self.rate)
+        self.force_rear = damping * (self.velocity + 1.895 * self.rate)
+        if self.broken and self.steps == 3:
+            raise RuntimeError("the valve is stuck")
+        return self.steps != 5 or self.damping > 0
+"""
+
+
+class Damper(Controller):
+    id, label, preview, prediction_horizon = "in_python", "In Python", "none", 0
+
+    def force(self, seen: Any) -> tuple[float, float]:
+        stage = ("cruise", "brake", "bump").index(seen.stage)
+        damping = -3000.0 * (1 + 2 * stage / 10) * (1 + (seen.step + 1) / 1000)
+        velocity, rate = seen.state[4], seen.state[5]
+        return damping * (velocity - 1.015 * rate), damping * (velocity + 1.895 * rate)
+
+
+def same(ours: StrategyResult, theirs: StrategyResult) -> bool:
+    return all(
+        np.abs(theirs.series[key] - values).max() <= ROUNDING * np.abs(values).max()
+        for key, values in ours.series.items()
+    )
+
+
+@pytest.fixture(scope="module")
+def made_by_pythonfmu(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("slave")
+    script = folder / "damper.py"
+    script.write_text(SLAVE)
+    return Path(FmuBuilder.build_FMU(script, dest=folder))
+
+
+@pytest.fixture(scope="module")
+def exported(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    file = tmp_path_factory.mktemp("lqr") / "theirs.fmu"
+    file.write_bytes(fmu(SCENARIO, "lqr", "controller", "2.0", ["linux64"]))
+    return file
+
+
+@pytest.mark.parametrize("version", ["2.0", "3.0"])
+def test_our_exported_lqr_drives_like_ours(version: Version, tmp_path: Path) -> None:
+    file = tmp_path / "My LQR.fmu"
+    file.write_bytes(fmu(SCENARIO, "lqr", "controller", version, ["linux64"]))
+    own = load_controllers(file)
+    assert list(own) == ["my_lqr"]
+    kind = own["my_lqr"]
+    ours = simulate(SCENARIO, "lqr")
+    assert same(ours, simulate(SCENARIO, kind))
+    assert np.abs(ours.series["front_force"]).max() == 1500, "the limit was met"
+    assert check_controller(kind, SCENARIO) == []
+    limited = simulate(SCENARIO, kind(force_limit=300.0))
+    assert np.abs(limited.series["front_force"]).max() == 300
+
+
+def test_one_that_pythonfmu_made_drives_like_the_same_law_in_python(made_by_pythonfmu: Path) -> None:
+    """It counts its steps: a run that began with another's instance would differ, which the check looks for too."""
+    kind = load_controllers(made_by_pythonfmu)["damper"]
+    options = {name: (each.default, each.unit) for name, each in kind.declared.items() if isinstance(each, Option)}
+    assert options == {"damping": (3000.0, "1"), "harder": (2, "1"), "broken": (False, "1")}
+    assert kind.description() == "Damps the body, a little harder in every stage, and more and more."
+    assert same(simulate(SCENARIO, Damper), simulate(SCENARIO, kind))
+    assert check_controller(kind) == []
+
+
+def test_an_error_of_its_own_ends_the_run_with_words(made_by_pythonfmu: Path) -> None:
+    kind = load_controllers(made_by_pythonfmu)["damper"]
+    with pytest.raises(RidelabError, match="Damper: fmi2DoStep: it reports an error"):
+        simulate(SCENARIO, kind(broken=True))
+    with pytest.raises(RidelabError, match="it discards the step"):
+        simulate(SCENARIO, kind(damping=-1.0))
+
+
+def test_another_sample_time_than_its_own_is_told(exported: Path) -> None:
+    faster = SCENARIO.model_copy(update={"mpc": SCENARIO.mpc.model_copy(update={"sample_time": 0.005})})
+    with pytest.raises(RidelabError, match=r"for control steps of 0\.01 s, the scenario has 0.005 s") as caught:
+        simulate(faster, load_controllers(exported)["theirs"])
+    assert caught.value.field == "mpc.sample_time"
+
+
+CHANGED = {
+    'fmiVersion="2.0"': ('fmiVersion="1.0"', "It is of FMI 1.0"),
+    "CoSimulation": ("ModelExchange", "for model exchange alone"),
+    "<?xml version='1.0' encoding='UTF-8'?>": ('<?xml version="1.0"?><!DOCTYPE a [<!ENTITY b "c">]>', "document type"),
+    'name="state[2]"': ('name="deflection[2]"', "Its input deflection[2] is none that Ridelab gives"),
+    "</fmiModelDescription>": ("", "not well-formed"),
+    'valueReference="3"': ('valueReference="x"', "a value reference or a number that is none"),
+    'modelIdentifier="ridelab_lqr"': ('modelIdentifier="../lqr"', "no C identifier"),
+    'name="force_rear"': ('name="force_back"', "It has no output force_rear; its outputs are force_back, force_front"),
+}
+
+
+def rewritten(exported: Path, to: Path, *, old: str = "", new: str = "", **names: str) -> Path:
+    """The same FMU with another text in its description, or other names of its files."""
+    with zipfile.ZipFile(exported) as source, zipfile.ZipFile(to, "w") as target:
+        for name in source.namelist():
+            content = source.read(name)
+            if name == "modelDescription.xml" and old:
+                assert old.encode() in content
+                content = content.replace(old.encode(), new.encode())
+            target.writestr(next((names[each] for each in names if each in name), name), content)
+    return to
+
+
+@pytest.mark.parametrize("old", list(CHANGED))
+def test_a_description_that_does_not_fit_is_told(exported: Path, tmp_path: Path, old: str) -> None:
+    new, said = CHANGED[old]
+    file = rewritten(exported, tmp_path / "changed.fmu", old=old, new=new)
+    with pytest.raises(RidelabError) as caught:
+        load_controllers(file)
+    assert caught.value.message.startswith(f"{file}: ")
+    assert said in caught.value.message
+
+
+@pytest.mark.parametrize(
+    ("names", "said"),
+    [
+        ({"binaries": "binaries/win64/ridelab_lqr.dll"}, "It has no binary for linux64; there is win64"),
+        ({"scenario.json": "../../scenario.json"}, "a path that leads out of it"),
+        ({"scenario.json": "/etc/ridelab"}, "a path that leads out of it"),
+        ({"modelDescription": "description.xml"}, "It has no modelDescription.xml"),
+    ],
+)
+def test_files_that_do_not_fit_are_told(exported: Path, tmp_path: Path, names: dict[str, str], said: str) -> None:
+    with pytest.raises(RidelabError, match=said):
+        load_controllers(rewritten(exported, tmp_path / "changed.fmu", **names))
+
+
+def test_one_that_would_fill_the_disk_is_not_unpacked(
+    exported: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(archive, "MOST_BYTES", 20_000)
+    with pytest.raises(RidelabError, match="It unpacks to more than"):
+        load_controllers(rewritten(exported, tmp_path / "bomb.fmu"))
+
+
+def test_what_is_no_zip_is_told(tmp_path: Path) -> None:
+    file = tmp_path / "law.fmu"
+    file.write_bytes(b"no zip")
+    with pytest.raises(RidelabError, match="It is no zip that can be read"):
+        load_controllers(file)
+
+
+def test_an_fmu_that_makes_no_instance_says_why(exported: Path, tmp_path: Path) -> None:
+    with zipfile.ZipFile(exported) as source:
+        token = source.read("modelDescription.xml").decode().partition('guid="')[2].partition('"')[0]
+    file = rewritten(exported, tmp_path / "other.fmu", old=token, new="{0}")
+    said = check_controller(load_controllers(file)["other"])
+    assert said == ["ridelab_lqr: the FMU made no instance (The GUID is that of another FMU)"]
