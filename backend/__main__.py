@@ -37,6 +37,7 @@ def main(arguments: list[str] | None = None) -> int:
     # What `ridelab` asks for; people find it there.
     parser.add_argument("--until-input-ends", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--back-up", type=Path, help=argparse.SUPPRESS)
+    parser.add_argument("--verify", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--force", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--drive", type=Path, help=argparse.SUPPRESS)
     parser.epilog = "Further settings are environment variables RIDELAB_*; see docs/how-to/operations.md."
@@ -45,6 +46,8 @@ def main(arguments: list[str] | None = None) -> int:
         return _drive(options.drive)
     if options.back_up is not None:
         return _back_up(options.data_dir, options.back_up, overwrite=options.force)
+    if options.verify:
+        return _verify(options.data_dir)
     if options.explain_limits:
         return _explain_limits()
     if options.until_input_ends:
@@ -127,6 +130,35 @@ def _back_up(data_dir: str | None, file: Path, *, overwrite: bool) -> int:
         return _refuse(_named(error))
     print(f"{file}: {copy.size / 1e6:.1f} MB, a copy of {copy.database}; writes waited {copy.seconds:.2f} s at most")
     return 0
+
+
+def _verify(data_dir: str | None) -> int:
+    """Read the whole database; 1 where something in it is damaged."""
+    from contextlib import closing
+
+    from sqlalchemy.exc import DBAPIError, SQLAlchemyError
+
+    from backend.db.sqlite import UnusableDatabaseError, database_file, reason
+    from backend.settings import Settings, SettingsError
+    from backend.store import Store
+    from backend.store.verify import verify
+
+    try:
+        settings = Settings.from_environment(os.environ, data_dir=data_dir)
+        with closing(Store(settings.store_url)) as store:
+            file = database_file(store.engine.url)
+            if file is not None and not file.path.exists():
+                return _refuse(f"There is no database at {file.path}")
+            store.migrate()
+            verdict = verify(store)
+    except (SettingsError, UnusableDatabaseError) as error:
+        return _refuse(str(error))
+    except SQLAlchemyError as error:
+        print(f"The database cannot be read: {reason(error) if isinstance(error, DBAPIError) else error}")
+        return 1
+    print("\n".join(verdict.lines()))
+    print("Everything is as it was written" if verdict.sound else "Something is damaged (docs/how-to/operations.md)")
+    return 0 if verdict.sound else 1
 
 
 def _drive(program: Path) -> int:

@@ -75,6 +75,19 @@ class RoadGoneError(GoneError):
         )
 
 
+class DamagedError(GoneError):
+    """What is stored of something is not what was written, and nothing can make it again.
+
+    Args:
+        what: The kind of thing.
+    """
+
+    kind = "damaged"
+
+    def __init__(self, what: str) -> None:
+        super().__init__(f"What is stored of this {what} is damaged, and cannot be made again.")
+
+
 class ConflictError(ServiceError):
     """What is asked for does not fit the state of what is there; its kind says why."""
 

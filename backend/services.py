@@ -1,6 +1,7 @@
 """The services of one application: each room's, made at the start from what they share, in one typed object."""
 
-from dataclasses import dataclass
+import asyncio
+from dataclasses import dataclass, field
 from functools import partial
 
 from prometheus_client import CollectorRegistry
@@ -32,6 +33,7 @@ from backend.runs.service import Runs
 from backend.runs.solve.service import Solver
 from backend.settings import Settings
 from backend.store import Store
+from backend.store.verify import verify_at_start
 from backend.tunings.service import TuningService
 from backend.tunings.steps import TuningSteps
 
@@ -56,12 +58,14 @@ class Services(HttpParts):
     fmus: Fmus
     tuning_steps: TuningSteps
     scheduler: Scheduler
+    verifying: list[asyncio.Task[None]] = field(default_factory=list)  # the check of the whole database, at the start
 
     def start(self) -> None:
         """Spawn the workers, and lead jobs where no other service does; batch workers start with their first task."""
         self.own_files.begin()
         self.workers.start()
         self.scheduler.start()
+        self.verifying.append(asyncio.create_task(verify_at_start(self.store)))
 
     async def close(self) -> None:
         """End what runs, the database last."""
@@ -71,6 +75,7 @@ class Services(HttpParts):
         await self.workers.close()
         await self.batch_workers.close()
         self.store.close()
+        await asyncio.gather(*self.verifying, return_exceptions=True)
 
 
 def services_of(request: HTTPConnection) -> Services:

@@ -3,6 +3,7 @@
 import asyncio
 import contextlib
 import logging
+import sqlite3
 import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -25,6 +26,7 @@ from backend.db.server import ReadOnlyError, SilentServerError, is_silent, serve
 from backend.db.sqlite import (
     COMMIT_TIMEOUT,
     LOCK_TIMEOUT,
+    REASONS,
     DamagedDatabaseError,
     DatabaseLockedError,
     UnusableDatabaseError,
@@ -73,6 +75,7 @@ class Database:
         self._guard = threading.local()
         self._readers: dict[Connection, float] = {}  # since when [s]
         self.commits = Commits()
+        self.closed = False
 
     def changed(self, *job_ids: str) -> None:
         """Tell those who follow them that these jobs were changed."""
@@ -158,9 +161,12 @@ class Database:
             except DBAPIError as error:
                 if not is_locked(error) or time.monotonic() > end:
                     raise UnusableDatabaseError(f"{self._name}: {reason(error)}") from error
+            except UnicodeDecodeError as error:  # a name in the schema
+                raise UnusableDatabaseError(f"{self._name}: {REASONS[sqlite3.SQLITE_CORRUPT]}") from error
 
     def close(self) -> None:
         """Wait for the threads and close every connection."""
+        self.closed = True
         self._reads.close()
         self._writes.close()
         self.engine.dispose()

@@ -16,6 +16,7 @@ from sqlalchemy import (
     text,
 )
 
+from backend.db.checksum import checksum_column
 from backend.db.clock import Now
 from backend.db.types import Json, Utc
 
@@ -42,7 +43,7 @@ results = Table(
     Column("summary", Text, nullable=False),
     Column("compute_ms", Float, nullable=False),
     Column("created_at", Utc, nullable=False, default=Now()),
-    Column("checksum", String(16), nullable=True),  # see backend/store/damage.py; none until 0.3.0
+    checksum_column("key", "strategy", "core_version", "status", "summary", "compute_ms"),
     Index("ix_results_created_at", "created_at", sqlite_where=UNEXPIRED, postgresql_where=UNEXPIRED),
 )
 
@@ -55,6 +56,7 @@ roads = Table(
     Column("content", LargeBinary, nullable=False),
     Column("created_at", Utc, nullable=False, default=Now(), index=True),
     Column("analysis", Json, nullable=True),  # of the first file; null for roads of before revision 0011
+    checksum_column("id", "samples", "content", "analysis"),
 )
 
 run_roads = Table(
@@ -81,6 +83,7 @@ runs = Table(
     Column("created_at", Utc, nullable=False, default=Now()),
     Column("roads", Integer, nullable=False, server_default="1"),
     Column("baseline", String(64), nullable=True),
+    checksum_column("id", "core_version", "schema_version", "scenario", "roads", "baseline"),
 )
 
 # Road after road, on each the strategies in the order they are shown.
@@ -121,6 +124,10 @@ jobs = Table(
     Column("created_at", Utc, nullable=False, default=Now(), index=True),
     Column("started_at", Utc, nullable=True),
     Column("finished_at", Utc, nullable=True),
+    checksum_column(
+        *("id", "label", "owner", "schema_version", "request", "sweep", "answer", "estimated_cost", "total"),
+        "request_hash",
+    ),
     UniqueConstraint("kind", "idempotency_key"),
     Index("ix_jobs_parent_id_finished_at", "parent_id", "finished_at"),
 )
@@ -136,6 +143,7 @@ job_runs = Table(
     Column("status", String(16), nullable=False),
     Column("result_key", String(43), nullable=True),
     Column("reason", Text, nullable=True),
+    checksum_column("job_id", "position", "changes", "strategy"),
     Index("ix_job_runs_result_key_job_id", "result_key", "job_id"),
 )
 
@@ -161,6 +169,9 @@ trials = Table(
     Column("feasible", Boolean, nullable=False),
     Column("objectives", Json, nullable=True),
     Column("limits", Json, nullable=True),
+    checksum_column(
+        "job_id", "number", "generation", "weights", "status", "reason", "feasible", "objectives", "limits"
+    ),
 )
 
 links = Table(
@@ -173,6 +184,7 @@ links = Table(
     Column("view", Json, nullable=False),
     Column("created_at", Utc, nullable=False, default=Now()),
     Column("damaged_at", Utc, nullable=True),  # something that it shows was found damaged then
+    checksum_column("slug", "kind", "run_id", "job_id", "view"),
 )
 
 pinned_series = Table(
@@ -181,7 +193,7 @@ pinned_series = Table(
     Column("result_key", String(43), ForeignKey("results.key"), primary_key=True),
     Column("content", LargeBinary, nullable=False),
     Column("created_at", Utc, nullable=False, default=Now()),
-    Column("checksum", String(16), nullable=True),
+    checksum_column("result_key", "content"),
 )
 
 # Of the page, ended before their time.

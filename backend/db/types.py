@@ -7,6 +7,8 @@ import orjson
 from sqlalchemy import DateTime, Text
 from sqlalchemy.types import TypeDecorator
 
+from backend.errors import DamagedError
+
 
 class Json(TypeDecorator[Any]):
     """JSON as text; None is no JSON but NULL."""
@@ -20,7 +22,10 @@ class Json(TypeDecorator[Any]):
 
     def process_result_value(self, value: str | None, dialect: Any) -> Any:
         """Text to Python value."""
-        return None if value is None else orjson.loads(value)
+        try:
+            return None if value is None else orjson.loads(value)
+        except orjson.JSONDecodeError:
+            raise DamagedError("row") from None
 
 
 class Utc(TypeDecorator[datetime]):

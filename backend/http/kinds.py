@@ -142,6 +142,13 @@ _LIST = (
         "Send the road's file again, then ask again.",
     ),
     _kind(
+        "damaged",
+        410,
+        "Damaged",
+        "What is stored of it is not what was written, and cannot be made again.",
+        "Post the scenario again; the operator finds all that is damaged with ridelab verify.",
+    ),
+    _kind(
         "too-long",
         413,
         "Too long",

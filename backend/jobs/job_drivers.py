@@ -8,7 +8,7 @@ from typing import Any
 
 from sqlalchemy.exc import SQLAlchemyError
 
-from backend.errors import TemporaryError
+from backend.errors import DamagedError, TemporaryError
 from backend.jobs.kind import JobFailedError
 from backend.jobs.leadership import LeadershipLostError
 from backend.store import Store, StoredJob
@@ -51,6 +51,9 @@ class JobDrivers:
         """Run the work until it ends or meets a transient error, after which a later look starts it again."""
         try:
             await work()
+        except DamagedError as error:
+            logger.error("Job %s: %s", job_id, error.message)
+            await self._store.write(self._store.jobs.give_up, job_id, error.message)
         except TRANSIENT as error:
             logger.warning("Job %s rests: %s", job_id, type(error).__name__)
             await asyncio.sleep(PAUSE_AFTER_FAILURE)

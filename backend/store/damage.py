@@ -1,16 +1,17 @@
-"""Checksums of stored results, and what becomes of those that turn out to be damaged.
+"""What becomes of stored results that turn out to be damaged.
 
 A damaged result is dropped as one that retention removes, so that whoever asks for it has it computed again: a run at
 once, the runs of a batch by whoever drives the jobs. The links that show it say so from then on.
 """
 
-import hashlib
 import logging
 from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 from typing import Any
 
 from sqlalchemy import Connection, Row, Table, delete, or_, select, update
 
+from backend.db.checksum import is_intact
 from backend.db.clock import Now
 from backend.db.database import Database
 from backend.db.tables import (
@@ -31,29 +32,20 @@ from backend.store.jobs import change_state, lock
 logger = logging.getLogger(__name__)
 
 
-def of_result(key: str, status: str, summary: bytes) -> str:
-    """The checksum of a result; it names its key, so that a row in another one's place is noticed."""
-    return _digest(key.encode(), status.encode(), summary)
+def is_intact_result(row: Row[Any], prefix: str = "") -> bool:
+    """Whether a row of `results` is as it was written; one that a version without checksums has emptied counts as such.
 
-
-def of_series(key: str, content: bytes) -> str:
-    """The checksum of pinned time histories."""
-    return _digest(key.encode(), content)
-
-
-def is_intact(row: Row[Any]) -> bool:
-    """Whether a row of `results` is as it was written.
-
-    One of an older version, without a checksum, counts as such; so does one that its retention has emptied meanwhile.
+    Args:
+        row: With all its columns.
+        prefix: Of their names in the row.
     """
-    unchecked = row.checksum is None or row.status == EXPIRED
-    return unchecked or row.checksum == of_result(row.key, row.status, row.summary.encode())
+    return row._mapping[f"{prefix}status"] == EXPIRED or is_intact(results, row, prefix)
 
 
 def drop_results(database: Database, keys: Iterable[str]) -> None:
     """Remove those of these results that are damaged; the runs of batches that had them wait again."""
     with database.writing() as connection:
-        damaged = _damaged(connection, results, keys, is_intact)
+        damaged = _damaged(connection, results, keys, is_intact_result)
         connection.execute(update(results).where(results.c.key.in_(damaged)).values(**EXPIRED_RESULT))
         _tell_links(connection, damaged)
         reopened = _reopen_jobs(connection, damaged)
@@ -64,15 +56,10 @@ def drop_results(database: Database, keys: Iterable[str]) -> None:
 def drop_pins(database: Database, keys: Iterable[str]) -> None:
     """Remove those of these pinned time histories that are damaged."""
     with database.writing() as connection:
-        damaged = _damaged(connection, pinned_series, keys, is_intact_pin)
+        damaged = _damaged(connection, pinned_series, keys, partial(is_intact, pinned_series))
         connection.execute(delete(pinned_series).where(pinned_series.c.result_key.in_(damaged)))
         _tell_links(connection, damaged)
     _report("series", damaged)
-
-
-def is_intact_pin(row: Row[Any]) -> bool:
-    """Whether a row of `pinned_series` is as it was written."""
-    return row.checksum is None or row.checksum == of_series(row.result_key, bytes(row.content))
 
 
 def _damaged(
@@ -117,11 +104,3 @@ def _report(what: str, damaged: Sequence[str]) -> None:
     if damaged:
         DAMAGED_RESULTS.labels(what).inc(len(damaged))
         logger.error("Stored, damaged and dropped, so that it is computed again: %s %s", what, ", ".join(damaged))
-
-
-def _digest(*parts: bytes) -> str:
-    digest = hashlib.blake2b(digest_size=8)
-    for part in parts:
-        digest.update(len(part).to_bytes(8, "big"))
-        digest.update(part)
-    return digest.hexdigest()

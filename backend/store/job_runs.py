@@ -5,16 +5,19 @@ from typing import Any
 
 from sqlalchemy import Connection, Row, Select, Update, bindparam, select, update
 
+from backend.db.checksum import check, is_intact
 from backend.db.database import Database
 from backend.db.tables import EXPIRED, job_runs, jobs, results
+from backend.errors import DamagedError
 from backend.job_run import JobRow, JobRun
 from backend.outcome import Outcome
-from backend.store.damage import drop_results, is_intact
+from backend.store.damage import drop_results, is_intact_result
 from backend.store.job_events import add_event
 from backend.store.jobs import lock
 from backend.store.runs import insert_results
 
-RESULT = ("key", "status", "core_version", "summary", "compute_ms", "checksum")
+RESULT = "result_"  # before the names of a result's columns beside those of its run
+DAMAGED = "What was stored of this run is damaged"
 
 
 class JobRunStore:
@@ -31,16 +34,18 @@ class JobRunStore:
         query = _waiting_runs(job_id).where(job_runs.c.position > after).limit(limit)
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
+        damaged = {row.position: DAMAGED for row in rows if not is_intact(job_runs, row)}
         stored = {row.result_key: row.stored for row in rows if row.stored is not None}
-        if stored:
+        if stored or damaged:
             with self._database.writing() as connection:
                 lock(connection, job_id)
+                _fail(connection, job_id, damaged)
                 _settle(connection, job_id, stored)
             self._database.changed(job_id)
         runs = [
             JobRun(position=row.position, changes=row.changes, strategy=row.strategy, key=row.result_key)
             for row in rows
-            if row.stored is None
+            if row.stored is None and row.position not in damaged
         ]
         return (rows[-1].position if rows else None), runs
 
@@ -73,10 +78,10 @@ class JobRunStore:
 
     def rows(self, job_id: str, after: int, limit: int) -> list[JobRow]:
         """The next runs behind position `after`, each with its result if it has one; where that is damaged it waits."""
+        of_result = [each.label(f"{RESULT}{each.name}") for each in results.c]
         settled = (job_runs.c.result_key == results.c.key) & job_runs.c.status.in_(("ok", "failed"))
-        run = (job_runs.c.position, job_runs.c.changes, job_runs.c.strategy, job_runs.c.reason)
         query = (
-            select(*run, job_runs.c.status.label("of_run"), *(results.c[name] for name in RESULT))
+            select(*(each for each in job_runs.c if each.name != "result_key"), *of_result)
             .join_from(job_runs, results, settled, isouter=True)
             .where(job_runs.c.job_id == job_id, job_runs.c.position > after)
             .order_by(job_runs.c.position)
@@ -84,30 +89,34 @@ class JobRunStore:
         )
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
-        if damaged := {row.key for row in rows if row.key is not None and not is_intact(row)}:
+        for row in rows:
+            check(job_runs, row, "batch")
+        kept = [row for row in rows if row.result_key is not None]
+        if damaged := {row.result_key for row in kept if not is_intact_result(row, RESULT)}:
             drop_results(self._database, damaged)
-        return [_row(row, lost=row.key in damaged) for row in rows]
+        return [_row(row, lost=row.result_key in damaged) for row in rows]
 
 
 def _row(row: Row[Any], *, lost: bool) -> JobRow:
+    if row.status == "ok" and row.result_status is None:
+        raise DamagedError("batch")  # its key is of no result
     return JobRow(
         position=row.position,
         changes=row.changes,
         strategy=row.strategy,
-        status="waiting" if lost else row.of_run,
+        status="waiting" if lost else row.status,
         reason=row.reason,
-        core_version=None if lost else row.core_version,
-        summary=None if lost else row.summary,
-        compute_ms=None if lost else row.compute_ms,
+        core_version=None if lost else row.result_core_version,
+        summary=None if lost else row.result_summary,
+        compute_ms=None if lost else row.result_compute_ms,
     )
 
 
 def _waiting_runs(job_id: str) -> Select[Any]:
     """Runs without a result, each with the status of one that is stored all the same."""
     has_result = (job_runs.c.result_key == results.c.key) & (results.c.status != EXPIRED)
-    run = (job_runs.c.position, job_runs.c.changes, job_runs.c.strategy, job_runs.c.result_key)
     return (
-        select(*run, results.c.status.label("stored"))
+        select(*job_runs.c, results.c.status.label("stored"))
         .join_from(job_runs, results, has_result, isouter=True)
         .where(job_runs.c.job_id == job_id, job_runs.c.status == "waiting")
         .order_by(job_runs.c.position)

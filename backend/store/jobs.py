@@ -13,6 +13,7 @@ from typing import Any
 from sqlalchemy import Connection, Row, Select, and_, delete, func, insert, or_, select, update
 from sqlalchemy.exc import IntegrityError
 
+from backend.db.checksum import check, update_row
 from backend.db.clock import UNSTORED, Now
 from backend.db.database import Database, insert_new
 from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, trials
@@ -32,7 +33,7 @@ PURGED = 2000  # rows deleted in one transaction
 LONGEST_KEY = 255  # characters, as the column has them
 
 NAMES = [each.name for each in fields(StoredJob)]
-WHOLE = [jobs.c[name] for name in NAMES]
+WHOLE = [*(jobs.c[name] for name in NAMES), jobs.c.checksum]
 WITHOUT_SWEEP = [jobs.c[name] for name in NAMES if name != "sweep"]
 
 
@@ -219,7 +220,7 @@ class JobStore:
                 connection.execute(delete(trials).where(trials.c.job_id == job.id))
             if new_trials:
                 connection.execute(insert(trials), [trial.row(job.id) for trial in new_trials])
-            connection.execute(update(jobs).where(jobs.c.id == job.id).values(**values))
+            update_row(connection, jobs, job.id, values)
             if event is not None:
                 add_event(connection, job.id, event, details)
         self._database.changed(job.id)
@@ -228,7 +229,7 @@ class JobStore:
     def set_label(self, job_id: str, label: str | None) -> None:
         """Set its label, or (None) remove it."""
         with self._database.writing() as connection:
-            connection.execute(update(jobs).where(jobs.c.id == job_id).values(label=label))
+            update_row(connection, jobs, job_id, {"label": label})
 
     def delete(self, job_id: str) -> bool:
         """Delete a job and the jobs it submitted; `purge` then deletes their rows.
@@ -272,7 +273,10 @@ class JobStore:
     def _one(self, query: Select[Any]) -> StoredJob | None:
         with self._database.reading() as connection:
             row = connection.execute(query).one_or_none()
-        return None if row is None else _job(row)
+        if row is None:
+            return None
+        check(jobs, row, "job")
+        return _job(row)
 
     def _change_state(self, job_id: str, before: Sequence[str], state: State, **values: Any) -> None:
         with self._database.writing() as connection:
@@ -292,15 +296,16 @@ def lock(connection: Connection, job_id: str) -> None:
 
 def mark_removed(connection: Connection, ids: Sequence[str]) -> None:
     """Make these jobs ones that nobody finds, to be purged."""
-    nobodys = {"kind": REMOVED, "parent_id": None, "idempotency_key": None, "label": None}
+    nobodys = {"kind": REMOVED, "parent_id": None, "idempotency_key": None, "label": None, "checksum": None}
     connection.execute(update(jobs).where(jobs.c.id.in_(ids)).values(**nobodys))
 
 
 def change_state(connection: Connection, job_id: str, before: Sequence[str], state: State, **values: Any) -> bool:
     """Change a job's state and add an event; False where it was in none of the states `before`."""
     matching = update(jobs).where(jobs.c.id == job_id, jobs.c.state.in_(before))
-    if not connection.execute(matching.values(state=state, **{**_times(state), **values})).rowcount:
+    if not connection.execute(matching.values(state=state, **_times(state))).rowcount:
         return False
+    update_row(connection, jobs, job_id, values)
     add_event(connection, job_id, "state")
     return True
 
@@ -313,7 +318,7 @@ def _times(state: State) -> dict[str, Any]:
 
 
 def _job(row: Row[Any]) -> StoredJob:
-    return StoredJob(**row._asdict())
+    return StoredJob(**{name: value for name, value in row._mapping.items() if name != "checksum"})
 
 
 def _step(job: StoredJob) -> tuple[Any, Any]:

@@ -7,11 +7,12 @@ from typing import Literal
 
 from sqlalchemy import Connection, select
 
+from backend.db.checksum import check, is_intact
 from backend.db.clock import UNSTORED
 from backend.db.database import Database, insert_new
 from backend.db.tables import EXPIRED, REMOVED, jobs, links, pinned_series, results, run_results
 from backend.json_types import JsonObject
-from backend.store.damage import drop_pins, is_intact_pin, of_series
+from backend.store.damage import drop_pins
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,10 +46,7 @@ class LinkStore:
             "job_id": link.target if link.kind == "batch" else None,
             "view": link.view,
         }
-        contents: list[dict[str, object]] = [
-            {"result_key": key, "content": content, "checksum": of_series(key, content)}
-            for key, content in pins.items()
-        ]
+        contents: list[dict[str, object]] = [{"result_key": key, "content": content} for key, content in pins.items()]
         with self._database.writing() as connection:
             if not _lock_target(connection, link):
                 return False
@@ -63,6 +61,7 @@ class LinkStore:
             row = connection.execute(select(links).where(links.c.slug == slug)).one_or_none()
         if row is None:
             return None
+        check(links, row, "link")
         return StoredLink(
             slug=row.slug,
             kind=row.kind,
@@ -83,7 +82,7 @@ class LinkStore:
         query = select(pinned_series)
         with self._database.reading() as connection:
             rows = connection.execute(query.where(pinned_series.c.result_key.in_(list(keys)))).all()
-        if damaged := [row.result_key for row in rows if not is_intact_pin(row)]:
+        if damaged := [row.result_key for row in rows if not is_intact(pinned_series, row)]:
             drop_pins(self._database, damaged)
         return {row.result_key: bytes(row.content) for row in rows if row.result_key not in damaged}
 

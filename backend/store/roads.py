@@ -3,8 +3,9 @@
 import re
 from collections.abc import Iterable
 
-from sqlalchemy import func, literal, select, update
+from sqlalchemy import select
 
+from backend.db.checksum import check, update_row
 from backend.db.clock import Now
 from backend.db.database import Database, insert_new
 from backend.db.tables import roads
@@ -39,20 +40,24 @@ class RoadStore:
         row = {"id": road.id, "samples": road.samples, "content": road.content, "analysis": analysis}
         with self._database.writing() as connection:
             insert_new(connection, roads, [row])
-            first = func.coalesce(roads.c.analysis, literal(analysis, roads.c.analysis.type))
-            connection.execute(update(roads).where(roads.c.id == road.id).values(created_at=Now(), analysis=first))
+            stored = connection.execute(select(roads.c.analysis).where(roads.c.id == road.id)).scalar_one()
+            first = {"analysis": analysis} if stored is None else {}
+            update_row(connection, roads, road.id, {"created_at": Now(), **first})
 
     def analysis(self, road_id: str) -> JsonObject:
         """What was said of the first file of the stored road; empty where that was before roads were analysed."""
         with self._database.reading() as connection:
-            said: JsonObject | None = connection.execute(
-                select(roads.c.analysis).where(roads.c.id == road_id)
-            ).scalar_one_or_none()
-        return said or {}
+            row = connection.execute(select(roads).where(roads.c.id == road_id)).one_or_none()
+        if row is None:
+            return {}
+        check(roads, row, "measured road")
+        return row.analysis or {}
 
     def load(self, ids: Iterable[str]) -> dict[str, MeasuredRoad]:
         """The stored ones of these roads, by id."""
-        query = select(roads.c.id, roads.c.samples, roads.c.content).where(roads.c.id.in_(list(ids)))
+        query = select(roads).where(roads.c.id.in_(list(ids)))
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
+        for row in rows:
+            check(roads, row, "measured road")
         return {row.id: MeasuredRoad(id=row.id, samples=row.samples, content=row.content) for row in rows}

@@ -5,15 +5,16 @@ from dataclasses import dataclass, replace
 from datetime import datetime
 from typing import Any
 
-from sqlalchemy import Connection, bindparam, delete, insert, select, update
+from sqlalchemy import Connection, bindparam, delete, insert, select
 from sqlalchemy.dialects import postgresql, sqlite
 
+from backend.db.checksum import check, update_row
 from backend.db.clock import UNSTORED
 from backend.db.database import Database, insert_new
 from backend.db.tables import EXPIRED, results, run_results, run_roads, runs
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
-from backend.store.damage import drop_results, is_intact, of_result
+from backend.store.damage import drop_results, is_intact_result
 from backend.store.roads import measured_roads
 
 
@@ -61,12 +62,12 @@ class StoredRun:
         return {item.strategy: self.results[index::count] for index, item in enumerate(self.first_road)}
 
 
-_STORED_NAMES = [column.name for column in runs.c if column.name != "created_at"]
+_STORED_NAMES = [column.name for column in runs.c if column.name not in ("created_at", "checksum")]
 # Made once: to make them takes as long as to run them.
 _HEAD = select(runs).where(runs.c.id == bindparam("run"))
 _STORED = select(runs.c.id).where(runs.c.id == bindparam("run"))
 _MEMBERS = (
-    select(*(results.c[name] for name in ("key", "strategy", "status", "summary", "compute_ms", "checksum")))
+    select(*results.c)
     .join(run_results, run_results.c.result_key == results.c.key)
     .where(run_results.c.run_id == bindparam("run"))
     .order_by(run_results.c.position)
@@ -97,7 +98,7 @@ class RunStore:
         query = select(results).where(results.c.key.in_(list(keys)), results.c.status != EXPIRED)
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
-        if damaged := [row.key for row in rows if not is_intact(row)]:
+        if damaged := [row.key for row in rows if not is_intact_result(row)]:
             drop_results(self._database, damaged)
         return {row.key: _result(row) for row in rows if row.key not in damaged}
 
@@ -129,7 +130,7 @@ class RunStore:
             insert_results(connection, outcomes, core_version)
             connection.execute(delete(run_results).where(run_results.c.run_id == run_id))
             connection.execute(insert(run_results), _members(run_id, outcomes))
-            connection.execute(update(runs).where(runs.c.id == run_id).values(core_version=core_version))
+            update_row(connection, runs, run_id, {"core_version": core_version})
 
 
 def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_version: str) -> None:
@@ -142,7 +143,6 @@ def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_ver
             "status": item.status,
             "summary": item.json.decode(),
             "compute_ms": item.compute_ms,
-            "checksum": of_result(item.key, item.status, item.json),
         }
         for item in sorted(outcomes, key=lambda item: item.key)
     ]
@@ -163,10 +163,12 @@ def _load_run(connection: Connection, run_id: str) -> tuple[StoredRun | None, li
     head = connection.execute(_HEAD, {"run": run_id}).one_or_none()
     if head is None:
         return None, []
+    check(runs, head, "run")
     members = connection.execute(_MEMBERS, {"run": run_id}).all()
-    damaged = [row.key for row in members if not is_intact(row)]
+    damaged = [row.key for row in members if not is_intact_result(row)]
     outcomes = (_result(row) if row.key not in damaged else replace(_result(row), status=EXPIRED) for row in members)
-    return StoredRun(**head._asdict(), results=tuple(outcomes)), damaged
+    values = {name: getattr(head, name) for name in (*_STORED_NAMES, "created_at")}
+    return StoredRun(**values, results=tuple(outcomes)), damaged
 
 
 def _result(row: Any) -> Outcome:

@@ -1,10 +1,11 @@
 """Trials of tunings. The step of their generation adds them (`JobStore.advance`), so each is stored once."""
 
-from dataclasses import asdict, dataclass
-from typing import Literal
+from dataclasses import asdict, dataclass, fields
+from typing import Any, Literal
 
-from sqlalchemy import select
+from sqlalchemy import Row, select
 
+from backend.db.checksum import check
 from backend.db.database import Database
 from backend.db.tables import trials
 from backend.json_types import JsonObject
@@ -37,11 +38,14 @@ class TrialStore:
 
     def of(self, job_id: str) -> list[StoredTrial]:
         """Every trial of a tuning, in order."""
-        columns = [column for column in trials.c if column.name not in ("job_id", "objectives")]
-        query = (
-            select(*columns, trials.c.objectives.label("values"))
-            .where(trials.c.job_id == job_id)
-            .order_by(trials.c.number)
-        )
+        query = select(trials).where(trials.c.job_id == job_id).order_by(trials.c.number)
         with self._database.reading() as connection:
-            return [StoredTrial(**row._asdict()) for row in connection.execute(query).all()]
+            rows = connection.execute(query).all()
+        for row in rows:
+            check(trials, row, "tuning")
+        return [_trial(row) for row in rows]
+
+
+def _trial(row: Row[Any]) -> StoredTrial:
+    names = [each.name for each in fields(StoredTrial) if each.name != "values"]
+    return StoredTrial(**{name: getattr(row, name) for name in names}, values=row.objectives)

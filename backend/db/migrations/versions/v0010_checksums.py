@@ -1,4 +1,4 @@
-"""Stored results and pinned time histories carry a checksum; those of older versions have none and are not checked."""
+"""What is stored for good carries a checksum; rows of older versions have none and are not checked."""
 
 from alembic import op
 from sqlalchemy import String
@@ -12,7 +12,7 @@ down_revision = "0009"
 
 def upgrade() -> None:
     """Apply this step."""
-    for table in ("results", "pinned_series"):
+    for table in ("results", "pinned_series", "runs", "links", "roads", "jobs", "job_runs", "trials"):
         for column in optional(checksum=String(16)):
             op.add_column(table, column)
     for column in optional(damaged_at=Utc()):

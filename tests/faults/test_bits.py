@@ -1,0 +1,27 @@
+"""A bit that flips in the database's file is told, or changes nothing; the drill tries 10,000 of them."""
+
+from pathlib import Path
+
+import pytest
+
+from backend.__main__ import main
+from tests.faults import bits
+
+
+def test_no_flipped_bit_changes_an_answer_without_a_word(tmp_path: Path) -> None:
+    bits.fill(tmp_path / "ridelab.sqlite")
+    fates, silent = bits.flip(tmp_path / "ridelab.sqlite", seed=1, count=40)
+    assert not silent
+    assert fates["told"] > 10, "else nothing was tried"
+
+
+def test_verify_names_what_is_damaged(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file, arguments = tmp_path / "ridelab.sqlite", ["--data-dir", str(tmp_path), "--verify"]
+    bits.fill(file)
+    assert main(arguments) == 0
+    assert capsys.readouterr().out.endswith("Everything is as it was written\n")
+    content = bytearray(file.read_bytes())
+    content[content.index(b"metric_5") + 12] ^= 1
+    file.write_bytes(content)
+    assert main(arguments) == 1
+    assert "results: 87 rows, 1 damaged\n" in capsys.readouterr().out
