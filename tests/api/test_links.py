@@ -51,8 +51,9 @@ def keys(store: Store, run_id: str) -> list[str]:
 def of_another_core(store: Store, run_id: str) -> None:
     """Make a run and its results those of another core version, as after an upgrade."""
     with store.writing() as connection:
-        connection.execute(update(results).where(results.c.key.in_(keys(store, run_id))).values(core_version="0.0.8"))
-        connection.execute(update(runs).where(runs.c.id == run_id).values(core_version="0.0.8"))
+        older = {"core_version": "0.0.8", "checksum": None}
+        connection.execute(update(results).where(results.c.key.in_(keys(store, run_id))).values(**older))
+        connection.execute(update(runs).where(runs.c.id == run_id).values(**older))
 
 
 def erase_pins(store: Store, run_id: str) -> None:
@@ -258,7 +259,8 @@ def test_a_run_stored_by_a_newer_version_is_refused_for_now(
 ) -> None:
     link = share(client, fresh["id"])
     with service.app.state.services.store.writing() as connection:
-        connection.execute(update(runs).where(runs.c.id == fresh["id"]).values(schema_version=SCHEMA_VERSION + 1))
+        newer = {"schema_version": SCHEMA_VERSION + 1, "checksum": None}
+        connection.execute(update(runs).where(runs.c.id == fresh["id"]).values(**newer))
     for path in (f"runs/{fresh['id']}", f"runs/{fresh['id']}/figures", f"links/{link['slug']}"):
         answer = client.get(f"/api/v1/{path}")
         assert answer.status_code == 503
