@@ -9,7 +9,21 @@ from fastapi.responses import JSONResponse
 from starlette.middleware import Middleware
 from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddleware
 
-from backend.api import batches, controller, fmus, health, library, links, login, paper, roads, runs, site, tunings
+from backend.api import (
+    batches,
+    controller,
+    fmus,
+    health,
+    library,
+    links,
+    login,
+    paper,
+    recordings,
+    roads,
+    runs,
+    site,
+    tunings,
+)
 from backend.compute.workers import Workers
 from backend.file_formats import BINARY
 from backend.http import openapi, problems
@@ -45,6 +59,8 @@ ROUTERS = (
     library.data_sheets,
     roads.surveying,
     roads.roads,
+    recordings.reading,
+    recordings.recordings,
     login.login,
     health.health,
 )

@@ -1,6 +1,7 @@
 """CSV of measurements: read line by line within bounds; every error has its line. Runs in a worker: no web here."""
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Mapping
 
 MAX_LINES = 350_000
 MAX_LINE = 500  # characters
@@ -68,7 +69,7 @@ def title_and_unit(name: str) -> tuple[str, str]:
 
 
 def numbers(
-    rows: Lines, between: str, columns: int, *, empty: float | None = None
+    rows: Lines, between: str, columns: int, *, wanted: Mapping[int, str] | None = None, empty: float | None = None
 ) -> Iterator[tuple[int, list[float]]]:
     """The number of each line and its values; between semicolons with decimal commas too.
 
@@ -76,24 +77,26 @@ def numbers(
         rows: Behind the header.
         between: The separator.
         columns: How many there are.
+        wanted: Those to read, by their place, and what an error calls them; None is all.
         empty: The value of an empty cell; None where there may be none.
 
     Raises:
-        CsvError: A line has other cells than that many numbers.
+        CsvError: A line has other cells than that many, or a wanted one is no number.
     """
+    wanted = dict.fromkeys(range(columns), "") if wanted is None else wanted
     for number, line in rows:
         cells = line.split(between)
         if len(cells) != columns:
             raise CsvError(f"The header has {columns} columns and this line {len(cells)}", number)
-        if between == ";":
-            cells = [cell.replace(",", ".") for cell in cells]
         values = []
-        for index, cell in enumerate(cells):
+        for index, name in wanted.items():
+            cell = cells[index].replace(",", ".").strip() if between == ";" else cells[index].strip()
             try:
-                values.append(empty if empty is not None and not cell.strip() else float(cell))
+                values.append(float(cell) if cell or empty is None else empty)
             except ValueError:
-                where = f" (column {index + 1})" if columns > 1 else ""
-                raise CsvError(f"A value is not a number{where}", number) from None
-        if any(abs(value) > MAX_NUMBER and abs(value) != float("inf") for value in values):
-            raise CsvError(f"A value is beyond {MAX_NUMBER:g}", number)
+                raise CsvError(
+                    f"A value{name and f' of column {index + 1}, {name},'} is not a number", number
+                ) from None
+            if MAX_NUMBER < abs(values[-1]) < math.inf:
+                raise CsvError(f"A value is beyond {MAX_NUMBER:g}", number)
         yield number, values

@@ -3,17 +3,19 @@
 What is answered is built as its model, a large table and what is stored as JSON apart; requests are validated strictly.
 """
 
+import re
 from typing import Annotated, Any, Literal
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInfo, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
+from backend.digest import STRATEGY_PATTERN
 from backend.json_types import JsonObject
 from backend.means_over_roads import MAX_ROADS
 from backend.unknown_names import unknown_name
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, NUMBERS, REFERENCES, SIGNALS, STAGES, WINDOWS
-from sim_core.check_controller import ID
 from sim_core.scenario import Scenario
+from sim_core.scenario.recorded import NAME_PATTERN
 from sim_core.scenario.road import MAX_SEED
 from sim_core.strategies import STRATEGIES, strategies
 
@@ -59,6 +61,16 @@ def _check_signal(name: str) -> str:
 
 # The API's description lists those that there are when it is asked for.
 StrategyName = Annotated[str, AfterValidator(_check_strategy), Field(json_schema_extra={"enum": list(STRATEGIES)})]
+
+
+def _check_shown(name: str) -> str:
+    return name if re.fullmatch(NAME_PATTERN, name) else _check_strategy(name)
+
+
+# One of a run's: simulated, or a recording, which nothing else takes.
+ShownStrategy = Annotated[
+    str, AfterValidator(_check_shown), WithJsonSchema({"type": "string", "pattern": STRATEGY_PATTERN})
+]
 SignalName = Annotated[str, AfterValidator(_check_signal), Field(json_schema_extra={"enum": list(SIGNALS)})]
 MetricName = Annotated[str, AfterValidator(_check_metric), Field(json_schema_extra={"enum": list(NUMBERS)})]
 Points = Annotated[int, Field(ge=2, le=MAX_LIVE_POINTS, description="About how many samples; peaks survive.")]
@@ -104,15 +116,15 @@ def keys_of(names: Any, description: str) -> Any:
 
 
 def by_strategy(description: str = "By strategy") -> Any:
-    """A mapping's field whose keys are ids of strategies, perhaps of some that are there no more."""
-    return Field(description=description, json_schema_extra={"propertyNames": {"pattern": ID}})
+    """A mapping's field whose keys are names of strategies, perhaps of some that are there no more."""
+    return Field(description=description, json_schema_extra={"propertyNames": {"pattern": STRATEGY_PATTERN}})
 
 
 class Statistics(Answer):
-    """One signal in one window."""
+    """One signal in one window; null where a recording does not have it."""
 
-    rms: float
-    peak: float
+    rms: float | None
+    peak: float | None
 
 
 WindowMetrics = Annotated[
@@ -152,15 +164,32 @@ class DriveResult(Answer):
     events: dict[str, Event] = keys_of(EVENTS, "Catalogue: events")
     reference: dict[str, float | None] = keys_of(REFERENCES, "Lines a plot draws; catalogue: references")
     stages: list[Stage]
-    travel_time: float = Field(description="[s]; the same on every road")
-    arrival_speed_kmh: float = Field(description="[km/h]; the same on every road")
+    travel_time: float | None = Field(description="[s]; the same on every road; null where it was not recorded")
+    arrival_speed_kmh: float | None = Field(description="[km/h]; likewise")
+
+
+class RecordingReport(Answer):
+    """How a recording became a result."""
+
+    offset: float | None = Field(description="Where on the road its distance is 0 [m]; null where no place was found")
+    scale: float | None = Field(description="Metres of the road, or seconds, in one of the recording; likewise")
+    likeness: float | None = Field(description="Correlation with the drive it was placed by; likewise")
+    reference: str | None = Field(description="The strategy that drives it; likewise")
+    samples: int = Field(description="Of each signal, in the whole file")
+    start: float = Field(description="Where on the road it begins [m]")
+    end: float = Field(description="Where on the road it ends [m]")
+    missing: list[str] = Field(description="Signals that it does not have")
+    notes: list[str] = Field(description="All of this in words, and what may be wrong")
 
 
 class StrategyResult(DriveResult):
     """One strategy's figures over the scenario."""
 
+    model_config = ConfigDict(json_schema_serialization_defaults_required=False)
+
     metrics: dict[str, WindowMetrics] = keys_of(WINDOWS, "By window (catalogue: windows)")
-    comfort: dict[str, float] = keys_of(COMFORT, "Catalogue: comfort")
+    comfort: dict[str, float | None] = keys_of(COMFORT, "Catalogue: comfort; null where a recording does not have it")
+    recording: RecordingReport | None = Field(None, description="How a recording became this; only there for one")
 
 
 class StrategyFailure(Answer):

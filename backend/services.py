@@ -25,6 +25,7 @@ from backend.metrics import service_registry
 from backend.own.watch import Watch
 from backend.paper.rows import REPRODUCTION
 from backend.paper.service import Paper
+from backend.recordings.service import Recordings
 from backend.roads.service import MeasuredRoads
 from backend.runs import WARM_UP
 from backend.runs.result_cache import ResultCache
@@ -48,6 +49,7 @@ class Services(HttpParts):
     metrics: CollectorRegistry
     spool: Spool
     roads: MeasuredRoads
+    recordings: Recordings
     runs: Runs
     solver: Solver
     batches: BatchService
@@ -98,9 +100,12 @@ def make_services(settings: Settings, workers: Workers) -> Services:
     batch_workers = Workers(count, timeout=settings.run_timeout, warm_up=WARM_UP, nice=BATCH_NICE)
     spool = Spool(settings.data_dir / "spool", gate)
     roads = MeasuredRoads(store=store, workers=workers, gate=gate)
+    recordings = Recordings(store=store, workers=workers, gate=gate)
     memory = ResultCache(settings.series_cache_bytes)
-    results = ResultFinder(store=store, workers=workers, memory=memory, gate=gate, roads=roads)
-    runs = Runs(store=store, workers=workers, results=results, gate=gate, roads=roads, spool=spool)
+    results = ResultFinder(store=store, workers=workers, memory=memory, gate=gate, roads=roads, recordings=recordings)
+    runs = Runs(
+        store=store, workers=workers, results=results, gate=gate, roads=roads, recordings=recordings, spool=spool
+    )
     batches = BatchService(
         store=store,
         workers=workers,
@@ -123,12 +128,13 @@ def make_services(settings: Settings, workers: Workers) -> Services:
         metrics=service_registry(workers, gate),
         spool=spool,
         roads=roads,
+        recordings=recordings,
         runs=runs,
         solver=Solver(runs=runs, gate=gate, roads=roads),
         batches=batches,
         tunings=TuningService(store=store, batch_workers=batch_workers, gate=gate, settings=settings),
         paper=Paper(store=store, results=results, gate=gate),
-        links=Links(store=store, workers=workers, runs=runs, gate=gate, roads=roads),
+        links=Links(store=store, workers=workers, runs=runs, gate=gate, roads=roads, recordings=recordings),
         controllers=Controllers(workers=workers, gate=gate, roads=roads, max_request_cost=settings.max_request_cost),
         fmus=Fmus(workers=workers, gate=gate, roads=roads),
         tuning_steps=tuning_steps,

@@ -82,6 +82,7 @@ class RecordingReport:
             its clock lasts.
         likeness: Correlation coefficient with the simulated drive it was placed by.
         reference: That drive's strategy.
+        samples: Of the recording, of each signal.
         start: Where on the road it begins [m].
         end: Where it ends [m].
         missing: Signals that it does not have.
@@ -92,6 +93,7 @@ class RecordingReport:
     scale: float | None
     likeness: float | None
     reference: str | None
+    samples: int
     start: float
     end: float
     missing: tuple[str, ...]

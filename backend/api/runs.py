@@ -24,6 +24,7 @@ from backend.http.answers import (
 from backend.http.routing import ComputingRoute, ScenarioRoute
 from backend.json_types import JsonObject
 from backend.requirements import Requirement, read
+from backend.runs.deviations import Deviations
 from backend.runs.figures import PANELS
 from backend.runs.frequency import FrequencyAnswer, FrequencyRequest
 from backend.runs.instants import InstantAnswer
@@ -174,6 +175,21 @@ async def get_instant(
     """What a controller saw and decided in the control step there, which limits shaped it, and at what price."""
     work = service.instant(run_id, strategy, position, time, client)
     return json_answer(await cancel_on_disconnect(request, work), CACHED_FOR_AN_HOUR)
+
+
+@drawing.get("/runs/{id}/differences", operation_id="getDifferences", response_model=Deviations)
+async def get_differences(
+    run_id: RunId,
+    response: Response,
+    service: RunsService,
+    client: Client,
+    baseline: Annotated[
+        str | None, Query(description="Strategy or recording that they are against; omitted is passive, or the first")
+    ] = None,
+) -> Deviations:
+    """How far every strategy's curves lie from one's at the same positions, signal by signal, on the first road."""
+    response.headers.update(CACHED_FOR_AN_HOUR)
+    return await service.deviations(run_id, baseline, client)
 
 
 @drawing.get("/runs/{id}/bands", operation_id="getBands", response_model=Bands)

@@ -6,8 +6,10 @@ from contextlib import suppress
 from backend.cost.estimate import check_affordable, expected_time, memory
 from backend.own import isolated
 from sim_core.caching import SHARED
+from sim_core.recorded.result import recorded_result
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
+from sim_core.scenario.recorded import recording_id
 from sim_core.simulate import simulate as simulate_core
 from sim_core.strategies import strategy_named
 
@@ -15,12 +17,14 @@ LARGE = 100e6  # a run's arrays, before which everything that can be spared make
 
 
 def simulate(scenario: Scenario, name: str) -> StrategyResult:
-    """Drive one strategy; one of somebody's own in a process of its own.
+    """Drive one strategy, one of somebody's own in a process of its own; or take a recording that the scenario has.
 
     Raises:
         TooExpensiveError: It does more than one run may.
         RidelabError: As `sim_core.simulate.simulate` raises.
     """
+    if (recording := recording_id(name)) is not None:
+        return recorded_result(scenario, scenario.recording(recording), simulate)
     return isolated(name, _simulate, scenario, name)
 
 

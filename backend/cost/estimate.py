@@ -13,12 +13,15 @@ from sim_core.control.qp import osqp_effort
 from sim_core.errors import TooExpensiveError
 from sim_core.loop.excitation import StepSizes, longest_fine_step, step_sizes
 from sim_core.loop.run import run_dampers
+from sim_core.recorded.result import REFERENCES
 from sim_core.scenario import Actuator, Scenario
+from sim_core.scenario.recorded import recording_id
 from sim_core.speed.profile import SPEED_CONTROL_PERIOD, TARGET_BAND, make_speed_profile
 from sim_core.strategies import resolve_speed_plan, strategy_named
 from sim_core.vehicle.make import is_linear
 from sim_core.vehicle.nonlinear import substeps
 
+RECORDED = 1.0  # to read a recording and find its place [s of one core]
 CACHED_STEPS = 3e5  # of a run: so many fine steps' arrays fit into the processor's cache
 MAX_BYTES = 4.2e8  # of one run's arrays; whoever changes this or `memory` changes which scenarios have a result
 MAX_OPERATIONS = 3.3e11  # of one run's steps: some 30 s; its QPs have a limit of their own, `control.qp.MAX_EFFORT`
@@ -76,11 +79,13 @@ def duration(scenario: Scenario, name: str) -> float:
 
 
 def estimate(scenario: Scenario, name: str) -> float:
-    """Expected cost of one strategy [s of one core].
+    """Expected cost of one strategy, or of a recording with what it is compared with [s of one core].
 
     Raises:
         UnknownNameError: No such strategy.
     """
+    if recording_id(name) is not None:
+        return RECORDED + sum(estimate(scenario, each) for each in REFERENCES)
     strategy = strategy_named(name)
     time = expected_time(scenario, strategy)
     counts = work(scenario, strategy, time, expected_limits(scenario, strategy, time))

@@ -73,6 +73,24 @@ job_roads = Table(
     Column("road_id", String(22), ForeignKey("roads.id"), primary_key=True, index=True),
 )
 
+# Recorded drives, by content; `signals` are the catalogue's names, with commas.
+recordings = Table(
+    "recordings",
+    metadata,
+    Column("id", String(22), primary_key=True),
+    Column("samples", Integer, nullable=False),
+    Column("signals", String(255), nullable=False),
+    Column("content", LargeBinary, nullable=False),
+    Column("created_at", Utc, nullable=False, default=Now(), index=True),
+)
+
+run_recordings = Table(
+    "run_recordings",
+    metadata,
+    Column("run_id", String(22), ForeignKey("runs.id"), primary_key=True),
+    Column("recording_id", String(22), ForeignKey("recordings.id"), primary_key=True, index=True),
+)
+
 runs = Table(
     "runs",
     metadata,

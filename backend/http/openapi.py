@@ -9,6 +9,7 @@ from typing import Any
 from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 
+from backend.digest import STRATEGY_PATTERN
 from backend.http.field_descriptions import EVERYWHERE, OF_MODELS
 from backend.http.kinds import KINDS
 from backend.http.logins import COOKIE
@@ -16,13 +17,13 @@ from backend.http.problems import MEDIA_TYPE, Problem
 from backend.http.request_log import HEADER
 from backend.json_types import JsonObject
 from sim_core.catalogue import PAPER_SIGNALS
-from sim_core.check_controller import ID
 from sim_core.strategies import STRATEGIES, strategies
 
 TAGS = {
     "runs": "A scenario and the strategies that drive it: computed once, stored, read, drawn.",
     "batches": "Sweeps and robustness studies: many runs, submitted, followed and read as one.",
     "roads": "Measured roads: sent as CSV, named by scenarios.",
+    "recordings": "Recorded drives: sent as CSV, shown among a run's strategies.",
     "tunings": "Searches for better weights.",
     "links": "Links that open a run or a batch as it was shared.",
     "paper": "The paper's tables and figures, checked.",
@@ -110,6 +111,7 @@ LINKS = {  # operations that take the id, by the operation that answers with it
         "$response.body#/id",
         ["getTuning", "labelTuning", "cancelTuning", "resumeTuning", "deleteTuning", "getTuningTrials"],
     ),
+    "createRecording": ("201", "$response.body#/id", ["getRecording"]),
     "createRoad": ("201", "$response.body#/id", ["getRoad"]),
     "createLink": ("201", "$response.body#/slug", ["getLink"]),
 }
@@ -213,6 +215,6 @@ def _name_strategies(name: str, field: JsonObject) -> None:
     if name in ("strategy", "baseline", "strategies") and not listed:
         for each in (field, field.get("items", {}), *field.get("anyOf", [])):
             if each.get("type") == "string" and "enum" not in each:
-                each["pattern"] = ID  # perhaps of one that is there no more
+                each["pattern"] = STRATEGY_PATTERN  # perhaps of one that is there no more
             elif each.get("type") == "object":
-                each["propertyNames"] = {"pattern": ID}
+                each["propertyNames"] = {"pattern": STRATEGY_PATTERN}

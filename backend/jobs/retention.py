@@ -80,6 +80,7 @@ class Retention:
             ("jobs", self._store.retention.remove_jobs),
             ("results", self._store.retention.remove_results),
             ("roads", self._store.retention.remove_roads),
+            ("recordings", self._store.retention.remove_recordings),
         ):
             while (removed := await self._write(remove, before)).rows:
                 REMOVED.labels(what).inc(removed.rows)

@@ -14,7 +14,7 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from backend.batches.models import Batch
-from backend.models import Answer, RequestModel, StrategyName, inconsistent
+from backend.models import Answer, RequestModel, ShownStrategy, StrategyName, inconsistent
 from backend.plain_text import PlainText
 from backend.runs.models import Run
 from backend.runs.over_roads import RoadsRun
@@ -26,7 +26,7 @@ SLUG_PATTERN = "^[A-Za-z0-9_-]{22}$"
 MAX_PINS = 8
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]
-Names = Annotated[list[StrategyName], Field(max_length=32)]  # as many as a run may have
+Names = Annotated[list[ShownStrategy], Field(max_length=32)]  # as many as a run may have
 Id = Annotated[str, Field(pattern=SLUG_PATTERN)]
 
 
@@ -75,7 +75,7 @@ class LinkView(RequestModel):
 
     strategies: Names | None = Field(None, description="Shown, in this order.")
     hidden: Names | None = Field(None, description="Of those shown, the ones switched off in the plots.")
-    baseline: StrategyName | None = Field(None, description="What changes in % are against.")
+    baseline: ShownStrategy | None = Field(None, description="What changes in % are against.")
     axis: Literal["distance", "time"] | None = Field(None, description="What is on the x axis.")
     # strict=False on the tuple alone: JSON has arrays only. The numbers inside stay strict.
     zoom: Annotated[tuple[Finite, Finite], Field(strict=False), AfterValidator(_ascending)] | None = Field(

@@ -7,7 +7,8 @@ from datetime import datetime
 from html import escape
 
 from backend.json_types import JsonObject
-from backend.runs.reports.keys import inside, label
+from backend.runs.figures import label
+from backend.runs.reports.keys import inside
 from sim_core.catalogue import BUMP, METRICS, PAPER_SIGNALS, PEAK, SIGNALS, WHOLE, metric_key
 
 SIGNALS_SHOWN = PAPER_SIGNALS[:2]

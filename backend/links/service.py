@@ -17,6 +17,7 @@ from backend.json_types import JsonObject
 from backend.links import preview
 from backend.links.models import SLUG_PATTERN, CreatedLink, LinkView
 from backend.links.preview import Preview
+from backend.recordings.service import Recordings
 from backend.roads.service import MeasuredRoads
 from backend.runs import pins
 from backend.runs.answers import as_plain, run_answer
@@ -40,12 +41,15 @@ class _SharedRun:
 class Links:
     """The one service of links."""
 
-    def __init__(self, *, store: Store, workers: Workers, runs: Runs, gate: Gate, roads: MeasuredRoads) -> None:
+    def __init__(
+        self, *, store: Store, workers: Workers, runs: Runs, gate: Gate, roads: MeasuredRoads, recordings: Recordings
+    ) -> None:
         self._runs = runs
         self._store = store
         self._workers = workers
         self._gate = gate
         self._roads = roads
+        self._recordings = recordings
 
     async def share_run(self, run_id: str, view: LinkView, client: str) -> CreatedLink:
         """A new link to a run; its time histories are pinned with it.
@@ -146,7 +150,7 @@ class Links:
         scenario = Scenario.model_validate(upgraded_scenario(stored.scenario, stored.schema_version))
         if SAMPLE_BYTES * sum(most_samples(scenario, name) for name in missing) > MOST_PINNED:
             return {}
-        scenario = await self._roads.on(scenario)
+        scenario = await self._recordings.on(await self._roads.on(scenario), missing)
         cost = cost_of(scenario, missing)
         with self._gate.computing(client, cost):
             series = await self._workers.call(pins.make, scenario, list(missing), client=client, cost=cost)

@@ -15,6 +15,7 @@ from backend.json_types import JsonObject
 from backend.outcome import Outcome
 from backend.runs.series import ROWS, SeriesArray, packed
 from sim_core.catalogue import METRIC_SIGNALS, REFERENCES, SIGNALS, STAGES
+from sim_core.scenario.recorded import recording_id
 from sim_core.strategies import strategies
 
 
@@ -45,6 +46,11 @@ OTHERS = (  # for controllers of one's own, in turn
     Style(colour="#7A7900", dark_colour="#E3E04A", dash="6px,2px,6px,6px"),
     Style(colour="#D0315E", dark_colour="#FF8FA6", dash="1px,3px,8px,3px"),
     Style(colour="#5E5CE0", dark_colour="#B9C0FF", dash="12px,6px"),
+)
+RECORDED = (  # for recordings, by their id: the darkest, on a dark screen the lightest
+    Style(colour="#111827", dark_colour="#F9FAFB", dash="solid"),
+    Style(colour="#7A1F5C", dark_colour="#FFB3E6", dash="10px,2px"),
+    Style(colour="#14532D", dark_colour="#A7F3B0", dash="4px,2px"),
 )
 _GONE = Style(colour="#868E96", dark_colour="#868E96", dash="solid")  # of one that is there no more
 
@@ -94,8 +100,18 @@ PANELS: dict[str, Panel] = {
 }
 
 
+def label(strategy: str) -> str:
+    """What a strategy or a recording is called; its id where it is there no more."""
+    if (recording := recording_id(strategy)) is not None:
+        return f"Recording {recording[:6]}"
+    known = strategies().get(strategy)
+    return strategy if known is None else known.label
+
+
 def style_of(strategy: str) -> Style:
     """How a strategy is drawn."""
+    if (recording := recording_id(strategy)) is not None:
+        return RECORDED[sum(recording.encode()) % len(RECORDED)]
     if strategy in STYLES:
         return STYLES[strategy]
     others = [name for name in strategies() if name not in STYLES]
@@ -118,7 +134,7 @@ def filled(name: str, outcomes: Mapping[str, Outcome], axis: str) -> JsonObject:
     """
     members = {name: outcome.series for name, outcome in outcomes.items() if outcome.series is not None}
     known = {name: each.label for name, each in strategies().items()}
-    labels = {**known, **{name: name for name in members if name not in known}}
+    labels = {**known, **{name: label(name) for name in members if name not in known}}
     panel = PANELS[name]
     template = _template(panel, tuple(labels.items()))
     summaries = {name: outcomes[name].summary for name in members}
@@ -145,14 +161,14 @@ def _template(panel: Panel, labels: tuple[tuple[str, str], ...]) -> JsonObject:
     traces = [
         {
             "type": "scatter",
-            "name": label,
+            "name": name,
             "mode": "lines",
             "line": {"color": style.colour, "dash": style.dash, "width": 1.5},
             "legendgroup": strategy,
             "hovertemplate": f"%{{y:.4~g}} {unit}" if unit != "1" else "%{y:.4~g}",
             "meta": {"strategy": strategy, "signal": panel.signal},
         }
-        for strategy, label in labels
+        for strategy, name in labels
         for style in [style_of(strategy)]
     ]
     meta = {

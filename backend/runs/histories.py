@@ -1,7 +1,7 @@
 """Time histories of stored runs: pinned by a link, or simulated again by the core version that computed the run."""
 
 import asyncio
-from collections.abc import AsyncIterator, Mapping, Sequence
+from collections.abc import AsyncIterator, Iterable, Mapping, Sequence
 from contextlib import asynccontextmanager
 from dataclasses import replace
 from functools import partial
@@ -17,6 +17,7 @@ from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile, refused_where_full
 from backend.means_over_roads import seeded
 from backend.outcome import Outcome
+from backend.recordings.service import Recordings
 from backend.roads.service import MeasuredRoads
 from backend.runs import bands, exports, pins
 from backend.runs.result_finder import ResultFinder
@@ -35,7 +36,15 @@ class Histories:
     """Reads or simulates time histories."""
 
     def __init__(
-        self, *, store: Store, workers: Workers, results: ResultFinder, gate: Gate, roads: MeasuredRoads, spool: Spool
+        self,
+        *,
+        store: Store,
+        workers: Workers,
+        results: ResultFinder,
+        gate: Gate,
+        roads: MeasuredRoads,
+        recordings: Recordings,
+        spool: Spool,
     ) -> None:
         self._spool = spool
         self._store = store
@@ -43,6 +52,7 @@ class Histories:
         self._results = results
         self._gate = gate
         self._roads = roads
+        self._recordings = recordings
         self._bands: LRUCache[str, SpoolFile] = LRUCache(
             BAND_BYTES, getsizeof=lambda band: max(MIN_CACHED_BAND, band.size)
         )
@@ -68,8 +78,8 @@ class Histories:
             )
         return {name: key for name, key in keys.items() if key in pinned}
 
-    async def outcomes(self, stored: StoredRun, client: str) -> dict[str, Outcome]:
-        """The strategies that have time histories, with as many samples as figures need.
+    async def outcomes(self, stored: StoredRun, client: str, points: int = FIGURE_POINTS) -> dict[str, Outcome]:
+        """The strategies that have time histories, with about so many samples, by default as many as figures need.
 
         Raises:
             GoneError: Another core version computed the run, or its road is gone, and nothing is pinned.
@@ -80,12 +90,12 @@ class Histories:
         scenario = Scenario.model_validate(stored.scenario)
         async with self._pinned(scenario, keys, client) as pinned:
             if pinned is None:
-                await self.on_its_road(scenario)
-                return await self._results.get(scenario, list(keys), client, points=FIGURE_POINTS)
+                await self.on_its_road(scenario, keys)
+                return await self._results.get(scenario, list(keys), client, points=points)
             with self._gate.computing(client, 0.0):
-                arrays = await self._workers.call(pins.opened, pinned, _stages(stored), FIGURE_POINTS, client=client)
+                arrays = await self._workers.call(pins.opened, pinned, _stages(stored), points, client=client)
         return {
-            item.strategy: replace(item, points=FIGURE_POINTS, series=arrays[item.strategy])
+            item.strategy: replace(item, points=points, series=arrays[item.strategy])
             for item in stored.shown
             if item.strategy in arrays
         }
@@ -104,7 +114,7 @@ class Histories:
         cost = exports.BYTE_COST * size
         async with self._pinned(scenario, keys, client) as pinned:
             if pinned is None:
-                scenario = await self.on_its_road(scenario)
+                scenario = await self.on_its_road(scenario, keys)
                 cost += cost_of(scenario, keys)
             with self._gate.computing(client, cost), self._spool.reserved(client, size) as write:
                 call = partial(self._workers.call, client=client, cost=cost)
@@ -182,14 +192,14 @@ class Histories:
                 before, after = after, before
         return before
 
-    async def on_its_road(self, scenario: Scenario) -> Scenario:
-        """A stored run's scenario with the heights of its measured road.
+    async def on_its_road(self, scenario: Scenario, names: Iterable[str] = ()) -> Scenario:
+        """A stored run's scenario with the heights of its measured road, and those of these strategies it recorded.
 
         Raises:
             RoadGoneError: The road is not stored any more.
         """
         try:
-            return await self._roads.on(scenario)
+            return await self._recordings.on(await self._roads.on(scenario), names)
         except InvalidError:
             raise RoadGoneError from None
 

@@ -8,27 +8,38 @@ from pydantic_core import PydanticCustomError
 from backend.models import (
     CachedFailure,
     CachedResult,
+    RequestModel,
     RoadCount,
     RunBase,
-    StrategiesRequest,
+    ShownStrategy,
     StrategyFailure,
-    StrategyName,
     StrategyResult,
     WithId,
     by_strategy,
 )
 from backend.requirements import RequirementResult, Requirements
+from sim_core.scenario import Scenario
+from sim_core.scenario.recorded import recording_id
 
 
-class RunRequest(StrategiesRequest):
-    """What to run, on how many roads."""
+class RunRequest(RequestModel):
+    """What to run, on how many roads; an omitted part of the scenario takes the paper's default."""
 
+    scenario: Scenario = Scenario()
+    strategies: list[ShownStrategy] = Field(min_length=1, max_length=32, description="A recording is of one road.")
     roads: RoadCount = 1
-    baseline: StrategyName | None = Field(
+    baseline: ShownStrategy | None = Field(
         None,
         description="What the changes over several roads refer to, one of the strategies; null is passive, or the "
         "first strategy where passive does not run",
     )
+
+    @field_validator("roads")
+    @classmethod
+    def _recorded_once(cls, roads: int, info: ValidationInfo) -> int:
+        if roads > 1 and any(recording_id(name) is not None for name in info.data.get("strategies") or ()):
+            raise PydanticCustomError("one_road", "A recording is of one road: roads can only be 1")
+        return roads
 
     @field_validator("baseline")
     @classmethod

@@ -11,6 +11,7 @@ from backend.cost.estimate import estimate
 from backend.gate import Gate
 from backend.metrics import CACHE, count_runs
 from backend.outcome import Outcome
+from backend.recordings.service import Recordings
 from backend.roads.service import MeasuredRoads
 from backend.runs.compute_run import compute_run
 from backend.runs.result_cache import ResultCache
@@ -33,13 +34,21 @@ class ResultFinder:
     """Finds or computes results."""
 
     def __init__(
-        self, *, store: Store, workers: Workers, memory: ResultCache, gate: Gate, roads: MeasuredRoads
+        self,
+        *,
+        store: Store,
+        workers: Workers,
+        memory: ResultCache,
+        gate: Gate,
+        roads: MeasuredRoads,
+        recordings: Recordings,
     ) -> None:
         self._store = store
         self._workers = workers
         self._memory = memory
         self._gate = gate
         self._roads = roads
+        self._recordings = recordings
         self._in_progress: SharedComputations[tuple[str, int | None], Outcomes] = SharedComputations()
 
     async def get(self, scenario: Scenario, names: Sequence[str], client: str, *, points: int | None) -> Outcomes:
@@ -56,7 +65,8 @@ class ResultFinder:
         """Each strategy's result on each of several roads, which differ in their seed alone; idle workers share them.
 
         Raises:
-            InvalidError: What is missing would be driven on a measured road that is not there, or too short.
+            InvalidError: What is missing would be driven on a measured road that is not there, or too short, or is a
+                recording that is not there.
             TemporaryError: Too much is being computed.
         """
         keys = digest.result_keys(roads, names)
@@ -73,7 +83,7 @@ class ResultFinder:
         CACHE.labels("hit").inc(sum(map(len, found)))
         CACHE.labels("miss").inc(len(costly))
         if costly:
-            roads = [await self._roads.on(road) for road in roads]
+            roads = [await self._recordings.on(await self._roads.on(road), costly) for road in roads]
             costs = {name: estimate(roads[0], name) for name in set(costly)}  # which no seed changes
             request = _Request(client=client, points=points, costs=costs)
             with self._gate.computing(client, sum(costs[name] for name in costly)):

@@ -15,10 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from backend.cost.estimate import duration, samples
+from backend.csv_lines import MAX_LINES
 from backend.json_types import JsonObject
 from sim_core.catalogue import BUMP, SIGNALS
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
+from sim_core.scenario.recorded import recording_id
 from sim_core.strategies import strategy_named
 
 SeriesArray = NDArray[np.float32]
@@ -113,7 +115,8 @@ def decimate(series: Sequence[SeriesArray] | SeriesArray, points: int | None, st
     cuts = np.searchsorted(time, np.asarray(stages.breaks, dtype=np.float32)).tolist()
     windows = list(itertools.pairwise(sorted({0, *cuts, count})))
     keep = {0, count - 1}
-    for row in series:
+    for signal in series:
+        row = np.nan_to_num(signal) if np.isnan(signal).any() else signal
         for start, end in windows:
             window = row[start:end]
             keep.update((start + int(window.argmin()), start + int(window.argmax())))
@@ -186,5 +189,7 @@ def as_json(values: Callable[[str], SeriesArray], signals: Iterable[str], encodi
 
 def most_samples(scenario: Scenario, strategy: str) -> int:
     """About the most samples that the strategy's time histories have."""
+    if recording_id(strategy) is not None:
+        return MAX_LINES
     steps, fine = samples(scenario, strategy_named(strategy), duration(scenario, strategy))
     return ceil(steps) * fine

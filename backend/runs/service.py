@@ -23,9 +23,10 @@ from backend.json_types import JsonObject
 from backend.means_over_roads import default_baseline, seeded
 from backend.metrics import CACHE
 from backend.outcome import Outcome
+from backend.recordings.service import Recordings
 from backend.requirements import Requirement
 from backend.roads.service import MeasuredRoads
-from backend.runs import exports, figures, series
+from backend.runs import deviations, exports, figures, series
 from backend.runs.answers import (
     as_plain,
     changes_to_run,
@@ -34,6 +35,7 @@ from backend.runs.answers import (
     live_json,
     run_answer,
 )
+from backend.runs.deviations import Deviations
 from backend.runs.frequency import COST as FREQUENCY_COST
 from backend.runs.frequency import FrequencyAnswer, FrequencyRequest, frequency_answer
 from backend.runs.histories import Histories
@@ -45,6 +47,7 @@ from backend.runs.result_finder import Outcomes, ResultFinder
 from backend.store import Store, StoredRun
 from backend.store.roads import measured_roads
 from sim_core import __version__ as CORE_VERSION
+from sim_core.catalogue import SIGNALS
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.versions import NewerScenarioError, restored
 from sim_core.strategies import strategies as known_strategies
@@ -54,14 +57,25 @@ class Runs:
     """The one service of runs."""
 
     def __init__(
-        self, *, store: Store, workers: Workers, results: ResultFinder, gate: Gate, roads: MeasuredRoads, spool: Spool
+        self,
+        *,
+        store: Store,
+        workers: Workers,
+        results: ResultFinder,
+        gate: Gate,
+        roads: MeasuredRoads,
+        recordings: Recordings,
+        spool: Spool,
     ) -> None:
         self._store = store
         self._workers = workers
         self._results = results
         self._gate = gate
         self._roads = roads
-        self._histories = Histories(store=store, workers=workers, results=results, gate=gate, roads=roads, spool=spool)
+        self._recordings = recordings
+        self._histories = Histories(
+            store=store, workers=workers, results=results, gate=gate, roads=roads, recordings=recordings, spool=spool
+        )
         self._instants = Instants(workers=workers, gate=gate, histories=self._histories)
 
     async def create(
@@ -113,7 +127,9 @@ class Runs:
             roads=roads,
             baseline=against,
         )
-        await self._roads.named(measured_roads(run.scenario))  # results in memory outlive the road
+        # Results in memory outlive their road and their recording.
+        await self._roads.named(measured_roads(run.scenario))
+        await self._recordings.named(names)
         saved = await self._store.write(self._store.runs.save, run)
         return saved, {name: all(item.cached for item in outcomes if item.strategy == name) for name in names}
 
@@ -283,6 +299,27 @@ class Runs:
             if name is not None:
                 return figures.filled(name, outcomes, axis)
             return {"figures": {each: figures.filled(each, outcomes, axis) for each in figures.PANELS}}
+
+    async def deviations(self, run_id: str, baseline: str | None, client: str) -> Deviations:
+        """How far the curves of a stored run's strategies lie from one's.
+
+        Raises:
+            NotFoundError: No such run.
+            GoneError: Its time histories are gone.
+            InvalidError: There is no curve of the baseline.
+        """
+        stored = await self.stored(run_id, client)
+        baseline = baseline or default_baseline(list(stored.by_strategy))
+        outcomes = await self._histories.outcomes(stored, client, deviations.POINTS)
+        series = {name: outcome.series for name, outcome in outcomes.items() if outcome.series is not None}
+        if baseline not in series:
+            message = (
+                f"This run has time histories of {', '.join(series) or 'no strategy'}; the baseline is one of them"
+            )
+            raise InvalidError(message, parameter="baseline")
+        units = {key: SIGNALS[key].unit for key in deviations.COMPARED}
+        found = await asyncio.to_thread(deviations.deviations, series, baseline)
+        return Deviations(baseline=baseline, units=units, strategies=found)
 
     async def report(
         self, run_id: str, client: str, *, baseline: str | None, against: str | None, axis: str, compressed: bool

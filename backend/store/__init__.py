@@ -10,6 +10,7 @@ from backend.store.job_runs import JobRunStore
 from backend.store.jobs import JobStore
 from backend.store.links import LinkStore, StoredLink
 from backend.store.logins import LoginStore
+from backend.store.recordings import RecordingStore
 from backend.store.retention import RetentionStore
 from backend.store.roads import RoadStore
 from backend.store.runs import RunStore, StoredRun
@@ -25,6 +26,7 @@ class Store(Database):
         super().__init__(url)
         self.runs = RunStore(self)
         self.roads = RoadStore(self)
+        self.recordings = RecordingStore(self)
         self.jobs = JobStore(self)
         self.job_runs = JobRunStore(self)
         self.job_events = JobEventStore(self)

@@ -1,4 +1,4 @@
-"""Removal of what is old: jobs without a label or a link, results that nothing shows, roads that nothing names.
+"""Removal of what is old: jobs without a label or a link, results that nothing shows, files that nothing names.
 
 A run stays with its scenario and its strategies, so that it can be computed again; of its results the summaries go.
 
@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from datetime import datetime
 from typing import Any, NamedTuple
 
-from sqlalchemy import Column, Connection, Select, and_, delete, exists, func, or_, select, update
+from sqlalchemy import Column, Connection, Select, Table, and_, delete, exists, func, or_, select, update
 
 from backend.db.database import Database
 from backend.db.tables import (
@@ -22,15 +22,17 @@ from backend.db.tables import (
     jobs,
     links,
     pinned_series,
+    recordings,
     results,
     roads,
+    run_recordings,
     run_results,
     run_roads,
 )
 from backend.store.job import FINAL
 from backend.store.jobs import mark_removed
 
-REMOVED_AT_ONCE = 500  # results or roads in one transaction
+REMOVED_AT_ONCE = 500  # results, roads or recordings in one transaction
 JOBS_REMOVED_AT_ONCE = 20  # jobs of users, each with up to some hundred that it submitted
 
 Removable = Select[str, datetime]
@@ -53,9 +55,16 @@ class RetentionStore:
         """Size of what is stored [bytes]; no row is read for it, however many there are.
 
         Of SQLite the file's pages in use. A table of PostgreSQL does not shrink when rows are deleted: there it is the
-        size of results, pinned time histories, rows of jobs and measured roads, and its own overhead is extra.
+        size of results, pinned time histories, rows of jobs, roads and recordings, and its own overhead is extra.
         """
-        columns = (results.c.summary, pinned_series.c.content, job_runs.c.changes, jobs.c.sweep, roads.c.content)
+        columns = (
+            results.c.summary,
+            pinned_series.c.content,
+            job_runs.c.changes,
+            jobs.c.sweep,
+            roads.c.content,
+            recordings.c.content,
+        )
         with self._database.reading(large=True) as connection:
             if connection.dialect.name == "sqlite":
                 pages, free, each = (
@@ -78,7 +87,7 @@ class RetentionStore:
         with self._database.reading() as connection:
             pages = [
                 connection.execute(select(func.max(page.c.created))).scalar_one()
-                for page in (each(None).subquery() for each in (_removable_jobs, _removable_results, _removable_roads))
+                for page in (each(None).subquery() for each in _REMOVABLE)
             ]
         return min((created for created in pages if created is not None), default=None)
 
@@ -117,13 +126,20 @@ class RetentionStore:
 
     def remove_roads(self, before: datetime) -> Removed:
         """Remove a page of roads stored before then that no run and no job names."""
-        removable = _removable_roads(before)
+        return self._remove_sent(roads, _removable_roads(before))
+
+    def remove_recordings(self, before: datetime) -> Removed:
+        """Remove a page of recordings stored before then that no run shows."""
+        return self._remove_sent(recordings, _removable_recordings(before))
+
+    def _remove_sent(self, table: Table, removable: Removable) -> Removed:
+        """Remove these rows of what was sent as a file."""
         with self._database.writing() as connection:
             ids = _ids(connection, removable)
-            _lock(connection, roads.c.id, ids)
-            ids = _ids(connection, removable.where(roads.c.id.in_(ids)))
-            size = _size(connection, roads.c.content, roads.c.id, ids)
-            connection.execute(delete(roads).where(roads.c.id.in_(ids)))
+            _lock(connection, table.c.id, ids)
+            ids = _ids(connection, removable.where(table.c.id.in_(ids)))
+            size = _size(connection, table.c.content, table.c.id, ids)
+            connection.execute(delete(table).where(table.c.id.in_(ids)))
         return Removed(len(ids), size)
 
 
@@ -161,6 +177,16 @@ def _removable_roads(before: datetime | None) -> Removable:
     )
 
 
+def _removable_recordings(before: datetime | None) -> Removable:
+    shown = exists().where(run_recordings.c.recording_id == recordings.c.id)
+    query = select(recordings.c.id, recordings.c.created_at.label("created")).where(~shown)
+    return (
+        (query if before is None else query.where(recordings.c.created_at < before))
+        .order_by("created")
+        .limit(REMOVED_AT_ONCE)
+    )
+
+
 def _removable_jobs(before: datetime | None) -> Removable:
     member = jobs.alias()  # the job itself, or one that it submitted
     named = or_(
@@ -192,3 +218,6 @@ def _removable_results(before: datetime | None) -> Removable:
         .order_by("created")
         .limit(REMOVED_AT_ONCE)
     )
+
+
+_REMOVABLE = (_removable_jobs, _removable_results, _removable_roads, _removable_recordings)

@@ -11,11 +11,12 @@ from sqlalchemy.dialects import postgresql, sqlite
 from backend.db.checksum import check, update_row
 from backend.db.clock import UNSTORED
 from backend.db.database import Database, insert_new
-from backend.db.tables import EXPIRED, results, run_results, run_roads, runs
+from backend.db.tables import EXPIRED, results, run_recordings, run_results, run_roads, runs
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
 from backend.store.damage import drop_results, is_intact_result
 from backend.store.roads import measured_roads
+from sim_core.scenario.recorded import recording_id
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -122,6 +123,9 @@ class RunStore:
             insert_new(connection, run_results, _members(run.id, run.results))
             for road in measured_roads(run.scenario):
                 insert_new(connection, run_roads, [{"run_id": run.id, "road_id": road}])
+            for recording in map(recording_id, run.by_strategy):
+                if recording is not None:
+                    insert_new(connection, run_recordings, [{"run_id": run.id, "recording_id": recording}])
             return _load_run(connection, run.id)
 
     def recompute(self, run_id: str, core_version: str, outcomes: Sequence[Outcome]) -> None:

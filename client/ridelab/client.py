@@ -1,5 +1,6 @@
 """The client itself: one method for each thing a service does."""
 
+import json
 import os
 import re
 import uuid
@@ -349,6 +350,45 @@ class Ridelab(Connection):
             encoding: Of OpenCRG: `binary` or `text`.
         """
         return self._content(f"/roads/{_id(road_id)}", {"format": file_format, "encoding": encoding})
+
+    def upload_recording(
+        self, source: str | os.PathLike[str] | bytes, columns: Mapping[str, str] | None = None
+    ) -> dict[str, Any]:
+        """Send a recorded drive, a CSV file or its content; `strategy` stands for it among a run's strategies.
+
+        The answer has `signals`, `samples`, `duration` [s], `columns` (what each was read as) and `warnings`.
+
+        Args:
+            source: The file.
+            columns: By name of a column its signal with the unit, `{"acc_z": "body_acceleration [g]"}`, or an empty
+                text to leave it out; others are read by their own names.
+        """
+        content = source if isinstance(source, bytes) else Path(source).read_bytes()
+        mapping = {"columns": json.dumps(dict(columns))} if columns else None
+        return self._http.json("POST", f"{API}/recordings", body=content, params=mapping)
+
+    def recording(self, recording_id: str) -> dict[str, Any]:
+        """A recorded drive: `strategy`, `signals`, `samples`, `duration` [s], `distance` [m]."""
+        recording: dict[str, Any] = self.get(f"/recordings/{_id(recording_id)}")
+        return recording
+
+    def recording_content(self, recording_id: str) -> Iterator[bytes]:
+        """Every sample of a recording as CSV, piece by piece; `upload_recording` makes the same one of it anywhere."""
+        return self._content(f"/recordings/{_id(recording_id)}", {"format": "csv"})
+
+    def differences(
+        self, run: RunResult | str, baseline: str | None = None
+    ) -> dict[str, dict[str, dict[str, float | None]]]:
+        """How far every strategy's curves lie from those of `baseline` at the same positions.
+
+        Without a baseline they are against passive, or the first strategy where passive does not run.
+
+        strategy -> signal -> `rms` and `peak` of the difference, `baseline_rms` and `correlation`, in SI units; None
+        where they share no part of the road.
+        """
+        answer: dict[str, Any] = self.get(f"/runs/{_id(run)}/differences", {"baseline": baseline})
+        strategies: dict[str, dict[str, dict[str, float | None]]] = answer["strategies"]
+        return strategies
 
     def vehicles(self) -> dict[str, dict[str, Any]]:
         """Vehicles with sources by id: `label`, `description`, `vehicle` (for a scenario), `sources`, `derived`."""

@@ -69,6 +69,8 @@ class Outcome:
         stages: The driving stages in order.
         travel_time: Front axle from x = 0 to the road's end [s].
         arrival_speed_kmh: Speed when the front axle meets the bump [km/h].
+        recording: Of a recording how it became this outcome, whose numbers may be None: where it lies on the road and
+            why (`offset` [m], `scale`, `likeness`, `reference`, `start`, `end` [m]), signals `missing`, and `notes`.
     """
 
     strategy: str
@@ -85,6 +87,7 @@ class Outcome:
     stages: list[Stage] = field(default_factory=list, repr=False)
     travel_time: float = math.nan
     arrival_speed_kmh: float = math.nan
+    recording: Mapping[str, Any] | None = field(default=None, repr=False)
 
     @classmethod
     def of(cls, strategy: str, answer: Mapping[str, Any]) -> Self:

@@ -9,7 +9,8 @@ from scipy.optimize import fmin
 
 from sim_core.arrays import FloatArray
 
-GRID, MOST_POINTS = 0.05, 6000  # of a first search: at least so far apart [m], at most so many of a drive
+# Of a first search: samples at least so far apart [m], at most so many, and scales each way.
+GRID, MOST_POINTS, MOST_SCALES = 0.05, 20_000, 20
 FINE_GRID, MOST_FINE_POINTS = 0.02, 15_000  # of the refinement
 MOST_SCALED = 0.03  # a clock, or a wheel's circumference, is no further off
 SHIFTED = 0.4  # a step of scale shifts both ends of a recording by this at most from where they are found [m]
@@ -59,35 +60,36 @@ def place(distance: FloatArray, recorded: FloatArray, position: FloatArray, simu
         >>> round(found.offset, 2)
         35.0
     """
-    spacing = _spacing(position[-1] - position[0], GRID, MOST_POINTS)
+    longer = max(distance[-1] - distance[0], position[-1] - position[0])
+    spacing = _spacing(longer, GRID, MOST_POINTS)
     coarse = _first_search(*_evenly(distance, recorded, spacing), *_evenly(position, simulated, spacing))
     if coarse is None:
         return None
-    distance, clean = _evenly(distance, recorded, _spacing(distance[-1] - distance[0], FINE_GRID, MOST_FINE_POINTS))
-    overlap = min(position[-1], coarse.offset + coarse.scale * distance[-1]) - max(
-        position[0], coarse.offset + coarse.scale * distance[0]
-    )
-    free = overlap >= SCALED_FROM
-    middle = (distance[0] + distance[-1]) / 2  # about which a change of scale shifts nothing
+    offset, scale = coarse.offset, coarse.scale
+    start, end = np.clip((position[[0, -1]] - offset) / scale, distance[0], distance[-1]).tolist()
+    part = (distance >= start - APART) & (distance <= end + APART)
+    spacing = _spacing(end - start, FINE_GRID, MOST_FINE_POINTS)
+    distance, clean = _evenly(distance[part], recorded[:, part], spacing)
+    free = end - start >= SCALED_FROM
+    middle = (start + end) / 2  # about which a change of scale shifts nothing
 
     def placed(at: FloatArray) -> Placement:
-        scale = coarse.scale + at[1] if free else coarse.scale
-        offset = coarse.offset + coarse.scale * middle + at[0] - scale * middle
-        return _judged(offset, scale, distance, clean, position, simulated)
+        new = scale + at[1] if free else 1.0
+        return _judged(offset + scale * middle + at[0] - new * middle, new, distance, clean, position, simulated)
 
-    start = np.array([[0.0, 0.0], [GRID, 0.0], [0.0, 0.1 / overlap]])
+    simplex = np.array([[0.0, 0.0], [GRID, 0.0], [0.0, 0.1 / (end - start)]])
 
     def unlikeness(at: FloatArray) -> float:
         return -placed(at).likeness
 
     best = fmin(
         unlikeness,
-        start[0],
+        simplex[0],
         xtol=1e-7,
         ftol=1e-10,
         maxfun=400,
         disp=False,
-        initial_simplex=start,
+        initial_simplex=simplex,
     )
     found = placed(best)
     return found if found.likeness >= LEAST_LIKENESS else None
@@ -100,9 +102,12 @@ def _spacing(length: float, least: float, most: int) -> float:
 def _evenly(distance: FloatArray, signals: FloatArray, spacing: float) -> tuple[FloatArray, FloatArray]:
     """Even distances (n,) [m] and the signals there (signals, n), straight across what is missing."""
     even = np.arange(distance[0], distance[-1] + spacing / 2, spacing)
-    return even, np.array(
-        [np.interp(even, distance[there], row[there]) for row in signals if (there := np.isfinite(row)).any()]
-    )
+    there = [np.isfinite(row) for row in signals]
+    rows = [
+        np.interp(even, distance[known], row[known]) if known.any() else np.zeros_like(even)
+        for row, known in zip(signals, there, strict=True)
+    ]
+    return even, np.array(rows)
 
 
 def _judged(
@@ -143,7 +148,8 @@ def _first_search(
     spacing = float(position[1] - position[0])
     whole = simulated - simulated.mean(axis=1, keepdims=True)
     best, at, scale, likeness = 0.0, 0, 1.0, np.zeros(1)
-    steps = ceil(MOST_SCALED * (distance[-1] - distance[0]) / (4 * SHIFTED))
+    shared = min(distance[-1] - distance[0], position[-1] - position[0])
+    steps = min(MOST_SCALES, ceil(MOST_SCALED * shared / (4 * SHIFTED)))
     for each in (1 + np.linspace(-MOST_SCALED, MOST_SCALED, 2 * steps + 1)).tolist():
         own, rows = _evenly(each * distance, recorded, spacing)
         least = int(min(LEAST_OVERLAP / spacing, len(position) / 2, len(own) / 2))

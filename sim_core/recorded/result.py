@@ -1,7 +1,8 @@
 """The result of a recorded drive over a scenario's road: what `simulate` returns for a simulated one."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import pairwise
 from math import nan
 
@@ -14,10 +15,10 @@ from sim_core.errors import RidelabError
 from sim_core.metrics.sampled import Span as Times
 from sim_core.metrics.sampled import airborne_ms, comfort_metrics, window_metrics
 from sim_core.recorded.alignment import Placement, correlations, place
-from sim_core.recorded.drive import PREFIX, RecordedDrive
 from sim_core.result import RecordingReport, Series, Span, StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.scenario.parts import KMH
+from sim_core.scenario.recorded import PREFIX, RecordedDrive
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
 
@@ -26,6 +27,7 @@ REFERENCES = ("passive", "speed_only", "skyhook", "lqr")  # what it may be like;
 GOOD_LIKENESS = 0.9  # no other one is tried
 END_TOLERANCE = 0.5  # what a recording may lack at either end of the road [m]
 SLOWEST = 0.1  # a recorded speed below counts as this where it gives the time [m/s]
+LONGEST = 5000.0  # of a recording [m]
 OPPOSITE = -0.5  # correlation of a signal whose sign may be the other way round
 
 
@@ -40,7 +42,9 @@ class _Track:
     notes: tuple[str, ...] = ()
 
 
-def recorded_result(scenario: Scenario, drive: RecordedDrive) -> StrategyResult:
+def recorded_result(
+    scenario: Scenario, drive: RecordedDrive, drives: Callable[[Scenario, str], StrategyResult] = simulate
+) -> StrategyResult:
     """What a recording says over a scenario's road, by the metrics of a simulated run.
 
     It is placed on the road by its likeness to a quickly simulated drive (`alignment.place`); where it is like none,
@@ -50,13 +54,16 @@ def recorded_result(scenario: Scenario, drive: RecordedDrive) -> StrategyResult:
     Args:
         scenario: Whose road, car and windows; its measured road's heights with it.
         drive: The recording.
+        drives: Simulates what it may be like.
 
     Raises:
         RidelabError: It has no part of the scenario's road.
     """
     signals = drive.signals()
     track = _track(signals, scenario.speed.initial)
-    placement, reference, notes = _placed(scenario, signals, track)
+    if (length := float(np.ptp(track.distance))) > LONGEST:
+        raise RidelabError(f"The recording is {length:.0f} m long, and the most is {LONGEST:g}: cut it to this road")
+    placement, reference, notes = _placed(partial(drives, scenario), signals, track)
     position = placement.offset + placement.scale * track.distance
     time = track.time * placement.scale if track.clocked else track.time
     speed = float(position[-1] - position[0]) / float(time[-1] - time[0])
@@ -73,6 +80,7 @@ def recorded_result(scenario: Scenario, drive: RecordedDrive) -> StrategyResult:
         scale=None if reference is None else placement.scale,
         likeness=None if reference is None else placement.likeness,
         reference=reference,
+        samples=drive.samples,
         start=max(0.0, start),
         end=min(scenario.road.length, end),
         missing=missing,
@@ -114,7 +122,7 @@ def _integral(values: FloatArray, over: FloatArray) -> FloatArray:
 
 
 def _placed(
-    scenario: Scenario, signals: Mapping[str, FloatArray], track: _Track
+    drives: Callable[[str], StrategyResult], signals: Mapping[str, FloatArray], track: _Track
 ) -> tuple[Placement, str | None, tuple[str, ...]]:
     """Where it lies, the strategy it is like (None where it is like none), and what to say of it."""
     keys = [key for key in PLACED_BY if key in signals and np.nanmax(signals[key]) > np.nanmin(signals[key])]
@@ -122,7 +130,7 @@ def _placed(
     best: tuple[Placement, str] | None = None
     for name in REFERENCES if keys else ():
         try:
-            series = simulate(scenario, name).series
+            series = drives(name).series
         except RidelabError:  # of a car that this law cannot hold
             continue
         simulated = np.array([series[key] for key in keys])

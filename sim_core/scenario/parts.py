@@ -5,9 +5,10 @@ SI units, except speeds a person types, which end in `_kmh`. Defaults are the pa
 and section 3) unless the description says "ours"; docs/explanation/model.md gives each one's source.
 """
 
+from collections.abc import Iterable
 from typing import Annotated, Literal, Self
 
-from pydantic import ConfigDict, Field, model_validator
+from pydantic import ConfigDict, Field, PrivateAttr, model_validator
 from pydantic.config import JsonDict
 
 from sim_core.errors import RidelabError
@@ -15,6 +16,7 @@ from sim_core.scenario.fields import ADDED, Part, Weights, at, field, quantity
 from sim_core.scenario.fuzzy import Fuzzy
 from sim_core.scenario.imperfections import Actuator, Estimation, HeightNoise, Hil, Mismatch
 from sim_core.scenario.measured import MeasuredRoad
+from sim_core.scenario.recorded import RecordedDrive
 from sim_core.scenario.road import Road
 from sim_core.scenario.vehicle import Vehicle
 
@@ -239,6 +241,8 @@ class Scenario(Part):
     hook: Annotated[Hook, ADDED] = Field(default=Hook(), title="Skyhook and groundhook")
     hil: Hil = Field(default=Hil(), title="Hardware in the loop")
 
+    _recordings: dict[str, RecordedDrive] = PrivateAttr(default_factory=dict)
+
     def on(self, measured: MeasuredRoad) -> "Scenario":
         """The scenario with the heights of its `road.profile`: no name of a road holds any, and the core reads none.
 
@@ -253,6 +257,20 @@ class Scenario(Part):
             lengths = f"the bump ends at {road.bump.end:g} m, the measured road at {road.length:g} m"
             raise RidelabError(f"{_BUMP_BEYOND}; {lengths}", field="road.bump.start")
         return self.model_copy(update={"road": road})
+
+    def with_recordings(self, recordings: Iterable[RecordedDrive]) -> "Scenario":
+        """The scenario with what the strategies `recording:ID` of a run stand for."""
+        copy = self.model_copy()
+        copy._recordings = {each.id: each for each in recordings}
+        return copy
+
+    def recording(self, recording: str) -> RecordedDrive:
+        """The recording of that id.
+
+        Raises:
+            KeyError: Nobody handed it over.
+        """
+        return self._recordings[recording]
 
     @property
     def real_vehicle(self) -> Vehicle:

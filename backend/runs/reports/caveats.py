@@ -9,7 +9,7 @@ def caveats(entry: JsonObject, vehicle: JsonObject) -> list[str]:
     """Sentences about one strategy of a run, as `Run` has it, of that scenario's car; empty where there is none."""
     if entry["status"] != "ok":
         return [f"It could not run: {entry['reason']}"]
-    events, sentences = entry["events"], []
+    events, sentences = entry["events"], [f"{note}." for note in (entry.get("recording") or {}).get("notes", ())]
     if airborne := _notable(events, "airborne_ms"):
         sentences.append(
             f"Airborne: a tyre is off the road for {airborne}."

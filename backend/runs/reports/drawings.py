@@ -1,5 +1,7 @@
 """Figures of a report: the part of each axis that is shown, and the words below it."""
 
+import numpy as np
+
 from backend.json_types import JsonObject
 from backend.runs.reports.keys import line_of
 from backend.runs.reports.numbers import NOTHING, significant, with_unit
@@ -15,7 +17,7 @@ def framed(figure: JsonObject) -> JsonObject:
     The axis has no title: the heading above the figure says signal and unit.
     """
     values = [unpacked(trace["y"]) for trace in figure["data"]]
-    values = [each for each in values if len(each)]
+    values = [there for each in values if len(there := each[np.isfinite(each)])]
     if not values:
         return figure
     low, high = min(float(each.min()) for each in values), max(float(each.max()) for each in values)

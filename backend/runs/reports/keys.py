@@ -2,7 +2,6 @@
 
 from backend.json_types import JsonObject
 from backend.runs import figures
-from sim_core.strategies import strategies
 
 # Plotly's named dashes as SVG's, for lines two wide; others are lengths.
 _DASHES = {
@@ -15,12 +14,6 @@ _DASHES = {
 }
 
 
-def label(strategy: str) -> str:
-    """A strategy's label; its id where the current catalogue no longer has it."""
-    known = strategies().get(strategy)
-    return strategy if known is None else known.label
-
-
 def inside(text: str) -> str:
     """A label within a sentence: `passive`, but `LQR`."""
     return text if text[:2].isupper() else text[:1].lower() + text[1:]
@@ -29,7 +22,7 @@ def inside(text: str) -> str:
 def key_of(strategy: str) -> dict[str, str]:
     """A strategy's label and line style."""
     style = figures.style_of(strategy)
-    return {"id": strategy, "label": label(strategy), "colour": style.colour, "dash": _svg(style.dash)}
+    return {"id": strategy, "label": figures.label(strategy), "colour": style.colour, "dash": _svg(style.dash)}
 
 
 def line_of(trace: JsonObject) -> dict[str, str]:

@@ -20,8 +20,9 @@ import orjson
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
+from backend.runs.figures import label
 from backend.runs.reports import numbers
-from backend.runs.reports.keys import inside, label
+from backend.runs.reports.keys import inside
 from backend.runs.reports.thinning import thinned
 from backend.settings import BUILT_PAGE
 from sim_core.catalogue import STATISTICS, WINDOWS

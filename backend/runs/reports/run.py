@@ -9,10 +9,11 @@ from backend.json_types import JsonObject
 from backend.means_over_roads import one_road_resolution
 from backend.outcome import Outcome
 from backend.runs import figures
+from backend.runs.figures import label
 from backend.runs.reports import inputs
 from backend.runs.reports.caveats import caveats
 from backend.runs.reports.drawings import caption, framed
-from backend.runs.reports.keys import key_of, label
+from backend.runs.reports.keys import key_of
 from backend.runs.reports.numbers import (
     NO_VALUE,
     NOTHING,

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
-from ridelab.cli import options, targets
+from ridelab.cli import options, recorded, targets
 from ridelab.cli.reporting import DIFFERENT, InputError, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, shown, with_unit
@@ -17,6 +17,8 @@ from ridelab.results import Figure, RunResult, flat
 _RESULT = "File of a scenario or of a saved run (run --json), preset, run id, or address of a run or link."
 Equal = Callable[[str, float, float], bool]
 _RELATIVE, _ABSOLUTE = 1e-6, 1e-9  # room for rounding
+_OTHER = "The same, or a recorded drive, a file .csv; changes are from A to B."
+_COLUMN = "What a column of a recorded drive is, 'acc_z=body_acceleration [g]'; nothing behind = leaves it out."
 _METRICS = "Only these metrics, such as bump.*.peak; with commas or repeated."
 _PART = "Equal up to this part of A's value [default: 1e-6]; of some metrics: comfort.*=0.05. Of several the last."
 _MUCH = "Equal up to this much, in each metric's own unit [default: 1e-9]; likewise."
@@ -25,7 +27,7 @@ _MUCH = "Equal up to this much, in each metric's own unit [default: 1e-9]; likew
 def compare(
     services: Services,
     a: Annotated[str, typer.Argument(metavar="A", help=_RESULT, autocompletion=options.completes("presets"))],
-    b: Annotated[str, typer.Argument(metavar="B", help="The same; changes are from A to B.")],
+    b: Annotated[str, typer.Argument(metavar="B", help=_OTHER)],
     strategy: options.Strategies = None,
     metric: Annotated[list[str] | None, options.option("PATTERN", _METRICS, completes="metrics")] = None,
     tolerance: Annotated[list[str] | None, options.option("[PATTERN=]REL", _PART)] = None,
@@ -36,6 +38,7 @@ def compare(
     same_scenario: Annotated[
         bool, options.flag("Different scenarios are a difference, too.", "--same-scenario")
     ] = False,
+    column: Annotated[list[str] | None, options.option("NAME=SIGNAL [UNIT]", _COLUMN)] = None,
     limit: Annotated[int, typer.Option(metavar="N", min=0, help="Show the N largest differences, 0 for all.")] = 20,
     as_json: options.AsJson = False,
 ) -> None:
@@ -44,30 +47,54 @@ def compare(
     A and B are equal where |B - A| is at most the larger of ABS and REL times |A|. Scenarios are run first, with the
     strategies of the other side or those --strategy names.
 
+    A recorded drive is compared with the one strategy that drove it: the metrics it has, and as signal.NAME the
+    difference of both curves at the same positions. Its RMS, shown as B, is held to REL times the RMS of A's curve.
+
     Exit codes: 0 equal within the tolerance, 1 different, 2 bad input, 3 no service or it failed.
     """
     if a == b == "-":
         raise InputError("Only one of A and B can be standard input")
     equal = equal_within(tolerance or [], tolerance_abs or [])
-    sides = [targets.find(target, services) for target in (a, b)]
     named, patterns = options.listed(strategy), options.listed(metric, "--metric")
-    first, second = (_run(side, named, sides, services) for side in sides)
-    names = named or list(dict.fromkeys([*first.strategies, *second.strategies]))
-    check_patterns(first, second, {"--metric": patterns, **limited(tolerance or [], tolerance_abs or [])})
+    drive = None
+    if b.lower().endswith(recorded.ENDING):
+        side = targets.find(a, services)
+        drive = recorded.beside(b, side, named, recorded.mapping(column or []), services)
+        sides, first, second, names = [side], drive.simulated, drive.recorded, [drive.strategy]
+    else:
+        sides = [targets.find(target, services) for target in (a, b)]
+        first, second = (_run(side, named, sides, services) for side in sides)
+        names = named or list(dict.fromkeys([*first.strategies, *second.strategies]))
+    check_patterns(first, second, {"--metric": patterns, **limited(tolerance or [], tolerance_abs or [])}, drive)
+    curves = (
+        [] if drive is None else [key for key in drive.curves if _fits(f"{recorded.SIGNAL}{key}", patterns or ["*"])]
+    )
+    if drive is not None:  # those that it has; none fits where only signals were asked for
+        patterns = [metric for metric in drive.metrics if _fits(metric, patterns or ["*"])] or [recorded.SIGNAL]
     differing = [
         item for item in differences(first, second, names, equal, patterns or ["*"]) if item.worse or not worse
     ]
+    if drive is not None:
+        differing = sorted([*differing, *_apart(drive, curves, equal)], key=lambda item: -abs(item.change))
     changed = inputs(first.scenario, second.scenario)
     other_scenario = same_scenario and bool(changed)
     if as_json:
-        head = {key: {"id": run.id, "core_version": run.core_version} for key, run in (("a", first), ("b", second))}
+        head: dict[str, Any] = {
+            key: {"id": run.id, "core_version": run.core_version} for key, run in (("a", first), ("b", second))
+        }
         fields = [{"field": name, "a": one, "b": other} for name, one, other in changed]
         listed = [{**asdict(item), "change": item.change if math.isfinite(item.change) else None} for item in differing]
+        if drive is not None:
+            head["b"] = {"recording": drive.recorded[drive.strategy].recording, "notes": drive.said}
         print_json({**head, "equal": not (differing or other_scenario), "inputs": fields, "differences": listed})
     else:
-        for letter, side, run in zip("AB", sides, (first, second), strict=True):
+        for letter, side, run in zip("AB", sides, (first, second), strict=drive is None):
             over = f", mean of {run.roads} roads" if run.roads > 1 else ""
             typer.echo(f"{letter}  {side.name} (core {run.core_version}{over})")
+        if drive is not None:
+            typer.echo(f"B  {b}")
+            for sentence in drive.said:
+                typer.echo(f"   {sentence}")
         units = services.names.fields if services.opened else {}
         for name, one, other in changed:
             typer.echo(f"   {with_unit(name, units.get(name, ''))}: {shown(one)} -> {shown(other)}")
@@ -75,7 +102,7 @@ def compare(
             _show(differing[: limit or None], len(differing))
         else:
             metrics = [metric for name in names for metric in _all(first, name) if metric != "status"]
-            count = sum(_fits(metric, patterns or ["*"]) for metric in metrics)
+            count = sum(_fits(metric, patterns or ["*"]) for metric in metrics) + len(curves)
             how = "Not worse beyond" if worse else "Equal within"
             typer.echo(f"{how} the tolerance: {count} metrics of {', '.join(names)}")
         if other_scenario:
@@ -123,6 +150,22 @@ def differences(
     return sorted(differing, key=lambda item: -abs(item.change))
 
 
+def _apart(drive: recorded.RecordedSide, curves: Sequence[str], equal: Equal) -> list[Difference]:
+    """Signals whose curves differ: a is the RMS of the simulated one, b that of the difference."""
+    apart = []
+    for key in curves:
+        size, difference = drive.curves[key]["baseline_rms"], drive.curves[key]["rms"]
+        name = f"{recorded.SIGNAL}{key}"
+        if not equal(name, size, size + difference):
+            change = difference / size if size else math.inf
+            apart.append(
+                Difference(
+                    strategy=drive.strategy, figure=name, unit=drive.units[key], a=size, b=difference, change=change
+                )
+            )
+    return apart
+
+
 def inputs(a: Mapping[str, Any], b: Mapping[str, Any]) -> list[tuple[str, Any, Any]]:
     """Fields of two complete scenarios that differ, by dotted name, with both values."""
     first, second = dict(flat(a)), dict(flat(b))
@@ -130,13 +173,17 @@ def inputs(a: Mapping[str, Any], b: Mapping[str, Any]) -> list[tuple[str, Any, A
     return [(name, one, other) for name, one, other in pairs if one != other]
 
 
-def check_patterns(a: RunResult, b: RunResult, patterns: Mapping[str, Sequence[str]]) -> None:
+def check_patterns(
+    a: RunResult, b: RunResult, patterns: Mapping[str, Sequence[str]], drive: recorded.RecordedSide | None = None
+) -> None:
     """Refuse a pattern that fits no metric: a comparison of nothing would always pass.
 
     Raises:
         InputError: Naming the option and what the names of metrics begin with.
     """
     metrics = {name for run in (a, b) for outcome in run for name in outcome.figures()} or {*a.units, *b.units}
+    if drive is not None:
+        metrics = {*drive.metrics, *(f"{recorded.SIGNAL}{key}" for key in drive.curves)}
     for option, given in patterns.items():
         for pattern in given:
             if not any(fnmatchcase(metric, pattern) for metric in metrics):

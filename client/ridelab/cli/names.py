@@ -46,6 +46,8 @@ class Names:
 
     def label(self, strategy: str) -> str:
         """What a strategy is called; its id where the service does not know it."""
+        if strategy.startswith("recording:"):
+            return f"Recording {strategy[10:16]}"
         return self.strategies.get(strategy, strategy)
 
     def signal(self, key: str) -> str:

@@ -102,7 +102,11 @@ def _caveats(outcome: Outcome) -> list[str]:
         caveats.append("the road ends before the rear axle has left the bump: its peaks are those up to there")
     if failures := outcome.events.get("qp_failures"):
         caveats.append(f"{failures} QPs not solved: the last safe force was held")
-    return caveats
+    return [*caveats, *(outcome.recording or {}).get("notes", ())]
+
+
+def _with(value: float | None, form: str, unit: str = "") -> str:
+    return "-" if value is None else f"{value:{form}}{unit}"
 
 
 def _cell(run: RunResult, outcome: Outcome, base: Outcome | None, metric: tuple[str, str, str]) -> str:
@@ -113,15 +117,17 @@ def _cell(run: RunResult, outcome: Outcome, base: Outcome | None, metric: tuple[
         change = run.changes.get(outcome.strategy, {}).get(window, {}).get(signal, {}).get(statistic)
         return f"{value}{f' ({change.mean:+.1f} ± {change.half:.1f} %)' if isinstance(change, Interval) else ''}"
     reference: Any = base.figures()[".".join(metric)] if base is not None and base is not outcome else None
+    if value is None:
+        return "-"
     return f"{value:.4g}{f' ({100 * (value - reference) / reference:+.1f} %)' if reference else ''}"
 
 
 def _drive(outcome: Outcome) -> list[str]:
     return [
-        f"{outcome.travel_time:.2f} s",
-        f"{outcome.arrival_speed_kmh:.1f} km/h",
-        f"{outcome.events['airborne_ms']:.0f} ms",
-        f"{outcome.events['travel_exceeded_mm']:.1f} mm",
-        str(outcome.events["qp_solves"]),
+        _with(outcome.travel_time, ".2f", " s"),
+        _with(outcome.arrival_speed_kmh, ".1f", " km/h"),
+        _with(outcome.events["airborne_ms"], ".0f", " ms"),
+        _with(outcome.events["travel_exceeded_mm"], ".1f", " mm"),
+        _with(outcome.events["qp_solves"], "d"),
         f"{outcome.compute_ms:8.1f} ms",  # a width that how busy the machine is does not change
     ]

@@ -85,6 +85,15 @@ export interface paths {
     readonly "/problems": {
         readonly get: operations["getProblems"];
     };
+    readonly "/recordings": {
+        readonly post: operations["createRecording"];
+    };
+    readonly "/recordings/{id}": {
+        readonly get: operations["getRecording"];
+    };
+    readonly "/recordings/preview": {
+        readonly post: operations["previewRecording"];
+    };
     readonly "/roads": {
         readonly post: operations["createRoad"];
     };
@@ -105,6 +114,9 @@ export interface paths {
     };
     readonly "/runs/{id}/changes": {
         readonly get: operations["getChanges"];
+    };
+    readonly "/runs/{id}/differences": {
+        readonly get: operations["getDifferences"];
     };
     readonly "/runs/{id}/figures": {
         readonly get: operations["getRunFigures"];
@@ -312,10 +324,10 @@ export interface components {
             readonly status: "failed";
         };
         readonly CachedResult: {
-            readonly arrival_speed_kmh: number;
+            readonly arrival_speed_kmh: number | null;
             readonly cached: boolean;
             readonly comfort: {
-                readonly [key: string]: number;
+                readonly [key: string]: number | null;
             };
             readonly compute_ms: number;
             readonly events: {
@@ -326,20 +338,20 @@ export interface components {
                     readonly [key: string]: components["schemas"]["Statistics"];
                 };
             };
+            readonly recording?: components["schemas"]["RecordingReport"] | null;
             readonly reference: {
                 readonly [key: string]: number | null;
             };
-            readonly source: components["schemas"]["Source"] | null;
             readonly stages: readonly components["schemas"]["Stage"][];
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
              */
             readonly status: "ok";
-            readonly travel_time: number;
+            readonly travel_time: number | null;
         };
         readonly CachedRoadsResult: {
-            readonly arrival_speed_kmh: number;
+            readonly arrival_speed_kmh: number | null;
             readonly cached: boolean;
             readonly comfort: {
                 readonly [key: string]: components["schemas"]["Interval"];
@@ -356,14 +368,13 @@ export interface components {
             readonly reference: {
                 readonly [key: string]: number | null;
             };
-            readonly source: components["schemas"]["Source"] | null;
             readonly stages: readonly components["schemas"]["Stage"][];
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
              */
             readonly status: "ok";
-            readonly travel_time: number;
+            readonly travel_time: number | null;
         };
         readonly Catalogue: {
             readonly comfort: readonly components["schemas"]["QuantityAnswer"][];
@@ -517,17 +528,22 @@ export interface components {
             readonly slug: string;
             readonly url: string;
         };
+        readonly CreatedRecording: {
+            readonly columns: readonly components["schemas"]["RecordedColumn"][];
+            readonly distance: number | null;
+            readonly duration: number | null;
+            readonly id: string;
+            readonly samples: number;
+            readonly signals: readonly string[];
+            readonly strategy: string;
+            readonly warnings: readonly string[];
+        };
         readonly CreatedRoad: {
             readonly bumps: readonly components["schemas"]["FoundBumpAnswer"][];
             readonly id: string;
-            readonly iri: components["schemas"]["IriAnswer"] | null;
-            readonly iso_class: string | null;
             readonly length: number;
-            readonly roughness: components["schemas"]["EstimateAnswer"] | null;
             readonly samples: number;
-            readonly spectrum: components["schemas"]["SpectrumAnswer"] | null;
             readonly warnings: readonly string[];
-            readonly waviness: components["schemas"]["EstimateAnswer"] | null;
         };
         readonly CreatedRoadsRun: {
             readonly baseline: string;
@@ -567,6 +583,23 @@ export interface components {
             readonly rear_tyre_stiffness: number;
             readonly wheelbase: number;
         };
+        readonly Deviation: {
+            readonly baseline_rms: number | null;
+            readonly correlation: number | null;
+            readonly peak: number | null;
+            readonly rms: number | null;
+        };
+        readonly Deviations: {
+            readonly baseline: string;
+            readonly strategies: {
+                readonly [key: string]: {
+                    readonly [key: string]: components["schemas"]["Deviation"];
+                };
+            };
+            readonly units: {
+                readonly [key: string]: string;
+            };
+        };
         readonly EqualSpeed: {
             readonly against: string;
             readonly cells: readonly components["schemas"]["Change"][];
@@ -585,11 +618,6 @@ export interface components {
             readonly notes: readonly string[];
             readonly points: number;
             readonly total: number;
-        };
-        readonly EstimateAnswer: {
-            readonly high: number;
-            readonly low: number;
-            readonly value: number;
         };
         readonly Figure8: {
             readonly change_vs_passive: number;
@@ -617,13 +645,13 @@ export interface components {
             readonly sensitivity: readonly components["schemas"]["Sensitivity"][];
         };
         readonly FmuRequest: {
-            /** @enum {string} */
-            readonly of?: "controller" | "vehicle";
+            /** @constant */
+            readonly of?: "controller";
             readonly platforms?: readonly ("linux64" | "win64" | "darwin64")[];
             readonly scenario?: JsonObject;
             readonly strategy?: string;
-            /** @enum {string} */
-            readonly version?: "2.0" | "3.0";
+            /** @constant */
+            readonly version?: "2.0";
         };
         readonly FoundBumpAnswer: {
             readonly height: number;
@@ -707,10 +735,6 @@ export interface components {
             readonly low: number;
             readonly mean: number;
         };
-        readonly IriAnswer: {
-            readonly mean: number;
-            readonly tracks: readonly number[];
-        };
         readonly Judgement: {
             readonly certain: boolean | null;
             readonly ci: readonly number[] | null;
@@ -770,11 +794,11 @@ export interface components {
             readonly baseline?: string | null;
             readonly cursor?: number | null;
             readonly differences?: boolean | null;
-            readonly hidden?: readonly string[] | null;
+            readonly hidden?: readonly (string)[] | null;
             readonly pins?: readonly components["schemas"]["LinkPin"][] | null;
             readonly plot?: ("points" | "map" | "trade_off") | null;
             readonly reference?: string | null;
-            readonly strategies?: readonly string[] | null;
+            readonly strategies?: readonly (string)[] | null;
             readonly strategy?: string | null;
             readonly threshold?: number | "none" | null;
             readonly versus?: string | null;
@@ -794,10 +818,10 @@ export interface components {
             readonly strategies: readonly string[];
         };
         readonly LiveResult: {
-            readonly arrival_speed_kmh: number;
+            readonly arrival_speed_kmh: number | null;
             readonly cached: boolean;
             readonly comfort: {
-                readonly [key: string]: number;
+                readonly [key: string]: number | null;
             };
             readonly compute_ms: number;
             readonly events: {
@@ -808,20 +832,20 @@ export interface components {
                     readonly [key: string]: components["schemas"]["Statistics"];
                 };
             };
+            readonly recording?: components["schemas"]["RecordingReport"] | null;
             readonly reference: {
                 readonly [key: string]: number | null;
             };
             readonly series: {
                 readonly [key: string]: components["schemas"]["TypedArray"];
             };
-            readonly source: components["schemas"]["Source"] | null;
             readonly stages: readonly components["schemas"]["Stage"][];
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
              */
             readonly status: "ok";
-            readonly travel_time: number;
+            readonly travel_time: number | null;
         };
         readonly LiveRun: {
             readonly core_version: string;
@@ -1011,6 +1035,36 @@ export interface components {
             readonly steps: number;
             readonly wake_up: components["schemas"]["Times"];
         };
+        readonly RecordedColumn: {
+            readonly name: string;
+            readonly signal: string | null;
+            readonly unit: string;
+        };
+        readonly RecordingAnswer: {
+            readonly distance: number | null;
+            readonly duration: number | null;
+            readonly id: string;
+            readonly samples: number;
+            readonly signals: readonly string[];
+            readonly strategy: string;
+        };
+        readonly RecordingPreview: {
+            readonly columns: readonly components["schemas"]["RecordedColumn"][];
+            readonly message: string | null;
+            readonly road: boolean;
+            readonly rows: readonly (readonly string[])[];
+        };
+        readonly RecordingReport: {
+            readonly end: number;
+            readonly likeness: number | null;
+            readonly missing: readonly string[];
+            readonly notes: readonly string[];
+            readonly offset: number | null;
+            readonly reference: string | null;
+            readonly samples: number;
+            readonly scale: number | null;
+            readonly start: number;
+        };
         readonly Requirement: {
             readonly max?: number | null;
             readonly max_change?: number | null;
@@ -1048,16 +1102,11 @@ export interface components {
             readonly distance: readonly number[];
             readonly height: readonly number[];
             readonly id: string;
-            readonly iri: components["schemas"]["IriAnswer"] | null;
-            readonly iso_class: string | null;
             readonly length: number;
-            readonly roughness: components["schemas"]["EstimateAnswer"] | null;
             readonly samples: number;
-            readonly spectrum: components["schemas"]["SpectrumAnswer"] | null;
-            readonly waviness: components["schemas"]["EstimateAnswer"] | null;
         };
         readonly RoadsResult: {
-            readonly arrival_speed_kmh: number;
+            readonly arrival_speed_kmh: number | null;
             readonly comfort: {
                 readonly [key: string]: components["schemas"]["Interval"];
             };
@@ -1073,14 +1122,13 @@ export interface components {
             readonly reference: {
                 readonly [key: string]: number | null;
             };
-            readonly source: components["schemas"]["Source"] | null;
             readonly stages: readonly components["schemas"]["Stage"][];
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
              */
             readonly status: "ok";
-            readonly travel_time: number;
+            readonly travel_time: number | null;
         };
         readonly RoadsRun: {
             readonly baseline: string;
@@ -1121,7 +1169,7 @@ export interface components {
             readonly requirements?: readonly components["schemas"]["Requirement"][];
             readonly roads?: number;
             readonly scenario?: JsonObject;
-            readonly strategies: readonly string[];
+            readonly strategies: readonly (string)[];
         };
         readonly Sensitivity: {
             readonly effect: number;
@@ -1189,14 +1237,6 @@ export interface components {
             readonly scenario?: JsonObject;
             readonly strategy: string;
         };
-        readonly Source: {
-            readonly digest: string;
-            readonly file: string;
-        };
-        readonly SpectrumAnswer: {
-            readonly density: readonly number[];
-            readonly frequency: readonly number[];
-        };
         readonly StabilitySummary: {
             readonly highest: components["schemas"]["Place"] | null;
             readonly known: number;
@@ -1217,8 +1257,8 @@ export interface components {
             readonly start_time: number;
         };
         readonly Statistics: {
-            readonly peak: number;
-            readonly rms: number;
+            readonly peak: number | null;
+            readonly rms: number | null;
         };
         readonly StepTime: {
             readonly least: number;
@@ -1229,16 +1269,12 @@ export interface components {
             readonly dark_colour: string;
             readonly dash: string;
             readonly description: string;
-            readonly fault: string | null;
             readonly id: string;
             readonly label: string;
             readonly one_road_resolution: {
                 readonly [key: string]: number;
             };
-            readonly options: JsonObject;
-            readonly own: boolean;
             readonly reads: readonly string[];
-            readonly source: components["schemas"]["Source"] | null;
         };
         readonly StrategyChanges: {
             readonly bump: {
@@ -1282,9 +1318,9 @@ export interface components {
             readonly speed: number;
         };
         readonly StrategyResult: {
-            readonly arrival_speed_kmh: number;
+            readonly arrival_speed_kmh: number | null;
             readonly comfort: {
-                readonly [key: string]: number;
+                readonly [key: string]: number | null;
             };
             readonly compute_ms: number;
             readonly events: {
@@ -1295,17 +1331,17 @@ export interface components {
                     readonly [key: string]: components["schemas"]["Statistics"];
                 };
             };
+            readonly recording?: components["schemas"]["RecordingReport"] | null;
             readonly reference: {
                 readonly [key: string]: number | null;
             };
-            readonly source: components["schemas"]["Source"] | null;
             readonly stages: readonly components["schemas"]["Stage"][];
             /**
              * @description discriminator enum property added by openapi-typescript
              * @enum {string}
              */
             readonly status: "ok";
-            readonly travel_time: number;
+            readonly travel_time: number | null;
         };
         readonly StrategySummary: {
             readonly failed: number;
@@ -1556,14 +1592,16 @@ export type ControllerRequest = components['schemas']['ControllerRequest'];
 export type ControllerRow = components['schemas']['ControllerRow'];
 export type Counts = components['schemas']['Counts'];
 export type CreatedLink = components['schemas']['CreatedLink'];
+export type CreatedRecording = components['schemas']['CreatedRecording'];
 export type CreatedRoad = components['schemas']['CreatedRoad'];
 export type CreatedRoadsRun = components['schemas']['CreatedRoadsRun'];
 export type CreatedRun = components['schemas']['CreatedRun'];
 export type DataSheet = components['schemas']['DataSheet'];
+export type Deviation = components['schemas']['Deviation'];
+export type Deviations = components['schemas']['Deviations'];
 export type EqualSpeed = components['schemas']['EqualSpeed'];
 export type Erratum = components['schemas']['Erratum'];
 export type Estimate = components['schemas']['Estimate'];
-export type EstimateAnswer = components['schemas']['EstimateAnswer'];
 export type Figure8 = components['schemas']['Figure8'];
 export type Figures = components['schemas']['Figures'];
 export type FigureSummary = components['schemas']['FigureSummary'];
@@ -1577,7 +1615,6 @@ export type InstantAnswer = components['schemas']['InstantAnswer'];
 export type InstantForces = components['schemas']['InstantForces'];
 export type Interpretation = components['schemas']['Interpretation'];
 export type Interval = components['schemas']['Interval'];
-export type IriAnswer = components['schemas']['IriAnswer'];
 export type Judgement = components['schemas']['Judgement'];
 export type LabelRequest = components['schemas']['LabelRequest'];
 export type LatinHypercube = components['schemas']['LatinHypercube'];
@@ -1615,6 +1652,10 @@ export type ReadingChoice = components['schemas']['ReadingChoice'];
 export type ReadingRow = components['schemas']['ReadingRow'];
 export type ReadingsAnswer = components['schemas']['ReadingsAnswer'];
 export type RealtimeReport = components['schemas']['RealtimeReport'];
+export type RecordedColumn = components['schemas']['RecordedColumn'];
+export type RecordingAnswer = components['schemas']['RecordingAnswer'];
+export type RecordingPreview = components['schemas']['RecordingPreview'];
+export type RecordingReport = components['schemas']['RecordingReport'];
 export type Requirement = components['schemas']['Requirement'];
 export type RequirementResult = components['schemas']['RequirementResult'];
 export type Response = components['schemas']['Response'];
@@ -1632,8 +1673,6 @@ export type SeriesOfSeveral = components['schemas']['SeriesOfSeveral'];
 export type Share = components['schemas']['Share'];
 export type Solution = components['schemas']['Solution'];
 export type SolveRequest = components['schemas']['SolveRequest'];
-export type Source = components['schemas']['Source'];
-export type SpectrumAnswer = components['schemas']['SpectrumAnswer'];
 export type StabilitySummary = components['schemas']['StabilitySummary'];
 export type Stage = components['schemas']['Stage'];
 export type Statistics = components['schemas']['Statistics'];
@@ -2132,16 +2171,65 @@ export interface operations {
             };
         };
     };
-    readonly createRoad: {
+    readonly createRecording: {
         readonly parameters: {
             readonly query?: {
-                readonly left?: number | null;
-                readonly right?: number | null;
+                readonly columns?: string | null;
             };
         };
         readonly requestBody: {
             readonly content: {
-                readonly "application/x-opencrg": string;
+                readonly "text/csv": string;
+            };
+        };
+        readonly responses: {
+            readonly 201: {
+                content: {
+                    readonly "application/json": components["schemas"]["CreatedRecording"];
+                };
+            };
+        };
+    };
+    readonly getRecording: {
+        readonly parameters: {
+            readonly query?: {
+                readonly format?: "json" | "csv";
+            };
+            readonly path: {
+                readonly id: string;
+            };
+        };
+        readonly responses: {
+            readonly 200: {
+                content: {
+                    readonly "application/json": components["schemas"]["RecordingAnswer"];
+                    readonly "text/csv": string;
+                };
+            };
+        };
+    };
+    readonly previewRecording: {
+        readonly parameters: {
+            readonly query?: {
+                readonly columns?: string | null;
+            };
+        };
+        readonly requestBody: {
+            readonly content: {
+                readonly "text/csv": string;
+            };
+        };
+        readonly responses: {
+            readonly 200: {
+                content: {
+                    readonly "application/json": components["schemas"]["RecordingPreview"];
+                };
+            };
+        };
+    };
+    readonly createRoad: {
+        readonly requestBody: {
+            readonly content: {
                 readonly "text/csv": string;
             };
         };
@@ -2156,8 +2244,7 @@ export interface operations {
     readonly getRoad: {
         readonly parameters: {
             readonly query?: {
-                readonly encoding?: "binary" | "text";
-                readonly format?: "json" | "csv" | "crg";
+                readonly format?: "json" | "csv";
                 readonly points?: number;
             };
             readonly path: {
@@ -2168,7 +2255,6 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/json": components["schemas"]["RoadAnswer"];
-                    readonly "application/x-opencrg": string;
                     readonly "text/csv": string;
                 };
             };
@@ -2249,6 +2335,23 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/json": components["schemas"]["PairedChanges"];
+                };
+            };
+        };
+    };
+    readonly getDifferences: {
+        readonly parameters: {
+            readonly query?: {
+                readonly baseline?: string | null;
+            };
+            readonly path: {
+                readonly id: string;
+            };
+        };
+        readonly responses: {
+            readonly 200: {
+                content: {
+                    readonly "application/json": components["schemas"]["Deviations"];
                 };
             };
         };

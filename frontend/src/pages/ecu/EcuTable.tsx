@@ -172,7 +172,8 @@ type Summaries = Readonly<Record<string, Summary>>;
 export function rowsOf(catalogue: Pick<Catalogue, "paper_signals">, summaries: Summaries): readonly HilRow[] {
   return VIEWS.flatMap((view) =>
     catalogue.paper_signals.map((signal): HilRow => {
-      const of = (strategy: string) => summaries[strategy]?.metrics[view.window]?.[signal]?.[view.statistic];
+      const of = (strategy: string) =>
+        summaries[strategy]?.metrics[view.window]?.[signal]?.[view.statistic] ?? undefined;
       const [lv, hil, lqr] = [of("lv"), of("lv_hil"), of("lqr")];
       const { percent } = changeAgainst(hil, lv);
       return {

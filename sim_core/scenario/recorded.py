@@ -37,6 +37,12 @@ class RecordedDrive:
     keys: str
     content: bytes
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, RecordedDrive) and self.id == other.id
+
+    def __hash__(self) -> int:
+        return hash(self.id)
+
     @classmethod
     def of(cls, signals: Mapping[str, FloatArray]) -> "RecordedDrive":
         """The recording of these signals by the catalogue's names (samples,) [SI units]; NaN is no value.

@@ -1,0 +1,85 @@
+"""Recorded drives: upload as CSV, preview of its columns, read, and export."""
+
+import json
+from typing import Annotated, Literal
+
+from fastapi import Path, Query, Request, Response
+
+from backend.api import API, router
+from backend.api.deps import Client, service
+from backend.errors import InvalidError
+from backend.http.answers import IMMUTABLE
+from backend.http.openapi import BYTES
+from backend.http.routing import ComputingRoute, FileRoute
+from backend.recordings.models import CreatedRecording, RecordingAnswer, RecordingPreview
+from backend.recordings.service import Recordings
+
+reading = router("recordings", 408, 413, 415, 422, 429, 503, route_class=FileRoute)
+recordings = router("recordings", 404, 429, 503, route_class=ComputingRoute)
+EXAMPLE = "time [s],body_acceleration [m/s^2]\n" + "".join(f"{n / 100},{n % 3 - 1}\n" for n in range(12))
+BODY = {"requestBody": {"required": True, "content": {"text/csv": {"schema": BYTES, "example": EXAMPLE}}}}
+LONGEST_MAPPING = 8000
+
+RecordingsService = Annotated[Recordings, service(lambda services: services.recordings)]
+ColumnMapping = Annotated[
+    str | None,
+    Query(
+        max_length=LONGEST_MAPPING,
+        description='JSON: by name of a column its signal with the unit, `{"acc_z": "body_acceleration [g]"}`, or an '
+        "empty text to leave it out; others are read by their own names",
+    ),
+]
+
+
+@reading.post(
+    "/recordings", operation_id="createRecording", status_code=201, response_model=CreatedRecording, openapi_extra=BODY
+)
+async def create_recording(
+    request: Request, response: Response, service: RecordingsService, client: Client, columns: ColumnMapping = None
+) -> CreatedRecording:
+    """Store a recorded drive: time or distance and signals of the catalogue, each column's unit in its name."""
+    created = await service.create(await request.body(), _mapping(columns), client)
+    response.headers["Location"] = f"{API}/recordings/{created.id}"
+    return created
+
+
+@reading.post(
+    "/recordings/preview", operation_id="previewRecording", response_model=RecordingPreview, openapi_extra=BODY
+)
+async def preview_recording(
+    request: Request, service: RecordingsService, client: Client, columns: ColumnMapping = None
+) -> RecordingPreview:
+    """How a file that begins like this would be read; nothing is stored."""
+    return await service.preview(await request.body(), _mapping(columns), client)
+
+
+@recordings.get(
+    "/recordings/{id}",
+    operation_id="getRecording",
+    response_model=RecordingAnswer,
+    responses={200: {"content": {"text/csv": {}}}},
+)
+async def get_recording(
+    service: RecordingsService,
+    client: Client,
+    recording: Annotated[str, Path(alias="id", max_length=64, description="Of the recording")],
+    file_format: Annotated[
+        Literal["json", "csv"], Query(alias="format", description="CSV has every sample and can be sent again")
+    ] = "json",
+) -> RecordingAnswer | Response:
+    """A recorded drive; it never changes."""
+    if file_format == "json":
+        return await service.get(recording, client)
+    name = f"ridelab-recording-{recording}.csv"
+    headers = {"Content-Disposition": f'attachment; filename="{name}"', "Cache-Control": IMMUTABLE}
+    return Response(await service.csv(recording, client), headers=headers, media_type="text/csv")
+
+
+def _mapping(text: str | None) -> dict[str, str]:
+    try:
+        mapping = json.loads(text or "{}")
+    except (ValueError, RecursionError):
+        mapping = None
+    if not isinstance(mapping, dict) or not all(isinstance(value, str) for value in mapping.values()):
+        raise InvalidError("This has to be JSON: by name of a column its signal with the unit", parameter="columns")
+    return mapping

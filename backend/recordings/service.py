@@ -1,0 +1,132 @@
+"""Recorded drives: read from CSV, stored, and added to scenarios of runs that show them."""
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, TypeVar
+
+import numpy as np
+
+from backend.compute.workers import Workers
+from backend.csv_lines import CsvError
+from backend.errors import InvalidError, NotFoundError
+from backend.gate import Gate
+from backend.recordings import export, reading
+from backend.recordings.models import CreatedRecording, RecordedColumn, RecordingAnswer, RecordingPreview
+from backend.store import Store
+from sim_core.scenario import Scenario
+from sim_core.scenario.recorded import PREFIX, RecordedDrive, recording_id
+
+READING_COST = 2.0  # of the longest file allowed [s of one core]
+PREVIEW_COST = 0.05
+CSV_COST = 2e-6  # of one value [s of one core]
+Read = TypeVar("Read")
+
+
+class Recordings:
+    """The one service of recorded drives."""
+
+    def __init__(self, *, store: Store, workers: Workers, gate: Gate) -> None:
+        self._store = store
+        self._workers = workers
+        self._gate = gate
+
+    async def create(self, content: bytes, mapping: Mapping[str, str], client: str) -> CreatedRecording:
+        """Read a CSV file and store its recording; arguments as of `reading.read`.
+
+        Raises:
+            InvalidError: It is none; the message has the line.
+            TemporaryError: Too much is being read.
+        """
+        read = await self._read(reading.read, content, mapping, client, READING_COST)
+        await self._store.write(self._store.recordings.save, read.drive)
+        head = await self._workers.call(head_of, read.drive, client=client)
+        columns = [RecordedColumn.model_validate(each) for each in read.columns]
+        return CreatedRecording(**head, columns=columns, warnings=list(read.warnings))
+
+    async def preview(self, content: bytes, mapping: Mapping[str, str], client: str) -> RecordingPreview:
+        """How the beginning of a file would be read.
+
+        Raises:
+            InvalidError: It has no header, or its text cannot be read.
+            TemporaryError: Too much is being read.
+        """
+        return RecordingPreview.model_validate(
+            await self._read(reading.preview, content, mapping, client, PREVIEW_COST)
+        )
+
+    async def _read(
+        self,
+        how: Callable[[bytes, Mapping[str, str]], Read],
+        content: bytes,
+        mapping: Mapping[str, str],
+        client: str,
+        cost: float,
+    ) -> Read:
+        with self._gate.hold(client, road_files=1, requests=1, background_cost=cost):
+            try:
+                return await self._workers.call(how, content, mapping, client=client, cost=cost)
+            except CsvError as error:
+                raise InvalidError(f"Line {error.line}: {error.message}.", pointer="") from None
+
+    async def get(self, recording: str, client: str) -> RecordingAnswer:
+        """The stored recording.
+
+        Raises:
+            NotFoundError: There is none.
+            TemporaryError: Too much is being computed.
+        """
+        drive = await self._stored(recording)
+        with self._gate.computing(client, 0.0):
+            return RecordingAnswer(**await self._workers.call(head_of, drive, client=client))
+
+    async def csv(self, recording: str, client: str) -> bytes:
+        """Its signals as CSV; sent again, it is the same recording.
+
+        Raises:
+            NotFoundError: There is none.
+            TemporaryError: Too much is being computed.
+        """
+        drive = await self._stored(recording)
+        cost = CSV_COST * drive.samples * len(drive.keys.split(","))
+        with self._gate.computing(client, cost):
+            return await self._workers.call(export.as_csv, drive, client=client, cost=cost)
+
+    async def _stored(self, recording: str) -> RecordedDrive:
+        drive = (await self._store.read(self._store.recordings.load, [recording])).get(recording)
+        if drive is None:
+            raise NotFoundError("There is no recording of this id.")
+        return drive
+
+    async def on(self, scenario: Scenario, strategies: Iterable[str]) -> Scenario:
+        """The scenario with the recordings among these strategies.
+
+        Raises:
+            InvalidError: One is not there.
+        """
+        found = await self.named(strategies)
+        return scenario.with_recordings(found.values()) if found else scenario
+
+    async def named(self, strategies: Iterable[str]) -> Mapping[str, RecordedDrive]:
+        """The recordings among these strategies, by id.
+
+        Raises:
+            InvalidError: One is not there.
+        """
+        wanted = {each for name in strategies if (each := recording_id(name)) is not None}
+        found: dict[str, RecordedDrive] = await self._store.read(self._store.recordings.load, wanted) if wanted else {}
+        if wanted - found.keys():
+            raise InvalidError("There is no recording of this id.", kind="unknown", pointer="/strategies")
+        return found
+
+
+def head_of(drive: RecordedDrive) -> dict[str, Any]:
+    """What is answered about a recording; by a worker."""
+    signals = drive.signals()
+    duration, distance = (float(np.ptp(signals[key])) if key in signals else None for key in ("time", "position"))
+    return {
+        "id": drive.id,
+        "strategy": f"{PREFIX}{drive.id}",
+        "samples": drive.samples,
+        "signals": list(signals),
+        "duration": duration,
+        "distance": distance,
+    }

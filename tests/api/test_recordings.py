@@ -1,0 +1,160 @@
+"""Recorded drives over HTTP: stored by content, shown among a run's strategies, pinned, refused."""
+
+import json
+from typing import Any
+
+import httpx
+import numpy as np
+import pytest
+from sqlalchemy import delete, update
+
+from backend.db.tables import recordings, results, run_recordings
+from sim_core import Scenario, simulate
+from sim_core.catalogue import METRIC_SIGNALS, SIGNALS
+from tests.api.conftest import Service
+
+MISSING = "recording:" + "A" * 22
+SCENARIO: dict[str, Any] = {"road": {"length": 120, "bump": {"start": 80, "height": 0.06}}}
+SENT = ("time", "speed", "body_acceleration", "front_deflection")
+
+
+def recorded(*keys: str, every: int = 2) -> str:
+    """A passive car's drive as a file, its clock beginning 7 s before the road."""
+    series = simulate(Scenario.model_validate(SCENARIO), "passive").series
+    columns = [series[key][::every] + (7 if key == "time" else 0) for key in keys]
+    head = ",".join(f"{key} [{SIGNALS[key].unit}]" for key in keys)
+    return "\n".join([head, *(",".join(f"{value:.8g}" for value in row) for row in zip(*columns, strict=True)), ""])
+
+
+def send(client: httpx.Client, content: str, to: str = "", **parameters: str) -> httpx.Response:
+    headers = {"Content-Type": "text/csv"}
+    return client.post(f"/api/v1/recordings{to}", content=content, headers=headers, params=parameters)
+
+
+@pytest.fixture(scope="module")
+def sent(client: httpx.Client) -> dict[str, Any]:
+    answer = send(client, recorded(*SENT))
+    assert answer.status_code == 201, answer.text
+    assert answer.headers["location"] == f"/api/v1/recordings/{answer.json()['id']}"
+    return dict(answer.json())
+
+
+@pytest.fixture(scope="module")
+def shown(service: Service, sent: dict[str, Any]) -> dict[str, Any]:
+    answer = service.run(["passive", sent["strategy"]], SCENARIO)
+    assert answer.status_code == 200, answer.text
+    return dict(answer.json())
+
+
+def test_a_recording_is_known_by_its_content(client: httpx.Client, sent: dict[str, Any]) -> None:
+    assert sent["signals"] == list(SENT)
+    csv = client.get(f"/api/v1/recordings/{sent['id']}", params={"format": "csv"})
+    assert send(client, csv.text).json()["id"] == sent["id"]
+    renamed = recorded(*SENT).replace("body_acceleration [m/s^2]", "acc z")
+    columns = json.dumps({"acc z": "Body acceleration [m/s²]"})
+    assert send(client, renamed, columns=columns).json()["id"] == sent["id"]
+    head = client.get(f"/api/v1/recordings/{sent['id']}").json()
+    assert head == {key: sent[key] for key in head}
+
+
+def test_it_stands_beside_the_drive_that_it_is_of(shown: dict[str, Any], sent: dict[str, Any]) -> None:
+    of_passive, of_recording = shown["strategies"]["passive"], shown["strategies"][sent["strategy"]]
+    assert of_recording["recording"]["reference"] == "passive"
+    assert of_recording["recording"]["likeness"] > 0.999
+    assert of_recording["recording"]["missing"] == [key for key in METRIC_SIGNALS if key not in SENT]
+    for window in ("rough_road", "bump", "whole"):
+        for key in ("body_acceleration", "front_deflection"):
+            ours, theirs = of_recording["metrics"][window][key], of_passive["metrics"][window][key]
+            assert ours["rms"] == pytest.approx(theirs["rms"], rel=0.01)
+            assert ours["peak"] == pytest.approx(theirs["peak"], rel=0.03)
+        assert of_recording["metrics"][window]["rear_deflection"] == {"rms": None, "peak": None}
+    assert of_recording["comfort"]["weighted_rms"] == pytest.approx(of_passive["comfort"]["weighted_rms"], rel=0.01)
+    assert of_recording["arrival_speed_kmh"] == pytest.approx(of_passive["arrival_speed_kmh"])
+
+
+def test_its_curves_are_drawn_exported_and_reported(
+    client: httpx.Client, shown: dict[str, Any], sent: dict[str, Any]
+) -> None:
+    run, name = f"/api/v1/runs/{shown['id']}", sent["strategy"]
+    series = client.get(f"{run}/series", params={"strategy": f"passive,{name}"}).json()["strategies"]
+    x, passive = (np.array(series["passive"][key]) for key in ("position", "body_acceleration"))
+    at, ours = (np.array(series[name][key], dtype=float) for key in ("position", "body_acceleration"))
+    assert np.abs(np.interp(at, x, passive) - ours).max() < 0.02 * np.abs(passive).max()
+    assert series[name]["rear_force"] == [None] * len(at)
+    assert name in client.get(f"{run}/series", params={"strategy": f"passive,{name}", "format": "csv"}).text
+    figure = client.get(f"{run}/figures/body_acceleration").json()
+    assert [trace["meta"]["strategy"] for trace in figure["data"]] == ["passive", name]
+    assert f"Recording {sent['id'][:6]}" in client.get(f"{run}/report.html").text
+
+
+def test_a_link_pins_it(service: Service, shown: dict[str, Any], sent: dict[str, Any]) -> None:
+    view = {"baseline": sent["strategy"], "strategies": ["passive", sent["strategy"]]}
+    answer = service.client.post("/api/v1/links", json={"run_id": shown["id"], "view": view})
+    assert answer.json()["series_pinned"] is True, answer.text
+    parameters = {"strategy": sent["strategy"]}
+    before = service.client.get(f"/api/v1/runs/{shown['id']}/series", params=parameters).json()
+    store = service.app.state.services.store
+    with store.writing() as connection:
+        connection.execute(delete(run_recordings).where(run_recordings.c.recording_id == sent["id"]))
+        connection.execute(delete(recordings).where(recordings.c.id == sent["id"]))
+    after = service.client.get(f"/api/v1/runs/{shown['id']}/series", params=parameters).json()
+    assert after == before
+    assert send(service.client, recorded(*SENT)).json()["id"] == sent["id"]
+
+
+@pytest.mark.parametrize(
+    ("body", "status", "pointer"),
+    [
+        ({"strategies": ["passive", MISSING]}, 422, "/strategies"),
+        ({"strategies": ["recording:../x"]}, 422, "/strategies/0"),
+        ({"strategies": [MISSING], "roads": 2}, 422, "/roads"),
+    ],
+)
+def test_what_is_not_recorded_is_not_shown(
+    client: httpx.Client, body: dict[str, Any], status: int, pointer: str
+) -> None:
+    answer = client.post("/api/v1/runs", json={"scenario": {}, **body})
+    assert answer.status_code == status
+    assert [error["pointer"] for error in answer.json()["errors"]] == [pointer]
+
+
+def test_a_file_is_shown_before_it_is_sent(client: httpx.Client) -> None:
+    answer = send(client, "t [ms];acc;height [mm]\n0;0,1;5\n1;0,2;6\n", "/preview").json()
+    assert answer["columns"][0] == {"name": "t [ms]", "signal": "time", "unit": "ms"}
+    assert answer["rows"][0] == ["0", "0,1", "5"]
+    assert "No column is a signal" in answer["message"]
+    mapped = send(client, "t [ms];acc\n0;0,1\n", "/preview", columns='{"acc": "body_acceleration [g]"}').json()
+    assert mapped["message"] is None
+    assert send(client, "distance [m],height [mm]\n0,0\n", "/preview").json()["road"] is True
+
+
+@pytest.mark.parametrize(
+    ("content", "columns", "said"),
+    [
+        ("time [s],body_acceleration [m/s^2]\n", "[]", "This has to be JSON"),
+        ("time [s],body_acceleration [N]\n", "{}", "Line 1: Column 2"),
+        ("", "{}", "Line 1: The first line names the columns"),
+    ],
+)
+def test_what_is_no_recording_is_refused(client: httpx.Client, content: str, columns: str, said: str) -> None:
+    answer = send(client, content, columns=columns)
+    assert answer.status_code == 422
+    assert said in answer.json()["errors"][0]["message"]
+
+
+def test_one_that_nothing_shows_is_removed_when_it_is_old(service: Service) -> None:
+    store = service.app.state.services.store
+    alone = send(service.client, recorded("time", "body_acceleration", every=20)).json()["id"]
+    long_ago = store.now() - store.now().resolution * 10**13
+    with store.writing() as connection:
+        connection.execute(update(recordings).values(created_at=long_ago))
+        connection.execute(update(results).where(results.c.strategy == MISSING).values(created_at=long_ago))
+    held = {row.recording_id for row in _rows(store)}
+    store.retention.remove_recordings(store.now())
+    assert service.client.get(f"/api/v1/recordings/{alone}").status_code == 404
+    assert all(service.client.get(f"/api/v1/recordings/{each}").status_code == 200 for each in held)
+
+
+def _rows(store: Any) -> list[Any]:
+    with store.reading() as connection:
+        return list(connection.execute(run_recordings.select()).all())
