@@ -15,6 +15,7 @@ from backend.runs.series import pack
 from sim_core.controller_files import ControllerFileError, source_of
 from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario
+from sim_core.scenario.recorded import recording_id
 from sim_core.strategies import strategy_named
 
 
@@ -43,7 +44,7 @@ def compute(scenario: Scenario, strategy: str, key: str, points: int | None = No
 def _compute(scenario: Scenario, strategy: str, key: str, points: int | None) -> Outcome:
     begin = time.perf_counter()
     result = simulate(scenario, strategy)
-    source = source_of(strategy_named(strategy))
+    source = source_of(strategy_named(strategy)) if recording_id(strategy) is None else None
     summary = result.summary() if source is None else {"source": source, **result.summary()}
     json = orjson.dumps(summary, option=JSON_OPTIONS, default=dict)
     return Outcome(

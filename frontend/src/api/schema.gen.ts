@@ -342,6 +342,7 @@ export interface components {
             readonly reference: {
                 readonly [key: string]: number | null;
             };
+            readonly source: components["schemas"]["Source"] | null;
             readonly stages: readonly components["schemas"]["Stage"][];
             /**
              * @description discriminator enum property added by openapi-typescript
@@ -368,6 +369,7 @@ export interface components {
             readonly reference: {
                 readonly [key: string]: number | null;
             };
+            readonly source: components["schemas"]["Source"] | null;
             readonly stages: readonly components["schemas"]["Stage"][];
             /**
              * @description discriminator enum property added by openapi-typescript
@@ -541,9 +543,14 @@ export interface components {
         readonly CreatedRoad: {
             readonly bumps: readonly components["schemas"]["FoundBumpAnswer"][];
             readonly id: string;
+            readonly iri: components["schemas"]["IriAnswer"] | null;
+            readonly iso_class: string | null;
             readonly length: number;
+            readonly roughness: components["schemas"]["EstimateAnswer"] | null;
             readonly samples: number;
+            readonly spectrum: components["schemas"]["SpectrumAnswer"] | null;
             readonly warnings: readonly string[];
+            readonly waviness: components["schemas"]["EstimateAnswer"] | null;
         };
         readonly CreatedRoadsRun: {
             readonly baseline: string;
@@ -619,6 +626,11 @@ export interface components {
             readonly points: number;
             readonly total: number;
         };
+        readonly EstimateAnswer: {
+            readonly high: number;
+            readonly low: number;
+            readonly value: number;
+        };
         readonly Figure8: {
             readonly change_vs_passive: number;
             readonly high: number;
@@ -645,13 +657,13 @@ export interface components {
             readonly sensitivity: readonly components["schemas"]["Sensitivity"][];
         };
         readonly FmuRequest: {
-            /** @constant */
-            readonly of?: "controller";
+            /** @enum {string} */
+            readonly of?: "controller" | "vehicle";
             readonly platforms?: readonly ("linux64" | "win64" | "darwin64")[];
             readonly scenario?: JsonObject;
             readonly strategy?: string;
-            /** @constant */
-            readonly version?: "2.0";
+            /** @enum {string} */
+            readonly version?: "2.0" | "3.0";
         };
         readonly FoundBumpAnswer: {
             readonly height: number;
@@ -735,6 +747,10 @@ export interface components {
             readonly low: number;
             readonly mean: number;
         };
+        readonly IriAnswer: {
+            readonly mean: number;
+            readonly tracks: readonly number[];
+        };
         readonly Judgement: {
             readonly certain: boolean | null;
             readonly ci: readonly number[] | null;
@@ -794,11 +810,11 @@ export interface components {
             readonly baseline?: string | null;
             readonly cursor?: number | null;
             readonly differences?: boolean | null;
-            readonly hidden?: readonly (string)[] | null;
+            readonly hidden?: readonly string[] | null;
             readonly pins?: readonly components["schemas"]["LinkPin"][] | null;
             readonly plot?: ("points" | "map" | "trade_off") | null;
             readonly reference?: string | null;
-            readonly strategies?: readonly (string)[] | null;
+            readonly strategies?: readonly string[] | null;
             readonly strategy?: string | null;
             readonly threshold?: number | "none" | null;
             readonly versus?: string | null;
@@ -839,6 +855,7 @@ export interface components {
             readonly series: {
                 readonly [key: string]: components["schemas"]["TypedArray"];
             };
+            readonly source: components["schemas"]["Source"] | null;
             readonly stages: readonly components["schemas"]["Stage"][];
             /**
              * @description discriminator enum property added by openapi-typescript
@@ -1102,8 +1119,13 @@ export interface components {
             readonly distance: readonly number[];
             readonly height: readonly number[];
             readonly id: string;
+            readonly iri: components["schemas"]["IriAnswer"] | null;
+            readonly iso_class: string | null;
             readonly length: number;
+            readonly roughness: components["schemas"]["EstimateAnswer"] | null;
             readonly samples: number;
+            readonly spectrum: components["schemas"]["SpectrumAnswer"] | null;
+            readonly waviness: components["schemas"]["EstimateAnswer"] | null;
         };
         readonly RoadsResult: {
             readonly arrival_speed_kmh: number | null;
@@ -1122,6 +1144,7 @@ export interface components {
             readonly reference: {
                 readonly [key: string]: number | null;
             };
+            readonly source: components["schemas"]["Source"] | null;
             readonly stages: readonly components["schemas"]["Stage"][];
             /**
              * @description discriminator enum property added by openapi-typescript
@@ -1169,7 +1192,7 @@ export interface components {
             readonly requirements?: readonly components["schemas"]["Requirement"][];
             readonly roads?: number;
             readonly scenario?: JsonObject;
-            readonly strategies: readonly (string)[];
+            readonly strategies: readonly string[];
         };
         readonly Sensitivity: {
             readonly effect: number;
@@ -1237,6 +1260,14 @@ export interface components {
             readonly scenario?: JsonObject;
             readonly strategy: string;
         };
+        readonly Source: {
+            readonly digest: string;
+            readonly file: string;
+        };
+        readonly SpectrumAnswer: {
+            readonly density: readonly number[];
+            readonly frequency: readonly number[];
+        };
         readonly StabilitySummary: {
             readonly highest: components["schemas"]["Place"] | null;
             readonly known: number;
@@ -1269,12 +1300,16 @@ export interface components {
             readonly dark_colour: string;
             readonly dash: string;
             readonly description: string;
+            readonly fault: string | null;
             readonly id: string;
             readonly label: string;
             readonly one_road_resolution: {
                 readonly [key: string]: number;
             };
+            readonly options: JsonObject;
+            readonly own: boolean;
             readonly reads: readonly string[];
+            readonly source: components["schemas"]["Source"] | null;
         };
         readonly StrategyChanges: {
             readonly bump: {
@@ -1335,6 +1370,7 @@ export interface components {
             readonly reference: {
                 readonly [key: string]: number | null;
             };
+            readonly source: components["schemas"]["Source"] | null;
             readonly stages: readonly components["schemas"]["Stage"][];
             /**
              * @description discriminator enum property added by openapi-typescript
@@ -1602,6 +1638,7 @@ export type Deviations = components['schemas']['Deviations'];
 export type EqualSpeed = components['schemas']['EqualSpeed'];
 export type Erratum = components['schemas']['Erratum'];
 export type Estimate = components['schemas']['Estimate'];
+export type EstimateAnswer = components['schemas']['EstimateAnswer'];
 export type Figure8 = components['schemas']['Figure8'];
 export type Figures = components['schemas']['Figures'];
 export type FigureSummary = components['schemas']['FigureSummary'];
@@ -1615,6 +1652,7 @@ export type InstantAnswer = components['schemas']['InstantAnswer'];
 export type InstantForces = components['schemas']['InstantForces'];
 export type Interpretation = components['schemas']['Interpretation'];
 export type Interval = components['schemas']['Interval'];
+export type IriAnswer = components['schemas']['IriAnswer'];
 export type Judgement = components['schemas']['Judgement'];
 export type LabelRequest = components['schemas']['LabelRequest'];
 export type LatinHypercube = components['schemas']['LatinHypercube'];
@@ -1673,6 +1711,8 @@ export type SeriesOfSeveral = components['schemas']['SeriesOfSeveral'];
 export type Share = components['schemas']['Share'];
 export type Solution = components['schemas']['Solution'];
 export type SolveRequest = components['schemas']['SolveRequest'];
+export type Source = components['schemas']['Source'];
+export type SpectrumAnswer = components['schemas']['SpectrumAnswer'];
 export type StabilitySummary = components['schemas']['StabilitySummary'];
 export type Stage = components['schemas']['Stage'];
 export type Statistics = components['schemas']['Statistics'];
@@ -2228,8 +2268,15 @@ export interface operations {
         };
     };
     readonly createRoad: {
+        readonly parameters: {
+            readonly query?: {
+                readonly left?: number | null;
+                readonly right?: number | null;
+            };
+        };
         readonly requestBody: {
             readonly content: {
+                readonly "application/x-opencrg": string;
                 readonly "text/csv": string;
             };
         };
@@ -2244,7 +2291,8 @@ export interface operations {
     readonly getRoad: {
         readonly parameters: {
             readonly query?: {
-                readonly format?: "json" | "csv";
+                readonly encoding?: "binary" | "text";
+                readonly format?: "json" | "csv" | "crg";
                 readonly points?: number;
             };
             readonly path: {
@@ -2255,6 +2303,7 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/json": components["schemas"]["RoadAnswer"];
+                    readonly "application/x-opencrg": string;
                     readonly "text/csv": string;
                 };
             };

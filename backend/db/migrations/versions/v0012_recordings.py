@@ -6,8 +6,8 @@ from sqlalchemy import ForeignKey, Integer, LargeBinary, String
 from backend.db.migrations.columns import key, required
 from backend.db.types import Utc
 
-revision = "0011"
-down_revision = "0010"
+revision = "0012"
+down_revision = "0011"
 
 
 def upgrade() -> None:
