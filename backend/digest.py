@@ -14,9 +14,8 @@ import orjson
 from backend.json_types import JsonObject
 from sim_core.check_controller import ID
 from sim_core.program import program
-from sim_core.recorded.result import REFERENCES
 from sim_core.scenario import Scenario
-from sim_core.scenario.recorded import NAME_PATTERN, recording_id
+from sim_core.scenario.recorded import NAME_PATTERN, REFERENCES, recording_id
 from sim_core.strategies import STRATEGIES, strategy_named, values_read
 
 STRATEGY_PATTERN = f"{ID}|{NAME_PATTERN}"  # of a strategy's name in a run: simulated, or a recording

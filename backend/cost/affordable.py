@@ -6,7 +6,6 @@ from contextlib import suppress
 from backend.cost.estimate import check_affordable, expected_time, memory
 from backend.own import isolated
 from sim_core.caching import SHARED
-from sim_core.recorded.result import recorded_result
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import recording_id
@@ -24,6 +23,8 @@ def simulate(scenario: Scenario, name: str) -> StrategyResult:
         RidelabError: As `sim_core.simulate.simulate` raises.
     """
     if (recording := recording_id(name)) is not None:
+        from sim_core.recorded.result import recorded_result  # takes scipy, which few runs need
+
         return recorded_result(scenario, scenario.recording(recording), simulate)
     return isolated(name, _simulate, scenario, name)
 

@@ -13,9 +13,8 @@ from sim_core.control.qp import osqp_effort
 from sim_core.errors import TooExpensiveError
 from sim_core.loop.excitation import StepSizes, longest_fine_step, step_sizes
 from sim_core.loop.run import run_dampers
-from sim_core.recorded.result import REFERENCES
 from sim_core.scenario import Actuator, Scenario
-from sim_core.scenario.recorded import recording_id
+from sim_core.scenario.recorded import REFERENCES, recording_id
 from sim_core.speed.profile import SPEED_CONTROL_PERIOD, TARGET_BAND, make_speed_profile
 from sim_core.strategies import resolve_speed_plan, strategy_named
 from sim_core.vehicle.make import is_linear

@@ -82,6 +82,7 @@ recordings = Table(
     Column("signals", String(255), nullable=False),
     Column("content", LargeBinary, nullable=False),
     Column("created_at", Utc, nullable=False, default=Now(), index=True),
+    checksum_column("id", "samples", "signals", "content"),
 )
 
 run_recordings = Table(

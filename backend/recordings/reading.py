@@ -13,8 +13,7 @@ from backend.csv_lines import CsvError
 from ridelab.units import quantity
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS, SIGNALS
-from sim_core.recorded.result import LONGEST
-from sim_core.scenario.recorded import RecordedDrive
+from sim_core.scenario.recorded import LONGEST, RecordedDrive
 
 MAX_LINE, MAX_COLUMNS = 4000, 200
 LEAST_SAMPLES = 10

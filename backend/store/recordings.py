@@ -2,8 +2,9 @@
 
 from collections.abc import Iterable
 
-from sqlalchemy import select, update
+from sqlalchemy import select
 
+from backend.db.checksum import check, update_row
 from backend.db.clock import Now
 from backend.db.database import Database, insert_new
 from backend.db.tables import recordings
@@ -21,14 +22,15 @@ class RecordingStore:
         row = {"id": drive.id, "samples": drive.samples, "signals": drive.keys, "content": drive.content}
         with self._database.writing() as connection:
             insert_new(connection, recordings, [row])
-            connection.execute(update(recordings).where(recordings.c.id == drive.id).values(created_at=Now()))
+            update_row(connection, recordings, drive.id, {"created_at": Now()})
 
     def load(self, ids: Iterable[str]) -> dict[str, RecordedDrive]:
         """The stored ones of these recordings, by id."""
-        columns = (recordings.c[name] for name in ("id", "samples", "signals", "content"))
-        query = select(*columns).where(recordings.c.id.in_(list(ids)))
+        query = select(recordings).where(recordings.c.id.in_(list(ids)))
         with self._database.reading() as connection:
             rows = connection.execute(query).all()
+        for row in rows:
+            check(recordings, row, "recording")
         return {
             row.id: RecordedDrive(id=row.id, samples=row.samples, keys=row.signals, content=row.content) for row in rows
         }

@@ -13,7 +13,7 @@ from sqlalchemy.exc import SQLAlchemyError
 
 from backend.db.checksum import is_intact
 from backend.db.database import DAMAGED, Database
-from backend.db.tables import REMOVED, job_runs, jobs, links, pinned_series, results, roads, runs, trials
+from backend.db.tables import REMOVED, job_runs, jobs, links, pinned_series, recordings, results, roads, runs, trials
 from backend.errors import DamagedError
 from backend.store.damage import drop_pins, drop_results, is_intact_result
 
@@ -21,7 +21,7 @@ logger = logging.getLogger(__name__)
 
 PAGE = 500  # rows read in one transaction
 UNREADABLE = (DamagedError, ValueError)  # text that is no JSON, no time, or no text
-SEALED = (results, pinned_series, runs, links, roads, jobs, job_runs, trials)
+SEALED = (results, pinned_series, runs, links, roads, recordings, jobs, job_runs, trials)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

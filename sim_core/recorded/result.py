@@ -18,16 +18,14 @@ from sim_core.recorded.alignment import Placement, correlations, place
 from sim_core.result import RecordingReport, Series, Span, StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.scenario.parts import KMH
-from sim_core.scenario.recorded import PREFIX, RecordedDrive
+from sim_core.scenario.recorded import LONGEST, PREFIX, REFERENCES, RecordedDrive
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
 
 PLACED_BY = METRIC_SIGNALS[:6]  # not by the forces, in which laws differ most
-REFERENCES = ("passive", "speed_only", "skyhook", "lqr")  # what it may be like; each is quickly simulated
 GOOD_LIKENESS = 0.9  # no other one is tried
 END_TOLERANCE = 0.5  # what a recording may lack at either end of the road [m]
 SLOWEST = 0.1  # a recorded speed below counts as this where it gives the time [m/s]
-LONGEST = 5000.0  # of a recording [m]
 OPPOSITE = -0.5  # correlation of a signal whose sign may be the other way round
 
 

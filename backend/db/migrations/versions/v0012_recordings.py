@@ -3,7 +3,7 @@
 from alembic import op
 from sqlalchemy import ForeignKey, Integer, LargeBinary, String
 
-from backend.db.migrations.columns import key, required
+from backend.db.migrations.columns import key, optional, required
 from backend.db.types import Utc
 
 revision = "0012"
@@ -13,7 +13,7 @@ down_revision = "0011"
 def upgrade() -> None:
     """Apply this step."""
     columns = required(samples=Integer(), signals=String(255), content=LargeBinary(), created_at=Utc())
-    op.create_table("recordings", key("id", 22), *columns)
+    op.create_table("recordings", key("id", 22), *columns, *optional(checksum=String(16)))
     op.create_table(
         "run_recordings", key("run_id", 22, ForeignKey("runs.id")), key("recording_id", 22, ForeignKey("recordings.id"))
     )
