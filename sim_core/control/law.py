@@ -1,11 +1,12 @@
 """A linear law of control, which holds while no limit binds."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.errors import RidelabError
+from sim_core.kernel.prepared import LawDesign
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
 
 LAW_INPUTS = STATES + FORCES  # what a law multiplies: the state, then the previous command
@@ -21,6 +22,7 @@ class LinearLaw:
             the deceleration (2, 3 · preview_steps); None for nothing.
         limits: Limits beside the greatest force, each a row divided by its limit: the law holds where every row times
             [state; previous force; disturbances] is between -1 and 1 (rows, 10 + 3 · preview_steps); None for none.
+        design: All of it, as C has it.
 
     Example:
         >>> import numpy as np
@@ -34,6 +36,7 @@ class LinearLaw:
     gain: FloatArray
     preview_gain: FloatArray | None = None
     limits: FloatArray | None = None
+    design: LawDesign = field(init=False, repr=False)
 
     def __post_init__(self) -> None:
         """Check the arrays, which become contiguous copies that nobody can write.
@@ -56,6 +59,17 @@ class LinearLaw:
                 raise RidelabError(f"A linear law's {name} has the shape {np.shape(array)}")
             if not np.isfinite(own).all():
                 raise RidelabError(f"A linear law's {name} has a number that is not finite")
+        object.__setattr__(self, "design", self._design())
+
+    def _design(self) -> LawDesign:
+        preview_gain, limits = self.preview_gain, self.limits
+        if preview_gain is None:
+            preview_gain = np.zeros((FORCES, 0 if limits is None else limits.shape[1] - LAW_INPUTS))
+        if limits is None:
+            limits = np.zeros((0, LAW_INPUTS + preview_gain.shape[1]))
+        if limits.shape[1] != LAW_INPUTS + preview_gain.shape[1]:
+            raise RidelabError("A linear law's preview_gain and limits have columns for as many control steps")
+        return LawDesign(gain=np.hstack([self.gain, preview_gain]), limits=limits)
 
     def force(self, state: FloatArray, previous_force: FloatArray, disturbances: FloatArray) -> FloatArray:
         """The law's forces (2,) [N].

@@ -118,11 +118,11 @@ class LawDesign:
 
     def __post_init__(self) -> None:
         """Check the arrays and hand them to C."""
-        rows, inputs = self.limits.shape
-        horizon = (inputs - _LAW_INPUTS) // _DISTURBANCES
+        (rows, inputs), horizon = self.limits.shape, self.horizon
         require(inputs == _LAW_INPUTS + _DISTURBANCES * horizon and horizon >= 0, "Limits on everything the law knows")
         require(self.gain.shape == (_FORCES, inputs), "A gain for everything the law knows")
-        arrays = self.gain, self.limits, *self._norms(horizon)
+        norms = self._norms(horizon) if rows else (np.zeros(_LAW_INPUTS), np.zeros((0, 1 + _SIZES)))
+        arrays = self.gain, self.limits, *norms
         object.__setattr__(self, "prepared", _prepare_law_design.prepare(rows, horizon, *arrays))
 
     def _norms(self, horizon: int) -> tuple[FloatArray, FloatArray]:
@@ -144,6 +144,11 @@ class LawDesign:
     def inputs(self) -> int:
         """How many numbers the law multiplies."""
         return len(self.gain[0])
+
+    @property
+    def horizon(self) -> int:
+        """Control steps that it previews."""
+        return (self.inputs - _LAW_INPUTS) // _DISTURBANCES
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -175,7 +180,7 @@ class LawArrays:
             ValueError: Sizes disagree.
         """
         inputs, steps, (kind, step) = self.design.inputs, self.sizes.shape[1], self.strides
-        horizon = (inputs - _LAW_INPUTS) // _DISTURBANCES
+        horizon = self.design.horizon
         beyond = (_DISTURBANCES - 1) * kind + (steps - 1) * step + horizon
         require(len(self.sizes) == _SIZES, "Four magnitudes in each step")
         require(

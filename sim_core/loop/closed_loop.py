@@ -11,16 +11,15 @@ from math import isfinite
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.caching import cached
 from sim_core.control.controller import Controller
-from sim_core.control.law import LAW_INPUTS, LinearLaw
+from sim_core.control.law import LinearLaw
 from sim_core.control.seen import RunInputs, Seen
 from sim_core.errors import ForceError, RidelabError
-from sim_core.kernel.prepared import DrivenCar, FollowLaw, LawArrays, LawDesign, limit_force
+from sim_core.kernel.prepared import DrivenCar, FollowLaw, LawArrays, limit_force
 from sim_core.kernel.qp import Qp
 from sim_core.loop.preview import Forecast
 from sim_core.speed.stages import Segment
-from sim_core.vehicle.half_car import DISTURBANCES, FORCES
+from sim_core.vehicle.half_car import FORCES
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
@@ -112,9 +111,11 @@ def law_arrays(
     Raises:
         RidelabError: It is a law for another horizon.
     """
+    if law.design.horizon not in (0, forecast.disturbances.shape[2]):
+        raise RidelabError("A linear law has three columns for each control step that is previewed")
     kind, step, _ = (stride // forecast.disturbances.itemsize for stride in forecast.disturbances.strides)
     return LawArrays(
-        design=_law_design(law, forecast.disturbances.shape[2]),
+        design=law.design,
         preview=forecast.source,
         strides=(kind, step),
         sizes=forecast.sizes,
@@ -122,21 +123,6 @@ def law_arrays(
         clips=clips,
         qp=qp,
     )
-
-
-@cached
-def _law_design(law: LinearLaw, horizon: int) -> LawDesign:
-    """The law as C has it.
-
-    Raises:
-        RidelabError: It is a law for another horizon.
-    """
-    previewed = DISTURBANCES * horizon
-    preview_gain = np.zeros((FORCES, previewed)) if law.preview_gain is None else law.preview_gain
-    limits = np.zeros((0, LAW_INPUTS + previewed)) if law.limits is None else law.limits
-    if preview_gain.shape[1] != previewed or limits.shape[1] != LAW_INPUTS + previewed:
-        raise RidelabError("A linear law has three columns for each control step that is previewed")
-    return LawDesign(gain=np.hstack([law.gain, preview_gain]), limits=limits)
 
 
 def checked_force(controller: Controller, force: object, step: int) -> FloatArray:

@@ -3,10 +3,13 @@
 With preview its force has a feedforward of the known future (Tomizuka 1976). It knows no limits: its force is clipped.
 """
 
+from functools import lru_cache
+
 import numpy as np
 
 from sim_core import (
     Controller,
+    CostTerms,
     LinearLaw,
     Preview,
     Setup,
@@ -40,11 +43,16 @@ class Lqr(Controller):
             RidelabError: The vehicle and weights admit no stabilising controller.
         """
         terms = setup.cost(self.weights, self.deflection_weight, self.force_weight)
-        self._law = LinearLaw(
-            gain=np.hstack([regulator(terms).gain, np.zeros((2, 2))]),
-            preview_gain=feedforward(terms, setup.preview_steps) if setup.preview_steps else None,
-        )
+        self._law = _law(terms, setup.preview_steps)
 
     def linear_law(self, stage: str) -> LinearLaw:
         """U = -K x + K_w w, the same in every stage."""
         return self._law
+
+
+@lru_cache(maxsize=64)
+def _law(terms: CostTerms, horizon: int) -> LinearLaw:
+    return LinearLaw(
+        gain=np.hstack([regulator(terms).gain, np.zeros((2, 2))]),
+        preview_gain=feedforward(terms, horizon) if horizon else None,
+    )
