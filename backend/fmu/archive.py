@@ -17,6 +17,7 @@ from backend.fmu.description import (
 )
 from backend.fmu.model import Model, sources, variables_header
 from backend.fmu.vehicle import vehicle_model
+from backend.own.registry import isolated
 from sim_core.ecu.sources import SOURCES as ECU_SOURCES
 from sim_core.scenario import Scenario
 
@@ -33,7 +34,7 @@ def fmu(
         UnknownNameError: No such strategy.
         RidelabError: The strategy's controller cannot be exported.
     """
-    model = vehicle_model(scenario) if of == "vehicle" else controller_model(scenario, strategy)
+    model = vehicle_model(scenario) if of == "vehicle" else isolated(strategy, controller_model, scenario, strategy)
     return _zipped(model, scenario, version, platforms)
 
 

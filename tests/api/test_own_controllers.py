@@ -12,6 +12,7 @@ from sim_core.controller_files import VARIABLE
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
 from tests.api.conftest import ROAD, Service
+from tests.importer import Importer
 
 SCENARIO = {"road": ROAD}
 LAW = '''"""Mine."""
@@ -88,6 +89,48 @@ def test_a_file_is_a_strategy_and_a_saved_one_another_law(service: Service, fold
     assert stored == {key: value for key, value in outcome.items() if key != "cached"}, "the old law's, as it was"
     (folder / "mine.py").write_text(LAW)
     assert driven(service, ["mine"])["mine"] == {**outcome, "cached": True}
+
+
+BY_STAGE = """
+import numpy as np
+from sim_core import Controller, LinearLaw
+
+
+class Harder(Controller):
+    'Damps the body, on the bump twice as hard.'
+    id, label = "harder", "Harder"
+
+    def start(self, setup):
+        gain = np.zeros((2, 10))
+        gain[:, 4], gain[:, 8:] = -1000.0, np.eye(2) / 2
+        self._laws = {stage: LinearLaw(gain=gain * (1 + (stage == "bump"))) for stage in setup.stages}
+
+    def linear_law(self, stage):
+        return self._laws[stage]
+"""
+
+
+def test_a_law_of_ones_own_that_is_linear_leaves_as_an_fmu(service: Service, folder: Path, tmp_path: Path) -> None:
+    """Its gains differ by stage, and count the force before, which the FMU remembers."""
+    (folder / "harder.py").write_text(BY_STAGE)
+    answer = service.client.post(
+        "/api/v1/fmus", json={"strategy": "harder", "version": "3.0", "platforms": ["linux64"]}
+    )
+    assert answer.status_code == 200, answer.text
+    file = tmp_path / "exported" / "harder.fmu"
+    file.parent.mkdir()
+    file.write_bytes(answer.content)
+    importer = Importer(file, tmp_path / "fmu")
+    given = []
+    with importer.run():
+        for stage in (0, 0, 2):
+            importer.step(0.01 * len(given), 0.01, {"state[5]": 1.0, "stage": stage})
+            given.append(importer.get(["force_front", "force_rear"]))
+    assert given == [[-1000.0] * 2, [-1500.0] * 2, [-3500.0] * 2]
+    (folder / "mine.py").write_text(LAW)
+    refused = service.client.post("/api/v1/fmus", json={"strategy": "mine"})
+    assert refused.status_code == 422
+    assert "its forces follow no linear law" in refused.json()["detail"]
 
 
 CRASHES = """

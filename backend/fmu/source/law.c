@@ -2,7 +2,7 @@
 #include "sampled.h"
 #include "ridelab_gains.h" /* generated: on what is previewed */
 
-enum { STATES = 8, FORCES = 2, ON_STATE = STATES + FORCES };
+enum { STATES = 8, FORCES = 2, ON_STATE = STATES + FORCES, GAINS = V_FORCE_LIMIT + 1 };
 
 const size_t model_memory_bytes = sizeof(struct control_steps);
 
@@ -19,7 +19,7 @@ static void control(double *value)
     expected(value, disturbances);
 #endif
     for (int axle = 0; axle < FORCES; axle++) {
-        const double *gain = value + V_GAIN_FRONT + ON_STATE * (FORCES * law + axle);
+        const double *gain = value + GAINS + ON_STATE * (FORCES * law + axle);
         force[axle] = 0;
         for (int i = 0; i < STATES; i++)
             force[axle] += gain[i] * value[V_STATE + i];
