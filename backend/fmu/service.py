@@ -21,9 +21,11 @@ class Fmus:
         """The FMU, a zip.
 
         Raises:
+            CostLimitError: The service lets no request take as much.
             TemporaryError: Too much is being computed.
         """
         scenario = await self._roads.with_length(asked.scenario)
+        self._gate.check_cost(COST)
         with self._gate.computing(client, COST, controller=1):
             return await self._workers.call(
                 fmu, scenario, asked.strategy, asked.of, asked.version, asked.platforms, client=client, cost=COST

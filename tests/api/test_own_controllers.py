@@ -121,7 +121,7 @@ def test_a_law_of_ones_own_that_is_linear_leaves_as_an_fmu(service: Service, fol
     file.parent.mkdir()
     file.write_bytes(answer.content)
     importer = Importer(file, tmp_path / "fmu")
-    given = []
+    given: list[list[float]] = []
     with importer.run():
         for stage in (0, 0, 2):
             importer.step(0.01 * len(given), 0.01, {"state[5]": 1.0, "stage": stage})

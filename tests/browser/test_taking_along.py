@@ -5,11 +5,12 @@ import os
 import re
 import subprocess
 import sys
+import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, Route, expect
 
 from tests.browser.dashboard import Dashboard, expect_new_address
 from tests.servers.process import HANG_TIMEOUT, ROOT
@@ -142,3 +143,33 @@ def test_every_plot_is_drawn_on_paper(dashboard: Dashboard, tmp_path: Path) -> N
     expect(page.get_by_role("button", name="Share")).to_be_hidden()
     expect(page.get_by_text(dashboard.run_id)).to_be_visible()
     page.emulate_media(media="screen")
+
+
+def test_a_controller_or_the_vehicle_leaves_as_an_fmu(dashboard: Dashboard, tmp_path: Path) -> None:
+    page = dashboard.page
+    dashboard.open()
+    page.get_by_role("button", name="Export").click()
+    page.get_by_role("menuitem", name="FMU…").click()
+    dialog = page.get_by_role("dialog", name="Export an FMU")
+    dialog.get_by_role("combobox", name="What").click()
+    page.get_by_role("option", name="Single suspension control").click()
+    dialog.get_by_role("button", name="Export").click()
+    expect(dialog.get_by_role("alert")).to_contain_text("a QP decides where one of its limits binds")
+    dashboard.expect_accessible(dialog)
+    dialog.get_by_role("combobox", name="What").click()
+    page.get_by_role("option", name="The vehicle").click()
+    dialog.get_by_text("FMI 3.0").click()
+    page.route("**/fmus", for_linux_alone)
+    with page.expect_download() as download:
+        dialog.get_by_role("button", name="Export").click()
+    download.value.save_as(tmp_path / "vehicle.fmu")
+    assert download.value.suggested_filename == "ridelab-vehicle.fmu"
+    with zipfile.ZipFile(tmp_path / "vehicle.fmu") as archive:
+        assert "binaries/x86_64-linux/ridelab_vehicle.so" in archive.namelist()
+
+
+def for_linux_alone(route: Route) -> None:
+    """The first program for another system takes a minute."""
+    body = route.request.post_data_json
+    assert isinstance(body, dict)
+    route.continue_(post_data=json.dumps({**body, "platforms": ["linux64"]}))

@@ -27,6 +27,7 @@ const DECLARED = {
   png: { label: "Export plots: PNG picture", short: "PNG picture" },
   svg: { label: "Export plots: SVG drawing", short: "SVG drawing" },
   controller: { label: "Export controller (C)" },
+  fmu: { label: "Export FMU (Simulink, CarMaker, Modelica)", short: "FMU…" },
   python: { label: "Copy as Python" },
   command: { label: "Copy as command line" },
   curl: { label: "Copy as curl" },

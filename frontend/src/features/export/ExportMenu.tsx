@@ -8,6 +8,7 @@ import {
   IconDownload,
   IconFileText,
   IconPhoto,
+  IconPlugConnected,
   IconTerminal2,
   IconWorldUpload,
 } from "../../ui/icons";
@@ -21,6 +22,7 @@ import { whyNotCompared } from "../../lab/compare";
 import { useLabContext, useLab, useView } from "../../lab/context";
 import { useFigures, useForm, useStrategies } from "../../server/useCatalogues";
 import { axisKey, makeResultView } from "../../lab/resultView";
+import { FmuDialog } from "./FmuDialog";
 import { useController } from "./useController";
 import { asCommand, asCurl, asPython, type CopyRequest } from "./copyAs";
 import classes from "./export.module.css";
@@ -43,6 +45,7 @@ export function ExportMenu() {
   const { lab } = useLabContext();
   const [figures, strategies, form] = [useFigures(), useStrategies(), useForm()];
   const [refused, setRefused] = useState<string | null>(null);
+  const [fmu, setFmu] = useState(false);
   const { copied, copy } = useCopied(setRefused);
   const { save, saving, error: unsaved, reset } = useController();
   const runId = shown?.runId ?? null;
@@ -66,17 +69,26 @@ export function ExportMenu() {
       `ridelab-${runId}.html`,
     );
   };
+  const scenario = () => lab.get().history?.present ?? shown?.scenario ?? {};
   const copyAs = (write: (request: CopyRequest) => string) => {
-    const scenario = lab.get().history?.present ?? shown?.scenario ?? {};
-    copy(write({ origin: window.location.origin, form, scenario, strategies: selected, over: shown?.over ?? null }));
+    copy(
+      write({
+        origin: window.location.origin,
+        form,
+        scenario: scenario(),
+        strategies: selected,
+        over: shown?.over ?? null,
+      }),
+    );
   };
 
-  const saveController = () => save(lab.get().history?.present ?? shown?.scenario ?? {});
+  const saveController = () => save(scenario());
 
   useAction("report", runId === null ? null : saveReport);
   useAction("png", shown?.missing === null ? () => picture.mutate("png") : null);
   useAction("svg", shown?.missing === null ? () => picture.mutate("svg") : null);
   useAction("controller", saveController);
+  useAction("fmu", () => setFmu(true));
   useAction("python", () => copyAs(asPython));
   useAction("command", () => copyAs(asCommand));
   useAction("curl", () => copyAs(asCurl));
@@ -129,12 +141,14 @@ export function ExportMenu() {
           <ActionItem id="svg" icon={IconPhoto} />
           <Menu.Label>As a program</Menu.Label>
           <ActionItem id="controller" icon={IconCpu} />
+          <ActionItem id="fmu" icon={IconPlugConnected} />
           <Menu.Label>This run again, elsewhere</Menu.Label>
           <ActionItem id="python" icon={IconBrandPython} />
           <ActionItem id="command" icon={IconTerminal2} />
           <ActionItem id="curl" icon={IconWorldUpload} />
         </Menu.Dropdown>
       </Menu>
+      {fmu && <FmuDialog {...{ strategies, scenario }} first={selected[0]} onClose={() => setFmu(false)} />}
       <Modal opened={unsaved !== null} onClose={reset} title="The controller could not be exported">
         <Text>{unsaved?.message}</Text>
       </Modal>

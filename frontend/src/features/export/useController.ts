@@ -8,7 +8,8 @@ import { download } from "../../lib/download";
 /** Long enough for the browser to have taken the file [ms]. */
 const KEEP_MS = 60_000;
 
-function saveAs(blob: Blob, name: string): void {
+/** A file from memory. */
+export function saveAs(blob: Blob, name: string): void {
   const address = URL.createObjectURL(blob);
   download(address, name);
   setTimeout(() => URL.revokeObjectURL(address), KEEP_MS);
