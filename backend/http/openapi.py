@@ -17,6 +17,7 @@ from backend.http.problems import MEDIA_TYPE, Problem
 from backend.http.request_log import HEADER
 from backend.json_types import JsonObject
 from sim_core.catalogue import PAPER_SIGNALS
+from sim_core.check_controller import ID
 from sim_core.strategies import STRATEGIES, strategies
 
 TAGS = {
@@ -215,6 +216,6 @@ def _name_strategies(name: str, field: JsonObject) -> None:
     if name in ("strategy", "baseline", "strategies") and not listed:
         for each in (field, field.get("items", {}), *field.get("anyOf", [])):
             if each.get("type") == "string" and "enum" not in each:
-                each["pattern"] = STRATEGY_PATTERN  # perhaps of one that is there no more
+                each["pattern"] = ID if name == "strategy" else STRATEGY_PATTERN  # perhaps of one that is there no more
             elif each.get("type") == "object":
                 each["propertyNames"] = {"pattern": STRATEGY_PATTERN}

@@ -206,9 +206,8 @@ def _apart_at_gaps(
     if not len(gaps):
         return signals
     most = f"{steps.max():.3g} {SIGNALS[key].unit}"
-    warnings.append(
-        f"{len(gaps)} gaps, the longest {most}, the first before line {numbers[gaps[0] + 1]}: nothing is known there"
-    )
+    first = numbers[gaps[0] + 1]
+    warnings.append(f"Gaps: {len(gaps)}, the longest {most}, the first before line {first}; nothing is known there")
     axes = ("time", "position")
     middle = {name: (signals[name][gaps] + signals[name][gaps + 1]) / 2 for name in axes if name in signals}
     return {name: np.insert(values, gaps + 1, middle.get(name, np.nan)) for name, values in signals.items()}
@@ -253,6 +252,8 @@ def _doubts(signals: Mapping[str, FloatArray]) -> list[str]:
         if largest is not None and (most := float(np.nanmax(np.abs(values)))) > largest:
             said.append(f"{SIGNALS[key].label} reaches {most:.3g} {unit}: is its unit right?")
         if key in METRIC_SIGNALS and abs(mean) > max(spread, 1e-9):
-            gravity = ": is gravity in it?" if key == "body_acceleration" and 8 < abs(mean) < 12 else ", not about 0"
-            said.append(f"{SIGNALS[key].label} lies about {mean:.3g} {unit}{gravity} It is taken as it is")
+            gravity = (
+                ": is gravity in it? It" if key == "body_acceleration" and 8 < abs(mean) < 12 else ", not about 0: it"
+            )
+            said.append(f"{SIGNALS[key].label} lies about {mean:.3g} {unit}{gravity} is taken as it is")
     return said

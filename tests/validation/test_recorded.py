@@ -1,0 +1,86 @@
+"""Recordings: placed where they were made, and judged as the simulated drive they are a recording of."""
+
+import numpy as np
+import pytest
+
+from sim_core import RidelabError, Scenario, Vehicle, simulate
+from sim_core.catalogue import METRIC_SIGNALS
+from sim_core.recorded.alignment import place
+from sim_core.recorded.result import recorded_result
+from sim_core.scenario.recorded import RecordedDrive
+
+SCENARIO = Scenario()
+PLACED = ("body_acceleration", "front_deflection")
+
+
+def recording(scenario: Scenario, *, start: float = 0.0, drift: float = 0.0, noise: float = 0.0) -> RecordedDrive:
+    """A passive drive from `start` [s] on, every 4 ms, by a clock of its own that begins at 100 s."""
+    series = simulate(scenario, "passive").series
+    true = np.arange(start, series["time"][-1], 0.004)
+    signals = {key: np.interp(true, series["time"], series[key]) for key in ("speed", *PLACED)}
+    rng = np.random.default_rng(1)
+    for key in PLACED:
+        signals[key] += noise * signals[key].std() * rng.normal(size=len(true))
+    return RecordedDrive.of({"time": 100 + (true - start) / (1 + drift), **signals})
+
+
+@pytest.mark.parametrize(("start", "drift"), [(0.0, 0.0), (1.37, 0.002), (3.1, -0.011)])
+def test_start_and_drift_of_the_clock_are_found(start: float, drift: float) -> None:
+    """Without noise within the spacing of the refinement (2 cm) over twenty; of 150 m that is a drift of 7e-6."""
+    found = recorded_result(SCENARIO, recording(SCENARIO, start=start, drift=drift)).recording
+    assert found is not None
+    assert found.offset is not None
+    assert found.scale is not None
+    assert found.reference == "passive"
+    assert found.offset == pytest.approx(start * SCENARIO.speed.initial, abs=0.001)
+    assert found.scale == pytest.approx(1 + drift, abs=1e-5)
+
+
+def test_another_car_and_noise_do_not_move_it_far() -> None:
+    """Softer dampers delay the motion: half a wheel's oscillation, 35 ms or half a metre, would be a wrong place."""
+    softer = Vehicle(front_damping=0.8 * 6000, rear_damping=0.8 * 6000)
+    other = SCENARIO.model_copy(update={"vehicle": softer})
+    found = recorded_result(SCENARIO, recording(other, start=1.5, drift=0.001, noise=0.1)).recording
+    assert found is not None
+    assert found.offset == pytest.approx(1.5 * SCENARIO.speed.initial, abs=0.05)
+    assert found.scale == pytest.approx(1.001, abs=5e-4)
+
+
+def test_its_metrics_are_those_of_the_drive() -> None:
+    """Of every sample of a drive without held forces; tyre loads peak between samples too, which a recording cannot."""
+    result = simulate(SCENARIO, "passive")
+    drive = RecordedDrive.of({key: result.series[key] for key in result.series})
+    found = recorded_result(SCENARIO, drive)
+    for window, signals in result.metrics.items():
+        for key, statistics in signals.items():
+            ours = found.metrics[window][key]
+            assert ours["rms"] == pytest.approx(statistics["rms"], rel=1e-4)
+            assert ours["peak"] == pytest.approx(statistics["peak"], rel=0.01 if "load" in key else 1e-4)
+    for key, value in result.comfort.items():
+        assert found.comfort[key] == pytest.approx(value, rel=1e-3)
+    assert found.events["airborne_ms"] == pytest.approx(result.events["airborne_ms"], abs=1.0)
+    assert found.travel_time == pytest.approx(result.travel_time, rel=1e-4)
+
+
+def test_what_was_not_recorded_has_no_metric() -> None:
+    """A gap takes its windows, a missing signal its own metrics, and a part of the road all that reaches beyond."""
+    series = simulate(SCENARIO, "passive").series
+    acceleration = np.where(np.abs(series["position"] - 30) < 1, np.nan, series["body_acceleration"])
+    late = series["position"] > 20
+    signals = {"time": series["time"], "position": series["position"], "body_acceleration": acceleration}
+    result = recorded_result(SCENARIO, RecordedDrive.of({key: each[late] for key, each in signals.items()}))
+    assert np.isnan(result.metrics["rough_road"]["body_acceleration"]["rms"])
+    assert np.isfinite(result.metrics["bump"]["body_acceleration"]["rms"])
+    assert np.isnan(result.metrics["bump"]["front_force"]["rms"])
+    assert np.isnan(result.comfort["weighted_rms"])
+    assert result.recording is not None
+    assert set(result.recording.missing) == set(METRIC_SIGNALS) - {"body_acceleration"}
+
+
+def test_a_drive_somewhere_else_is_not_placed() -> None:
+    x, signal = np.arange(0, 150, 0.1), np.random.default_rng(2).normal(size=(1, 1500))
+    series = simulate(SCENARIO, "passive").series
+    assert place(x, signal, series["position"], series["body_acceleration"][None]) is None
+    elsewhere = RecordedDrive.of({"time": x / 10, "position": x + 1000, "body_acceleration": signal[0]})
+    with pytest.raises(RidelabError, match="no part of this road"):
+        recorded_result(SCENARIO, elsewhere)
