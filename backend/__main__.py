@@ -35,6 +35,8 @@ def main(arguments: list[str] | None = None) -> int:
         "--explain-limits", action="store_true", help="print what clients may have open at once, and end"
     )
     # What `ridelab` asks for; people find it there.
+    parser.add_argument("--say-where", action="store_true", help=argparse.SUPPRESS)
+    parser.add_argument("--open", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--until-input-ends", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--back-up", type=Path, help=argparse.SUPPRESS)
     parser.add_argument("--verify", action="store_true", help=argparse.SUPPRESS)
@@ -71,7 +73,7 @@ def main(arguments: list[str] | None = None) -> int:
     except KeyboardInterrupt:  # a start may wait for a lock on the database
         return INTERRUPTED
     logs.configure(settings.log_format, settings.log_level)
-    return _serve(app, settings, listener, options.host, ending)
+    return _serve(app, settings, listener, options, ending)
 
 
 class _Ending:
@@ -229,8 +231,11 @@ def listen(host: str, port: int) -> socket.socket:
     return listener
 
 
-def _serve(app: "FastAPI", settings: "Settings", listener: socket.socket, host: str, ending: _Ending) -> int:
+def _serve(
+    app: "FastAPI", settings: "Settings", listener: socket.socket, options: argparse.Namespace, ending: _Ending
+) -> int:
     import asyncio
+    import webbrowser
 
     import uvicorn
 
@@ -247,8 +252,13 @@ def _serve(app: "FastAPI", settings: "Settings", listener: socket.socket, host: 
         async def _announce(self) -> None:
             """Print the address, once a worker is warm; until then /readyz says so to whoever asks."""
             await app.state.services.workers.wait_until_warm()
-            shown = f"[{host}]" if ":" in host else host
-            print(f"Ridelab is at http://{shown}:{listener.getsockname()[1]}", flush=True)
+            shown = f"[{options.host}]" if ":" in options.host else options.host
+            address = f"http://{shown}:{listener.getsockname()[1]}"
+            print(f"Ridelab is at {address}", flush=True)
+            if options.say_where:
+                print(f"Its data are in {settings.data_dir.absolute()}\nCtrl-C ends it", flush=True)
+            if options.open:
+                await asyncio.to_thread(webbrowser.open, address)
 
         def handle_exit(self, sig: int, frame: object) -> None:
             ending.in_order = True

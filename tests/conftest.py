@@ -22,6 +22,10 @@ if os.path.ismount(MEMORY) and not os.statvfs(MEMORY).f_flag & os.ST_NOEXEC and 
     os.environ.setdefault("TMPDIR", MEMORY)
     tempfile.tempdir = None  # asked for again
 
+# No test writes where a person's data are.
+_data = tempfile.TemporaryDirectory()
+os.environ["XDG_DATA_HOME"] = _data.name
+
 # Tests start some hundred processes: what one compiles the others need not.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 

@@ -31,7 +31,8 @@ LONG = {"road": {"length": 10.1, "bump": {"start": 4}}, "mpc": {"solver": "osqp"
 
 @pytest.fixture
 def elsewhere(tmp_path: Path) -> Path:
-    """A working folder with a trap: a package of the same name."""
+    """A working folder with data, and with a trap: a package of the same name."""
+    (tmp_path / "data").mkdir()
     (tmp_path / "backend").mkdir()
     (tmp_path / "backend" / "__init__.py").write_text("raise SystemExit('the wrong backend')", encoding="utf-8")
     return tmp_path

@@ -50,6 +50,10 @@ class Environment:
             command, capture_output=True, text=True, check=False, cwd=self._folder, env=self.variables(**environment)
         )
 
+    def file(self, name: str) -> Path:
+        """A file below its folder."""
+        return self._folder / name
+
     def program(self, name: str) -> str:
         """Where a program is."""
         return str(self._folder / "bin" / name)
@@ -60,6 +64,7 @@ class Environment:
         return {
             **environment,
             "XDG_CACHE_HOME": str(self._folder / "cache"),
+            "XDG_DATA_HOME": str(self._folder / "data-home"),
             "RIDELAB_WORKERS": "1",
             "RIDELAB_BATCH_WORKERS": "1",
             **more,

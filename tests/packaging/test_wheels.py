@@ -136,7 +136,14 @@ def test_the_client_alone_is_small_and_asks_a_service(client: Environment, addre
     assert client.run("python", "-c", script).stdout == "ok\n"
 
 
-@pytest.mark.parametrize("words", ["serve", "backup copy.sqlite", "run --strategy passive"])
+def test_the_demonstration_needs_the_core_alone(server: Environment) -> None:
+    run = server.run("ridelab", "demo")
+    assert (run.returncode, run.stderr) == (0, "ridelab serve opens the laboratory in a browser\n")
+    assert re.search(r"Body acceleration \[m/s\^2\] +0\.8982 \(-85%\) +1\.474 \(-76%\) +6\.19\n", run.stdout)
+    assert run.stdout.count("⠀") > 100, "plots of dots"
+
+
+@pytest.mark.parametrize("words", ["serve", "demo", "backup copy.sqlite", "run --strategy passive"])
 def test_what_needs_the_server_says_what_to_install(client: Environment, words: str) -> None:
     run = client.run("ridelab", *words.split())
     assert (run.returncode, run.stdout) == (3, "")
@@ -175,6 +182,7 @@ def test_the_servers_command_line_starts_its_own_service(server: Environment) ->
     run = server.run("ridelab", "run", "bump_only", "--strategy", "passive")
     assert run.returncode == 0, run.stderr
     assert "\nrun " in run.stdout
+    assert server.file("data-home/ridelab/ridelab.sqlite").exists(), "not in the folder one is in"
     copy = server.run("ridelab", "backup", "copy.sqlite")
     assert copy.stdout.startswith("copy.sqlite: "), copy.stderr
 

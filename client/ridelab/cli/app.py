@@ -25,7 +25,7 @@ from ridelab.cli.reporting import BROKEN_PIPE, InputError, ReportingGroup, aband
 from ridelab.cli.road import road
 from ridelab.cli.robustness import robustness
 from ridelab.cli.run import run as run_
-from ridelab.cli.server import backup, open_, serve, verify
+from ridelab.cli.server import backup, demo, open_, serve, verify
 from ridelab.cli.service import with_services
 from ridelab.cli.solve import solve
 from ridelab.cli.sweep import sweep
@@ -75,6 +75,7 @@ app = typer.Typer(
 )
 COMMANDS = (
     serve,
+    demo,
     run_,
     solve,
     frequency,
@@ -101,7 +102,7 @@ app.add_typer(JOBS, name="jobs")
 app.add_typer(NEW, name="new")
 for group, commands in ((app, COMMANDS), (JOBS, jobs.COMMANDS)):
     for command in commands:
-        own = command if command in (serve, backup, verify, check) else with_services(command)
+        own = command if command in (serve, demo, backup, verify, check) else with_services(command)
         group.command(command.__name__.partition("_")[0], cls=Command)(own)
 
 

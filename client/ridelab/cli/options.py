@@ -40,7 +40,8 @@ def completes(kind: str, end: str = "") -> Callable[[str], list[str]]:
 
 
 _SERVER = "Service to work with; without one a private one is started for as long as the command runs."
-_DATA = "Where the private service keeps its database [default: data]."
+DATA_FOLDER = "./data where there is one, else the system's folder for data"
+_DATA = f"Where the private service keeps its database [default: {DATA_FOLDER}]."
 _TARGET = "File, - for standard input, preset, run id, or address of a result."
 _CHANGE = "Change one field, such as road.bump.height=0.12, or vehicle=NAME|FILE; may be repeated."
 _IDS = "Strategies to run, with commas or repeated."

@@ -1,8 +1,10 @@
-"""`ridelab serve`, `backup`, `verify` and `open`: the installed server, and results in the browser."""
+"""`ridelab serve`, `demo`, `backup`, `verify` and `open`: what is installed here, and results in the browser."""
 
 import contextlib
 import os
 import signal
+import socket
+import subprocess
 import sys
 import webbrowser
 from pathlib import Path
@@ -14,27 +16,61 @@ from ridelab.cli import fields, options, targets
 from ridelab.cli.reporting import note
 from ridelab.cli.service import Services, end_as_server, server_command, server_environment
 
-_WHERE = "Where the database is [default: data]."
+PORT = 8000
+_WHERE = f"Where the database is [default: {options.DATA_FOLDER}]."
+_PORT = "Port to listen on, 0 for a free one [default: 8000, a free one where that is taken]."
 _RESULT = "Scenario, preset, run id, batch id, link, or address of one."
 DatabaseDir = Annotated[Path | None, options.option("DIR", _WHERE, envvar="RIDELAB_DATA_DIR", parser=options.folder)]
 
 
 def serve(
     host: Annotated[str, typer.Option(help="Address to listen on.")] = "127.0.0.1",
-    port: Annotated[int, typer.Option(help="Port to listen on, 0 for a free one.", min=0, max=65535)] = 8000,
+    port: Annotated[int | None, options.option("N", _PORT, min=0, max=65535)] = None,
     data_dir: DatabaseDir = None,
+    open_page: Annotated[
+        bool, typer.Option("--open/--no-open", help="Open the page in the browser, where there is a screen.")
+    ] = True,
     explain_limits: Annotated[
         bool, options.flag("Print what clients may have open at once, and end.", "--explain-limits")
     ] = False,
 ) -> None:
     """Serve the dashboard and the API until Ctrl-C or SIGTERM.
 
-    The same as python -m backend; more settings are RIDELAB_* variables (docs/how-to/operations.md).
+    As python -m backend does, on a free port where 8000 is taken; more settings are RIDELAB_* variables
+    (docs/how-to/operations.md).
     """
-    explain = ["--explain-limits"] * explain_limits
-    command = server_command("--host", host, "--port", str(port), *explain, data_dir=data_dir)
+    flags = ["--say-where"] + ["--explain-limits"] * explain_limits + ["--open"] * (open_page and _has_screen())
+    port = _free_port(host) if port is None else port
+    command = server_command("--host", host, "--port", str(port), *flags, data_dir=data_dir)
     # The service takes this process's place: signals reach it, and what it spawns never passes through this command.
     os.execve(sys.executable, command, server_environment())  # noqa: S606  # no shell is wanted
+
+
+def _has_screen() -> bool:
+    """Whether somebody looks at a terminal of a machine with a screen, whose browser can be opened."""
+    screen = sys.platform in ("darwin", "win32") or any(map(os.environ.get, ("DISPLAY", "WAYLAND_DISPLAY")))
+    return sys.stdout.isatty() and screen
+
+
+def _free_port(host: str) -> int:
+    """The usual port, or 0 for any free one where somebody has it."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    with socket.socket(family) as tried:
+        tried.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            tried.bind((host, PORT))
+        except OSError:
+            return 0
+    return PORT
+
+
+def demo() -> None:
+    """Play the paper's comparison in the terminal: LV control, LQR and the passive car; no service needed."""
+    server_command()  # says how to install the core where it is missing
+    run = subprocess.run([sys.executable, "-P", "-m", "sim_core.demo"], env=server_environment(), check=False)
+    if run.returncode:
+        raise typer.Exit(run.returncode)
+    note("ridelab serve opens the laboratory in a browser")
 
 
 def backup(

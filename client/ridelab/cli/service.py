@@ -34,8 +34,8 @@ def server_command(*arguments: str, data_dir: Path | None = None) -> list[str]:
             "Ridelab's server is not installed here: name a service with --server or RIDELAB_SERVER, or use the "
             "command in a folder of Ridelab's sources (`make setup` there, then .venv/bin/ridelab)"
         )
-    where = [] if data_dir is None else ["--data-dir", str(data_dir)]
-    return [sys.executable, "-P", "-m", "backend", *arguments, *where]
+    where = str(data_dir or default_data_dir())
+    return [sys.executable, "-P", "-m", "backend", *arguments, "--data-dir", where]
 
 
 def server_environment() -> dict[str, str]:
@@ -44,6 +44,20 @@ def server_environment() -> dict[str, str]:
     folder = "" if spec is None or spec.origin is None else str(Path(spec.origin).parents[1])
     paths = [folder, os.environ.get("PYTHONPATH", "")]
     return {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in paths if path)}
+
+
+def default_data_dir() -> Path:
+    """Where the server keeps its data if nobody says it: ./data if that is there, else the system's folder for data."""
+    here = Path("data")
+    if here.is_dir():
+        return here
+    if sys.platform == "win32":
+        folder = Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
+    elif sys.platform == "darwin":
+        folder = Path.home() / "Library" / "Application Support"
+    else:
+        folder = Path(os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share")
+    return folder / "ridelab"
 
 
 def end_as_server(*arguments: str, content: bytes = b"", data_dir: Path | None = None) -> NoReturn:
