@@ -14,11 +14,13 @@ from ridelab.arrays import unpacked
 from ridelab.connection import API, Connection
 from ridelab.errors import RidelabConnectionError
 from ridelab.files import format_of, save
+from ridelab.frames import compared
 from ridelab.jobs import Batch, Job, Tuning
 from ridelab.results import Link, LinkedResult, RunResult, Solution, intervals
 
 if TYPE_CHECKING:
     import numpy as np
+    import pandas as pd
     from numpy.typing import NDArray
 
 Scenario = Any  # its JSON, as a mapping, or a pydantic model such as the core's
@@ -376,6 +378,15 @@ class Ridelab(Connection):
         """Every sample of a recording as CSV, piece by piece; `upload_recording` makes the same one of it anywhere."""
         return self._content(f"/recordings/{_id(recording_id)}", {"format": "csv"})
 
+    def compare(self, a: RunResult | str, b: RunResult | str) -> "pd.DataFrame":
+        """Every metric of two runs as a pandas frame, by strategy and metric: `a`, `b`, `change` [%] and `unit`.
+
+        Raises:
+            ImportError: pandas is not installed.
+        """
+        first, second = (each if isinstance(each, RunResult) else self.get_run(each) for each in (a, b))
+        return compared(first, second)
+
     def differences(
         self, run: RunResult | str, baseline: str | None = None
     ) -> dict[str, dict[str, dict[str, float | None]]]:
@@ -459,7 +470,7 @@ class Ridelab(Connection):
 
     def _run(self, answer: Any) -> RunResult:
         try:
-            return RunResult.of(answer, lambda: self.units)
+            return RunResult.of(answer, self)
         except (KeyError, TypeError, AttributeError):
             raise RidelabConnectionError(f"{self.address} does not answer as Ridelab does") from None
 

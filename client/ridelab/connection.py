@@ -45,6 +45,10 @@ class Connection:
     def __exit__(self, *_: object) -> None:
         self.close()
 
+    def __reduce__(self) -> tuple[type[Self], tuple[str]]:
+        """Pickled as its address alone: whoever unpickles it has a login of their own, perhaps in RIDELAB_TOKEN."""
+        return type(self), (self.address,)
+
     def close(self) -> None:
         """Close the connections."""
         self._client.close()

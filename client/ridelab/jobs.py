@@ -7,8 +7,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
+from ridelab.connection import Connection
 from ridelab.errors import JobEndedError, JobTimeoutError, RidelabAPIError, RidelabConnectionError
 from ridelab.files import format_of, save
+from ridelab.frames import needed
 from ridelab.http import Http
 from ridelab.streams import Event, json_rows, server_sent
 
@@ -31,6 +33,11 @@ def _count(key: str, doc: str) -> Any:
     return property(lambda job: job.counts[key], doc=doc)
 
 
+def _again(kind: "type[Job]", address: str, answer: Mapping[str, Any]) -> "Job":
+    """A job that was pickled."""
+    return kind(Connection(address)._http, answer)
+
+
 class Job:
     """A job in its last known state; `answer` is the JSON as the service sent it."""
 
@@ -50,6 +57,16 @@ class Job:
         self._http = http
         self.answer = dict(answer)
         self._last_event = ""
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickled with its service's address, without a login."""
+        return _again, (type(self), self._http.address, self.answer)
+
+    def __len__(self) -> int:
+        return self.total
+
+    def __bool__(self) -> bool:
+        return True
 
     @property
     def finished(self) -> bool:
@@ -198,13 +215,10 @@ class Batch(Job):
         Raises:
             ImportError: pandas is not installed.
         """
-        try:
-            import pandas as pd
-        except ImportError:
-            raise ImportError("A frame needs pandas: pip install pandas") from None
-        frame = pd.read_csv(io.BytesIO(b"".join(self.content("csv"))))
+        pandas = needed("pandas", "A frame")
+        frame: pd.DataFrame = pandas.read_csv(io.BytesIO(b"".join(self.content("csv"))))
         heads = [head.removesuffix("]").partition(" [") for head in map(str, frame.columns)]
-        frame.columns = pd.Index([name for name, _, _ in heads])
+        frame.columns = pandas.Index([name for name, _, _ in heads])
         frame.attrs["units"] = {name: unit or "1" for name, _, unit in heads}
         return frame
 

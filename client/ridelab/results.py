@@ -1,12 +1,19 @@
 """What a service answers, typed. Values are in SI units, speeds that people type in km/h; `units` names each."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal, Self, TypedDict
+from typing import TYPE_CHECKING, Any, Literal, Self, TypedDict
 
+from ridelab import frames
 from ridelab.jobs import Batch
 from ridelab.requirements import RequirementResult
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import plotly.graph_objects as go
+
+    from ridelab.client import Ridelab
 
 Figure = float | bool | None
 _AVERAGED = {"metrics", "comfort"}
@@ -138,6 +145,7 @@ class RunResult:
             baseline [%]; None against a zero. Empty for a run of one road.
         requirement_results: How the strategies keep the requirements that it was asked for with.
         answer: The JSON as the service sent it.
+        service: Where it is from; None of a file's.
     """
 
     id: str
@@ -149,11 +157,11 @@ class RunResult:
     changes: Mapping[str, Any] = field(default_factory=dict, repr=False)
     requirement_results: Sequence[RequirementResult] = ()
     answer: dict[str, Any] = field(repr=False)
-    catalogue_units: Callable[[], dict[str, str]] = field(default=dict, repr=False, compare=False)
+    service: "Ridelab | None" = field(default=None, repr=False, compare=False)
 
     @classmethod
-    def of(cls, answer: Mapping[str, Any], catalogue_units: Callable[[], dict[str, str]] = dict) -> Self:
-        """The run in an answer, or in a file that holds one.
+    def of(cls, answer: Mapping[str, Any], service: "Ridelab | None" = None) -> Self:
+        """The run in an answer of a service, or in a file that holds one.
 
         Raises:
             KeyError: It is no run.
@@ -168,14 +176,42 @@ class RunResult:
             changes=intervals(answer.get("changes", {})),
             requirement_results=[RequirementResult.of(each) for each in answer.get("requirement_results", ())],
             answer=dict(answer),
-            catalogue_units=catalogue_units,
+            service=service,
         )
 
     @property
     def units(self) -> dict[str, str]:
         """Unit of each metric by its flat name, `1` for none: those saved with it, else the service's."""
         saved: dict[str, str] | None = self.answer.get("units")
-        return self.catalogue_units() if saved is None else saved
+        if saved is not None:
+            return saved
+        return {} if self.service is None else self.service.units
+
+    def frame(self) -> "pd.DataFrame":
+        """Its metrics as a pandas frame: a row a strategy, columns as a batch's; over several roads the means.
+
+        `frame.attrs["units"]` has the unit of each metric.
+
+        Raises:
+            ImportError: pandas is not installed.
+        """
+        rows = [{"strategy": outcome.strategy, "status": outcome.status, **outcome.figures()} for outcome in self]
+        return frames.frame_of(rows, ["strategy"], self.units)
+
+    def plot(self, signal: str = "body_acceleration", *, x: Literal["position", "time"] = "position") -> "go.Figure":
+        """A signal of all its strategies as a plotly figure, in the units, colours and dashes of the page.
+
+        Args:
+            signal: As the catalogue names it, or `road`.
+            x: What is on the x axis.
+
+        Raises:
+            ImportError: plotly is not installed.
+            ValueError: The run is from a file: no service is asked for its time histories.
+        """
+        if self.service is None:
+            raise ValueError("This run is from a file: get_run(run.id) of a Ridelab has the one that can be drawn")
+        return frames.figure_of(self.service.get(f"/runs/{self.id}/figures/{signal}", {"x": x}))
 
     def __repr__(self) -> str:
         ended = ", ".join(f"{outcome.strategy} {outcome.status}" for outcome in self)
@@ -183,6 +219,9 @@ class RunResult:
 
     def __getitem__(self, strategy: str) -> Outcome:
         return self.strategies[strategy]
+
+    def __len__(self) -> int:
+        return len(self.strategies)
 
     def __iter__(self) -> Iterator[Outcome]:
         return iter(self.strategies.values())
