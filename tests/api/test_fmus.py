@@ -1,4 +1,4 @@
-"""FMUs over HTTP; tests/validation/test_fmu.py holds what is inside to our own runs."""
+"""FMUs over HTTP; tests/unit/test_fmu.py holds what is inside to our own runs."""
 
 import io
 import zipfile
