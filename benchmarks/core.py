@@ -13,6 +13,7 @@ from benchmarks.timing import fresh_process, median_ms, peak_memory_mb, table
 from sim_core import Controller, load_controllers
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.frequency.responses import frequency_response
+from sim_core.instant import instant
 from sim_core.scenario import Scenario
 from sim_core.scenario.presets import preset
 from sim_core.simulate import simulate
@@ -174,6 +175,22 @@ def _frequencies() -> None:
     print(f"\nFrequency responses, modes and margins of {', '.join(TOGETHER)}: {time:.0f} ms (goal: under 30)")
 
 
+def _instants() -> None:
+    """Instants of a driven run under a moving cursor, in processor time: what ten of them a second take of a core."""
+    bump = PAPER.road.bump.start
+    rows: list[list[str | float]] = []
+    for name in TOGETHER:
+        instant(PAPER, name, position=bump)
+        spent = []
+        for place in range(101):
+            begin = process_time()
+            instant(PAPER, name, position=bump - 5 + place / 10)
+            spent.append(1000 * (process_time() - begin))
+        rows.append([name, median(spent), max(spent), median(spent)])
+    table("Instants under a moving cursor", ["", "ms an instant", "slowest", "% of a core at ten a second"], rows)
+    print("  the answer of the service takes about as long again (goal: ten a second for each viewer)")
+
+
 def run() -> None:
     """All of it."""
     print(f"The core's imports take {peak_memory_mb():.0f} MB")
@@ -183,5 +200,6 @@ def run() -> None:
     over_roads()
     by_linearity()
     _frequencies()
+    _instants()
     print(f"\nPeak memory: {peak_memory_mb():.0f} MB")
     own_lqr()

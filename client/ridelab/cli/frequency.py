@@ -12,7 +12,10 @@ from ridelab.cli.tables import show_table
 
 _STAGES = ("cruise", "brake", "bump")
 _STAGE = "Driving stage whose weights hold: cruise, brake or bump."
-_SIGNAL = "weighted_body_acceleration"
+_WEIGHTED = "weighted_body_acceleration"
+_SIGNAL = (
+    "Whose RMS in each band: both accelerations, tyre loads and deflections by key; weighted is by ISO 2631-1's Wk."
+)
 
 
 def frequency(
@@ -21,6 +24,7 @@ def frequency(
     changes: options.Changes = None,
     strategy: options.Strategies = None,
     stage: Annotated[str, options.option("STAGE", _STAGE)] = "cruise",
+    signal: Annotated[str, options.option("KEY", _SIGNAL)] = _WEIGHTED,
     as_json: options.AsJson = False,
 ) -> None:
     """Show responses to the road by frequency, modes and stability margins of strategies in one driving stage.
@@ -37,12 +41,17 @@ def frequency(
         print_json(answer)
         return
     results = {services.names.label(name): answer["strategies"][name] for name in names}
-    typer.echo(f"Stage {stage}, while no limit binds; body acceleration as ISO 2631-1 weighs it, against passive\n")
+    of_bands = {label: each["bands"] for label, each in results.items() if each["bands"] is not None}
+    if of_bands and signal not in (keys := next(iter(of_bands.values()))):
+        raise InputError(f"--signal is one of {', '.join(keys)}")
+    weighted = signal == _WEIGHTED
+    words = "body acceleration as ISO 2631-1 weighs it" if weighted else services.names.signal(signal)
+    typer.echo(f"Stage {stage}, while no limit binds; {words}, against passive\n")
     heads = [f"{low:g}-{high:g} Hz" for low, high in answer["bands"]]
     passive = answer["strategies"]["passive"]["bands"] if "passive" in answer["strategies"] else None
-    rows = [[label, *_bands(each["bands"], passive)] for label, each in results.items() if each["bands"] is not None]
+    rows = [[label, *_bands(each, passive, signal)] for label, each in of_bands.items()]
     if rows:
-        show_table(["RMS [m/s^2]", *heads], rows)
+        show_table(["RMS [m/s^2]" if weighted else "RMS", *heads], rows)
         typer.echo()
     judged = [[label, *_margins(each)] for label, each in results.items() if each["modes"] is not None]
     if judged:
@@ -54,9 +63,9 @@ def frequency(
             typer.echo(f"{label}  {each['reason']}")
 
 
-def _bands(bands: dict[str, list[float]], passive: dict[str, list[float]] | None) -> list[str]:
-    values = bands[_SIGNAL]
-    base = passive[_SIGNAL] if passive is not None and passive is not bands else [0.0] * len(values)
+def _bands(bands: dict[str, list[float]], passive: dict[str, list[float]] | None, signal: str) -> list[str]:
+    values = bands[signal]
+    base = passive[signal] if passive is not None and passive is not bands else [0.0] * len(values)
     return [
         f"{value:.3g}{f' ({100 * (value / reference - 1):+.0f} %)' if reference else ''}"
         for value, reference in zip(values, base, strict=True)
