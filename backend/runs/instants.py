@@ -7,15 +7,19 @@ from pydantic import Field
 
 from backend.compute.workers import Workers
 from backend.cost.estimate import check_affordable, cost_of
+from backend.digest import result_key
 from backend.errors import GoneError, InvalidError
 from backend.gate import Gate
 from backend.models import Answer
+from backend.outcome import Outcome
 from backend.own import isolated
 from backend.runs.histories import Histories
 from backend.store import StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.instant import Instant, instant
 from sim_core.scenario import Scenario
+from sim_core.scenario.recorded import recording_id
+from sim_core.strategies import STRATEGIES, strategies
 
 Two = list[float]
 
@@ -97,9 +101,9 @@ class Instants:
 
         Raises:
             InvalidError: The run has no such strategy, or the place is not on its drive.
-            GoneError: Another core version computed the run, or its road is gone.
+            GoneError: Another core version or another law computed the run, or its road is gone.
         """
-        drives = {item.strategy: item.summary for item in stored.shown}
+        drives = {item.strategy: item for item in stored.shown if recording_id(item.strategy) is None}
         if strategy is None and len(drives) == 1:
             (strategy,) = drives
         if strategy not in drives:
@@ -108,20 +112,29 @@ class Instants:
         if (position is None) == (time is None):
             raise InvalidError("Give a position or a time", parameter="position" if time is None else "time")
         scenario = Scenario.model_validate(stored.scenario)
-        end, name = (scenario.road.length, "position") if time is None else (drives[strategy]["travel_time"], "time")
-        if not 0 <= (position if time is None else time) <= end:  # type: ignore[operator]  # one of both is given
-            raise InvalidError(f"The drive goes from 0 to {end:g} {'m' if time is None else 's'}", parameter=name)
+        name, unit, at, end = "position", "m", position, scenario.road.length
+        if time is not None:
+            name, unit, at, end = "time", "s", time, drives[strategy].summary["travel_time"]
+        if at is None or not 0 <= at <= end:
+            raise InvalidError(f"The drive goes from 0 to {end:g} {unit}", parameter=name)
         if stored.core_version != CORE_VERSION:
             raise GoneError(
                 f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: its "
                 "instants cannot be made again. Post its scenario to run it on this version."
             )
+        if strategy not in STRATEGIES and not _is_same(scenario, drives[strategy]):
+            raise GoneError("The law of this run has changed or is gone: post the scenario to run it as it is now.")
         scenario = await self._histories.on_its_road(scenario)
         cost = cost_of(scenario, [strategy])
         with self._gate.computing(client, cost):
             return await self._workers.call(
                 instant_answer, scenario, strategy, position, time, client=client, cost=cost
             )
+
+
+def _is_same(scenario: Scenario, item: Outcome) -> bool:
+    """Whether a controller of one's own is the one that was driven."""
+    return item.strategy in strategies() and result_key(scenario, item.strategy) == item.key
 
 
 def instant_answer(scenario: Scenario, strategy: str, position: float | None, time: float | None) -> InstantAnswer:

@@ -133,6 +133,19 @@ def test_a_law_of_ones_own_that_is_linear_leaves_as_an_fmu(service: Service, fol
     assert "its forces follow no linear law" in refused.json()["detail"]
 
 
+def test_its_instants_are_the_laws_that_was_driven(service: Service, folder: Path) -> None:
+    (folder / "mine.py").write_text(LAW)
+    run = service.run(["mine"], SCENARIO).json()
+    address = f"/api/v1/runs/{run['id']}/instant?position=90.3"
+    at = service.client.get(address).json()
+    assert at["forces"]["asked"] == pytest.approx([-2000.0 * at["state"][4]] * 2, rel=1e-9)
+    assert at["predicted_states"] is at["parts"] is None
+    (folder / "mine.py").write_text(LAW.replace("2000.0", "4000.0"))
+    own(service)
+    gone = service.client.get(address)
+    assert (gone.status_code, "has changed" in gone.json()["detail"]) == (410, True)
+
+
 CRASHES = """
 import os
 from pythonfmu import Fmi2Causality, Fmi2Slave, Real

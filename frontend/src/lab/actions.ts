@@ -18,6 +18,12 @@ const DECLARED = {
   undo: { label: "Undo", keys: ["mod+Z"] },
   redo: { label: "Redo", keys: ["mod+shift+Z", "mod+Y"] },
   play: { label: "Play the car, or pause it", keys: ["Space"] },
+  instant: {
+    label: "Why this force, here? What the controller saw and planned",
+    short: "Why this force?",
+    keys: ["W"],
+  },
+  frequencies: { label: "Frequencies: responses, modes and margins" },
   library: { label: "Library: save, open, import and export", short: "Library", keys: ["mod+S"] },
   saveVehicle: { label: "Save the vehicle in the library" },
   paper: { label: "Open the paper’s scenario" },

@@ -18,6 +18,14 @@ export interface View {
   readonly reference: Reference;
   /** Plots show differences to what changes are against. */
   readonly differences: boolean;
+  /** Whose controller is looked at, and where; `null` while none is. */
+  readonly instant: InstantPlace | null;
+}
+
+export interface InstantPlace {
+  readonly strategy: StrategyId;
+  /** Of the front axle [m]. */
+  readonly position: number;
 }
 
 export interface Address {
@@ -36,6 +44,7 @@ export const DEFAULT_VIEW: View = {
   zoom: null,
   reference: "baseline",
   differences: false,
+  instant: null,
 };
 
 type Raw = Readonly<Record<string, unknown>>;
@@ -57,13 +66,21 @@ export const pick = <Name extends string>(search: Raw, ...names: readonly Name[]
     names.flatMap((name) => (typeof search[name] === "string" && search[name] !== "" ? [[name, search[name]]] : [])),
   ) as Partial<Record<Name, string>>;
 
-export type LabSearch = Partial<Record<"axis" | "baseline" | "hide" | "zoom" | "against" | "plots" | "from", string>>;
+export type LabSearch = Partial<
+  Record<"axis" | "baseline" | "hide" | "zoom" | "against" | "plots" | "instant" | "from", string>
+>;
 
 function parseZoom(text: string | undefined): ViewZoom {
   if (text === "whole") return text;
   const match = /^(-?[\d.]+)~(-?[\d.]+)$/.exec(text ?? "");
   const [low, high] = [Number(match?.[1]), Number(match?.[2])];
   return Number.isFinite(low) && Number.isFinite(high) && low < high ? [low, high] : null;
+}
+
+function parseInstant(text: string | undefined): InstantPlace | null {
+  const match = /^(\w+)~([\d.]+)$/.exec(text ?? "");
+  const [strategy, position] = [match?.[1], Number(match?.[2])];
+  return strategy !== undefined && Number.isFinite(position) ? { strategy, position } : null;
 }
 
 export const listOf = (text: string | undefined): readonly string[] => text?.split(",").filter(Boolean) ?? [];
@@ -74,28 +91,30 @@ const RUN = /^[\w-]{22}$/;
 const parseReference = (text = ""): Reference =>
   text === "before" ? text : RUN.test(text) ? pinReference(text) : "baseline";
 
-export const viewOf = ({ axis, baseline, hide, zoom, against, plots }: LabSearch): View => ({
+export const viewOf = ({ axis, baseline, hide, zoom, against, plots, instant }: LabSearch): View => ({
   axis: axis === "time" ? "time" : "distance",
   baseline: baseline ?? DEFAULT_VIEW.baseline,
   hidden: listOf(hide),
   zoom: parseZoom(zoom),
   reference: parseReference(against),
   differences: plots === "differences",
+  instant: parseInstant(instant),
 });
 
 /** Only what is not as usual. */
-export const searchOf = ({ axis, baseline, hidden, zoom, reference, differences }: View): LabSearch => ({
+export const searchOf = ({ axis, baseline, hidden, zoom, reference, differences, instant }: View): LabSearch => ({
   ...(axis !== DEFAULT_VIEW.axis && { axis }),
   ...(baseline !== DEFAULT_VIEW.baseline && { baseline }),
   ...(hidden.length > 0 && { hide: hidden.join(",") }),
   ...(zoom && { zoom: zoom === "whole" ? zoom : zoom.map((value) => String(Number(value.toFixed(3)))).join("~") }),
   ...(reference !== "baseline" && { against: pinnedRunId(reference) ?? reference }),
   ...(differences && { plots: "differences" }),
+  ...(instant && { instant: `${instant.strategy}~${String(Number(instant.position.toFixed(2)))}` }),
 });
 
 /** Any lab's search part without what makes no sense. */
 export function readLabSearch(raw: Raw): LabSearch {
-  const { from, ...view } = pick(raw, "axis", "baseline", "hide", "zoom", "against", "plots", "from");
+  const { from, ...view } = pick(raw, "axis", "baseline", "hide", "zoom", "against", "plots", "instant", "from");
   return { ...searchOf(viewOf(view)), ...(from !== undefined && PAGE_WITH_RUNS.test(from) && { from }) };
 }
 

@@ -73,7 +73,7 @@ export function storeSession(lab: Pick<Lab, "get" | "subscribe">, router: Pick<L
       scenario,
       strategies,
       roads,
-      search: stringifySearch(searchOf({ ...view, hidden: [] })),
+      search: stringifySearch(searchOf({ ...view, hidden: [], instant: null })),
     };
     writeStored(NAME, session);
   };

@@ -27,6 +27,7 @@ export function readSharedView({ view, run }: Pick<Link, "view" | "run">): ReadV
       zoom: readZoom(view.zoom),
       reference: view.reference ? pinReference(view.reference) : "baseline",
       differences: view.differences ?? false,
+      instant: null,
     },
     strategies,
     at: view.cursor ?? null,

@@ -32,8 +32,11 @@ describe("the address", () => {
       zoom: [98.5, 112],
       reference: "before",
       differences: true,
+      instant: { strategy: "lv", position: 100.25 },
     } as const;
-    expect(there(view)).toBe("?axis=time&baseline=lqr&hide=passive,lv&zoom=98.5~112&against=before&plots=differences");
+    expect(there(view)).toBe(
+      "?axis=time&baseline=lqr&hide=passive,lv&zoom=98.5~112&against=before&plots=differences&instant=lv~100.25",
+    );
     expect(back(there(view))).toEqual(view);
     const pinned = { ...DEFAULT_VIEW, reference: pinReference("9l2MI3odkPqmWr5qapN1vZ") };
     expect(there(pinned)).toBe("?against=9l2MI3odkPqmWr5qapN1vZ");
@@ -41,6 +44,6 @@ describe("the address", () => {
   });
 
   it("ignores what makes no sense", () => {
-    expect(back("?axis=up&zoom=9~3&hide=,&baseline=&against=lv&plots=all")).toEqual(DEFAULT_VIEW);
+    expect(back("?axis=up&zoom=9~3&hide=,&baseline=&against=lv&plots=all&instant=lv")).toEqual(DEFAULT_VIEW);
   });
 });

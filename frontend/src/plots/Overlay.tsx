@@ -1,7 +1,9 @@
 /** Pointer, cursor line and zoom brush over one panel. The lines move without React: they follow every frame. */
 
 import { useEffect, useRef, type PointerEvent } from "react";
+import { runAction } from "../lab/actions";
 import { cursor } from "../lab/cursor";
+import { createTimer } from "../lib/timer";
 import type { Axis, Zoom } from "../lab/address";
 import { MARGIN } from "./figure";
 import classes from "./plots.module.css";
@@ -77,17 +79,30 @@ export function Overlay({ axis, range, onZoom }: Props) {
       onPointerUp={() => {
         const stretch = brush.get();
         brush.set(null);
-        if (!stretch || widthOf(stretch) < LEAST_DRAG_PX) return;
+        if (!stretch) return;
+        if (widthOf(stretch) < LEAST_DRAG_PX) {
+          click.start();
+          return;
+        }
         onZoom([Math.min(stretch.from, stretch.to), Math.max(stretch.from, stretch.to)]);
       }}
       onPointerCancel={() => brush.set(null)}
-      onDoubleClick={() => onZoom(null)}
+      onDoubleClick={() => {
+        click.stop();
+        onZoom(null);
+      }}
     >
       <div ref={band} className={classes.brush} />
       <div ref={line} className={classes.cursor} />
     </div>
   );
 }
+
+/** A second click within this makes it a double click [ms]. */
+const DOUBLE_CLICK_MS = 250;
+
+/** One click looks at the instant under the cursor. */
+const click = createTimer(DOUBLE_CLICK_MS, () => runAction("instant"));
 
 /** The stretch being drawn with the pointer to zoom into; all panels show it. */
 interface Brush {

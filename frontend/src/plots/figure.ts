@@ -4,6 +4,7 @@ import { stepAbove, stepBelow } from "../lib/steps";
 import { maximumOf, minimumOf } from "../api/decode";
 import type { Axis, Zoom } from "../lab/address";
 import type { FigureInput, Layer } from "./curves";
+import type { Palette } from "./palettes";
 import type { PanelFigure, PlotTrace } from "./plotly";
 import { covering, extent, type Numbers } from "../lib/samples";
 import { airborneShapes, referenceShapes, referenceValues, stageShapes, type Shape } from "./shapes";
@@ -103,7 +104,7 @@ function wholeSpan({ template, series, strategies }: FigureInput): number {
 
 const NOTHING = new Float32Array();
 
-function verticalRange(
+export function verticalRange(
   data: readonly PlotTrace[],
   references: readonly number[],
   whole: number,
@@ -134,7 +135,7 @@ function rounded(low: number, high: number): readonly [number, number] {
 
 const [X_TICKS, Y_TICKS] = [8, 6];
 
-function marked(range: Zoom, most: number, suffix = "") {
+export function marked(range: Zoom, most: number, suffix = "") {
   const { values, texts } = ticksFor(range, most, suffix);
   return { range, tickvals: values, ticktext: texts };
 }
@@ -152,6 +153,18 @@ export function buildFigure(input: FigureInput): PanelFigure {
   const used = ids.flatMap((id) => summaries[id] ?? []);
   const shapes: readonly Shape[] = [...stageShapes(input), ...airborneShapes(input), ...referenceShapes(meta, used)];
   const vertical = verticalRange(data, referenceValues(meta, used), wholeSpan(input), meta.least_span);
+  const xaxis = marked(range, X_TICKS, ` ${axisUnit(axis)}`);
+  return { data, layout: panelLayout(palette, xaxis, marked(vertical, input.yTicks ?? Y_TICKS), shapes) };
+}
+
+type Marked = ReturnType<typeof marked>;
+
+export function panelLayout(
+  palette: Palette,
+  xaxis: Marked,
+  yaxis: Marked,
+  shapes: readonly Shape[],
+): PanelFigure["layout"] {
   const axisStyle = {
     color: palette.text,
     gridcolor: palette.grid,
@@ -160,19 +173,16 @@ export function buildFigure(input: FigureInput): PanelFigure {
     tickmode: "array",
   };
   return {
-    data,
-    layout: {
-      font: { family: "inherit", color: palette.text },
-      margin: MARGIN,
-      paper_bgcolor: "rgba(0,0,0,0)",
-      plot_bgcolor: "rgba(0,0,0,0)",
-      showlegend: false,
-      hovermode: false,
-      dragmode: false,
-      xaxis: { ...axisStyle, ...marked(range, X_TICKS, ` ${axisUnit(axis)}`), zeroline: false },
-      yaxis: { ...axisStyle, ...marked(vertical, input.yTicks ?? Y_TICKS), zeroline: true },
-      shapes,
-    },
+    font: { family: "inherit", color: palette.text },
+    margin: MARGIN,
+    paper_bgcolor: "rgba(0,0,0,0)",
+    plot_bgcolor: "rgba(0,0,0,0)",
+    showlegend: false,
+    hovermode: false,
+    dragmode: false,
+    xaxis: { ...axisStyle, ...xaxis, zeroline: false },
+    yaxis: { ...axisStyle, ...yaxis, zeroline: true },
+    shapes,
   };
 }
 

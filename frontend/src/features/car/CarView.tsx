@@ -1,12 +1,12 @@
 /** The moving car: one or two strategies on their road, driven by the shared cursor, with playback. */
 
-import { ActionIcon, NativeSelect, Tooltip, Group, Popover, Stack } from "@mantine/core";
+import { ActionIcon, Button, NativeSelect, Tooltip, Group, Popover, Stack } from "@mantine/core";
 import { useElementSize, useMediaQuery } from "@mantine/hooks";
 import { useEffect, useEffectEvent, useState, type ReactNode } from "react";
 import { IconPlayerPauseFilled, IconPlayerPlayFilled, IconAdjustmentsHorizontal } from "../../ui/icons";
 import type { StrategyId } from "../../api/types";
 import { axisUnit } from "../../plots/figure";
-import { runAction, useAction } from "../../lab/actions";
+import { runAction, useAction, useActionButton } from "../../lab/actions";
 import { cursor, useCursor } from "../../lab/cursor";
 import type { ResultView } from "../../lab/resultView";
 import classes from "./car.module.css";
@@ -107,8 +107,19 @@ export function CarView({ resultView }: { readonly resultView: ResultView }) {
             onChange={(event) => setSecond(event.currentTarget.value)}
           />
         </Options>
+        <WhyButton />
       </div>
     </Card>
+  );
+}
+
+/** What the controller saw and planned at the cursor. */
+function WhyButton() {
+  const { label, ...button } = useActionButton("instant");
+  return (
+    <Button variant="default" {...button}>
+      {label}
+    </Button>
   );
 }
 

@@ -10,7 +10,7 @@ import { LazyPart } from "../../ui/LazyPart";
 import { Blank, CouldNotLoad } from "../../ui/Blank";
 import classes from "../../ui/shell.module.css";
 import plots from "../../plots/plots.module.css";
-import { CarView, ChangeChips, StageLegend, Tables, VerdictLine } from "./afterCurves";
+import { CarView, ChangeChips, FrequencyPart, InstantPart, StageLegend, Tables, VerdictLine } from "./afterCurves";
 import { getAt } from "../../scenario/path";
 import { useCurves } from "../../plots/useDetail";
 
@@ -51,6 +51,9 @@ export function Results({ strategies, catalogue, figures, resultView }: Props) {
         <ChangeChips resultView={resultView} catalogue={catalogue} />
       </LazyPart>
       <RoadsNote resultView={resultView} />
+      <LazyPart>
+        <InstantPart resultView={resultView} />
+      </LazyPart>
       {resultView.shown.missing === null ? (
         <Histories resultView={resultView} catalogue={catalogue} figures={figures} />
       ) : (
@@ -95,6 +98,9 @@ function Histories({ resultView, catalogue, figures }: HistoriesProps) {
         />
       </LazyPart>
       <PlotGrid templates={Object.values(others).filter((template) => !isRide(template))} resultView={resultView} />
+      <LazyPart>
+        <FrequencyPart {...{ resultView, catalogue }} />
+      </LazyPart>
     </>
   );
 }

@@ -2,6 +2,8 @@
 
 import "../../ui/mantine.css";
 
+export { FrequencyPart } from "../../features/frequency/FrequencyPart";
+export { InstantPart } from "../../features/instant/InstantPart";
 export { CarView } from "../../features/car/CarView";
 export { DropFiles } from "../../features/library/OpenFiles";
 export { SharedBanner } from "../../features/share/SharedBanner";

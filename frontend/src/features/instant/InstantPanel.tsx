@@ -1,0 +1,215 @@
+/** Why this force, here: what the controller saw and planned at the cursor, its limits with their price, its cost. */
+
+import { CloseButton, Group, NativeSelect, Text, useComputedColorScheme } from "@mantine/core";
+import { useEffect, useEffectEvent } from "react";
+import type { InstantAnswer, StrategyId } from "../../api/types";
+import type { InstantPlace } from "../../lab/address";
+import { useLabContext } from "../../lab/context";
+import { cursor } from "../../lab/cursor";
+import type { ResultView } from "../../lab/resultView";
+import { PALETTES } from "../../plots/palettes";
+import { Surface } from "../../plots/Surface";
+import { Card } from "../../ui/Card";
+import { DataTable } from "../../ui/DataTable";
+import { Fault } from "../../ui/Fault";
+import { IconCheck, IconLink } from "../../ui/icons";
+import { IconButton } from "../../ui/IconButton";
+import { LineKey } from "../../ui/StrategyKey";
+import { useCopied } from "../../ui/useCopied";
+import { formatFixed, formatResult } from "../../units/format";
+import { horizonFigures, REAR_DASH } from "./horizon";
+import classes from "./instant.module.css";
+import { useInstant } from "./useInstant";
+import { limitName, termName } from "./words";
+
+interface Props {
+  readonly resultView: ResultView;
+  readonly strategy: StrategyId;
+  readonly placeAt: (x: number) => InstantPlace | null;
+}
+
+export function InstantPanel({ resultView, strategy, placeAt }: Props) {
+  const { labAddress } = useLabContext();
+  const { shown, axis, strategies } = resultView;
+  const { answer, fault } = useInstant(shown.runId, strategy, axis);
+  const close = () => labAddress.setView({ instant: null });
+  const closeByKey = useEffectEvent((event: KeyboardEvent) => {
+    if (event.key === "Escape" && !event.defaultPrevented) close();
+  });
+  useEffect(() => {
+    const listen = (event: KeyboardEvent) => closeByKey(event);
+    document.addEventListener("keydown", listen);
+    return () => document.removeEventListener("keydown", listen);
+  }, []);
+  const drawn = strategies.find(({ id }) => id === strategy);
+  return (
+    <Card className={classes.panel ?? ""} aria-label="Why this force?" data-testid="instant">
+      <Group component="header" gap="0.4rem" wrap="nowrap" className={classes.head ?? ""}>
+        <h2 className={classes.title}>Why this force?</h2>
+        <NativeSelect
+          aria-label="Whose controller"
+          size="xs"
+          value={strategy}
+          data={strategies.map(({ id, label }) => ({ value: id, label }))}
+          onChange={({ currentTarget: { value } }) => {
+            const place = placeAt(cursor.get(axis) ?? 0);
+            if (place) labAddress.setView({ instant: { ...place, strategy: value } });
+          }}
+        />
+        <CopyLink place={() => placeAt(cursor.get(axis) ?? 0)} />
+        <CloseButton aria-label="Close" onClick={close} />
+      </Group>
+      {fault !== null && <Fault className={classes.note ?? ""}>{fault}</Fault>}
+      {shown.runId === null && <Text size="xs">While a value is dragged this is the instant before.</Text>}
+      {answer && drawn && <Seen answer={answer} colour={drawn.colour} seed={shown.over !== null} />}
+    </Card>
+  );
+}
+
+/** Copies the page's address with the instant under the cursor in it. */
+function CopyLink({ place }: { readonly place: () => InstantPlace | null }) {
+  const { labAddress } = useLabContext();
+  const { copied, copy } = useCopied();
+  return (
+    <IconButton
+      label={copied ? "Copied" : "Copy a link to this instant"}
+      onClick={() => {
+        labAddress.setView({ instant: place() });
+        copy(window.location.href);
+      }}
+    >
+      {copied ? <IconCheck size={16} /> : <IconLink size={16} />}
+    </IconButton>
+  );
+}
+
+interface SeenProps {
+  readonly answer: InstantAnswer;
+  readonly colour: string;
+  /** It is of the first of several roads. */
+  readonly seed: boolean;
+}
+
+function Seen({ answer, colour, seed }: SeenProps) {
+  const palette = PALETTES[useComputedColorScheme("light")];
+  const { position, time, speed, stage, why } = answer;
+  const place = `${formatFixed(position, 2)} m, ${formatFixed(time, 2)} s, ${formatFixed(3.6 * speed, 1)} km/h, stage ${stage}`;
+  return (
+    <div className={classes.body}>
+      <Text size="xs" c="dimmed" data-testid="instant-place">
+        {place}
+        {seed && ", first road"}
+      </Text>
+      <p className={classes.why} data-testid="why">
+        {why.replace(/-(?=\d)/g, "−")}
+      </p>
+      <Group gap="0.9rem" fz="xs">
+        <span className={classes.key}>
+          <LineKey colour={colour} /> front
+        </span>
+        <span className={classes.key}>
+          <LineKey colour={colour} dash={REAR_DASH} /> rear
+        </span>
+      </Group>
+      {horizonFigures(answer, colour, palette).map(({ title, unit, figure }) => (
+        <figure key={title} className={classes.figure}>
+          <figcaption>
+            {title} <span>[{unit}]</span>
+          </figcaption>
+          <div role="img" aria-label={`${title} in ${unit} over the horizon`} className={classes.canvas}>
+            <Surface figure={figure} live={false} />
+          </div>
+        </figure>
+      ))}
+      <Forces answer={answer} />
+      <Limits answer={answer} />
+      <Cost answer={answer} />
+    </div>
+  );
+}
+
+const newtons = (force: number | undefined) => (force === undefined ? "–" : formatFixed(force, 0));
+
+/** What was asked for, told and acts; of a law without a plan what each part of its input adds. */
+function Forces({ answer: { forces, parts, cost } }: { readonly answer: InstantAnswer }) {
+  const rows = [
+    ...(forces.asked ? [["Asked for", forces.asked] as const] : []),
+    ["Commanded", forces.command] as const,
+    ["Before", forces.previous] as const,
+    ["Acts", forces.acting] as const,
+    ...(cost === null && parts
+      ? Object.entries(parts).map(([name, part]) => [`of it: ${termName(name).toLowerCase()}`, part] as const)
+      : []),
+  ];
+  return (
+    <DataTable
+      label="Forces"
+      rows={rows}
+      rowKey={([name]) => name}
+      columns={[
+        { key: "name", head: "Force", detail: "N", text: true, cell: ([name]) => name },
+        { key: "front", head: "front", cell: ([, [front]]) => newtons(front) },
+        { key: "rear", head: "rear", cell: ([, [, rear]]) => newtons(rear) },
+      ]}
+    />
+  );
+}
+
+type Limit = InstantAnswer["limits"][number];
+
+const price = ({ multiplier, unit }: Limit) =>
+  multiplier === null ? "–" : multiplier === 0 ? "0" : `${formatResult(multiplier, 2)} /${unit}`;
+
+function Limits({ answer: { limits } }: { readonly answer: InstantAnswer }) {
+  if (limits.length === 0) return null;
+  return (
+    <DataTable
+      label="Limits"
+      rows={limits}
+      rowKey={({ name }) => name}
+      rowAttributes={({ distance }) => ({ "data-holds": distance <= 0 || undefined })}
+      columns={[
+        { key: "name", head: "Limit", text: true, cell: ({ name }) => limitName(name) },
+        {
+          key: "distance",
+          head: "distance",
+          cell: ({ distance, unit }) =>
+            unit === "m" ? `${formatFixed(1000 * distance, 1)} mm` : `${formatFixed(distance, 0)} ${unit}`,
+        },
+        {
+          key: "price",
+          head: "price",
+          help: "By how much the cost falls where the limit is raised by one unit",
+          cell: price,
+        },
+        {
+          key: "without",
+          head: "forces without",
+          detail: "front, rear N",
+          cell: ({ force_without: forces }) => (forces === null ? "–" : forces.map(newtons).join(", ")),
+        },
+      ]}
+    />
+  );
+}
+
+/** Terms below this share of the cost are left out. */
+const LEAST_SHARE = 0.005;
+
+function Cost({ answer: { cost } }: { readonly answer: InstantAnswer }) {
+  if (cost === null) return null;
+  const total = Object.values(cost).reduce((sum, value) => sum + value, 0);
+  const shown = Object.entries(cost).filter(([, value]) => value > LEAST_SHARE * total);
+  return (
+    <DataTable
+      label="Cost of the plan by term"
+      rows={[...shown].sort(([, a], [, b]) => b - a)}
+      rowKey={([name]) => name}
+      columns={[
+        { key: "name", head: "Cost of the plan", text: true, cell: ([name]) => termName(name) },
+        { key: "cost", head: "cost", cell: ([, value]) => formatResult(value) },
+        { key: "share", head: "share", cell: ([, value]) => `${formatFixed((100 * value) / total, 0)} %` },
+      ]}
+    />
+  );
+}

@@ -1,0 +1,52 @@
+/** Opens the panel that says why a force, here; its code is fetched when somebody first asks. */
+
+import { lazy, useEffect } from "react";
+import { useAction } from "../../lab/actions";
+import type { Axis, InstantPlace } from "../../lab/address";
+import { useLabContext, useView } from "../../lab/context";
+import { cursor } from "../../lab/cursor";
+import { axisKey, type ResultView } from "../../lab/resultView";
+import { valueAt } from "../../lib/samples";
+import { LazyPart } from "../../ui/LazyPart";
+
+const InstantPanel = lazy(() => import("./InstantPanel").then((module) => ({ default: module.InstantPanel })));
+
+/** From one axis to the other along a strategy's drive; `null` beside it. */
+export function converted({ series }: ResultView, strategy: string, x: number, from: Axis, to: Axis): number | null {
+  const [of, into] = [series[strategy]?.[axisKey(from)], series[strategy]?.[axisKey(to)]];
+  return of && into ? valueAt(of, into, x) : null;
+}
+
+export function InstantPart({ resultView }: { readonly resultView: ResultView }) {
+  const { labAddress } = useLabContext();
+  const { instant } = useView();
+  const { axis, ids, bump, whole } = resultView;
+  // Without a choice the first that is on; one that is off is no choice.
+  const strategy = instant && ids.includes(instant.strategy) ? instant.strategy : ids[0];
+  const placeAt = (x: number): InstantPlace | null => {
+    const position = strategy === undefined ? null : converted(resultView, strategy, x, axis, "distance");
+    return strategy === undefined || position === null ? null : { strategy, position };
+  };
+  const opened = instant !== null;
+  useAction(
+    "instant",
+    strategy === undefined
+      ? null
+      : () => {
+          const at = cursor.get(axis) ?? (bump ? (bump[0] + bump[1]) / 2 : (whole[0] + whole[1]) / 2);
+          cursor.set(axis, at);
+          labAddress.setView({ instant: placeAt(at) });
+        },
+  );
+  // A link's instant is where the cursor stands.
+  useEffect(() => {
+    if (instant === null || strategy === undefined || cursor.get(axis) !== null) return;
+    cursor.set(axis, converted(resultView, strategy, instant.position, "distance", axis));
+  }, [instant, strategy, axis, resultView]);
+  if (!opened || strategy === undefined) return null;
+  return (
+    <LazyPart onClose={() => labAddress.setView({ instant: null })}>
+      <InstantPanel {...{ resultView, strategy, placeAt }} />
+    </LazyPart>
+  );
+}

@@ -1,0 +1,57 @@
+"""A click into a plot says why this force, here; the panel follows the cursor, and a link leads to it."""
+
+import re
+
+from playwright.sync_api import Locator, expect
+
+from tests.browser.dashboard import Dashboard
+
+
+def plot(dashboard: Dashboard, signal: str) -> tuple[float, float, float]:
+    """Centre of a panel's plot and its width."""
+    panel = dashboard.page.locator(f"section[data-figure={signal}]")
+    panel.scroll_into_view_if_needed()
+    box = panel.locator("canvas").bounding_box()
+    assert box is not None
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, box["width"]
+
+
+def opened(dashboard: Dashboard) -> Locator:
+    return dashboard.page.get_by_role("region", name="Why this force?")
+
+
+def test_a_click_says_why_and_the_panel_follows_the_cursor(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page, panel = dashboard.page, opened(dashboard)
+    x, y, _ = plot(dashboard, "body_acceleration")
+    page.mouse.click(x, y)
+    place, why = panel.get_by_test_id("instant-place"), panel.get_by_test_id("why")
+    expect(place).to_contain_text("stage bump")
+    expect(why).to_have_text(re.compile(r".+\.$"))
+    expect(panel.locator("canvas[data-drawn]")).to_have_count(3)
+    expect(panel.get_by_role("region", name="Limits").get_by_role("row")).to_have_count(5)
+    expect(panel.get_by_role("region", name="Cost of the plan by term")).to_be_visible()
+    before = place.inner_text()
+    x, y, width = plot(dashboard, "body_acceleration")
+    page.mouse.move(x - 0.2 * width, y)
+    expect(place).not_to_have_text(before)
+    panel.get_by_label("Whose controller").select_option("passive")
+    expect(why).to_have_text("There are no actuators, so there is no force.")
+    dashboard.expect_accessible(panel)
+
+
+def test_a_link_leads_to_an_instant_and_keys_open_and_close_it(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page, panel = dashboard.page, opened(dashboard)
+    page.keyboard.press("w")
+    place = panel.get_by_test_id("instant-place")
+    expect(place).to_contain_text("stage bump")
+    panel.get_by_role("button", name="Copy a link to this instant").click()
+    expect(page).to_have_url(re.compile(r"instant=lv~[\d.]+"))
+    shown, address = place.inner_text(), page.url
+    page.keyboard.press("Escape")
+    expect(panel).to_have_count(0)
+    expect(page).not_to_have_url(re.compile("instant="))
+    page.goto("about:blank")
+    page.goto(address)
+    expect(place).to_have_text(shown)
