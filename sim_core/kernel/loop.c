@@ -35,7 +35,7 @@ int ridelab_limit_force(const double *limits, const double *wanted, const double
 }
 
 /* What the law multiplies in a control step: the car's state, the previous force, the preview, one kind after another. */
-static void look(const struct law *law, int step, const double *now, const double *previous)
+static void gather_inputs(const struct law *law, int step, const double *now, const double *previous)
 {
     const double *preview = law->preview + (ptrdiff_t)law->numbers->step_stride * step;
     size_t horizon = (size_t)law->design->horizon;
@@ -54,7 +54,7 @@ static inline double most(const double *norms, const double *size)
 
 /* Whether every row is within its limit. Most groups of rows need no closer look, and most rows none beyond their first
    part. */
-static int holds(const struct law *law, int step)
+static int is_unconstrained(const struct law *law, int step)
 {
     const struct law_design *design = law->design;
     const double *inputs = law->inputs, *norms = design->norms, *of_group = norms + NORMS * design->rows;
@@ -93,14 +93,14 @@ int ridelab_follow_law(struct car *car, const struct law *law, double *loop, int
         double *now = loop + (ptrdiff_t)width * step, *next = now + width, wanted[FORCES], command[FORCES];
         const double *previous = now + size;
         int beyond = 0, lost = 0, by_qp = 0;
-        look(law, step, now, previous);
+        gather_inputs(law, step, now, previous);
         for (int axle = 0; axle < FORCES; axle++) {
             const double *gain = design->gain + design->columns * axle;
             wanted[axle] = dot(gain, law->inputs, INPUTS) + dot(gain + INPUTS, law->inputs + INPUTS, design->columns - INPUTS);
             beyond |= !(fabs(wanted[axle]) <= numbers->force_limits[0] * WITHIN);
             lost |= isnan(wanted[axle]);
         }
-        if (lost || (beyond && !numbers->clips) || !holds(law, step)) {
+        if (lost || (beyond && !numbers->clips) || !is_unconstrained(law, step)) {
             by_qp = law->qp && ridelab_may_solve(law->qp_run) &&
                     ridelab_solve_qp(law->qp, law->qp_run, law->inputs, wanted);
             if (!by_qp)

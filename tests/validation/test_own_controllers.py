@@ -287,6 +287,8 @@ def test_a_law_that_does_not_fit_its_preview_is_refused() -> None:
     for shapes in ({"gain": np.zeros((2, 4))}, {"gain": np.zeros((2, 10)), "limits": np.zeros((3, 11))}):
         with pytest.raises(RidelabError, match="shape"):
             LinearLaw(**shapes)
+    with pytest.raises(RidelabError, match="as many control steps"):
+        LinearLaw(gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 3)), limits=np.zeros((1, 16)))
 
 
 def test_the_believed_car_is_told_not_the_real_one() -> None:
