@@ -1,18 +1,33 @@
 /** Figures and curves while a slider moves: one request at a time, the newest next. */
 
 import { ApiProblem, isTransient } from "../api/problem";
-import type { LiveAnswer, Scenario } from "../api/types";
+import type { LiveAnswer, Scenario, StrategyId } from "../api/types";
 import type { LabForm, Services, LabState } from "./labState";
+import { isRecording } from "../lib/recording";
 import { createLatest } from "../lib/latest";
 import { NO_ERRORS, refusal } from "./problems";
 import { ALL_POINTS } from "../server/queries";
 import { axisKey } from "./resultView";
-import { fromLive } from "./result";
+import { fromLive, type Result } from "./result";
 import type { Atom } from "@tanstack/react-store";
 import type { Timer } from "../lib/timer";
 
 const POINTS = 700;
 const POINTS_MOST = 2500;
+
+/** No recording is asked for while somebody drags: it stays as it was. */
+const simulated = (ids: readonly StrategyId[]) => ids.filter((id) => !isRecording(id));
+
+function withRecorded(live: Result, exact: Result | null): Result {
+  const recorded = <Part>(all: Readonly<Record<StrategyId, Part>> = {}) =>
+    Object.fromEntries(Object.entries(all).filter(([id]) => isRecording(id)));
+  const { summaries, series } = exact ?? live;
+  return {
+    ...live,
+    summaries: { ...live.summaries, ...recorded(summaries) },
+    series: { ...live.series, ...recorded(series) },
+  };
+}
 
 interface LiveRequest {
   readonly scenario: Scenario;
@@ -42,14 +57,14 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
     run: ({ scenario }, signal) => {
       grace.start();
       return api.live(
-        { scenario, strategies: store.get().strategies, signals: form().signals, points: points() },
+        { scenario, strategies: simulated(store.get().strategies), signals: form().signals, points: points() },
         signal,
       );
     },
     onAnswer: (answer, { scenario, startedAt }) => {
       grace.stop();
       const isNewest = store.get().drag === scenario;
-      const shown = fromLive(answer, performance.now() - startedAt);
+      const shown = withRecorded(fromLive(answer, performance.now() - startedAt), store.get().latestResult);
       patch({ shown, serverErrors: NO_ERRORS, failure: null, ...(isNewest ? { busy: false, stale: false } : {}) });
     },
     onError: (error) => {

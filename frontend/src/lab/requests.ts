@@ -14,6 +14,7 @@ import { fromCache, linkKey, runKey } from "../server/queries";
 import { readSharedView } from "./sharing";
 import { fromRun, resultsAfterEdit, resultsAfterOpening } from "./result";
 import type { Atom } from "@tanstack/react-store";
+import { isRecording } from "../lib/recording";
 import { createTimer } from "../lib/timer";
 
 const STALE_AFTER_MS = 200;
@@ -60,7 +61,8 @@ export function createRequests(
   // shares or goes back to an address that is not of what is shown.
 
   const submit: Requests["submit"] = (mode) => {
-    const { history, strategies, roads } = store.get();
+    const { history, strategies: chosen, roads } = store.get();
+    const strategies = roads > 1 ? chosen.filter((id) => !isRecording(id)) : chosen; // a recording is of one road
     if (strategies.length === 0) return;
     if (mode === "push") labAddress.cancelNavigation();
     const { baseline } = labAddress.get().view;
@@ -160,7 +162,7 @@ export function createRequests(
     preview: (scenario) => {
       exact.cancel();
       labAddress.cancelNavigation();
-      const some = store.get().strategies.length > 0;
+      const some = store.get().strategies.some((id) => !isRecording(id));
       patch({ busy: some });
       if (some) live.request(scenario);
     },

@@ -20,7 +20,8 @@ import { useCompared } from "../compare/useCompared";
 import { useAction, useActionButton, type ActionId } from "../../lab/actions";
 import { whyNotCompared } from "../../lab/compare";
 import { useLabContext, useLab, useView } from "../../lab/context";
-import { useFigures, useForm, useStrategies } from "../../server/useCatalogues";
+import { useLabStrategies } from "../../lab/recordings";
+import { useFigures, useForm } from "../../server/useCatalogues";
 import { axisKey, makeResultView } from "../../lab/resultView";
 import { FmuDialog } from "./FmuDialog";
 import { useController } from "./useController";
@@ -43,7 +44,7 @@ export function ExportMenu() {
   const client = useQueryClient();
   const compared = useCompared();
   const { lab } = useLabContext();
-  const [figures, strategies, form] = [useFigures(), useStrategies(), useForm()];
+  const [figures, strategies, form] = [useFigures(), useLabStrategies(), useForm()];
   const [refused, setRefused] = useState<string | null>(null);
   const [fmu, setFmu] = useState(false);
   const { copied, copy } = useCopied(setRefused);

@@ -45,8 +45,8 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
           Import files
         </OpenFiles>
         <Text className={classes.text}>
-          Scenarios and vehicles as JSON, measured roads as CSV; or drop them anywhere on the lab. This browser keeps
-          the library: export what others need.
+          Scenarios and vehicles as JSON, measured roads and recorded drives as CSV; or drop them anywhere on the lab.
+          This browser keeps the library: export what others need.
         </Text>
       </div>
       {deleted && (

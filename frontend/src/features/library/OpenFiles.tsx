@@ -7,6 +7,7 @@ import { type ItemKind, dialog } from "../../scenario/library";
 import { useOpenFiles, notice } from "./open";
 import { useScenario } from "../../lab/context";
 import { useSelector } from "@tanstack/react-store";
+import { RecordingDialog } from "./RecordingDialog";
 import ui from "../../ui/ui.module.css";
 import classes from "./library.module.css";
 
@@ -66,8 +67,9 @@ export function DropFiles() {
   });
   return (
     <Portal>
-      {isOver && <div className={classes.drop}>Drop scenarios, vehicles or measured roads</div>}
+      {isOver && <div className={classes.drop}>Drop scenarios, vehicles, measured roads or recorded drives</div>}
       <LastNotice />
+      <RecordingDialog />
     </Portal>
   );
 }

@@ -22,7 +22,8 @@ const isObject = (value: unknown): value is JsonObject =>
   typeof value === "object" && value !== null && !Array.isArray(value);
 const text = (value: unknown) => (typeof value === "string" ? value : null);
 
-const EXPECTED = "Expected a scenario or a vehicle as JSON, or a measured road as CSV with a line of titles";
+const EXPECTED =
+  "Expected a scenario or a vehicle as JSON, or a measured road or a recorded drive as CSV with a line of titles";
 
 /**
  * What a file holds. A run holds its scenario.

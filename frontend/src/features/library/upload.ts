@@ -11,6 +11,7 @@ import { type ScenarioSchema, findMember, optionTitle, type NumberField } from "
 import { DEFAULT_VIEW } from "../../lab/address";
 import { presetsQuery, schemaQuery, vehiclesQuery } from "../../server/queries";
 import { readFile, type Content, fileOf, roadOf, type Exported } from "./files";
+import { recordedFile } from "./recordedFile";
 import { KINDS, type Item, type ItemKind, ownLibrary } from "../../scenario/library";
 import { withItem } from "../../scenario/withItem";
 import { limitText, valueText } from "../../scenario/limits";
@@ -48,10 +49,13 @@ export async function openAll(
     ...vehicles.map(({ vehicle }) => completed(form, { vehicle }).vehicle),
   ];
   const wrong: string[] = [];
+  const drives: string[] = [];
   const opened: Opened[] = [];
   for (const file of files) {
     try {
-      opened.push(await upload(file, form, wanted));
+      const content = await upload(file, form, wanted);
+      if (content === null) drives.push(`The columns of “${file.name}” are in the dialog.`);
+      else opened.push(content);
     } catch (error) {
       wrong.push(`${file.name}: ${messageOf(error)}`);
     }
@@ -61,17 +65,18 @@ export async function openAll(
   const scenario = opened.reduce((before, content) => withItem(before, content, form), newest());
   return {
     scenario,
-    lines: [...wrong, ...opened.flatMap((content) => [addToLibrary(content, known), ...content.warnings])],
+    lines: [...wrong, ...drives, ...opened.flatMap((content) => [addToLibrary(content, known), ...content.warnings])],
     isWrong: wrong.length > 0,
   };
 }
 
-/** The content of a file as the server understands it: complete, in SI units, and within every limit. */
-async function upload(file: File, form: ScenarioSchema, wanted: ItemKind | undefined): Promise<Opened> {
+/** The content of a file as the server understands it: complete, in SI units, and within every limit; `null` of a recorded drive, whose columns a dialog asks for. */
+async function upload(file: File, form: ScenarioSchema, wanted: ItemKind | undefined): Promise<Opened | null> {
   if (file.size > LONGEST) throw new Error("A file may have 6 MiB");
   const content = readFile(file.name, await file.text(), form);
   const stem = file.name.replace(/\.\w+$/, "") || "File";
   if (content.kind === "road") {
+    if (await isDrive(file.name, content.csv)) return null;
     const { warnings, ...road } = await uploadRoad(content.csv);
     return { kind: "road", name: stem, value: road as unknown as JsonObject, warnings };
   }
@@ -85,6 +90,18 @@ async function upload(file: File, form: ScenarioSchema, wanted: ItemKind | undef
     value: kind === "vehicle" ? (scenario.vehicle as JsonObject) : scenario,
     warnings,
   };
+}
+
+const HEAD = 16_000;
+
+/** Whether the file is rather a recorded drive's; then the dialog has it. */
+async function isDrive(name: string, csv: string): Promise<boolean> {
+  const head = csv.length > HEAD ? csv.slice(0, csv.lastIndexOf("\n", HEAD) + 1) : csv;
+  const preview = await ask("post", "/recordings/preview", { body: head, query: {} });
+  if (preview.road) return false;
+  if (new Blob([csv]).size > LONGEST_ROAD) throw new Error("The file of a recorded drive may have 4 MiB");
+  recordedFile.set({ name, csv, preview });
+  return true;
 }
 
 async function uploadRoad(csv: string) {

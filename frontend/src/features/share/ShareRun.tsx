@@ -5,7 +5,7 @@ import { useCompared } from "../compare/useCompared";
 import { useLabContext, useLab } from "../../lab/context";
 import { cursor } from "../../lab/cursor";
 import type { LabState } from "../../lab/labState";
-import { useStrategies } from "../../server/useCatalogues";
+import { useLabStrategies } from "../../lab/recordings";
 import { makeResultView } from "../../lab/resultView";
 import { viewToShare } from "../../lab/sharing";
 import { ShareLink } from "./ShareLink";
@@ -25,7 +25,7 @@ function obstacleOf({ failure, shown, stale, serverErrors }: LabState): string |
 export function ShareRun() {
   const { lab, labAddress } = useLabContext();
   const obstacle = useLab(obstacleOf);
-  const catalogue = useStrategies();
+  const catalogue = useLabStrategies();
   const compared = useCompared();
   const make = () => {
     const { shown, strategies } = lab.get();

@@ -5,7 +5,8 @@ import { useLabContext, useLab } from "../../lab/context";
 import { hasInvalidInput } from "../../lab/labState";
 import { revealed } from "../../lab/reveal";
 import { sweepFields } from "../../scenario/fields";
-import { useFigures, useForm, usePresets, useStrategies } from "../../server/useCatalogues";
+import { useLabStrategies } from "../../lab/recordings";
+import { useFigures, useForm, usePresets } from "../../server/useCatalogues";
 import { optionTitle } from "../../scenario/schema";
 import { useSelected } from "./StrategyChoice";
 import { useEffect } from "react";
@@ -15,7 +16,7 @@ const CAR_SIGNALS = ["rear_road"];
 
 export function LabActions() {
   const { lab } = useLabContext();
-  const [form, presets, strategies, figures] = [useForm(), usePresets(), useStrategies(), useFigures()];
+  const [form, presets, strategies, figures] = [useForm(), usePresets(), useLabStrategies(), useFigures()];
   useEffect(() => {
     const drawn = Object.values(figures).flatMap(({ data }) => data.map(({ meta }) => meta.signal));
     lab.configure(form, [...new Set([...drawn, ...CAR_SIGNALS])]);

@@ -12,7 +12,8 @@ import { Results } from "./Results";
 import classes from "../../ui/shell.module.css";
 import { LazyPart } from "../../ui/LazyPart";
 import bar from "../../ui/toolbar.module.css";
-import { useCatalogue, useFigures } from "../../server/useCatalogues";
+import { useLabFigures } from "../../lab/recordings";
+import { useCatalogue } from "../../server/useCatalogues";
 import { SharedBanner, Toolbar } from "./afterCurves";
 import { StatusLine } from "./StatusLine";
 import { titleOf } from "../../features/sweep/table";
@@ -21,7 +22,7 @@ import { parseSearch } from "../../lab/address";
 import { useSelector } from "@tanstack/react-store";
 
 export function LabMain({ strategies }: { readonly strategies: readonly Strategy[] }) {
-  const [catalogue, figures] = [useCatalogue(), useFigures()];
+  const [catalogue, figures] = [useCatalogue(), useLabFigures(strategies)];
   const shown = useLab((state) => state.shown);
   const selected = useLab((state) => state.strategies);
   const { axis, zoom, baseline, reference, differences } = useView();

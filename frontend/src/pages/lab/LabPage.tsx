@@ -7,7 +7,8 @@ import { Notices } from "./Notices";
 import { ShellSlot } from "../../ui/Page";
 import classes from "../../ui/shell.module.css";
 import { useFromScenario, useLab } from "../../lab/context";
-import { useSchemeColours, useStrategies } from "../../server/useCatalogues";
+import { useLabStrategies } from "../../lab/recordings";
+import { useSchemeColours } from "../../server/useCatalogues";
 import { LazyPart } from "../../ui/LazyPart";
 import type { Scenario } from "../../api/types";
 import { getAt } from "../../scenario/path";
@@ -27,7 +28,7 @@ export function LabPage() {
 }
 
 function LabContent() {
-  const strategies = useStrategies();
+  const strategies = useLabStrategies();
   const coloured = useSchemeColours(strategies);
   return (
     <>

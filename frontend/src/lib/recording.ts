@@ -1,0 +1,2 @@
+/** Whether a strategy is a recorded drive, which nothing simulates. */
+export const isRecording = (strategy: string): boolean => strategy.startsWith("recording:");
