@@ -145,15 +145,25 @@ lock: ## new lock files, without download addresses
 	$(COMPILE_LOCK) --group manual -o requirements-manual.lock
 	$(COMPILE_LOCK) --group ecu -o requirements-ecu.lock
 	$(COMPILE_LOCK) --group clients -o requirements-clients.lock
-	$(COMPILE_LOCK) --extra parquet --extra cluster --extra dev --extra ecu --group build --group manual pyproject.toml -o requirements-dev.lock
+	$(COMPILE_LOCK) --extra parquet --extra cluster --extra ecu --group dev --group build --group manual pyproject.toml -o requirements-dev.lock
 
 pin: ## base images by digest, in Dockerfile and docker-compose.yml; needs docker and its registry
 	backend/deploy/pin_images.sh
 
-dist: $(BIN)/ridelab frontend/dist/index.html build/manual/index.html ## the three wheels, in dist/
-	rm -rf build/lib build/bdist.* sim_core/build client/build
-	PYTHONWARNINGS=ignore $(BIN)/python -m pip wheel --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index --wheel-dir dist ./sim_core ./client .
-	rm -rf build/lib build/bdist.* sim_core/build client/build
+# By setuptools itself, beside which nothing is installed; a platform's wheel has the core's C compiled by zig.
+PLATFORMS := manylinux_2_17_x86_64:x86_64-linux-gnu.2.17 manylinux_2_17_aarch64:aarch64-linux-gnu.2.17 \
+	win_amd64:x86_64-windows-gnu macosx_11_0_arm64:aarch64-macos macosx_11_0_x86_64:x86_64-macos
+BUILD := PYTHONWARNINGS=ignore $(CURDIR)/$(BIN)/python -c 'import sys; from setuptools import build_meta as meta; \
+	_, to, *words = sys.argv; [meta.build_sdist(to) if word == "sdist" else meta.build_wheel(to, {"--build-option": word}) for word in words]' \
+	$(CURDIR)/dist
+LEFTOVERS = rm -rf build/lib build/bdist.* sim_core/build client/build
+dist: development ## the three distributions in dist/: sources, wheels, and of the core a wheel for each platform
+	rm -rf dist && mkdir dist && $(LEFTOVERS)
+	$(BUILD) sdist --quiet > dist/log && cd client && $(BUILD) sdist --quiet >> ../dist/log
+	cd sim_core && $(BUILD) sdist >> ../dist/log
+	set -e; for each in $(PLATFORMS); do $(LEFTOVERS); cd sim_core; \
+	CC="$(CURDIR)/$(BIN)/python -m ziglang cc -target $${each#*:}" $(BUILD) --plat-name=$${each%%:*} >> ../dist/log; cd ..; done
+	rm dist/log && $(LEFTOVERS)
 
 clean:
 	rm -rf $(VENV) .cache build dist frontend/dist frontend/node_modules

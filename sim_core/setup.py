@@ -20,7 +20,9 @@ class BuildLibrary(build_ext):
         """Compile it."""
         library = Path(self.get_ext_fullpath(ext.name))
         library.parent.mkdir(parents=True, exist_ok=True)
-        self.spawn(BUILD["command"](BUILD["default_compiler"](), library, "-fPIC"))
+        compiler = BUILD["default_compiler"]()
+        options = [] if "windows" in " ".join(compiler) else ["-fPIC"]
+        self.spawn(BUILD["command"](compiler, library, *options))
 
 
 class BuildPackage(build_py):

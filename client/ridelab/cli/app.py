@@ -11,6 +11,7 @@ from typer.core import TyperCommand
 
 from ridelab import __version__
 from ridelab.cli import jobs
+from ridelab.cli.cite import cite
 from ridelab.cli.compare import compare
 from ridelab.cli.controller import controller, hil
 from ridelab.cli.export import export
@@ -95,6 +96,7 @@ COMMANDS = (
     backup,
     verify,
     check,
+    cite,
     *LISTS,
 )
 JOBS = typer.Typer(help="Batches and tunings: list, show, follow, label, cancel, resume, delete.", no_args_is_help=True)
@@ -102,7 +104,7 @@ app.add_typer(JOBS, name="jobs")
 app.add_typer(NEW, name="new")
 for group, commands in ((app, COMMANDS), (JOBS, jobs.COMMANDS)):
     for command in commands:
-        own = command if command in (serve, demo, backup, verify, check) else with_services(command)
+        own = command if command in (serve, demo, backup, verify, check, cite) else with_services(command)
         group.command(command.__name__.partition("_")[0], cls=Command)(own)
 
 
