@@ -23,9 +23,9 @@ Slug = Annotated[str, Path(description="22 characters; anything else is 404")]
 async def create_link(body: models_links.LinkRequest, service: LinksService, client: Client) -> Response:
     """Share a stored run or a batch; the answer comes after the commit."""
     if body.run_id is not None:
-        link = await service.share_run(body.run_id, body.view, client)
+        link = await service.share_run(body.run_id, body.view, client, body.requirements)
     else:
-        link = await service.share_batch(str(body.batch_id), body.view, client)
+        link = await service.share_batch(str(body.batch_id), body.view, client, body.requirements)
     return json_answer(link, {"Location": link.url}, status=201)
 
 

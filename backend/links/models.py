@@ -5,6 +5,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import (
     AfterValidator,
+    ConfigDict,
     Field,
     ValidationError,
     ValidatorFunctionWrapHandler,
@@ -16,6 +17,7 @@ from pydantic_core import PydanticCustomError
 from backend.batches.models import Batch
 from backend.models import Answer, RequestModel, ShownStrategy, StrategyName, inconsistent
 from backend.plain_text import PlainText
+from backend.requirements import Requirement, Requirements
 from backend.runs.models import Run
 from backend.runs.over_roads import RoadsRun
 from sim_core.catalogue import METRIC_SIGNALS, METRICS, RUN_FIGURES, STATISTICS, WINDOWS
@@ -112,6 +114,7 @@ class LinkRequest(RequestModel):
     run_id: Id | None = None
     batch_id: Id | None = None
     view: LinkView = LinkView()
+    requirements: Requirements = Field([])
 
     @model_validator(mode="after")
     def _one_target(self) -> Self:
@@ -142,6 +145,8 @@ class CreatedLink(Answer):
 class Link(Answer):
     """The contents of a link."""
 
+    model_config = ConfigDict(json_schema_serialization_defaults_required=False)
+
     slug: str
     url: str
     created_at: datetime = Field(description="When the link was created")
@@ -158,4 +163,7 @@ class Link(Answer):
     damaged_at: datetime | None = Field(
         description="When something stored that the link shows was found damaged; since then it shows what "
         "`core_version` computed again, which may differ from what was shared. null where nothing was"
+    )
+    requirements: list[Requirement] = Field(
+        [], description="What it was shared with; only where there were some: `run.requirement_results` says how"
     )

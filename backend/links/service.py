@@ -2,7 +2,7 @@
 
 import asyncio
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
@@ -18,6 +18,7 @@ from backend.links import preview
 from backend.links.models import SLUG_PATTERN, CreatedLink, LinkView
 from backend.links.preview import Preview
 from backend.recordings.service import Recordings
+from backend.requirements import Requirement
 from backend.roads.service import MeasuredRoads
 from backend.runs import pins
 from backend.runs.answers import as_plain, run_answer
@@ -27,6 +28,7 @@ from backend.store import Store, StoredJob, StoredLink, StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 
+_REQUIREMENTS = "requirements"  # their place in a stored view
 MOST_PINNED = 32 * 1024 * 1024  # of one run, before they are compressed: 75 strategies on the paper's road [bytes]
 
 
@@ -51,7 +53,9 @@ class Links:
         self._roads = roads
         self._recordings = recordings
 
-    async def share_run(self, run_id: str, view: LinkView, client: str) -> CreatedLink:
+    async def share_run(
+        self, run_id: str, view: LinkView, client: str, requirements: Sequence[Requirement] = ()
+    ) -> CreatedLink:
         """A new link to a run; its time histories are pinned with it.
 
         Each run that the view compares it with gets a link of its own, which keeps it in the same way.
@@ -66,8 +70,8 @@ class Links:
         self._gate.linking(client, links=len(shared), pinned=len(missing))
         series = [await self._pin(each, client) for each in shared]
         for each, pinned in zip(shared[1:], series[1:], strict=True):
-            await self._save_run(each.stored.id, LinkView(), pinned, client)
-        slug = await self._save_run(run_id, view, series[0], client)
+            await self._save_run(each.stored.id, {}, pinned, client)
+        slug = await self._save_run(run_id, _sent(view, requirements), series[0], client)
         complete = set(shared[0].missing.values()) <= series[0].keys()
         return CreatedLink(slug=slug, url=url(slug), series_pinned=bool(_histories(shared[0].stored)) and complete)
 
@@ -81,7 +85,9 @@ class Links:
         present = await self._store.read(self._store.links.pinned, keys.values())
         return _SharedRun(stored=stored, missing={name: key for name, key in keys.items() if key not in present})
 
-    async def share_batch(self, batch_id: str, view: LinkView, client: str) -> CreatedLink:
+    async def share_batch(
+        self, batch_id: str, view: LinkView, client: str, requirements: Sequence[Requirement] = ()
+    ) -> CreatedLink:
         """A new link to a batch.
 
         Raises:
@@ -94,7 +100,7 @@ class Links:
         if view.x not in (None, *stored.request["fields"]):
             raise _unknown("view/x", f"This batch sweeps {', '.join(stored.request['fields'])}")
         self._gate.linking(client)
-        slug = await self._save("batch", batch_id, view, {})
+        slug = await self._save("batch", batch_id, _sent(view, requirements), {})
         if slug is None:
             raise _unknown("batch_id", "There is no batch of this id")
         return CreatedLink(slug=slug, url=url(slug), series_pinned=False)
@@ -124,7 +130,7 @@ class Links:
             stored,
             stored.scenario,
             series_pinned=bool(keys) and keys <= pinned,
-            run=await asyncio.to_thread(run_answer, stored),
+            run=await asyncio.to_thread(_judged_run, stored, link),
         )
 
     async def preview(self, slug: str) -> Preview | None:
@@ -156,19 +162,18 @@ class Links:
             series = await self._workers.call(pins.make, scenario, list(missing), client=client, cost=cost)
         return {missing[name]: content for name, content in series.items()}
 
-    async def _save_run(self, run_id: str, view: LinkView, series: Mapping[str, bytes], client: str) -> str:
+    async def _save_run(self, run_id: str, view: JsonObject, series: Mapping[str, bytes], client: str) -> str:
         """Save a link to a run; results that were removed since the run was read are computed again first."""
         while (slug := await self._save("run", run_id, view, series)) is None:
             await self._runs.stored(run_id, client)
         return slug
 
     async def _save(
-        self, kind: Literal["run", "batch"], target: str, view: LinkView, series: Mapping[str, bytes]
+        self, kind: Literal["run", "batch"], target: str, view: JsonObject, series: Mapping[str, bytes]
     ) -> str | None:
         """The new link's slug; None where a result of the run, or the batch, was removed meanwhile."""
         slug = digest.random_id()
-        sent = view.model_dump(mode="json", exclude_unset=True)
-        link = StoredLink(slug=slug, kind=kind, target=target, view=sent)
+        link = StoredLink(slug=slug, kind=kind, target=target, view=view)
         return slug if await self._store.write(self._store.links.save, link, series) else None
 
     async def _load(self, slug: str) -> StoredLink | None:
@@ -203,6 +208,18 @@ def _histories(stored: StoredRun) -> dict[str, str]:
     return {item.strategy: item.key for item in stored.shown}
 
 
+def _sent(view: LinkView, requirements: Sequence[Requirement]) -> JsonObject:
+    """What is stored of how a result is looked at, its requirements among it."""
+    required = [each.model_dump(mode="json", exclude_none=True) for each in requirements]
+    return view.model_dump(mode="json", exclude_unset=True) | ({_REQUIREMENTS: required} if required else {})
+
+
+def _judged_run(stored: StoredRun, link: StoredLink) -> JsonObject:
+    """The answer about a link's run, held to the link's requirements."""
+    requirements = [Requirement.model_validate(each) for each in link.view.get(_REQUIREMENTS, [])]
+    return run_answer(stored, requirements=requirements, judged_against=link.view.get("baseline"))
+
+
 def _opened(link: StoredLink, shown: StoredRun | StoredJob, scenario: JsonObject, **content: Any) -> JsonObject:
     finished_at = shown.finished_at if isinstance(shown, StoredJob) else None
     return {
@@ -215,11 +232,13 @@ def _opened(link: StoredLink, shown: StoredRun | StoredJob, scenario: JsonObject
         "current_core_version": CORE_VERSION,
         "schema_version": shown.schema_version,
         "scenario": scenario,
-        "view": link.view,  # as it was sent, perhaps with names of an older version
+        # As it was sent, perhaps with names of an older version.
+        "view": {name: value for name, value in link.view.items() if name != _REQUIREMENTS},
         "run": None,
         "batch": None,
         "series_pinned": False,
         "damaged_at": link.damaged_at,
+        **({_REQUIREMENTS: link.view[_REQUIREMENTS]} if _REQUIREMENTS in link.view else {}),
         **content,
     }
 

@@ -88,3 +88,13 @@ def test_what_is_no_requirement_is_refused_at_its_field(
     response = client.post("/api/v1/runs", json=body)
     assert response.status_code == 422
     assert [each["pointer"] for each in response.json()["errors"]] == [f"/requirements/1/{pointer}"]
+
+
+def test_a_link_keeps_its_requirements_and_says_how_they_are_kept(client: httpx.Client, run: dict[str, Any]) -> None:
+    requirements = [{"metric": PEAK, "max_change": -10, "strategies": ["lqr"]}]
+    body = {"run_id": run["id"], "view": {"baseline": "lv", "axis": "time"}, "requirements": requirements}
+    link = client.get(f"/api/v1/links/{client.post('/api/v1/links', json=body).json()['slug']}").json()
+    assert (link["requirements"], link["view"]) == (requirements, body["view"])
+    (result,) = link["run"]["requirement_results"]
+    change = 100 * (peak(run, "lqr") / peak(run, "lv") - 1)
+    assert (result["baseline"], result["value"]) == ("lv", pytest.approx(change))

@@ -787,6 +787,7 @@ export interface components {
             readonly damaged_at: string | null;
             /** @enum {string} */
             readonly kind: "run" | "batch";
+            readonly requirements?: readonly components["schemas"]["Requirement"][];
             readonly run: components["schemas"]["Run"] | components["schemas"]["RoadsRun"] | null;
             readonly scenario: JsonObject;
             readonly schema_version: number;
@@ -801,6 +802,7 @@ export interface components {
         };
         readonly LinkRequest: {
             readonly batch_id?: string | null;
+            readonly requirements?: readonly components["schemas"]["Requirement"][];
             readonly run_id?: string | null;
             readonly view?: components["schemas"]["LinkView"];
         };

@@ -2,6 +2,7 @@
 
 import type { StrategyId } from "../api/types";
 import { pinReference, pinnedRunId, type Reference } from "./compare";
+import { readRequirements, requirementsText, type Requirement } from "./requirements";
 
 export type Axis = "distance" | "time";
 
@@ -20,6 +21,8 @@ export interface View {
   readonly differences: boolean;
   /** Whose controller is looked at, and where; `null` while none is. */
   readonly instant: InstantPlace | null;
+  /** What the strategies are held to. */
+  readonly requirements: readonly Requirement[];
 }
 
 export interface InstantPlace {
@@ -45,6 +48,7 @@ export const DEFAULT_VIEW: View = {
   reference: "baseline",
   differences: false,
   instant: null,
+  requirements: [],
 };
 
 type Raw = Readonly<Record<string, unknown>>;
@@ -56,7 +60,7 @@ export function stringifySearch(search: Raw): string {
   const query = new URLSearchParams(
     Object.entries(search).flatMap(([name, value]) => (typeof value === "string" ? [[name, value]] : [])),
   );
-  const text = query.toString().replace(/%2C/g, ",").replace(/%7E/g, "~").replace(/%2F/g, "/");
+  const text = query.toString().replace(/%(?:2C|7E|2F|3A|3B)/g, decodeURIComponent);
   return text === "" ? "" : `?${text}`;
 }
 
@@ -66,9 +70,9 @@ export const pick = <Name extends string>(search: Raw, ...names: readonly Name[]
     names.flatMap((name) => (typeof search[name] === "string" && search[name] !== "" ? [[name, search[name]]] : [])),
   ) as Partial<Record<Name, string>>;
 
-export type LabSearch = Partial<
-  Record<"axis" | "baseline" | "hide" | "zoom" | "against" | "plots" | "instant" | "from", string>
->;
+const NAMES = ["axis", "baseline", "hide", "zoom", "against", "plots", "instant", "require", "from"] as const;
+
+export type LabSearch = Partial<Record<(typeof NAMES)[number], string>>;
 
 function parseZoom(text: string | undefined): ViewZoom {
   if (text === "whole") return text;
@@ -91,7 +95,7 @@ const RUN = /^[\w-]{22}$/;
 const parseReference = (text = ""): Reference =>
   text === "before" ? text : RUN.test(text) ? pinReference(text) : "baseline";
 
-export const viewOf = ({ axis, baseline, hide, zoom, against, plots, instant }: LabSearch): View => ({
+export const viewOf = ({ axis, baseline, hide, zoom, against, plots, instant, require }: LabSearch): View => ({
   axis: axis === "time" ? "time" : "distance",
   baseline: baseline ?? DEFAULT_VIEW.baseline,
   hidden: listOf(hide),
@@ -99,22 +103,27 @@ export const viewOf = ({ axis, baseline, hide, zoom, against, plots, instant }: 
   reference: parseReference(against),
   differences: plots === "differences",
   instant: parseInstant(instant),
+  requirements: readRequirements(require),
 });
 
 /** Only what is not as usual. */
-export const searchOf = ({ axis, baseline, hidden, zoom, reference, differences, instant }: View): LabSearch => ({
-  ...(axis !== DEFAULT_VIEW.axis && { axis }),
-  ...(baseline !== DEFAULT_VIEW.baseline && { baseline }),
-  ...(hidden.length > 0 && { hide: hidden.join(",") }),
-  ...(zoom && { zoom: zoom === "whole" ? zoom : zoom.map((value) => String(Number(value.toFixed(3)))).join("~") }),
-  ...(reference !== "baseline" && { against: pinnedRunId(reference) ?? reference }),
-  ...(differences && { plots: "differences" }),
-  ...(instant && { instant: `${instant.strategy}~${String(Number(instant.position.toFixed(2)))}` }),
-});
+export const searchOf = (view: View): LabSearch => {
+  const { axis, baseline, hidden, zoom, reference, differences, instant, requirements } = view;
+  return {
+    ...(axis !== DEFAULT_VIEW.axis && { axis }),
+    ...(baseline !== DEFAULT_VIEW.baseline && { baseline }),
+    ...(hidden.length > 0 && { hide: hidden.join(",") }),
+    ...(zoom && { zoom: zoom === "whole" ? zoom : zoom.map((value) => String(Number(value.toFixed(3)))).join("~") }),
+    ...(reference !== "baseline" && { against: pinnedRunId(reference) ?? reference }),
+    ...(differences && { plots: "differences" }),
+    ...(instant && { instant: `${instant.strategy}~${String(Number(instant.position.toFixed(2)))}` }),
+    ...(requirements.length > 0 && { require: requirementsText(requirements) }),
+  };
+};
 
 /** Any lab's search part without what makes no sense. */
 export function readLabSearch(raw: Raw): LabSearch {
-  const { from, ...view } = pick(raw, "axis", "baseline", "hide", "zoom", "against", "plots", "instant", "from");
+  const { from, ...view } = pick(raw, ...NAMES);
   return { ...searchOf(viewOf(view)), ...(from !== undefined && PAGE_WITH_RUNS.test(from) && { from }) };
 }
 

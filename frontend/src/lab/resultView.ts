@@ -3,6 +3,7 @@
 import type { SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
 import type { Axis, View, ViewZoom, Zoom } from "./address";
 import { referenceVariant, NOTHING_COMPARED, type Compared, type RoadPairedChanges, type Variant } from "./compare";
+import type { Judged } from "./requirements";
 import type { Result } from "./result";
 
 export interface ResultView {
@@ -23,6 +24,7 @@ export interface ResultView {
   readonly reference: Variant | null;
   /** Plots show differences to what changes are against. */
   readonly differences: boolean;
+  readonly judged: Judged;
   readonly axis: Axis;
   readonly whole: Zoom;
   /** The bump with some road around it; `null` where there is none. */
@@ -50,7 +52,7 @@ export function makeResultView(
 /** What is drawn, whatever it is compared with. */
 export type PartShown = Omit<
   ResultView,
-  "baseline" | "differences" | "reference" | "roadPairedChanges" | keyof Compared
+  "baseline" | "differences" | "judged" | "reference" | "roadPairedChanges" | keyof Compared
 >;
 
 export function partShown(
@@ -77,13 +79,14 @@ export function withBaseline(
   part: PartShown,
   { baseline, reference, differences }: Pick<View, "baseline" | "reference" | "differences">,
   compared: Compared,
-  roadPairedChanges: RoadPairedChanges = {},
+  { roadPairedChanges = {}, judged = {} }: Partial<Pick<ResultView, "roadPairedChanges" | "judged">> = {},
 ): ResultView {
   return {
     ...part,
     baseline: baselineOf(part, baseline),
     ...compared,
     roadPairedChanges,
+    judged,
     reference: referenceVariant(compared, reference),
     differences,
   };

@@ -15,7 +15,11 @@ export interface ReadView {
 }
 
 /** A link made by a script may say nothing of the view: then everything of the run is shown. */
-export function readSharedView({ view, run }: Pick<Link, "view" | "run">): ReadView {
+export function readSharedView({
+  view,
+  run,
+  requirements = [],
+}: Pick<Link, "view" | "run" | "requirements">): ReadView {
   const computed = Object.keys(run?.strategies ?? {});
   const shown = view.strategies ?? computed;
   const strategies = computed.filter((id) => shown.includes(id) && !(view.hidden ?? []).includes(id));
@@ -28,6 +32,7 @@ export function readSharedView({ view, run }: Pick<Link, "view" | "run">): ReadV
       reference: view.reference ? pinReference(view.reference) : "baseline",
       differences: view.differences ?? false,
       instant: null,
+      requirements,
     },
     strategies,
     at: view.cursor ?? null,

@@ -33,9 +33,17 @@ describe("the address", () => {
       reference: "before",
       differences: true,
       instant: { strategy: "lv", position: 100.25 },
+      requirements: [
+        { metric: "bump.body_acceleration.peak", max: 3 },
+        { metric: "travel_time", min: 1.5e-7, strategies: ["lv", "lqr"] },
+        { metric: "bump.rear_tyre_load.peak", max_change: -20.5, strategies: ["lv"] },
+        { metric: "events.airborne_ms", max_change: 0 },
+      ],
     } as const;
     expect(there(view)).toBe(
-      "?axis=time&baseline=lqr&hide=passive,lv&zoom=98.5~112&against=before&plots=differences&instant=lv~100.25",
+      "?axis=time&baseline=lqr&hide=passive,lv&zoom=98.5~112&against=before&plots=differences&instant=lv~100.25" +
+        "&require=bump.body_acceleration.peak%3C3;lv,lqr:travel_time%3E1.5e-7;lv:bump.rear_tyre_load.peak%3C-20.5%25" +
+        ";events.airborne_ms%3C%2B0%25",
     );
     expect(back(there(view))).toEqual(view);
     const pinned = { ...DEFAULT_VIEW, reference: pinReference("9l2MI3odkPqmWr5qapN1vZ") };
@@ -44,6 +52,8 @@ describe("the address", () => {
   });
 
   it("ignores what makes no sense", () => {
-    expect(back("?axis=up&zoom=9~3&hide=,&baseline=&against=lv&plots=all&instant=lv")).toEqual(DEFAULT_VIEW);
+    expect(
+      back("?axis=up&zoom=9~3&hide=,&baseline=&against=lv&plots=all&instant=lv&require=a<;b=3;c>-5%25%25"),
+    ).toEqual(DEFAULT_VIEW);
   });
 });

@@ -4,7 +4,7 @@ import { queryOptions, QueryClient } from "@tanstack/react-query";
 import { api } from "../api/client";
 import { ask, query } from "../api/http";
 import { isTransient } from "../api/problem";
-import type { FigureTemplates, StrategyId } from "../api/types";
+import type { FigureTemplates, Requirement, StrategyId } from "../api/types";
 import { readSchema } from "../scenario/schema";
 
 /** Samples per strategy that cover a screen: half of them on and around the bump. */
@@ -65,6 +65,17 @@ export const changesQuery = (
   id: string,
   refersTo: { readonly against: string } | { readonly baseline: StrategyId },
 ) => ({ ...query("/runs/{id}/changes", { path: { id }, query: refersTo }), staleTime: Infinity });
+
+/** How a run keeps requirements. */
+export const judgedQuery = (id: string, requirements: readonly Requirement[], baseline: StrategyId | null) =>
+  queryOptions({
+    queryKey: ["judged", id, requirements, baseline],
+    queryFn: async ({ signal }) => {
+      const question = { path: { id }, query: { requirements: JSON.stringify(requirements), baseline } };
+      return (await ask("get", "/runs/{id}", question, signal)).requirement_results ?? [];
+    },
+    staleTime: Infinity,
+  });
 
 /** Time histories of a run, with signals means and extremes of these over its roads; runs are immutable, so an answer never grows stale. */
 export function seriesQuery(

@@ -66,7 +66,8 @@ interface Props {
   readonly removal?: string;
   readonly beside: ReactNode;
   readonly error: string | undefined;
-  readonly onRemove: () => void;
+  /** Left out where it cannot be removed. */
+  readonly onRemove?: () => void;
   readonly children?: ReactNode;
 }
 
@@ -79,18 +80,20 @@ export function EntryRow({ title, name = title, removal = title, beside, error, 
           {title}
         </Box>
         {beside}
-        <ActionIcon
-          pos="absolute"
-          top={0}
-          right={0}
-          size={24}
-          variant="subtle"
-          color="gray"
-          aria-label={`Remove ${removal}`}
-          onClick={onRemove}
-        >
-          <IconX size={15} />
-        </ActionIcon>
+        {onRemove && (
+          <ActionIcon
+            pos="absolute"
+            top={0}
+            right={0}
+            size={24}
+            variant="subtle"
+            color="gray"
+            aria-label={`Remove ${removal}`}
+            onClick={onRemove}
+          >
+            <IconX size={15} />
+          </ActionIcon>
+        )}
       </Group>
       {children}
       {error !== undefined && <Fault>{error}</Fault>}

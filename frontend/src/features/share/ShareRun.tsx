@@ -33,7 +33,11 @@ export function ShareRun() {
     const { view } = labAddress.get();
     const resultView = makeResultView(shown, catalogue, strategies, view, compared);
     return ask("post", "/links", {
-      body: { run_id: shown.runId, view: viewToShare(resultView, cursor.get(resultView.axis)) },
+      body: {
+        run_id: shown.runId,
+        view: viewToShare(resultView, cursor.get(resultView.axis)),
+        requirements: view.requirements,
+      },
     });
   };
   return <ShareLink make={make} obstacle={obstacle} opens={OPENS} />;

@@ -10,13 +10,11 @@ import {
   lowestOf,
   type Entry,
   changeOf,
-  type WindowMetric,
   intervalAt,
-  valueAt,
-  type MetricPath,
   type WindowView,
   VIEWS,
 } from "./entries";
+import { type WindowMetric, metricName, valueAt, type MetricPath } from "../../lab/metricPath";
 import classes from "./tables.module.css";
 import { shownUnit } from "../../server/metrics";
 import { SolveButton } from "../solve/SolveButton";
@@ -25,6 +23,8 @@ import { ChangeText, Estimated, CaveatMark } from "./ChangeMark";
 import { useLabContext } from "../../lab/context";
 import { caveatsOf } from "./caveats";
 import { StrategyKey } from "../../ui/StrategyKey";
+import { RequirementMarks } from "../requirements/RequirementMarks";
+import { requiredOf } from "../requirements/judged";
 
 export interface ComparisonProps {
   readonly resultView: ResultView;
@@ -140,6 +140,7 @@ export function ResultCell({ resultView, entry, metric, scale, lowest }: ResultC
         scale={scale}
       />
       <ChangeText change={changeOf(resultView, entry, metric, scale)} />
+      <RequirementMarks results={requiredOf(resultView.judged, entry, metricName(metric))} />
     </>
   );
 }

@@ -5,20 +5,14 @@ import type { Catalogue, Quantity } from "../../api/types";
 import type { ResultView } from "../../lab/resultView";
 import { formatNumber, formatResult, prettyUnit } from "../../units/format";
 import { ChangeText, Estimated } from "./ChangeMark";
-import {
-  changeOf,
-  entryGroups,
-  type Entry,
-  CURRENT,
-  type EntryGroup,
-  intervalAt,
-  valueAt,
-  type MetricPath,
-} from "./entries";
+import { changeOf, entryGroups, type Entry, CURRENT, type EntryGroup, intervalAt } from "./entries";
+import { metricName, valueAt, type MetricPath } from "../../lab/metricPath";
 import { StrategyName } from "../../ui/StrategyKey";
 import classes from "./tables.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
+import { RequirementMarks } from "../requirements/RequirementMarks";
+import { requiredOf } from "../requirements/judged";
 
 type Value = number | boolean | null | undefined;
 
@@ -106,6 +100,9 @@ function RunCell({
         <span className={classes.value}>{show(value)}</span>
       )}
       {judged && metric && !entry.isBaseline && <ChangeText change={changeOf(resultView, entry, metric)} />}
+      <RequirementMarks
+        results={requiredOf(resultView.judged, entry, metric ? metricName(metric) : `events.${quantity.key}`)}
+      />
     </>
   );
 }

@@ -4,6 +4,7 @@ import type { Catalogue, Strategy, Summary, Interval, OverRoads, StrategyId } fr
 import { whyNotCompared } from "../../lab/compare";
 import type { ResultView } from "../../lab/resultView";
 import type { Result } from "../../lab/result";
+import { valueAt, type MetricPath, type WindowMetric } from "../../lab/metricPath";
 import { changeAgainst, pairedChange, type Change } from "./change";
 
 export interface Entry {
@@ -111,28 +112,6 @@ function baseOf({ reference, baseline, catalogue }: ResultView, { strategy, show
   const summary = result.summaries[id];
   if (summary === undefined || whyNotCompared(shown, result) !== null) return null;
   return { summary, pair: catalogue.filter((each) => each.id === strategy.id || each.id === id) };
-}
-
-/** Where a number stands in a result, and what several roads say of it. */
-export interface WindowMetric {
-  readonly window: "rough_road" | "bump" | "whole";
-  readonly signal: string;
-  readonly statistic: "rms" | "peak";
-}
-
-export type MetricPath = WindowMetric | { readonly comfort: string } | { readonly run: string };
-
-/** `bump.body_acceleration.peak`, `comfort.weighted_rms` or `travel_time`: a batch's column as a metric. */
-export function metricPath(key: string): MetricPath {
-  const [first = "", signal, statistic] = key.split(".");
-  if (statistic !== undefined) return { window: first, signal, statistic } as WindowMetric;
-  return first === "comfort" ? { comfort: signal ?? "" } : { run: key };
-}
-
-export function valueAt(summary: Summary | undefined, metric: MetricPath): number | null | undefined {
-  if ("comfort" in metric) return summary?.comfort[metric.comfort];
-  if ("run" in metric) return metric.run === "travel_time" ? summary?.travel_time : summary?.arrival_speed_kmh;
-  return summary?.metrics[metric.window]?.[metric.signal]?.[metric.statistic];
 }
 
 /** The mean's interval over several roads. */

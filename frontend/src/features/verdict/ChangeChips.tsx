@@ -9,7 +9,10 @@ import type { ResultView } from "../../lab/resultView";
 import { labelled } from "../../ui/Entry";
 import { ChangeText } from "../tables/ChangeMark";
 import { headingOf, labelOf } from "../tables/ComparisonTable";
-import { VIEWS, type WindowMetric } from "../tables/entries";
+import { VIEWS } from "../tables/entries";
+import { metricName, type WindowMetric } from "../../lab/metricPath";
+import { requiredOf } from "../requirements/judged";
+import { RequirementMarks } from "../requirements/RequirementMarks";
 import { changedMost, editChanges, shortName } from "./edit";
 import { EqualSpeed, usePairedChanges } from "./VerdictLine";
 import classes from "./verdict.module.css";
@@ -61,6 +64,7 @@ export function ChangeChips({ resultView, catalogue }: Props) {
                 metric={metric}
                 label={labelOf(metric.signal, catalogue)}
                 change={change}
+                required={strategy ? requiredOf(resultView.judged, { shown, strategy }, metricName(metric)) : []}
               />
             ))}
         </span>
@@ -76,9 +80,10 @@ interface ChipProps {
   readonly metric: WindowMetric;
   readonly label: string;
   readonly change: Parameters<typeof ChangeText>[0]["change"];
+  readonly required: Parameters<typeof RequirementMarks>[0]["results"];
 }
 
-function ChangeChip({ metric: { window, signal }, label, change }: ChipProps) {
+function ChangeChip({ metric: { window, signal }, label, change, required }: ChipProps) {
   const { labAddress } = useLabContext();
   const show = () => {
     labAddress.setView({ zoom: window === "bump" ? null : "whole" });
@@ -94,6 +99,7 @@ function ChangeChip({ metric: { window, signal }, label, change }: ChipProps) {
     >
       <span aria-hidden>{shortName(label)}</span>
       <span className="visually-hidden">{label}</span> <ChangeText change={change} />
+      <RequirementMarks results={required} />
     </button>
   );
 }

@@ -4,7 +4,8 @@ import type { Catalogue, OverRoads, Strategy, StrategyId } from "../../api/types
 import type { Variant } from "../../lab/compare";
 import type { ResultView } from "../../lab/resultView";
 import type { Change } from "../tables/change";
-import { changeBetween, comparedMetrics, type WindowMetric } from "../tables/entries";
+import { changeBetween, comparedMetrics } from "../tables/entries";
+import { type WindowMetric } from "../../lab/metricPath";
 
 export interface EditChange {
   readonly strategy: StrategyId;

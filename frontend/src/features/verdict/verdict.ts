@@ -4,7 +4,8 @@ import type { Catalogue, OverRoads, Strategy, StrategyId } from "../../api/types
 import type { ResultView } from "../../lab/resultView";
 import { formatFixed } from "../../units/format";
 import { formatPercent, type Change, type Verdict } from "../tables/change";
-import { changeBetween, comparedMetrics, oneRoadNoiseOf, valueAt, type WindowMetric } from "../tables/entries";
+import { changeBetween, comparedMetrics, oneRoadNoiseOf } from "../tables/entries";
+import { valueAt, type WindowMetric } from "../../lab/metricPath";
 
 type Compared = Pick<ResultView, "shown" | "strategies" | "summaries">;
 type Signals = Pick<Catalogue, "paper_signals" | "signals">;

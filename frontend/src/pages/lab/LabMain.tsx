@@ -6,6 +6,7 @@ import { useQuery } from "@tanstack/react-query";
 import { Link } from "@tanstack/react-router";
 import type { Strategy } from "../../api/types";
 import { useCompared, usePaired } from "../../features/compare/useCompared";
+import { useJudged } from "../../features/requirements/useJudged";
 import { useLab, useView, useLabContext } from "../../lab/context";
 import { partShown, withBaseline } from "../../lab/resultView";
 import { Results } from "./Results";
@@ -25,7 +26,7 @@ export function LabMain({ strategies }: { readonly strategies: readonly Strategy
   const [catalogue, figures] = [useCatalogue(), useLabFigures(strategies)];
   const shown = useLab((state) => state.shown);
   const selected = useLab((state) => state.strategies);
-  const { axis, zoom, baseline, reference, differences } = useView();
+  const { axis, zoom, baseline, reference, differences, requirements } = useView();
   const compared = useCompared();
   // Apart: another baseline leaves what is drawn as it is.
   const part = useMemo(
@@ -33,9 +34,11 @@ export function LabMain({ strategies }: { readonly strategies: readonly Strategy
     [shown, strategies, selected, axis, zoom],
   );
   const paired = usePaired(part, compared, { baseline, reference });
+  const judged = useJudged(part, compared, requirements, baseline);
   const resultView = useMemo(
-    () => part && withBaseline(part, { baseline, reference, differences }, compared, paired),
-    [part, baseline, reference, differences, compared, paired],
+    () =>
+      part && withBaseline(part, { baseline, reference, differences }, compared, { roadPairedChanges: paired, judged }),
+    [part, baseline, reference, differences, compared, paired, judged],
   );
   return (
     <main className={classes.main}>

@@ -1,6 +1,6 @@
 /** The results: the car and the ride on the bump first, then the numbers, then every other signal. */
 
-import { memo, useDeferredValue } from "react";
+import { memo, useDeferredValue, useMemo } from "react";
 import { Button, Skeleton, Text } from "@mantine/core";
 import type { Catalogue, FigureTemplate, Strategy } from "../../api/types";
 import { PlotGrid, RoadStrip } from "../../plots/PlotGrid";
@@ -10,7 +10,17 @@ import { LazyPart } from "../../ui/LazyPart";
 import { Blank, CouldNotLoad } from "../../ui/Blank";
 import classes from "../../ui/shell.module.css";
 import plots from "../../plots/plots.module.css";
-import { CarView, ChangeChips, FrequencyPart, InstantPart, StageLegend, Tables, VerdictLine } from "./afterCurves";
+import {
+  CarView,
+  ChangeChips,
+  FrequencyPart,
+  InstantPart,
+  RequirementsCard,
+  StageLegend,
+  Tables,
+  VerdictLine,
+} from "./afterCurves";
+import { metricsOf } from "../../server/metrics";
 import { getAt } from "../../scenario/path";
 import { useCurves } from "../../plots/useDetail";
 
@@ -60,12 +70,18 @@ export function Results({ strategies, catalogue, figures, resultView }: Props) {
         <>
           <LazyPart>
             <Tables resultView={resultView} catalogue={catalogue} figures={figures} />
+            <Requirements resultView={resultView} catalogue={catalogue} figures={figures} />
           </LazyPart>
           <NoHistories reason={resultView.shown.missing} />
         </>
       )}
     </div>
   );
+}
+
+function Requirements({ resultView, catalogue, figures }: HistoriesProps) {
+  const metrics = useMemo(() => metricsOf(catalogue, figures), [catalogue, figures]);
+  return <RequirementsCard resultView={resultView} figures={metrics} />;
 }
 
 const MemoTables = memo(Tables);
@@ -96,6 +112,7 @@ function Histories({ resultView, catalogue, figures }: HistoriesProps) {
           catalogue={catalogue}
           figures={figures}
         />
+        <Requirements resultView={resultView} catalogue={catalogue} figures={figures} />
       </LazyPart>
       <PlotGrid templates={Object.values(others).filter((template) => !isRide(template))} resultView={resultView} />
       <LazyPart>

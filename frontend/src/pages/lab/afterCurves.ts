@@ -12,6 +12,7 @@ export const FrequencyPart = lazy(async () => ({ default: (await parts()).Freque
 export const InstantPart = lazy(async () => ({ default: (await parts()).InstantPart }));
 export const LabActions = lazy(async () => ({ default: (await parts()).LabActions }));
 export const LabTools = lazy(async () => ({ default: (await parts()).LabTools }));
+export const RequirementsCard = lazy(async () => ({ default: (await parts()).RequirementsCard }));
 export const SharedBanner = lazy(async () => ({ default: (await parts()).SharedBanner }));
 export const StageLegend = lazy(async () => ({ default: (await parts()).StageLegend }));
 export const Tables = lazy(async () => ({ default: (await parts()).Tables }));

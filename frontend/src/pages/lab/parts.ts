@@ -6,6 +6,7 @@ export { FrequencyPart } from "../../features/frequency/FrequencyPart";
 export { InstantPart } from "../../features/instant/InstantPart";
 export { CarView } from "../../features/car/CarView";
 export { DropFiles } from "../../features/library/OpenFiles";
+export { RequirementsCard } from "../../features/requirements/RequirementsCard";
 export { SharedBanner } from "../../features/share/SharedBanner";
 export { Tables } from "../../features/tables/Tables";
 export { EditorPane } from "./EditorPane";

@@ -1,0 +1,32 @@
+/** Whether a number keeps what is required of it: a word and a sign, colour only repeats them. */
+
+import type { RequirementResult } from "../../api/types";
+import { IconAlertTriangle, IconCheck, IconX } from "../../ui/icons";
+import { limitText, RESULT_WORDS } from "./judged";
+import classes from "./requirements.module.css";
+import { useFigures, useCatalogue } from "../../server/useCatalogues";
+import { metricsOf } from "../../server/metrics";
+import { useMemo } from "react";
+
+const SIGNS = { pass: IconCheck, fail: IconX, uncertain: IconAlertTriangle } as const;
+
+export function RequirementMarks({ results }: { readonly results: readonly RequirementResult[] }) {
+  if (results.length === 0) return null;
+  return results.map((result, index) => <RequirementMark key={index} result={result} />);
+}
+
+export function RequirementMark({ result }: { readonly result: RequirementResult }) {
+  const [catalogue, templates] = [useCatalogue(), useFigures()];
+  const figure = useMemo(
+    () => metricsOf(catalogue, templates).find(({ key }) => key === result.metric),
+    [catalogue, templates, result.metric],
+  );
+  const limit = limitText(result, figure, result.baseline);
+  const Sign = SIGNS[result.result];
+  return (
+    <span className={classes.mark} data-result={result.result} title={`Required: ${limit}`}>
+      <Sign size={12} stroke={2.4} aria-hidden /> {RESULT_WORDS[result.result]}
+      <span className="visually-hidden">, required {limit}</span>
+    </span>
+  );
+}

@@ -1,0 +1,203 @@
+/** What the strategies are held to: a list of limits, each with how the shown result keeps it. */
+
+import { useState } from "react";
+import { Text } from "@mantine/core";
+import type { Strategy } from "../../api/types";
+import { useLabContext, useReadOnly, useView } from "../../lab/context";
+import { metricPath, valueAt } from "../../lab/metricPath";
+import { limitOf, requirementText, type LimitKind, type Requirement } from "../../lab/requirements";
+import type { ResultView } from "../../lab/resultView";
+import { fullName, optionsOf, type Metric } from "../../server/metrics";
+import { Card } from "../../ui/Card";
+import { Choice, Entry, EntryRow, Finder } from "../../ui/Entry";
+import ui from "../../ui/ui.module.css";
+import { formatInput, formatResult, prettyUnit } from "../../units/format";
+import { parseQuantity } from "../../units/quantity";
+import { LIMIT_WORDS, limitText, limitUnit, resultsOf, shownLimit } from "./judged";
+import { RequirementMark } from "./RequirementMarks";
+import classes from "./requirements.module.css";
+
+interface Props {
+  readonly resultView: ResultView;
+  readonly figures: readonly Metric[];
+}
+
+/** As many as the service takes. */
+const MOST = 64;
+
+export function RequirementsCard({ resultView, figures }: Props) {
+  const { labAddress } = useLabContext();
+  const { requirements } = useView();
+  const readOnly = useReadOnly();
+  const set = (next: readonly Requirement[]) => labAddress.setView({ requirements: next });
+  if (readOnly && requirements.length === 0) return null;
+  return (
+    <Card aria-label="Requirements" title="Requirements">
+      <div className={ui.part}>
+        {requirements.map((requirement, index) => (
+          <RequirementRow
+            key={`${index} ${requirementText(requirement)}`}
+            {...{ requirement, resultView, readOnly }}
+            figure={figures.find(({ key }) => key === requirement.metric)}
+            onChange={(next) => set(requirements.map((each, at) => (at === index ? next : each)))}
+            onRemove={() => set(requirements.filter((_, at) => at !== index))}
+          />
+        ))}
+        {!readOnly && requirements.length < MOST && (
+          <Finder
+            label={requirements.length === 0 ? "Hold a metric to a limit" : "Add a requirement"}
+            placeholder="Name of a metric…"
+            nothingFoundMessage="No metric of that name"
+            maw={420}
+            data={optionsOf(figures)}
+            onPick={(metric) => set([...requirements, { metric, max: opening(resultView, metric) }])}
+          />
+        )}
+        {requirements.length > 0 && (
+          <Text size="xs" c="dimmed" m={0}>
+            {resultView.shown.over === null
+              ? "On one road; over several the mean’s 95 % interval has to keep the limit, and one that holds it is uncertain."
+              : "Over several roads: uncertain where the mean’s 95 % interval holds the limit."}
+          </Text>
+        )}
+      </div>
+    </Card>
+  );
+}
+
+/** A limit to begin with: what the worst of the strategies has, in two digits. */
+function opening({ strategies, summaries, baseline }: ResultView, metric: string): number {
+  const [, event] = /^events[.](.+)/.exec(metric) ?? [];
+  const values = strategies.flatMap(({ id }) => {
+    const summary = summaries[id];
+    const value = event === undefined ? valueAt(summary, metricPath(metric)) : summary?.events[event];
+    return typeof value === "number" && (id !== baseline || strategies.length === 1) ? [value] : [];
+  });
+  return Number(Math.max(0, ...values).toPrecision(2));
+}
+
+interface RowProps {
+  readonly requirement: Requirement;
+  readonly figure: Metric | undefined;
+  readonly resultView: ResultView;
+  readonly readOnly: boolean;
+  readonly onChange: (next: Requirement) => void;
+  readonly onRemove: () => void;
+}
+
+const KINDS = (["max", "min", "max_change"] as const).map((value) => ({ value, label: LIMIT_WORDS[value] }));
+const OTHERS = "";
+
+function RequirementRow({ requirement, figure, resultView, readOnly, onChange, onRemove }: RowProps) {
+  const title = figure ? fullName(figure) : requirement.metric;
+  const { kind, value } = limitOf(requirement);
+  const results = resultsOf(requirement, resultView.judged[resultView.shown.runId ?? ""] ?? []);
+  const labelOf = (id: string) => resultView.catalogue.find((strategy) => strategy.id === id)?.label ?? id;
+  const unit = limitUnit(kind, figure);
+  const { metric, strategies } = requirement;
+  const who = strategies ? { strategies } : {};
+  return (
+    <EntryRow
+      title={title}
+      name={`Requirement: ${title} ${limitText(requirement, figure)}`}
+      removal={`the requirement of ${title}`}
+      error={undefined}
+      {...(readOnly ? {} : { onRemove })}
+      beside={
+        readOnly ? (
+          <span className={ui.dim}>{limitText(requirement, figure)}</span>
+        ) : (
+          <>
+            <Choice
+              aria-label={`${title}: kind of limit`}
+              value={kind}
+              data={KINDS}
+              onPick={(next) => onChange({ metric, [next as LimitKind]: next === "max_change" ? 0 : value, ...who })}
+            />
+            <LimitEntry
+              label={`${title}, ${LIMIT_WORDS[kind]}`}
+              unit={unit}
+              value={shownLimit(kind, value, figure)}
+              onSet={(shown) => {
+                const si = kind === "max_change" ? shown : shown / (figure?.scale ?? 1);
+                onChange({ metric, [kind]: Number(si.toPrecision(12)), ...who });
+              }}
+            />
+            <Choice
+              aria-label={`${title}: of which strategies`}
+              value={strategies?.join(",") ?? OTHERS}
+              data={whose(resultView.strategies, requirement, kind, resultView.baseline)}
+              onPick={(ids) =>
+                onChange({ metric, [kind]: value, ...(ids !== OTHERS && { strategies: ids.split(",") }) })
+              }
+            />
+          </>
+        )
+      }
+    >
+      <ul className={classes.results} aria-label={`${title}: results`}>
+        {results.map((result) => (
+          <li key={result.strategy}>
+            {labelOf(result.strategy)}{" "}
+            {result.value === null
+              ? (result.reason ?? "")
+              : `${formatResult(shownLimit(kind, result.value, figure))} ${prettyUnit(unit)}`}{" "}
+            <RequirementMark result={result} />
+          </li>
+        ))}
+      </ul>
+    </EntryRow>
+  );
+}
+
+/** Who may be asked to keep it: all but the baseline, or one; and whoever an address names. */
+function whose(
+  strategies: readonly Strategy[],
+  { strategies: named }: Requirement,
+  kind: LimitKind,
+  base: string | null,
+) {
+  const single = strategies.filter(({ id }) => kind !== "max_change" || id !== base);
+  const several = named && named.length > 1 ? [{ value: named.join(","), label: named.join(", ") }] : [];
+  const missing = named?.length === 1 && single.every(({ id }) => id !== named[0]) ? named : [];
+  return [
+    { value: OTHERS, label: "all but the baseline" },
+    ...several,
+    ...single.map(({ id, label }) => ({ value: id, label })),
+    ...missing.map((id) => ({ value: id, label: id })),
+  ];
+}
+
+interface LimitEntryProps {
+  readonly label: string;
+  readonly unit: string;
+  /** In that unit. */
+  readonly value: number;
+  readonly onSet: (value: number) => void;
+}
+
+/** A limit as somebody types it, taken once it is a number. */
+function LimitEntry({ label, unit, value, onSet }: LimitEntryProps) {
+  const [typed, setTyped] = useState<string | null>(null);
+  const parsed = typed === null ? null : parseQuantity(typed, unit);
+  const finish = () => {
+    if (!parsed?.ok) return;
+    setTyped(null);
+    onSet(parsed.value);
+  };
+  return (
+    <Entry
+      className={classes.limit}
+      aria-label={label}
+      unit={unit}
+      value={typed ?? formatInput(value)}
+      error={parsed && !parsed.ok ? parsed.message : undefined}
+      onType={setTyped}
+      onBlur={finish}
+      onKeyDown={({ key }) => {
+        if (key === "Enter") finish();
+        if (key === "Escape") setTyped(null);
+      }}
+    />
+  );
+}

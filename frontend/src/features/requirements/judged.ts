@@ -1,0 +1,57 @@
+/** How results keep requirements, for tables, chips and the list. */
+
+import type { RequirementResult, StrategyId } from "../../api/types";
+import { limitOf, type Judged, type LimitKind, type Requirement } from "../../lab/requirements";
+import type { Result } from "../../lab/result";
+import type { Metric } from "../../server/metrics";
+import { formatInput, prettyUnit } from "../../units/format";
+
+interface Judgeable {
+  readonly shown: Pick<Result, "runId">;
+  readonly strategy: { readonly id: StrategyId };
+}
+
+/** How one strategy of a result keeps what is required of a metric. */
+export const requiredOf = (
+  judged: Judged,
+  { shown, strategy }: Judgeable,
+  metric: string,
+): readonly RequirementResult[] =>
+  (judged[shown.runId ?? ""] ?? []).filter((each) => each.strategy === strategy.id && each.metric === metric);
+
+/** Those of the list that are about this requirement. */
+export function resultsOf(requirement: Requirement, results: readonly RequirementResult[]) {
+  const { kind, value } = limitOf(requirement);
+  return results.filter(
+    (each) =>
+      each.metric === requirement.metric &&
+      each[kind] === value &&
+      (requirement.strategies ?? [each.strategy]).includes(each.strategy),
+  );
+}
+
+export const LIMIT_WORDS: Readonly<Record<LimitKind, string>> = {
+  max: "at most",
+  min: "at least",
+  max_change: "changes by at most",
+};
+
+export const RESULT_WORDS = { pass: "pass", fail: "fail", uncertain: "uncertain" } as const;
+
+/** In the unit that it is shown in. */
+export const shownLimit = (kind: LimitKind, value: number, figure: Metric | undefined): number =>
+  Number((kind === "max_change" ? value : value * (figure?.scale ?? 1)).toPrecision(12));
+
+export const limitUnit = (kind: LimitKind, figure: Metric | undefined): string =>
+  kind === "max_change" ? "%" : (figure?.unit ?? "1");
+
+/** `at most 3 m/s²`, `changes by at most −20 % against Passive`. */
+export function limitText(
+  requirement: Pick<Requirement, LimitKind>,
+  figure: Metric | undefined,
+  baseline: string | null = null,
+): string {
+  const { kind, value } = limitOf(requirement);
+  const number = `${formatInput(shownLimit(kind, value, figure))} ${prettyUnit(limitUnit(kind, figure))}`.trim();
+  return `${LIMIT_WORDS[kind]} ${number}${baseline === null ? "" : ` against ${baseline}`}`;
+}

@@ -1,0 +1,55 @@
+/** Requirements: metrics with limits, as the command line writes them; addresses carry them so. */
+
+import type { Requirement, RequirementResult } from "../api/types";
+
+export type { Requirement, RequirementResult };
+
+/** What a requirement's limit is: one of the three that it has. */
+export type LimitKind = "max" | "min" | "max_change";
+
+export interface Limit {
+  readonly kind: LimitKind;
+  /** In SI, of a change in percent. */
+  readonly value: number;
+}
+
+export function limitOf({ max, min, max_change }: Pick<Requirement, LimitKind>): Limit {
+  if (typeof max_change === "number") return { kind: "max_change", value: max_change };
+  return typeof min === "number" ? { kind: "min", value: min } : { kind: "max", value: max ?? 0 };
+}
+
+/** `lv,lqr:bump.body_acceleration.peak<3`, `travel_time>10`, `bump.rear_tyre_load.peak<-20%`. */
+export function requirementText(requirement: Requirement): string {
+  const { kind, value } = limitOf(requirement);
+  const who = requirement.strategies ? `${requirement.strategies.join(",")}:` : "";
+  if (kind === "max_change") return `${who}${requirement.metric}<${value < 0 ? "" : "+"}${value}%`;
+  return `${who}${requirement.metric}${kind === "min" ? ">" : "<"}${value}`;
+}
+
+const TEXT = /^(?:([\w,-]+):)?([\w.]+)([<>])([+-]?[\d.]+(?:e[+-]?\d+)?)(%?)$/i;
+
+function readRequirement(text: string): readonly Requirement[] {
+  const [, who, metric = "", sign, number, percent] = TEXT.exec(text) ?? [];
+  const value = Number(number);
+  if (number === undefined || !Number.isFinite(value)) return [];
+  const kind: LimitKind = percent ? "max_change" : sign === ">" ? "min" : "max";
+  return [{ metric, [kind]: value, ...(who !== undefined && { strategies: who.split(",") }) }];
+}
+
+/** As many as the service takes. */
+const MOST = 64;
+
+export const requirementsText = (all: readonly Requirement[]) => all.map(requirementText).join(";");
+
+/** Those of an address; what is none is left out. */
+export const readRequirements = (text = ""): readonly Requirement[] =>
+  text.split(";").flatMap(readRequirement).slice(0, MOST);
+
+/** By run how it keeps what is required; a run under way, or one that could not be asked about, has no entry. */
+export type Judged = Readonly<Record<string, readonly RequirementResult[]>>;
+
+/** The worst of the results first: one that fails counts more than one that is uncertain. */
+export function worstOf(results: readonly RequirementResult[]): RequirementResult | null {
+  const rank = { fail: 0, uncertain: 1, pass: 2 };
+  return [...results].sort((one, other) => rank[one.result] - rank[other.result])[0] ?? null;
+}
