@@ -98,3 +98,37 @@ def test_a_link_keeps_its_requirements_and_says_how_they_are_kept(client: httpx.
     (result,) = link["run"]["requirement_results"]
     change = 100 * (peak(run, "lqr") / peak(run, "lv") - 1)
     assert (result["baseline"], result["value"]) == ("lv", pytest.approx(change))
+
+
+def test_the_largest_value_at_which_all_pass_is_that_of_the_strictest(client: httpx.Client) -> None:
+    """On a smooth road the passive car is linear in the bump's height: the least of both limits' heights."""
+    smooth = {"road": {"roughness": 0, "length": 118}}
+    question = {"scenario": smooth, "strategy": "passive", "field": "road.bump.height", "range": [0.01, 0.2]}
+    limits = {PEAK: 4.0, "bump.front_deflection.peak": 0.05, "comfort.weighted_rms": 99.0}
+    single = [{**question, "metric": metric, "limit": limit} for metric, limit in list(limits.items())[:2]]
+    least = min(client.post("/api/v1/solve", json=each).json()["value"] for each in single)
+    requirements = [{"metric": metric, "max": limit} for metric, limit in limits.items()]
+    solution = client.post("/api/v1/solve", json={**question, "requirements": requirements}).json()
+    assert solution["value"] == least
+    assert 0.99 < solution["metric_value"] <= 1
+    assert {each["result"] for each in solution["requirement_results"]} == {"pass"}
+    changed = [{"metric": PEAK, "max_change": -5}, *requirements]
+    answer = client.post("/api/v1/solve", json={**question, "strategy": "skyhook", "requirements": changed}).json()
+    assert [each["result"] for each in answer["requirement_results"]] == ["pass"] * 4
+    none = client.post("/api/v1/solve", json={**question, "requirements": [{"metric": PEAK, "max": 1e-3}]})
+    assert none.json()["detail"].endswith(f"keeps every requirement; nearest is 0.01 m: {PEAK} does not pass.")
+
+
+@pytest.mark.parametrize(
+    ("asked", "pointer"),
+    [
+        ({}, "/metric"),
+        ({"metric": PEAK, "limit": 1, "requirements": [{"metric": PEAK, "max": 1}]}, "/limit"),
+        ({"requirements": [{"metric": PEAK, "max": 1, "strategies": ["lqr"]}]}, "/requirements/0/strategies"),
+        ({"requirements": [{"metric": PEAK, "max_change": 1}]}, "/requirements/0/max_change"),
+    ],
+)
+def test_a_question_about_requirements_is_whole(client: httpx.Client, asked: dict[str, Any], pointer: str) -> None:
+    question = {"strategy": "passive", "field": "road.bump.height", "range": [0.01, 0.2]}
+    response = client.post("/api/v1/solve", json={**question, **asked})
+    assert [each["pointer"] for each in response.json()["errors"]] == [pointer]

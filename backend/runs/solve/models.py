@@ -1,14 +1,16 @@
 """The request and the answer of `POST /solve`; beside `backend.models`."""
 
-from typing import Annotated
+from typing import Annotated, Self
 
-from pydantic import AfterValidator, Field, ValidationInfo, field_validator
+from pydantic import AfterValidator, Field, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
 from backend.models import Answer, MetricName, RequestModel, RoadCount, StrategyName, inconsistent
+from backend.requirements import RequirementResult, Requirements
 from backend.runs.over_roads import Interval
 from backend.runs.solve.limit_search import Axis
 from backend.unknown_names import unknown_name
+from sim_core.catalogue import METRICS
 from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario, dotted
 
@@ -31,7 +33,7 @@ def _check_field(name: str) -> str:
 
 
 class SolveRequest(RequestModel):
-    """How large a field may be: the largest value in a range that keeps a metric at or below a limit."""
+    """How large a field may be: the largest value in a range that keeps a metric's limit, or every requirement."""
 
     scenario: Scenario = Scenario()
     strategy: StrategyName
@@ -39,9 +41,15 @@ class SolveRequest(RequestModel):
         description="By its dotted name; one that takes a number"
     )
     range: Annotated[tuple[float, float], Field(strict=False)] = Field(description="[lowest, highest], its unit")
-    metric: MetricName = Field(description="By its flat name, a column of a batch's table")
-    limit: float = Field(ge=-1e12, le=1e12, description="The metric's unit; over several roads its interval keeps it")
+    metric: MetricName | None = Field(None, description="By its flat name, a column of a batch's table")
+    limit: float | None = Field(
+        None, ge=-1e12, le=1e12, description="The metric's unit; over several roads its interval keeps it"
+    )
     roads: RoadCount = 1
+    baseline: StrategyName | None = Field(
+        None, description="What a requirement's change is against, driven beside the strategy; null is passive"
+    )
+    requirements: Requirements = Field([], description="In place of metric and limit: all that has to hold")
 
     @field_validator("range")
     @classmethod
@@ -60,6 +68,45 @@ class SolveRequest(RequestModel):
             except RidelabError as error:
                 raise inconsistent(str(index), error.message) from None
         return ends
+
+    @model_validator(mode="after")
+    def _one_question(self) -> Self:
+        if (self.metric is None) != (self.limit is None) or (self.metric is None) == (not self.requirements):
+            missing = "metric" if self.metric is None else "limit"
+            raise inconsistent(missing, "Either metric and limit have to be given, or requirements")
+        for index, requirement in enumerate(self.requirements):
+            if self.strategy not in (requirement.strategies or [self.strategy]):
+                raise inconsistent(f"requirements.{index}.strategies", f"It is searched for {self.strategy}")
+            if requirement.max_change is not None and self.strategy == self.against:
+                message = f"A change of {self.strategy} takes another baseline"
+                raise inconsistent(f"requirements.{index}.max_change", message)
+        return self
+
+    @property
+    def against(self) -> str:
+        """What a requirement's change is against."""
+        return self.baseline or "passive"
+
+    @property
+    def driven(self) -> list[str]:
+        """The strategies that are driven at each value."""
+        changes = any(requirement.max_change is not None for requirement in self.requirements)
+        return [self.strategy, self.against] if changes else [self.strategy]
+
+    @property
+    def bound(self) -> float:
+        """What the value tried has to stay at or below: the limit, or all of the requirements' limits."""
+        return 1.0 if self.limit is None else self.limit
+
+    @property
+    def held(self) -> str:
+        """What is held to it, in words."""
+        return self.metric or "the largest part of a limit that is used"
+
+    @property
+    def held_unit(self) -> str:
+        """Its unit, 1 for none."""
+        return "1" if self.metric is None else METRICS[self.metric].unit
 
     @staticmethod
     def _whole(name: str) -> bool:
@@ -95,7 +142,10 @@ class Solution(Answer):
     """The largest value that keeps the limit."""
 
     value: Value = Field(description="The field's unit")
-    metric_value: float = Field(description="What is held to the limit; over several roads the interval's upper end")
+    metric_value: float = Field(
+        description="What is held to the limit; over several roads the interval's upper end. Of requirements the "
+        "largest part of a limit that is used, 1 where one is just kept"
+    )
     interval: Interval | None = Field(description="The metric at that value over the roads; null for one road")
     resolution: float | None = Field(
         description="Smallest change of the metric [%] that is more than luck: on one road the strategy's "
@@ -114,4 +164,7 @@ class Solution(Answer):
     metric_unit: str = Field(description="1 for none")
     warnings: list[str] = Field(description="Where the metric is not monotone, and what else the value does not tell")
     tried: list[TriedValue] = Field(description="Every value tried, in order")
+    requirement_results: list[RequirementResult] = Field(
+        description="How they are kept at the value; empty without any"
+    )
     core_version: str

@@ -2,16 +2,15 @@
 
 from pydantic import ValidationError
 
-from backend.cost.estimate import estimate
+from backend.cost.estimate import cost_of
 from backend.errors import ShortRoadError
 from backend.gate import Gate
 from backend.roads.service import MeasuredRoads
 from backend.runs.service import Runs
 from backend.runs.solve.limit_search import MAX_VALUES, next_indices
 from backend.runs.solve.models import Solution, SolveRequest
-from backend.runs.solve.solution import Tried, bounds_of, solution
+from backend.runs.solve.solution import Tried, bounds_of, of_metric, of_requirements, solution
 from backend.scenario_at import contradiction, scenario_at
-from sim_core.catalogue import METRICS
 from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario
 
@@ -43,7 +42,7 @@ class Solver:
         self._gate.check_cost(cost)
         tried: dict[int, Tried] = {}
         with self._gate.computing(client, cost):
-            while indices := next_indices(request.axis, request.limit, bounds_of(tried)):
+            while indices := next_indices(request.axis, request.bound, bounds_of(tried)):
                 for index in indices:
                     tried[index] = await self._drive(request, index, client)
         return solution(request, tried)
@@ -54,7 +53,7 @@ class Solver:
         except ValidationError as error:
             return Tried(reason=contradiction(error))
         try:
-            run, _ = await self._runs.drive(scenario, [request.strategy], client, roads=request.roads, baseline=None)
+            run, _ = await self._runs.drive(scenario, request.driven, client, roads=request.roads, baseline=None)
         except ShortRoadError as error:
             if request.field != LENGTH:  # every value would fail alike: the scenario is to blame
                 raise
@@ -62,10 +61,10 @@ class Solver:
         failures = [each.summary["reason"] for each in run.results if each.status != "ok"]
         if failures:
             return Tried(run_id=run.id, reason=failures[0])
-        values = [METRICS[request.metric].of(each.summary) for each in run.results]
-        if None in values:
-            return Tried(run_id=run.id, reason=f"{request.strategy} has no {request.metric}", undefined=True)
-        return Tried(run_id=run.id, values=tuple(map(float, values)))
+        driven = {name: [each.summary for each in results] for name, results in run.by_strategy.items()}
+        return (
+            of_requirements(request, run.id, driven) if request.metric is None else of_metric(request, run.id, driven)
+        )
 
 
 def _scenario(request: SolveRequest, index: int) -> Scenario:
@@ -77,7 +76,7 @@ def _max_cost(request: SolveRequest) -> float:
     costs = [0.0]
     for index in request.axis.scan:
         try:
-            costs.append(estimate(_scenario(request, index), request.strategy))
+            costs.append(cost_of(_scenario(request, index), request.driven))
         except (ValidationError, RidelabError):
             continue  # what it is, its run says
     return max(costs) * min(request.axis.last + 1, MAX_VALUES) * request.roads

@@ -1,12 +1,14 @@
 """The answer from the values tried: the largest that keeps the limit, and warnings in plain words."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf, isfinite
 
 from backend.errors import InvalidError, NoSolutionError, ServiceError
 from backend.intervals import mean_with_interval
+from backend.json_types import Summary
 from backend.means_over_roads import one_road_resolution
+from backend.requirements import RequirementResult, judged, used
 from backend.runs.over_roads import Interval
 from backend.runs.solve import limit_search
 from backend.runs.solve.models import Solution, SolveRequest, TriedValue
@@ -24,30 +26,46 @@ class Tried:
 
     Attributes:
         run_id: The run; None where the scenario contradicts itself.
-        values: The metric on each road; None where there is none.
-        reason: Why there is none.
+        bound: What is held to the limit: the metric, or its interval's upper end, or the largest part of a
+            requirement's limit that is used; infinite where there is none.
+        interval: The metric's mean and interval over several roads; None on one, and of requirements.
+        reason: Why there is no bound.
         undefined: The car was driven, and the strategy has no such metric.
+        results: How the requirements are kept.
     """
 
     run_id: str | None = None
-    values: tuple[float, ...] | None = None
+    bound: float = inf
+    interval: Interval | None = None
     reason: str | None = None
     undefined: bool = False
+    results: tuple[RequirementResult, ...] = ()
 
-    @property
-    def interval(self) -> Interval | None:
-        """The metric's mean and interval over several roads."""
-        if self.values is None or len(self.values) == 1:
-            return None
-        over = mean_with_interval(self.values)
-        return Interval(mean=over.value, low=over.low, high=over.high)
 
-    @property
-    def bound(self) -> float:
-        """What the limit is compared with: the metric, or its interval's upper end; infinite without a metric."""
-        if self.values is None:
-            return inf
-        return self.values[0] if (interval := self.interval) is None else interval.high
+def of_metric(request: SolveRequest, run_id: str, driven: Mapping[str, Sequence[Summary]]) -> Tried:
+    """What the metric of a run is held to the limit with."""
+    values = [METRICS[str(request.metric)].of(summary) for summary in driven[request.strategy]]
+    if None in values:
+        return Tried(run_id=run_id, reason=f"{request.strategy} has no {request.metric}", undefined=True)
+    if len(values) == 1:
+        return Tried(run_id=run_id, bound=float(values[0]))
+    over = mean_with_interval(values)
+    interval = Interval(mean=over.value, low=over.low, high=over.high)
+    return Tried(run_id=run_id, bound=over.high, interval=interval)
+
+
+def of_requirements(request: SolveRequest, run_id: str, driven: Mapping[str, Sequence[Summary]]) -> Tried:
+    """How far a run uses the requirements' limits."""
+    results = [judged(each, request.strategy, driven, request.against) for each in request.requirements]
+    own, base = driven[request.strategy], driven[request.driven[-1]]
+    reason = next((f"{each.metric}: {each.reason}" for each in results if each.reason is not None), None)
+    return Tried(
+        run_id=run_id,
+        bound=max(used(each, own, base) for each in request.requirements),
+        reason=reason,
+        undefined=reason is not None,
+        results=tuple(results),
+    )
 
 
 def bounds_of(tried: Mapping[int, Tried]) -> dict[int, float]:
@@ -63,14 +81,14 @@ def solution(request: SolveRequest, tried: Mapping[int, Tried]) -> Solution:
         InvalidError: No value could be tried.
     """
     bounds = bounds_of(tried)
-    low, high = limit_search.bracket(request.axis, request.limit, bounds)
+    low, high = limit_search.bracket(request.axis, request.bound, bounds)
     if low is None:
         raise _refusal(request, tried)
     best = tried[low]
     resolution = _resolution(request, best)
     alike: tuple[float, float] = (low, low)
     if resolution is not None and high > low:
-        alike = limit_search.alike(request.limit, bounds, low, resolution / 100)
+        alike = limit_search.alike(request.bound, bounds, low, resolution / 100)
     return Solution(
         value=request.value(low),
         metric_value=best.bound,
@@ -81,30 +99,43 @@ def solution(request: SolveRequest, tried: Mapping[int, Tried]) -> Solution:
         runs=request.roads * sum(each.run_id is not None for each in tried.values()),
         run_id=str(best.run_id),
         unit=dotted.field(request.field).unit,
-        metric_unit=METRICS[request.metric].unit,
+        metric_unit=request.held_unit,
         warnings=[*_unresolved(request, resolution, alike), *_warnings(request, tried, bounds, low)],
         tried=[_answered(request.value(index), each) for index, each in sorted(tried.items())],
+        requirement_results=list(best.results),
         core_version=CORE_VERSION,
     )
 
 
 def _answered(value: int | float, tried: Tried) -> TriedValue:
-    bound = tried.bound if tried.values is not None else None
+    bound = tried.bound if isfinite(tried.bound) else None
     return TriedValue(value=value, metric_value=bound, run_id=tried.run_id, reason=tried.reason)
 
 
 def _refusal(request: SolveRequest, tried: Mapping[int, Tried]) -> ServiceError:
     """Why there is no solution."""
     least = min(tried, key=lambda index: tried[index].bound)
-    if tried[least].values is None:
-        pointer = "/metric" if any(each.undefined for each in tried.values()) else "/range"
+    if tried[least].reason is not None:
+        asked = "/metric" if request.metric else "/requirements"
+        pointer = asked if any(each.undefined for each in tried.values()) else "/range"
         return InvalidError(f"No value in the range can be tried: {tried[least].reason}.", pointer=pointer)
+    if request.metric is None:
+        return NoSolutionError(
+            f"No value tried from {_value(request, 0, bare=True)} to {_value(request, request.axis.last)} keeps every "
+            f"requirement; nearest is {_value(request, least)}: {_kept(tried[least].results)}.",
+            pointer="/range",
+        )
     return NoSolutionError(
         f"No value tried from {_value(request, 0, bare=True)} to {_value(request, request.axis.last)} keeps "
-        f"{request.metric} at or below {_metric(request, request.limit)}; the least, "
+        f"{request.metric} at or below {_metric(request, request.bound)}; the least, "
         f"{_metric(request, tried[least].bound)}, is at {_value(request, least)}.",
         pointer="/range",
     )
+
+
+def _kept(results: Sequence[RequirementResult]) -> str:
+    """Of which metrics the limits are not kept."""
+    return ", ".join(f"{each.metric} does not pass" for each in results if each.result != "pass")
 
 
 def _resolution(request: SolveRequest, best: Tried) -> float | None:
@@ -112,6 +143,8 @@ def _resolution(request: SolveRequest, best: Tried) -> float | None:
     if best.interval is not None:
         half = best.interval.high - best.interval.mean
         return 100 * half / abs(best.bound) if half and best.bound else None
+    if request.metric is None:
+        return None  # each of its requirements has another
     path = METRICS[request.metric].path
     if request.scenario.road.is_smooth or path[0] not in ("metrics", "comfort"):
         return None
@@ -134,7 +167,7 @@ def _unresolved(request: SolveRequest, resolution: float | None, alike: tuple[fl
 def _warnings(
     request: SolveRequest, tried: Mapping[int, Tried], bounds: Mapping[int, float], best: int
 ) -> Iterator[str]:
-    missing = [index for index in sorted(tried) if tried[index].values is None]
+    missing = [index for index in sorted(tried) if not isfinite(tried[index].bound)]
     if missing:
         first = missing[0]
         yield (
@@ -143,8 +176,9 @@ def _warnings(
         )
     finite = {index: bound for index, bound in bounds.items() if isfinite(bound)}
     if len(finite) > 1 and len(set(finite.values())) == 1:
-        yield f"The metric is the same at every value tried: {request.strategy} may not depend on {request.field}."
-    spans = limit_search.spans_over(request.limit, finite, best)
+        same = f"{_subject(request)} is the same at every value tried"
+        yield f"{same}: {request.strategy} may not depend on {request.field}."
+    spans = limit_search.spans_over(request.bound, finite, best)
     if spans:
         over = ", ".join(
             _value(request, first)
@@ -168,7 +202,12 @@ def _not_monotone(request: SolveRequest, bounds: Mapping[int, float], extrema: l
         goes = "rises" if rises == (number % 2 == 0) else "falls"
         steps.append(f"{goes} to {_metric(request, bounds[index])} at {_value(request, index)}")
     more = " and so on" if len(extrema) > MAX_EXTREMA else ""
-    return f"The metric is not monotone: {', '.join(steps)}{more}; between values tried it may exceed the limit unseen."
+    unseen = "between values tried it may exceed the limit unseen"
+    return f"{_subject(request)} is not monotone: {', '.join(steps)}{more}; {unseen}."
+
+
+def _subject(request: SolveRequest) -> str:
+    return "The metric" if request.metric else request.held.capitalize()
 
 
 def _value(request: SolveRequest, index: int, *, bare: bool = False) -> str:
@@ -177,5 +216,5 @@ def _value(request: SolveRequest, index: int, *, bare: bool = False) -> str:
 
 
 def _metric(request: SolveRequest, value: float) -> str:
-    unit = METRICS[request.metric].unit
+    unit = request.held_unit
     return f"{value:.4g}{'' if unit == '1' else f' {unit}'}"

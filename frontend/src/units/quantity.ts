@@ -60,10 +60,11 @@ export function parseQuantity(text: string, unit: string): Quantity {
     };
   const written = keyOf(compact.slice(digits.length));
   if (written === "") return { ok: true, value };
-  const units = unitsLike(unit);
+  const own = unit.replace("²", "^2");
+  const units = unitsLike(own);
   const match = Object.entries(units).find(([name]) => keyOf(name) === (ALIASES.get(written) ?? written));
-  if (!match) return { ok: false, message: `Takes ${listed(units, unit)}` };
-  return { ok: true, value: rounded((value * match[1]) / (units[unit] ?? 1)) };
+  if (!match) return { ok: false, message: `Takes ${listed(units, own)}` };
+  return { ok: true, value: rounded((value * match[1]) / (units[own] ?? 1)) };
 }
 
 /** `cm (without a unit), m, mm, km, in or ft`. */

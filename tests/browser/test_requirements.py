@@ -1,0 +1,46 @@
+"""What the strategies are held to: set in a list, marked in words where the numbers stand, kept by address and link."""
+
+import os
+import re
+from pathlib import Path
+
+from playwright.sync_api import expect
+
+from tests.browser.dashboard import Dashboard
+
+PEAK = "bump.body_acceleration.peak"
+TITLE = "Body acceleration, peak, bump"
+
+
+def test_a_limit_is_set_marked_and_kept(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page = dashboard.page
+    card = page.get_by_role("region", name="Requirements")
+    card.get_by_label("Hold a metric to a limit").fill("body acceleration, peak, b")
+    page.get_by_role("listbox").get_by_role("option", name=TITLE).click()
+    limit = card.get_by_role("textbox", name=f"{TITLE}, at most")
+    limit.fill("0.1 g")
+    limit.press("Enter")
+    expect(limit).to_have_value("0.980665")
+    results = card.get_by_role("list", name=f"{TITLE}: results").get_by_role("listitem")
+    expect(results).to_have_text([re.compile(r"LV control 0.898\d* m/s² pass"), re.compile(r"LQR 1.47\d* m/s² fail")])
+    cells = page.locator(f'[data-cell="{PEAK}"]')
+    for strategy, word in (("lv", "pass"), ("lqr", "fail")):
+        expect(cells.locator(f'xpath=self::*[ancestor::*[@data-strategy="{strategy}"]]')).to_contain_text(word)
+    expect(cells.locator('xpath=self::*[ancestor::*[@data-strategy="passive"]]')).not_to_contain_text("fail")
+    card.get_by_label(f"{TITLE}: kind of limit").select_option("changes by at most")
+    limit = card.get_by_role("textbox", name=f"{TITLE}, changes by at most")
+    limit.fill("-80")
+    limit.press("Enter")
+    card.get_by_label(f"{TITLE}: of which strategies").select_option("LQR")
+    expect(results).to_have_text([re.compile("LQR −?-?76[.]2 % fail")])
+    assert page.url.endswith(f"?require=lqr:{PEAK}%3C-80%25")
+    if folder := os.environ.get("SHOTS"):
+        card.scroll_into_view_if_needed()
+        page.screenshot(path=Path(folder) / "card.png", full_page=True)
+    dashboard.expect_accessible()
+    page.reload()
+    expect(results).to_have_text([re.compile("LQR −?-?76[.]2 % fail")])
+    card.get_by_role("button", name=f"Remove the requirement of {TITLE}").click()
+    expect(page.locator("[data-result]")).to_have_count(0)
+    assert "require" not in page.url
