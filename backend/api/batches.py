@@ -12,6 +12,7 @@ from backend.batches.models import (
     Batch,
     Batches,
     BatchRequest,
+    BatchRequirements,
     BatchResults,
     BatchSummary,
     BatchTable,
@@ -63,7 +64,13 @@ async def create_batch(
     if body.dry_run:
         return json_answer(await cancel_on_disconnect(request, service.estimate(*batch, client)))
     creating = service.create(
-        *batch, client=client, key=jobs.key_of(owner, idempotency_key), label=body.label, owner=owner
+        *batch,
+        client=client,
+        key=jobs.key_of(owner, idempotency_key),
+        label=body.label,
+        owner=owner,
+        baseline=body.baseline,
+        requirements=body.requirements,
     )
     job = await cancel_on_disconnect(request, creating)
     return api.accepted(await service.answer(job), job)
@@ -109,6 +116,12 @@ async def get_batch_table(
 ) -> Response:
     """Rows column by column: run, strategy, status, reason, the swept fields and the figures asked for."""
     return content_answer(await service.table(job_id, _figures(figures, METRICS), client), {}, MEDIA_TYPES["json"])
+
+
+@reading.get("/batches/{id}/requirements", operation_id="getBatchRequirements", response_model=BatchRequirements)
+async def get_batch_requirements(job_id: jobs.JobId, service: Service) -> Response:
+    """How the runs keep the batch's requirements: counts, where each first fails, and the worst of each run."""
+    return json_answer(await service.requirements(job_id))
 
 
 @batches.get(

@@ -10,6 +10,7 @@ from backend.batches.summary_models import Cell, StrategySummary
 from backend.jobs.models import Label
 from backend.json_types import JsonObject
 from backend.models import Answer, RequestModel, StrategyName
+from backend.requirements import Requirement, Requirements, Result
 from backend.store import StoredJob
 from backend.store.job import State
 from sim_core.scenario import Scenario, dotted
@@ -20,6 +21,10 @@ class BatchRequest(RequestModel):
 
     scenario: Scenario = Scenario()
     strategies: list[StrategyName] = Field(min_length=1, max_length=32)
+    baseline: StrategyName | None = Field(
+        None, description="What a requirement's change is against, at the same point; null is passive, or the first"
+    )
+    requirements: Requirements = Field([])
     sweep: Sweep
     label: Label = None
     dry_run: bool = Field(False, description="Only check and estimate: nothing is stored or computed")
@@ -50,6 +55,8 @@ class BatchItem(Answer):
     strategies: list[str]
     fields: list[BatchField]
     notes: list[str] = Field([], description="What its runs do not depend on; empty of old batches")
+    baseline: str | None = Field(None, description="What its requirements' changes are against; null is passive")
+    requirements: list[Requirement] = Field([], description="What its runs are held to; `/requirements` says how")
     estimated_cost: float = Field(description="Estimate [s of one core]")
     created_at: datetime
     started_at: datetime | None
@@ -93,6 +100,39 @@ class Batches(Answer):
 
     batches: list[BatchItem]
     next: str | None = Field(description="Cursor of the next page; null on the last one")
+
+
+class FirstFailure(Answer):
+    """A run that fails a requirement."""
+
+    run: int
+    value: float | None = Field(description="What is held to the limit; null where the run has none")
+    at: dict[str, Cell] = Field(description="The swept fields' values there, by dotted name")
+
+
+class BatchRequirementResult(Answer):
+    """How the runs of one strategy keep one requirement."""
+
+    metric: str = Field(description="By its flat name")
+    strategy: str
+    baseline: str | None = Field(description="What a change is against, at the same point; null of others")
+    max: float | None = Field(description="The requirement's limit, one of these three")
+    min: float | None = Field(description="Likewise")
+    max_change: float | None = Field(description="Likewise [%]")
+    result: Result = Field(description="`pass` where all runs do, `uncertain` while none fails and some have not ended")
+    counts: dict[str, int] = Field(description="How many runs `pass`, `fail` and are `unfinished`")
+    first_failure: FirstFailure | None = Field(description="The first run that fails, in order; null without any")
+
+
+class BatchRequirements(Answer):
+    """How a batch's runs keep its requirements; empty where it has none."""
+
+    batch: str
+    state: State
+    requirement_results: list[BatchRequirementResult]
+    runs: list[Result | None] = Field(
+        description="Of each run in order the worst of its results; null where it has none, or has not ended"
+    )
 
 
 class BatchTable(Answer):

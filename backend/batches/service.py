@@ -8,8 +8,9 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from backend.batches import plan, rendering, table
+from backend.batches.judged import JudgedRuns
 from backend.batches.kind import SWEEP
-from backend.batches.models import Batch, Batches, BatchItem, BatchSummary, Estimate
+from backend.batches.models import Batch, Batches, BatchItem, BatchRequirements, BatchSummary, Estimate
 from backend.batches.points import Sweep, SweepError, size
 from backend.batches.summaries import Summaries
 from backend.compute.workers import Workers
@@ -20,6 +21,7 @@ from backend.http.spool import Spool, SpoolFile
 from backend.job_run import JobRow
 from backend.jobs.service import Jobs, request_hash
 from backend.json_types import JsonObject
+from backend.requirements import Requirement
 from backend.roads.service import MeasuredRoads
 from backend.runs.service import ordered
 from backend.settings import Settings
@@ -107,6 +109,8 @@ class BatchService:
         label: str | None = None,
         owner: str | None = None,
         parent_id: str | None = None,
+        baseline: str | None = None,
+        requirements: Sequence[Requirement] = (),
     ) -> StoredJob:
         """Accept a batch: when this returns, it is committed.
 
@@ -119,6 +123,8 @@ class BatchService:
             label: A name for it.
             owner: The token's name.
             parent_id: The job that submits it.
+            baseline: What the requirements' changes are against.
+            requirements: What its runs are held to.
 
         Raises:
             ConflictError: The key had another request.
@@ -129,7 +135,11 @@ class BatchService:
         names, sent, given = ordered(strategies), _sent(sweep), scenario
         scenario = await self._roads.with_length(scenario)
         base = scenario.model_dump(mode="json")
-        hashed = request_hash({"scenario": scenario.identity(), "strategies": names, "sweep": sent})
+        held: JsonObject = {}
+        if requirements:
+            required = [each.model_dump(mode="json", exclude_none=True) for each in requirements]
+            held = {"baseline": baseline, "requirements": required}
+        hashed = request_hash({"scenario": scenario.identity(), "strategies": names, "sweep": sent, **held})
         existing = await self.jobs.existing(key, hashed)
         if existing is not None:
             return existing
@@ -148,6 +158,7 @@ class BatchService:
                 "fields": planned.fields,
                 "linked": sweep.linked or {},
                 "notes": planned.notes,
+                **held,
             },
             sweep=sent,
             estimated_cost=planned.cost,
@@ -218,6 +229,19 @@ class BatchService:
             TemporaryError: Too much is being read.
         """
         return await self._summaries.get(await self.jobs.get(job_id), figures, baseline, client)
+
+    async def requirements(self, job_id: str) -> BatchRequirements:
+        """How its runs keep its requirements.
+
+        Raises:
+            NotFoundError: There is no such batch.
+        """
+        job = await self.jobs.get(job_id)
+        judged = JudgedRuns(job)
+        if job.request.get("requirements"):
+            async for rows in self.rows(job.id):
+                await asyncio.to_thread(judged.add, rows)
+        return judged.answer(job)
 
     async def results(
         self, job_id: str, file_format: FormatName, client: str

@@ -114,12 +114,14 @@ class Ridelab(Connection):
         strategy: str,
         field: str,
         ends: tuple[float, float],
-        metric: str,
-        limit: float,
+        metric: str | None = None,
+        limit: float | None = None,
         *,
         roads: int = 1,
+        baseline: str | None = None,
+        requirements: Sequence[Requirement] = (),
     ) -> Solution:
-        """The largest value of one field that keeps one metric at or below a limit.
+        """The largest value of one field that keeps one metric at or below a limit, or every requirement.
 
         Args:
             scenario: What every run starts from.
@@ -129,12 +131,16 @@ class Ridelab(Connection):
             metric: By its flat name, such as `bump.body_acceleration.peak`.
             limit: In the metric's unit.
             roads: How many roads it is driven over; the mean's 95 % interval then keeps the limit with its upper end.
+            baseline: The strategy that changes of requirements refer to; None is passive.
+            requirements: In place of metric and limit, as of `run`.
 
         Raises:
             RidelabAPIError: `kind` is `no-solution` where no value in the range keeps the limit.
         """
-        body = {"scenario": scenario, "strategy": strategy, "field": field, "range": ends, "metric": metric}
-        answer = self._post("/solve", {**body, "limit": limit, "roads": roads})
+        body = {"scenario": scenario, "strategy": strategy, "field": field, "range": ends, "roads": roads}
+        limited = {"metric": metric, "limit": limit} if metric is not None else {}
+        held = {"baseline": baseline, **_required(requirements)} if requirements else {}
+        answer = self._post("/solve", body | limited | held)
         try:
             return Solution.of(answer)
         except (KeyError, TypeError):
@@ -271,6 +277,9 @@ class Ridelab(Connection):
         sweep: Mapping[str, Any],
         idempotency_key: str | None = None,
         label: str | None = None,
+        *,
+        baseline: str | None = None,
+        requirements: Sequence[Requirement] = (),
     ) -> Batch:
         """Submit a batch; it is committed when this returns.
 
@@ -282,8 +291,12 @@ class Ridelab(Connection):
                 `"linked": {field: [field, ..]}`, whose fields take the swept one's value.
             idempotency_key: The same key never makes a second batch; None is a key of this call's own.
             label: What to call it; lists find it by that.
+            baseline: The strategy that changes of requirements refer to, at the same point.
+            requirements: What its runs have to keep, as of `run`; `batch.requirement_results()` says how.
         """
         body = {"scenario": scenario, "strategies": strategies, "sweep": sweep, "label": label}
+        if requirements:
+            body |= {"baseline": baseline, **_required(requirements)}
         return Batch(self._http, self._post("/batches", body, idempotency_key or uuid.uuid4().hex))
 
     def estimate(self, scenario: Scenario, strategies: Sequence[str], sweep: Mapping[str, Any]) -> dict[str, Any]:

@@ -12,6 +12,7 @@ from ridelab.errors import JobEndedError, JobTimeoutError, RidelabAPIError, Ride
 from ridelab.files import format_of, save
 from ridelab.frames import needed
 from ridelab.http import Http
+from ridelab.requirements import RequirementResult
 from ridelab.streams import Event, json_rows, server_sent
 
 if TYPE_CHECKING:
@@ -203,6 +204,11 @@ class Batch(Job):
         """
         params = {"figures": ",".join(figures), "baseline": baseline}
         return self._http.json("GET", self._path("/summary"), params=params)
+
+    def requirement_results(self) -> list[RequirementResult]:
+        """How its runs keep its requirements: how many pass and fail, and where each first fails."""
+        answer = self._http.json("GET", self._path("/requirements"))
+        return [RequirementResult.of(each) for each in answer["requirement_results"]]
 
     def rows(self) -> Iterator[dict[str, Any]]:
         """Its rows as they are computed: swept fields, strategy, status, metrics; one for each run, failed ones too."""

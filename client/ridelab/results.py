@@ -246,6 +246,7 @@ class Solution:
         metric_unit: `1` for none.
         warnings: Where the metric is not monotone, and what else the value does not tell, in plain words.
         tried: Every value tried, in order: `value`, `metric_value`, `run_id`, `reason`.
+        requirement_results: How the requirements are kept at the value; empty without any.
         answer: The JSON as the service sent it.
     """
 
@@ -262,12 +263,15 @@ class Solution:
     warnings: list[str]
     tried: list[dict[str, Any]] = field(repr=False)
     answer: dict[str, Any] = field(repr=False)
+    requirement_results: Sequence[RequirementResult] = ()
 
     @classmethod
     def of(cls, answer: Mapping[str, Any]) -> Self:
         """The solution in an answer; fields of a newer service are ignored."""
         read = {key: intervals(value) for key, value in answer.items() if key in cls.__dataclass_fields__}
-        return cls(**{**read, "bracket": tuple(answer["bracket"]), "answer": dict(answer)})
+        kept = [RequirementResult.of(each) for each in answer.get("requirement_results", ())]
+        bracket = tuple(answer["bracket"])
+        return cls(**{**read, "bracket": bracket, "requirement_results": kept, "answer": dict(answer)})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

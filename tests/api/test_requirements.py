@@ -7,6 +7,7 @@ import httpx
 import pytest
 
 from tests.api.conftest import ROAD, Service
+from tests.servers.process import wait_until
 
 PEAK = "bump.body_acceleration.peak"
 SCENARIO = {"road": ROAD}
@@ -132,3 +133,46 @@ def test_a_question_about_requirements_is_whole(client: httpx.Client, asked: dic
     question = {"strategy": "passive", "field": "road.bump.height", "range": [0.01, 0.2]}
     response = client.post("/api/v1/solve", json={**question, **asked})
     assert [each["pointer"] for each in response.json()["errors"]] == [pointer]
+
+
+def test_the_runs_of_a_batch_are_held_point_by_point(client: httpx.Client, run: dict[str, Any]) -> None:
+    heights = [0.02, 0.1, 0.15]
+    requirements = [
+        {"metric": PEAK, "max": (peak(run, "lqr") + peak(run, "lv")) / 2, "strategies": ["lv", "lqr"]},
+        {"metric": PEAK, "max_change": -50},
+    ]
+    body = {
+        "scenario": SCENARIO,
+        "strategies": ["lv", "lqr", "passive"],
+        "sweep": {"grid": {"road.bump.height": heights}},
+        "requirements": requirements,
+    }
+    batch = client.post("/api/v1/batches", json=body).json()
+    assert batch["requirements"] == [
+        {"max": None, "min": None, "max_change": None, "strategies": None} | each for each in requirements
+    ]
+    path = f"/api/v1/batches/{batch['id']}"
+    wait_until(lambda: client.get(path).json()["state"] == "done", "the batch")
+    answer = client.get(f"{path}/requirements").json()
+    peaks = {
+        (row["strategy"], row["road.bump.height"]): row["metrics"]["bump"]["body_acceleration"]["peak"]
+        for row in client.get(f"{path}/results").json()["rows"]
+    }
+    for result in answer["requirement_results"]:
+        own = [peaks[result["strategy"], height] for height in heights]
+        base = [peaks["passive", height] for height in heights]
+        held = own if result["max"] is not None else [100 * (a / b - 1) for a, b in zip(own, base, strict=True)]
+        limit = result["max"] if result["max"] is not None else result["max_change"]
+        fails = [value > limit for value in held]
+        assert result["counts"] == {"pass": 3 - sum(fails), "fail": sum(fails), "unfinished": 0}
+        assert result["result"] == ("fail" if any(fails) else "pass")
+        first = result["first_failure"]
+        if any(fails):
+            place = fails.index(True)
+            assert first["at"] == {"road.bump.height": heights[place]}
+            assert first["value"] == pytest.approx(held[place])
+    assert [(each["strategy"], each["result"]) for each in answer["requirement_results"]][1] == ("lqr", "fail")
+    assert answer["runs"][1] in ("pass", "fail")
+    assert answer["runs"][2::3] == [None] * 3, "nothing is required of the baseline"
+    again = client.post("/api/v1/batches", json={**body, "requirements": []}).json()
+    assert client.get(f"/api/v1/batches/{again['id']}/requirements").json()["requirement_results"] == []

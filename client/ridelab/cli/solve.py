@@ -4,7 +4,7 @@ from typing import Annotated
 
 import typer
 
-from ridelab.cli import fields, options
+from ridelab.cli import fields, options, requirements
 from ridelab.cli.reporting import DIFFERENT, InputError, failed, note, print_json
 from ridelab.cli.service import Services
 from ridelab.errors import RidelabAPIError
@@ -19,14 +19,16 @@ _ROADS = "Over N roads, seeds road.seed and on: the interval keeps the limit."
 def solve(
     services: Services,
     field: Annotated[str, options.option("FIELD=LOW:HIGH", _FIELD, completes="fields =")],
-    limit: Annotated[str, options.option("METRIC=MOST", _LIMIT, completes="metrics =")],
+    limit: Annotated[str | None, options.option("METRIC=MOST", _LIMIT, completes="metrics =")] = None,
     strategy: Annotated[str | None, options.option("ID", _STRATEGY, "--strategy", "-s", completes="strategies")] = None,
     scenario: options.Scenario = "paper",
     changes: options.Changes = None,
     roads: Annotated[int, typer.Option(metavar="N", min=1, max=50, help=_ROADS)] = 1,
+    baseline: options.Baseline = None,
+    require: requirements.Require = None,
     as_json: options.AsJson = False,
 ) -> None:
-    """Find the largest value of one field that keeps one metric at or below a limit.
+    """Find the largest value of one field that keeps one metric at or below a limit, or every --require.
 
     The range is scanned first, so that a metric that rises and falls is seen and said. Over several roads the mean's
     95 % interval keeps the limit. The exit code is 1 where no value in the range does.
@@ -34,11 +36,26 @@ def solve(
     if strategy is None:
         raise InputError(f"--strategy names the one that drives: {', '.join(services.names.strategies)}")
     ((name, ends),) = fields.ranges_of([field], "--field", services.names.fields).items()
-    metric, most = fields.limit_of(limit, services.names.metrics, "bump.body_acceleration.peak=4")
+    if (limit is None) == (not require):
+        raise InputError("Say what has to hold with --limit METRIC=MOST, or with --require")
+    metric, most = None, None
+    if limit is not None:
+        metric, most = fields.limit_of(limit, services.names.metrics, "bump.body_acceleration.peak=4")
+    required = requirements.requirements_of(require, services)
     start = fields.scenario_of(scenario, changes, services)
     ridelab = services.at()
     try:
-        solution = ridelab.solve(start, strategy, name, (ends[0], ends[1]), metric, most, roads=roads)
+        solution = ridelab.solve(
+            start,
+            strategy,
+            name,
+            (ends[0], ends[1]),
+            metric,
+            most,
+            roads=roads,
+            baseline=baseline,
+            requirements=required,
+        )
     except RidelabAPIError as error:
         if error.kind == "no-solution":
             raise failed(DIFFERENT, [error.detail]) from None
@@ -47,10 +64,12 @@ def solve(
         print_json(solution.answer)
         return
     _show(solution, name, metric, roads)
+    if solution.requirement_results:
+        requirements.show(solution.requirement_results, services)
     typer.echo(f"\nrun {solution.run_id}" if services.private else f"\n{ridelab.address}/r/{solution.run_id}")
 
 
-def _show(solution: Solution, name: str, metric: str, roads: int) -> None:
+def _show(solution: Solution, name: str, metric: str | None, roads: int) -> None:
     low, high = solution.bracket
     value, above, resolved = (_with_unit(each, solution.unit) for each in (low, high, solution.resolved_value))
     if high > low and resolved == value:
@@ -61,7 +80,10 @@ def _show(solution: Solution, name: str, metric: str, roads: int) -> None:
         typer.echo(f"{name}: {value}, the top of the range, keeps the limit; the largest value may lie beyond")
     held = _with_unit(solution.metric_value, solution.metric_unit, 4)
     over = f", the upper end of {solution.interval} over {roads} roads" if solution.interval is not None else ""
-    typer.echo(f"{metric} is {held} at {value}{over} ({solution.runs} runs)")
+    held = held if metric is not None else f"{100 * solution.metric_value:.4g} %"
+    typer.echo(
+        f"{metric or 'The largest part of a limit that is used'} is {held} at {value}{over} ({solution.runs} runs)"
+    )
     for warning in solution.warnings:
         note(warning)
 

@@ -2,17 +2,20 @@
 
 import itertools
 from collections.abc import Mapping
+from dataclasses import asdict
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
-from ridelab.cli import fields, following, options, targets
-from ridelab.cli.reporting import InputError, deliver, note, output_format, print_json_rows
+from ridelab.cli import fields, following, options, requirements, targets
+from ridelab.cli.reporting import DIFFERENT, InputError, deliver, note, output_format, print_json_rows
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, with_unit
 from ridelab.errors import RidelabClientError
 from ridelab.jobs import Batch
+from ridelab.requirements import failing
 from ridelab.results import flat
 
 _PREVIEW = 20  # rows shown where no file is asked for
@@ -38,6 +41,10 @@ def sweep(
     changes: options.Changes = None,
     out: Annotated[str | None, options.option("FILE", _OUT, "--out", "-o")] = None,
     file_format: options.Format = None,
+    baseline: options.Baseline = None,
+    require: requirements.Require = None,
+    strict: requirements.Strict = False,
+    junit: requirements.Junit = None,
     label: options.Label = None,
     detach: options.Detach = False,
     dry_run: options.DryRun = False,
@@ -46,6 +53,7 @@ def sweep(
     """Run many variants of a scenario; Ctrl-C cancels and keeps what is finished.
 
     One of --grid, --latin-hypercube and --list says what varies. The strategy is lv unless --strategy names others.
+    With --require the exit code is 1 where a run fails one; changes are against the baseline at the same point.
     """
     if sum((bool(grid), bool(latin_hypercube), points is not None)) != 1:
         raise InputError("Say what to sweep with one of --grid, --latin-hypercube and --list")
@@ -70,7 +78,10 @@ def sweep(
         following.show_estimate(ridelab.estimate(start, names, swept), "total", "points", as_json=as_json)
         return
     again = following.file_options(out, file_format)
-    batch, code = following.submit_job(lambda key: ridelab.submit(start, names, swept, key, label), services, *again)
+    required = requirements.requirements_of(require, services)
+    requirements.check_file(junit, required)
+    submit = partial(ridelab.submit, start, names, swept, label=label, baseline=baseline, requirements=required)
+    batch, code = following.submit_job(lambda key: submit(key), services, *again)
     if detach:
         following.show_detached(batch, services, *again, as_json=as_json)
         raise typer.Exit(code)
@@ -81,9 +92,17 @@ def sweep(
         note(f"For its rows: {following.resume_command(batch, services)}")
     elif not as_json:
         _preview(batch, services)
+    judged = batch.requirement_results() if required else []
     if as_json:
-        print_json_rows(batch.answer, batch.rows())
-    raise typer.Exit(code or following.say_end(batch))
+        kept = {"requirement_results": [asdict(each) for each in judged]} if judged else {}
+        print_json_rows(batch.answer | kept, batch.rows())
+    elif judged:
+        typer.echo()
+        requirements.show(judged, services)
+    if junit is not None:
+        requirements.write_junit(judged, junit, "ridelab sweep", services.names.metrics, strict=strict)
+    failed = DIFFERENT if failing(judged, strict=strict) else 0
+    raise typer.Exit(code or following.say_end(batch) or failed)
 
 
 def _set_in_every_point(swept: Mapping[str, Any]) -> set[str]:

@@ -17,6 +17,9 @@ export interface paths {
     readonly "/batches/{id}/events": {
         readonly get: operations["getBatchEvents"];
     };
+    readonly "/batches/{id}/requirements": {
+        readonly get: operations["getBatchRequirements"];
+    };
     readonly "/batches/{id}/results": {
         readonly get: operations["getBatchResults"];
     };
@@ -208,6 +211,7 @@ export interface components {
             };
         };
         readonly Batch: {
+            readonly baseline: string | null;
             readonly core_version: string;
             readonly created_at: string;
             readonly done: number;
@@ -220,6 +224,7 @@ export interface components {
             readonly notes: readonly string[];
             readonly position: number;
             readonly reason: string | null;
+            readonly requirements: readonly components["schemas"]["Requirement"][];
             readonly scenario: JsonObject;
             readonly started_at: string | null;
             /** @enum {string} */
@@ -239,6 +244,7 @@ export interface components {
             readonly unit: string;
         };
         readonly BatchItem: {
+            readonly baseline: string | null;
             readonly core_version: string;
             readonly created_at: string;
             readonly done: number;
@@ -251,6 +257,7 @@ export interface components {
             readonly notes: readonly string[];
             readonly position: number;
             readonly reason: string | null;
+            readonly requirements: readonly components["schemas"]["Requirement"][];
             readonly scenario: JsonObject;
             readonly started_at: string | null;
             /** @enum {string} */
@@ -259,11 +266,34 @@ export interface components {
             readonly total: number;
         };
         readonly BatchRequest: {
+            readonly baseline?: string | null;
             readonly dry_run?: boolean;
             readonly label?: string | null;
+            readonly requirements?: readonly components["schemas"]["Requirement"][];
             readonly scenario?: JsonObject;
             readonly strategies: readonly string[];
             readonly sweep: components["schemas"]["Sweep"];
+        };
+        readonly BatchRequirementResult: {
+            readonly baseline: string | null;
+            readonly counts: {
+                readonly [key: string]: number;
+            };
+            readonly first_failure: components["schemas"]["FirstFailure"] | null;
+            readonly max: number | null;
+            readonly max_change: number | null;
+            readonly metric: string;
+            readonly min: number | null;
+            /** @enum {string} */
+            readonly result: "pass" | "fail" | "uncertain";
+            readonly strategy: string;
+        };
+        readonly BatchRequirements: {
+            readonly batch: string;
+            readonly requirement_results: readonly components["schemas"]["BatchRequirementResult"][];
+            readonly runs: readonly (("pass" | "fail" | "uncertain") | null)[];
+            /** @enum {string} */
+            readonly state: "queued" | "running" | "done" | "cancelled" | "failed";
         };
         readonly BatchResults: {
             readonly batch: string;
@@ -1241,6 +1271,7 @@ export interface components {
             readonly interval: components["schemas"]["Interval"] | null;
             readonly metric_unit: string;
             readonly metric_value: number;
+            readonly requirement_results: readonly components["schemas"]["RequirementResult"][];
             readonly resolution: number | null;
             readonly resolved_value: number;
             readonly run_id: string;
@@ -1251,13 +1282,15 @@ export interface components {
             readonly warnings: readonly string[];
         };
         readonly SolveRequest: {
+            readonly baseline?: string | null;
             readonly field: string;
-            readonly limit: number;
-            readonly metric: string;
+            readonly limit?: number | null;
+            readonly metric?: string | null;
             readonly range: readonly [
                 number,
                 number
             ];
+            readonly requirements?: readonly components["schemas"]["Requirement"][];
             readonly roads?: number;
             readonly scenario?: JsonObject;
             readonly strategy: string;
@@ -1606,6 +1639,8 @@ export type Batches = components['schemas']['Batches'];
 export type BatchField = components['schemas']['BatchField'];
 export type BatchItem = components['schemas']['BatchItem'];
 export type BatchRequest = components['schemas']['BatchRequest'];
+export type BatchRequirementResult = components['schemas']['BatchRequirementResult'];
+export type BatchRequirements = components['schemas']['BatchRequirements'];
 export type BatchResults = components['schemas']['BatchResults'];
 export type BatchRow = components['schemas']['BatchRow'];
 export type BatchSummary = components['schemas']['BatchSummary'];
@@ -1866,6 +1901,20 @@ export interface operations {
                         readonly event: "state" | "progress";
                         readonly id: string;
                     };
+                };
+            };
+        };
+    };
+    readonly getBatchRequirements: {
+        readonly parameters: {
+            readonly path: {
+                readonly id: string;
+            };
+        };
+        readonly responses: {
+            readonly 200: {
+                content: {
+                    readonly "application/json": components["schemas"]["BatchRequirements"];
                 };
             };
         };

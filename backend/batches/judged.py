@@ -1,0 +1,84 @@
+"""How a batch's runs keep its requirements, read row by row: a point's strategies lie side by side."""
+
+from collections import Counter
+from collections.abc import Sequence
+
+import orjson
+
+from backend.batches.models import BatchRequirementResult, BatchRequirements, FirstFailure
+from backend.job_run import JobRow
+from backend.requirements import LIMITS, Driven, Requirement, Result, baseline_of, judged
+from backend.store import StoredJob
+
+ENDED = ("ok", "failed")
+
+
+class JudgedRuns:
+    """A batch's runs, taken in page by page."""
+
+    def __init__(self, batch: StoredJob) -> None:
+        self._names: list[str] = batch.request["strategies"]
+        self._baseline: str | None = batch.request.get("baseline")
+        self._requirements = [Requirement.model_validate(each) for each in batch.request.get("requirements", [])]
+        self._counts: dict[tuple[int, str], Counter[str]] = {
+            (index, name): Counter(**{"pass": 0, "fail": 0, "unfinished": 0})
+            for index, each in enumerate(self._requirements)
+            for name in each.strategies_judged(self._names, self._baseline)
+        }
+        self._first: dict[tuple[int, str], FirstFailure] = {}
+        self._runs: list[Result | None] = []
+        self._pending: list[JobRow] = []  # of a point whose other rows are on the next page
+
+    def add(self, rows: Sequence[JobRow]) -> None:
+        """Take a page in."""
+        rows = [*self._pending, *rows]
+        whole = len(rows) // len(self._names) * len(self._names)
+        self._pending = rows[whole:]
+        for first in range(0, whole, len(self._names)):
+            self._judge(rows[first : first + len(self._names)])
+
+    def _judge(self, point: Sequence[JobRow]) -> None:
+        driven = {row.strategy: _driven(row) for row in point if row.status in ENDED}
+        base = baseline_of(self._names, self._baseline)
+        for row in point:
+            worst: Result | None = None
+            for index, requirement in enumerate(self._requirements):
+                counts = self._counts.get((index, row.strategy))
+                if counts is None:
+                    continue
+                waits = requirement.max_change is not None and base not in driven
+                if row.strategy not in driven or waits:
+                    counts["unfinished"] += 1
+                    continue
+                kept = judged(requirement, row.strategy, driven, base)
+                counts[kept.result] += 1
+                worst = "fail" if "fail" in (worst, kept.result) else kept.result
+                if kept.result == "fail":
+                    place = FirstFailure(run=row.position, value=kept.value, at=orjson.loads(row.changes))
+                    self._first.setdefault((index, row.strategy), place)
+            self._runs.append(worst)
+
+    def answer(self, batch: StoredJob) -> BatchRequirements:
+        """Of the rows taken in."""
+        base = baseline_of(self._names, self._baseline)
+        results = []
+        for (index, name), counts in self._counts.items():
+            requirement = self._requirements[index]
+            result: Result = "uncertain" if counts["unfinished"] else "pass"
+            results.append(
+                BatchRequirementResult(
+                    metric=requirement.metric,
+                    strategy=name,
+                    baseline=None if requirement.max_change is None else base,
+                    **{limit: getattr(requirement, limit) for limit in LIMITS},
+                    result="fail" if counts["fail"] else result,
+                    counts=dict(counts),
+                    first_failure=self._first.get((index, name)),
+                )
+            )
+        return BatchRequirements(batch=batch.id, state=batch.state, requirement_results=results, runs=self._runs)
+
+
+def _driven(row: JobRow) -> Driven:
+    summary = orjson.loads(row.summary) if row.summary is not None else {}
+    return [summary] if row.status == "ok" else row.reason or summary.get("reason") or "It failed"
