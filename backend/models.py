@@ -238,11 +238,38 @@ class WithId(Answer):
     id: str
 
 
+class AxlesAnswer(Answer):
+    """A number of the front and of the rear axle."""
+
+    front: float = Field(description="Of the front axle")
+    rear: float = Field(description="Of the rear axle")
+
+
+class ModesAnswer(Answer):
+    """A number of the body above each axle, and of each axle's wheel."""
+
+    front_body: float = Field(description="Of the body above the front axle")
+    rear_body: float = Field(description="Of the body above the rear axle")
+    front_wheel: float = Field(description="Of the front wheel")
+    rear_wheel: float = Field(description="Of the rear wheel")
+
+
+class CharacteristicsAnswer(Answer):
+    """What a vehicle's parameters come to, each axle by itself, dampers at their mean; no part of a scenario."""
+
+    static_sag: AxlesAnswer = Field(
+        description="By how much the body's weight compresses each suspension [m]; travel is counted from there"
+    )
+    natural_frequencies: ModesAnswer = Field(description="Undamped [Hz]")
+    damping_ratios: ModesAnswer = Field(description="Over critical [1]")
+
+
 class RunBase(Answer):
     """What every form of a run has."""
 
     core_version: str
     scenario: Scenario
+    characteristics: CharacteristicsAnswer
 
 
 class LiveRun(RunBase):

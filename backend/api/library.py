@@ -6,7 +6,8 @@ from backend.api import router
 from backend.json_types import JsonObject
 from backend.library import answers
 from backend.library.models import Catalogue, HalfCarAnswer, PresetAnswer, ProblemAnswer, StrategyAnswer, VehicleAnswer
-from backend.models import Figures
+from backend.models import CharacteristicsAnswer, Figures
+from sim_core.scenario import characteristics
 from sim_core.scenario.data_sheet import DataSheet
 
 library = router("schema")
@@ -62,4 +63,5 @@ async def get_problems() -> Response:
 @data_sheets.post("/vehicles/from-data-sheet", operation_id="makeHalfCar", response_model=HalfCarAnswer)
 async def make_half_car(body: DataSheet) -> HalfCarAnswer:
     """The half-car of a whole car's data sheet: masses, axle loads, natural frequencies, damping ratios."""
-    return HalfCarAnswer(vehicle=body.half_car())
+    car = body.half_car()
+    return HalfCarAnswer(vehicle=car, characteristics=CharacteristicsAnswer.model_validate(characteristics(car)))

@@ -13,11 +13,12 @@ from backend.http.kinds import KINDS
 from backend.json_types import JsonObject
 from backend.library.models import Catalogue, PresetAnswer, ProblemAnswer, StrategyAnswer, VehicleAnswer
 from backend.means_over_roads import one_road_resolution
+from backend.models import CharacteristicsAnswer
 from backend.runs import figures
 from sim_core import catalogue as core
-from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.scenario import SCHEMA_VERSION, Scenario, characteristics
 from sim_core.scenario.presets import PRESETS
-from sim_core.scenario.vehicles import VEHICLES
+from sim_core.scenario.vehicles import VEHICLES, VehiclePreset
 from sim_core.strategies import reads
 from sim_core.strategies import strategies as known_strategies
 
@@ -37,7 +38,12 @@ def presets() -> bytes:
 @cache
 def vehicles() -> bytes:
     """Every vehicle with its sources."""
-    return _json([VehicleAnswer.model_validate(preset) for preset in VEHICLES.values()])
+    return _json([_vehicle(preset) for preset in VEHICLES.values()])
+
+
+def _vehicle(preset: VehiclePreset) -> VehicleAnswer:
+    own = {name: getattr(preset, name) for name in ("id", "label", "description", "vehicle", "sources", "derived")}
+    return VehicleAnswer(**own, characteristics=CharacteristicsAnswer.model_validate(characteristics(preset.vehicle)))
 
 
 def strategies() -> bytes:

@@ -3,7 +3,7 @@
 from pydantic import Field
 
 from backend.json_types import JsonObject
-from backend.models import Answer, Source
+from backend.models import Answer, CharacteristicsAnswer, Source
 from sim_core.scenario import Scenario, Vehicle
 
 
@@ -79,6 +79,7 @@ class VehicleAnswer(Answer):
     label: str
     description: str
     vehicle: Vehicle
+    characteristics: CharacteristicsAnswer
     sources: list[str] = Field(description="Where its numbers are from")
     derived: list[str] = Field(description="How those follow that no source has")
 
@@ -87,3 +88,4 @@ class HalfCarAnswer(Answer):
     """The half-car that a data sheet makes."""
 
     vehicle: Vehicle
+    characteristics: CharacteristicsAnswer

@@ -5,7 +5,7 @@ Over 50 roads they take 0.2 s: they are made in threads, beside the event loop.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from math import isfinite
 
 import orjson
@@ -19,7 +19,7 @@ from backend.requirements import Driven, Requirement, judge
 from backend.runs import series
 from backend.store import StoredRun
 from sim_core import __version__ as CORE_VERSION
-from sim_core.scenario import Scenario
+from sim_core.scenario import Scenario, Vehicle, characteristics
 
 
 def run_answer(
@@ -46,6 +46,7 @@ def run_answer(
         "id": stored.id,
         "core_version": stored.core_version,
         "scenario": stored.scenario,
+        "characteristics": asdict(characteristics(Vehicle.model_validate(stored.scenario["vehicle"]))),
     }
     if requirements:
         head["requirement_results"] = _judged(stored, requirements, judged_against or baseline)
@@ -117,7 +118,11 @@ def _live(
         return outcome.answer(cached=outcome.cached, **({} if values is None else {"series": described(values)}))
 
     strategies = {name: entry(outcome) for name, outcome in outcomes.items()}
-    head = {"core_version": CORE_VERSION, "scenario": scenario.model_dump(mode="json")}
+    head = {
+        "core_version": CORE_VERSION,
+        "scenario": scenario.model_dump(mode="json"),
+        "characteristics": asdict(characteristics(scenario.vehicle)),
+    }
     return orjson.dumps(head | {"strategies": strategies})
 
 

@@ -88,7 +88,7 @@ class Ridelab(Connection):
                 `strategies`, all but the baseline where they are left out.
         """
         body = {"scenario": scenario, "strategies": strategies, "roads": roads, "baseline": baseline}
-        return self._run(self._post("/runs", body | _required(requirements)))
+        return self._run(self._post("/runs", body | _required(requirements, baseline)))
 
     def get_run(self, run_id: str) -> RunResult:
         """A stored run; it never changes."""
@@ -138,9 +138,7 @@ class Ridelab(Connection):
             RidelabAPIError: `kind` is `no-solution` where no value in the range keeps the limit.
         """
         body = {"scenario": scenario, "strategy": strategy, "field": field, "range": ends, "roads": roads}
-        limited = {"metric": metric, "limit": limit} if metric is not None else {}
-        held = {"baseline": baseline, **_required(requirements)} if requirements else {}
-        answer = self._post("/solve", body | limited | held)
+        answer = self._post("/solve", body | (_required(requirements, baseline) or {"metric": metric, "limit": limit}))
         try:
             return Solution.of(answer)
         except (KeyError, TypeError):
@@ -295,8 +293,7 @@ class Ridelab(Connection):
             requirements: What its runs have to keep, as of `run`; `batch.requirement_results()` says how.
         """
         body = {"scenario": scenario, "strategies": strategies, "sweep": sweep, "label": label}
-        if requirements:
-            body |= {"baseline": baseline, **_required(requirements)}
+        body |= _required(requirements, baseline)
         return Batch(self._http, self._post("/batches", body, idempotency_key or uuid.uuid4().hex))
 
     def estimate(self, scenario: Scenario, strategies: Sequence[str], sweep: Mapping[str, Any]) -> dict[str, Any]:
@@ -492,9 +489,9 @@ def _id(run: RunResult | str) -> str:
     return quote(run.id if isinstance(run, RunResult) else run, safe="")
 
 
-def _required(requirements: Sequence[Requirement]) -> dict[str, Any]:
+def _required(requirements: Sequence[Requirement], baseline: str | None) -> dict[str, Any]:
     """Nothing where nothing is required: a service of an older version does not know the word."""
-    return {"requirements": list(requirements)} if requirements else {}
+    return {"requirements": list(requirements), "baseline": baseline} if requirements else {}
 
 
 def _series(

@@ -1,5 +1,6 @@
 """The scenario: parts and fields, presets, dotted names, and how an older version's scenario is read."""
 
+from sim_core.scenario.characteristics import Characteristics, characteristics
 from sim_core.scenario.fields import Weights
 from sim_core.scenario.fuzzy import Fuzzy
 from sim_core.scenario.imperfections import Actuator, Estimation, Hil, Mismatch
@@ -22,6 +23,7 @@ __all__ = [
     "Actuator",
     "Brake",
     "Bump",
+    "Characteristics",
     "Estimation",
     "Fuzzy",
     "Hil",
@@ -37,4 +39,5 @@ __all__ = [
     "StageWeights",
     "Vehicle",
     "Weights",
+    "characteristics",
 ]

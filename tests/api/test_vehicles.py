@@ -1,9 +1,12 @@
 """Vehicles over HTTP: their sources, and half-cars from data sheets."""
 
+from dataclasses import asdict
+
 import httpx
 
 from backend.http.openapi import EXAMPLES
 from backend.library.models import VehicleAnswer
+from sim_core.scenario import characteristics
 from sim_core.scenario.data_sheet import DataSheet
 from sim_core.scenario.vehicles import VEHICLES
 
@@ -18,4 +21,5 @@ def test_every_vehicle_has_sources_and_is_one_of_a_scenario(client: httpx.Client
 
 def test_a_data_sheet_is_a_half_car(client: httpx.Client) -> None:
     answer = client.post("/api/v1/vehicles/from-data-sheet", json=SHEET)
-    assert answer.json() == {"vehicle": DataSheet.model_validate(SHEET).half_car().model_dump()}
+    half_car = DataSheet.model_validate(SHEET).half_car()
+    assert answer.json() == {"vehicle": half_car.model_dump(), "characteristics": asdict(characteristics(half_car))}

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from sim_core.scenario import Scenario, Vehicle
+from sim_core.scenario import Scenario, Vehicle, characteristics
 from sim_core.scenario.data_sheet import DataSheet
+from sim_core.scenario.vehicle import GRAVITY
 from sim_core.scenario.vehicles import VEHICLES, loaded
 from sim_core.simulate import simulate
 from sim_core.vehicle.half_car import half_car
@@ -140,3 +141,26 @@ def test_what_no_car_has_names_the_field_of_the_sheet(change: dict[str, float], 
     with pytest.raises(ValidationError) as caught:
         DataSheet.model_validate({**SHEET.model_dump(), **change})
     assert [error["ctx"]["field"] for error in caught.value.errors()] == [field]
+
+
+def test_characteristics_are_what_a_data_sheet_asks_for() -> None:
+    """The reverse of `DataSheet.half_car`; a wheel's are those of a quarter-car whose body stands still.
+
+    To 1e-4: a half-car made from a sheet has five digits.
+    """
+    car = SHEET.half_car()
+    of_car = characteristics(car)
+    for axle in ("front", "rear"):
+        share = (getattr(SHEET, f"{axle}_axle_load") - getattr(SHEET, f"{axle}_axle_mass")) / 2
+        spring, damper, tyre = (getattr(car, f"{axle}_{name}") for name in ("spring", "damping", "tyre_stiffness"))
+        assert getattr(of_car.natural_frequencies, f"{axle}_body") == pytest.approx(
+            getattr(SHEET, f"{axle}_frequency"), rel=1e-4
+        )
+        assert getattr(of_car.damping_ratios, f"{axle}_body") == pytest.approx(
+            getattr(SHEET, f"{axle}_damping_ratio"), rel=1e-4
+        )
+        assert getattr(of_car.static_sag, axle) * spring == pytest.approx(share * GRAVITY, rel=1e-4)
+        mass = getattr(car, f"{axle}_wheel_mass")
+        pole = np.linalg.eigvals([[0, 1], [-(spring + tyre) / mass, -damper / mass]])[0]
+        assert getattr(of_car.natural_frequencies, f"{axle}_wheel") == pytest.approx(abs(pole) / (2 * np.pi))
+        assert getattr(of_car.damping_ratios, f"{axle}_wheel") == pytest.approx(-pole.real / abs(pole))

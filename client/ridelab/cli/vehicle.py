@@ -17,6 +17,7 @@ from ridelab.cli.targets import document
 
 _WHICH = "A vehicle's name, or a file with one; without it all are listed."
 _SHEET = "Make it from this whole car's data sheet, a JSON file."
+_AXLES, _PARTS = ("front", "rear"), {"body": "natural frequency, body", "wheel": "natural frequency, wheel"}
 _OUT = "Write it there as a vehicle file, which --set vehicle=FILE and the page read; - is stdout."
 
 
@@ -45,6 +46,7 @@ def vehicle(
         print_json(content)
     else:
         _show(content, services.names.fields)
+        _show_characteristics(_characteristics(content, services))
 
 
 def _named(which: str, services: Services) -> Mapping[str, Any]:
@@ -57,6 +59,23 @@ def _of_sheet(sheet: Path, services: Services) -> Mapping[str, Any]:
     if not isinstance(data_sheet, dict):
         raise InputError(f"{sheet}: this has to be a JSON object")
     return {VEHICLE: services.at().half_car(data_sheet), "derived": ["From the data sheet"], "data_sheet": data_sheet}
+
+
+def _characteristics(content: Mapping[str, Any], services: Services) -> Mapping[str, Any]:
+    """Those of a known vehicle come with it; a run says those of another."""
+    known: Mapping[str, Any] | None = content.get("characteristics")
+    return known or services.at().run({VEHICLE: content[VEHICLE]}, ["passive"]).answer["characteristics"]
+
+
+def _show_characteristics(of: Mapping[str, Any]) -> None:
+    sag, frequencies, ratios = of["static_sag"], of["natural_frequencies"], of["damping_ratios"]
+    rows = [
+        ["static sag [m]", sag["front"], sag["rear"]],
+        *([f"{words} [Hz]", *(frequencies[f"{axle}_{part}"] for axle in _AXLES)] for part, words in _PARTS.items()),
+        *([f"damping ratio, {part} [1]", *(ratios[f"{axle}_{part}"] for axle in _AXLES)] for part in _PARTS),
+    ]
+    typer.echo()
+    show_table(["characteristics", *_AXLES], [[name, *(f"{value:.3g}" for value in values)] for name, *values in rows])
 
 
 def _show(content: Mapping[str, Any], units: Mapping[str, str]) -> None:

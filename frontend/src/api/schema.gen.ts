@@ -189,6 +189,10 @@ export interface components {
             readonly sentences: readonly string[];
             readonly shares: readonly components["schemas"]["Share"][];
         };
+        readonly AxlesAnswer: {
+            readonly front: number;
+            readonly rear: number;
+        };
         readonly Band: {
             readonly maximum: {
                 readonly [key: string]: readonly (number | null)[] | components["schemas"]["TypedArray"];
@@ -451,6 +455,11 @@ export interface components {
             readonly peak: components["schemas"]["Interval"] | null;
             readonly rms: components["schemas"]["Interval"] | null;
         };
+        readonly CharacteristicsAnswer: {
+            readonly damping_ratios: components["schemas"]["ModesAnswer"];
+            readonly natural_frequencies: components["schemas"]["ModesAnswer"];
+            readonly static_sag: components["schemas"]["AxlesAnswer"];
+        };
         readonly Column: {
             readonly against: string;
             readonly strategy: string;
@@ -587,6 +596,7 @@ export interface components {
             readonly changes: {
                 readonly [key: string]: components["schemas"]["StrategyChanges"];
             };
+            readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
             readonly core_version: string;
             readonly id: string;
             readonly requirement_results?: readonly components["schemas"]["RequirementResult"][];
@@ -597,6 +607,7 @@ export interface components {
             };
         };
         readonly CreatedRun: {
+            readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
             readonly core_version: string;
             readonly id: string;
             readonly requirement_results?: readonly components["schemas"]["RequirementResult"][];
@@ -686,6 +697,13 @@ export interface components {
             readonly quantiles: readonly number[] | null;
             readonly sensitivity: readonly components["schemas"]["Sensitivity"][];
         };
+        readonly FirstFailure: {
+            readonly at: {
+                readonly [key: string]: number | string | boolean | readonly number[] | null;
+            };
+            readonly run: number;
+            readonly value: number | null;
+        };
         readonly FmuRequest: {
             /** @enum {string} */
             readonly of?: "controller" | "vehicle";
@@ -725,6 +743,7 @@ export interface components {
             readonly trials: number;
         };
         readonly HalfCarAnswer: {
+            readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
             readonly vehicle: JsonObject;
         };
         readonly InstantAnswer: {
@@ -897,6 +916,7 @@ export interface components {
             readonly travel_time: number | null;
         };
         readonly LiveRun: {
+            readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
             readonly core_version: string;
             readonly scenario: JsonObject;
             readonly strategies: {
@@ -942,6 +962,12 @@ export interface components {
         readonly Mode: {
             readonly damping_ratio: number;
             readonly natural_frequency: number;
+        };
+        readonly ModesAnswer: {
+            readonly front_body: number;
+            readonly front_wheel: number;
+            readonly rear_body: number;
+            readonly rear_wheel: number;
         };
         readonly Objective: {
             readonly figure?: string | null;
@@ -1190,6 +1216,7 @@ export interface components {
             readonly changes: {
                 readonly [key: string]: components["schemas"]["StrategyChanges"];
             };
+            readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
             readonly core_version: string;
             readonly id: string;
             readonly requirement_results?: readonly components["schemas"]["RequirementResult"][];
@@ -1211,6 +1238,7 @@ export interface components {
             readonly strategies: readonly string[];
         };
         readonly Run: {
+            readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
             readonly core_version: string;
             readonly id: string;
             readonly requirement_results?: readonly components["schemas"]["RequirementResult"][];
@@ -1612,6 +1640,7 @@ export interface components {
             readonly why: string;
         };
         readonly VehicleAnswer: {
+            readonly characteristics: components["schemas"]["CharacteristicsAnswer"];
             readonly derived: readonly string[];
             readonly description: string;
             readonly id: string;
@@ -1632,6 +1661,7 @@ export interface components {
 }
 export type Agreement = components['schemas']['Agreement'];
 export type AttributionAnswer = components['schemas']['AttributionAnswer'];
+export type AxlesAnswer = components['schemas']['AxlesAnswer'];
 export type Band = components['schemas']['Band'];
 export type Bands = components['schemas']['Bands'];
 export type Batch = components['schemas']['Batch'];
@@ -1652,6 +1682,7 @@ export type Catalogue = components['schemas']['Catalogue'];
 export type Cell = components['schemas']['Cell'];
 export type Change = components['schemas']['Change'];
 export type Changes = components['schemas']['Changes'];
+export type CharacteristicsAnswer = components['schemas']['CharacteristicsAnswer'];
 export type Column = components['schemas']['Column'];
 export type CombinationRow = components['schemas']['CombinationRow'];
 export type Comfort = components['schemas']['Comfort'];
@@ -1679,6 +1710,7 @@ export type EstimateAnswer = components['schemas']['EstimateAnswer'];
 export type Figure8 = components['schemas']['Figure8'];
 export type Figures = components['schemas']['Figures'];
 export type FigureSummary = components['schemas']['FigureSummary'];
+export type FirstFailure = components['schemas']['FirstFailure'];
 export type FmuRequest = components['schemas']['FmuRequest'];
 export type FoundBumpAnswer = components['schemas']['FoundBumpAnswer'];
 export type FrequencyAnswer = components['schemas']['FrequencyAnswer'];
@@ -1709,6 +1741,7 @@ export type Margins = components['schemas']['Margins'];
 export type MarginSummary = components['schemas']['MarginSummary'];
 export type Misprint = components['schemas']['Misprint'];
 export type Mode = components['schemas']['Mode'];
+export type ModesAnswer = components['schemas']['ModesAnswer'];
 export type Objective = components['schemas']['Objective'];
 export type ObjectiveAnswer = components['schemas']['ObjectiveAnswer'];
 export type Operations = components['schemas']['Operations'];

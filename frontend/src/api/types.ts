@@ -3,6 +3,7 @@
 import type { Series } from "./decode";
 import type { JsonObject, JsonValue } from "./json";
 import type {
+  CharacteristicsAnswer as Characteristics,
   CreatedRoadsRun,
   Link as LinkAnswer,
   PaperAnswer,
@@ -20,6 +21,7 @@ export type * from "./json";
 export type * from "./schema.gen";
 export type {
   AttributionAnswer as Attribution,
+  CharacteristicsAnswer as Characteristics,
   CombinationRow as Combination,
   Counts as VerdictCounts,
   CreatedLink as NewLink,
@@ -51,6 +53,8 @@ export interface RunAnswer {
   readonly id: string;
   readonly core_version: string;
   readonly scenario: Scenario;
+  /** What the vehicle’s values come to; services before core 0.4.0 do not say it. */
+  readonly characteristics?: Characteristics;
   readonly strategies: Readonly<Record<StrategyId, Summary | Failure>>;
 }
 export type RoadsAnswer = RoadsRun | CreatedRoadsRun;

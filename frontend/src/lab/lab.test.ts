@@ -69,6 +69,11 @@ function harness() {
         {
           core_version: "1",
           scenario,
+          characteristics: {
+            static_sag: { front: 0, rear: 0 },
+            natural_frequencies: { front_body: 1, rear_body: 1, front_wheel: 10, rear_wheel: 10 },
+            damping_ratios: { front_body: 1, rear_body: 1, front_wheel: 1, rear_wheel: 1 },
+          },
           strategies: byStrategy(strategies, { ...summary, cached: false }),
           series: byStrategy(strategies, {}),
         },

@@ -2,6 +2,7 @@
 
 import { sameValue } from "../scenario/path";
 import type {
+  Characteristics,
   Failure,
   LiveAnswer,
   OverRoads,
@@ -34,6 +35,8 @@ export interface Result {
   readonly runId: string | null;
   readonly coreVersion: string;
   readonly scenario: Scenario;
+  /** What the vehicle’s values come to. */
+  readonly characteristics: Characteristics | undefined;
   readonly summaries: Readonly<Record<StrategyId, Summary>>;
   readonly failed: readonly Failed[];
   /** What several roads say: then the summaries are means, and curves and events are the first road's. */
@@ -71,6 +74,7 @@ export function fromRun(run: Run, { series, missing }: Histories, roundTripMs: n
     runId: run.id,
     coreVersion: run.core_version,
     scenario: run.scenario,
+    characteristics: run.characteristics,
     ...split(run.strategies),
     over: run.over,
     series,
@@ -86,6 +90,7 @@ export function fromLive(answer: LiveAnswer, roundTripMs: number): Result {
     runId: null,
     coreVersion: answer.core_version,
     scenario: answer.scenario,
+    characteristics: answer.characteristics,
     summaries,
     failed,
     over: null,

@@ -6,11 +6,12 @@ import type { JsonObject } from "../../api/types";
 import { useExportItem } from "../library/open";
 import { OpenFiles } from "../library/OpenFiles";
 import { dialog, useItems } from "../../scenario/library";
-import { useEdit, useFromScenario, useReadOnly } from "../../lab/context";
+import { useEdit, useFromScenario, useLab, useReadOnly } from "../../lab/context";
+import { formatFixed, formatResult } from "../../units/format";
 import { vehiclesQuery } from "../../server/queries";
 import { completed } from "../../scenario/differences";
 import classes from "./editor.module.css";
-import { getAt, sameValue, setAt } from "../../scenario/path";
+import { getAt, sameValue, setAt, type Pointer } from "../../scenario/path";
 import type { Group } from "../../scenario/schema";
 
 const PAPER = { id: "paper", label: "The paper\u2019s", vehicle: {} };
@@ -69,6 +70,45 @@ export function VehicleChoice({ group }: { readonly group: Group }) {
           {source.description} {source.sources[0]}
         </Text>
       )}
+      <VehicleFacts pointer={group.pointer} />
     </div>
+  );
+}
+
+/** What the vehicle’s values come to: of the newest answer, which is of the values before while a slider moves on. */
+function VehicleFacts({ pointer }: { readonly pointer: Pointer }) {
+  const of = useLab(({ shown }) => shown?.characteristics);
+  const clearance = useFromScenario((scenario) => getAt(scenario, `${pointer}/bump_stop_clearance`));
+  if (!of) return null;
+  const { static_sag: sag, natural_frequencies: frequency, damping_ratios: ratio } = of;
+  const mm = (metres: number) => formatFixed(1000 * metres, 0);
+  const travel = typeof clearance === "number" ? `${mm(clearance)} mm` : "no stops";
+  const mode = (axle: "front" | "rear", part: "body" | "wheel") =>
+    `${formatResult(frequency[`${axle}_${part}`])} Hz, ζ ${formatFixed(ratio[`${axle}_${part}`], 2)}`;
+  const rows = [
+    ["Static sag", `${mm(sag.front)} mm`, `${mm(sag.rear)} mm`],
+    ["Travel to the stops, under load", travel, travel],
+    ["Natural frequency, body", mode("front", "body"), mode("rear", "body")],
+    ["Natural frequency, wheel", mode("front", "wheel"), mode("rear", "wheel")],
+  ] as const;
+  return (
+    <table className={classes.facts} aria-label="What the vehicle’s values come to">
+      <thead>
+        <tr>
+          <td />
+          <th scope="col">Front</th>
+          <th scope="col">Rear</th>
+        </tr>
+      </thead>
+      <tbody>
+        {rows.map(([name, front, rear]) => (
+          <tr key={name}>
+            <th scope="row">{name}</th>
+            <td>{front}</td>
+            <td>{rear}</td>
+          </tr>
+        ))}
+      </tbody>
+    </table>
   );
 }
