@@ -28,6 +28,7 @@ from backend.paper.service import Paper
 from backend.recordings.service import Recordings
 from backend.roads.service import MeasuredRoads
 from backend.runs import WARM_UP
+from backend.runs.analysis import ControlAnalysis
 from backend.runs.result_cache import ResultCache
 from backend.runs.result_finder import ResultFinder
 from backend.runs.service import Runs
@@ -52,6 +53,7 @@ class Services(HttpParts):
     recordings: Recordings
     runs: Runs
     solver: Solver
+    analysis: ControlAnalysis
     batches: BatchService
     tunings: TuningService
     paper: Paper
@@ -130,6 +132,7 @@ def make_services(settings: Settings, workers: Workers) -> Services:
         roads=roads,
         recordings=recordings,
         runs=runs,
+        analysis=ControlAnalysis(runs=runs, workers=workers, gate=gate, roads=roads),
         solver=Solver(runs=runs, gate=gate, roads=roads),
         batches=batches,
         tunings=TuningService(store=store, batch_workers=batch_workers, gate=gate, settings=settings),

@@ -82,12 +82,19 @@ def run() -> None:
             taken, answer = timed(client, "POST", "/api/v1/live", json=body)
             live.append((taken, _compute_ms(answer)))
         rows.append(["POST /live, another height", *_medians(live)])
+        places = [timed(client, "GET", f"{_instants(run_id)}&position={90 + i / 10}")[0] for i in range(100)]
         processor = [
             ["POST /runs, stored", _processor_ms(client, "POST", "/api/v1/runs", json=_request(1))],
             ["GET /runs/{id}", _processor_ms(client, "GET", f"/api/v1/runs/{run_id}")],
         ]
+    print(f"\n{1000 / statistics.mean(places[1:]):.0f} instants a second under one moving cursor (goal: 10)")
     table("The service: lv + lqr + passive, medians", ["", "ms", "computing, ms", "on top, ms"], rows)
     table("The service's own processor time of a stored answer", ["", "ms"], processor)
+
+
+def _instants(run_id: str) -> str:
+    """The address of a run's instants."""
+    return f"/api/v1/runs/{run_id}/instant?strategy=lv"
 
 
 def _processor_ms(client: httpx.Client, method: str, path: str, **options: Any) -> float:

@@ -188,7 +188,6 @@ def _instants() -> None:
             spent.append(1000 * (process_time() - begin))
         rows.append([name, median(spent), max(spent), median(spent)])
     table("Instants under a moving cursor", ["", "ms an instant", "slowest", "% of a core at ten a second"], rows)
-    print("  the answer of the service takes about as long again (goal: ten a second for each viewer)")
 
 
 def run() -> None:

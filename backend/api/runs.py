@@ -24,6 +24,7 @@ from backend.http.answers import (
 from backend.http.routing import ComputingRoute, ScenarioRoute
 from backend.json_types import JsonObject
 from backend.requirements import Requirement, read
+from backend.runs.analysis import ControlAnalysis
 from backend.runs.deviations import Deviations
 from backend.runs.figures import PANELS
 from backend.runs.frequency import FrequencyAnswer, FrequencyRequest
@@ -40,6 +41,7 @@ computing = router("runs", 400, 413, 415, 422, 429, 503, route_class=ScenarioRou
 drawing = router("runs", 404, 410, 422, 429, 503, route_class=ComputingRoute)
 
 RunsService = Annotated[Runs, service(lambda services: services.runs)]
+AnalysisService = Annotated[ControlAnalysis, service(lambda services: services.analysis)]
 SolverService = Annotated[Solver, service(lambda services: services.solver)]
 Signals = Annotated[str | None, Query(description="Keys with commas; omitted is all")]
 Points = Annotated[int | None, Query(ge=2, le=models.MAX_POINTS, description="About how many samples; omitted is all")]
@@ -86,9 +88,9 @@ async def solve(body: SolveRequest, solver: SolverService, client: Client) -> Re
 
 
 @computing.post("/frequency", operation_id="frequency", response_model=FrequencyAnswer)
-async def frequency(body: FrequencyRequest, service: RunsService, client: Client) -> Response:
+async def frequency(body: FrequencyRequest, analysis: AnalysisService, client: Client) -> Response:
     """Responses from the road to ride and tyre loads, modes, margins and spectra while no limit binds."""
-    return json_answer(await service.frequency(body, client))
+    return json_answer(await analysis.frequency(body, client))
 
 
 @runs.get(
@@ -166,14 +168,14 @@ async def get_series(
 async def get_instant(
     run_id: RunId,
     request: Request,
-    service: RunsService,
+    analysis: AnalysisService,
     client: Client,
     strategy: Annotated[str | None, Query(description="Id; may be omitted where the run has one")] = None,
     position: Annotated[float | None, Query(description="Of the front axle [m]", allow_inf_nan=False)] = None,
     time: Annotated[float | None, Query(description="In place of a position [s]", allow_inf_nan=False)] = None,
 ) -> Response:
     """What a controller saw and decided in the control step there, which limits shaped it, and at what price."""
-    work = service.instant(run_id, strategy, position, time, client)
+    work = analysis.instant(run_id, strategy, position, time, client)
     return json_answer(await cancel_on_disconnect(request, work), CACHED_FOR_AN_HOUR)
 
 

@@ -90,7 +90,7 @@ class Histories:
         scenario = Scenario.model_validate(stored.scenario)
         async with self._pinned(scenario, keys, client) as pinned:
             if pinned is None:
-                await self.on_its_road(scenario, keys)
+                await self._on_its_road(scenario, keys)
                 return await self._results.get(scenario, list(keys), client, points=points)
             with self._gate.computing(client, 0.0):
                 arrays = await self._workers.call(pins.opened, pinned, _stages(stored), points, client=client)
@@ -114,7 +114,7 @@ class Histories:
         cost = exports.BYTE_COST * size
         async with self._pinned(scenario, keys, client) as pinned:
             if pinned is None:
-                scenario = await self.on_its_road(scenario, keys)
+                scenario = await self._on_its_road(scenario, keys)
                 cost += cost_of(scenario, keys)
             with self._gate.computing(client, cost), self._spool.reserved(client, size) as write:
                 call = partial(self._workers.call, client=client, cost=cost)
@@ -192,7 +192,7 @@ class Histories:
                 before, after = after, before
         return before
 
-    async def on_its_road(self, scenario: Scenario, names: Iterable[str] = ()) -> Scenario:
+    async def _on_its_road(self, scenario: Scenario, names: Iterable[str] = ()) -> Scenario:
         """A stored run's scenario with the heights of its measured road, and those of these strategies it recorded.
 
         Raises:

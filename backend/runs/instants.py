@@ -5,21 +5,11 @@ from typing import Any
 import numpy as np
 from pydantic import Field
 
-from backend.compute.workers import Workers
-from backend.cost.estimate import check_affordable, cost_of
-from backend.digest import result_key
-from backend.errors import GoneError, InvalidError
-from backend.gate import Gate
+from backend.cost.estimate import check_affordable
 from backend.models import Answer
-from backend.outcome import Outcome
 from backend.own import isolated
-from backend.runs.histories import Histories
-from backend.store import StoredRun
-from sim_core import __version__ as CORE_VERSION
 from sim_core.instant import Instant, instant
 from sim_core.scenario import Scenario
-from sim_core.scenario.recorded import recording_id
-from sim_core.strategies import STRATEGIES, strategies
 
 Two = list[float]
 
@@ -84,57 +74,6 @@ class InstantAnswer(Answer):
     predicted_forces: list[Two] | None = Field(description="In each of its steps [N]")
     cost: dict[str, float] | None = Field(description="What is minimised, by its terms [1]")
     why: str = Field(description="One sentence that says why these forces")
-
-
-class Instants:
-    """Looks at single instants of stored runs."""
-
-    def __init__(self, *, workers: Workers, gate: Gate, histories: Histories) -> None:
-        self._workers = workers
-        self._gate = gate
-        self._histories = histories
-
-    async def look(
-        self, stored: StoredRun, strategy: str | None, position: float | None, time: float | None, client: str
-    ) -> InstantAnswer:
-        """The instant; of a run over several roads on the first one.
-
-        Raises:
-            InvalidError: The run has no such strategy, or the place is not on its drive.
-            GoneError: Another core version or another law computed the run, or its road is gone.
-        """
-        drives = {item.strategy: item for item in stored.shown if recording_id(item.strategy) is None}
-        if strategy is None and len(drives) == 1:
-            (strategy,) = drives
-        if strategy not in drives:
-            message = f"This run drove {', '.join(drives) or 'nothing'}; name one of them"
-            raise InvalidError(message, parameter="strategy")
-        if (position is None) == (time is None):
-            raise InvalidError("Give a position or a time", parameter="position" if time is None else "time")
-        scenario = Scenario.model_validate(stored.scenario)
-        name, unit, at, end = "position", "m", position, scenario.road.length
-        if time is not None:
-            name, unit, at, end = "time", "s", time, drives[strategy].summary["travel_time"]
-        if at is None or not 0 <= at <= end:
-            raise InvalidError(f"The drive goes from 0 to {end:g} {unit}", parameter=name)
-        if stored.core_version != CORE_VERSION:
-            raise GoneError(
-                f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: its "
-                "instants cannot be made again. Post its scenario to run it on this version."
-            )
-        if strategy not in STRATEGIES and not _is_same(scenario, drives[strategy]):
-            raise GoneError("The law of this run has changed or is gone: post the scenario to run it as it is now.")
-        scenario = await self._histories.on_its_road(scenario)
-        cost = cost_of(scenario, [strategy])
-        with self._gate.computing(client, cost):
-            return await self._workers.call(
-                instant_answer, scenario, strategy, position, time, client=client, cost=cost
-            )
-
-
-def _is_same(scenario: Scenario, item: Outcome) -> bool:
-    """Whether a controller of one's own is the one that was driven."""
-    return item.strategy in strategies() and result_key(scenario, item.strategy) == item.key
 
 
 def instant_answer(scenario: Scenario, strategy: str, position: float | None, time: float | None) -> InstantAnswer:

@@ -36,10 +36,7 @@ from backend.runs.answers import (
     run_answer,
 )
 from backend.runs.deviations import Deviations
-from backend.runs.frequency import COST as FREQUENCY_COST
-from backend.runs.frequency import FrequencyAnswer, FrequencyRequest, frequency_answer
 from backend.runs.histories import Histories
-from backend.runs.instants import InstantAnswer, Instants
 from backend.runs.reports import page
 from backend.runs.reports import run as run_report
 from backend.runs.reports.page import Report, in_thread
@@ -76,7 +73,6 @@ class Runs:
         self._histories = Histories(
             store=store, workers=workers, results=results, gate=gate, roads=roads, recordings=recordings, spool=spool
         )
-        self._instants = Instants(workers=workers, gate=gate, histories=self._histories)
 
     async def create(
         self,
@@ -180,38 +176,6 @@ class Runs:
         outcomes = await self._results.get(scenario, names, client, points=points)
         render = live_binary if binary else live_json
         return render(scenario, outcomes, series.ordered_signals(signals))
-
-    async def frequency(self, asked: FrequencyRequest, client: str) -> FrequencyAnswer:
-        """Responses, modes, margins and spectra of strategies; nothing is stored.
-
-        Raises:
-            TemporaryError: Too much is being computed.
-        """
-        names, cost = ordered(asked.strategies), FREQUENCY_COST * len(asked.strategies)
-        scenario = await self._roads.with_length(asked.scenario)
-        with self._gate.computing(client, cost):
-            return await self._workers.call(
-                frequency_answer,
-                scenario,
-                names,
-                asked.frequencies,
-                asked.outputs,
-                asked.stage,
-                client=client,
-                cost=cost,
-            )
-
-    async def instant(
-        self, run_id: str, strategy: str | None, position: float | None, time: float | None, client: str
-    ) -> InstantAnswer:
-        """What a strategy's controller saw and decided in the control step at a position [m] or a time [s].
-
-        Raises:
-            NotFoundError: No such run.
-            InvalidError: It has no such strategy, or the place is not on its drive.
-            GoneError: Another core version computed it, or its road is gone.
-        """
-        return await self._instants.look(await self.stored(run_id, client), strategy, position, time, client)
 
     async def series(
         self,

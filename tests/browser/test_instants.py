@@ -55,3 +55,23 @@ def test_a_link_leads_to_an_instant_and_keys_open_and_close_it(dashboard: Dashbo
     page.goto("about:blank")
     page.goto(address)
     expect(place).to_have_text(shown)
+
+
+def test_responses_bands_and_margins_follow_a_dragged_value(dashboard: Dashboard) -> None:
+    dashboard.open()
+    page = dashboard.page
+    part = page.get_by_role("region", name="Frequencies", exact=True)
+    part.get_by_role("button", name="Show").click()
+    bands = part.get_by_role("region", name="RMS on this road by frequency")
+    expect(part.locator("canvas[data-drawn='3']")).to_have_count(4)
+    expect(bands.get_by_role("row")).to_have_count(4)
+    expect(part).to_contain_text("between stages there is no margin")
+    before = bands.inner_text()
+    dashboard.expect_accessible(part)
+    slider = dashboard.slider("Target speed")
+    slider.scroll_into_view_if_needed()
+    with page.expect_response("**/api/v1/frequency"):
+        dashboard.drag(slider, (10, 20))
+    expect(bands).not_to_have_text(before)
+    part.get_by_label("Response from the road to").select_option("front_tyre_load")
+    expect(part.get_by_role("region", name="RMS on this road by frequency")).to_contain_text("N")

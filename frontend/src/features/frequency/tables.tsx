@@ -5,6 +5,7 @@ import { DataTable } from "../../ui/DataTable";
 import { StrategyName } from "../../ui/StrategyKey";
 import { formatFixed, formatNumber, NO_VALUE } from "../../units/format";
 import { spectrumOf } from "./figures";
+import classes from "./frequency.module.css";
 
 interface Props {
   readonly answer: FrequencyAnswer;
@@ -98,7 +99,7 @@ export function MarginsTable({ answer, strategies }: Props) {
           head: "modes",
           detail: "Hz, damping ratio",
           text: true,
-          cell: ({ id }) => modesText(answer.strategies[id]?.modes ?? []),
+          cell: ({ id }) => <span className={classes.modes}>{modesText(answer.strategies[id]?.modes ?? [])}</span>,
         },
       ]}
     />

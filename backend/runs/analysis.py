@@ -1,0 +1,86 @@
+"""Why and at which frequency a controller acts: what is asked of runs and scenarios beside their results."""
+
+from backend.compute.workers import Workers
+from backend.cost.estimate import cost_of
+from backend.digest import result_key
+from backend.errors import GoneError, InvalidError, RoadGoneError
+from backend.gate import Gate
+from backend.outcome import Outcome
+from backend.roads.service import MeasuredRoads
+from backend.runs.frequency import COST as FREQUENCY_COST
+from backend.runs.frequency import FrequencyAnswer, FrequencyRequest, frequency_answer
+from backend.runs.instants import InstantAnswer, instant_answer
+from backend.runs.service import Runs, ordered
+from sim_core import __version__ as CORE_VERSION
+from sim_core.scenario import Scenario
+from sim_core.scenario.recorded import recording_id
+from sim_core.strategies import STRATEGIES, strategies
+
+
+class ControlAnalysis:
+    """Answers what a controller does; nothing is stored."""
+
+    def __init__(self, *, runs: Runs, workers: Workers, gate: Gate, roads: MeasuredRoads) -> None:
+        self._runs = runs
+        self._workers = workers
+        self._gate = gate
+        self._roads = roads
+
+    async def frequency(self, asked: FrequencyRequest, client: str) -> FrequencyAnswer:
+        """Responses, modes, margins and spectra of strategies.
+
+        Raises:
+            TemporaryError: Too much is being computed.
+        """
+        names, cost = ordered(asked.strategies), FREQUENCY_COST * len(asked.strategies)
+        scenario = await self._roads.with_length(asked.scenario)
+        question = scenario, names, asked.frequencies, asked.outputs, asked.stage
+        with self._gate.computing(client, cost):
+            return await self._workers.call(frequency_answer, *question, client=client, cost=cost)
+
+    async def instant(
+        self, run_id: str, strategy: str | None, position: float | None, time: float | None, client: str
+    ) -> InstantAnswer:
+        """The instant; of a run over several roads on the first one.
+
+        Raises:
+            NotFoundError: No such run.
+            InvalidError: The run has no such strategy, or the place is not on its drive.
+            GoneError: Another core version or another law computed the run, or its road is gone.
+        """
+        stored = await self._runs.stored(run_id, client)
+        drives = {item.strategy: item for item in stored.shown if recording_id(item.strategy) is None}
+        if strategy is None and len(drives) == 1:
+            (strategy,) = drives
+        if strategy not in drives:
+            message = f"This run drove {', '.join(drives) or 'nothing'}; name one of them"
+            raise InvalidError(message, parameter="strategy")
+        if (position is None) == (time is None):
+            raise InvalidError("Give a position or a time", parameter="position" if time is None else "time")
+        scenario = Scenario.model_validate(stored.scenario)
+        name, unit, at, end = "position", "m", position, scenario.road.length
+        if time is not None:
+            name, unit, at, end = "time", "s", time, drives[strategy].summary["travel_time"]
+        if at is None or not 0 <= at <= end:
+            raise InvalidError(f"The drive goes from 0 to {end:g} {unit}", parameter=name)
+        if stored.core_version != CORE_VERSION:
+            raise GoneError(
+                f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: its "
+                "instants cannot be made again. Post its scenario to run it on this version."
+            )
+        if strategy not in STRATEGIES and not _is_same(scenario, drives[strategy]):
+            raise GoneError("The law of this run has changed or is gone: post the scenario to run it as it is now.")
+        try:
+            scenario = await self._roads.on(scenario)
+        except InvalidError:
+            raise RoadGoneError from None
+        cost = cost_of(scenario, [strategy])
+        with self._gate.computing(client, cost):
+            return await self._workers.call(
+                instant_answer, scenario, strategy, position, time, client=client, cost=cost
+            )
+
+
+def _is_same(scenario: Scenario, item: Outcome) -> bool:
+    """Whether a controller of one's own is the one that was driven."""
+    return item.strategy in strategies() and result_key(scenario, item.strategy) == item.key
