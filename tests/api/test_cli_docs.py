@@ -132,7 +132,8 @@ def check(name: str, client: httpx.Client, folder: Path, monkeypatch: pytest.Mon
 
 
 HOW_TO = [f"how-to/{name}.md" for name in ("own-vehicle", "measured-road", "share-and-export", "check-in-ci", "fmu")]
-PAGES = ["../README.md", "reference/cli.md", "reference/api.md", "tutorials/sweep-from-a-script.md", *HOW_TO]
+PAGES = ["../README.md", "reference/cli.md", "reference/api.md", "tutorials/sweep-from-a-script.md"]
+PAGES += ["tutorials/validate.md", *HOW_TO]
 
 
 @pytest.mark.usefixtures("reproduced")
