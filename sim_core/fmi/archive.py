@@ -1,13 +1,16 @@
-"""An FMU's zip, unpacked once for as long as this process runs."""
+"""An FMU's zip, unpacked once."""
 
+import os
+import stat
 import sys
 import zipfile
 import zlib
-from functools import cache
+from contextlib import suppress
+from hashlib import sha256
 from io import BytesIO
 from pathlib import Path, PurePosixPath
 from platform import machine
-from tempfile import TemporaryDirectory
+from tempfile import TemporaryDirectory, gettempdir
 
 from sim_core.errors import RidelabError
 from sim_core.fmi.description import Description, read_description
@@ -33,8 +36,12 @@ def unpack(content: bytes) -> tuple[Description, Path, Path]:
             _check(archive)
             description = read_description(archive.read("modelDescription.xml"))
             library = _library(description, archive.namelist())
-            folder = Path(_folders().name) / str(len(list(Path(_folders().name).iterdir())))
-            archive.extractall(folder)
+            folder = _store() / sha256(content).hexdigest()
+            if not folder.is_dir():
+                with TemporaryDirectory(dir=folder.parent) as beside:
+                    archive.extractall(Path(beside) / "fmu")
+                    with suppress(OSError):  # another process was first
+                        (Path(beside) / "fmu").rename(folder)
     except KeyError:
         raise RidelabError("It has no modelDescription.xml") from None
     except (zipfile.BadZipFile, zlib.error, RuntimeError, NotImplementedError, EOFError) as error:
@@ -67,7 +74,20 @@ def _library(description: Description, names: list[str]) -> str:
     return library
 
 
-@cache
-def _folders() -> TemporaryDirectory[str]:
-    """Removed when the process ends."""
-    return TemporaryDirectory(prefix="ridelab-fmu-")
+def _store() -> Path:
+    """Where FMUs are unpacked, each once: a folder that nobody else may write to.
+
+    Raises:
+        RidelabError: There is no such folder.
+    """
+    path = Path(gettempdir()) / f"ridelab-fmu-{_user()}"
+    path.mkdir(mode=0o700, exist_ok=True)
+    status = path.lstat()
+    shared = os.name == "posix" and (status.st_uid != _user() or stat.S_IMODE(status.st_mode) & 0o022)
+    if shared or not stat.S_ISDIR(status.st_mode):
+        raise RidelabError(f"The folder {path} for unpacked FMUs is somebody else's")
+    return path
+
+
+def _user() -> int:
+    return os.getuid() if os.name == "posix" else 0

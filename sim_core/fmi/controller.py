@@ -1,6 +1,7 @@
 """An FMU as a controller: its parameters are options, its inputs what a controller sees, its outputs both forces."""
 
 import hashlib
+import os
 import re
 import sys
 from collections.abc import Iterable
@@ -137,7 +138,7 @@ def controllers_of_fmu(path: Path, content: bytes) -> dict[str, type[Controller]
     horizon = _checked(fmu)
     parameters = _parameters(fmu)
     name = re.sub(r"[^a-z0-9_]+", "_", path.stem.lower()).lstrip("_0123456789") or "fmu"
-    module = ModuleType(f"ridelab_controllers_fmu_{hashlib.sha256(content).hexdigest()[:16]}")
+    module = ModuleType(f"ridelab_controllers_fmu_{hashlib.sha256(os.fsencode(path) + content).hexdigest()[:16]}")
     module.__file__ = str(path)
     sys.modules[module.__name__] = module  # where `inspect` looks for the file
     fields: dict[str, Any] = {
