@@ -286,6 +286,7 @@ def test_what_fits_is_taken() -> None:
     recorder(2, 4, ENDS).record(3)
     binding.window_sizes(np.zeros((3, 5)), 2, np.zeros((4, 4)))
     linear_drive(qp=(qp_design(), memory()))
+    assert still_car(steps=6).sample(2, 2, np.zeros((7, 10))).shape[0] == 0  # of no step
     memory().pose(qp_design(), np.zeros(19))
     assert memory().solve_in_c(qp_design(), np.zeros(19)) is not None
     assert QpMemory(longer_qp(), 1.0).residual(longer_qp()) == 0
