@@ -261,10 +261,19 @@ async def get_run_report(
     baseline: Annotated[str | None, Query(description="Whose figures the changes refer to; omitted is passive")] = None,
     against: Annotated[str | None, Query(description="A run they refer to instead, by strategy", max_length=64)] = None,
     x: Axis = "position",
+    requirements: Required = None,
 ) -> Response:
     """The run as one HTML file that needs nothing else; its figures are inside, or it says why there are none."""
     compressed = takes_gzip(request)
-    report = await service.report(run_id, client, baseline=baseline, against=against, axis=x, compressed=compressed)
+    report = await service.report(
+        run_id,
+        client,
+        baseline=baseline,
+        against=against,
+        axis=x,
+        compressed=compressed,
+        requirements=_required(requirements),
+    )
     return html_answer(report, f"ridelab-{run_id}.html")
 
 

@@ -286,7 +286,15 @@ class Runs:
         return Deviations(baseline=baseline, units=units, strategies=found)
 
     async def report(
-        self, run_id: str, client: str, *, baseline: str | None, against: str | None, axis: str, compressed: bool
+        self,
+        run_id: str,
+        client: str,
+        *,
+        baseline: str | None,
+        against: str | None,
+        axis: str,
+        compressed: bool,
+        requirements: Sequence[Requirement] = (),
     ) -> Report:
         """A stored run as one HTML file; without figures where its time histories are gone.
 
@@ -297,6 +305,7 @@ class Runs:
             against: The run whose figures, strategy by strategy, the changes refer to instead.
             axis: `position` or `time`, for x of the figures.
             compressed: Whether whoever asked takes gzip.
+            requirements: What the run is held to.
 
         Raises:
             NotFoundError: No such run.
@@ -314,7 +323,8 @@ class Runs:
         except GoneError as error:
             gone = error.message
         base = baseline or stored.baseline or default_baseline(names)
-        answer = await asyncio.to_thread(lambda: as_plain(run_answer(stored, baseline=base)))
+        judged = partial(run_answer, stored, baseline=base, requirements=requirements, judged_against=baseline)
+        answer = await asyncio.to_thread(lambda: as_plain(judged()))
         other: JsonObject | None = None
         if against is not None:
             run = await self._other(against, client)

@@ -176,3 +176,15 @@ def test_the_runs_of_a_batch_are_held_point_by_point(client: httpx.Client, run: 
     assert answer["runs"][2::3] == [None] * 3, "nothing is required of the baseline"
     again = client.post("/api/v1/batches", json={**body, "requirements": []}).json()
     assert client.get(f"/api/v1/batches/{again['id']}/requirements").json()["requirement_results"] == []
+
+
+def test_a_report_says_how_the_requirements_are_kept(client: httpx.Client, run: dict[str, Any]) -> None:
+    requirements = [{"metric": PEAK, "max": peak(run, "lqr") / 2, "strategies": ["lqr"]}]
+    path = f"/api/v1/runs/{run['id']}/report.html"
+    report = client.get(path, params={"requirements": json.dumps(requirements)}).text
+    section = report[report.index('id="requirements"') :].partition("</section>")[0]
+    assert "<td>fail</td>" in section
+    assert "Body acceleration, peak, bump" in section
+    assert 'id="requirements"' not in client.get(path).text
+    refused = client.get(path, params={"requirements": '[{"metric": "peak", "max": 1}]'})
+    assert (refused.status_code, refused.json()["errors"][0]["parameter"]) == (422, "requirements")

@@ -53,6 +53,9 @@ TABLES = {
 }
 
 
+_LIMITS = {"max": "at most", "min": "at least", "max_change": "changes by at most"}
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RunFacts:
     """The contents of a report.
@@ -108,6 +111,7 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
             if (sentences := caveats(entry, answer["scenario"]["vehicle"]))
         ],
         "ran": [key_of(name) for name in ran],
+        "requirements": [_required(each) for each in answer.get("requirement_results", [])],
         "tables": {
             title: [(signal, SIGNALS[signal].label, *_shown_unit(signal)) for signal in signals]
             for title, signals in TABLES.items()
@@ -120,6 +124,25 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
         "without_history": [label(name) for name in ran if with_data and name not in facts.outcomes],
     }
     return render("run.html", values, with_data, compressed=compressed)
+
+
+def _required(result: JsonObject) -> JsonObject:
+    """A requirement and how it is kept, in words."""
+    metric, change = METRICS[result["metric"]], result["max_change"] is not None
+    word, limit = next((word, result[name]) for name, word in _LIMITS.items() if result[name] is not None)
+    unit = "%" if change else metric.unit
+    against = f" against {label(result['baseline'])}" if change else ""
+    held = NO_VALUE if result["value"] is None else with_unit(significant(result["value"]), unit)
+    if result["low"] is not None:
+        held += f" ({significant(result['low'])} to {significant(result['high'])})"
+    return {
+        "metric": metric.label,
+        "limit": f"{word} {with_unit(exact(limit), unit)}{against}",
+        "strategy": label(result["strategy"]),
+        "held": held,
+        "result": result["result"],
+        "reason": result["reason"],
+    }
 
 
 def drive(scenario: JsonObject) -> list[str]:

@@ -2548,6 +2548,7 @@ export interface operations {
             readonly query?: {
                 readonly against?: string | null;
                 readonly baseline?: string | null;
+                readonly requirements?: string | null;
                 readonly x?: "position" | "time";
             };
             readonly path: {

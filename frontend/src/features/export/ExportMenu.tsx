@@ -64,7 +64,8 @@ export function ExportMenu() {
     if (!shown || runId === null) return;
     const { baseline, reference } = makeResultView(shown, strategies, selected, view, compared);
     const run = reference && whyNotCompared(shown, reference.shown) === null ? reference.shown.runId : null;
-    const refersTo = { baseline: run === null ? baseline : null, against: run };
+    const requirements = view.requirements.length > 0 ? JSON.stringify(view.requirements) : null;
+    const refersTo = { baseline: run === null ? baseline : null, against: run, requirements };
     download(
       address("/runs/{id}/report.html", { path: { id: runId }, query: { x: axisKey(view.axis), ...refersTo } }),
       `ridelab-${runId}.html`,
@@ -79,6 +80,7 @@ export function ExportMenu() {
         scenario: scenario(),
         strategies: selected,
         over: shown?.over ?? null,
+        requirements: view.requirements,
       }),
     );
   };

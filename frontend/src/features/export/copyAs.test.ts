@@ -12,6 +12,7 @@ const copyRequest = (scenario = CHANGED) => ({
   scenario,
   strategies: ["lv", "lqr"],
   over: null,
+  requirements: [],
 });
 const OVER = { roads: 10, baseline: "lqr" };
 
@@ -83,4 +84,16 @@ with Ridelab("http://h:8000") as ridelab:
 }
 `);
   });
+});
+
+it("what is required goes along in each", () => {
+  const requirements = [
+    { metric: "travel_time", max: 12 },
+    { metric: "bump.rear_tyre_load.peak", max_change: -20, strategies: ["lv"] },
+  ];
+  const request = { ...copyRequest(PAPER), requirements };
+  expect(JSON.parse(/-d '(.*)'$/.exec(asCurl(request))?.[1] ?? "")).toMatchObject({ requirements });
+  expect(asCommand(request)).toContain("--require 'travel_time<12' --require 'lv:bump.rear_tyre_load.peak<-20%'");
+  expect(asPython(request)).toContain('requirements = [\n    {"metric": "travel_time", "max": 12},\n    {\n');
+  expect(asPython(request)).toContain('["lv", "lqr"], requirements=requirements)');
 });

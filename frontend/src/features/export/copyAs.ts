@@ -4,6 +4,7 @@ import type { JsonObject, JsonValue, Scenario, StrategyId } from "../../api/type
 import { isChanged, leavesOf } from "../../scenario/differences";
 import { getAt, setAt } from "../../scenario/path";
 import { fieldsOf, type Group } from "../../scenario/schema";
+import { requirementText, type Requirement } from "../../lab/requirements";
 import { dotted } from "../../scenario/fields";
 
 export interface CopyRequest {
@@ -14,11 +15,15 @@ export interface CopyRequest {
   readonly strategies: readonly StrategyId[];
   /** Over how many roads, and against which strategy where that is one of them; `null` for one road. */
   readonly over: { readonly roads: number; readonly baseline: StrategyId } | null;
+  /** What the strategies are held to. */
+  readonly requirements: readonly Requirement[];
 }
 
 /** Without a baseline that is hidden: the service then takes its own. */
 const roadsOf = ({ over, strategies }: CopyRequest) =>
   over && { roads: over.roads, ...(strategies.includes(over.baseline) && { baseline: over.baseline }) };
+
+const heldTo = ({ requirements }: CopyRequest) => (requirements.length > 0 ? { requirements } : {});
 
 /** The part of a scenario that is not the paper's; weights come whole. */
 export function changedPart(scenario: Scenario, form: Group): JsonObject {
@@ -38,7 +43,12 @@ const word = (text: string) => (/^[\w@%+=:,./-]+$/.test(text) ? text : quoted(te
 
 export function asCurl(request: CopyRequest): string {
   const { origin, form, scenario, strategies } = request;
-  const body = JSON.stringify({ scenario: changedPart(scenario, form), strategies, ...roadsOf(request) });
+  const body = JSON.stringify({
+    scenario: changedPart(scenario, form),
+    strategies,
+    ...roadsOf(request),
+    ...heldTo(request),
+  });
   return `curl -sS ${word(`${origin}/api/v1/runs`)} -H 'content-type: application/json' -d ${quoted(body)}`;
 }
 
@@ -59,9 +69,18 @@ export function asCommand(request: CopyRequest): string {
     ...changes,
     `--strategy ${word(strategies.join(","))}`,
     ...roads,
+    ...request.requirements.map((each) => `--require ${word(requirementText(each))}`),
     `--server ${word(origin)}`,
   ].join(" ");
 }
+
+/** Without members that say nothing. */
+const plain = (requirement: Requirement): JsonObject =>
+  Object.fromEntries(
+    Object.entries(requirement).flatMap(([name, value]) =>
+      (value ?? null) === null ? [] : [[name, value as JsonValue]],
+    ),
+  );
 
 const INDENT = "    ";
 
@@ -81,12 +100,15 @@ function literal(value: JsonValue, depth = 1): string {
 export function asPython(request: CopyRequest): string {
   const { origin, form, scenario, strategies } = request;
   const over = Object.entries(roadsOf(request) ?? {}).map(([name, value]) => `, ${name}=${JSON.stringify(value)}`);
+  const required = request.requirements.map((each) => `${INDENT}${literal(plain(each), 2)},`);
+  const held = required.length > 0 ? ", requirements=requirements" : "";
   return [
     "from ridelab import Ridelab",
     "",
     `scenario = ${literal(changedPart(scenario, form))}`,
+    ...(required.length > 0 ? ["requirements = [", ...required, "]"] : []),
     `with Ridelab(${JSON.stringify(origin)}) as ridelab:`,
-    `${INDENT}run = ridelab.run(scenario, ${JSON.stringify(strategies).replace(/,/g, ", ")}${over.join("")})`,
+    `${INDENT}run = ridelab.run(scenario, ${JSON.stringify(strategies).replace(/,/g, ", ")}${over.join("")}${held})`,
     "",
   ].join("\n");
 }
