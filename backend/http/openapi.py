@@ -82,7 +82,7 @@ EXAMPLES: dict[str, JsonObject] = {  # of bodies, by their schema
     },
     "LinkRequest": {"run_id": "AAAAAAAAAAAAAAAAAAAAAA", "view": {"baseline": "passive", "axis": "time"}},
     "ControllerRequest": {"scenario": SCENARIO},
-    "FmuRequest": {"scenario": SCENARIO, "strategy": "lqr"},
+    "FmuRequest": {"scenario": SCENARIO, "strategy": "lqr", "platforms": ["linux64"]},
     "LabelRequest": {"label": "winter"},
     "DataSheet": {
         "front_axle_load": 760,
