@@ -4,6 +4,7 @@ import type { SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/typ
 import type { Axis, View, ViewZoom, Zoom } from "./address";
 import { referenceVariant, NOTHING_COMPARED, type Compared, type RoadPairedChanges, type Variant } from "./compare";
 import type { Judged } from "./requirements";
+import { isRecording } from "../lib/recording";
 import type { Result } from "./result";
 
 export interface ResultView {
@@ -90,6 +91,13 @@ export function withBaseline(
     reference: referenceVariant(compared, reference),
     differences,
   };
+}
+
+/** What is simulated of it: no recorded drive has a car to draw, or wins. */
+export function simulatedPart(resultView: ResultView): ResultView {
+  if (!resultView.ids.some(isRecording)) return resultView;
+  const strategies = resultView.strategies.filter(({ id }) => !isRecording(id));
+  return { ...resultView, strategies, ids: strategies.map(({ id }) => id) };
 }
 
 function rangeOf(zoom: ViewZoom, bump: Zoom | null, whole: Zoom): Zoom {

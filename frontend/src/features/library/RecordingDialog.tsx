@@ -32,8 +32,10 @@ function Columns({ file, onClose }: { readonly file: RecordedFile; readonly onCl
   );
   const [wrong, setWrong] = useState(message);
   const [sending, setSending] = useState(false);
-  const choose = (index: number, part: Partial<Choice>) =>
+  const choose = (index: number, part: Partial<Choice>) => {
+    setWrong(null);
     setChoices((all) => all.map((each, at) => (at === index ? { ...each, ...part } : each)));
+  };
   const unitOf = (key: string) => signals.find((signal) => signal.key === key)?.unit ?? "";
   const send = async () => {
     setSending(true);

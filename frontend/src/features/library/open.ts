@@ -66,7 +66,8 @@ export function useOpenFiles(): (files: readonly File[], wanted?: ItemKind) => P
       const { openAll } = await import("./upload");
       const { scenario, lines, isWrong } = await openAll(files, () => edit.newest(), queries, wanted);
       if (!sameValue(scenario, edit.newest())) edit.commit(scenario);
-      say(lines, isWrong);
+      if (lines.length === 0) notice.set(null);
+      else say(lines, isWrong);
     } catch (error) {
       say([messageOf(error)], true);
     }

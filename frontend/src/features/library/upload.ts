@@ -49,13 +49,11 @@ export async function openAll(
     ...vehicles.map(({ vehicle }) => completed(form, { vehicle }).vehicle),
   ];
   const wrong: string[] = [];
-  const drives: string[] = [];
   const opened: Opened[] = [];
   for (const file of files) {
     try {
       const content = await upload(file, form, wanted);
-      if (content === null) drives.push(`The columns of “${file.name}” are in the dialog.`);
-      else opened.push(content);
+      if (content !== null) opened.push(content);
     } catch (error) {
       wrong.push(`${file.name}: ${messageOf(error)}`);
     }
@@ -65,7 +63,7 @@ export async function openAll(
   const scenario = opened.reduce((before, content) => withItem(before, content, form), newest());
   return {
     scenario,
-    lines: [...wrong, ...drives, ...opened.flatMap((content) => [addToLibrary(content, known), ...content.warnings])],
+    lines: [...wrong, ...opened.flatMap((content) => [addToLibrary(content, known), ...content.warnings])],
     isWrong: wrong.length > 0,
   };
 }

@@ -5,7 +5,7 @@ import { Button, Skeleton, Text } from "@mantine/core";
 import type { Catalogue, FigureTemplate, Strategy } from "../../api/types";
 import { PlotGrid, RoadStrip } from "../../plots/PlotGrid";
 import { useLabContext, useLab } from "../../lab/context";
-import type { ResultView } from "../../lab/resultView";
+import { simulatedPart, type ResultView } from "../../lab/resultView";
 import { LazyPart } from "../../ui/LazyPart";
 import { Blank, CouldNotLoad } from "../../ui/Blank";
 import classes from "../../ui/shell.module.css";
@@ -57,10 +57,11 @@ export function Results({ strategies, catalogue, figures, resultView }: Props) {
       data-run={resultView.shown.runId ?? undefined}
     >
       <LazyPart fallback={<Skeleton h={60} radius={8} />}>
-        <VerdictLine resultView={resultView} catalogue={catalogue} />
-        <ChangeChips resultView={resultView} catalogue={catalogue} />
+        <VerdictLine resultView={simulatedPart(resultView)} catalogue={catalogue} />
+        <ChangeChips resultView={simulatedPart(resultView)} catalogue={catalogue} />
       </LazyPart>
       <RoadsNote resultView={resultView} />
+      <RecordingNotes resultView={resultView} />
       <LazyPart>
         <InstantPart resultView={resultView} />
       </LazyPart>
@@ -101,7 +102,7 @@ function Histories({ resultView, catalogue, figures }: HistoriesProps) {
   return (
     <>
       <LazyPart fallback={<Skeleton h={167} radius={8} />}>
-        <CarView resultView={resultView} />
+        <CarView resultView={simulatedPart(resultView)} />
       </LazyPart>
       {road && <RoadStrip template={road} resultView={resultView} />}
       <PlotGrid templates={Object.values(others).filter(isRide)} resultView={resultView} />
@@ -169,6 +170,20 @@ function Loading() {
       </div>
     </div>
   );
+}
+
+/** How each recorded drive was placed on this road, and what it lacks. */
+function RecordingNotes({ resultView }: { readonly resultView: ResultView }) {
+  return resultView.strategies.map(({ id, label }) => {
+    const notes = resultView.summaries[id]?.recording?.notes ?? [];
+    return (
+      notes.length > 0 && (
+        <Text key={id} size="xs" c="dimmed" m="0 0 0.5rem 0.2rem" data-testid="recording">
+          {label}: {notes.join(". ")}.
+        </Text>
+      )
+    );
+  });
 }
 
 /** Says over how many roads the numbers and the curves are, and which road the rest is of. */
