@@ -14,7 +14,9 @@ from backend.json_types import JsonObject
 from backend.means_over_roads import MAX_ROADS
 from backend.unknown_names import unknown_name
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, NUMBERS, REFERENCES, SIGNALS, STAGES, WINDOWS
-from sim_core.scenario import Scenario
+from sim_core.errors import RidelabError
+from sim_core.scenario import Scenario, dotted
+from sim_core.scenario.fields import at
 from sim_core.scenario.recorded import NAME_PATTERN
 from sim_core.scenario.road import MAX_SEED
 from sim_core.strategies import STRATEGIES, strategies
@@ -45,6 +47,27 @@ def _check_strategy(name: str) -> str:
     if name not in STRATEGIES and name not in (offered := strategies()):
         raise PydanticCustomError("unknown_strategy", "{said}", {"said": unknown_name("strategy", name, list(offered))})
     return name
+
+
+def _check_options(scenario: Scenario) -> Scenario:
+    """What is sent anew has options of controllers that there are, with values that they take."""
+    known = strategies()
+    offered = [name for name, each in known.items() if each.options()]
+    for controller, given in scenario.own.controllers.items():
+        if controller not in offered:
+            raise at(f"{dotted.OWN}{controller}", unknown_name("controller with options", controller, offered))
+        for option, value in given.items():
+            name = f"{dotted.OWN}{controller}.{option}"
+            if option not in known[controller].options():
+                raise at(name, unknown_name("option", option, list(known[controller].options())))
+            try:
+                dotted.field(name).checked(value)
+            except RidelabError as error:
+                raise at(name, error.message) from None
+    return scenario
+
+
+SentScenario = Annotated[Scenario, AfterValidator(_check_options)]
 
 
 def _check_metric(name: str) -> str:
@@ -95,7 +118,7 @@ RoadCount = Annotated[  # behind a field `scenario`
 class StrategiesRequest(RequestModel):
     """Strategies over a scenario; an omitted part of it takes the paper's default."""
 
-    scenario: Scenario = Scenario()
+    scenario: SentScenario = Scenario()
     strategies: list[StrategyName] = Field(min_length=1, max_length=32)
 
 

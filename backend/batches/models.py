@@ -9,7 +9,7 @@ from backend.batches.points import Sweep
 from backend.batches.summary_models import Cell, StrategySummary
 from backend.jobs.models import Label
 from backend.json_types import JsonObject
-from backend.models import Answer, RequestModel, StrategyName
+from backend.models import Answer, RequestModel, SentScenario, StrategyName
 from backend.requirements import Requirement, Requirements, Result
 from backend.store import StoredJob
 from backend.store.job import State
@@ -19,7 +19,7 @@ from sim_core.scenario import Scenario, dotted
 class BatchRequest(RequestModel):
     """What to run: each point of the sweep under each strategy."""
 
-    scenario: Scenario = Scenario()
+    scenario: SentScenario = Scenario()
     strategies: list[StrategyName] = Field(min_length=1, max_length=32)
     baseline: StrategyName | None = Field(
         None, description="What a requirement's change is against, at the same point; null is passive, or the first"

@@ -45,7 +45,7 @@ def _by_field(description: str, default: Any = ...) -> Any:
         min_length=1,
         max_length=32,
         description=description,
-        json_schema_extra={"propertyNames": {"enum": list(dotted.fields())}},
+        json_schema_extra={"propertyNames": dotted.names_schema(dotted.scenario_fields())},
     )
 
 

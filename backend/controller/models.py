@@ -4,14 +4,14 @@ from typing import Literal
 
 from pydantic import Field
 
-from backend.models import Answer, RequestModel
+from backend.models import Answer, RequestModel, SentScenario
 from sim_core.scenario import Scenario
 
 
 class ControllerRequest(RequestModel):
     """Whose controller; an omitted part of the scenario takes the paper's default."""
 
-    scenario: Scenario = Scenario()
+    scenario: SentScenario = Scenario()
 
 
 class ControllerPart(Answer):

@@ -16,17 +16,28 @@ from backend.means_over_roads import one_road_resolution
 from backend.models import CharacteristicsAnswer
 from backend.runs import figures
 from sim_core import catalogue as core
-from sim_core.scenario import SCHEMA_VERSION, Scenario, characteristics
+from sim_core.scenario import SCHEMA_VERSION, Scenario, characteristics, dotted
 from sim_core.scenario.presets import PRESETS
 from sim_core.scenario.vehicles import VEHICLES, VehiclePreset
 from sim_core.strategies import reads
 from sim_core.strategies import strategies as known_strategies
 
 
-@cache
 def schema() -> bytes:
-    """JSON Schema of the scenario, with the schema's version."""
-    return orjson.dumps({**Scenario.model_json_schema(), "schema_version": SCHEMA_VERSION})
+    """JSON Schema of the scenario, with the options of controllers of one's own that there are, and its version."""
+    plain = _scenario_schema()
+    parts = {f"{dotted.OWN}{each.id}": each for found in own.found() for each in found.descriptions if each.options}
+    options = {"properties": {each.id: {"$ref": f"#/$defs/{name}"} for name, each in parts.items()}}
+    of_each = {
+        name: {"title": each.label, "description": each.text, **_options(each.options)} for name, each in parts.items()
+    }
+    definitions = {**plain["$defs"], **of_each, "Own": {**plain["$defs"]["Own"], **options}}
+    return orjson.dumps({**plain, "$defs": definitions, "schema_version": SCHEMA_VERSION})
+
+
+@cache
+def _scenario_schema() -> JsonObject:
+    return Scenario.model_json_schema()
 
 
 @cache

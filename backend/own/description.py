@@ -4,14 +4,12 @@ import inspect
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated, Any, Literal, get_type_hints
-
-from pydantic import Field, TypeAdapter
+from typing import Any, Literal
 
 from backend.json_types import JsonObject
 from sim_core import Controller, DampingController, EcuController, PredictiveController
 from sim_core.check_controller import declaration_faults
-from sim_core.control.controller import Option, ScenarioField
+from sim_core.control.controller import Option, ScenarioField, option_fields
 from sim_core.control.law import LinearLaw
 from sim_core.controller_files import ControllerFileError
 from sim_core.speed.profile import SpeedPlan
@@ -90,12 +88,12 @@ def described(controller: type[Controller]) -> Description:
 
 
 def _schema(controller: type[Controller], name: str, option: Option) -> JsonObject:
-    annotation: Any = get_type_hints(controller).get(name, type(option.default))
-    schema = TypeAdapter(Annotated[annotation, Field(ge=option.ge, le=option.le)]).json_schema()
+    field = option_fields(controller)[name]
+    schema = field.adapter.json_schema()
     schema |= {"title": name.replace("_", " ").capitalize(), "description": option.help, "default": option.default}
     if schema.get("type") in ("number", "integer"):
         size = abs(option.default) or 1
-        schema["unit"] = option.unit
+        schema["unit"] = field.unit
         schema["soft_range"] = [
             -2 * size if option.ge is None and option.default < 0 else option.ge or 0,
             2 * size if option.le is None else option.le,

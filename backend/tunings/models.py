@@ -7,7 +7,7 @@ from pydantic_core import PydanticCustomError
 
 from backend.jobs.models import Label
 from backend.json_types import JsonObject
-from backend.models import MetricName, RequestModel, inconsistent
+from backend.models import MetricName, RequestModel, SentScenario, inconsistent
 from backend.tunings.objectives import NORMALISED
 from backend.tunings.space import LARGEST, STRATEGIES, default_search, searchable
 from sim_core.catalogue import WINDOWS
@@ -91,7 +91,7 @@ class Limit(RequestModel):
 class TuningRequest(RequestModel):
     """What to tune, for what, on which roads and cars."""
 
-    scenario: Scenario = Scenario()
+    scenario: SentScenario = Scenario()
     strategy: Literal[tuple(STRATEGIES)] = Field("lv", json_schema_extra={"enum": list(STRATEGIES)})  # type: ignore[valid-type]  # from space.py
     objectives: list[Objective] = Field([Objective(kind="paper")], min_length=1, max_length=3)
     limits: list[Limit] = Field([], max_length=8)

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from functools import cache
 from operator import attrgetter
 from typing import Annotated, Any, ClassVar, Self, get_type_hints
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -269,11 +270,16 @@ class Controller:
 
     def _set(self, scenario: Scenario) -> None:
         own_values = vars(self).get("_own_values", {})  # none where a subclass's __init__ does not call this one's
+        given = scenario.own.of(self.id)
+        for name in given.keys() - self.options().keys():
+            raise RidelabError(f"{self.label} has no such option", field=f"{dotted.OWN}{self.id}.{name}")
         for name, field in self.declared.items():
             if name in own_values:
                 value = own_values[name]
+            elif isinstance(field, ScenarioField):
+                value = scenario_value(scenario, field.name)
             else:
-                value = field.default if isinstance(field, Option) else scenario_value(scenario, field.name)
+                value = checked_value(type(self), name, given[name]) if name in given else field.default
             setattr(self, name, value)
 
 
@@ -301,6 +307,32 @@ def _getter(name: str) -> Callable[[Scenario], Any]:
     return attrgetter(name)
 
 
+_option_fields: WeakKeyDictionary[type[Controller], dict[str, dotted.DottedField]] = WeakKeyDictionary()
+
+
+def option_fields(kind: type[Controller]) -> Mapping[str, dotted.DottedField]:
+    """A controller's options as fields of the scenario, by their own names."""
+    if kind not in _option_fields:
+        types = get_type_hints(kind)
+        _option_fields[kind] = {
+            name: _option_field(kind, name, types.get(name, type(each.default)))
+            for name, each in kind.options().items()
+        }
+    return _option_fields[kind]
+
+
+def _option_field(kind: type[Controller], name: str, annotation: Any) -> dotted.DottedField:
+    option = kind.options()[name]
+    return dotted.DottedField(
+        name=f"{dotted.OWN}{kind.id}.{name}",
+        title=f"{kind.label}: {name.replace('_', ' ')}",
+        unit=option.unit.replace(" ", "·"),
+        kind=dotted.kind_of(annotation),
+        adapter=TypeAdapter(Annotated[annotation, Field(ge=option.ge, le=option.le)], config=dotted.STRICT),
+        default=option.default,
+    )
+
+
 def checked_value(kind: type[Controller], name: str, value: Any) -> Any:
     """A field's value, of its type and within its bounds.
 
@@ -314,7 +346,6 @@ def checked_value(kind: type[Controller], name: str, value: Any) -> Any:
         part, dotted_name = scenario_value(_DEFAULTS, field.name), field.name
         adapter = TypeAdapter(type(part)) if isinstance(part, Part) else dotted.field(field.name).adapter
     else:
-        annotation: Any = get_type_hints(kind).get(name, type(field.default))
-        dotted_name = f"own.{kind.id}.{name}"
-        adapter = TypeAdapter(Annotated[annotation, Field(ge=field.ge, le=field.le)], config=dotted.STRICT)
+        described = option_fields(kind)[name]
+        dotted_name, adapter = described.name, described.adapter
     return dotted.validated(adapter, value, dotted_name)

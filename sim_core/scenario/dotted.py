@@ -1,10 +1,12 @@
 """Single fields of a scenario by their dotted names, as sweeps and the command line use them.
 
 `road.bump.height` is a field, `mpc.stage_weights.cruise` three weights, `mpc.stage_weights.cruise.0` the first of them;
-`fuzzy.rules` is data, which is given whole.
+`fuzzy.rules` is data, which is given whole. `own.ID.OPTION` is an option of a controller of one's own, as far as there
+is one.
 """
 
-from collections.abc import Iterator, Mapping
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from copy import copy
 from dataclasses import dataclass
 from functools import cache
@@ -17,6 +19,8 @@ from sim_core.scenario import Scenario
 from sim_core.scenario.fields import Weight
 
 Kind = Literal["number", "integer", "switch", "choice", "text", "weights", "data"]
+OWN = "own."
+OPTION = r"^own\.[a-z][a-z0-9_]*\.[A-Za-z_][A-Za-z0-9_]*$"
 STRICT = ConfigDict(strict=True, allow_inf_nan=False, hide_input_in_errors=True)
 
 
@@ -29,6 +33,7 @@ class DottedField:
     unit: str
     kind: Kind
     adapter: TypeAdapter[Any]
+    default: Any = None  # of an option, which a scenario may lack
 
     def checked(self, value: Any) -> Any:
         """The value as the scenario holds it, in plain JSON types.
@@ -51,10 +56,34 @@ def validated(adapter: TypeAdapter[Any], value: Any, field: str) -> Any:
         raise RidelabError(error.errors(include_input=False)[0]["msg"], field=field) from None
 
 
-@cache
+_find_options: Callable[[], Mapping[str, DottedField]] = dict
+
+
+def use_options(find: Callable[[], Mapping[str, DottedField]]) -> None:
+    """Have this say which options of controllers of one's own there are, by dotted name."""
+    global _find_options
+    _find_options = find
+
+
 def fields() -> dict[str, DottedField]:
-    """Every field by its dotted name, in the scenario's order."""
+    """Every field by its dotted name, in the scenario's order; options of controllers of one's own come last."""
+    return {**scenario_fields(), **_find_options()}
+
+
+@cache
+def scenario_fields() -> dict[str, DottedField]:
+    """Those that every scenario has."""
     return {field.name: field for field in _walk(Scenario, "")}
+
+
+def names_schema(names: Iterable[str]) -> dict[str, Any]:
+    """JSON Schema of a name: one of these, or an option of a controller of one's own."""
+    return {"anyOf": [{"enum": list(names)}, {"pattern": OPTION}]}
+
+
+def is_option(name: str) -> bool:
+    """Whether it names an option of a controller of one's own, which may be there no more."""
+    return re.match(OPTION, name) is not None
 
 
 def field(name: str) -> DottedField:
@@ -63,10 +92,10 @@ def field(name: str) -> DottedField:
     Raises:
         UnknownNameError: There is none, or it is a whole part; the message lists the names to choose from.
     """
-    try:
-        return fields()[name]
-    except KeyError:
-        raise _unknown(name) from None
+    found = scenario_fields().get(name) or (_find_options().get(name) if is_option(name) else None)
+    if found is None:
+        raise _unknown(name)
+    return found
 
 
 def _unknown(name: str) -> UnknownNameError:
@@ -75,6 +104,10 @@ def _unknown(name: str) -> UnknownNameError:
 
 def value(scenario: Mapping[str, Any], name: str) -> Any:
     """That field's value in a complete plain scenario."""
+    if is_option(name):
+        _, controller, option = name.split(".")
+        options = scenario["own"].get(controller, {})
+        return options[option] if option in options else field(name).default
     part: Any = scenario
     for step in name.split("."):
         part = part[_key(part, step)]
@@ -95,12 +128,13 @@ def with_changes(scenario: Mapping[str, Any], changes: Mapping[str, Any]) -> dic
     """
     changed = dict(scenario)
     for name, value in changes.items():
-        if name not in fields() and not any(each.startswith(f"{name}.") for each in fields()):
+        known = scenario_fields()
+        if name not in known and not is_option(name) and not any(each.startswith(f"{name}.") for each in known):
             raise _unknown(name)
         *parts, last = name.split(".")
         part: Any = changed
         for step in parts:
-            part[step] = copy(part[step])
+            part[step] = copy(part[step]) if step in part else {}  # a controller none of whose options was set
             part = part[step]
         part[_key(part, last)] = value
     return changed
@@ -132,7 +166,7 @@ def _walk(model: type[BaseModel], prefix: str) -> Iterator[DottedField]:
         unit, title = str(extra.get("unit", "1")), str(info.title or key)
         annotated: Any = Annotated[annotation, info]
         adapter: TypeAdapter[Any] = TypeAdapter(annotated, config=STRICT)
-        yield DottedField(name=name, title=title, unit=unit, kind=_kind(annotation), adapter=adapter)
+        yield DottedField(name=name, title=title, unit=unit, kind=kind_of(annotation), adapter=adapter)
         titles = extra.get("item_titles")
         for index, item_title in enumerate(titles if isinstance(titles, list) else []):
             yield DottedField(
@@ -144,7 +178,8 @@ def _walk(model: type[BaseModel], prefix: str) -> Iterator[DottedField]:
             )
 
 
-def _kind(annotation: Any) -> Kind:
+def kind_of(annotation: Any) -> Kind:
+    """The kind of a field of that type."""
     types = {annotation, *get_args(annotation)}
     if annotation is bool:
         return "switch"

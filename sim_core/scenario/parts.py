@@ -16,6 +16,7 @@ from sim_core.scenario.fields import ADDED, Part, Weights, at, field, quantity
 from sim_core.scenario.fuzzy import Fuzzy
 from sim_core.scenario.imperfections import Actuator, Estimation, HeightNoise, Hil, Mismatch
 from sim_core.scenario.measured import MeasuredRoad
+from sim_core.scenario.own import Own
 from sim_core.scenario.recorded import RecordedDrive
 from sim_core.scenario.road import Road
 from sim_core.scenario.vehicle import Vehicle
@@ -240,6 +241,7 @@ class Scenario(Part):
     lqr: Lqr = Field(default=Lqr(), title="LQR")
     hook: Annotated[Hook, ADDED] = Field(default=Hook(), title="Skyhook and groundhook")
     hil: Hil = Field(default=Hil(), title="Hardware in the loop")
+    own: Annotated[Own, ADDED] = Field(default=Own(), title="Own controllers")
 
     _recordings: dict[str, RecordedDrive] = PrivateAttr(default_factory=dict)
 

@@ -3,12 +3,13 @@
 Adding one is adding its file and its class here.
 """
 
+from contextlib import suppress
 from typing import Any
 
-from sim_core.control.controller import Controller
-from sim_core.controller_files import named_controllers
+from sim_core.control.controller import Controller, option_fields
+from sim_core.controller_files import ControllerFileError, named_controllers
 from sim_core.errors import RidelabError, UnknownNameError
-from sim_core.scenario import Scenario
+from sim_core.scenario import Scenario, dotted
 from sim_core.speed.profile import SpeedPlan
 from sim_core.strategies.groundhook import Groundhook
 from sim_core.strategies.hybrid import Hybrid
@@ -48,6 +49,17 @@ def strategy_named(name: str) -> type[Controller]:
     if name not in own:
         raise UnknownNameError(f"Unknown strategy; there are {', '.join([*STRATEGIES, *own])}")
     return own[name]
+
+
+def _options() -> dict[str, dotted.DottedField]:
+    """The options of controllers of one's own by dotted name; none where a file cannot be used."""
+    with suppress(ControllerFileError):
+        fields = [field for each in named_controllers().values() for field in option_fields(each).values()]
+        return {field.name: field for field in fields}
+    return {}
+
+
+dotted.use_options(_options)
 
 
 def make_controller(strategy: str | type[Controller] | Controller) -> Controller:

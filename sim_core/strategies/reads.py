@@ -6,6 +6,7 @@ from pydantic import BaseModel
 
 from sim_core.control.controller import Controller, ScenarioField
 from sim_core.scenario import Scenario
+from sim_core.scenario.dotted import OWN
 from sim_core.speed.profile import SpeedPlan
 
 EVERY_RUN = (
@@ -54,7 +55,8 @@ def dependencies(strategy: type[Controller], plan: SpeedPlan) -> tuple[str, ...]
         names += PREVIEW
     if plan == "planned":
         names += SPEED_PLAN
-    return _by_parts(frozenset(names))
+    options = (f"{OWN}{strategy.id}",) if strategy.options() else ()
+    return (*_by_parts(frozenset(names)), *options)
 
 
 @cache
@@ -71,4 +73,4 @@ def _of_part(part: type[BaseModel], prefix: str, names: frozenset[str]) -> set[s
             own.add(name)
         elif isinstance(kind, type) and issubclass(kind, BaseModel):
             own |= _of_part(kind, f"{name}.", names)
-    return {prefix.removesuffix(".")} if own == fields.keys() else own
+    return {prefix.removesuffix(".")} if fields and own == fields.keys() else own

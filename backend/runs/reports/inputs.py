@@ -10,6 +10,7 @@ import orjson
 
 from backend.json_types import JsonObject
 from backend.runs.reports import numbers
+from backend.runs.reports.keys import label
 from sim_core.scenario import Scenario, dotted
 
 
@@ -43,6 +44,8 @@ def parts(scenario: JsonObject) -> list[ScenarioPart]:
     by_part: dict[str, list[Field]] = {}
     for name, described in dotted.fields().items():
         path = name.split(".")[:-1]
+        if dotted.is_option(name) and path[1] not in scenario["own"]:
+            continue
         if ".".join(path) in dotted.fields():  # one of three weights, which are shown together
             continue
         for length in range(1, len(path) + 1):
@@ -99,6 +102,8 @@ def _typed(value: Any) -> str:
 def _title(name: str) -> str:
     """A part's title after that of the part around it; a model's class name is no title."""
     above, _, key = name.rpartition(".")
+    if above == "own":
+        return f"{_title(above)}: {label(key)}"
     title = _described(name)[0]
     if not above:
         return title
@@ -108,6 +113,8 @@ def _title(name: str) -> str:
 @cache
 def _described(name: str) -> tuple[str, str]:
     """A part's own title and description."""
+    if name.startswith(dotted.OWN):
+        return name, "Its options."
     model: Any = Scenario
     for key in name.split("."):
         field = model.model_fields[key]

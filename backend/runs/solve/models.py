@@ -1,11 +1,12 @@
 """The request and the answer of `POST /solve`; beside `backend.models`."""
 
+from collections.abc import Mapping
 from typing import Annotated, Self
 
 from pydantic import AfterValidator, Field, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
-from backend.models import Answer, MetricName, RequestModel, RoadCount, StrategyName, inconsistent
+from backend.models import Answer, MetricName, RequestModel, RoadCount, SentScenario, StrategyName, inconsistent
 from backend.requirements import RequirementResult, Requirements
 from backend.runs.over_roads import Interval
 from backend.runs.solve.limit_search import Axis
@@ -15,29 +16,36 @@ from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario, dotted
 
 UNORDERED = ("road.seed", "hil.seed")  # a greater seed is another road or other noise, not more of anything
-FIELDS = [
-    name for name, field in dotted.fields().items() if field.kind in ("number", "integer") and name not in UNORDERED
-]
 NARROWEST, LEAST_WIDTH = 1e-9, 1e-15  # of a range: as a share of its larger end, and in the field's unit
 
 Value = int | float  # a whole-number field's stays one
 
 
+def _solvable(fields: Mapping[str, dotted.DottedField]) -> list[str]:
+    """Those of the fields that have a largest value."""
+    return [name for name, each in fields.items() if each.kind in ("number", "integer") and name not in UNORDERED]
+
+
 def _check_field(name: str) -> str:
-    if name in dotted.fields() and name not in FIELDS:
+    fields = dotted.fields()
+    solvable = _solvable(fields)
+    if name in fields and name not in solvable:
         raise PydanticCustomError("no_order", "{name} has no largest value: its values have no order", {"name": name})
-    if name not in FIELDS:
-        offered = [each for each in dotted.offered(name) if each in FIELDS]
-        raise PydanticCustomError("unknown_field", "{said}", {"said": unknown_name("field", name, offered or FIELDS)})
+    if name not in solvable:
+        offered = [each for each in dotted.offered(name) if each in solvable] or solvable
+        raise PydanticCustomError("unknown_field", "{said}", {"said": unknown_name("field", name, offered)})
     return name
+
+
+_NAMES = dotted.names_schema(_solvable(dotted.scenario_fields()))
 
 
 class SolveRequest(RequestModel):
     """How large a field may be: the largest value in a range that keeps a metric's limit, or every requirement."""
 
-    scenario: Scenario = Scenario()
+    scenario: SentScenario = Scenario()
     strategy: StrategyName
-    field: Annotated[str, AfterValidator(_check_field), Field(json_schema_extra={"enum": FIELDS})] = Field(
+    field: Annotated[str, AfterValidator(_check_field), Field(json_schema_extra=_NAMES)] = Field(
         description="By its dotted name; one that takes a number"
     )
     range: Annotated[tuple[float, float], Field(strict=False)] = Field(description="[lowest, highest], its unit")
