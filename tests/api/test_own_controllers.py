@@ -331,7 +331,8 @@ def test_sweeps_and_searches_take_options(service: Service, mine: Path) -> None:
     }
     batch = service.client.post("/api/v1/batches", json=body).json()
     wait_until(lambda: service.client.get(f"/api/v1/batches/{batch['id']}").json()["state"] == "done", "a sweep")
-    table = service.client.get(f"/api/v1/batches/{batch['id']}/table").json()
+    figures = {"figures": "bump.body_acceleration.peak"}
+    table = service.client.get(f"/api/v1/batches/{batch['id']}/table", params=figures).json()
     columns = table["columns"]
     assert table["units"]["own.mine.damping"] == "N·s/m"
     assert columns["own.mine.damping"] == [0, 0, 3000, 3000, 6000, 6000]

@@ -56,3 +56,11 @@ def test_a_broken_law_is_told_in_words(
     printed = cli("check", file, code=code)
     assert said in printed + cli.error
     assert not file.with_name("my_law-forces.svg").exists()
+
+
+@pytest.mark.parametrize("command", [["run"], ["compare", "paper", "paper"], ["robustness"], ["tune"]])
+def test_a_service_elsewhere_is_brought_no_file(cli: Cli, file: Path, command: list[str]) -> None:
+    cli(*command, "--controller", file, "--server", "http://127.0.0.1:9", code=2)
+    assert "--controller: a service runs only the files that its operator named" in cli.error
+    cli(*command, "--controller", file.with_name("none.py"), code=2)
+    assert "none.py" in cli.error

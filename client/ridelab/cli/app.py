@@ -99,12 +99,14 @@ COMMANDS = (
     cite,
     *LISTS,
 )
+DRIVING = (run_, compare, sweep, robustness, solve, tune)
 JOBS = typer.Typer(help="Batches and tunings: list, show, follow, label, cancel, resume, delete.", no_args_is_help=True)
 app.add_typer(JOBS, name="jobs")
 app.add_typer(NEW, name="new")
 for group, commands in ((app, COMMANDS), (JOBS, jobs.COMMANDS)):
     for command in commands:
-        own = command if command in (serve, demo, backup, verify, check, cite) else with_services(command)
+        alone = command in (serve, demo, backup, verify, check, cite)
+        own = command if alone else with_services(command, drives=command in DRIVING)
         group.command(command.__name__.partition("_")[0], cls=Command)(own)
 
 

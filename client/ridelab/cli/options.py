@@ -42,11 +42,16 @@ def completes(kind: str, end: str = "") -> Callable[[str], list[str]]:
 _SERVER = "Service to work with; without one a private one is started for as long as the command runs."
 DATA_FOLDER = "./data where there is one, else the system's folder for data"
 _DATA = f"Where the private service keeps its database [default: {DATA_FOLDER}]."
+_CONTROLLER = (
+    "Python file or FMU with controllers of your own, which are strategies then. It is run: name only what you trust. "
+    "May be repeated; not with --server."
+)
 _TARGET = "File, - for standard input, preset, run id, or address of a result."
 _CHANGE = "Change one field, such as road.bump.height=0.12, or vehicle=NAME|FILE; may be repeated."
 _IDS = "Strategies to run, with commas or repeated."
 
 Server = Annotated[str | None, option("URL", _SERVER, envvar="RIDELAB_SERVER")]
+Controllers = Annotated[list[Path] | None, option("FILE", _CONTROLLER, "--controller", exists=True, resolve_path=True)]
 DataDir = Annotated[Path | None, option("DIR", _DATA, envvar="RIDELAB_DATA_DIR", parser=folder)]
 Scenario = Annotated[str, typer.Argument(metavar="SCENARIO", help=_TARGET, autocompletion=completes("presets"))]
 Changes = Annotated[list[str] | None, option("FIELD=VALUE", _CHANGE, "--set", completes="fields =")]

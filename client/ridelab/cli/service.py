@@ -8,7 +8,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from functools import cached_property
 from pathlib import Path
@@ -17,13 +17,14 @@ from typing import IO, Any, NoReturn
 import typer
 
 from ridelab.cli.names import Names
-from ridelab.cli.options import DataDir, Server
+from ridelab.cli.options import Controllers, DataDir, Server
 from ridelab.cli.reporting import InputError, UnavailableError, waiting
 from ridelab.client import Ridelab
 from ridelab.http import without_login
 
 START = 90.0  # the private service gets so long to start [s]; it takes one or two
 END = 15.0  # and so long to end; the service itself promises ten
+_CONTROLLERS = "RIDELAB_CONTROLLERS"
 _ADDRESS = re.compile(r"^Ridelab is at (http://\S+)$", re.MULTILINE)
 
 
@@ -73,12 +74,14 @@ class Services(ExitStack):
     Args:
         server: Address of the service to work with; None starts a private one.
         data_dir: Where a private one keeps its database; None is its own default.
+        controllers: Files with controllers of one's own, for a private one.
     """
 
-    def __init__(self, server: str | None, data_dir: Path | None) -> None:
+    def __init__(self, server: str | None, data_dir: Path | None, controllers: Sequence[Path] = ()) -> None:
         super().__init__()
         self.server = server
         self.data_dir = data_dir
+        self.controllers = controllers
         self.opened: dict[str | None, Ridelab] = {}  # None is the private one
 
     @property
@@ -104,7 +107,7 @@ class Services(ExitStack):
         if server is not None and self.server is not None and server == without_login(self.server).rstrip("/"):
             address = self.server  # messages show addresses without their login
         if address not in self.opened:
-            url = address if address is not None else self.enter_context(private(self.data_dir))
+            url = address if address is not None else self.enter_context(private(self.data_dir, self.controllers))
             token = None if address is not None and address == self.server else ""  # nobody else is told it
             try:
                 self.opened[address] = self.enter_context(Ridelab(url, token=token))
@@ -113,15 +116,25 @@ class Services(ExitStack):
         return self.opened[address]
 
 
-def with_services(command: Callable[..., None]) -> Callable[..., None]:
-    """A command as typer takes it: `services`, its first argument, comes from options that name a service."""
+def with_services(command: Callable[..., None], *, drives: bool) -> Callable[..., None]:
+    """A command as typer takes it: `services`, its first argument, comes from options that name a service.
 
-    def run(server: Server = None, data_dir: DataDir = None, **arguments: Any) -> None:
-        with Services(server, data_dir) as services:
+    Args:
+        command: The command.
+        drives: Whether it drives strategies, of one's own too.
+    """
+
+    def run(server: Server = None, data_dir: DataDir = None, controller: Controllers = None, **arguments: Any) -> None:
+        if server is not None and controller:
+            raise InputError(
+                "--controller: a service runs only the files that its operator named; leave out --server and "
+                "RIDELAB_SERVER, or set RIDELAB_CONTROLLERS where the service is started"
+            )
+        with Services(server, data_dir, controller or ()) as services:
             command(services, **arguments)
 
     own = list(inspect.signature(command).parameters.values())[1:]
-    named = list(inspect.signature(run).parameters.values())[:2]
+    named = list(inspect.signature(run).parameters.values())[: 3 if drives else 2]
     parameters = [each.replace(kind=inspect.Parameter.KEYWORD_ONLY) for each in (*own, *named)]
     run.__doc__ = command.__doc__
     run.__annotations__ = {each.name: each.annotation for each in parameters}
@@ -130,9 +143,12 @@ def with_services(command: Callable[..., None]) -> Callable[..., None]:
 
 
 @contextmanager
-def private(data_dir: Path | None) -> Iterator[str]:
+def private(data_dir: Path | None, controllers: Sequence[Path] = ()) -> Iterator[str]:
     """A service on a free port of this machine, ended with the block; gives its address."""
     environment = server_environment()
+    named = [*map(str, controllers), environment.get(_CONTROLLERS, "")]
+    if controllers:
+        environment[_CONTROLLERS] = os.pathsep.join(filter(None, named))
     environment.pop("RIDELAB_TOKENS_FILE", None)  # it answers this command alone
     with tempfile.TemporaryFile() as log:
         process = subprocess.Popen(  # noqa: S603  # our own module and a path, no shell
