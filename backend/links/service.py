@@ -22,6 +22,7 @@ from backend.requirements import Requirement
 from backend.roads.service import MeasuredRoads
 from backend.runs import pins
 from backend.runs.answers import as_plain, run_answer
+from backend.runs.histories import changed_laws
 from backend.runs.series import SAMPLE_BYTES, most_samples
 from backend.runs.service import Runs, upgraded_scenario
 from backend.store import Store, StoredJob, StoredLink, StoredRun
@@ -81,7 +82,7 @@ class Links:
             stored = await self._runs.stored(run_id, client)
         except NotFoundError:
             raise _unknown(place, "There is no run of this id") from None
-        keys = _histories(stored)
+        keys = {name: key for name, key in _histories(stored).items() if name not in changed_laws(stored)}
         present = await self._store.read(self._store.links.pinned, keys.values())
         return _SharedRun(stored=stored, missing={name: key for name, key in keys.items() if key not in present})
 

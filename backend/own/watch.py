@@ -4,7 +4,7 @@ import asyncio
 
 from backend.own.registry import adopt, close, found, refresh, stale
 
-WAIT = 3.0  # a request waits so long for files that have changed; one that never ends holds nobody up for longer [s]
+WAIT = 10.0  # a request waits so long for files that have changed; one that never ends holds nobody up for longer [s]
 
 
 class Watch:

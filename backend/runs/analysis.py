@@ -2,19 +2,17 @@
 
 from backend.compute.workers import Workers
 from backend.cost.estimate import cost_of
-from backend.digest import result_key
 from backend.errors import GoneError, InvalidError, RoadGoneError
 from backend.gate import Gate
-from backend.outcome import Outcome
 from backend.roads.service import MeasuredRoads
 from backend.runs.frequency import COST as FREQUENCY_COST
 from backend.runs.frequency import FrequencyAnswer, FrequencyRequest, frequency_answer
+from backend.runs.histories import LawGoneError, changed_laws
 from backend.runs.instants import InstantAnswer, instant_answer
 from backend.runs.service import Runs, ordered
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import recording_id
-from sim_core.strategies import STRATEGIES, strategies
 
 
 class ControlAnalysis:
@@ -68,8 +66,8 @@ class ControlAnalysis:
                 f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: its "
                 "instants cannot be made again. Post its scenario to run it on this version."
             )
-        if strategy not in STRATEGIES and not _is_same(scenario, drives[strategy]):
-            raise GoneError("The law of this run has changed or is gone: post the scenario to run it as it is now.")
+        if strategy in changed_laws(stored):
+            raise LawGoneError
         try:
             scenario = await self._roads.on(scenario)
         except InvalidError:
@@ -79,8 +77,3 @@ class ControlAnalysis:
             return await self._workers.call(
                 instant_answer, scenario, strategy, position, time, client=client, cost=cost
             )
-
-
-def _is_same(scenario: Scenario, item: Outcome) -> bool:
-    """Whether a controller of one's own is the one that was driven."""
-    return item.strategy in strategies() and result_key(scenario, item.strategy) == item.key

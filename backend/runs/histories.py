@@ -17,6 +17,7 @@ from backend.gate import Gate
 from backend.http.spool import Spool, SpoolFile, refused_where_full
 from backend.means_over_roads import seeded
 from backend.outcome import Outcome
+from backend.own import is_own
 from backend.recordings.service import Recordings
 from backend.roads.service import MeasuredRoads
 from backend.runs import bands, exports, pins
@@ -25,11 +26,23 @@ from backend.runs.series import SAMPLE_BYTES, SamplingHints, most_samples
 from backend.store import Store, StoredRun
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
+from sim_core.scenario.recorded import recording_id
+from sim_core.strategies import STRATEGIES
 
 FIGURE_POINTS = 2000
 SHORTER_RUN = "run a shorter road or a higher speed"
 BAND_BYTES = 64 * 1024 * 1024  # of cached bands: those of a dozen strategies
 MIN_CACHED_BAND = 4 * 1024 * 1024  # a shorter one counts as this long, so that few files stay open [bytes]
+
+
+class LawGoneError(GoneError):
+    """A controller of one's own has changed or gone since the run."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "The file of a controller of one's own has changed or gone since this run: its numbers stay, and what has "
+            "to be driven again is gone. Post its scenario to run it with the controller that is there now."
+        )
 
 
 class Histories:
@@ -67,9 +80,16 @@ class Histories:
             GoneError: Another core version computed the run and nothing is pinned.
         """
         keys = {item.strategy: item.key for item in stored.shown}
-        if stored.core_version == CORE_VERSION:
+        current = {name: keys[name] for name in keys.keys() - changed_laws(stored)}
+        if stored.core_version == CORE_VERSION and current == keys:
             return keys
         pinned = await self._store.read(self._store.links.pinned, keys.values())
+        if stored.core_version == CORE_VERSION:
+            if set(keys.values()) <= pinned:
+                return keys
+            if not current:
+                raise LawGoneError
+            return {name: key for name, key in keys.items() if name in current}
         if not pinned:
             raise GoneError(
                 f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: its time "
@@ -145,6 +165,8 @@ class Histories:
                 f"Core version {stored.core_version} computed this run, and this service runs {CORE_VERSION}: the time "
                 "histories of all its roads cannot be made again. Post its scenario to run it on this version."
             )
+        if changed_laws(stored) & set(names):
+            raise LawGoneError
         roads = seeded(Scenario.model_validate(stored.scenario), stored.roads)
         keys = {name: digest.band_key(roads[0], name, stored.roads) for name in names}
         found = {name: self._bands[key] for name, key in keys.items() if key in self._bands}
@@ -222,6 +244,19 @@ class Histories:
             if not wanted <= contents.keys():
                 raise DamagedResultError
             yield {name: contents[key] for name, key in keys.items()}
+
+
+def changed_laws(stored: StoredRun) -> set[str]:
+    """The run's controllers of one's own that are there no more, or are other ones: nothing can be driven again."""
+    others = [item for item in stored.shown if item.strategy not in STRATEGIES and recording_id(item.strategy) is None]
+    if not others:
+        return set()
+    scenario = Scenario.model_validate(stored.scenario)
+    return {
+        item.strategy
+        for item in others
+        if not is_own(item.strategy) or digest.result_key(scenario, item.strategy) != item.key
+    }
 
 
 def _stages(stored: StoredRun) -> dict[str, SamplingHints]:

@@ -21,7 +21,7 @@ from sim_core.catalogue import BUMP, SIGNALS
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import recording_id
-from sim_core.strategies import strategy_named
+from sim_core.strategies import strategies, strategy_named
 
 SeriesArray = NDArray[np.float32]
 ROWS = {key: row for row, key in enumerate(SIGNALS)}
@@ -191,5 +191,6 @@ def most_samples(scenario: Scenario, strategy: str) -> int:
     """About the most samples that the strategy's time histories have."""
     if recording_id(strategy) is not None:
         return MAX_LINES
-    steps, fine = samples(scenario, strategy_named(strategy), duration(scenario, strategy))
+    name = strategy if strategy in strategies() else "lv"  # none has more than it: one that is gone may be pinned
+    steps, fine = samples(scenario, strategy_named(name), duration(scenario, name))
     return ceil(steps) * fine

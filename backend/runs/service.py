@@ -36,7 +36,7 @@ from backend.runs.answers import (
     run_answer,
 )
 from backend.runs.deviations import Deviations
-from backend.runs.histories import Histories
+from backend.runs.histories import Histories, LawGoneError
 from backend.runs.reports import page
 from backend.runs.reports import run as run_report
 from backend.runs.reports.page import Report, in_thread
@@ -46,7 +46,9 @@ from backend.store.roads import measured_roads
 from sim_core import __version__ as CORE_VERSION
 from sim_core.catalogue import SIGNALS
 from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.scenario.recorded import recording_id
 from sim_core.scenario.versions import NewerScenarioError, restored
+from sim_core.strategies import STRATEGIES
 from sim_core.strategies import strategies as known_strategies
 
 
@@ -380,6 +382,12 @@ class Runs:
     async def _computed_again(self, stored: StoredRun, client: str) -> StoredRun:
         """A run whose results were removed, by this core version, which it then names."""
         scenario, names = Scenario.model_validate(stored.scenario), list(stored.by_strategy)
+        theirs = {name for name in names if name not in STRATEGIES and recording_id(name) is None}
+        if theirs and (
+            not theirs <= known_strategies().keys()
+            or digest.run_id(scenario, names, stored.roads, stored.baseline) != stored.id
+        ):
+            raise LawGoneError
         try:
             outcomes = await self._computed(scenario, names, stored.roads, client)
         except InvalidError:

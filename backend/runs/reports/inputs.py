@@ -9,8 +9,8 @@ from typing import Any
 import orjson
 
 from backend.json_types import JsonObject
+from backend.runs.figures import label
 from backend.runs.reports import numbers
-from backend.runs.reports.keys import label
 from sim_core.scenario import Scenario, dotted
 
 

@@ -37,16 +37,13 @@ def _check_field(name: str) -> str:
     return name
 
 
-_NAMES = dotted.names_schema(_solvable(dotted.scenario_fields()))
-
-
 class SolveRequest(RequestModel):
     """How large a field may be: the largest value in a range that keeps a metric's limit, or every requirement."""
 
     scenario: SentScenario = Scenario()
     strategy: StrategyName
-    field: Annotated[str, AfterValidator(_check_field), Field(json_schema_extra=_NAMES)] = Field(
-        description="By its dotted name; one that takes a number"
+    field: Annotated[str, AfterValidator(_check_field), Field(json_schema_extra={"examples": ["road.bump.height"]})] = (
+        Field(description="By its dotted name; one that takes a number")
     )
     range: Annotated[tuple[float, float], Field(strict=False)] = Field(description="[lowest, highest], its unit")
     metric: MetricName | None = Field(None, description="By its flat name, a column of a batch's table")

@@ -109,6 +109,9 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
       if (shared || answered) hideOthers(strategies, computed);
       else submit("push");
     },
+    runAgain: () => {
+      if (!store.get().shared) submit("push");
+    },
     setRoads: (roads) => {
       if (store.get().shared) return;
       patch({ roads });

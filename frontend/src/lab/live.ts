@@ -9,6 +9,7 @@ import { NO_ERRORS, refusal } from "./problems";
 import { ALL_POINTS } from "../server/queries";
 import { axisKey } from "./resultView";
 import { fromLive, type Result } from "./result";
+import { withoutGone } from "../scenario/ownOptions";
 import type { Atom } from "@tanstack/react-store";
 import type { Timer } from "../lib/timer";
 
@@ -56,8 +57,10 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
   const { request, cancel } = createLatest<LiveRequest, LiveAnswer>({
     run: ({ scenario }, signal) => {
       grace.start();
+      const { group } = form();
+      const sent = withoutGone(group, scenario);
       return api.live(
-        { scenario, strategies: simulated(store.get().strategies), signals: form().signals, points: points() },
+        { scenario: sent, strategies: simulated(store.get().strategies), signals: form().signals, points: points() },
         signal,
       );
     },

@@ -12,6 +12,7 @@ import { createLive } from "./live";
 import { NO_ERRORS, problemOf } from "./problems";
 import { fromCache, linkKey, runKey } from "../server/queries";
 import { readSharedView } from "./sharing";
+import { withoutGone } from "../scenario/ownOptions";
 import { fromRun, resultsAfterEdit, resultsAfterOpening } from "./result";
 import type { Atom } from "@tanstack/react-store";
 import { isRecording } from "../lib/recording";
@@ -70,7 +71,9 @@ export function createRequests(
     start({
       work: async (signal, isCurrent) => {
         const startedAt = performance.now();
-        const run = await api.createRun(history?.present ?? {}, strategies, signal, over);
+        const { group } = form();
+        const asked = history?.present ?? {};
+        const run = await api.createRun(withoutGone(group, asked), strategies, signal, over);
         if (!isCurrent()) return;
         queries.setQueryData(runKey(run.id), run);
         if (history === null) patch({ history: begin(run.scenario) });

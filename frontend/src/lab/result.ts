@@ -108,7 +108,15 @@ interface Results {
   readonly previousResult: Result | null;
 }
 
-const isOther = (exact: Result | null, next: Result) => exact !== null && !sameValue(exact.scenario, next.scenario);
+/** Whether a controller of one's own was another one: its file was saved in between. */
+const hasOtherLaw = (one: Result, other: Result) =>
+  Object.entries(one.summaries).some(([id, { source }]) => {
+    const now = other.summaries[id]?.source;
+    return source && now && source.digest !== now.digest;
+  });
+
+const isOther = (exact: Result | null, next: Result) =>
+  exact !== null && (!sameValue(exact.scenario, next.scenario) || hasOtherLaw(exact, next));
 
 /** A new exact result is shown. The one of another scenario before it stays to compare with. */
 export function resultsAfterEdit({ latestResult, previousResult }: Results, next: Result): Results {

@@ -4,6 +4,7 @@ import type { JsonValue, Scenario } from "../api/types";
 import { formatExact, prettyUnit } from "../units/format";
 import { roadName } from "./library";
 import { inShownUnit } from "./limits";
+import { OWN } from "./ownOptions";
 import { getAt, sameValue, setAt, type Pointer } from "./path";
 import {
   fieldsOf,
@@ -24,8 +25,14 @@ export function leavesOf(member: Member): readonly Leaf[] {
   return fieldsOf(member).flatMap((field: Field): readonly Leaf[] => (field.kind === "vector" ? field.items : [field]));
 }
 
+/** A field's value: an option of a controller of one's own that a scenario lacks has its default. */
+export function valueAt(scenario: Scenario, { pointer, paperValue }: Pick<Leaf, "pointer" | "paperValue">) {
+  const value = getAt(scenario, pointer);
+  return value === undefined && pointer.startsWith(OWN) ? paperValue : value;
+}
+
 export function isChanged(scenario: Scenario, leaf: Leaf): boolean {
-  return !sameValue(getAt(scenario, leaf.pointer), leaf.paperValue);
+  return !sameValue(valueAt(scenario, leaf), leaf.paperValue);
 }
 
 export function changedPointers(scenario: Scenario, member: Member): readonly Pointer[] {
@@ -90,7 +97,7 @@ export function namedLeaves(form: Member, group = ""): readonly { readonly leaf:
 /** What two scenarios differ in, in the form's order, by the form's names and units. */
 export function changedFields(form: Member, from: Scenario, to: Scenario): readonly FieldChange[] {
   return namedLeaves(form).flatMap(({ leaf, name }): readonly FieldChange[] => {
-    const [one, other] = [getAt(from, leaf.pointer), getAt(to, leaf.pointer)];
+    const [one, other] = [valueAt(from, leaf), valueAt(to, leaf)];
     if (sameValue(one, other)) return [];
     const unit =
       leaf.kind === "number" && typeof other === "number" ? `\u00a0${prettyUnit(leaf.shown.unit)}`.trimEnd() : "";

@@ -4,7 +4,7 @@ import { queryOptions, QueryClient } from "@tanstack/react-query";
 import { api } from "../api/client";
 import { ask, query } from "../api/http";
 import { isTransient } from "../api/problem";
-import type { FigureTemplates, Requirement, StrategyId } from "../api/types";
+import type { FigureTemplates, Requirement, Strategy, StrategyId } from "../api/types";
 import { readSchema } from "../scenario/schema";
 
 /** Samples per strategy that cover a screen: half of them on and around the bump. */
@@ -36,7 +36,14 @@ export const roadQuery = (id: string) => ({
   ...FOR_EVER,
 });
 export const vehiclesQuery = { ...query("/vehicles", {}), ...FOR_EVER };
-export const strategiesQuery = { ...query("/strategies", {}), ...UNTIL_THERE };
+const LOOK_MS = 2000;
+/** Those of one's own change when their file is saved: while there are any, the page looks for that. */
+export const strategiesQuery = {
+  ...query("/strategies", {}),
+  ...UNTIL_THERE,
+  refetchInterval: ({ state }: { readonly state: { readonly data?: readonly Strategy[] | undefined } }) =>
+    state.data?.some(({ own }) => own) ? LOOK_MS : (false as const),
+};
 export const catalogueQuery = { ...query("/catalogue", {}), ...UNTIL_THERE };
 export const figuresQuery = queryOptions({
   queryKey: ["figures"],

@@ -8,6 +8,7 @@ import { changedPointers, leavesOf, resetMember, type Leaf } from "../../scenari
 import { focusField, revealed } from "../../lab/reveal";
 import { useSelector } from "@tanstack/react-store";
 import { Members } from "./Members";
+import { OWN } from "../../scenario/ownOptions";
 import type { Pointer } from "../../scenario/path";
 import { type Group, findMember, humanise, optionTitle, type Member } from "../../scenario/schema";
 import { IconSearch } from "../../ui/icons";
@@ -16,6 +17,9 @@ import { prettyUnit } from "../../units/format";
 import { BumpDrawing } from "./BumpDrawing";
 import { VehicleChoice } from "./VehicleChoice";
 
+/** The options of controllers of one's own; each has a section of its own, there while the controller is chosen. */
+const isLaw = (pointer: Pointer) => pointer.startsWith(OWN);
+
 const [VEHICLE, BUMP] = ["/vehicle", "/road/bump"];
 
 export function Editor({ form }: { readonly form: Group }) {
@@ -23,7 +27,11 @@ export function Editor({ form }: { readonly form: Group }) {
   const readOnly = useReadOnly();
   const rejected = useLab((state) => state.invalidInput);
   const refused = useLab((state) => state.serverErrors);
-  const all = useMemo(() => sections(form), [form]);
+  const chosen = useLab((state) => state.strategies);
+  const all = useMemo(
+    () => sections(form).filter(({ key }) => !isLaw(key) || chosen.some((id) => key === `${OWN}${id}`)),
+    [form, chosen],
+  );
   const [opened, setOpened] = useState(() => all.filter(({ essential }) => essential).map(({ key }) => key as string));
 
   const [search, setSearch] = useState("");
@@ -184,10 +192,14 @@ export function sections(form: Group): readonly Section[] {
   const first = ESSENTIALS.map((pointer) => findMember(form, pointer)).filter((member) => member?.kind === "group");
   const rest = without(form, ESSENTIALS).members;
   const loose = rest.filter((member) => member.kind !== "group");
-  const groups = rest.filter((member) => member.kind === "group");
+  const groups = rest
+    .filter((member) => member.kind === "group")
+    .flatMap((group) =>
+      `${group.pointer}/` === OWN ? group.members.filter((member) => member.kind === "group") : [group],
+    );
   return [
     ...first.map((group) => section(group, true)),
-    ...groups.map((group) => section(group, false)),
+    ...groups.map((group) => section(group, isLaw(group.pointer))),
     ...(loose.length > 0
       ? [{ key: "/" as const, title: humanise("other"), description: "", essential: false, members: loose }]
       : []),

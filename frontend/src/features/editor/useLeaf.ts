@@ -4,6 +4,7 @@ import { useEffect, useEffectEvent, useRef } from "react";
 import type { JsonValue } from "../../api/types";
 import { useEdit, useFromScenario, useLab, useReadOnly } from "../../lab/context";
 import type { InvalidInput } from "../../lab/labState";
+import { valueAt } from "../../scenario/differences";
 import { getAt, sameValue, setAt, type Pointer } from "../../scenario/path";
 import { createTimer } from "../../lib/timer";
 
@@ -21,7 +22,7 @@ export interface LeafState {
 }
 
 export function useLeaf(pointer: Pointer, standard: JsonValue): LeafState {
-  const value = useFromScenario((scenario) => getAt(scenario, pointer));
+  const value = useFromScenario((scenario) => valueAt(scenario, { pointer, paperValue: standard }));
   const rejected = useLab((state) => state.invalidInput[pointer]);
   const refused = useLab((state) => state.serverErrors.fields[pointer]);
   const edit = useEdit();

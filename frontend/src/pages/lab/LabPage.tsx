@@ -7,8 +7,9 @@ import { Notices } from "./Notices";
 import { ShellSlot } from "../../ui/Page";
 import classes from "../../ui/shell.module.css";
 import { useFromScenario, useLab } from "../../lab/context";
+import { useSavedLaws, useWithGone } from "../../lab/laws";
 import { useLabStrategies } from "../../lab/recordings";
-import { useSchemeColours } from "../../server/useCatalogues";
+import { useSchemeColours, useStrategies } from "../../server/useCatalogues";
 import { LazyPart } from "../../ui/LazyPart";
 import type { Scenario } from "../../api/types";
 import { getAt } from "../../scenario/path";
@@ -28,7 +29,9 @@ export function LabPage() {
 }
 
 function LabContent() {
-  const strategies = useLabStrategies();
+  const known = useStrategies();
+  useSavedLaws(known);
+  const strategies = useWithGone(useLabStrategies());
   const coloured = useSchemeColours(strategies);
   return (
     <>
@@ -47,7 +50,7 @@ function LabContent() {
         <LabMain strategies={coloured} />
       </div>
       <ShellSlot name="notices">
-        <Notices strategies={strategies} />
+        <Notices strategies={known} />
       </ShellSlot>
     </>
   );

@@ -4,6 +4,7 @@ import { Button, Loader, Text } from "@mantine/core";
 import { useEffect, useState } from "react";
 import type { Strategy } from "../../api/types";
 import { useLabContext, useLab } from "../../lab/context";
+import { lawsText } from "../../lab/laws";
 import ui from "../../ui/ui.module.css";
 
 const SLOW_AFTER_MS = 1200;
@@ -16,6 +17,8 @@ export function Notices({ strategies }: { readonly strategies: readonly Strategy
   );
   const shown = useLab((state) => state.shown);
   const { lab } = useLabContext();
+  const isShared = useLab((state) => state.shared !== null);
+  const laws = lawsText(strategies, busy || !shown ? {} : shown.summaries);
   return (
     <>
       {busy && <SlowNotice />}
@@ -30,6 +33,23 @@ export function Notices({ strategies }: { readonly strategies: readonly Strategy
       {failure?.kind === "failed" && (
         <div className={ui.notice} role="alert">
           <Text>This scenario could not be run: {failure.message}</Text>
+        </div>
+      )}
+      {laws.changed.length > 0 && (
+        <div className={ui.notice} role="status">
+          <Text>
+            {laws.changed.join(", ")}: the file was saved since. These are the numbers of the law that stood there.
+          </Text>
+          {!isShared && (
+            <Button size="compact-xs" onClick={lab.runAgain}>
+              Run again
+            </Button>
+          )}
+        </div>
+      )}
+      {laws.gone.length > 0 && (
+        <div className={ui.notice} role="status">
+          <Text>{laws.gone.join(", ")}: there is no such controller here any more. These are the stored numbers.</Text>
         </div>
       )}
       {shown?.failed.map(({ strategy, message }) => (

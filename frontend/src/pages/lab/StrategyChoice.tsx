@@ -1,6 +1,6 @@
 /** Which strategies are shown: a chip for each in use, a menu with all of them. */
 
-import { Button, Menu, Tooltip } from "@mantine/core";
+import { Button, Menu, Text, Tooltip } from "@mantine/core";
 import { memo, useState } from "react";
 import type { Strategy, StrategyId } from "../../api/types";
 import { IconChevronDown } from "../../ui/icons";
@@ -55,11 +55,16 @@ export const StrategyChoice = memo(function StrategyChoice({
               key={strategy.id}
               checked={selected.includes(strategy.id)}
               disabled={summaries !== undefined && !(strategy.id in summaries)}
-              title={strategy.description}
+              title={strategy.fault ?? strategy.description}
               rightSection={<StrategyKey strategy={strategy} />}
               onChange={() => toggle(strategy.id)}
             >
               {strategy.label}
+              {strategy.source && (
+                <Text size="xs" c="dimmed">
+                  {strategy.fault ?? strategy.source.file}
+                </Text>
+              )}
             </Menu.CheckboxItem>
           ))}
         </Menu.Dropdown>
