@@ -4,14 +4,14 @@ from typing import Literal
 
 from pydantic import Field
 
-from backend.models import RequestModel, StrategyName
+from backend.models import RequestModel, SentScenario, StrategyName
 from sim_core.scenario import Scenario
 
 
 class FmuRequest(RequestModel):
     """What is exported; an omitted part of the scenario takes the paper's default."""
 
-    scenario: Scenario = Scenario()
+    scenario: SentScenario = Scenario()
     strategy: StrategyName = Field("lv", description="Whose controller")
     of: Literal["controller", "vehicle"] = Field("controller", description="What the FMU is")
     version: Literal["2.0", "3.0"] = Field("2.0", description="Of FMI for co-simulation")

@@ -11,6 +11,7 @@ from backend.models import (
     RequestModel,
     RoadCount,
     RunBase,
+    SentScenario,
     ShownStrategy,
     StrategyFailure,
     StrategyResult,
@@ -25,7 +26,7 @@ from sim_core.scenario.recorded import recording_id
 class RunRequest(RequestModel):
     """What to run, on how many roads; an omitted part of the scenario takes the paper's default."""
 
-    scenario: Scenario = Scenario()
+    scenario: SentScenario = Scenario()
     strategies: list[ShownStrategy] = Field(min_length=1, max_length=32, description="A recording is of one road.")
     roads: RoadCount = 1
     baseline: ShownStrategy | None = Field(
