@@ -141,7 +141,13 @@ def compiled(command: Sequence[str], cache: Path, timeout: float = COMPILER_TIME
     environment = os.environ | {"ZIG_GLOBAL_CACHE_DIR": str(cache), "ZIG_LOCAL_CACHE_DIR": str(cache)}
     try:
         run = subprocess.run(  # noqa: S603  # our own command, no shell
-            command, env=environment, capture_output=True, text=True, timeout=timeout, check=False
+            command,
+            cwd=cache.parent,  # from elsewhere ziglang would build its runtimes again: it names its files from there
+            env=environment,
+            capture_output=True,
+            text=True,
+            timeout=timeout,
+            check=False,
         )
     except subprocess.TimeoutExpired:
         return TOO_LONG
