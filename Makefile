@@ -153,16 +153,15 @@ pin: ## base images by digest, in Dockerfile and docker-compose.yml; needs docke
 # By setuptools itself, beside which nothing is installed; a platform's wheel has the core's C compiled by zig.
 PLATFORMS := manylinux_2_17_x86_64:x86_64-linux-gnu.2.17 manylinux_2_17_aarch64:aarch64-linux-gnu.2.17 \
 	win_amd64:x86_64-windows-gnu macosx_11_0_arm64:aarch64-macos macosx_11_0_x86_64:x86_64-macos
-BUILD := PYTHONWARNINGS=ignore $(CURDIR)/$(BIN)/python -c 'import sys; from setuptools import build_meta as meta; \
-	_, to, *words = sys.argv; [meta.build_sdist(to) if word == "sdist" else meta.build_wheel(to, {"--build-option": word}) for word in words]' \
-	$(CURDIR)/dist
+META := PYTHONWARNINGS=ignore $(CURDIR)/$(BIN)/python -c 'import sys; from setuptools import build_meta; \
+	_, method, *options = sys.argv; getattr(build_meta, method)("$(CURDIR)/dist", {"--build-option": options})'
 LEFTOVERS = rm -rf build/lib build/bdist.* sim_core/build client/build
 dist: development ## the three distributions in dist/: sources, wheels, and of the core a wheel for each platform
 	rm -rf dist && mkdir dist && $(LEFTOVERS)
-	$(BUILD) sdist --quiet > dist/log && cd client && $(BUILD) sdist --quiet >> ../dist/log
-	cd sim_core && $(BUILD) sdist >> ../dist/log
-	set -e; for each in $(PLATFORMS); do $(LEFTOVERS); cd sim_core; \
-	CC="$(CURDIR)/$(BIN)/python -m ziglang cc -target $${each#*:}" $(BUILD) --plat-name=$${each%%:*} >> ../dist/log; cd ..; done
+	for each in sim_core client .; do (cd $$each && $(META) build_sdist) || exit 1; done > dist/log
+	for each in client .; do (cd $$each && $(META) build_wheel) || exit 1; done >> dist/log
+	for each in $(PLATFORMS); do $(LEFTOVERS); (cd sim_core && CC="$(CURDIR)/$(BIN)/python -m ziglang cc -target $${each#*:}" \
+		$(META) build_wheel --plat-name $${each%%:*}) || exit 1; done >> dist/log
 	rm dist/log && $(LEFTOVERS)
 
 clean:
