@@ -25,13 +25,13 @@ RUN /opt/ridelab/bin/python -m pip install --no-cache-dir --disable-pip-version-
     -r requirements-cluster.lock -r requirements-ecu.lock
 COPY sim_core/kernel/ sim_core/kernel/
 COPY sim_core/ecu/source/ sim_core/ecu/source/
-RUN /opt/ridelab/bin/python sim_core/kernel/build.py libridelab.so.1
+RUN /opt/ridelab/bin/python sim_core/kernel/build.py .
 
 FROM python:3.11-slim
 COPY --from=packages /opt/ridelab /opt/ridelab
 WORKDIR /app
 COPY sim_core/ sim_core/
-COPY --from=packages /build/libridelab.so.1 sim_core/kernel/
+COPY --from=packages /build/libridelab*.so.1 sim_core/kernel/
 COPY backend/ backend/
 COPY client/ridelab/ ridelab/
 COPY --from=frontend /build/dist frontend/dist/

@@ -10,19 +10,17 @@ from setuptools.command.build_py import build_py
 
 
 class BuildLibrary(build_ext):
-    """The core's C, which `sim_core.kernel.library` loads: no Python module, and not called like one."""
+    """The core's C for each kind of processor, which `sim_core.kernel.library` loads: no modules, and not called so."""
 
     def get_ext_filename(self, fullname: str) -> str:
         """Its file."""
-        return str(Path(*fullname.split(".")).with_name("libridelab.so.1"))
+        return str(Path(*fullname.split(".")).with_suffix(".so.1"))
 
     def build_extension(self, ext: Extension) -> None:
         """Compile it."""
         library = Path(self.get_ext_fullpath(ext.name))
         library.parent.mkdir(parents=True, exist_ok=True)
-        compiler = BUILD["default_compiler"]()
-        options = [] if "windows" in " ".join(compiler) else ["-fPIC"]
-        self.spawn(BUILD["command"](compiler, library, *options))
+        self.spawn(BUILD["command"](COMPILER, library, *LIBRARIES[library.name]))
 
 
 class BuildPackage(build_py):
@@ -44,9 +42,11 @@ class WheelForEveryPython(bdist_wheel):
 
 
 BUILD = runpy.run_path("kernel/build.py")
-LIBRARY = Extension("sim_core.kernel.libridelab", [str(file.relative_to(Path.cwd())) for file in BUILD["SOURCES"]])
+COMPILER = BUILD["default_compiler"]()
+LIBRARIES = BUILD["libraries"](COMPILER)
+SOURCES = [str(file.relative_to(Path.cwd())) for file in BUILD["SOURCES"]]
 setup(
     packages=["sim_core", *(f"sim_core.{name}" for name in find_namespace_packages(exclude=["build*"]))],
     cmdclass={"build_py": BuildPackage, "build_ext": BuildLibrary, "bdist_wheel": WheelForEveryPython},
-    ext_modules=[LIBRARY],
+    ext_modules=[Extension(f"sim_core.kernel.{name.removesuffix('.so.1')}", SOURCES) for name in LIBRARIES],
 )

@@ -1,4 +1,4 @@
-"""Compile the core's C into a library: `python sim_core/kernel/build.py FILE`, which needs nothing but a C compiler.
+"""Compile the core's C into libraries: `python sim_core/kernel/build.py FOLDER`, which needs nothing but a C compiler.
 
 setup.py and the image run this script, so that sources and flags are stated here alone.
 """
@@ -6,6 +6,7 @@ setup.py and the image run this script, so that sources and flags are stated her
 import hashlib
 import importlib.util
 import os
+import platform
 import shlex
 import shutil
 import subprocess
@@ -19,6 +20,10 @@ SOURCES = [*_OWN, _ECU / "ridelab_controller.c", _ECU / "ridelab_dual.c"] if _OW
 HEADERS = [*sorted(FOLDER.glob("*.h")), *sorted(_ECU.glob("*.h"))]
 # No compiler's extensions. Without fused operations all compilers give the same numbers.
 FLAGS = ("-std=c11", "-pedantic-errors", "-O3", "-ffp-contract=off")
+NAME = "libridelab.so.1"  # no Python module, so not called like one
+WIDE_NAME = "libridelab-avx2.so.1"  # the same for processors with AVX2: the same numbers, a fifth sooner
+X86_64 = ("x86_64", "AMD64")
+_PROCESSOR = Path("/proc/cpuinfo")
 
 
 def digest() -> str:
@@ -45,6 +50,21 @@ def default_compiler() -> list[str]:
     return [sys.executable, "-m", "ziglang", "cc"]
 
 
+def best() -> Path:
+    """The library that is made for this processor."""
+    wide = FOLDER / WIDE_NAME
+    has_avx2 = wide.exists() and _PROCESSOR.exists() and " avx2 " in _PROCESSOR.read_text()
+    return wide if has_avx2 else FOLDER / NAME
+
+
+def libraries(compiler: list[str]) -> dict[str, tuple[str, ...]]:
+    """The libraries that a compiler makes: name -> options of its own."""
+    target = compiler[compiler.index("-target") + 1] if "-target" in compiler else platform.machine()
+    own = ("-s",) if "windows" in target else ("-fPIC",)
+    wide = {WIDE_NAME: (*own, "-mavx2")} if target.startswith(X86_64) else {}
+    return {NAME: own, **wide}
+
+
 def command(compiler: list[str], library: Path, *options: str) -> list[str]:
     """What compiles the library.
 
@@ -58,4 +78,6 @@ def command(compiler: list[str], library: Path, *options: str) -> list[str]:
 
 
 if __name__ == "__main__":
-    sys.exit(subprocess.call(command(default_compiler(), Path(sys.argv[1]), "-fPIC")))  # noqa: S603  # no shell
+    compiler = default_compiler()
+    for name, options in libraries(compiler).items():
+        subprocess.run(command(compiler, Path(sys.argv[1], name), *options), check=True)  # noqa: S603  # no shell

@@ -13,7 +13,6 @@ from sim_core.kernel import build
 INT, DOUBLE, NAME = ctypes.c_int, ctypes.c_double, ctypes.c_char_p
 _BYTE = ctypes.c_char.from_buffer
 _CONTIGUOUS, _ALIGNED, _WRITEABLE = 0x1, 0x100, 0x400  # bits of `numpy.ndarray.flags`
-_FILE = Path(__file__).with_name("libridelab.so.1")  # no Python module, so not called like one
 _NOT_BUILT = (
     "The core's C is not compiled, or not from these sources: install Ridelab with `make setup` or from its wheel"
 )
@@ -77,7 +76,7 @@ def load(file: Path, expected: str | None) -> ctypes.CDLL:
     return library
 
 
-_LIBRARY = load(_FILE, build.digest() if build.SOURCES else None)
+_LIBRARY = load(build.best(), build.digest() if build.SOURCES else None)
 _PREPARED_BYTES: int = _LIBRARY.ridelab_prepared_bytes()
 DIGEST: str = _LIBRARY.ridelab_digest().decode()  # SHA-256 of the C and of the flags it was compiled with
 

@@ -45,8 +45,8 @@ def library_of(name: str) -> str:
 def run(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
     """Python in a copy whose C is built with sanitizers."""
     kernel = folder / "sim_core" / "kernel"
-    command = runpy.run_path(str(kernel / "build.py"))["command"](["gcc"], kernel / "libridelab.so.1", *SANITIZERS)
-    subprocess.run(command, check=True)
+    build = runpy.run_path(str(kernel / "build.py"))
+    subprocess.run(build["command"](["gcc"], kernel / build["NAME"], *SANITIZERS), check=True)
     environment = os.environ | {
         "LD_PRELOAD": f"{library_of('libasan.so')} {library_of('libstdc++.so')}",  # whose exceptions it has to know
         "ASAN_OPTIONS": "detect_leaks=0",  # Python keeps what it has until its end

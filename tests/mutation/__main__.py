@@ -73,9 +73,10 @@ class Copies:
 
 def compile_core(copy: Path) -> bool:
     """Whether its C compiles."""
-    library = copy / "sim_core" / "kernel" / "libridelab.so.1"
-    library.unlink(missing_ok=True)  # never written in place: a process may have it loaded
-    command = [sys.executable, str(copy / "sim_core" / "kernel" / "build.py"), str(library)]
+    kernel = copy / "sim_core" / "kernel"
+    for library in kernel.glob("*.so.1"):  # never written in place: a process may have it loaded
+        library.unlink()
+    command = [sys.executable, str(kernel / "build.py"), str(kernel)]
     return subprocess.run(command, capture_output=True, check=False).returncode == 0
 
 

@@ -16,7 +16,7 @@ ROOT = Path(__file__).parents[2]
 def built(folder: Path) -> dict[str, Path]:
     """The wheels by distribution, from copies: setuptools leaves its work beside the sources."""
     sources, wheels = folder / "sources", folder / "wheels"
-    ours = shutil.ignore_patterns("__pycache__", "*.egg-info", "build", "libridelab.so.1")
+    ours = shutil.ignore_patterns("__pycache__", "*.egg-info", "build", "libridelab*.so.1")
     for name in ("sim_core", "client", "backend", "frontend/dist", "build/manual"):
         shutil.copytree(ROOT / name, sources / name, ignore=ours)
     for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE"):

@@ -1,6 +1,7 @@
 """The core's C: how it is compiled, and each function against its definition in NumPy."""
 
 import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -52,6 +53,32 @@ def test_it_is_plain_c11_to_the_machines_compiler(tmp_path: Path) -> None:
     command = build.command(compiler, tmp_path / "library", "-fPIC", "-Wall", "-Wextra", "-Werror")
     output = subprocess.run(command, capture_output=True, text=True, check=False)
     assert (output.returncode, output.stderr) == (0, "")
+
+
+# In a process of its own: a library is loaded once.
+DRIVE = """
+import hashlib, sys
+from pathlib import Path
+read = Path.read_text
+if "--plain" in sys.argv:
+    Path.read_text = lambda path, *more, **options: "" if path.name == "cpuinfo" else read(path, *more, **options)
+from sim_core import Road, Scenario, Vehicle, simulate
+from sim_core.kernel import build
+digest = hashlib.sha256()
+for vehicle in (Vehicle(), Vehicle(bump_stop_stiffness=300_000, rebound_ratio=1.5)):
+    for name in ("lv", "lqr", "passive"):
+        series = simulate(Scenario(vehicle=vehicle, road=Road(seed=3)), name).series
+        digest.update(b"".join(series[signal].tobytes() for signal in sorted(series)))
+print(build.best().name, digest.hexdigest())
+"""
+
+
+def test_the_library_for_newer_processors_gives_the_same_bits() -> None:
+    command = [sys.executable, "-c", DRIVE]
+    name, here = subprocess.check_output(command, text=True).split()
+    plain, there = subprocess.check_output([*command, "--plain"], text=True).split()
+    assert (plain, here) == (build.NAME, there)
+    assert name in build.libraries(build.default_compiler())
 
 
 def test_a_sliding_horizon_is_each_of_its_windows() -> None:
