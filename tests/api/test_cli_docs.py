@@ -131,7 +131,10 @@ def check(name: str, client: httpx.Client, folder: Path, monkeypatch: pytest.Mon
     assert without_changing_values(page.path.read_text(encoding="utf-8")) == without_changing_values(again)
 
 
-HOW_TO = [f"how-to/{name}.md" for name in ("own-vehicle", "measured-road", "share-and-export", "check-in-ci", "fmu")]
+HOW_TO = [
+    f"how-to/{name}.md"
+    for name in ("own-vehicle", "own-controller", "measured-road", "share-and-export", "check-in-ci", "fmu")
+]
 PAGES = ["../README.md", "reference/cli.md", "reference/api.md", "tutorials/sweep-from-a-script.md"]
 PAGES += ["tutorials/validate.md", *HOW_TO]
 
