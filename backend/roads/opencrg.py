@@ -104,6 +104,8 @@ def _text_values(header: Header, content: bytes) -> FloatArray:
         line = content[start:end].rstrip()
         start = end + 1
         if not line:
+            if number - header.line > len(pieces) + MAX_LINES:
+                raise SurveyError(f"There may be {MAX_LINES} empty lines", number)
             continue
         if not expected - width < len(line) <= expected:
             raise SurveyError(f"This line has {expected // width} values of {width} characters", number)
@@ -112,16 +114,26 @@ def _text_values(header: Header, content: bytes) -> FloatArray:
             raise SurveyError(f"A road may have {MAX_LINES} cross-sections", number)
     if not pieces or len(pieces) % len(lengths):
         raise SurveyError("The file ends within a cross-section", number)
-    plain = np.frombuffer(b"".join(pieces), dtype=np.uint8).reshape(-1, width)
-    given, cells = _DIGITS[plain].all(axis=1), plain.view(f"S{width}").ravel()
+    plain = np.frombuffer(bytearray(b"".join(pieces)), dtype=np.uint8).reshape(-1, width)
+    given = _DIGITS[plain].all(axis=1)
+    cells = plain.view(f"S{width}").ravel()
     values = np.where(cells == b"**unused**", 0.0, np.nan)
-    for index in np.flatnonzero(given):
-        try:
-            values[index] = float(cells[index].lower().replace(b"d", b"e"))
-        except ValueError:
-            said = f"A value of cross-section {index // header.channels + 1} is not a number"
-            raise SurveyError(said, None) from None
+    plain[(plain | 32) == ord("d")] = ord("e")  # Fortran's exponent
+    try:
+        values[given] = cells[given].astype(np.float64)
+    except ValueError:
+        index = next(index for index in np.flatnonzero(given) if not _is_number(cells[index]))
+        said = f"A value of cross-section {index // header.channels + 1} is not a number"
+        raise SurveyError(said, None) from None
     return _complete(header, values.reshape(-1, header.channels))
+
+
+def _is_number(cell: bytes) -> bool:
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return True
 
 
 def _binary_values(header: Header, content: bytes) -> FloatArray:

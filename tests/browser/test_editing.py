@@ -2,6 +2,7 @@
 
 import json
 import re
+from math import sin
 from pathlib import Path
 
 import pytest
@@ -330,3 +331,48 @@ def test_a_measured_road_is_driven_taken_off_chosen_saved_and_taken_to_another_s
     page.evaluate(DROP, [["new.json", json.dumps(content)], ["high.json", json.dumps(wrong)]])
     alert = page.get_by_role("alert").filter(has_text="new.json: This file comes from a newer version of Ridelab")
     expect(alert).to_contain_text("high.json: Bump height: Must be from −100 to 100\u00a0cm; the file has 500\u00a0cm")
+
+
+def test_a_table_of_ones_own_is_mapped_looked_at_and_driven_over_the_bump_one_chooses(
+    dashboard: Dashboard, tmp_path: Path
+) -> None:
+    """No header, semicolons, decimal commas, centimetres, two tracks, two humps; then the road as OpenCRG again."""
+    dashboard.open()
+    page, address = dashboard.page, dashboard.page.url
+    page.get_by_role("button", name="Road", exact=True).click()
+    heights = [(x, 6 * (20 < x < 24) + 9 * (80 < x < 85) + 0.2 * sin(x)) for x in (0.2 * step for step in range(601))]
+    rows = [f"{x:.1f};ok;{z:.2f};{z:.2f}".replace(".", ",") for x, z in heights]
+    (tmp_path / "mine.txt").write_text("\n".join(rows), encoding="utf-8")
+    page.get_by_label("Road file").set_input_files(tmp_path / "mine.txt")
+    mapping = page.get_by_role("dialog", name="Columns of mine.txt")
+    mapping.get_by_label("Column 2 is").select_option("left out")
+    expect(mapping.get_by_role("alert")).to_contain_text("One column is the distance")
+    for column, role, unit in ((1, "Distance", "m"), (3, "Left height", "cm"), (4, "Right height", "cm")):
+        mapping.get_by_label(f"Column {column} is").select_option(role)
+        mapping.get_by_label(f"Unit of Column {column}").select_option(unit)
+    expect(mapping.get_by_role("img", name="The road as it is read")).to_contain_text("mm from the lowest")
+    expect(mapping.get_by_label("Decimal commas")).to_be_checked()
+    dashboard.expect_accessible(mapping)
+    mapping.get_by_role("button", name="Drive this road").click()
+    expect(mapping).to_have_count(0)
+    expect(page.get_by_text("The mean of left and right track is taken")).to_be_visible()
+    choice = page.get_by_label("Bump that counts")
+    expect(choice.locator("option:checked")).to_contain_text("at 80 m")
+    expect_new_address(page, address)
+    choice.select_option(index=1)
+    expect(dashboard.entry("Position")).to_have_value(re.compile(r"^(19|20)"))
+    row = page.locator("[data-pointer='/road/profile']")
+    expect(row.get_by_role("img", name="Displacement PSD over the road classes of ISO 8608")).to_be_visible()
+    expect(
+        row.get_by_text(re.compile(r"IRI [\d.]+ m/km \(left [\d.]+, right [\d.]+\)\. ISO 8608 class"))
+    ).to_be_visible()
+    dashboard.expect_accessible(row)
+    with page.expect_download() as saved:
+        row.get_by_role("link", name="Save OpenCRG").click()
+    saved.value.save_as(tmp_path / "mine.crg")
+    profile = row.locator("select").first.input_value()
+    page.get_by_test_id("reset-all").click()
+    expect(row.get_by_role("img", name="The road that is driven")).to_have_count(0)
+    page.get_by_label("Road file").set_input_files(tmp_path / "mine.crg")
+    expect(page.get_by_text("This is an exported road: its heights are taken as they are")).to_be_visible()
+    expect(row.locator("select").first).to_have_value(profile)

@@ -8,7 +8,10 @@ import time
 from dataclasses import dataclass, field
 
 import httpx
+import numpy as np
 
+from backend.roads.opencrg import as_binary
+from sim_core.scenario.measured import MeasuredRoad
 from tests.drill.callers import quantile, served
 from tests.servers import loops
 from tests.servers.api import Api
@@ -18,6 +21,11 @@ SECONDS = 30.0
 OTHER = "127.0.0.2"
 ROAD = "distance [m],height [mm]\n" + "".join(f"{0.01 * step:.2f},{step % 7}\n" for step in range(200_000))
 MIDDLE = 100_002  # the line of step 100000
+
+
+OPENCRG = "application/x-opencrg"
+GRID = as_binary(MeasuredRoad.of(0.01 * np.random.default_rng(1).standard_normal(20_001)))
+BEGIN = GRID.index(b"$$$$") + 73
 
 
 def replaced(line: str) -> bytes:
@@ -34,6 +42,7 @@ class Upload:
     content: bytes
     status: int
     detail: str
+    kind: str = "text/csv"
     times: list[float] = field(default_factory=list)
     put_off: int = 0
 
@@ -46,6 +55,17 @@ UPLOADS = {
     "3 million short lines": Upload(b"x [m],z [m]\n" + 3_000_000 * b"1\n", 413, "The body may have 4194304 bytes."),
     "2 million empty lines": Upload(b"x [m],z [m]\n" + 2_000_000 * b"\n", 422, "Line 350001: The file may have"),
     "4 MB in one line": Upload(b"x [m],z [m]\n" + 4_000_000 * b"1", 422, "Line 2: A line may have 500 characters."),
+    "a grid that is cut off": Upload(GRID[: len(GRID) // 2], 422, "The file is cut off: 20001 cross-sections", OPENCRG),
+    "a grid of the wrong endianness": Upload(
+        GRID[:BEGIN] + np.frombuffer(GRID, ">f4", offset=BEGIN).astype("<f4").tobytes(),
+        422,
+        "Values are none of a road; are they big-endian",
+        OPENCRG,
+    ),
+    "16 MB of empty lines for a grid": Upload(
+        GRID[:BEGIN].replace(b"KRBI", b"LRFI") + 16_000_000 * b"\n", 422, "Line 350", OPENCRG
+    ),
+    "a header without an end": Upload(b"$CT\n" + 4_000_000 * b"*\n", 422, "Line 20000: The header may have", OPENCRG),
     "4 MB of commas": Upload(4_000_000 * b",", 422, "Line 1: A line may have 500 characters."),
 }
 
@@ -59,7 +79,7 @@ async def again_and_again(port: int, upload: Upload, address: str, end: float) -
             begin = time.monotonic()
             try:
                 answer = await client.post(
-                    "/api/v1/roads", content=upload.content, headers={"Content-Type": "text/csv"}
+                    "/api/v1/roads", content=upload.content, headers={"Content-Type": upload.kind}
                 )
             except (httpx.WriteError, httpx.ReadError):  # refused, and hung up on when it went on and on
                 assert upload.status == 413

@@ -36,7 +36,7 @@ interface Sent {
   readonly path?: Readonly<Record<string, string>>;
   readonly query?: Readonly<Record<string, string | number | boolean | null>>;
   readonly header?: Readonly<Record<string, string>>;
-  /** A text is a file as it is, all else JSON. */
+  /** A text is a CSV file as it is, a blob a file of its type, all else JSON. */
   readonly body?: unknown;
 }
 
@@ -90,7 +90,12 @@ async function send(
   { header, body, ...rest }: Sent,
   signal?: AbortSignal,
 ): Promise<Response> {
-  const [type, content] = typeof body === "string" ? ["text/csv", body] : ["application/json", JSON.stringify(body)];
+  const [type, content] =
+    body instanceof Blob
+      ? [body.type, body]
+      : typeof body === "string"
+        ? ["text/csv", body]
+        : ["application/json", JSON.stringify(body)];
   const sent =
     body === undefined ? { headers: { ...header } } : { headers: { ...header, "content-type": type }, body: content };
   const response = await read(

@@ -20,9 +20,13 @@ export function withItem(scenario: Scenario, { kind, value }: Content, form: Gro
 export function onRoad(scenario: Scenario, road: Pick<CreatedRoad, "id" | "length" | "bumps">): Scenario {
   const driven = setAt(setAt(scenario, "/road/profile", road.id), "/road/length", road.length);
   const [bump] = road.bumps;
-  if (bump === undefined) return driven;
+  return bump === undefined ? driven : onBump(driven, road.length, bump);
+}
+
+/** The bump that counts: the car brakes for it and the stages go by it, but none is added to the road. */
+export function onBump(scenario: Scenario, length: number, bump: CreatedRoad["bumps"][number]): Scenario {
   const start = Math.max(1, bump.start);
-  const width = Math.min(bump.width, Number((road.length - start).toFixed(2)));
+  const width = Math.min(bump.width, Number((length - start).toFixed(2)));
   const there = { start, width, height: 0, count: 1 };
-  return Object.entries(there).reduce((result, [name, value]) => setAt(result, `/road/bump/${name}`, value), driven);
+  return Object.entries(there).reduce((result, [name, value]) => setAt(result, `/road/bump/${name}`, value), scenario);
 }

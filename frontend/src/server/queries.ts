@@ -29,9 +29,11 @@ export const schemaQuery = queryOptions({
   ...UNTIL_THERE,
 });
 export const presetsQuery = { ...query("/presets", {}), ...UNTIL_THERE };
-/** A measured road; it never changes. */
+/** Heights of a measured road that its picture has. */
+const ROAD_POINTS = 600;
+/** A measured road; only what is said of its first file may come later. */
 export const roadQuery = (id: string) => ({
-  ...query("/roads/{id}", { path: { id }, query: { points: 2 } }),
+  ...query("/roads/{id}", { path: { id }, query: { points: ROAD_POINTS } }),
   enabled: id !== "",
   ...FOR_EVER,
 });

@@ -1,16 +1,19 @@
-/** A measured road in place of a made one: of the library, or opened from a CSV file; and saved as one. */
+/** A measured road in place of a made one: of the library, or opened from a file; drawn, with the bump that counts; and saved as a file. */
 
 import { Button, NativeSelect, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { address } from "../../api/http";
 import { useOpenItem } from "../library/open";
 import { OpenFiles } from "../library/OpenFiles";
+import { ProfileSketch } from "../library/ProfileSketch";
+import { indicesText, RoadSpectrum } from "../library/RoadSpectrum";
 import { useItems } from "../../scenario/library";
-import { useEdit } from "../../lab/context";
+import { useEdit, useFromScenario } from "../../lab/context";
 import { roadQuery } from "../../server/queries";
 import classes from "./editor.module.css";
 import { FieldFrame } from "./FieldFrame";
-import { setAt } from "../../scenario/path";
+import { getAt, setAt } from "../../scenario/path";
+import { onBump } from "../../scenario/withItem";
 import type { TextField } from "../../scenario/schema";
 import { useLeaf } from "./useLeaf";
 
@@ -23,9 +26,12 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
   const own = useItems("road");
   const id = typeof leaf.value === "string" ? leaf.value : "";
   const road = useQuery(roadQuery(id)).data;
-  const found =
-    road?.bumps.map(({ start, width, height }) => `${(1000 * height).toFixed(0)} mm at ${start} m over ${width} m`) ??
-    [];
+  const bumps = road?.bumps ?? [];
+  const found = bumps.map(
+    ({ start, width, height }) => `${(1000 * height).toFixed(0)} mm at ${start} m over ${width} m`,
+  );
+  const place = useFromScenario((scenario) => getAt(scenario, "/road/bump/start"));
+  const counting = bumps.findIndex(({ start }) => Math.max(1, start) === place);
   const saved = own.flatMap(({ name, value }) =>
     typeof value.id === "string" ? [{ value: value.id, label: name }] : [],
   );
@@ -54,7 +60,17 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
               Save CSV
             </Button>
           )}
-          {!leaf.readOnly && <OpenFiles name="Road file">Open CSV</OpenFiles>}
+          {road && (
+            <Button
+              component="a"
+              size="compact-xs"
+              href={address("/roads/{id}", { path: { id }, query: { format: "crg" } })}
+              download={`ridelab-road-${id}.crg`}
+            >
+              Save OpenCRG
+            </Button>
+          )}
+          {!leaf.readOnly && <OpenFiles name="Road file">Open file</OpenFiles>}
         </>
       }
     >
@@ -74,10 +90,40 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
         />
       )}
       {road && (
-        <Text className={classes.note}>
-          {road.length} m measured, in place of roughness and seed.{" "}
-          {found.length > 0 ? `Bumps in it: ${found.join(", ")}.` : "No bump was found in it."}
-        </Text>
+        <>
+          <ProfileSketch
+            label="The road that is driven"
+            distance={road.distance}
+            tracks={[road.height]}
+            marks={bumps.map((bump, index) => ({ ...bump, counts: index === counting }))}
+          />
+          <Text className={classes.note}>
+            {road.length} m measured, in place of roughness and seed.{" "}
+            {found.length > 0 ? `Bumps in it: ${found.join(", ")}.` : "No bump was found in it."}
+          </Text>
+          {bumps.length > 1 && (
+            <NativeSelect
+              label="Bump that counts"
+              description="The car brakes for it, and the stages and windows go by it."
+              value={counting}
+              disabled={leaf.readOnly}
+              data={[
+                ...(counting < 0 ? [{ value: "-1", label: "None of them" }] : []),
+                ...found.map((label, index) => ({ value: String(index), label })),
+              ]}
+              onChange={(event) => {
+                const bump = bumps[Number(event.currentTarget.value)];
+                if (bump) edit.commit(onBump(edit.newest(), road.length, bump));
+              }}
+            />
+          )}
+          {indicesText(road) !== null && (
+            <>
+              <RoadSpectrum road={road} />
+              <Text className={classes.note}>{indicesText(road)}</Text>
+            </>
+          )}
+        </>
       )}
     </FieldFrame>
   );

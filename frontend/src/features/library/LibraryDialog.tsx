@@ -9,6 +9,7 @@ import { type Item, type ItemKind, ownLibrary, useItems, LONGEST_NAME, cleanName
 import classes from "./library.module.css";
 import { useOpenItem, notice, useExportItem } from "./open";
 import { OpenFiles } from "./OpenFiles";
+import { Template } from "./Template";
 import { changedFields, changesText, completed } from "../../scenario/differences";
 import { sameValue } from "../../scenario/path";
 import { useEdit, useScenario } from "../../lab/context";
@@ -45,8 +46,8 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
           Import files
         </OpenFiles>
         <Text className={classes.text}>
-          Scenarios and vehicles as JSON, measured roads and recorded drives as CSV; or drop them anywhere on the lab.
-          This browser keeps the library: export what others need.
+          Scenarios and vehicles as JSON, measured roads as CSV or OpenCRG, recorded drives as CSV; or drop them
+          anywhere on the lab. This browser keeps the library: export what others need. <Template />.
         </Text>
       </div>
       {deleted && (

@@ -1,15 +1,18 @@
 /** A button that opens files in the lab. */
 
 import { Button, FileButton, CloseButton, Portal, Text } from "@mantine/core";
-import { useRef, useState } from "react";
+import { lazy, useRef, useState } from "react";
 import { useWindowEvent } from "@mantine/hooks";
 import { type ItemKind, dialog } from "../../scenario/library";
-import { useOpenFiles, notice } from "./open";
+import { LazyPart } from "../../ui/LazyPart";
+import { useOpenFiles, notice, unclear } from "./open";
 import { useScenario } from "../../lab/context";
 import { useSelector } from "@tanstack/react-store";
 import { RecordingDialog } from "./RecordingDialog";
 import ui from "../../ui/ui.module.css";
 import classes from "./library.module.css";
+
+const RoadMapping = lazy(() => import("./RoadMapping").then((module) => ({ default: module.RoadMapping })));
 
 interface Props {
   readonly children: string;
@@ -32,7 +35,7 @@ export function OpenFiles({ children, name, wanted, size = "compact-xs" }: Props
     <FileButton
       multiple
       resetRef={reset}
-      accept=".json,.csv,.txt,application/json,text/csv"
+      accept=".json,.csv,.txt,.crg,.dat,.asc,.tsv,application/json,text/csv"
       inputProps={{ "aria-label": name }}
       onChange={choose}
     >
@@ -51,6 +54,7 @@ const hasFiles = ({ dataTransfer }: DragEvent) => dataTransfer?.types.includes("
 export function DropFiles() {
   const openFiles = useOpenFiles();
   const [isOver, setOver] = useState(false);
+  const isAsked = useSelector(unclear).length > 0;
   useWindowEvent("dragover", (event) => {
     if (!hasFiles(event)) return;
     event.preventDefault(); // the browser would leave the page for the file
@@ -67,6 +71,11 @@ export function DropFiles() {
   });
   return (
     <Portal>
+      {isAsked && (
+        <LazyPart onClose={() => unclear.set([])}>
+          <RoadMapping />
+        </LazyPart>
+      )}
       {isOver && <div className={classes.drop}>Drop scenarios, vehicles, measured roads or recorded drives</div>}
       <LastNotice />
       <RecordingDialog />

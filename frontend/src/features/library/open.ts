@@ -18,6 +18,9 @@ export interface Notice {
   readonly scenario: Scenario;
 }
 
+/** Files of roads whose columns have to be asked for, one after the other. */
+export const unclear = createAtom<readonly { readonly name: string; readonly text: string }[]>([]);
+
 /** What the library has done last. */
 export const notice = createAtom<Notice | null>(null);
 
@@ -49,8 +52,8 @@ export function useExportItem(): (item: Exported) => Promise<void> {
   };
 }
 
-/** `wanted` is the part to take from a file that has more. */
-export function useOpenFiles(): (files: readonly File[], wanted?: ItemKind) => Promise<void> {
+/** `wanted` is the part to take from a file that has more; the promise is what was wrong. */
+export function useOpenFiles(): (files: readonly File[], wanted?: ItemKind) => Promise<string | null> {
   const edit = useEdit();
   const readOnly = useReadOnly();
   const queries = useQueryClient();
@@ -59,17 +62,20 @@ export function useOpenFiles(): (files: readonly File[], wanted?: ItemKind) => P
     dialog.set(null);
     if (readOnly) {
       say(["A shared result cannot be changed: open a copy to edit first."], true);
-      return;
+      return null;
     }
     say([`Opening ${files.map(({ name }) => name).join(", ")}`]);
     try {
       const { openAll } = await import("./upload");
-      const { scenario, lines, isWrong } = await openAll(files, () => edit.newest(), queries, wanted);
+      const { scenario, lines, isWrong, asked } = await openAll(files, () => edit.newest(), queries, wanted);
       if (!sameValue(scenario, edit.newest())) edit.commit(scenario);
-      if (lines.length === 0) notice.set(null);
-      else say(lines, isWrong);
+      unclear.set([...unclear.get(), ...asked]);
+      if (lines.length > 0) say(lines, isWrong);
+      else notice.set(null);
+      return isWrong ? lines.join(". ") : null;
     } catch (error) {
       say([messageOf(error)], true);
+      return messageOf(error);
     }
   };
 }

@@ -4,7 +4,7 @@ import type { QueryClient } from "@tanstack/react-query";
 import { api } from "../../api/client";
 import { ask, askFile } from "../../api/http";
 import { ApiProblem, type FieldError, messageOf } from "../../api/problem";
-import type { JsonObject, JsonValue, Scenario } from "../../api/types";
+import type { CreatedRoad, JsonObject, JsonValue, Scenario } from "../../api/types";
 import { completed, namedLeaves, type Leaf } from "../../scenario/differences";
 import { sameValue, setAt, getAt, type Pointer } from "../../scenario/path";
 import { type ScenarioSchema, findMember, optionTitle, type NumberField } from "../../scenario/schema";
@@ -15,6 +15,7 @@ import { recordedFile } from "./recordedFile";
 import { KINDS, type Item, type ItemKind, ownLibrary } from "../../scenario/library";
 import { withItem } from "../../scenario/withItem";
 import { limitText, valueText } from "../../scenario/limits";
+import { hasUnclearColumns, isOpenCrg } from "./roadFile";
 import { download } from "../../lib/download";
 
 interface Opened extends Pick<Item, "kind" | "value" | "name"> {
@@ -26,11 +27,14 @@ export interface Outcome {
   readonly scenario: Scenario;
   readonly lines: readonly string[];
   readonly isWrong: boolean;
+  /** Roads whose columns have to be asked for. */
+  readonly asked: readonly { readonly name: string; readonly text: string }[];
 }
 
 const MEBIBYTE = 1024 * 1024;
 /** A scenario's file has its road inside. */
-const [LONGEST, LONGEST_ROAD] = [6 * MEBIBYTE, 4 * MEBIBYTE];
+const [LONGEST, LONGEST_ROAD, LONGEST_GRID] = [6 * MEBIBYTE, 4 * MEBIBYTE, 16 * MEBIBYTE];
+const OPENCRG = "application/x-opencrg";
 
 /** Opens the files in `newest()`, and adds them to the library; `wanted` is the part to take from a file that has more. */
 export async function openAll(
@@ -50,10 +54,18 @@ export async function openAll(
   ];
   const wrong: string[] = [];
   const opened: Opened[] = [];
+  const asked: { name: string; text: string }[] = [];
   for (const file of files) {
     try {
-      const content = await upload(file, form, wanted);
-      if (content !== null) opened.push(content);
+      if (file.size > LONGEST_GRID) throw new Error("A file may have 16 MiB");
+      const text = await file.text();
+      if (isOpenCrg(text)) opened.push(await uploadGrid(file));
+      else if (file.size > LONGEST) throw new Error("A file may have 6 MiB");
+      else if (hasUnclearColumns(file.name, text)) asked.push({ name: file.name, text });
+      else {
+        const content = await upload(file.name, text, form, wanted);
+        if (content !== null) opened.push(content);
+      }
     } catch (error) {
       wrong.push(`${file.name}: ${messageOf(error)}`);
     }
@@ -65,19 +77,21 @@ export async function openAll(
     scenario,
     lines: [...wrong, ...opened.flatMap((content) => [addToLibrary(content, known), ...content.warnings])],
     isWrong: wrong.length > 0,
+    asked,
   };
 }
 
 /** The content of a file as the server understands it: complete, in SI units, and within every limit; `null` of a recorded drive, whose columns a dialog asks for. */
-async function upload(file: File, form: ScenarioSchema, wanted: ItemKind | undefined): Promise<Opened | null> {
-  if (file.size > LONGEST) throw new Error("A file may have 6 MiB");
-  const content = readFile(file.name, await file.text(), form);
-  const stem = file.name.replace(/\.\w+$/, "") || "File";
-  if (content.kind === "road") {
-    if (await isDrive(file.name, content.csv)) return null;
-    const { warnings, ...road } = await uploadRoad(content.csv);
-    return { kind: "road", name: stem, value: road as unknown as JsonObject, warnings };
-  }
+async function upload(
+  name: string,
+  text: string,
+  form: ScenarioSchema,
+  wanted: ItemKind | undefined,
+): Promise<Opened | null> {
+  const content = readFile(name, text, form);
+  const stem = stemOf(name);
+  if (content.kind === "road")
+    return (await isDrive(name, content.csv)) ? null : roadItem(stem, await uploadRoad(content.csv));
   if (wanted === "vehicle" && content.kind === "scenario" && !("vehicle" in content.value))
     throw new Error("This file has no vehicle");
   const { scenario, warnings } = await checked(content, form);
@@ -100,6 +114,18 @@ async function isDrive(name: string, csv: string): Promise<boolean> {
   if (new Blob([csv]).size > LONGEST_ROAD) throw new Error("The file of a recorded drive may have 4 MiB");
   recordedFile.set({ name, csv, preview });
   return true;
+}
+
+const stemOf = (name: string) => name.replace(/\.\w+$/, "") || "File";
+
+/** Its head, as the library keeps it. */
+function roadItem(name: string, { warnings, id, length, samples, bumps }: CreatedRoad): Opened {
+  return { kind: "road", name, value: { id, length, samples, bumps }, warnings };
+}
+
+async function uploadGrid(file: File): Promise<Opened> {
+  const body = new Blob([file], { type: OPENCRG }) as unknown as string; // the API's description has bytes as text
+  return roadItem(stemOf(file.name), await ask("post", "/roads", { body }));
 }
 
 async function uploadRoad(csv: string) {

@@ -1,0 +1,64 @@
+/** A road's heights over its length, in small. */
+
+import { useElementSize } from "@mantine/hooks";
+import { Box } from "@mantine/core";
+import { formatNumber } from "../../units/format";
+import classes from "./library.module.css";
+
+interface Props {
+  readonly label: string;
+  /** [m] */
+  readonly distance: readonly number[];
+  /** Of each track [m]. */
+  readonly tracks: readonly (readonly number[])[];
+  /** Stretches to mark, the one that counts in full. */
+  readonly marks?: readonly { readonly start: number; readonly width: number; readonly counts: boolean }[];
+}
+
+const [HEIGHT, FOOT, HEAD] = [84, 16, 14];
+/** No more points than can be seen. */
+const MOST = 800;
+
+export function ProfileSketch({ label, distance, tracks, marks = [] }: Props) {
+  const { ref, width } = useElementSize<HTMLDivElement>();
+  const step = Math.max(1, Math.ceil(distance.length / MOST));
+  const shown = distance.flatMap((x, index) => (index % step === 0 && Number.isFinite(x) ? [index] : []));
+  const heights = tracks.flatMap((track) => shown.map((index) => track[index] ?? NaN)).filter(Number.isFinite);
+  const [low, high] = [Math.min(...heights), Math.max(...heights)];
+  const [from, to] = [distance[shown[0] ?? 0] ?? 0, distance[shown.at(-1) ?? 0] ?? 1];
+  const x = (place: number) => ((place - from) / (to - from || 1)) * width;
+  const y = (z: number) => HEIGHT - FOOT - ((z - low) / (high - low || 1)) * (HEIGHT - FOOT - HEAD);
+  const path = (track: readonly number[]) =>
+    shown.map((index) => `${x(distance[index] ?? 0).toFixed(1)},${y(track[index] ?? low).toFixed(1)}`).join(" ");
+  return (
+    <Box ref={ref} className={classes.profile} mih={HEIGHT}>
+      {width > 0 && heights.length > 1 && (
+        <svg width={width} height={HEIGHT} role="img" aria-label={label}>
+          {marks.map((mark) => (
+            <rect
+              key={mark.start}
+              className={classes.mark}
+              data-counts={mark.counts || undefined}
+              x={x(mark.start)}
+              width={Math.max(3, x(mark.start + mark.width) - x(mark.start))}
+              y={HEAD}
+              height={HEIGHT - FOOT - HEAD}
+            />
+          ))}
+          {tracks.map((track, index) => (
+            <polyline key={index} points={path(track)} className={classes.track} data-track={index} />
+          ))}
+          <text x={0} y={10}>
+            {formatNumber(1000 * (high - low))} mm from the lowest to the highest
+          </text>
+          <text x={0} y={HEIGHT - 3}>
+            {formatNumber(from)} m
+          </text>
+          <text x={width} y={HEIGHT - 3} textAnchor="end">
+            {formatNumber(to)} m
+          </text>
+        </svg>
+      )}
+    </Box>
+  );
+}

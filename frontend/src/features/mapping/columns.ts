@@ -1,0 +1,126 @@
+/** A table of measurements as somebody else wrote it: how it is laid out, what its columns are, and the same with titles and units. */
+
+/** What a column may be. */
+export interface Role {
+  readonly id: string;
+  readonly label: string;
+  /** Titles it is known by, in small letters. */
+  readonly titles: readonly string[];
+  /** The likeliest first. */
+  readonly units: readonly string[];
+}
+
+export interface Layout {
+  /** A blank stands for any number of them. */
+  readonly separator: "," | ";" | "\t" | " ";
+  readonly decimalComma: boolean;
+  readonly hasHeader: boolean;
+}
+
+/** What one column is; the role is empty where it is left out. */
+export interface Use {
+  readonly role: string;
+  readonly unit: string;
+}
+
+/** How a text looks with a layout. */
+export interface Table {
+  /** Of the columns; their numbers where there is no header. */
+  readonly titles: readonly string[];
+  readonly rows: readonly (readonly string[])[];
+}
+
+const SEPARATORS = ["\t", ";", ",", " "] as const;
+/** Lines that a layout is guessed from. */
+const SEEN = 40;
+
+const isContent = (line: string) => line.trim() !== "" && !line.trimStart().startsWith("#");
+const cellsOf = (line: string, separator: Layout["separator"]) =>
+  (separator === " " ? line.trim().split(/\s+/) : line.split(separator)).map((cell) =>
+    cell.trim().replace(/^"(.*)"$/, "$1"),
+  );
+
+/** The number in a cell; NaN where there is none. */
+export function numberIn(cell: string, decimalComma: boolean): number {
+  const text = decimalComma ? cell.replace(",", ".") : cell;
+  return text === "" ? NaN : Number(text);
+}
+
+const isNumber = (cell: string) => Number.isFinite(numberIn(cell, true));
+
+/** The likeliest layout: the separator that gives the lines one number of cells, most of them numbers. */
+export function guessLayout(text: string): Layout {
+  const lines = text.slice(0, 100_000).split(/\r?\n/).filter(isContent).slice(0, SEEN);
+  const body = lines.length > 1 ? lines.slice(1) : lines;
+  const fit = (separator: Layout["separator"]) => {
+    const cells = body.map((line) => cellsOf(line, separator));
+    const columns = cells[0]?.length ?? 0;
+    const shares = cells.map((row) => (row.length === columns ? row.filter(isNumber).length / columns : 0));
+    return columns > 1 ? shares.reduce((sum, share) => sum + share, 0) : 0;
+  };
+  const best = SEPARATORS.reduce((one, other) => (fit(other) > fit(one) ? other : one));
+  const separator = fit(best) > 0 ? best : ",";
+  const decimalComma = separator !== "," && body.some((line) => /\d,\d|^,\d/.test(line));
+  const [first = [], second = []] = [lines[0] ?? "", body[0] ?? ""].map((line) => cellsOf(line, separator));
+  const hasHeader = first.some((cell, index) => !isNumber(cell) && isNumber(second[index] ?? ""));
+  return { separator, decimalComma, hasHeader };
+}
+
+/** The table's titles and its first rows, or all of them. */
+export function tableOf(text: string, { separator, hasHeader }: Layout, most = Infinity): Table {
+  const lines = (most === Infinity ? text : text.slice(0, 2000 + 200 * most)).split(/\r?\n/).filter(isContent);
+  const rows = lines.slice(hasHeader ? 1 : 0, most).map((line) => cellsOf(line, separator));
+  const head = hasHeader
+    ? cellsOf(lines[0] ?? "", separator)
+    : (rows[0] ?? []).map((_, index) => `Column ${index + 1}`);
+  return { titles: head, rows };
+}
+
+const UNIT = /^(.*?)\s*[[(]\s*([^\])]*?)\s*[\])]?$/;
+
+/** What each column is by its title; `places` are the roles of columns without titles, from the first on. */
+export function guessUses(
+  { titles }: Table,
+  roles: readonly Role[],
+  places: (columns: number) => readonly string[],
+): readonly Use[] {
+  const known = titles.map((title): Use => {
+    const [, name = title, unit = ""] = UNIT.exec(title) ?? [];
+    const role = roles.find(({ titles }) => titles.includes(name.trim().toLowerCase()));
+    return { role: role?.id ?? "", unit: role?.units.find((each) => each === unit.toLowerCase()) ?? "" };
+  });
+  if (known.some(({ role }) => role !== "")) return known;
+  const ids = places(titles.length);
+  return titles.map((_, index) => ({ role: ids[index] ?? "", unit: "" }));
+}
+
+/** Whether each column says itself what it is, and in which unit. */
+export const areClear = (uses: readonly Use[]): boolean =>
+  uses.length > 0 && uses.every(({ role, unit }) => role !== "" && unit !== "");
+
+/** The numbers of each column that is used, by its role. */
+export function columnsOf(table: Table, uses: readonly Use[], decimalComma: boolean): ReadonlyMap<string, number[]> {
+  const used = uses.flatMap(({ role }, index) => (role === "" ? [] : [[role, index] as const]));
+  return new Map(
+    used.map(([role, index]) => [role, table.rows.map((row) => numberIn(row[index] ?? "", decimalComma))]),
+  );
+}
+
+/** The used columns with titles and units, commas in between. Empty lines and comments stay, so that lines keep their numbers. */
+export function rewritten(text: string, layout: Layout, uses: readonly Use[]): string {
+  const used = uses.flatMap((use, index) => (use.role === "" ? [] : [{ ...use, index }]));
+  const title = used.map(({ role, unit }) => `${role} [${unit}]`).join(",");
+  let isTitled = false;
+  const lines = text.split(/\r?\n/).map((line) => {
+    if (!isContent(line)) return line;
+    if (!isTitled && layout.hasHeader) {
+      isTitled = true;
+      return title;
+    }
+    const cells = cellsOf(line, layout.separator);
+    return used
+      .map(({ index }) => (layout.decimalComma ? (cells[index] ?? "").replace(",", ".") : (cells[index] ?? "")))
+      .join(",");
+  });
+  return layout.hasHeader ? lines.join("\n") : [title, ...lines].join("\n");
+}
