@@ -29,6 +29,9 @@ from backend.recordings.service import Recordings
 from backend.roads.service import MeasuredRoads
 from backend.runs import WARM_UP
 from backend.runs.analysis import ControlAnalysis
+from backend.runs.curves import RunCurves
+from backend.runs.histories import Histories
+from backend.runs.reports.service import RunReports
 from backend.runs.result_cache import ResultCache
 from backend.runs.result_finder import ResultFinder
 from backend.runs.service import Runs
@@ -52,6 +55,8 @@ class Services(HttpParts):
     roads: MeasuredRoads
     recordings: Recordings
     runs: Runs
+    curves: RunCurves
+    reports: RunReports
     solver: Solver
     analysis: ControlAnalysis
     batches: BatchService
@@ -105,7 +110,8 @@ def make_services(settings: Settings, workers: Workers) -> Services:
     recordings = Recordings(store=store, workers=workers, gate=gate)
     memory = ResultCache(settings.series_cache_bytes)
     results = ResultFinder(store=store, workers=workers, memory=memory, gate=gate, roads=roads, recordings=recordings)
-    runs = Runs(
+    runs = Runs(store=store, results=results, gate=gate, roads=roads, recordings=recordings)
+    histories = Histories(
         store=store, workers=workers, results=results, gate=gate, roads=roads, recordings=recordings, spool=spool
     )
     batches = BatchService(
@@ -132,6 +138,8 @@ def make_services(settings: Settings, workers: Workers) -> Services:
         roads=roads,
         recordings=recordings,
         runs=runs,
+        curves=RunCurves(runs=runs, histories=histories, gate=gate),
+        reports=RunReports(runs=runs, histories=histories, gate=gate),
         analysis=ControlAnalysis(runs=runs, workers=workers, gate=gate, roads=roads),
         solver=Solver(runs=runs, gate=gate, roads=roads),
         batches=batches,

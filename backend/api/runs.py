@@ -25,12 +25,14 @@ from backend.http.routing import ComputingRoute, ScenarioRoute
 from backend.json_types import JsonObject
 from backend.requirements import Requirement, read
 from backend.runs.analysis import ControlAnalysis
+from backend.runs.curves import RunCurves
 from backend.runs.deviations import Deviations
 from backend.runs.figures import PANELS
 from backend.runs.frequency import FrequencyAnswer, FrequencyRequest
 from backend.runs.instants import InstantAnswer
 from backend.runs.models import CreatedRun, Run, RunRequest
 from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
+from backend.runs.reports.service import RunReports
 from backend.runs.service import Runs
 from backend.runs.solve.models import Solution, SolveRequest
 from backend.runs.solve.service import Solver
@@ -41,6 +43,8 @@ computing = router("runs", 400, 413, 415, 422, 429, 503, route_class=ScenarioRou
 drawing = router("runs", 404, 410, 422, 429, 503, route_class=ComputingRoute)
 
 RunsService = Annotated[Runs, service(lambda services: services.runs)]
+CurvesService = Annotated[RunCurves, service(lambda services: services.curves)]
+ReportsService = Annotated[RunReports, service(lambda services: services.reports)]
 AnalysisService = Annotated[ControlAnalysis, service(lambda services: services.analysis)]
 SolverService = Annotated[Solver, service(lambda services: services.solver)]
 Signals = Annotated[str | None, Query(description="Keys with commas; omitted is all")]
@@ -137,7 +141,7 @@ async def get_changes(
 )
 async def get_series(
     run_id: RunId,
-    service: RunsService,
+    curves: CurvesService,
     client: Client,
     strategy: Annotated[str | None, Query(description="Ids with commas; may be omitted where the run has one")] = None,
     signals: Signals = None,
@@ -147,7 +151,7 @@ async def get_series(
 ) -> Response:
     """Time histories in SI units; time and position always come along."""
     names = _names("strategy", strategy)
-    content = await service.series(
+    content = await curves.series(
         run_id,
         client,
         strategies=names,
@@ -183,7 +187,7 @@ async def get_instant(
 async def get_differences(
     run_id: RunId,
     response: Response,
-    service: RunsService,
+    curves: CurvesService,
     client: Client,
     baseline: Annotated[
         str | None, Query(description="Strategy or recording that they are against; omitted is passive, or the first")
@@ -191,13 +195,13 @@ async def get_differences(
 ) -> Deviations:
     """How far every strategy's curves lie from one's at the same positions, signal by signal, on the first road."""
     response.headers.update(CACHED_FOR_AN_HOUR)
-    return await service.deviations(run_id, baseline, client)
+    return await curves.deviations(run_id, baseline, client)
 
 
 @drawing.get("/runs/{id}/bands", operation_id="getBands", response_model=Bands)
 async def get_bands(
     run_id: RunId,
-    service: RunsService,
+    curves: CurvesService,
     client: Client,
     strategy: Annotated[str | None, Query(description="Ids with commas; omitted is all of the run's")] = None,
     signals: Signals = None,
@@ -205,7 +209,7 @@ async def get_bands(
     encoding: Annotated[Literal["list", "base64"], Query(description="Of numbers")] = "list",
 ) -> Response:
     """Of a run over several roads: mean, smallest and largest value over all roads at each sample, in SI units."""
-    content = await service.bands(
+    content = await curves.bands(
         run_id,
         client,
         strategies=_names("strategy", strategy),
@@ -223,12 +227,12 @@ async def get_bands(
 )
 async def get_run_figures(
     run_id: RunId,
-    service: RunsService,
+    curves: CurvesService,
     client: Client,
     x: Axis = "position",
 ) -> Response:
     """Every figure with this run's data."""
-    return json_answer(await service.figures(run_id, None, x, client))
+    return json_answer(await curves.figures(run_id, None, x, client))
 
 
 @drawing.get(
@@ -239,12 +243,12 @@ async def get_run_figures(
 async def get_run_figure(
     run_id: RunId,
     name: Annotated[str, Path(json_schema_extra={"enum": list(PANELS)}, description="Of the figure")],
-    service: RunsService,
+    curves: CurvesService,
     client: Client,
     x: Axis = "position",
 ) -> Response:
     """One figure with this run's data."""
-    return json_answer(await service.figures(run_id, name, x, client))
+    return json_answer(await curves.figures(run_id, name, x, client))
 
 
 @drawing.get(
@@ -256,7 +260,7 @@ async def get_run_figure(
 async def get_run_report(
     run_id: RunId,
     request: Request,
-    service: RunsService,
+    reports: ReportsService,
     client: Client,
     baseline: Annotated[str | None, Query(description="Whose figures the changes refer to; omitted is passive")] = None,
     against: Annotated[str | None, Query(description="A run they refer to instead, by strategy", max_length=64)] = None,
@@ -265,7 +269,7 @@ async def get_run_report(
 ) -> Response:
     """The run as one HTML file that needs nothing else; its figures are inside, or it says why there are none."""
     compressed = takes_gzip(request)
-    report = await service.report(
+    report = await reports.report(
         run_id,
         client,
         baseline=baseline,

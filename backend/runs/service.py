@@ -4,21 +4,16 @@ import asyncio
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from functools import partial
-from typing import Literal
 
 from backend import digest
-from backend.compute.workers import Workers
 from backend.cost.estimate import cost_of
 from backend.errors import (
-    GoneError,
     InvalidError,
     NewerSchemaError,
     NotFoundError,
     RoadGoneError,
 )
-from backend.file_formats import FormatName
 from backend.gate import Gate
-from backend.http.spool import Spool, SpoolFile
 from backend.json_types import JsonObject
 from backend.means_over_roads import default_baseline, seeded
 from backend.metrics import CACHE
@@ -26,25 +21,19 @@ from backend.outcome import Outcome
 from backend.recordings.service import Recordings
 from backend.requirements import Requirement
 from backend.roads.service import MeasuredRoads
-from backend.runs import deviations, exports, figures, series
 from backend.runs.answers import (
-    as_plain,
     changes_to_run,
     changes_to_strategy,
     live_binary,
     live_json,
     run_answer,
 )
-from backend.runs.deviations import Deviations
-from backend.runs.histories import Histories, LawGoneError
-from backend.runs.reports import page
-from backend.runs.reports import run as run_report
-from backend.runs.reports.page import Report, in_thread
-from backend.runs.result_finder import Outcomes, ResultFinder
+from backend.runs.histories import LawGoneError
+from backend.runs.result_finder import ResultFinder
+from backend.runs.series import ordered_signals
 from backend.store import Store, StoredRun
 from backend.store.roads import measured_roads
 from sim_core import __version__ as CORE_VERSION
-from sim_core.catalogue import SIGNALS
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.recorded import recording_id
 from sim_core.scenario.versions import NewerScenarioError, restored
@@ -53,28 +42,22 @@ from sim_core.strategies import strategies as known_strategies
 
 
 class Runs:
-    """The one service of runs."""
+    """Makes runs and reads them."""
 
     def __init__(
         self,
         *,
         store: Store,
-        workers: Workers,
         results: ResultFinder,
         gate: Gate,
         roads: MeasuredRoads,
         recordings: Recordings,
-        spool: Spool,
     ) -> None:
         self._store = store
-        self._workers = workers
         self._results = results
         self._gate = gate
         self._roads = roads
         self._recordings = recordings
-        self._histories = Histories(
-            store=store, workers=workers, results=results, gate=gate, roads=roads, recordings=recordings, spool=spool
-        )
 
     async def create(
         self,
@@ -155,7 +138,7 @@ class Runs:
         """
         stored = await self.stored(run_id, client)
         if against is not None and baseline is None:
-            return await asyncio.to_thread(changes_to_run, stored, await self._other(against, client))
+            return await asyncio.to_thread(changes_to_run, stored, await self.reference(against, client))
         if baseline is not None and against is None:
             return await asyncio.to_thread(changes_to_strategy, stored, baseline)
         raise InvalidError(
@@ -177,180 +160,7 @@ class Runs:
         self._gate.check_cost(cost_of(scenario, names))
         outcomes = await self._results.get(scenario, names, client, points=points)
         render = live_binary if binary else live_json
-        return render(scenario, outcomes, series.ordered_signals(signals))
-
-    async def series(
-        self,
-        run_id: str,
-        client: str,
-        *,
-        strategies: Sequence[str] | None,
-        signals: Sequence[str] | None,
-        points: int | None,
-        file_format: FormatName,
-        encoding: Literal["list", "base64"],
-    ) -> bytes | SpoolFile:
-        """Time histories of a stored run in one of the formats.
-
-        Args:
-            run_id: The run.
-            client: Who asks.
-            strategies: Which of the run's; None where it has one.
-            signals: Which; None is all.
-            points: About how many samples; None is all.
-            file_format: The format.
-            encoding: How JSON holds numbers.
-
-        Raises:
-            NotFoundError: No such run.
-            GoneError: Its time histories are gone.
-            InvalidError: Strategies it does not have.
-        """
-        stored = await self.stored(run_id, client)
-        keys = await self._histories.keys(stored)
-        names = list(keys) if strategies is None else ordered(strategies)
-        if not set(names) <= set(keys) or (strategies is None and len(names) != 1):
-            message = f"This run has time histories of {', '.join(keys) or 'no strategy'}; name some of them"
-            raise InvalidError(message, parameter="strategy")
-        export = exports.Export(
-            strategies=names,
-            signals=series.ordered_signals(signals),
-            points=points,
-            file_format=file_format,
-            encoding=encoding,
-            provenance={"run": stored.id, "core_version": stored.core_version},
-        )
-        return await self._histories.exported(stored, {name: keys[name] for name in names}, export, client)
-
-    async def bands(
-        self,
-        run_id: str,
-        client: str,
-        *,
-        strategies: Sequence[str] | None,
-        signals: Sequence[str] | None,
-        points: int | None,
-        encoding: Literal["list", "base64"],
-    ) -> bytes | SpoolFile:
-        """Time histories over all roads of a stored run as JSON; arguments as for `series`, no strategies are all.
-
-        Raises:
-            NotFoundError: No such run.
-            GoneError: Another core version computed it.
-            InvalidError: It is of one road, or does not have these strategies.
-        """
-        stored = await self.stored(run_id, client)
-        if stored.roads == 1:
-            raise InvalidError("This run is of one road: its time histories are at /series", parameter="id")
-        keys = [item.strategy for item in stored.shown]
-        names = keys if strategies is None else ordered(strategies)
-        if not names or not set(names) <= set(keys):
-            message = f"This run has time histories of {', '.join(keys) or 'no strategy'}"
-            raise InvalidError(message, parameter="strategy")
-        asked = series.ordered_signals(signals)
-        return await self._histories.over_roads(stored, names, asked, points, encoding, client)
-
-    async def figures(self, run_id: str, name: str | None, axis: str, client: str) -> JsonObject:
-        """One figure of a stored run, or all of them by name, with data.
-
-        Raises:
-            NotFoundError: No such run or figure.
-            GoneError: Its time histories are gone.
-        """
-        if name is not None and name not in figures.PANELS:
-            raise NotFoundError(f"There is no such figure; there are {', '.join(figures.PANELS)}.")
-        stored = await self.stored(run_id, client)
-        outcomes = await self._histories.outcomes(stored, client)
-        with self._gate.computing(client, 0.0):
-            if name is not None:
-                return figures.filled(name, outcomes, axis)
-            return {"figures": {each: figures.filled(each, outcomes, axis) for each in figures.PANELS}}
-
-    async def deviations(self, run_id: str, baseline: str | None, client: str) -> Deviations:
-        """How far the curves of a stored run's strategies lie from one's.
-
-        Raises:
-            NotFoundError: No such run.
-            GoneError: Its time histories are gone.
-            InvalidError: There is no curve of the baseline.
-        """
-        stored = await self.stored(run_id, client)
-        baseline = baseline or default_baseline(list(stored.by_strategy))
-        outcomes = await self._histories.outcomes(stored, client, deviations.POINTS)
-        series = {name: outcome.series for name, outcome in outcomes.items() if outcome.series is not None}
-        if baseline not in series:
-            message = (
-                f"This run has time histories of {', '.join(series) or 'no strategy'}; the baseline is one of them"
-            )
-            raise InvalidError(message, parameter="baseline")
-        units = {key: SIGNALS[key].unit for key in deviations.COMPARED}
-        found = await asyncio.to_thread(deviations.deviations, series, baseline)
-        return Deviations(baseline=baseline, units=units, strategies=found)
-
-    async def report(
-        self,
-        run_id: str,
-        client: str,
-        *,
-        baseline: str | None,
-        against: str | None,
-        axis: str,
-        compressed: bool,
-        requirements: Sequence[Requirement] = (),
-    ) -> Report:
-        """A stored run as one HTML file; without figures where its time histories are gone.
-
-        Args:
-            run_id: The run.
-            client: Who asks.
-            baseline: Whose figures the changes refer to; None is the run's own, or passive, or the first.
-            against: The run whose figures, strategy by strategy, the changes refer to instead.
-            axis: `position` or `time`, for x of the figures.
-            compressed: Whether whoever asked takes gzip.
-            requirements: What the run is held to.
-
-        Raises:
-            NotFoundError: No such run.
-            InvalidError: It has no such strategy as `baseline`, or changes `against` that run do not exist.
-        """
-        stored = await self.stored(run_id, client)
-        names = list(stored.by_strategy)
-        if baseline is not None and baseline not in names:
-            message = f"This run has {', '.join(names)}; the baseline is one of them"
-            raise InvalidError(message, parameter="baseline")
-        outcomes: Outcomes = {}
-        gone = None
-        try:
-            outcomes = await self._histories.outcomes(stored, client)
-        except GoneError as error:
-            gone = error.message
-        base = baseline or stored.baseline or default_baseline(names)
-        judged = partial(run_answer, stored, baseline=base, requirements=requirements, judged_against=baseline)
-        answer = await asyncio.to_thread(lambda: as_plain(judged()))
-        other: JsonObject | None = None
-        if against is not None:
-            run = await self._other(against, client)
-            other = await asyncio.to_thread(lambda: as_plain(run_answer(run)))
-            if stored.roads > 1 or run.roads > 1:
-                answer["changes"] = (await asyncio.to_thread(changes_to_run, stored, run))["changes"]
-        facts = run_report.RunFacts(
-            answer=answer,
-            created_at=stored.created_at,
-            baseline=base,
-            against=other,
-            outcomes=outcomes,
-            axis=axis,
-            gone=gone,
-        )
-        with self._gate.computing(client, page.COST, reports=1):
-            return await in_thread(partial(run_report.report, facts, compressed=compressed))
-
-    async def _other(self, run_id: str, client: str) -> StoredRun:
-        """The run that changes are against."""
-        try:
-            return await self.stored(run_id, client)
-        except NotFoundError as error:
-            raise InvalidError(error.message, parameter="against") from None
+        return render(scenario, outcomes, ordered_signals(signals))
 
     async def stored(self, run_id: str, client: str) -> StoredRun:
         """The run; one whose results were removed is computed again.
@@ -364,6 +174,17 @@ class Runs:
         if stored is None:
             raise NotFoundError("There is no run of this id.")
         return await self._computed_again(stored, client) if stored.expired else stored
+
+    async def reference(self, run_id: str, client: str) -> StoredRun:
+        """The run that another one's changes refer to, its parameter `against`.
+
+        Raises:
+            InvalidError: There is none.
+        """
+        try:
+            return await self.stored(run_id, client)
+        except NotFoundError as error:
+            raise InvalidError(error.message, parameter="against") from None
 
     async def _load(self, run_id: str) -> StoredRun | None:
         """The run as it is stored, its scenario today's."""

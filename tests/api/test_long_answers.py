@@ -33,7 +33,7 @@ def empty(service: Any, folder: Path) -> None:
     """Forget cached bands; no other file may stay."""
 
     async def forget() -> None:
-        service.app.state.services.runs._histories._bands.clear()
+        service.app.state.services.curves._histories._bands.clear()
 
     service.inside(forget())
     wait_until(lambda: not files(folder), "every file is gone")
@@ -109,7 +109,7 @@ def test_no_room_is_said(
     assert full.status_code == 503
     assert full.json()["type"].endswith(":full")
     assert int(full.headers["retry-after"]) > 0
-    monkeypatch.setattr(service.app.state.services.runs._histories._spool, "_longest", 1000)
+    monkeypatch.setattr(service.app.state.services.curves._histories._spool, "_longest", 1000)
     refused = client.get(path, params=query)
     assert refused.status_code == 422
     assert refused.json()["type"].endswith(":cost-limit")
@@ -124,7 +124,7 @@ def test_space_is_reserved_before_anything_is_computed(
     run = client.post("/api/v1/runs", json=body).json()
     sweep = {"list": [{"road.seed": 1}]}
     batch = computed(client, scenario=body["scenario"], strategies=["passive"], sweep=sweep)["id"]
-    files = service.app.state.services.runs._histories._spool
+    files = service.app.state.services.curves._histories._spool
     worker_calls.clear()
     with monkeypatch.context() as limited:
         size = bands.Band.most_nbytes(Scenario.model_validate(run["scenario"]), "passive")

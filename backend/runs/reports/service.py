@@ -1,0 +1,85 @@
+"""Reports of stored runs: what their file needs is read, then it is written beside the event loop."""
+
+import asyncio
+from collections.abc import Sequence
+from functools import partial
+
+from backend.errors import GoneError, InvalidError
+from backend.gate import Gate
+from backend.json_types import JsonObject
+from backend.means_over_roads import default_baseline
+from backend.requirements import Requirement
+from backend.runs.answers import as_plain, changes_to_run, run_answer
+from backend.runs.histories import Histories
+from backend.runs.reports import page
+from backend.runs.reports import run as run_report
+from backend.runs.reports.page import Report, in_thread
+from backend.runs.result_finder import Outcomes
+from backend.runs.service import Runs
+
+
+class RunReports:
+    """Writes runs as files for people."""
+
+    def __init__(self, *, runs: Runs, histories: Histories, gate: Gate) -> None:
+        self._runs = runs
+        self._histories = histories
+        self._gate = gate
+
+    async def report(
+        self,
+        run_id: str,
+        client: str,
+        *,
+        baseline: str | None,
+        against: str | None,
+        axis: str,
+        compressed: bool,
+        requirements: Sequence[Requirement] = (),
+    ) -> Report:
+        """A stored run as one HTML file; without figures where its time histories are gone.
+
+        Args:
+            run_id: The run.
+            client: Who asks.
+            baseline: Whose figures the changes refer to; None is the run's own, or passive, or the first.
+            against: The run whose figures, strategy by strategy, the changes refer to instead.
+            axis: `position` or `time`, for x of the figures.
+            compressed: Whether whoever asked takes gzip.
+            requirements: What the run is held to.
+
+        Raises:
+            NotFoundError: No such run.
+            InvalidError: It has no such strategy as `baseline`, or changes `against` that run do not exist.
+        """
+        stored = await self._runs.stored(run_id, client)
+        names = list(stored.by_strategy)
+        if baseline is not None and baseline not in names:
+            message = f"This run has {', '.join(names)}; the baseline is one of them"
+            raise InvalidError(message, parameter="baseline")
+        outcomes: Outcomes = {}
+        gone = None
+        try:
+            outcomes = await self._histories.outcomes(stored, client)
+        except GoneError as error:
+            gone = error.message
+        base = baseline or stored.baseline or default_baseline(names)
+        judged = partial(run_answer, stored, baseline=base, requirements=requirements, judged_against=baseline)
+        answer = await asyncio.to_thread(lambda: as_plain(judged()))
+        other: JsonObject | None = None
+        if against is not None:
+            run = await self._runs.reference(against, client)
+            other = await asyncio.to_thread(lambda: as_plain(run_answer(run)))
+            if stored.roads > 1 or run.roads > 1:
+                answer["changes"] = (await asyncio.to_thread(changes_to_run, stored, run))["changes"]
+        facts = run_report.RunFacts(
+            answer=answer,
+            created_at=stored.created_at,
+            baseline=base,
+            against=other,
+            outcomes=outcomes,
+            axis=axis,
+            gone=gone,
+        )
+        with self._gate.computing(client, page.COST, reports=1):
+            return await in_thread(partial(run_report.report, facts, compressed=compressed))
