@@ -185,7 +185,7 @@ def _entry_over_roads(
         return replace(failure, compute_ms=compute_ms, json=orjson.dumps(content)).answer(**fields)
     means = _plain(comparison.means[items[0].strategy])
     of_all = {"compute_ms": compute_ms, "comfort": means.pop("comfort"), "metrics": means}
-    return {"status": "ok", **fields, **items[0].summary, **of_all}
+    return {"status": "ok", "source": None, **fields, **items[0].summary, **of_all}
 
 
 def _plain_changes(changes: Changes) -> JsonObject:
