@@ -10,6 +10,7 @@ from ridelab.http import Http, split_login
 
 API = "/api/v1"
 TOKEN_VARIABLE = "RIDELAB_TOKEN"  # noqa: S105  # the variable's name
+Scenario = Any  # its JSON, as a mapping, or a pydantic model such as the core's
 _LOOPBACK = ("localhost", "127.0.0.1", "::1")
 
 

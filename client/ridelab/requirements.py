@@ -1,9 +1,10 @@
 """Requirements: limits that metrics have to keep, and how the strategies of a result keep them."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, Self
 
+Requirement = Mapping[str, Any]  # its JSON
 PASS, FAIL, UNCERTAIN = "pass", "fail", "uncertain"
 
 
@@ -52,6 +53,11 @@ class RequirementResult:
             return f"at most {self.max_change:+g} % against {self.baseline}"
         word, limit = ("at most", self.max) if self.max is not None else ("at least", self.min)
         return f"{word} {limit:g}{'' if unit == '1' else f' {unit}'}"
+
+
+def required(requirements: Sequence[Requirement], baseline: str | None) -> dict[str, Any]:
+    """Nothing where nothing is required: a service of an older version does not know the word."""
+    return {"requirements": list(requirements), "baseline": baseline} if requirements else {}
 
 
 def failing(results: Iterable[RequirementResult], *, strict: bool = False) -> bool:

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal, Self, TypedDict
+from urllib.parse import quote
 
 from ridelab import frames
 from ridelab.jobs import Batch
@@ -225,6 +226,11 @@ class RunResult:
 
     def __iter__(self) -> Iterator[Outcome]:
         return iter(self.strategies.values())
+
+
+def quoted_id(result: RunResult | str) -> str:
+    """The id of a run, or the id that is given, as it stands in an address."""
+    return quote(result.id if isinstance(result, RunResult) else result, safe="")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -30,16 +30,19 @@ def _page(package: ModuleType, title: str, install: str) -> str:
         if not (inspect.isclass(public) or inspect.isfunction(public)):
             continue  # constants and types
         lines += [f"## {name}", "", f"`{name}{_signature(public)}`", "", *_text(public), ""]
-        for method, function in _methods(public):
+        for method, function in _methods(public, package):
             lines += [f"### {name}.{method}", "", f"`{method}{_signature(function)}`", "", *_text(function), ""]
     return "\n".join(lines).rstrip() + "\n"
 
 
-def _methods(public: Any) -> Iterator[tuple[str, Any]]:
-    """Methods and properties that a class itself documents, in their order."""
+def _methods(public: Any, package: ModuleType) -> Iterator[tuple[str, Any]]:
+    """Methods and properties that a class documents, in their order, then those of bases that have no entry."""
     if not inspect.isclass(public) or "model_fields" in dir(public):  # what pydantic adds is not ours
         return
-    for name, member in vars(public).items():
+    bases = [each for each in public.__mro__[1:] if each.__module__.startswith(f"{package.__name__}.")]
+    documented_here = (public, *(each for each in bases if each.__name__ not in package.__all__))
+    for name in dict.fromkeys(name for each in documented_here for name in vars(each)):
+        member = inspect.getattr_static(public, name)
         function = getattr(member, "__func__", getattr(member, "fget", None) or member)
         if not name.startswith("_") and inspect.isfunction(function) and function.__doc__:
             yield name, member if isinstance(member, property) else function
