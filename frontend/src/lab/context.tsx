@@ -6,7 +6,7 @@ import type { Scenario } from "../api/types";
 import type { View } from "./address";
 import type { Lab, LabState } from "./labState";
 import type { LabAddress } from "./labAddress";
-import { useSelector } from "@tanstack/react-store";
+import { createAtom, useSelector, type ReadonlyAtom } from "@tanstack/react-store";
 import { standardScenario } from "../scenario/differences";
 import { schemaQuery } from "../server/queries";
 
@@ -15,6 +15,8 @@ interface LabContextValue {
   readonly labAddress: LabAddress;
   /** The paper's scenario, as the schema states it: what is edited until a run has been opened. */
   readonly paperScenario: Scenario;
+  /** The scenario as the form shows it: under a moving slider, else the last one set. */
+  readonly scenario: ReadonlyAtom<Scenario>;
   /** What a closed tab came back with. */
   readonly restored: Scenario | null;
 }
@@ -25,12 +27,19 @@ export function LabContextProvider({
   value,
   children,
 }: {
-  readonly value: Omit<LabContextValue, "paperScenario">;
+  readonly value: Omit<LabContextValue, "paperScenario" | "scenario">;
   readonly children: ReactNode;
 }) {
   // Fetched by the pages that need it.
   const form = useQuery({ ...schemaQuery, enabled: false }).data;
-  const context = useMemo(() => ({ ...value, paperScenario: form ? standardScenario(form) : {} }), [value, form]);
+  const context = useMemo(() => {
+    const paperScenario = form ? standardScenario(form) : {};
+    const scenario = createAtom(() => {
+      const { drag, history } = value.lab.get();
+      return drag ?? history?.present ?? paperScenario;
+    });
+    return { ...value, paperScenario, scenario };
+  }, [value, form]);
   return <LabContext value={context}>{children}</LabContext>;
 }
 
@@ -53,26 +62,20 @@ export function useReadOnly(): boolean {
   return useLab((state) => state.shared !== null);
 }
 
-/** The scenario as the form shows it: under a moving slider, else the last one set. */
 export function useScenario(): Scenario {
-  const { paperScenario } = useLabContext();
-  return useLab((state) => state.drag ?? state.history?.present ?? paperScenario);
+  return useSelector(useLabContext().scenario);
 }
 
 /** One stable piece of the edited scenario: the component renders anew only when that piece changes. */
 export function useFromScenario<Part>(select: (scenario: Scenario) => Part): Part {
-  const { paperScenario } = useLabContext();
-  return useLab((state) => select(state.drag ?? state.history?.present ?? paperScenario));
+  return useSelector(useLabContext().scenario, select);
 }
 
 /** How a field changes the scenario, always from its newest state. */
 export function useEdit() {
-  const { lab, paperScenario } = useLabContext();
+  const { lab, scenario } = useLabContext();
   return {
-    newest: (): Scenario => {
-      const { drag, history } = lab.get();
-      return drag ?? history?.present ?? paperScenario;
-    },
+    newest: (): Scenario => scenario.get(),
     drag: lab.drag,
     commit: lab.commit,
     reject: lab.reject,

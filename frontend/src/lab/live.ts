@@ -1,4 +1,4 @@
-/** Figures and curves while a slider moves: one request at a time, the newest next. */
+/** Figures and curves while a slider moves: two requests at a time, the newest next. */
 
 import { ApiProblem, isTransient } from "../api/problem";
 import type { LiveAnswer, Scenario, StrategyId } from "../api/types";
@@ -65,8 +65,9 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
       );
     },
     onAnswer: (answer, { scenario, startedAt }) => {
-      grace.stop();
       const isNewest = store.get().drag === scenario;
+      if (isNewest) grace.stop();
+      else grace.start();
       const shown = withRecorded(fromLive(answer, performance.now() - startedAt), store.get().latestResult);
       patch({ shown, serverErrors: NO_ERRORS, failure: null, ...(isNewest ? { busy: false, stale: false } : {}) });
     },
@@ -79,6 +80,7 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
         ...(error instanceof ApiProblem && !isTransient(error) ? refusal(error, form().group) : {}),
       });
     },
+    most: 2,
   });
   return { request: (scenario: Scenario) => request({ scenario, startedAt: performance.now() }), cancel };
 }

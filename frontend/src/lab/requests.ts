@@ -165,8 +165,9 @@ export function createRequests(
     preview: (scenario) => {
       exact.cancel();
       labAddress.cancelNavigation();
-      const some = store.get().strategies.some((id) => !isRecording(id));
-      patch({ busy: some });
+      const { strategies, busy } = store.get();
+      const some = strategies.some((id) => !isRecording(id));
+      if (busy !== some) patch({ busy: some }); // each change asks every part of the page whether it is concerned
       if (some) live.request(scenario);
     },
     cancel: () => {

@@ -8,7 +8,7 @@ interface Call {
   readonly fail: (error: Error) => void;
 }
 
-function harness() {
+function harness(most = 1) {
   const calls: Call[] = [];
   const answers: string[] = [];
   const errors: string[] = [];
@@ -19,6 +19,7 @@ function harness() {
       }),
     onAnswer: (answer) => answers.push(answer),
     onError: (error) => errors.push(error instanceof Error ? error.message : ""),
+    most,
   });
   const tick = () => new Promise((resolve) => setTimeout(resolve, 0));
   return { calls, answers, errors, latest, tick };
@@ -35,6 +36,20 @@ describe("one request at a time, the newest next", () => {
     calls[1]?.answer("four");
     await tick();
     expect(answers).toEqual(["one", "four"]);
+  });
+
+  it("has two under way, and an answer overtakes what was asked before it", async () => {
+    const { calls, answers, latest, tick } = harness(2);
+    for (const body of [1, 2, 3, 4]) latest.request(body);
+    expect(calls.map(({ body }) => body)).toEqual([1, 2]);
+    calls[1]?.answer("two");
+    await tick();
+    expect(calls.map(({ body }) => body)).toEqual([1, 2, 4]);
+    expect(calls[0]?.signal.aborted).toBe(true);
+    calls[0]?.answer("one");
+    calls[2]?.answer("four");
+    await tick();
+    expect(answers).toEqual(["two", "four"]);
   });
 
   it("drops everything on cancel, also an answer that still comes", async () => {

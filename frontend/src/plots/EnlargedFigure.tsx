@@ -3,28 +3,29 @@
 import { Modal, useComputedColorScheme } from "@mantine/core";
 import { useViewportSize } from "@mantine/hooks";
 import { useQuery } from "@tanstack/react-query";
+import { useSelector } from "@tanstack/react-store";
 import { useMemo } from "react";
 import type { FigureTemplate } from "../api/types";
 import { axisKey } from "../lab/resultView";
 import { allSamplesQuery } from "../server/queries";
 import { Chart, type ChartFigure } from "./Chart";
-import type { Curves } from "./curves";
+import { fileOf, type Curves } from "./curves";
 import { axisSignal, axisUnit, buildFigure, overRoads } from "./figure";
 import { chartLayout, PALETTES, type Palette } from "./palettes";
 import { asText, withPlainNames } from "./plotly";
+import type { CurvesSource } from "./Surface";
 
 interface Props {
   readonly template: FigureTemplate;
-  readonly curves: Curves;
-  /** Name of the picture's file without its ending. */
-  readonly file: string;
+  readonly curves: CurvesSource;
   readonly onClose: () => void;
 }
 
 /** The dialog's own head and margins [px]. */
 const AROUND = 92;
 
-export function EnlargedFigure({ template, curves, file, onClose }: Props) {
+export function EnlargedFigure({ template, curves: source, onClose }: Props) {
+  const curves = useSelector(source);
   const palette = PALETTES[useComputedColorScheme("light")];
   const { height } = useViewportSize();
   const series = useAllSamples(template, curves);
@@ -36,7 +37,7 @@ export function EnlargedFigure({ template, curves, file, onClose }: Props) {
         figure={figure}
         height={Math.max(240, height - AROUND)}
         label={`${title} in ${unit} over ${curves.axis}, enlarged`}
-        tools={file}
+        tools={fileOf(template, curves)}
       />
     </Modal>
   );

@@ -7,22 +7,21 @@ import type { FigureTemplate } from "../api/types";
 import { IconDownload, IconMaximize } from "../ui/icons";
 import { LazyPart } from "../ui/LazyPart";
 import classes from "./plots.module.css";
-import type { Curves } from "./curves";
 import { requestPlotly } from "./plotly";
 import type { FigureSource } from "./saved";
 import type { ChartOnPaper } from "./paperChart";
+import type { CurvesSource } from "./Surface";
 
 const EnlargedFigure = lazy(() => import("./EnlargedFigure").then((module) => ({ default: module.EnlargedFigure })));
 const FigureMenu = lazy(() => import("./FigureMenu").then((module) => ({ default: module.FigureMenu })));
 
 interface EnlargeProps {
   readonly template: FigureTemplate;
-  readonly curves: Curves;
-  readonly file: string;
+  readonly curves: CurvesSource;
 }
 
 /** Opens a panel as large as the window. */
-export function EnlargeButton({ template, curves, file }: EnlargeProps) {
+export function EnlargeButton({ template, curves }: EnlargeProps) {
   const [opened, { open, close }] = useDisclosure(false);
   const { title } = template.layout.meta;
   const button = useMemo(
@@ -47,7 +46,7 @@ export function EnlargeButton({ template, curves, file }: EnlargeProps) {
       {button}
       {opened && (
         <LazyPart onClose={close}>
-          <EnlargedFigure {...{ template, curves, file }} onClose={close} />
+          <EnlargedFigure {...{ template, curves }} onClose={close} />
         </LazyPart>
       )}
     </>

@@ -1,23 +1,24 @@
 /** Figures side by side, in the order the backend gives them. */
 
 import { useComputedColorScheme, Box } from "@mantine/core";
-import { useCallback, useMemo } from "react";
+import { createAtom } from "@tanstack/react-store";
+import { useCallback, useLayoutEffect, useMemo, useState } from "react";
 import type { FigureTemplate } from "../api/types";
 import type { Zoom } from "../lab/address";
 import { useLabContext } from "../lab/context";
 import { useIsolated } from "../lab/isolated";
 import type { ResultView } from "../lab/resultView";
-import { layersOf } from "./curves";
+import { layersOf, type Curves } from "./curves";
 import { PALETTES } from "./palettes";
 import { EnlargeButton } from "./FigureButton";
-import { fileOf, PlotPanel } from "./PlotPanel";
+import { PlotPanel } from "./PlotPanel";
 import classes from "./plots.module.css";
 import { drawnOf, subtrahend } from "./differences";
 import { useCurves, useDetail, useLayered } from "./useDetail";
 import { Card } from "../ui/Card";
 import { buildFigure, MARGIN } from "./figure";
 import { Overlay } from "./Overlay";
-import { Surface } from "./Surface";
+import { Surface, type CurvesSource } from "./Surface";
 
 interface Props {
   readonly templates: readonly FigureTemplate[];
@@ -25,7 +26,6 @@ interface Props {
 }
 
 export function PlotGrid({ templates, resultView }: Props) {
-  const palette = PALETTES[useComputedColorScheme("light")];
   const { roads, ...pair } = useCurves(resultView);
   const own = useDetail(pair.own);
   const other = useDetail(pair.other);
@@ -60,17 +60,29 @@ export function PlotGrid({ templates, resultView }: Props) {
   );
   return (
     <div className={classes.grid}>
-      {templates.map((template) => (
-        <PlotPanel
-          key={template.layout.meta.signal}
-          template={template}
-          curves={curves}
-          palette={palette}
-          onZoom={onZoom}
-        />
-      ))}
+      <PlotPanels {...{ templates, curves, onZoom }} />
     </div>
   );
+}
+
+interface PanelsProps extends Pick<Props, "templates"> {
+  readonly curves: Curves;
+  readonly onZoom: (zoom: Zoom | null) => void;
+}
+
+export function PlotPanels({ templates, curves, onZoom }: PanelsProps) {
+  const palette = PALETTES[useComputedColorScheme("light")];
+  const source = useCurvesSource(curves);
+  return templates.map((template) => (
+    <PlotPanel key={template.layout.meta.signal} {...{ template, palette, onZoom }} curves={source} />
+  ));
+}
+
+/** For panels that draw anew without being rendered anew, which would take longer than drawing. */
+function useCurvesSource(curves: Curves): CurvesSource {
+  const [source] = useState(() => createAtom(curves));
+  useLayoutEffect(() => source.set(curves), [source, curves]);
+  return source;
 }
 
 /** Zooms all plots; without a range from the bump to the whole run and back. */
@@ -103,14 +115,18 @@ export function RoadStrip({ template, resultView }: RoadStripProps) {
     }),
     [series, summaries, strategies, axis, whole, source, runId, coreVersion],
   );
-  const figure = useMemo(() => buildFigure({ template, palette, ...curves, yTicks: 3 }), [template, curves, palette]);
+  const drawn = useCurvesSource(curves);
+  const build = useCallback(
+    (now: Curves) => buildFigure({ template, palette, ...now, yTicks: 3 }),
+    [template, palette],
+  );
   const { meta } = template.layout;
   const part = (x: number) => (x - whole[0]) / (whole[1] - whole[0]);
   const [left, right] = [part(range[0]), 1 - part(range[1])];
   return (
     <Card className={classes.strip ?? ""} aria-label={`${meta.title}, curves`} data-figure={meta.signal}>
       <div role="img" aria-label={`${meta.title} in ${meta.unit} over ${axis}, whole run`}>
-        <Surface figure={figure} live={curves.live} />
+        <Surface curves={drawn} build={build} visible />
         {range !== whole && (
           <div
             className={classes.stripWindow}
@@ -129,7 +145,7 @@ export function RoadStrip({ template, resultView }: RoadStripProps) {
         </Box>
       </h2>
       <div className={classes.stripTools}>
-        <EnlargeButton template={template} curves={curves} file={fileOf(template, curves)} />
+        <EnlargeButton template={template} curves={drawn} />
       </div>
     </Card>
   );

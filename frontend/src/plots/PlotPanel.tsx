@@ -2,19 +2,19 @@
 
 import { Box, Group } from "@mantine/core";
 import { useIntersection } from "@mantine/hooks";
-import { memo, useMemo } from "react";
+import { memo, useCallback } from "react";
 import type { FigureTemplate, FigureMeta, SeriesByStrategy, Strategy } from "../api/types";
 import type { Zoom, Axis } from "../lab/address";
 import { printing } from "../lib/printing";
-import { useSelector } from "@tanstack/react-store";
+import { shallow, useSelector } from "@tanstack/react-store";
 import { axisUnit, buildFigure } from "./figure";
-import type { Curves } from "./curves";
+import { fileOf, type Curves } from "./curves";
 import type { Palette } from "./palettes";
 import { EnlargeButton, FigureButton } from "./FigureButton";
 import { Overlay } from "./Overlay";
 import classes from "./plots.module.css";
 import type { FigureSource } from "./saved";
-import { Surface } from "./Surface";
+import { Surface, type CurvesSource } from "./Surface";
 import { Card } from "../ui/Card";
 import { useCursor } from "../lab/cursor";
 import { axisKey } from "../lab/resultView";
@@ -23,20 +23,24 @@ import { extent, valueAt } from "../lib/samples";
 
 interface Props {
   readonly template: FigureTemplate;
-  readonly curves: Curves;
+  readonly curves: CurvesSource;
   readonly palette: Palette;
   readonly onZoom: (zoom: Zoom | null) => void;
 }
 
-export const fileOf = (template: FigureTemplate, { runId }: Pick<Curves, "runId">) =>
-  `ridelab-${runId ?? "live"}-${template.layout.meta.signal}`;
-
-const sourceOf = (template: FigureTemplate, curves: Curves): FigureSource => ({
+const sourceOf = (template: FigureTemplate, curves: CurvesSource, file: string): FigureSource => ({
   title: template.layout.meta.title,
-  file: fileOf(template, curves),
-  paper: async (size) => (await import("./paperFigure")).paperFigure(template, curves, size),
-  csv: async () => (await import("./figureCsv")).figureCsv(template, curves, window.location.href),
+  file,
+  paper: async (size) => (await import("./paperFigure")).paperFigure(template, curves.get(), size),
+  csv: async () => (await import("./figureCsv")).figureCsv(template, curves.get(), window.location.href),
 });
+
+/** What a panel says beside its curves: most answers under a moving slider leave it as it is. */
+const headOf = ({ strategies, axis, range, runId, minus }: Curves) => ({ strategies, axis, range, runId, minus });
+type Head = ReturnType<typeof headOf>;
+
+const flat = ({ strategies, range, ...rest }: Head) => [...strategies, ...range, ...Object.values(rest)];
+const sameHead = (one: Head, other: Head) => shallow(flat(one), flat(other));
 
 /** Panels this close to the window are drawn too, so that scrolling meets no blank ones. */
 const NEAR = "40px 0px";
@@ -46,12 +50,8 @@ export const PlotPanel = memo(function PlotPanel({ template, curves, palette, on
   const printed = useSelector(printing);
   const inViewport = printed || (entry?.isIntersecting ?? false);
   const { meta } = template.layout;
-  const { series, strategies, axis, range, live, minus } = curves;
-  // Off screen nothing is computed: during a drag only what somebody sees is drawn anew.
-  const figure = useMemo(
-    () => (inViewport ? buildFigure({ template, palette, ...curves }) : null),
-    [inViewport, template, curves, palette],
-  );
+  const { strategies, axis, range, runId, minus } = useSelector(curves, headOf, { compare: sameHead });
+  const build = useCallback((drawn: Curves) => buildFigure({ template, palette, ...drawn }), [template, palette]);
   const drawn = strategies.map(({ label }) => label).join(", ");
   const part = `${axis} from ${formatFixed(range[0], 1)} to ${formatFixed(range[1], 1)} ${axisUnit(axis)}`;
   return (
@@ -64,14 +64,14 @@ export const PlotPanel = memo(function PlotPanel({ template, curves, palette, on
             {minus !== undefined && `, change against ${minus}`}
           </Box>
         </Box>
-        <Readouts meta={meta} series={series} strategies={strategies} axis={axis} />
+        <Readouts {...{ meta, curves, strategies, axis }} />
         <Group gap={0} wrap="nowrap" className={classes.save ?? ""}>
-          <EnlargeButton template={template} curves={curves} file={fileOf(template, curves)} />
-          <FigureButton source={sourceOf(template, curves)} />
+          <EnlargeButton template={template} curves={curves} />
+          <FigureButton source={sourceOf(template, curves, fileOf(template, { runId }))} />
         </Group>
       </Group>
       <Box pos="relative" h={176} role="img" aria-label={`${meta.title} in ${meta.unit} over ${part}: ${drawn}`}>
-        <Surface figure={figure} live={live} />
+        <Surface curves={curves} build={build} visible={inViewport} />
         <Overlay axis={axis} range={range} onZoom={onZoom} />
       </Box>
     </Card>
@@ -80,7 +80,7 @@ export const PlotPanel = memo(function PlotPanel({ template, curves, palette, on
 
 interface ReadoutsProps {
   readonly meta: FigureMeta;
-  readonly series: SeriesByStrategy;
+  readonly curves: CurvesSource;
   readonly strategies: readonly Strategy[];
   readonly axis: Axis;
 }
@@ -93,22 +93,33 @@ function decimalsFor({ signal, scale }: FigureMeta, all: SeriesByStrategy): numb
 }
 
 /** The curves' values at the cursor, beside the panel's title. */
-function Readouts({ meta, series, strategies, axis }: ReadoutsProps) {
+function Readouts({ meta, curves, strategies, axis }: ReadoutsProps) {
   const x = useCursor(axis);
-  const decimals = useMemo(() => decimalsFor(meta, series), [meta, series]);
+  const texts = useSelector(curves, ({ series }) => readings(meta, series, strategies, axis, x), { compare: shallow });
   return (
     <span className={classes.readouts} data-empty={x === null || undefined} aria-hidden>
-      {strategies.map(({ id, colour }) => {
-        const samples = series[id]?.[axisKey(axis)];
-        const values = series[id]?.[meta.signal];
-        const value = x !== null && samples && values ? valueAt(samples, values, x) : null;
-        return (
-          <span key={id} className={classes.readout}>
-            <span className={classes.swatch} style={{ background: colour }} />
-            {value === null ? "–" : formatFixed(value * meta.scale, decimals)}
-          </span>
-        );
-      })}
+      {strategies.map(({ id, colour }, index) => (
+        <span key={id} className={classes.readout}>
+          <span className={classes.swatch} style={{ background: colour }} />
+          {texts[index] ?? "–"}
+        </span>
+      ))}
     </span>
   );
+}
+
+function readings(
+  meta: FigureMeta,
+  series: SeriesByStrategy,
+  strategies: readonly Strategy[],
+  axis: Axis,
+  x: number | null,
+): readonly (string | null)[] {
+  if (x === null) return [];
+  const decimals = decimalsFor(meta, series);
+  return strategies.map(({ id }) => {
+    const [samples, values] = [series[id]?.[axisKey(axis)], series[id]?.[meta.signal]];
+    const value = samples && values ? valueAt(samples, values, x) : null;
+    return value === null ? null : formatFixed(value * meta.scale, decimals);
+  });
 }

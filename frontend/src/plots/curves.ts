@@ -78,3 +78,7 @@ export interface Curves {
   /** What the curves are differences to. */
   readonly minus?: string;
 }
+
+/** Name of a figure's file without its ending. */
+export const fileOf = (template: FigureTemplate, { runId }: Pick<Curves, "runId">) =>
+  `ridelab-${runId ?? "live"}-${template.layout.meta.signal}`;

@@ -8,7 +8,7 @@ import type { Catalogue, FrequencyAnswer, FrequencyRequest, Scenario, StrategyId
 import { createLatest } from "../../lib/latest";
 import type { ResultView } from "../../lab/resultView";
 import { PALETTES } from "../../plots/palettes";
-import { Surface } from "../../plots/Surface";
+import { StillSurface } from "../../plots/Surface";
 import { Fault } from "../../ui/Fault";
 import { prettyUnit } from "../../units/format";
 import { frequencyFigures } from "./figures";
@@ -77,7 +77,7 @@ export function FrequencyCard({ resultView, catalogue }: Props) {
               </span>
             </figcaption>
             <div role="img" aria-label={`${title} over frequency`} className={classes.canvas}>
-              <Surface figure={figure} live={shown.source === "live"} />
+              <StillSurface figure={figure} />
             </div>
           </figure>
         ))}

@@ -8,7 +8,7 @@ import { useLabContext } from "../../lab/context";
 import { cursor } from "../../lab/cursor";
 import type { ResultView } from "../../lab/resultView";
 import { PALETTES } from "../../plots/palettes";
-import { Surface } from "../../plots/Surface";
+import { StillSurface } from "../../plots/Surface";
 import { Card } from "../../ui/Card";
 import { DataTable } from "../../ui/DataTable";
 import { Fault } from "../../ui/Fault";
@@ -117,7 +117,7 @@ function Seen({ answer, colour, seed }: SeenProps) {
             {title} <span>[{unit}]</span>
           </figcaption>
           <div role="img" aria-label={`${title} in ${unit} over the horizon`} className={classes.canvas}>
-            <Surface figure={figure} live={false} />
+            <StillSurface figure={figure} />
           </div>
         </figure>
       ))}

@@ -1,11 +1,10 @@
 /** Figures 19 to 22 for this scenario: the paper's four signals, in the ECU, in the simulation and under the LQR. */
 
-import { Box, Group, SegmentedControl, useComputedColorScheme } from "@mantine/core";
+import { Box, Group, SegmentedControl } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useMemo, useState } from "react";
 import type { Catalogue, FigureTemplate, Run, Strategy } from "../../api/types";
-import { PALETTES } from "../../plots/palettes";
-import { PlotPanel } from "../../plots/PlotPanel";
+import { PlotPanels } from "../../plots/PlotGrid";
 import { DEFAULT_VIEW, type Axis, type Zoom } from "../../lab/address";
 import { DETAIL_POINTS, seriesQuery } from "../../server/queries";
 import { makeResultView } from "../../lab/resultView";
@@ -24,7 +23,6 @@ interface Props {
 }
 
 export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props) {
-  const palette = PALETTES[useComputedColorScheme("light")];
   const [axis, setAxis] = useState<Axis>("time");
   const [zoom, setZoom] = useState<Zoom | null>(null);
   const ids = useMemo(
@@ -74,11 +72,11 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
       </Group>
       {series.isError && <Fault size="md">The time histories could not be read: {series.error.message}</Fault>}
       <div className={classes.figures}>
-        {curves
-          ? templates.map((template) => (
-              <PlotPanel key={template.layout.meta.signal} {...{ template, curves, palette }} onZoom={setZoom} />
-            ))
-          : templates.map(({ layout }) => <Box key={layout.meta.signal} h={210} className={ui.card ?? ""} />)}
+        {curves ? (
+          <PlotPanels {...{ templates, curves }} onZoom={setZoom} />
+        ) : (
+          templates.map(({ layout }) => <Box key={layout.meta.signal} h={210} className={ui.card ?? ""} />)
+        )}
       </div>
     </section>
   );

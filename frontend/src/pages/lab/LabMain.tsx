@@ -40,17 +40,25 @@ export function LabMain({ strategies }: { readonly strategies: readonly Strategy
       part && withBaseline(part, { baseline, reference, differences }, compared, { roadPairedChanges: paired, judged }),
     [part, baseline, reference, differences, compared, paired, judged],
   );
+  const head = useMemo(
+    () => (
+      <>
+        <Group gap="0 1rem" align="baseline" justify="space-between" mt="0.45rem">
+          <h1 className={classes.purpose}>
+            What-if laboratory for active suspension. <span>LV: longitudinal (speed) and vertical control.</span>
+          </h1>
+          <FromPage />
+        </Group>
+        <LazyPart>
+          <SharedBanner strategies={strategies} catalogue={catalogue} figures={figures} />
+        </LazyPart>
+      </>
+    ),
+    [strategies, catalogue, figures],
+  );
   return (
     <main className={classes.main}>
-      <Group gap="0 1rem" align="baseline" justify="space-between" mt="0.45rem">
-        <h1 className={classes.purpose}>
-          What-if laboratory for active suspension. <span>LV: longitudinal (speed) and vertical control.</span>
-        </h1>
-        <FromPage />
-      </Group>
-      <LazyPart>
-        <SharedBanner strategies={strategies} catalogue={catalogue} figures={figures} />
-      </LazyPart>
+      {head}
       <LazyPart fallback={<div className={`${bar.toolbar} ${bar.place}`} />}>
         <Toolbar
           strategies={strategies}

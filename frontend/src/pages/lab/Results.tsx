@@ -1,6 +1,6 @@
 /** The results: the car and the ride on the bump first, then the numbers, then every other signal. */
 
-import { memo, useDeferredValue, useMemo } from "react";
+import { memo, useMemo } from "react";
 import { Button, Skeleton, Text } from "@mantine/core";
 import type { Catalogue, FigureTemplate, Strategy } from "../../api/types";
 import { PlotGrid, RoadStrip } from "../../plots/PlotGrid";
@@ -22,6 +22,7 @@ import {
 } from "./afterCurves";
 import { metricsOf } from "../../server/metrics";
 import { getAt } from "../../scenario/path";
+import { useCalm } from "../../lib/useCalm";
 import { useCurves } from "../../plots/useDetail";
 
 type Figures = Readonly<Record<string, FigureTemplate>>;
@@ -42,12 +43,14 @@ export function Results({ strategies, catalogue, figures, resultView }: Props) {
   );
   const { lab } = useLabContext();
   const stale = useLab((state) => state.stale);
+  // Under a moving slider curves alone follow each answer.
+  const calm = useCalm(resultView, resultView?.shown.source === "live") ?? resultView;
   if (failure?.kind === "notFound") return <NotFound />;
   if (none) return <NothingChosen suggestion={strategies.map(({ id }) => id)} />;
   if (failure?.kind === "failed" && !shown) return <CouldNotLoad message={failure.message} onRetry={lab.openPaper} />;
   if (refused && !shown)
     return <CouldNotLoad what="scenario" message={refused} onRetry={lab.openPaper} retry="Open the paper’s scenario" />;
-  if (!resultView || resultView.ids.length === 0) return <Loading />;
+  if (!resultView || !calm || resultView.ids.length === 0) return <Loading />;
   return (
     <div
       className={classes.results}
@@ -56,17 +59,9 @@ export function Results({ strategies, catalogue, figures, resultView }: Props) {
       data-source={resultView.shown.source}
       data-run={resultView.shown.runId ?? undefined}
     >
-      <LazyPart fallback={<Skeleton h={60} radius={8} />}>
-        <VerdictLine resultView={simulatedPart(resultView)} catalogue={catalogue} />
-        <ChangeChips resultView={simulatedPart(resultView)} catalogue={catalogue} />
-      </LazyPart>
-      <RoadsNote resultView={resultView} />
-      <RecordingNotes resultView={resultView} />
-      <LazyPart>
-        <InstantPart resultView={resultView} />
-      </LazyPart>
+      <Conclusion resultView={calm} catalogue={catalogue} />
       {resultView.shown.missing === null ? (
-        <Histories resultView={resultView} catalogue={catalogue} figures={figures} />
+        <Histories {...{ resultView, calm, catalogue, figures }} />
       ) : (
         <>
           <LazyPart>
@@ -80,45 +75,80 @@ export function Results({ strategies, catalogue, figures, resultView }: Props) {
   );
 }
 
-function Requirements({ resultView, catalogue, figures }: HistoriesProps) {
+function Requirements({ resultView, catalogue, figures }: PartProps) {
   const metrics = useMemo(() => metricsOf(catalogue, figures), [catalogue, figures]);
   return <RequirementsCard resultView={resultView} figures={metrics} />;
 }
 
-const MemoTables = memo(Tables);
-
-interface HistoriesProps {
+interface PartProps {
   readonly resultView: ResultView;
   readonly catalogue: Catalogue;
   readonly figures: Figures;
 }
 
-function Histories({ resultView, catalogue, figures }: HistoriesProps) {
-  const { road, ...others } = figures;
-  const meta = Object.values(figures)[0]?.layout.meta;
-  // Under a moving slider curves come first: the table follows when there is time for it.
-  const later = useDeferredValue(resultView);
-  const isRide = ({ layout }: FigureTemplate) => catalogue.paper_signals.includes(layout.meta.signal);
+const Conclusion = memo(function Conclusion({ resultView, catalogue }: Omit<PartProps, "figures">) {
+  return (
+    <>
+      <LazyPart fallback={<Skeleton h={60} radius={8} />}>
+        <VerdictLine resultView={simulatedPart(resultView)} catalogue={catalogue} />
+        <ChangeChips resultView={simulatedPart(resultView)} catalogue={catalogue} />
+      </LazyPart>
+      <RoadsNote resultView={resultView} />
+      <RecordingNotes resultView={resultView} />
+      <LazyPart>
+        <InstantPart resultView={resultView} />
+      </LazyPart>
+    </>
+  );
+});
+
+const CarOnRoad = memo(function CarOnRoad({ resultView, figures: { road } }: Omit<PartProps, "catalogue">) {
   return (
     <>
       <LazyPart fallback={<Skeleton h={167} radius={8} />}>
         <CarView resultView={simulatedPart(resultView)} />
       </LazyPart>
       {road && <RoadStrip template={road} resultView={resultView} />}
-      <PlotGrid templates={Object.values(others).filter(isRide)} resultView={resultView} />
-      <LazyPart fallback={<Skeleton h={400} radius={8} />}>
-        {meta && <StageLegend resultView={resultView} catalogue={catalogue} meta={meta} />}
-        <MemoTables
-          resultView={resultView.shown.source === "live" ? later : resultView}
-          catalogue={catalogue}
-          figures={figures}
-        />
-        <Requirements resultView={resultView} catalogue={catalogue} figures={figures} />
-      </LazyPart>
-      <PlotGrid templates={Object.values(others).filter((template) => !isRide(template))} resultView={resultView} />
-      <LazyPart>
-        <FrequencyPart {...{ resultView, catalogue }} />
-      </LazyPart>
+    </>
+  );
+});
+
+const Numbers = memo(function Numbers({ resultView, catalogue, figures }: PartProps) {
+  const meta = Object.values(figures)[0]?.layout.meta;
+  return (
+    <LazyPart fallback={<Skeleton h={400} radius={8} />}>
+      {meta && <StageLegend resultView={resultView} catalogue={catalogue} meta={meta} />}
+      <Tables resultView={resultView} catalogue={catalogue} figures={figures} />
+      <Requirements resultView={resultView} catalogue={catalogue} figures={figures} />
+    </LazyPart>
+  );
+});
+
+const Responses = memo(function Responses({ resultView, catalogue }: Omit<PartProps, "figures">) {
+  return (
+    <LazyPart>
+      <FrequencyPart {...{ resultView, catalogue }} />
+    </LazyPart>
+  );
+});
+
+interface HistoriesProps extends PartProps {
+  readonly calm: ResultView;
+}
+
+function Histories({ resultView, calm, catalogue, figures }: HistoriesProps) {
+  const [ride, rest] = useMemo(() => {
+    const drawn = Object.entries(figures).flatMap(([name, template]) => (name === "road" ? [] : [template]));
+    const isRide = ({ layout }: FigureTemplate) => catalogue.paper_signals.includes(layout.meta.signal);
+    return [drawn.filter(isRide), drawn.filter((template) => !isRide(template))];
+  }, [catalogue, figures]);
+  return (
+    <>
+      <CarOnRoad resultView={calm} figures={figures} />
+      <PlotGrid templates={ride} resultView={resultView} />
+      <Numbers resultView={calm} catalogue={catalogue} figures={figures} />
+      <PlotGrid templates={rest} resultView={resultView} />
+      <Responses resultView={calm} catalogue={catalogue} />
     </>
   );
 }
