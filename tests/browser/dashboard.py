@@ -13,7 +13,7 @@ HANG_TIMEOUT_MS = 1000 * HANG_TIMEOUT
 LAPTOP: ViewportSize = {"width": 1440, "height": 900}
 Scheme = Literal["light", "dark"]
 # In the dark other colours are all that can be wrong beside.
-RULES: dict[Scheme, list[str]] = {"light": ["wcag2a", "wcag2aa", "wcag21aa"], "dark": ["color-contrast"]}
+RULES: dict[Scheme, list[str]] = {"light": ["wcag2a", "wcag2aa", "wcag21aa", "wcag22aa"], "dark": ["color-contrast"]}
 # Of a whole page: what somebody who does not see it goes by.
 STRUCTURE = ["heading-order", "landmark-unique", "landmark-no-duplicate-main", "landmark-one-main"]
 REFUSE_COPYING = """

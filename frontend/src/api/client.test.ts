@@ -3,7 +3,15 @@ import { readRun } from "./client";
 import type { RoadsAnswer, RunAnswer } from "./types";
 
 const interval = (mean: number) => ({ mean, low: mean - 1, high: mean + 1 });
-const drive = { compute_ms: 1, events: {}, reference: {}, stages: [], travel_time: 9, arrival_speed_kmh: 30 };
+const drive = {
+  compute_ms: 1,
+  events: {},
+  reference: {},
+  source: null,
+  stages: [],
+  travel_time: 9,
+  arrival_speed_kmh: 30,
+};
 
 test("a run over several roads reads as its means, with the intervals beside", () => {
   const answer: RoadsAnswer = {

@@ -1,7 +1,8 @@
 /** Runs, links and curves: what the page reads in another form than the server answers. */
 
-import { decodeBand, decodeLive, decodeSeries } from "./decode";
+import { decodeBand, decodeSeries } from "./decode";
 import { ask, askFile } from "./http";
+import { decodeLive } from "./live";
 import type {
   Link,
   LiveRequest,

@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { decodeArray, decodeBand, decodeLive, decodeSeries, isExtreme, maximumOf, minimumOf } from "./decode";
+import { decodeArray, decodeBand, decodeSeries, isExtreme, maximumOf, minimumOf } from "./decode";
+import { decodeLive } from "./live";
 
 const encode = (array: Float32Array) =>
   btoa(String.fromCharCode(...new Uint8Array(array.buffer, array.byteOffset, array.byteLength)));

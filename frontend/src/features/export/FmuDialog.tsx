@@ -10,7 +10,7 @@ import { labelled } from "../../ui/Entry";
 import { Fault } from "../../ui/Fault";
 import { saveAs } from "./useController";
 
-const VEHICLE = "vehicle";
+const VEHICLE = "vehicle" as const;
 const VERSIONS = ["2.0", "3.0"] as const;
 
 interface Props {
@@ -22,7 +22,7 @@ interface Props {
 }
 
 export function FmuDialog({ strategies, first, scenario, onClose }: Props) {
-  const [what, setWhat] = useState(first ?? VEHICLE);
+  const [what, setWhat] = useState<string>(first ?? VEHICLE);
   const [version, setVersion] = useState<NonNullable<FmuRequest["version"]>>("2.0");
   const file = useMutation({
     mutationFn: () => {

@@ -29,6 +29,7 @@ const summary = (peak: number, reached: boolean, weighted = 1): Summary => ({
   travel_time: 12,
   arrival_speed_kmh: 22,
   reference: {},
+  source: null,
   stages: [],
   metrics: { bump: { body_acceleration: { rms: 1, peak } } },
   comfort: { weighted_rms: weighted },

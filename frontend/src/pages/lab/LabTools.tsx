@@ -13,7 +13,9 @@ import { useLabContext, useLab } from "../../lab/context";
 import { hasInvalidInput } from "../../lab/labState";
 import { revealed } from "../../lab/reveal";
 import { sweepFields } from "../../scenario/fields";
-import { useFigures, useForm, usePresets, useStrategies } from "../../server/useCatalogues";
+import { optionTitle } from "../../scenario/schema";
+import { useLabStrategies } from "../../lab/recordings";
+import { useFigures, useForm, usePresets } from "../../server/useCatalogues";
 import { useSelected } from "./StrategyChoice";
 import { useEffect } from "react";
 
@@ -42,7 +44,7 @@ const CAR_SIGNALS = ["rear_road"];
 /** What can be done to the lab's scenario, and what of it is found by name. */
 export function LabActions() {
   const { lab } = useLabContext();
-  const [form, presets, strategies, figures] = [useForm(), usePresets(), useStrategies(), useFigures()];
+  const [form, presets, strategies, figures] = [useForm(), usePresets(), useLabStrategies(), useFigures()];
   useEffect(() => {
     const drawn = Object.values(figures).flatMap(({ data }) => data.map(({ meta }) => meta.signal));
     lab.configure(form, [...new Set([...drawn, ...CAR_SIGNALS])]);
@@ -70,7 +72,7 @@ export function LabActions() {
     ...sweepFields(form).map(({ title, section, leaf }): PaletteEntry => ({
       group: "Fields",
       label: title,
-      description: section,
+      description: `${section}${leaf.kind === "choice" ? `: ${leaf.options.map(optionTitle).join(", ").toLowerCase()}` : ""}`,
       run: () => revealed.set(leaf.pointer),
     })),
   ]);

@@ -128,6 +128,10 @@ describe("a plot of many points", () => {
       dash: "solid",
       reads: [],
       one_road_resolution: {},
+      fault: null,
+      options: {},
+      own: false,
+      source: null,
     },
     {
       id: "passive",
@@ -138,6 +142,10 @@ describe("a plot of many points", () => {
       dash: "dot",
       reads: [],
       one_road_resolution: {},
+      fault: null,
+      options: {},
+      own: false,
+      source: null,
     },
   ];
   const x = { name: "road.bump.height", title: "Height", unit: "m", linked_to: null };
