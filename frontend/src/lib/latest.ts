@@ -14,7 +14,12 @@ interface Handlers<Input, Answer> {
   readonly most?: number;
 }
 
-export function createLatest<Input, Answer>({ run, onAnswer, onError, most = 1 }: Handlers<Input, Answer>): Latest<Input> {
+export function createLatest<Input, Answer>({
+  run,
+  onAnswer,
+  onError,
+  most = 1,
+}: Handlers<Input, Answer>): Latest<Input> {
   /** The oldest first. */
   let running: readonly AbortController[] = [];
   let waiting: { readonly input: Input } | null = null;
