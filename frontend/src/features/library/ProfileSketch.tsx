@@ -29,7 +29,10 @@ export function ProfileSketch({ label, distance, tracks, marks = [] }: Props) {
   const x = (place: number) => ((place - from) / (to - from || 1)) * width;
   const y = (z: number) => HEIGHT - FOOT - ((z - low) / (high - low || 1)) * (HEIGHT - FOOT - HEAD);
   const path = (track: readonly number[]) =>
-    shown.map((index) => `${x(distance[index] ?? 0).toFixed(1)},${y(track[index] ?? low).toFixed(1)}`).join(" ");
+    shown
+      .filter((index) => Number.isFinite(track[index]))
+      .map((index) => `${x(distance[index] ?? 0).toFixed(1)},${y(track[index] ?? low).toFixed(1)}`)
+      .join(" ");
   return (
     <Box ref={ref} className={classes.profile} mih={HEIGHT}>
       {width > 0 && heights.length > 1 && (
