@@ -8,15 +8,16 @@ import multiprocessing
 import os
 import resource
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, get_args
+from typing import Any, cast, get_args
 
 for _name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
     os.environ.setdefault(_name, "1")
 
 import numpy as np  # noqa: E402 - after the thread limits
 from pydantic import BaseModel, ValidationError  # noqa: E402 - after the thread limits
+from pydantic.fields import FieldInfo  # noqa: E402 - after the thread limits
 
 from backend.compute.processes import keep_freed_memory  # noqa: E402 - after the thread limits
 from backend.cost.affordable import simulate  # noqa: E402 - after the thread limits
@@ -29,6 +30,7 @@ from sim_core.scenario import Scenario  # noqa: E402 - after the thread limits
 from sim_core.strategies import STRATEGIES  # noqa: E402 - after the thread limits
 
 JUDGED, FITTED = 101, 2  # seeds of the draws: none is fitted that is judged
+Draw = Callable[[FieldInfo, np.random.Generator], Any]  # a value of a field
 QUANTILES = (0.0, 0.025, 0.25, 0.5, 0.75, 0.975, 1.0)
 FACTOR = 3.0
 
@@ -60,38 +62,46 @@ class Measured:
 _SOLVING = ("lv", "suspension_only")
 
 
-def drawn(seed: int, number: int, strategies: Sequence[str] = tuple(STRATEGIES)) -> tuple[Scenario, str]:
+def drawn(
+    seed: int, number: int, strategies: Sequence[str] = tuple(STRATEGIES), draw: Draw | None = None
+) -> tuple[Scenario, str]:
     """A scenario and a strategy, the same for the same numbers.
 
-    Each part is the paper's, or has every field anywhere on its slider.
+    Each part is the paper's, or has every field anywhere on its slider, or what else `draw` gives of a field.
     """
     rng = np.random.default_rng((seed, number))
+    draw = draw or on_slider
     while True:
-        parts = {key: _value(info, rng) for key, info in Scenario.model_fields.items() if rng.random() < 0.5}
+        parts = {key: _value(info, rng, draw) for key, info in Scenario.model_fields.items() if rng.random() < 0.5}
         try:
             return Scenario.model_validate(parts), str(rng.choice(strategies))
         except ValidationError:  # fields that contradict each other
             continue
 
 
-def _part(model: type[BaseModel], rng: np.random.Generator) -> dict[str, Any]:
-    return {key: _value(info, rng) for key, info in model.model_fields.items()}
+def _part(model: type[BaseModel], rng: np.random.Generator, draw: Draw) -> dict[str, Any]:
+    return {key: _value(info, rng, draw) for key, info in model.model_fields.items()}
 
 
-def _value(info: Any, rng: np.random.Generator) -> Any:
+def _value(info: FieldInfo, rng: np.random.Generator, draw: Draw) -> Any:
     if isinstance(info.annotation, type) and issubclass(info.annotation, BaseModel):
-        return _part(info.annotation, rng)
+        return _part(info.annotation, rng, draw)
+    return draw(info, rng)
+
+
+def on_slider(info: FieldInfo, rng: np.random.Generator) -> Any:
+    """A choice, or a number within the slider's range; the default of a field that has neither."""
     choices = get_args(info.annotation)
     if choices and all(isinstance(choice, str) for choice in choices):
         return str(rng.choice(choices))
-    if info.json_schema_extra is None:  # no slider: a measured road
+    if not isinstance(info.json_schema_extra, dict):  # no slider: a measured road
         return info.default
-    low, high = info.json_schema_extra["soft_range"]
+    low, high = cast(list[float], info.json_schema_extra["soft_range"])
     if "item_titles" in info.json_schema_extra:
         return tuple(rng.uniform(low, high, 3).tolist())
     if type(None) in choices and rng.random() < 0.5:
         return None
-    return int(rng.integers(low, high + 1)) if info.annotation is int else float(rng.uniform(low, high))
+    return int(rng.integers(int(low), int(high) + 1)) if info.annotation is int else float(rng.uniform(low, high))
 
 
 def measured(case: tuple[Scenario, str]) -> Measured:
@@ -135,11 +145,12 @@ def _processor_time() -> float:
 
 def measure(cases: Iterable[tuple[Scenario, str]], processes: int = 2) -> list[Measured]:
     """Measure all cases, in new processes that have built the ECU's program and imported every module."""
-    with multiprocessing.get_context("spawn").Pool(processes, initializer=_warm_up) as pool:
+    with multiprocessing.get_context("spawn").Pool(processes, initializer=warm_up) as pool:
         return list(pool.imap_unordered(measured, cases, chunksize=4))
 
 
-def _warm_up() -> None:
+def warm_up() -> None:
+    """Build and import what the first run of each kind otherwise would."""
     keep_freed_memory()  # as a worker does
     for name in STRATEGIES:
         simulate(Scenario(), name)
