@@ -53,7 +53,7 @@ RunId = Annotated[str, Path(alias="id", description=f"{RUN_ID_LENGTH} characters
 Axis = Annotated[Literal["position", "time"], Query(description="What is on the x axis")]
 Required = Annotated[
     str | None,
-    Query(description="What it is held to: a list of requirements as of `POST /runs`, as JSON", max_length=8000),
+    Query(description="What it is held to: a list of requirements as of `POST /runs`, as JSON", max_length=6000),
 ]
 CACHED_FOR_AN_HOUR = {"Cache-Control": "public, max-age=3600"}
 

@@ -72,7 +72,8 @@ class Summaries:
             TemporaryError: Too much is being read.
         """
         names = job.request["strategies"]
-        against = baseline or (robustness.BASELINE if robustness.BASELINE in names else names[0])
+        usual = robustness.BASELINE if robustness.BASELINE in names else names[0]
+        against = usual if baseline is None else baseline
         if against not in names:
             raise InvalidError(f"The batch has no such strategy; it has {', '.join(names)}", parameter="baseline")
         key, ended = (job.id, against, *figures), job.done + job.failed

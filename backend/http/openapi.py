@@ -216,6 +216,7 @@ def _name_strategies(name: str, field: JsonObject) -> None:
     if name in ("strategy", "baseline", "strategies") and not listed:
         for each in (field, field.get("items", {}), *field.get("anyOf", [])):
             if each.get("type") == "string" and "enum" not in each:
-                each["pattern"] = ID if name == "strategy" else STRATEGY_PATTERN  # perhaps of one that is there no more
+                simulated = name == "strategy" and "recording:" not in field.get("description", "")
+                each["pattern"] = ID if simulated else STRATEGY_PATTERN  # perhaps of one that is there no more
             elif each.get("type") == "object":
                 each["propertyNames"] = {"pattern": STRATEGY_PATTERN}

@@ -122,6 +122,8 @@ class LawDesign:
         require(inputs == _LAW_INPUTS + _DISTURBANCES * horizon and horizon >= 0, "Limits on everything the law knows")
         require(self.gain.shape == (_FORCES, inputs), "A gain for everything the law knows")
         norms = self._norms(horizon) if rows else (np.zeros(_LAW_INPUTS), np.zeros((0, 1 + _SIZES)))
+        for each in norms:
+            each.flags.writeable = False  # a law is shared by runs
         arrays = self.gain, self.limits, *norms
         object.__setattr__(self, "prepared", _prepare_law_design.prepare(rows, horizon, *arrays))
 
