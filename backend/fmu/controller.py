@@ -215,4 +215,4 @@ def _row(row: FloatArray) -> str:
     return f"{{{', '.join(map(repr, row.tolist()))}}}"
 
 
-assert len(_STATE) + 2 == LAW_INPUTS  # noqa: S101
+assert len(_STATE) + 2 == LAW_INPUTS  # noqa: S101 - two lists of one state

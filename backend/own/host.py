@@ -53,7 +53,7 @@ class Host:
             start_new_session=True,
         )
         assert self._process.stdin is not None  # noqa: S101 - both are pipes
-        assert self._process.stdout is not None  # noqa: S101
+        assert self._process.stdout is not None  # noqa: S101 - both are pipes
         self._tasks = Connection(os.dup(self._process.stdin.fileno()), readable=False)
         self._answers = Connection(os.dup(self._process.stdout.fileno()), writable=False)
         self._process.stdin.close()
@@ -90,7 +90,7 @@ class Host:
     def _receive(self, limit: float) -> Any:
         try:
             if self._answers.poll(limit):
-                return pickle.loads(self._answers.recv_bytes())  # noqa: S301 - from our own module
+                return pickle.loads(self._answers.recv_bytes())  # noqa: S301 - from a file that its operator trusts
         except (EOFError, OSError):
             raise ControllerFileError(f"{self._name}: {self._end()}") from None
         raise ControllerFileError(f"{self._name}: {_unended(limit - GRACE)}, and was ended")

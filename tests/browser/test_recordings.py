@@ -1,6 +1,6 @@
 """A recorded drive on the page: its columns are shown before it is sent, then it is one more strategy."""
 
-from playwright.sync_api import expect
+from playwright.sync_api import FilePayload, expect
 
 from sim_core import Scenario, simulate
 from tests.browser.dashboard import Dashboard
@@ -19,8 +19,8 @@ def test_a_recorded_drive_stands_beside_the_simulated_ones(dashboard: Dashboard)
     dashboard.open()
     page = dashboard.page
     page.get_by_role("button", name="Library").first.click()
-    file = {"name": "drive.csv", "mimeType": "text/csv", "buffer": recorded()}
-    page.get_by_label("Files for the library").set_input_files(file)  # type: ignore[arg-type]
+    file: FilePayload = {"name": "drive.csv", "mimeType": "text/csv", "buffer": recorded()}
+    page.get_by_label("Files for the library").set_input_files(file)
     dialog = page.get_by_role("dialog", name="Recorded drive “drive.csv”")
     expect(dialog.get_by_role("alert")).to_contain_text("No column is a signal to compare")
     expect(dialog.get_by_label("Signal of v [m/s]")).to_have_value("speed")

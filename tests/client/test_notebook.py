@@ -30,14 +30,14 @@ def test_a_run_is_drawn_by_plotly(ridelab: Ridelab, prepared: Prepared) -> None:
 
 
 def test_results_are_pickled_without_a_login() -> None:
-    ridelab = Ridelab("http://user:secret@example.test", token="also-secret")  # noqa: S106
+    ridelab = Ridelab("http://user:secret@example.test", token="also-secret")  # noqa: S106  # an example
     content = pickle.dumps(ridelab)
     assert b"secret" not in content
     assert pickle.loads(content).address == "http://example.test"  # noqa: S301  # our own
 
 
 def test_a_run_outlives_pickling(ridelab: Ridelab) -> None:
-    run = pickle.loads(pickle.dumps(ridelab.run(SHORT, ["lv", "passive"])))  # noqa: S301
+    run = pickle.loads(pickle.dumps(ridelab.run(SHORT, ["lv", "passive"])))  # noqa: S301  # our own
     assert run["lv"].figures()[PEAK] == ridelab.get_run(RUN)["lv"].figures()[PEAK]
 
 

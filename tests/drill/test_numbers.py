@@ -1,6 +1,6 @@
 """DRILL_SCENARIOS random cheap runs (100,000, by DRILL_SEED) over all hard limits, and a hundredth as many laws' runs.
 
-About three quarters of an hour of one core.
+About an hour of one core.
 """
 
 import os
@@ -23,9 +23,11 @@ def test_every_number_is_one_and_nothing_cheap_is_dear() -> None:
     found = attack(SEED, SCENARIOS)
     print(f"\nseed {SEED}: {found.ended} ended, {found.refused.total()} were refused: {dict(found.refused)}")
     ratios = np.quantile(found.ratios, [0.01, 0.5, 0.99, 1])
-    print(f"cost over estimate at 1, 50, 99, 100 %: {ratios.round(2).tolist()}; most {found.most:.2f} s")
+    print(
+        f"cost over estimate at 1, 50, 99, 100 %: {ratios.round(2).tolist()}; most {found.most:.2f} s: {found.most_of}"
+    )
     assert not found.not_finite, found.not_finite
-    assert found.most < BOUND
+    assert found.most < BOUND, found.most_of
 
 
 @pytest.mark.timeout(7200)

@@ -46,13 +46,14 @@ def numbers(result: StrategyResult) -> dict[str, float]:
 
 @dataclass
 class Count:
-    """What became of random runs: how many ended, were refused and why; whose numbers are none; cost over estimate."""
+    """What became of random runs: how many ended, were refused and why; whose numbers are none; their costs [s]."""
 
     ended: int = 0
     refused: Counter[str] = field(default_factory=Counter)
     not_finite: list[str] = field(default_factory=list)
     ratios: list[float] = field(default_factory=list)
     most: float = 0.0
+    most_of: str = ""
 
 
 def attack(seed: int, count: int) -> Count:
@@ -72,7 +73,11 @@ def attack(seed: int, count: int) -> Count:
         cost = time.process_time() - before
         counted.ended += 1
         counted.ratios.append(cost / expected)
-        counted.most = max(counted.most, cost)
+        if cost > counted.most:
+            counted.most, counted.most_of = (
+                cost,
+                f"seed {seed}, number {number}, {strategy}, estimated {expected:.3f} s",
+            )
         bad = [key for key, value in numbers(result).items() if not np.isfinite(value)]
         if bad:
             counted.not_finite.append(f"seed {seed}, number {number}, {strategy}: {', '.join(bad)}")
