@@ -16,9 +16,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from sqlalchemy import insert
 
 from backend.db import database, sqlite
 from backend.db.sqlite import DatabaseLockedError, DatabaseReplacedError, UnusableDatabaseError
+from backend.db.tables import runs
 from backend.settings import Settings
 from backend.store import Store
 from tests.api.conftest import serve
@@ -28,6 +30,7 @@ from tests.servers.process import HANG_TIMEOUT, ROOT
 
 WRITE, READ, READ_WRITE = "BEGIN IMMEDIATE", "BEGIN", "BEGIN EXCLUSIVE"
 SHORT = 0.4  # [s]
+NEWEST = max(file.name[1:5] for file in Path(ROOT, "backend/db/migrations/versions").glob("v*.py"))
 
 
 @pytest.fixture
@@ -92,6 +95,12 @@ def test_a_short_lock_fails_nothing(store: Store, path: Path, begin: str, monkey
         together(work)
 
 
+async def under_way(work: asyncio.Task[Any], begun: threading.Event) -> None:
+    while not begun.is_set():
+        assert not work.done(), work.exception()
+        await asyncio.sleep(0.01)
+
+
 def test_a_long_transaction_of_our_own_is_waited_for(store: Store) -> None:
     """It outgrows SQLite's cache, which once locked every reader out until it ended."""
     begun, may_end = threading.Event(), threading.Event()
@@ -99,20 +108,21 @@ def test_a_long_transaction_of_our_own_is_waited_for(store: Store) -> None:
     def long() -> None:
         with store.writing() as connection:
             for number in range(200):
-                connection.exec_driver_sql(
-                    "INSERT INTO runs VALUES (?, '1', 1, ?, 0, 1, NULL)", (str(number), "x" * 50_000)
-                )
+                large = {"core_version": "1", "schema_version": 1, "scenario": "x" * 50_000}
+                connection.execute(insert(runs).values(id=str(number), roads=1, baseline=None, **large))
             begun.set()
             assert may_end.wait(HANG_TIMEOUT)
 
     async def work() -> None:
         writer = asyncio.create_task(store.write(long))
-        await asyncio.to_thread(begun.wait)
+        await under_way(writer, begun)
         second = asyncio.create_task(store.write(save, store, "second", "b"))
-        assert await store.read(store.runs.load, "before") is not None
-        await asyncio.sleep(1.2)  # longer than a lock of another program is waited for
-        assert not second.done()
-        may_end.set()
+        try:
+            assert await store.read(store.runs.load, "before") is not None
+            await asyncio.sleep(1.2)  # longer than a lock of another program is waited for
+            assert not second.done()
+        finally:
+            may_end.set()
         await asyncio.gather(writer, second)
 
     together(work)
@@ -130,11 +140,13 @@ def test_a_commit_waits_for_a_long_reader_of_our_own(store: Store) -> None:
 
     async def work() -> None:
         reader = asyncio.create_task(store.read(long))
-        await asyncio.to_thread(begun.wait)
+        await under_way(reader, begun)
         writer = asyncio.create_task(store.write(save, store, "second", "b"))
-        await asyncio.sleep(1.5)  # longer than a lock of another program is waited for
-        assert await store.read(store.runs.load, "before") is not None
-        may_end.set()
+        try:
+            await asyncio.sleep(1.5)  # longer than a lock of another program is waited for
+            assert await store.read(store.runs.load, "before") is not None
+        finally:
+            may_end.set()
         await asyncio.gather(reader, writer)
 
     together(work)
@@ -210,7 +222,7 @@ def changed(path: Path, statement: str) -> None:
         (lambda path: path.write_bytes(b"no database at all" * 100), "it is no SQLite database"),
         (lambda path: path.write_bytes(b""), "is empty: put a backup in its place"),
         (damaged, "it is damaged; put a backup in its place"),
-        (newer, "is of a newer version of Ridelab (schema 9999, this one knows 0010)"),
+        (newer, f"is of a newer version of Ridelab (schema 9999, this one knows {NEWEST})"),
         (older, "is of a version of Ridelab before 0.2.0 (schema 0003): start 0.2.0 on it once"),
         (strange, "is another program's database"),
         (lambda path: (path.unlink(), path.mkdir()), "it cannot be opened"),
