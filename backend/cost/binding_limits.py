@@ -19,10 +19,11 @@ from sim_core.road.profile import REFERENCE_FREQUENCY
 from sim_core.scenario import Scenario
 from sim_core.strategies.suspension_only import SuspensionOnly
 
-MAX_ITERATIONS = 2000.0  # of a QP solver, for one QP
+MIN_ITERATIONS, MAX_ITERATIONS = 25.0, 2000.0  # of OSQP, for one QP: so often it looks whether it has solved it
 _MIN_ROUGHNESS = 1e-8  # of a road without any, as its logarithm is needed [m^3]
 _NO_SATURATION, _NO_RATE = 3e4, 5e6  # stand for an actuator without a limit [N, N/s]
 _LITTLE_NOISE = 1e-3  # of a previewed height [m]
+_MOST_TRAVEL_WEIGHT = 10.0  # that the coefficients were fitted to: the slider's end, beyond which they say nothing
 _SETTLING = 0.5  # the bump's effect lasts so long after it [s]
 
 # Coefficients of `limit_terms`, by cause. The sum of "force", "travel", "actuator" and "lqr" is the logarithm of the
@@ -99,7 +100,7 @@ def limit_terms(scenario: Scenario, strategy: type[Controller], time: float) -> 
             log(mpc.prediction_horizon),
             force_margin,
             log(mpc.deflection_limit / travel),
-            mpc.deflection_weight,
+            min(mpc.deflection_weight, _MOST_TRAVEL_WEIGHT),
             underdamping,
             *errors,
         ),
@@ -120,7 +121,7 @@ def combine(sums: Mapping[str, FloatArray], bump: FloatArray) -> tuple[FloatArra
     free = np.exp(-_exp(sums["force"]) - _exp(sums["travel"])) / (1 + _exp(sums["unstable"]))
     free = free * (1 - bump * odds / (1 + odds))
     limited = 1 - free * np.exp(-_exp(sums["actuator"]))
-    return limited, 1 - free, np.clip(_exp(sums["iterations"]), 10.0, MAX_ITERATIONS)
+    return limited, 1 - free, np.clip(_exp(sums["iterations"]), MIN_ITERATIONS, MAX_ITERATIONS)
 
 
 def bump_share(scenario: Scenario, time: float) -> float:
