@@ -142,7 +142,8 @@ def sqlite_engine(url: URL, file: DatabaseFile | None) -> Engine:
 
 def _set_up(connection: sqlite3.Connection, _: object) -> None:
     mode = "WAL" if wal_is_safe(sqlite3.sqlite_version_info) else "DELETE"
-    for pragma in (f"journal_mode={mode}", "synchronous=FULL", "foreign_keys=ON"):
+    # EXTRA: with the mode DELETE a power cut could bring the journal of a committed transaction back, which undoes it.
+    for pragma in (f"journal_mode={mode}", "synchronous=EXTRA", "foreign_keys=ON"):
         connection.execute(f"PRAGMA {pragma}").close()
     connection.create_function(SQLITE_FUNCTION, 0, _now)
 

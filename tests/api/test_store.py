@@ -233,7 +233,7 @@ def test_sqlite_is_set_up_for_durability(migrated_sqlite: Path, tmp_path: Path) 
     store = Store(f"sqlite:///{shutil.copy(migrated_sqlite, tmp_path)}")
     with contextlib.closing(store), store.engine.connect() as connection:
         assert connection.exec_driver_sql("PRAGMA journal_mode").scalar() == expected
-        assert connection.exec_driver_sql("PRAGMA synchronous").scalar() == 2, "FULL"
+        assert connection.exec_driver_sql("PRAGMA synchronous").scalar() == 3, "EXTRA"
         assert connection.exec_driver_sql("PRAGMA foreign_keys").scalar() == 1
 
 

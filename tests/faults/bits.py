@@ -36,7 +36,7 @@ def fill(path: Path) -> None:
         store.roads.save(MeasuredRoad.of(rng.normal(0, 0.01, 2000)))
         for number in range(RUNS):
             scenario = Scenario.model_validate({"road": {"seed": number + 1}})
-            outcomes = [_outcome(digest.result_key(scenario, name), name, rng) for name in STRATEGIES]
+            outcomes = [outcome(digest.result_key(scenario, name), name, rng) for name in STRATEGIES]
             run_id = digest.run_id(scenario, STRATEGIES)
             store.runs.save(
                 StoredRun(
@@ -54,7 +54,8 @@ def fill(path: Path) -> None:
         _tuning(store)
 
 
-def _outcome(key: str, strategy: str, rng: np.random.Generator) -> Outcome:
+def outcome(key: str, strategy: str, rng: np.random.Generator) -> Outcome:
+    """A result with sixty random numbers."""
     numbers = {f"metric_{index}": value for index, value in enumerate(rng.normal(0, 1, 60).tolist())}
     return Outcome(key=key, strategy=strategy, status="ok", json=orjson.dumps({"metrics": numbers}), compute_ms=5.0)
 
@@ -75,7 +76,7 @@ def _batch(store: Store, rng: np.random.Generator) -> None:
         for position, height in enumerate(heights)
     ]
     store.jobs.create(job, runs, "key")
-    store.job_runs.save(job.id, [_outcome(run.key, "lv", rng) for run in runs], "0.4.0")
+    store.job_runs.save(job.id, [outcome(run.key, "lv", rng) for run in runs], "0.4.0")
     store.jobs.finish(job.id)
 
 
