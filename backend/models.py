@@ -51,15 +51,15 @@ def _check_strategy(name: str) -> str:
 
 def _check_options(scenario: Scenario) -> Scenario:
     """What is sent anew has options of controllers that there are, with values that they take."""
-    known = strategies()
-    offered = [name for name, each in known.items() if each.options()]
-    for controller, given in scenario.own.controllers.items():
+    by_id = strategies()
+    offered = [name for name, each in by_id.items() if each.options()]
+    for controller, options in scenario.own.controllers.items():
         if controller not in offered:
             raise at(f"{dotted.OWN}{controller}", unknown_name("controller with options", controller, offered))
-        for option, value in given.items():
+        for option, value in options.items():
             name = f"{dotted.OWN}{controller}.{option}"
-            if option not in known[controller].options():
-                raise at(name, unknown_name("option", option, list(known[controller].options())))
+            if option not in by_id[controller].options():
+                raise at(name, unknown_name("option", option, list(by_id[controller].options())))
             try:
                 dotted.field(name).checked(value)
             except RidelabError as error:

@@ -71,12 +71,12 @@ def run(data: dict[str, Array]) -> PlainRun:
     begin = process_time()
     problems = [OsqpStage(data, stage) for stage in STAGES]
     A, B, E, C, D, F = (data[f"plant_{name}"] for name in "ABECDF")
-    ahead, disturbance, limit = data["road_ahead"], data["disturbance"], float(data["force_limit"])
-    horizon = ahead.shape[1] - len(disturbance) + 1
+    road_preview, disturbance, limit = data["road_ahead"], data["disturbance"], float(data["force_limit"])
+    horizon = road_preview.shape[1] - len(disturbance) + 1
 
     x, u, unsolved, outputs = np.zeros(8), np.zeros(2), 0, []
     for k, stage in enumerate(data["stages"].astype(int)):
-        u, solved = problems[stage].force(np.concatenate([x, u, ahead[:, k : k + horizon].ravel()]))
+        u, solved = problems[stage].force(np.concatenate([x, u, road_preview[:, k : k + horizon].ravel()]))
         u = np.clip(u, -limit, limit)
         unsolved += not solved
         for w in disturbance[k]:

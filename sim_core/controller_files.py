@@ -76,11 +76,11 @@ def load_controllers(file: str | Path) -> Controllers:
         (['nothing'], 0)
     """
     path = Path(file).absolute()
-    known = _loaded.get(path)
-    if known is None or known.signature != signature(path, files_of(known.controllers)):
+    loaded = _loaded.get(path)
+    if loaded is None or loaded.signature != signature(path, files_of(loaded.controllers)):
         controllers = LOADERS.get(path.suffix, _run)(path)
-        known = _loaded[path] = _Loaded(signature=signature(path, files_of(controllers)), controllers=controllers)
-    return dict(known.controllers)
+        loaded = _loaded[path] = _Loaded(signature=signature(path, files_of(controllers)), controllers=controllers)
+    return dict(loaded.controllers)
 
 
 def named_controllers() -> Controllers:

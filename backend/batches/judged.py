@@ -50,11 +50,11 @@ class JudgedRuns:
                 if row.strategy not in driven or waits:
                     counts["unfinished"] += 1
                     continue
-                kept = judged(requirement, row.strategy, driven, base)
-                counts[kept.result] += 1
-                worst = "fail" if "fail" in (worst, kept.result) else kept.result
-                if kept.result == "fail":
-                    place = FirstFailure(run=row.position, value=kept.value, at=orjson.loads(row.changes))
+                result = judged(requirement, row.strategy, driven, base)
+                counts[result.result] += 1
+                worst = "fail" if "fail" in (worst, result.result) else result.result
+                if result.result == "fail":
+                    place = FirstFailure(run=row.position, value=result.value, at=orjson.loads(row.changes))
                     self._first.setdefault((index, row.strategy), place)
             self._runs.append(worst)
 

@@ -71,10 +71,10 @@ def sweep(ranges: Mapping[str, Sequence[float]], samples: int, seed: int) -> Jso
 
 def fields_read(strategy: str, fields: Sequence[str], scenario: JsonObject) -> list[str]:
     """The fields that can change the strategy's result; preview errors only where it has preview."""
-    known = strategies()
-    if strategy not in known:  # another version's, or a file's that is gone
+    offered = strategies()
+    if strategy not in offered:  # another version's, or a file's that is gone
         return list(fields)
-    parts = reads(known[strategy], str(dotted.value(scenario, "speed.policy")))
+    parts = reads(offered[strategy], str(dotted.value(scenario, "speed.policy")))
     named = [name for name in fields if any(name == part or name.startswith(f"{part}.") for part in parts)]
     whose = "lqr.preview" if strategy == "lqr" else "mpc.preview"
     preview = "lookahead" if whose in fields else dotted.value(scenario, whose)

@@ -76,11 +76,11 @@ class BatchService:
 
         It is refused where `create` refuses it.
         """
-        names, given = ordered(strategies), scenario
+        names, sent_scenario = ordered(strategies), scenario
         scenario = await self._roads.with_length(scenario)
         base = scenario.model_dump(mode="json")
         roads = await self._named_roads(base, _sent(sweep))
-        lengths = _lengths(given, roads)
+        lengths = _lengths(sent_scenario, roads)
         planned = await self._planned(base, names, sweep, lengths, client)
         cost = plan.PILOTS * len(names) * min(plan.PILOT_LIMIT, planned.max_run_cost)
         with self._gate.hold(client, requests=1, background_cost=cost):
@@ -132,7 +132,7 @@ class BatchService:
             CostLimitError: It is over a limit.
             TemporaryError: Too much is waiting.
         """
-        names, sent, given = ordered(strategies), _sent(sweep), scenario
+        names, sent, sent_scenario = ordered(strategies), _sent(sweep), scenario
         scenario = await self._roads.with_length(scenario)
         base = scenario.model_dump(mode="json")
         held: JsonObject = {}
@@ -143,7 +143,7 @@ class BatchService:
         existing = await self.jobs.existing(key, hashed)
         if existing is not None:
             return existing
-        lengths = _lengths(given, await self._named_roads(base, sent))
+        lengths = _lengths(sent_scenario, await self._named_roads(base, sent))
         self.jobs.check_runs(size(sweep) * len(names))
         await self.jobs.check_room()
         planned = await self._planned(base, names, sweep, lengths, client)

@@ -7,7 +7,7 @@ from typing import Literal
 from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
-from backend.own.registry import Found
+from backend.own.registry import ControllerSource
 from sim_core.scenario import Scenario
 from sim_core.scenario.measured import MeasuredRoad
 
@@ -29,7 +29,7 @@ class Chunk:
         budget: After so long no further run of it is begun [s].
         timeout: The whole chunk may take so long [s].
         priority: Those of the highest come first.
-        controllers: Those of one's own that there are (`backend.own.found`).
+        controllers: Those of one's own that there are (`backend.own.controller_sources`).
     """
 
     compute: ComputeRun
@@ -42,7 +42,7 @@ class Chunk:
     budget: float
     timeout: float
     priority: int = 0
-    controllers: tuple[Found, ...] = ()
+    controllers: tuple[ControllerSource, ...] = ()
 
 
 Trouble = Literal["lost", "busy", "timeout", "misfit", "bug"]

@@ -91,7 +91,7 @@ def call_and_measure(function: Callable[..., T], args: tuple[Any, ...], controll
     Args:
         function: What to call.
         args: Its arguments.
-        controllers: Those of one's own that there are (`backend.own.found`).
+        controllers: Those of one's own that there are (`backend.own.controller_sources`).
 
     Raises:
         CalledOffError: By INTERRUPT, between two steps of Python; the process is well and its caches are empty.

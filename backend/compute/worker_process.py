@@ -93,7 +93,7 @@ class WorkerProcess:
         """
         from backend import own  # takes the core, which the service imports beside its first worker
 
-        task = self._schedule(processes.call_and_measure, (function, args, own.found()), timeout)
+        task = self._schedule(processes.call_and_measure, (function, args, own.controller_sources()), timeout)
         result: tuple[T, int] = await self._result(task, timeout)
         return result
 

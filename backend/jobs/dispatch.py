@@ -116,7 +116,7 @@ class Dispatch:
             budget=CHUNK_BUDGET,
             timeout=self._timeout,
             priority=priority,
-            controllers=own.found(),
+            controllers=own.controller_sources(),
         )
 
     async def _roads(self, job: StoredJob, runs: Sequence[JobRun]) -> dict[str, MeasuredRoad]:

@@ -26,7 +26,12 @@ from sim_core.strategies import strategies as known_strategies
 def schema() -> bytes:
     """JSON Schema of the scenario, with the options of controllers of one's own that there are, and its version."""
     plain = _scenario_schema()
-    parts = {f"{dotted.OWN}{each.id}": each for found in own.found() for each in found.descriptions if each.options}
+    parts = {
+        f"{dotted.OWN}{each.id}": each
+        for source in own.controller_sources()
+        for each in source.descriptions
+        if each.options
+    }
     options = {"properties": {each.id: {"$ref": f"#/$defs/{name}"} for name, each in parts.items()}}
     of_each = {
         name: {"title": each.label, "description": each.text, **_options(each.options)} for name, each in parts.items()
@@ -80,9 +85,9 @@ def _origin(name: str) -> JsonObject:
     origin = own.origin(name)
     if origin is None:
         return {"own": False, "source": None, "options": _options({}), "fault": None}
-    found, description = origin
-    source = {"file": found.name, "digest": description.digest}
-    return {"own": True, "source": source, "options": _options(description.options), "fault": found.fault}
+    controller_source, description = origin
+    source = {"file": controller_source.name, "digest": description.digest}
+    return {"own": True, "source": source, "options": _options(description.options), "fault": controller_source.fault}
 
 
 def _options(options: Mapping[str, JsonObject]) -> JsonObject:

@@ -8,8 +8,8 @@ controllers and drives them. Everywhere else a stand-in with the same fields tak
 from backend.own.registry import (
     adopt,
     close,
+    controller_sources,
     faults,
-    found,
     is_own,
     isolated,
     origin,
@@ -17,4 +17,4 @@ from backend.own.registry import (
     stale,
 )
 
-__all__ = ["adopt", "close", "faults", "found", "is_own", "isolated", "origin", "refresh", "stale"]
+__all__ = ["adopt", "close", "controller_sources", "faults", "is_own", "isolated", "origin", "refresh", "stale"]

@@ -68,7 +68,7 @@ def described(controller: type[Controller]) -> Description:
     wrong = declaration_faults(controller)
     if wrong:
         raise ControllerFileError(f"{file}, class {controller.__name__}: {'; '.join(wrong)}")
-    ahead = ("preview", "prediction_horizon")
+    preview_options = ("preview", "prediction_horizon")
     return Description(
         id=controller.id,
         label=" ".join(controller.label.split())[:LONGEST_LABEL],
@@ -78,7 +78,7 @@ def described(controller: type[Controller]) -> Description:
         actuated=bool(controller.actuated),
         delayed=bool(controller.delayed),
         linear=controller.linear_law is not Controller.linear_law,
-        fixed={name: getattr(controller, name) for name in ahead if name not in controller.declared},
+        fixed={name: getattr(controller, name) for name in preview_options if name not in controller.declared},
         declared=dict(controller.declared),
         options={name: _schema(controller, name, each) for name, each in controller.options().items()},
         files=tuple(controller.files),

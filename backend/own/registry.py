@@ -27,7 +27,7 @@ AT_ONCE = 4  # files described at once
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Found:
+class ControllerSource:
     """What one source has.
 
     Attributes:
@@ -50,26 +50,26 @@ class Found:
         return self.source if self.source.startswith(INSTALLED) else Path(self.source).name
 
 
-_found: tuple[Found, ...] = ()
-_of: dict[str, tuple[Found, Description]] = {}  # by a controller's id
+_sources: tuple[ControllerSource, ...] = ()
+_of: dict[str, tuple[ControllerSource, Description]] = {}  # by a controller's id
 _controllers: dict[str, type[Controller]] = {}
 _hosts: OrderedDict[str, tuple[str, Host]] = OrderedDict()  # digest and host, by source; the last used is last
 _describing: set[Host] = set()
 _refreshing = threading.Lock()
 
 
-def found() -> tuple[Found, ...]:
+def controller_sources() -> tuple[ControllerSource, ...]:
     """What there is, as it is told to workers."""
-    return _found
+    return _sources
 
 
-def adopt(sources: tuple[Found, ...]) -> None:
+def adopt(sources: tuple[ControllerSource, ...]) -> None:
     """Take this as what there is."""
-    global _found, _of, _controllers
+    global _sources, _of, _controllers
     controller_files.use(lambda: _controllers)  # this process loads no file itself
-    if sources == _found:
+    if sources == _sources:
         return
-    _found = sources
+    _sources = sources
     _of = {each.id: (source, each) for source in sources for each in source.descriptions}
     _controllers = {name: stand_in(each) for name, (_, each) in _of.items()}
 
@@ -79,20 +79,20 @@ def is_own(name: str) -> bool:
     return name in _of
 
 
-def origin(name: str) -> tuple[Found, Description] | None:
+def origin(name: str) -> tuple[ControllerSource, Description] | None:
     """Where a controller comes from; None for one of ours."""
     return _of.get(name)
 
 
 def faults() -> dict[str, str]:
     """By file name why it cannot be used."""
-    return {each.name: each.fault for each in _found if each.fault is not None}
+    return {each.name: each.fault for each in _sources if each.fault is not None}
 
 
 def stale() -> bool:
     """Whether a file has come, gone or changed since `refresh`."""
-    return [each.source for each in _found] != controller_files.sources() or any(
-        _signature(each.source, each.descriptions) != each.signature for each in _found
+    return [each.source for each in _sources] != controller_files.sources() or any(
+        _signature(each.source, each.descriptions) != each.signature for each in _sources
     )
 
 
@@ -103,12 +103,12 @@ def refresh(limit: float) -> None:
         limit: A run of a controller may take so long [s].
     """
     with _refreshing:
-        known = {each.source: each for each in _found}
+        before = {each.source: each for each in _sources}
         with ThreadPoolExecutor(AT_ONCE) as pool:
-            sources = pool.map(lambda each: _look(each, known.get(each), limit), controller_files.sources())
+            sources = pool.map(lambda each: _look(each, before.get(each), limit), controller_files.sources())
             adopt(_each_id_once(sources))
-        for each in _found:
-            if each.fault is not None and known.get(each.source) != each:
+        for each in _sources:
+            if each.fault is not None and before.get(each.source) != each:
                 logger.warning("A controller file cannot be used: %s", each.fault)
 
 
@@ -144,7 +144,7 @@ def close() -> None:
         host.close()
 
 
-def _loaded(source: Found, description: Description) -> Host:
+def _loaded(source: ControllerSource, description: Description) -> Host:
     """A host that has loaded the file, which has to be as it was described."""
     host = Host(_here(source.source))
     loaded = host.call(_descriptions, limit=LOADING)
@@ -165,11 +165,11 @@ def _descriptions() -> tuple[Description, ...]:
     return tuple(map(described, controller_files.named_controllers().values()))
 
 
-def _look(source: str, known: Found | None, limit: float) -> Found:
-    before = () if known is None else known.descriptions
+def _look(source: str, last: ControllerSource | None, limit: float) -> ControllerSource:
+    before = () if last is None else last.descriptions
     signature = _signature(source, before)
-    if known is not None and signature == known.signature:
-        return replace(known, limit=limit)
+    if last is not None and signature == last.signature:
+        return replace(last, limit=limit)
     host = Host(source)
     _describing.add(host)
     try:
@@ -184,7 +184,7 @@ def _look(source: str, known: Found | None, limit: float) -> Found:
     finally:
         _describing.discard(host)
         host.close()
-    return Found(source=source, signature=signature, descriptions=descriptions, fault=fault, limit=limit)
+    return ControllerSource(source=source, signature=signature, descriptions=descriptions, fault=fault, limit=limit)
 
 
 def _signature(source: str, descriptions: tuple[Description, ...]) -> Signature | None:
@@ -210,7 +210,7 @@ def _unknown(source: str, digest: str) -> Description:
     )
 
 
-def _each_id_once(sources: Any) -> tuple[Found, ...]:
+def _each_id_once(sources: Any) -> tuple[ControllerSource, ...]:
     """The sources, of which one without an id of its own for each controller has a fault in its place."""
     taken: dict[str, str] = dict.fromkeys(STRATEGIES, "Ridelab")
     unique = []

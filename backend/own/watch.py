@@ -2,7 +2,7 @@
 
 import asyncio
 
-from backend.own.registry import adopt, close, found, refresh, stale
+from backend.own.registry import adopt, close, controller_sources, refresh, stale
 
 WAIT = 10.0  # a request waits so long for files that have changed; one that never ends holds nobody up for longer [s]
 
@@ -16,7 +16,7 @@ class Watch:
 
     def __init__(self, limit: float) -> None:
         self._limit = limit
-        adopt(found())  # from here on this process loads no file itself
+        adopt(controller_sources())  # from here on this process loads no file itself
         self._looking: asyncio.Task[None] | None = None
 
     def begin(self) -> None:

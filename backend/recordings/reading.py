@@ -81,10 +81,10 @@ def read(content: bytes, mapping: Mapping[str, str]) -> Reading:
     used = [column for column in columns if column.signal is not None]
     _check_signals(used, number)
     labels = {column.index: column.name for column in used}
-    found = list(csv_lines.numbers(lines, between, len(names), wanted=labels, empty=np.nan))
-    if len(found) < LEAST_SAMPLES:
-        raise CsvError(f"A recording has {LEAST_SAMPLES} samples at least", found[-1][0] if found else number)
-    numbers, table = [line for line, _ in found], np.array([row for _, row in found]).T
+    rows = list(csv_lines.numbers(lines, between, len(names), wanted=labels, empty=np.nan))
+    if len(rows) < LEAST_SAMPLES:
+        raise CsvError(f"A recording has {LEAST_SAMPLES} samples at least", rows[-1][0] if rows else number)
+    numbers, table = [line for line, _ in rows], np.array([row for _, row in rows]).T
     signals = {str(each.signal): row * each.scale for each, row in zip(used, table, strict=True)}
     _check(signals, numbers)
     left_out = [column.name or f"column {column.index + 1}" for column in columns if column.signal is None]
@@ -224,10 +224,18 @@ def _filled(signals: dict[str, FloatArray], warnings: list[str]) -> dict[str, Fl
                 warnings.append(f"{SIGNALS[key].label} has no values")
             filled[key] = values
             continue
-        known, longest = at[there], FILLED_STEPS * float(np.median(np.diff(at[there]))) if len(there) > 1 else 0.0
-        following = np.clip(np.searchsorted(known, at), 1, len(known) - 1) if len(there) > 1 else np.zeros(1, np.int64)
-        within = (at >= known[0]) & (at <= known[-1]) & (known[following] - known[following - 1] <= longest)
-        filled[key] = np.where(within & np.isnan(values), np.interp(at, known, values[there]), values)
+        samples_at, longest = at[there], FILLED_STEPS * float(np.median(np.diff(at[there]))) if len(there) > 1 else 0.0
+        following = (
+            np.clip(np.searchsorted(samples_at, at), 1, len(samples_at) - 1)
+            if len(there) > 1
+            else np.zeros(1, np.int64)
+        )
+        within = (
+            (at >= samples_at[0])
+            & (at <= samples_at[-1])
+            & (samples_at[following] - samples_at[following - 1] <= longest)
+        )
+        filled[key] = np.where(within & np.isnan(values), np.interp(at, samples_at, values[there]), values)
         for count, what in (
             (_count(np.isnan(values) & within), "lie between its own values, straight"),
             (_count(np.isnan(filled[key])), "are missing: so are its metrics there"),

@@ -102,8 +102,8 @@ class Recordings:
         Raises:
             InvalidError: One is not there.
         """
-        found = await self.named(strategies)
-        return scenario.with_recordings(found.values()) if found else scenario
+        drives = await self.named(strategies)
+        return scenario.with_recordings(drives.values()) if drives else scenario
 
     async def named(self, strategies: Iterable[str]) -> Mapping[str, RecordedDrive]:
         """The recordings among these strategies, by id.
@@ -112,10 +112,10 @@ class Recordings:
             InvalidError: One is not there.
         """
         wanted = {each for name in strategies if (each := recording_id(name)) is not None}
-        found: dict[str, RecordedDrive] = await self._store.read(self._store.recordings.load, wanted) if wanted else {}
-        if wanted - found.keys():
+        drives: dict[str, RecordedDrive] = await self._store.read(self._store.recordings.load, wanted) if wanted else {}
+        if wanted - drives.keys():
             raise InvalidError("There is no recording of this id.", kind="unknown", pointer="/strategies")
-        return found
+        return drives
 
 
 def head_of(drive: RecordedDrive) -> dict[str, Any]:

@@ -85,8 +85,8 @@ def _entry(header: Header, section: str, line: str) -> None:
     name = name.strip().lower()
     if not equals or section not in ("$road_crg", "$road_crg_mods", "$road_crg_opts"):
         return
-    found = NUMBER.match(text)
-    value = float(found[1].lower().replace("d", "e")) if found else math.nan
+    number = NUMBER.match(text)
+    value = float(number[1].lower().replace("d", "e")) if number else math.nan
     if not abs(value) <= MAX_NUMBER:
         raise SurveyError(f"{name} is not a number", header.line)
     if section == "$road_crg_mods":

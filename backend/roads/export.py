@@ -27,8 +27,8 @@ def as_csv(road: MeasuredRoad) -> bytes:
 
 def exported_id(text: str) -> str | None:
     """The id of the road in a file that `as_csv` has written; None for any other file."""
-    found = _EXPORTED.match(text)
-    return found and found[1]
+    match = _EXPORTED.match(text)
+    return match and match[1]
 
 
 def unchanged(road_id: str, distance: FloatArray, heights: FloatArray) -> MeasuredRoad | None:

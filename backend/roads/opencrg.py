@@ -81,8 +81,8 @@ def _wheels(header: Header, v: FloatArray, left: float | None, right: float | No
     """Where the two wheels run, v [m]."""
     wheels = (min(TRACK, float(v[-1])) if left is None else left, max(-TRACK, float(v[0])) if right is None else right)
     if not v[0] - 1e-9 <= wheels[1] < wheels[0] <= v[-1] + 1e-9:
-        reach = f"from {v[0]:g} m right to {v[-1]:g} m left"
-        raise SurveyError(f"The wheels' places, right below left, are within the road: v {reach}", None)
+        span = f"from {v[0]:g} m right to {v[-1]:g} m left"
+        raise SurveyError(f"The wheels' places, right below left, are within the road: v {span}", None)
     header.notes.append(f"Wheels run {wheels[0]:g} m left of the reference line and {-wheels[1]:g} m right of it")
     return wheels
 
@@ -115,14 +115,14 @@ def _text_values(header: Header, content: bytes) -> FloatArray:
     if not pieces or len(pieces) % len(lengths):
         raise SurveyError("The file ends within a cross-section", number)
     plain = np.frombuffer(bytearray(b"".join(pieces)), dtype=np.uint8).reshape(-1, width)
-    given = _DIGITS[plain].all(axis=1)
+    is_number = _DIGITS[plain].all(axis=1)
     cells = plain.view(f"S{width}").ravel()
     values = np.where(cells == b"**unused**", 0.0, np.nan)
     plain[(plain | 32) == ord("d")] = ord("e")  # Fortran's exponent
     try:
-        values[given] = cells[given].astype(np.float64)
+        values[is_number] = cells[is_number].astype(np.float64)
     except ValueError:
-        index = next(index for index in np.flatnonzero(given) if not _is_number(cells[index]))
+        index = next(index for index in np.flatnonzero(is_number) if not _is_number(cells[index]))
         said = f"A value of cross-section {index // header.channels + 1} is not a number"
         raise SurveyError(said, None) from None
     return _complete(header, values.reshape(-1, header.channels))

@@ -130,5 +130,5 @@ class RunCurves:
             )
             raise InvalidError(message, parameter="baseline")
         units = {key: SIGNALS[key].unit for key in deviations.COMPARED}
-        found = await asyncio.to_thread(deviations.deviations, series, baseline)
-        return Deviations(baseline=baseline, units=units, strategies=found)
+        by_strategy = await asyncio.to_thread(deviations.deviations, series, baseline)
+        return Deviations(baseline=baseline, units=units, strategies=by_strategy)

@@ -104,8 +104,8 @@ def label(strategy: str) -> str:
     """What a strategy or a recording is called; its id where it is there no more."""
     if (recording := recording_id(strategy)) is not None:
         return f"Recording {recording[:6]}"
-    known = strategies().get(strategy)
-    return strategy if known is None else known.label
+    entry = strategies().get(strategy)
+    return strategy if entry is None else entry.label
 
 
 def style_of(strategy: str) -> Style:
@@ -133,8 +133,8 @@ def filled(name: str, outcomes: Mapping[str, Outcome], axis: str) -> JsonObject:
         axis: `position` or `time`, for x.
     """
     members = {name: outcome.series for name, outcome in outcomes.items() if outcome.series is not None}
-    known = {name: each.label for name, each in strategies().items()}
-    labels = {**known, **{name: label(name) for name in members if name not in known}}
+    offered = {name: each.label for name, each in strategies().items()}
+    labels = {**offered, **{name: label(name) for name in members if name not in offered}}
     panel = PANELS[name]
     template = _template(panel, tuple(labels.items()))
     summaries = {name: outcomes[name].summary for name in members}

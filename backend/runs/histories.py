@@ -169,8 +169,8 @@ class Histories:
             raise LawGoneError
         roads = seeded(Scenario.model_validate(stored.scenario), stored.roads)
         keys = {name: digest.band_key(roads[0], name, stored.roads) for name in names}
-        found = {name: self._bands[key] for name, key in keys.items() if key in self._bands}
-        missing = [name for name in names if name not in found]
+        driven = {name: self._bands[key] for name, key in keys.items() if key in self._bands}
+        missing = [name for name in names if name not in driven]
         size = bands.text_size((most_samples(roads[0], name) for name in names), signals, points, encoding)
         render_cost = exports.BYTE_COST * size
         cost = stored.roads * cost_of(roads[0], missing) + render_cost
@@ -181,12 +181,12 @@ class Histories:
                 for name in missing
             ]
             try:
-                found |= dict(zip(missing, await asyncio.gather(*tasks), strict=True))
+                driven |= dict(zip(missing, await asyncio.gather(*tasks), strict=True))
             finally:
                 for task in tasks:
                     task.cancel()
-            self._bands.update({keys[name]: found[name] for name in missing if found[name].size <= BAND_BYTES})
-            paths = {name: found[name].path for name in names}
+            self._bands.update({keys[name]: driven[name] for name in missing if driven[name].size <= BAND_BYTES})
+            paths = {name: driven[name].path for name in names}
             shown = (paths, stored.roads, _stages(stored), signals, points, encoding)
             return await write(partial(self._workers.call, bands.render, *shown, client=client, cost=render_cost))
 

@@ -89,7 +89,7 @@ def _instant_answer(scenario: Scenario, strategy: str, position: float | None, t
 def as_answer(strategy: str, seen: Instant) -> InstantAnswer:
     """As it is sent."""
     plan, preview = seen.plan, seen.preview
-    ahead = np.arange(0 if plan is None else len(plan.states))
+    steps = np.arange(0 if plan is None else len(plan.states))
     return InstantAnswer(
         strategy=strategy,
         step=seen.step,
@@ -128,7 +128,7 @@ def as_answer(strategy: str, seen: Instant) -> InstantAnswer:
             )
             for limit in seen.limits
         ],
-        predicted_time=None if plan is None else (seen.time + ahead * seen.sample_time).tolist(),
+        predicted_time=None if plan is None else (seen.time + steps * seen.sample_time).tolist(),
         predicted_states=None if plan is None else plan.states.tolist(),
         predicted_forces=None if plan is None else plan.forces.tolist(),
         cost=None if plan is None else plan.cost,

@@ -74,13 +74,13 @@ class ResultFinder:
         if points is None:
             unknown = [key for each in keys for key in each.values() if self._memory.get(key, None) is None]
             stored = await self._store.read(self._store.runs.load_results, unknown) if unknown else {}
-        found = [self._found(each, stored, points) for each in keys]
+        available = [self._found(each, stored, points) for each in keys]
         missing = [
             {name: key for name, key in each.items() if name not in there}
-            for each, there in zip(keys, found, strict=True)
+            for each, there in zip(keys, available, strict=True)
         ]
         costly = [name for each in missing for name in each]
-        CACHE.labels("hit").inc(sum(map(len, found)))
+        CACHE.labels("hit").inc(sum(map(len, available)))
         CACHE.labels("miss").inc(len(costly))
         if costly:
             roads = [await self._recordings.on(await self._roads.on(road), costly) for road in roads]
@@ -88,8 +88,8 @@ class ResultFinder:
             request = _Request(client=client, points=points, costs=costs)
             with self._gate.computing(client, sum(costs[name] for name in costly)):
                 computed = await self._compute_roads(roads, missing, request)
-            found = [there | new for there, new in zip(found, computed, strict=True)]
-        return [{name: each[name] for name in names} for each in found]
+            available = [there | new for there, new in zip(available, computed, strict=True)]
+        return [{name: each[name] for name in names} for each in available]
 
     def _found(self, keys: Mapping[str, str], stored: Outcomes, points: int | None) -> Outcomes:
         """The results of one road that are in memory or (by key) stored."""
@@ -104,9 +104,9 @@ class ResultFinder:
 
         async def one(road: Scenario, keys: Mapping[str, str]) -> Outcomes:
             async with slots:
-                found = self._found(keys, {}, request.points)  # by now another request may have computed it
-                rest = {name: key for name, key in keys.items() if name not in found}
-                return found | (await self._compute(road, rest, request) if rest else {})
+                available = self._found(keys, {}, request.points)  # by now another request may have computed it
+                rest = {name: key for name, key in keys.items() if name not in available}
+                return available | (await self._compute(road, rest, request) if rest else {})
 
         tasks = [asyncio.create_task(one(road, names)) for road, names in zip(roads, missing, strict=True)]
         try:

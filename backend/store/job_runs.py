@@ -91,8 +91,8 @@ class JobRunStore:
             rows = connection.execute(query).all()
         for row in rows:
             check(job_runs, row, "batch")
-        kept = [row for row in rows if row.result_key is not None]
-        if damaged := {row.result_key for row in kept if not is_intact_result(row, RESULT)}:
+        with_result = [row for row in rows if row.result_key is not None]
+        if damaged := {row.result_key for row in with_result if not is_intact_result(row, RESULT)}:
             drop_results(self._database, damaged)
         return [_row(row, lost=row.result_key in damaged) for row in rows]
 

@@ -27,5 +27,5 @@ class LoginStore:
     def has_ended(self, login: str) -> bool:
         """Whether it has."""
         with self._database.reading() as connection:
-            found = connection.execute(select(ended_logins.c.login).where(ended_logins.c.login == login)).first()
-        return found is not None
+            row = connection.execute(select(ended_logins.c.login).where(ended_logins.c.login == login)).first()
+        return row is not None

@@ -142,8 +142,8 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
             outputs: Signals; None is both accelerations, tyre loads and deflections.
             stage: cruise, brake or bump, whose weights hold.
         """
-        chosen = {"frequencies": frequencies, "outputs": outputs, "stage": stage}
-        answer: dict[str, Any] = self._post("/frequency", {"scenario": scenario, "strategies": strategies, **chosen})
+        options = {"frequencies": frequencies, "outputs": outputs, "stage": stage}
+        answer: dict[str, Any] = self._post("/frequency", {"scenario": scenario, "strategies": strategies, **options})
         return answer
 
     def paper(self, **asked: Any) -> dict[str, Any]:

@@ -275,9 +275,9 @@ class Solution:
     def of(cls, answer: Mapping[str, Any]) -> Self:
         """The solution in an answer; fields of a newer service are ignored."""
         read = {key: intervals(value) for key, value in answer.items() if key in cls.__dataclass_fields__}
-        kept = [RequirementResult.of(each) for each in answer.get("requirement_results", ())]
+        judged = [RequirementResult.of(each) for each in answer.get("requirement_results", ())]
         bracket = tuple(answer["bracket"])
-        return cls(**{**read, "bracket": bracket, "requirement_results": kept, "answer": dict(answer)})
+        return cls(**{**read, "bracket": bracket, "requirement_results": judged, "answer": dict(answer)})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

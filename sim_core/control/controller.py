@@ -270,8 +270,8 @@ class Controller:
 
     def _set(self, scenario: Scenario) -> None:
         own_values = vars(self).get("_own_values", {})  # none where a subclass's __init__ does not call this one's
-        given = scenario.own.of(self.id)
-        for name in given.keys() - self.options().keys():
+        options = scenario.own.of(self.id)
+        for name in options.keys() - self.options().keys():
             raise RidelabError(f"{self.label} has no such option", field=f"{dotted.OWN}{self.id}.{name}")
         for name, field in self.declared.items():
             if name in own_values:
@@ -279,7 +279,7 @@ class Controller:
             elif isinstance(field, ScenarioField):
                 value = scenario_value(scenario, field.name)
             else:
-                value = checked_value(type(self), name, given[name]) if name in given else field.default
+                value = checked_value(type(self), name, options[name]) if name in options else field.default
             setattr(self, name, value)
 
 

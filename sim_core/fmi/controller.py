@@ -26,11 +26,11 @@ _SINGLE = ("speed", "position", "stage")
 _STATE = tuple(f"state[{i + 1}]" for i in range(STATES))
 _MEASURED = ("deflection_front", "deflection_rear", "body_acceleration", "pitch_rate")
 _ROAD = ("road_front", "road_rear")
-_AHEAD = re.compile(r"(preview_front|preview_rear|braking)\[([1-9]\d{0,3})\]")
-_KINDS_AHEAD = ("preview_front", "preview_rear", "braking")
+_PREVIEWED = re.compile(r"(preview_front|preview_rear|braking)\[([1-9]\d{0,3})\]")
+_PREVIEWED_KINDS = ("preview_front", "preview_rear", "braking")
 _FIXED = (*_SINGLE, *_STATE, *_MEASURED, *_ROAD)
 _OFFERED = "speed, position, stage, state[1] to state[8], " + ", ".join((*_MEASURED, *_ROAD)) + ", " + ", ".join(
-    f"{name}[1]…" for name in _KINDS_AHEAD
+    f"{name}[1]…" for name in _PREVIEWED_KINDS
 )  # fmt: skip
 
 
@@ -52,9 +52,9 @@ class FmuController(Controller):
         Raises:
             RidelabError: It cannot be made, or is for another sample time.
         """
-        own, given = self.own_sample_time, setup.sample_time
-        if own is not None and abs(own - given) > 1e-9 * given:
-            message = f"{self.label}: the FMU is for control steps of {own:g} s, the scenario has {given:g} s"
+        fmu_step, step = self.own_sample_time, setup.sample_time
+        if fmu_step is not None and abs(fmu_step - step) > 1e-9 * step:
+            message = f"{self.label}: the FMU is for control steps of {fmu_step:g} s, the scenario has {step:g} s"
             raise RidelabError(message, field="mpc.sample_time")
         fmu = self.description_of_fmu
         inputs = [each for each in fmu.variables if each.causality == "input"]
@@ -62,9 +62,9 @@ class FmuController(Controller):
         self._inputs = [(numbers, [self._place(name) for name in names]) for numbers, names in _typed(fmu, inputs)]
         self._outputs = [(numbers, [FORCES.index(name) for name in names]) for numbers, names in _typed(fmu, outputs)]
         names = {each.name for each in inputs}
-        self._measures, self._looks = not names.isdisjoint(_MEASURED), any(map(_AHEAD.fullmatch, names))
+        self._measures, self._looks = not names.isdisjoint(_MEASURED), any(map(_PREVIEWED.fullmatch, names))
         self._looks |= not names.isdisjoint(_ROAD)
-        self._sample_time = given
+        self._sample_time = step
         self._instance = Instance(fmu, self.folder, self.library, self.label)
         self._instance.begin(list(self._options()))
 
@@ -92,9 +92,9 @@ class FmuController(Controller):
 
     def _place(self, name: str) -> int:
         """Of an input in what `_values` gives."""
-        if ahead := _AHEAD.fullmatch(name):
+        if previewed := _PREVIEWED.fullmatch(name):
             horizon = int(self.prediction_horizon)
-            return len(_FIXED) + _KINDS_AHEAD.index(ahead[1]) * horizon + int(ahead[2]) - 1
+            return len(_FIXED) + _PREVIEWED_KINDS.index(previewed[1]) * horizon + int(previewed[2]) - 1
         return _FIXED.index(name)
 
     def _values(self, seen: Seen) -> list[float]:
@@ -146,7 +146,9 @@ def controllers_of_fmu(path: Path, content: bytes) -> dict[str, type[Controller]
         for each, variable in parameters.items()
     }
     own = next((each.start for each in fmu.variables if each.name == "sample_time"), None)
-    ahead: dict[str, Any] = {"prediction_horizon": horizon} if horizon else {"prediction_horizon": 0, "preview": "none"}
+    preview: dict[str, Any] = (
+        {"prediction_horizon": horizon} if horizon else {"prediction_horizon": 0, "preview": "none"}
+    )
     kind = type(
         "Fmu",
         (FmuController,),
@@ -161,7 +163,7 @@ def controllers_of_fmu(path: Path, content: bytes) -> dict[str, type[Controller]
             "library": library,
             "parameters": parameters,
             "own_sample_time": own,
-            **ahead,
+            **preview,
             **fields,
         },
     )
@@ -181,10 +183,10 @@ def _checked(fmu: Description) -> int:
     horizon = 0
     for each in fmu.variables:
         if each.causality == "input":
-            ahead = _AHEAD.fullmatch(each.name)
-            if ahead is None and each.name not in _FIXED:
+            previewed = _PREVIEWED.fullmatch(each.name)
+            if previewed is None and each.name not in _FIXED:
                 raise RidelabError(f"Its input {each.name[:80]} is none that Ridelab gives; there are {_OFFERED}")
-            horizon = max(horizon, int(ahead[2]) if ahead else 0)
+            horizon = max(horizon, int(previewed[2]) if previewed else 0)
         if (each.causality == "input" or each.name in FORCES) and (each.type not in NUMBERS or each.is_array):
             raise RidelabError(f"Its variable {each.name[:80]} is no single number")
     return max(horizon, int(any(each.name in _ROAD and each.causality == "input" for each in fmu.variables)))

@@ -148,11 +148,11 @@ class Instance:
         self._callbacks = _Callbacks(
             _LOG_2(log), *(ctypes.cast(each, c_void_p) for each in (memory.calloc, memory.free))
         )
-        made: int | None = self._function("Instantiate", c_void_p)(
+        instance: int | None = self._function("Instantiate", c_void_p)(
             b"ridelab", c_int(1), description.token.encode(), (folder / "resources").as_uri().encode(),
             ctypes.byref(self._callbacks), c_int(0), c_int(0),
         )  # fmt: skip
-        return made
+        return instance
 
     def _instantiate_3(self, description: Description, folder: Path) -> int | None:
         def log(_: int, status: int, __: bytes, message: bytes) -> None:
@@ -160,11 +160,11 @@ class Instance:
 
         self._log = _LOG_3(log)
         no = c_bool(False)
-        made: int | None = self._function("InstantiateCoSimulation", c_void_p)(
+        instance: int | None = self._function("InstantiateCoSimulation", c_void_p)(
             b"ridelab", description.token.encode(), f"{folder / 'resources'}{os.sep}".encode(), no, no, no, no,
             POINTER(c_uint)(), c_size_t(0), c_void_p(), self._log, c_void_p(),
         )  # fmt: skip
-        return made
+        return instance
 
     def _hear(self, status: int, message: bytes | None) -> None:
         if status > _WARNING and message:

@@ -155,8 +155,10 @@ def modes(closed: FloatArray, step: float) -> tuple[Mode, ...]:
 
 def _modes(poles: ComplexArray) -> tuple[Mode, ...]:
     size = np.abs(poles)
-    kept = sorted((float(a), float(-s.real / a)) for s, a in zip(poles, size, strict=True) if s.imag >= 0 and a > 0)
-    return tuple(Mode(natural_frequency=a / (2 * pi), damping_ratio=ratio) for a, ratio in kept)
+    oscillating = sorted(
+        (float(a), float(-s.real / a)) for s, a in zip(poles, size, strict=True) if s.imag >= 0 and a > 0
+    )
+    return tuple(Mode(natural_frequency=a / (2 * pi), damping_ratio=ratio) for a, ratio in oscillating)
 
 
 def _responses(loop: SampledLoop, omega: FloatArray) -> ComplexArray:
@@ -189,12 +191,12 @@ def _road_in_step(loop: SampledLoop, omega: FloatArray, of_road: ComplexArray) -
     added = turn * of_road - of_road @ within.A.T
     if loop.filtered is None:
         return np.asarray(added)
-    told, measured = loop.filtered
-    seen = previewed(loop, loop.told, omega, 1)[:, :, 0] @ told.T
+    from_preview, from_sensors = loop.filtered
+    seen = previewed(loop, loop.filter_preview, omega, 1)[:, :, 0] @ from_preview.T
     over = np.zeros((len(omega), len(loop.within)), dtype=np.complex128)
     for i in range(loop.short):
         now = added * turn**i
-        over = over @ loop.within.T + np.hstack([now @ measured.T + seen, now])
+        over = over @ loop.within.T + np.hstack([now @ from_sensors.T + seen, now])
     return np.asarray(over)
 
 

@@ -43,7 +43,7 @@ class SampledLoop:
         scenario: What is driven.
         law: Its gains on state and previous command, then on the previewed disturbances.
         preview: What is previewed.
-        told: What the filter is told of it.
+        filter_preview: What of it the filter gets.
         delayed: Whether a command takes effect one control step later.
         predicts: Whether the state is predicted for that moment.
         actuator: Between command and force.
@@ -62,7 +62,7 @@ class SampledLoop:
     scenario: Scenario
     law: LinearLaw
     preview: Preview
-    told: Preview
+    filter_preview: Preview
     delayed: bool
     predicts: bool
     actuator: Actuator
@@ -112,13 +112,13 @@ def sampled_loop(run: Run, stage: str, speed: float) -> SampledLoop:
     actuator = scenario.actuator if controller.actuated else Actuator()
     short = run.steps.short if controller.delayed and scenario.estimation.kind == "kalman" else 1
     step = run.steps.control
-    told = filter_preview(scenario, controller)
+    preview = filter_preview(scenario, controller)
     car = plant(scenario.real_vehicle, actuator, step / short)
     A, B, C = car.A, car.B, np.zeros_like(car.B)
     filtered = None
     if controller.actuated and scenario.estimation.kind == "kalman":
         still = np.zeros((1, 1))
-        own = make_estimator(scenario, step / short, run.speed_profile.initial_speed, still, short, mode=told)
+        own = make_estimator(scenario, step / short, run.speed_profile.initial_speed, still, short, mode=preview)
         assert own is not None  # noqa: S101 - it is a kalman filter
         sensors, L = measurement(scenario.real_vehicle), own.measurement
         on_state = np.hstack([sensors.C, sensors.D]) if len(A) > STATES else sensors.C
@@ -129,12 +129,12 @@ def sampled_loop(run: Run, stage: str, speed: float) -> SampledLoop:
         A = np.block([[own.state, L @ on_state @ A], [nothing, A]])
         rest = np.eye(STATES) - L @ measurement(scenario.vehicle).C
         filtered = rest @ discrete(scenario.vehicle, step / short).E[:, :2], L @ on_state
-    over, held, kept = np.eye(len(A)), np.zeros_like(B), np.zeros_like(C)
+    A_step, B_step, C_step = np.eye(len(A)), np.zeros_like(B), np.zeros_like(C)
     for _ in range(short):
-        over, held, kept = A @ over, A @ held + B, A @ kept + C
+        A_step, B_step, C_step = A @ A_step, A @ B_step + B, A @ C_step + C
     delayed = controller.delayed
     predicts = isinstance(controller, EcuController) and controller.hil.compensation == "predict"
-    n = len(over)
+    n = len(A_step)
     waiting = FORCES if delayed else 0  # a delayed command takes effect a step later
     size = n + waiting + FORCES  # the controller's previous command is the last
     gain = np.zeros((FORCES, size))
@@ -144,12 +144,12 @@ def sampled_loop(run: Run, stage: str, speed: float) -> SampledLoop:
         gain[:, :STATES] = law.gain[:, :STATES] @ believed.A
         gain[:, -FORCES:] += law.gain[:, :STATES] @ believed.B
     whole, inputs, memory = np.zeros((size, size)), np.zeros((size, FORCES)), np.zeros((size, FORCES))
-    whole[:n, :n], memory[-FORCES:] = over, np.eye(FORCES)
+    whole[:n, :n], memory[-FORCES:] = A_step, np.eye(FORCES)
     if delayed:
-        whole[:n, n : n + FORCES], whole[:n, -FORCES:] = held, kept
+        whole[:n, n : n + FORCES], whole[:n, -FORCES:] = B_step, C_step
         inputs[n : n + FORCES] = np.eye(FORCES)
     else:
-        inputs[:n], memory[:n] = held, kept
+        inputs[:n], memory[:n] = B_step, C_step
     return SampledLoop(
         A=whole,
         within=A,
@@ -162,7 +162,7 @@ def sampled_loop(run: Run, stage: str, speed: float) -> SampledLoop:
         scenario=scenario,
         law=law,
         preview=controller.preview if law.preview_gain is not None else "none",
-        told=told if filtered is not None else "none",
+        filter_preview=preview if filtered is not None else "none",
         delayed=delayed,
         predicts=predicts,
         actuator=actuator,
@@ -189,12 +189,12 @@ def previewed(loop: SampledLoop, mode: Preview, omega: FloatArray, steps: int) -
     Interval i begins i steps ahead: a factor exp(jω·i·step). `obstacle` reports the bump alone, so of the road nothing.
     """
     scenario, h, v = loop.scenario, loop.step, loop.speed
-    s, ahead = 1j * omega[:, None], np.arange(steps)
+    s, interval_index = 1j * omega[:, None], np.arange(steps)
     behind = np.exp(-s * scenario.vehicle.wheelbase / v)
-    interval = np.exp(s * h * ahead) * (np.exp(s * h) - 1) / h
+    interval = np.exp(s * h * interval_index) * (np.exp(s * h) - 1) / h
     seen = np.zeros((len(omega), 2, steps), dtype=np.complex128)
     if mode == "wheelbase":
-        seen[:, 1] = behind * interval * ((ahead + 1) * h * v <= scenario.vehicle.wheelbase)
+        seen[:, 1] = behind * interval * ((interval_index + 1) * h * v <= scenario.vehicle.wheelbase)
     if mode == "lookahead":
         mismatch, n = scenario.mismatch, omega / (2 * np.pi * v)
         factor = mismatch.preview_gain * np.sinc(n * mismatch.preview_resolution)

@@ -180,10 +180,10 @@ def _instant(drive: Drive, seen: Seen, law: LinearLaw | None, plan: Plan | None)
 
 
 def _preview(drive: Drive, seen: Seen) -> PreviewedRoad | None:
-    mode, ahead = drive.run.controller.preview, seen.disturbances.shape[1]
-    if mode == "none" or not ahead:
+    mode, horizon = drive.run.controller.preview, seen.disturbances.shape[1]
+    if mode == "none" or not horizon:
         return None
-    time = seen.time + drive.inputs.sample_time * np.arange(1, ahead + 1)
+    time = seen.time + drive.inputs.sample_time * np.arange(1, horizon + 1)
     position = drive.run.speed_profile.at(time)[0]
     axles = np.stack([position, position - drive.run.scenario.vehicle.wheelbase], axis=1)
     real = drive.run.excitation.surface.height(axles)
@@ -193,10 +193,10 @@ def _preview(drive: Drive, seen: Seen) -> PreviewedRoad | None:
 def _parts(law: LinearLaw, seen: Seen) -> dict[str, FloatArray]:
     now = np.concatenate([seen.state, seen.previous_force])
     parts = {name: law.gain[:, columns] @ now[columns] for name, columns in _STATE_PARTS.items()}
-    ahead = np.zeros((FORCES, DISTURBANCES))
+    preview_forces = np.zeros((FORCES, DISTURBANCES))
     if law.preview_gain is not None:
-        ahead = np.einsum("udi,di->ud", law.preview_gain.reshape(FORCES, DISTURBANCES, -1), seen.disturbances)
-    return parts | {"road_ahead": ahead[:, :2].sum(axis=1), "braking": ahead[:, 2]}
+        preview_forces = np.einsum("udi,di->ud", law.preview_gain.reshape(FORCES, DISTURBANCES, -1), seen.disturbances)
+    return parts | {"road_ahead": preview_forces[:, :2].sum(axis=1), "braking": preview_forces[:, 2]}
 
 
 def _actuator_limits(drive: Drive, asked: FloatArray | None, previous: FloatArray, *, planned: bool) -> list[Limit]:

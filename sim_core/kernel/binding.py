@@ -88,9 +88,9 @@ def within_steps(samples: FloatArray, layout: FloatArray, position: FloatArray, 
     _within_steps(samples, len(samples), layout, position, steps, within)
 
 
-def window_sizes(ahead: FloatArray, horizon: int, sizes: FloatArray) -> None:
+def window_sizes(previewed: FloatArray, horizon: int, sizes: FloatArray) -> None:
     """Fill `LawArrays.sizes` (4, windows) of what is previewed (3, windows + horizon - 1)."""
-    kinds, count = ahead.shape
+    kinds, count = previewed.shape
     require(kinds == _DISTURBANCES and 0 < horizon <= count, "A window of both roads and braking")
     require(sizes.shape == (1 + _DISTURBANCES, count - horizon + 1), "Four sizes of each window")
-    _window_sizes(ahead, count, horizon, sizes)
+    _window_sizes(previewed, count, horizon, sizes)

@@ -249,10 +249,10 @@ class DrivenCar:
         require(states in (_STATES, _LAGGING), "A state of 8 or 10 numbers")
         require(min(steps, fine, substeps) > 0 and fine_step > 0, "A step or more")
         require(height.shape == (2, all_fine + 1) and len(braking) == all_fine, "Road and braking in every fine step")
-        kept = np.zeros((1 if linear else KEPT_STEPS, 2 + CAUSES * NUMBERS))
+        effects_by_step = np.zeros((1 if linear else KEPT_STEPS, 2 + CAUSES * NUMBERS))
         if effects is not None:
             require(effects.shape == (CAUSES, NUMBERS), "A linear step")
-            kept[0, 1], kept[0, 2:] = fine_step, effects.ravel()
+            effects_by_step[0, 1], effects_by_step[0, 2:] = fine_step, effects.ravel()
         require(not estimates or estimator_input.shape == (steps, _STATES), "The estimator's input in every step")
         on_record = recorder is None or (recorder.fine, recorder.steps) == (fine, steps)
         require(on_record, "A recorder of this drive")
@@ -263,7 +263,7 @@ class DrivenCar:
                 position.shape == (2, all_fine + 1) and within.shape == (all_fine, 4), "The road of every fine step"
             )
         self._prepared = _prepare_car.prepare(
-            *(vehicle, states, int(linear), kept),
+            *(vehicle, states, int(linear), effects_by_step),
             *(int(estimates), np.zeros(ESTIMATOR) if estimator is None else estimator, estimator_input),
             *(len(samples), samples, layout, position, within),
             *(height, braking, steps, fine, substeps, fine_step, recorder and recorder.prepared),

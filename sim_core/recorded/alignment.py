@@ -91,8 +91,8 @@ def place(distance: FloatArray, recorded: FloatArray, position: FloatArray, simu
         disp=False,
         initial_simplex=simplex,
     )
-    found = placed(best)
-    return found if found.likeness >= LEAST_LIKENESS else None
+    placement = placed(best)
+    return placement if placement.likeness >= LEAST_LIKENESS else None
 
 
 def _spacing(length: float, least: float, most: int) -> float:
@@ -104,8 +104,8 @@ def _evenly(distance: FloatArray, signals: FloatArray, spacing: float) -> tuple[
     even = np.arange(distance[0], distance[-1] + spacing / 2, spacing)
     there = [np.isfinite(row) for row in signals]
     rows = [
-        np.interp(even, distance[known], row[known]) if known.any() else np.zeros_like(even)
-        for row, known in zip(signals, there, strict=True)
+        np.interp(even, distance[finite], row[finite]) if finite.any() else np.zeros_like(even)
+        for row, finite in zip(signals, there, strict=True)
     ]
     return even, np.array(rows)
 
@@ -131,14 +131,14 @@ def correlations(place: FloatArray, recorded: FloatArray, position: FloatArray, 
         return np.zeros(len(recorded))
     weight = np.gradient(place)  # samples may be dense where the car is slow
     total = max(weight.sum(), 1e-12)
-    found = []
+    coefficients = []
     # A signal that stands still is like nothing.
     for one, row in zip(recorded, simulated, strict=True):
         other = np.interp(place, position, row)
         a, b = one - (weight @ one) / total, other - (weight @ other) / total
         size = sqrt((weight @ (a * a)) * (weight @ (b * b)))
-        found.append(float(weight @ (a * b) / size) if size else 0.0)
-    return np.array(found)
+        coefficients.append(float(weight @ (a * b) / size) if size else 0.0)
+    return np.array(coefficients)
 
 
 def _first_search(
@@ -153,9 +153,15 @@ def _first_search(
     for each in (1 + np.linspace(-MOST_SCALED, MOST_SCALED, 2 * steps + 1)).tolist():
         own, rows = _evenly(each * distance, recorded, spacing)
         least = int(min(LEAST_OVERLAP / spacing, len(position) / 2, len(own) / 2))
-        found = _likeness_by_shift(whole, rows - rows.mean(axis=1, keepdims=True), least)
-        if found.max() > best:
-            best, at, scale, likeness, count = float(found.max()), int(found.argmax()), each, found, len(own)
+        correlation = _likeness_by_shift(whole, rows - rows.mean(axis=1, keepdims=True), least)
+        if correlation.max() > best:
+            best, at, scale, likeness, count = (
+                float(correlation.max()),
+                int(correlation.argmax()),
+                each,
+                correlation,
+                len(own),
+            )
     far = np.abs(np.arange(len(likeness)) - at) * spacing > APART
     if best < LEAST_LIKENESS / 2 or likeness[far].max(initial=0) > DISTINCT * best:
         return None

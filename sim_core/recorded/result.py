@@ -132,9 +132,9 @@ def _placed(
         except RidelabError:  # of a car that this law cannot hold
             continue
         simulated = np.array([series[key] for key in keys])
-        found = place(track.distance, rows, series["position"], simulated)
-        if found is not None and (best is None or found.likeness > best[0].likeness):
-            best, at = (found, name), found.offset + found.scale * track.distance
+        placement = place(track.distance, rows, series["position"], simulated)
+        if placement is not None and (best is None or placement.likeness > best[0].likeness):
+            best, at = (placement, name), placement.offset + placement.scale * track.distance
             against = [
                 key
                 for key, value in zip(keys, correlations(at, rows, series["position"], simulated), strict=True)
@@ -145,15 +145,15 @@ def _placed(
     if best is None:
         said = "It was not placed: at no one place of this road is it like a simulated drive; its distance is taken"
         return Placement(offset=0.0, scale=1.0, likeness=nan), None, (f"{said} as the position",)
-    found, name = best
+    placement, name = best
     notes = [
-        f"It was placed where it is like {STRATEGIES[name].label} (correlation {found.likeness:.2f}): position = "
-        f"{found.offset:.3f} m + {found.scale:.5f} of its distance"
+        f"It was placed where it is like {STRATEGIES[name].label} (correlation {placement.likeness:.2f}): position = "
+        f"{placement.offset:.3f} m + {placement.scale:.5f} of its distance"
     ]
     notes += [
         f"{SIGNALS[key].label} moves against the simulated one: is its sign the other way round?" for key in against
     ]
-    return found, name, tuple(notes)
+    return placement, name, tuple(notes)
 
 
 def _lacking(missing: tuple[str, ...], start: float, end: float, scenario: Scenario) -> list[str]:

@@ -92,10 +92,10 @@ def field(name: str) -> DottedField:
     Raises:
         UnknownNameError: There is none, or it is a whole part; the message lists the names to choose from.
     """
-    found = scenario_fields().get(name) or (_find_options().get(name) if is_option(name) else None)
-    if found is None:
+    match = scenario_fields().get(name) or (_find_options().get(name) if is_option(name) else None)
+    if match is None:
         raise _unknown(name)
-    return found
+    return match
 
 
 def _unknown(name: str) -> UnknownNameError:
@@ -128,8 +128,8 @@ def with_changes(scenario: Mapping[str, Any], changes: Mapping[str, Any]) -> dic
     """
     changed = dict(scenario)
     for name, value in changes.items():
-        known = scenario_fields()
-        if name not in known and not is_option(name) and not any(each.startswith(f"{name}.") for each in known):
+        fields = scenario_fields()
+        if name not in fields and not is_option(name) and not any(each.startswith(f"{name}.") for each in fields):
             raise _unknown(name)
         *parts, last = name.split(".")
         part: Any = changed

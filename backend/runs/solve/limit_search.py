@@ -129,14 +129,14 @@ def alike(limit: float, bounds: Bounds, best: int, share: float) -> tuple[float,
     indices = sorted(bounds)
     place = indices.index(best)
 
-    def end(ahead: Sequence[int], target: float) -> float:
-        for one, other in pairwise(ahead):
+    def end(indices_outwards: Sequence[int], target: float) -> float:
+        for one, other in pairwise(indices_outwards):
             if not math.isfinite(bounds[other]):
                 return one
             step = bounds[other] - bounds[one]
             if step and (bounds[other] - target) * (bounds[best] - target) <= 0:
                 return one + (target - bounds[one]) / step * (other - one)
-        return ahead[-1]
+        return indices_outwards[-1]
 
     tolerance = share * abs(limit)
     if bounds[best] < limit - tolerance:  # a jump

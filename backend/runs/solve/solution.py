@@ -157,11 +157,11 @@ def _unresolved(request: SolveRequest, resolution: float | None, alike: tuple[fl
     first, last = (request.value(round(index)) for index in alike)
     if resolution is None or first == last:
         return
-    known = f"On one road a change of {request.metric} below {resolution:.2g} % may be luck"
+    accuracy = f"On one road a change of {request.metric} below {resolution:.2g} % may be luck"
     if request.roads > 1:
-        known = f"Over {request.roads} roads the mean of {request.metric} is known to ±{resolution:.2g} %"
+        accuracy = f"Over {request.roads} roads the mean of {request.metric} is known to ±{resolution:.2g} %"
     unit = dotted.field(request.field).unit
-    yield f"{known}; from {first:.4g} to {last:.4g}{'' if unit == '1' else f' {unit}'} it changes by less."
+    yield f"{accuracy}; from {first:.4g} to {last:.4g}{'' if unit == '1' else f' {unit}'} it changes by less."
 
 
 def _warnings(

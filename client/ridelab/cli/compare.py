@@ -184,8 +184,8 @@ def check_patterns(
     metrics = {name for run in (a, b) for outcome in run for name in outcome.figures()} or {*a.units, *b.units}
     if drive is not None:
         metrics = {*drive.metrics, *(f"{recorded.SIGNAL}{key}" for key in drive.curves)}
-    for option, given in patterns.items():
-        for pattern in given:
+    for option, texts in patterns.items():
+        for pattern in texts:
             if not any(fnmatchcase(metric, pattern) for metric in metrics):
                 starts = sorted({metric.partition(".")[0] for metric in metrics})
                 raise InputError(f"{option}: {pattern} fits no metric; their names begin with {', '.join(starts)}")
@@ -194,7 +194,7 @@ def check_patterns(
 def limited(relative: Sequence[str], absolute: Sequence[str]) -> dict[str, list[str]]:
     """The patterns of both tolerances, by option."""
     texts = {"--tolerance": relative, "--tolerance-abs": absolute}
-    return {option: [text.rpartition("=")[0] or "*" for text in given] for option, given in texts.items()}
+    return {option: [text.rpartition("=")[0] or "*" for text in patterns] for option, patterns in texts.items()}
 
 
 def _fits(metric: str, patterns: Sequence[str]) -> bool:

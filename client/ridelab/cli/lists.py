@@ -58,10 +58,10 @@ def _named(entries: Sequence[Mapping[str, Any]], words: Sequence[str] | None, *,
 def _field(name: str, schema: Mapping[str, Any]) -> dict[str, Any]:
     """A field's unit, default, limits and choices; None where it has none of that."""
     value = next((each for each in schema.get("anyOf", ()) if each.get("type") != "null"), schema)
-    found = {**value, **schema, "choices": value.get("enum")}
-    low, high = found.get("minimum"), found.get("maximum")
-    span = shown(found["choices"]) if found["choices"] else "" if low is None else f"{shown(low)} .. {shown(high)}"
-    parts = {part: found.get(part) for part in _PARTS}
+    merged = {**value, **schema, "choices": value.get("enum")}
+    low, high = merged.get("minimum"), merged.get("maximum")
+    span = shown(merged["choices"]) if merged["choices"] else "" if low is None else f"{shown(low)} .. {shown(high)}"
+    parts = {part: merged.get(part) for part in _PARTS}
     return {"name": name, **parts, "range": span, "title": schema["title"], "description": schema["description"]}
 
 
@@ -69,14 +69,14 @@ def _show(
     entries: Sequence[Mapping[str, Any]], columns: Sequence[str], words: Sequence[str] | None, *, as_json: bool
 ) -> None:
     asked = [word.casefold() for word in words or ()]
-    chosen = [
+    matching = [
         each
         for each in entries
         if all(any(word in str(each.get(key)).casefold() for key in (*columns, "description")) for word in asked)
     ]
-    if not chosen:
+    if not matching:
         raise InputError(f"Nothing here has {' and '.join(words or ())}")
     if as_json:
-        print_json(chosen)
+        print_json(matching)
     else:
-        show_table(columns, [[each[column] for column in columns] for each in chosen])
+        show_table(columns, [[each[column] for column in columns] for each in matching])

@@ -94,8 +94,8 @@ def sweep(
         _preview(batch, services)
     judged = batch.requirement_results() if required else []
     if as_json:
-        kept = {"requirement_results": [asdict(each) for each in judged]} if judged else {}
-        print_json_rows(batch.answer | kept, batch.rows())
+        extra = {"requirement_results": [asdict(each) for each in judged]} if judged else {}
+        print_json_rows(batch.answer | extra, batch.rows())
     elif judged:
         typer.echo()
         requirements.show(judged, services)

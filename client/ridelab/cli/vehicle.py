@@ -50,8 +50,8 @@ def vehicle(
 
 
 def _named(which: str, services: Services) -> Mapping[str, Any]:
-    known = {} if Path(which).is_file() else services.at().vehicles()
-    return known.get(which) or {VEHICLE: vehicle_of(which, services)}
+    vehicles = {} if Path(which).is_file() else services.at().vehicles()
+    return vehicles.get(which) or {VEHICLE: vehicle_of(which, services)}
 
 
 def _of_sheet(sheet: Path, services: Services) -> Mapping[str, Any]:
@@ -63,8 +63,8 @@ def _of_sheet(sheet: Path, services: Services) -> Mapping[str, Any]:
 
 def _characteristics(content: Mapping[str, Any], services: Services) -> Mapping[str, Any]:
     """Those of a known vehicle come with it; a run says those of another."""
-    known: Mapping[str, Any] | None = content.get("characteristics")
-    return known or services.at().run({VEHICLE: content[VEHICLE]}, ["passive"]).answer["characteristics"]
+    characteristics: Mapping[str, Any] | None = content.get("characteristics")
+    return characteristics or services.at().run({VEHICLE: content[VEHICLE]}, ["passive"]).answer["characteristics"]
 
 
 def _show_characteristics(of: Mapping[str, Any]) -> None:
