@@ -123,13 +123,14 @@ def make_services(settings: Settings, workers: Workers) -> Services:
         roads=roads,
         spool=spool,
     )
-    tuning_steps = TuningSteps(store, batches)
+    own_files = Watch(settings.controller_timeout)
+    tuning_steps = TuningSteps(store, batches, own_files)
     return Services(
         settings=settings,
         gate=gate,
         tokens=tokens,
         logins=None if tokens is None else _logins(tokens, store),
-        own_files=Watch(settings.controller_timeout),
+        own_files=own_files,
         store=store,
         workers=workers,
         batch_workers=batch_workers,

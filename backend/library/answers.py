@@ -86,8 +86,12 @@ def _origin(name: str) -> JsonObject:
     if origin is None:
         return {"own": False, "source": None, "options": _options({}), "fault": None}
     controller_source, description = origin
-    source = {"file": controller_source.name, "digest": description.digest}
-    return {"own": True, "source": source, "options": _options(description.options), "fault": controller_source.fault}
+    return {
+        "own": True,
+        "source": own.source(name),
+        "options": _options(description.options),
+        "fault": controller_source.fault,
+    }
 
 
 def _options(options: Mapping[str, JsonObject]) -> JsonObject:

@@ -14,7 +14,19 @@ from backend.own.registry import (
     isolated,
     origin,
     refresh,
+    source,
     stale,
 )
 
-__all__ = ["adopt", "close", "controller_sources", "faults", "is_own", "isolated", "origin", "refresh", "stale"]
+__all__ = [
+    "adopt",
+    "close",
+    "controller_sources",
+    "faults",
+    "is_own",
+    "isolated",
+    "origin",
+    "refresh",
+    "source",
+    "stale",
+]

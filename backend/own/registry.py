@@ -84,6 +84,14 @@ def origin(name: str) -> tuple[ControllerSource, Description] | None:
     return _of.get(name)
 
 
+def source(name: str) -> dict[str, str] | None:
+    """The file of a controller of one's own and its digest; None of one of ours, and where it is gone."""
+    if name not in _of:
+        return None
+    controller_source, description = _of[name]
+    return {"file": controller_source.name, "digest": description.digest}
+
+
 def faults() -> dict[str, str]:
     """By file name why it cannot be used."""
     return {each.name: each.fault for each in _sources if each.fault is not None}

@@ -7,14 +7,14 @@ from typing import Any, Literal, Self
 from pydantic import Field
 
 from backend.json_types import JsonObject
-from backend.models import Answer
+from backend.models import Answer, Source
 from backend.store import StoredJob
 from backend.store.job import State
 from backend.store.trials import StoredTrial
 from backend.tunings import front
 from backend.tunings.comparison_models import Comparison, TunedValue
 from backend.tunings.measure import Aims
-from backend.tunings.space import first_weights, ranges_of
+from backend.tunings.space import has_own_weights
 
 
 class ObjectiveAnswer(Answer):
@@ -96,6 +96,7 @@ class TuningItem(Answer):
     label: str | None
     position: int = Field(description="Runs waiting before it: 0, its batches have positions of their own")
     strategy: str
+    source: Source | None = Field(description="What the law is; null for Ridelab's own")
     objectives: list[ObjectiveAnswer]
     limits: list[LimitAnswer]
     search: dict[str, list[float]]
@@ -129,7 +130,7 @@ class TuningItem(Answer):
         return {
             **{name: getattr(job, name) for name in same},
             **{name: request[name] for name in of_request},
-            "previews": request.get("previews"),
+            **{name: request.get(name) for name in ("previews", "source")},
             "uncertain": request.get("uncertain", False),
             "quantile": aims.quantile,
             "position": 0,
@@ -146,7 +147,10 @@ class Tuning(TuningItem):
     """A tuning in its present state."""
 
     scenario: JsonObject
-    paper: Trial | None = Field(description="The paper's weights; null until the first generation is complete")
+    paper: Trial | None = Field(
+        description="The paper's weights, or the defaults of a law of one's own; null until the first generation is "
+        "complete"
+    )
     own: Trial | None = Field(description="The scenario's own weights where they are not the paper's")
     best: list[Trial | None] = Field(description="An objective each: the feasible trial with its smallest value")
     knee: Trial | None = Field(description="Of several objectives: the point of the front nearest to its ideal corner")
@@ -158,13 +162,12 @@ class Tuning(TuningItem):
     def whole(cls, job: StoredJob, trials: Sequence[StoredTrial], history: Sequence[JsonObject]) -> Self:
         """A stored tuning with its trials and the events of its generations."""
         request = job.request
-        own = len(first_weights(request["scenario"], request["strategy"], ranges_of(request))) > 1
         members = front.front(trials)
         return cls(
             **cls._fields(job),
             scenario=job.scenario,
             paper=trials[0] if trials else None,
-            own=trials[1] if own and len(trials) > 1 else None,
+            own=trials[1] if has_own_weights(request, trials) else None,
             best=[front.best(trials, index) for index in range(len(request["objectives"]))],
             knee=front.knee(members),
             front=members,

@@ -1,16 +1,35 @@
 """The shapes of tuning requests."""
 
+from collections.abc import Mapping
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import AfterValidator, BeforeValidator, Field, ValidationError, model_validator
+from pydantic import (
+    AfterValidator,
+    BeforeValidator,
+    Field,
+    ValidationError,
+    ValidationInfo,
+    WithJsonSchema,
+    model_validator,
+)
 from pydantic_core import PydanticCustomError
 
+from backend import own
 from backend.jobs.models import Label
 from backend.json_types import JsonObject
 from backend.models import MetricName, RequestModel, SentScenario, inconsistent
 from backend.tunings.objectives import NORMALISED
-from backend.tunings.space import LARGEST, STRATEGIES, default_search, searchable
+from backend.tunings.space import (
+    OURS,
+    default_search,
+    searchable,
+    takes_previews,
+    tunable_strategies,
+)
+from backend.unknown_names import unknown_name
 from sim_core.catalogue import WINDOWS
+from sim_core.check_controller import ID
+from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario, dotted
 from sim_core.scenario.parts import Preview
 
@@ -32,18 +51,28 @@ def _each_once(items: list[Any]) -> list[Any]:
     return items
 
 
-def _check_weights(search: Any) -> Any:
+def _check_strategy(name: str) -> str:
+    if name not in OURS and name not in (offered := tunable_strategies()):
+        what = "strategy that can be tuned"
+        raise PydanticCustomError("unknown_strategy", "{said}", {"said": unknown_name(what, name, offered)})
+    return name
+
+
+def _check_names(search: Any, info: ValidationInfo) -> Any:
     """Names first: what an unknown one holds is of no use."""
-    for name in search if isinstance(search, dict) else ():
-        if name not in WEIGHTS:
-            context = {"key": name, "what": "weight", "known": WEIGHTS}
-            raise PydanticCustomError("unknown_key", "Unknown weight", context)
+    strategy = info.data.get("strategy")
+    known = [] if strategy is None else searchable(strategy)
+    for name in search if isinstance(search, dict) and strategy is not None else ():
+        is_option = name.startswith(f"{dotted.OWN}{strategy}.") and name in dotted.fields()
+        if name not in known and not is_option:
+            context = {"key": name, "what": "weight or option", "known": known}
+            raise PydanticCustomError("unknown_key", "Unknown weight or option", context)
     return search
 
 
-WEIGHTS = list(dict.fromkeys(name for strategy in STRATEGIES for name in searchable(strategy)))
+WEIGHTS = list(dict.fromkeys(name for strategy in OURS for name in searchable(strategy)))
 Coefficient = Annotated[float, Field(ge=0, le=1000)]
-End = Annotated[float, Field(gt=0, le=LARGEST)]
+End = Annotated[float, Field(ge=-1e12, le=1e12)]
 Range = Annotated[tuple[End, End], Field(strict=False), AfterValidator(_increasing)]
 Seed = Annotated[int, Field(ge=0, le=2**32 - 1)]
 Seeds = Annotated[list[Seed], AfterValidator(_each_once)]
@@ -92,17 +121,20 @@ class TuningRequest(RequestModel):
     """What to tune, for what, on which roads and cars."""
 
     scenario: SentScenario = Scenario()
-    strategy: Literal[tuple(STRATEGIES)] = Field("lv", json_schema_extra={"enum": list(STRATEGIES)})  # type: ignore[valid-type]  # from space.py
+    strategy: Annotated[str, AfterValidator(_check_strategy), WithJsonSchema({"type": "string", "pattern": ID})] = (
+        Field("lv", description=f"{', '.join(OURS)}, or the id of a controller of one's own")
+    )
     objectives: list[Objective] = Field([Objective(kind="paper")], min_length=1, max_length=3)
     limits: list[Limit] = Field([], max_length=8)
-    search: Annotated[dict[str, Range] | None, BeforeValidator(_check_weights)] = Field(
+    search: Annotated[dict[str, Range] | None, BeforeValidator(_check_names)] = Field(
         None,
         min_length=1,
         max_length=16,
-        description="Weight, horizon, sample time or what is expected of the preview -> [lowest, highest], searched "
-        "on a logarithmic scale, a horizon step by step; what is not named keeps the scenario's value. Without it "
-        "every weight of the strategy, 0.05 to 50.",
-        json_schema_extra={"propertyNames": {"enum": [*WEIGHTS]}},
+        description="Weight, option, horizon, sample time or what is expected of the preview -> [lowest, highest], "
+        "searched on a logarithmic scale where both are above 0, whole numbers step by step; what is not named keeps "
+        "the scenario's value. Without it every weight of the strategy, 0.05 to 50, or every option that has a "
+        "smallest and a largest value.",
+        json_schema_extra={"propertyNames": dotted.names_schema(WEIGHTS)},
     )
     previews: Annotated[list[Preview], AfterValidator(_each_once)] | None = Field(
         None, min_length=2, description="Kinds of preview to try; without it only the scenario's is used"
@@ -136,36 +168,56 @@ class TuningRequest(RequestModel):
         written = [objective.stored() for objective in self.objectives]
         if any(each in written[:index] for index, each in enumerate(written)):
             raise inconsistent("objectives", "Each objective may be there once")
-        names = searchable(self.strategy)
-        if self.search is not None and not set(self.search) <= set(names):
-            raise inconsistent("search", f"Of this strategy can be searched {', '.join(names)}")
+        if self.previews is not None and not takes_previews(self.strategy):
+            raise inconsistent("previews", f"{self.strategy} has a preview of its own")
+        if not self._searched:
+            options = ", ".join(searchable(self.strategy))
+            raise inconsistent(
+                "search", f"No option of {self.strategy} has both ge and le: name ranges to search, of {options}"
+            )
         self._check_ends()
         return self
 
     def _check_ends(self) -> None:
         """Both ends of what is searched fit the scenario, as all between them then does."""
         plain = self.scenario.model_dump(mode="json")
-        for name, ends in self.ranges.items():
-            whole = dotted.field(name).kind == "integer"
+        for name, ends in self._searched.items():
+            field = dotted.field(name)
+            if field.kind not in ("number", "integer"):
+                raise inconsistent("search", "A range needs an option that is a number", name)
+            whole = field.kind == "integer"
             if whole and not all(float(end).is_integer() for end in ends):
                 raise inconsistent("search", "Both ends have to be whole numbers", name)
+            if ends[0] <= 0 and not dotted.is_option(name):
+                raise inconsistent("search", "Both ends have to be greater than 0", name)
             for end in ends:
                 try:
-                    Scenario.model_validate(dotted.with_changes(plain, {name: int(end) if whole else end}))
+                    value = field.checked(int(end) if whole else end)
+                    Scenario.model_validate(dotted.with_changes(plain, {name: value}))
                 except ValidationError as error:
                     raise inconsistent("search", error.errors(include_input=False)[0]["msg"], name) from None
+                except RidelabError as error:
+                    raise inconsistent("search", error.message, name) from None
+
+    @property
+    def _searched(self) -> Mapping[str, Range]:
+        return default_search(self.strategy) if self.search is None else self.search
 
     @property
     def ranges(self) -> dict[str, Range]:
         """What is searched, the default written out, in the strategy's order."""
-        ranges = default_search(self.strategy) if self.search is None else self.search
-        return {name: ranges[name] for name in searchable(self.strategy) if name in ranges}
+        return {name: self._searched[name] for name in searchable(self.strategy) if name in self._searched}
 
     def stored(self) -> JsonObject:
         """All written out, without the number of trials, which resuming may change, and what `ADDED` says."""
         added = {name for name in ADDED if getattr(self, name) == type(self).model_fields[name].default}
+        plain = self.model_dump(mode="json", exclude={"trials", "dry_run", "label", *added})
+        options = {name: dotted.value(plain["scenario"], name) for name in self.ranges if dotted.is_option(name)}
+        source = own.source(self.strategy)
         return {
-            **self.model_dump(mode="json", exclude={"trials", "dry_run", "label", *added}),
+            **plain,
+            "scenario": dotted.with_changes(plain["scenario"], options),  # with the defaults that its law has today
+            **({} if source is None else {"source": source}),
             "objectives": [objective.stored() for objective in self.objectives],
             "search": {name: list(ends) for name, ends in self.ranges.items()},
         }

@@ -53,12 +53,12 @@ def ask(search: Search, trials: Sequence[StoredTrial], *, generation: int, count
 
 
 def _distribution(distributions: Any, name: str, ends: Sequence[Any]) -> object:
-    """The range of a searched value: logarithmic, in whole numbers, or choices without an order."""
+    """The range of a searched value: logarithmic where it can be, in whole numbers, or choices without an order."""
     if isinstance(ends[0], str):
         return distributions.CategoricalDistribution(ends)
     if dotted.field(name).kind == "integer":
         return distributions.IntDistribution(int(ends[0]), int(ends[1]))
-    return distributions.FloatDistribution(*ends, log=True)
+    return distributions.FloatDistribution(*ends, log=ends[0] > 0)
 
 
 def _frozen_trial(

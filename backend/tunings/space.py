@@ -1,4 +1,4 @@
-"""The values that can be tuned: a strategy's weights, preview, horizon and sample time; with their ranges."""
+"""What can be tuned: a strategy's weights or options, preview, horizon and sample time; with their ranges."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -7,10 +7,12 @@ from typing import Any
 
 from backend.batches import robustness
 from backend.json_types import JsonObject
+from backend.store.trials import StoredTrial
+from sim_core.control.controller import Controller, option_fields
 from sim_core.scenario import Scenario, dotted
+from sim_core.strategies import STRATEGIES, reads, strategies
 
-SMALLEST, LARGEST = 0.05, 1000.0  # of a searched range where none is named; the scenario's hard limit
-DEFAULT_RANGE = (SMALLEST, 50.0)
+DEFAULT_RANGE = (0.05, 50.0)  # of a weight
 DIGITS = 3  # of a value that is tried: the sums of Eq. 16 change by less than 0.1 % with the fourth
 TIMING = ("mpc.expected_offset", "mpc.expected_noise", "mpc.sample_time")  # every controller's
 SAMPLE_TIME = TIMING[-1]
@@ -18,7 +20,7 @@ SAMPLE_TIME = TIMING[-1]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Tunable:
-    """Dotted names of what can be tuned in a strategy.
+    """Dotted names of what can be tuned in a strategy beside its options.
 
     Attributes:
         triples: Its triples of weights (q1, q2, q3).
@@ -27,13 +29,13 @@ class Tunable:
         horizon: How far ahead, in steps.
     """
 
-    triples: tuple[str, ...]
+    triples: tuple[str, ...] = ()
     travel: str = "mpc.deflection_weight"
     preview: str = "mpc.preview"
     horizon: str = "mpc.prediction_horizon"
 
 
-STRATEGIES = {
+OURS = {
     "lv": Tunable(triples=("mpc.stage_weights.cruise", "mpc.stage_weights.brake", "mpc.stage_weights.bump")),
     "suspension_only": Tunable(triples=("mpc.road_weights.rough", "mpc.road_weights.bump")),
     "lqr": Tunable(
@@ -51,27 +53,56 @@ Point = dict[str, Any]  # of the searched space: field -> value
 
 def weights_in(strategy: str) -> list[str]:
     """Each single weight of the strategy by its dotted name, without the travel weight."""
-    return [f"{name}.{index}" for name in STRATEGIES[strategy].triples for index in range(3)]
+    return [f"{name}.{index}" for name in _tunable(strategy).triples for index in range(3)]
+
+
+def tunable_strategies() -> list[str]:
+    """Ours that have weights, and the controllers of one's own."""
+    return [*OURS, *(name for name in strategies() if name not in STRATEGIES)]
 
 
 def searchable(strategy: str) -> list[str]:
-    """Each number that can be searched by its dotted name, the weights first."""
-    tunable = STRATEGIES[strategy]
-    return [*weights_in(strategy), tunable.travel, tunable.horizon, *TIMING]
+    """Each number that can be searched by its dotted name, the weights or options first."""
+    tunable = _tunable(strategy)
+    if strategy in OURS:
+        return [*weights_in(strategy), tunable.travel, tunable.horizon, *TIMING]
+    law = strategies()[strategy]
+    options = [each.name for each in option_fields(law).values() if each.kind in ("number", "integer")]
+    return [*options, *(name for name in (tunable.horizon, *TIMING) if _is_read(name, law))]
+
+
+def takes_previews(strategy: str) -> bool:
+    """Whether its kind of preview is the scenario's."""
+    return _is_read(_tunable(strategy).preview, strategies()[strategy])
+
+
+def _is_read(name: str, law: type[Controller]) -> bool:
+    return any(name == each or name.startswith(f"{each}.") for each in reads(law))
 
 
 def default_search(strategy: str) -> dict[str, tuple[float, float]]:
-    """Every weight but the travel weight.
+    """Every weight but the travel weight; of a controller of one's own every option that has both bounds.
 
     None of a triple is held: q4 and R stay, so that a triple's scale is a choice as well as its ratios.
     """
-    return dict.fromkeys(weights_in(strategy), DEFAULT_RANGE)
+    if strategy in OURS:
+        return dict.fromkeys(weights_in(strategy), DEFAULT_RANGE)
+    options = strategies()[strategy].options()
+    return {
+        name: (each.ge, each.le)
+        for name in searchable(strategy)
+        if dotted.is_option(name) and (each := options[name.rpartition(".")[2]]).ge is not None and each.le is not None
+    }
 
 
 def ranges_of(request: JsonObject) -> Ranges:
     """The ranges that a tuning's stored request searches, and its kinds of preview."""
     previews = request.get("previews")
-    return {**request["search"], **({STRATEGIES[request["strategy"]].preview: previews} if previews else {})}
+    return {**request["search"], **({_tunable(request["strategy"]).preview: previews} if previews else {})}
+
+
+def _tunable(strategy: str) -> Tunable:
+    return OURS.get(strategy, Tunable())
 
 
 def road(request: JsonObject, seed: int) -> JsonObject:
@@ -81,21 +112,21 @@ def road(request: JsonObject, seed: int) -> JsonObject:
 
 def longest_run(request: JsonObject) -> JsonObject:
     """The changes that give the request's longest run: the longest horizon and the shortest sample time."""
-    search, horizon = request["search"], STRATEGIES[request["strategy"]].horizon
+    search, horizon = request["search"], _tunable(request["strategy"]).horizon
     longest = {horizon: int(search[horizon][1])} if horizon in search else {}
     shortest = {SAMPLE_TIME: search[SAMPLE_TIME][0]} if SAMPLE_TIME in search else {}
     return longest | shortest
 
 
 def weights_at(scenario: JsonObject, strategy: str, searched: Iterable[str]) -> Weights:
-    """The strategy's weights in a plain scenario; the travel weight and other values only where searched."""
-    triples = STRATEGIES[strategy].triples
+    """The strategy's weights in a plain scenario; the travel weight, options and other values only where searched."""
+    triples = _tunable(strategy).triples
     others = [name for name in searched if name.rpartition(".")[0] not in triples]
     return {name: dotted.value(scenario, name) for name in [*triples, *others]}
 
 
 def paper_weights(strategy: str, searched: Iterable[str]) -> Weights:
-    """The paper's weights (Tables 3 and 6, section 4.2.2); the travel weight, which it lacks, at its default."""
+    """The paper's weights (Tables 3 and 6, section 4.2.2); what it lacks, as the travel weight, at its default."""
     return weights_at(_paper(), strategy, searched)
 
 
@@ -103,6 +134,12 @@ def first_weights(scenario: JsonObject, strategy: str, searched: Iterable[str]) 
     """The first points of every search: the paper's weights, and the scenario's where they differ."""
     papers, own = paper_weights(strategy, searched), weights_at(scenario, strategy, searched)
     return [papers] if own == papers else [papers, own]
+
+
+def has_own_weights(request: JsonObject, trials: Sequence[StoredTrial]) -> bool:
+    """Whether the second trial is the scenario's own weights, because they are others than the first's."""
+    own = weights_at(request["scenario"], request["strategy"], ranges_of(request))
+    return len(trials) > 1 and trials[0].weights != own
 
 
 def point_of(weights: Weights, search: Ranges, scenario: JsonObject) -> Point | None:

@@ -15,6 +15,7 @@ from typing import Any, Literal
 
 import orjson
 
+from backend import own
 from backend.batches.kind import SWEEP
 from backend.batches.points import Sweep
 from backend.batches.service import BatchService
@@ -22,6 +23,7 @@ from backend.errors import ServiceError, TemporaryError
 from backend.job_run import JobRow
 from backend.jobs.kind import JobFailedError, JobKind
 from backend.json_types import JsonObject, Summary
+from backend.own.watch import Watch
 from backend.store import Store, StoredJob
 from backend.store.job import FINAL
 from backend.store.jobs import ParentEndedError
@@ -30,7 +32,15 @@ from backend.tunings import comparison, front
 from backend.tunings.comparison_models import Comparison
 from backend.tunings.measure import Aims, Failure, Measured, RunsByRoad
 from backend.tunings.objectives import UndefinedObjectiveError
-from backend.tunings.space import Weights, first_weights, ranges_of, road, weights_at, weights_of
+from backend.tunings.space import (
+    Weights,
+    first_weights,
+    has_own_weights,
+    ranges_of,
+    road,
+    weights_at,
+    weights_of,
+)
 from sim_core import __version__ as CORE_VERSION
 from sim_core.errors import RidelabError
 from sim_core.scenario import SCHEMA_VERSION, Scenario
@@ -47,8 +57,9 @@ TUNING = JobKind(name="tuning", word="tuning", plural="tunings")
 class TuningSteps:
     """Takes the steps; Optuna has a thread of its own."""
 
-    def __init__(self, store: Store, sweeps: BatchService) -> None:
+    def __init__(self, store: Store, sweeps: BatchService, own_files: Watch) -> None:
         self._store = store
+        self._own_files = own_files
         self._sweeps = sweeps
         self._asking = ThreadPoolExecutor(1, thread_name_prefix="tuner")
         self.kind = replace(TUNING, step=self.step)
@@ -65,6 +76,7 @@ class TuningSteps:
             TemporaryError: The service is full.
         """
         try:
+            await self._check_law(job.request)
             if job.core_version != CORE_VERSION:
                 await self._begin_anew(job)
                 return
@@ -82,6 +94,13 @@ class TuningSteps:
             raise
         except ServiceError as error:
             raise JobFailedError(error.message) from error
+
+    async def _check_law(self, request: JsonObject) -> None:
+        """A controller of one's own is the one that the tuning began with, or it fails: two laws are not mixed."""
+        if (source := request.get("source")) is not None:
+            await self._own_files.current()
+            if own.source(request["strategy"]) != source:
+                raise JobFailedError(f"{source['file']} has changed or gone since it began: begin another tuning")
 
     async def _begin_anew(self, job: StoredJob) -> None:
         """Restart from the beginning, so that numbers of two core versions are not mixed; the search is repeatable."""
@@ -147,13 +166,13 @@ class TuningSteps:
         )
         proposing = partial(ask, search, trials, generation=job.progress["generation"], count=count - len(first))
         points = await asyncio.get_running_loop().run_in_executor(self._asking, proposing)
-        own = weights_at(scenario, strategy, ranges)
-        return [*first, *(weights_of(point, ranges, own) for point in points)]
+        present = weights_at(scenario, strategy, ranges)
+        return [*first, *(weights_of(point, ranges, present) for point in points)]
 
     async def _compare(self, job: StoredJob, trials: list[StoredTrial], aims: Aims) -> None:
         request, objectives = job.request, len(aims.objectives)
-        own = len(first_weights(request["scenario"], request["strategy"], ranges_of(request))) > 1 < len(trials)
-        roles = await asyncio.to_thread(comparison.roles, trials, objectives, own=own)
+        has_own = has_own_weights(request, trials)
+        roles = await asyncio.to_thread(comparison.roles, trials, objectives, own=has_own)
         sweep = await self._existing(job, "comparison")
         if sweep is None:
             sets = [trials[number].weights for number in roles]

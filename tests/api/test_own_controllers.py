@@ -8,27 +8,12 @@ import pytest
 from pythonfmu.builder import FmuBuilder
 
 from backend.fmu.archive import fmu
-from sim_core.controller_files import VARIABLE
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
-from tests.api.conftest import ROAD, Service
+from tests.api.conftest import Service
+from tests.api.own_laws import LAW, SCENARIO, driven, own, told_of
 from tests.importer import Importer
-from tests.servers.process import wait_until
 
-SCENARIO = {"road": ROAD}
-LAW = '''"""Mine."""
-from sim_core import Controller, option
-
-
-class Mine(Controller):
-    """Damps the body."""
-
-    id, label = "mine", "Mine"
-    damping: float = option(2000.0, unit="N s/m", ge=0, le=20_000, help="Force per velocity.")
-
-    def force(self, seen):
-        return -self.damping * seen.state[4], -self.damping * seen.state[4]
-'''
 BROKEN = {
     "raises": "return 1 / 0",
     "nan": "return float('nan'), 0.0",
@@ -43,21 +28,9 @@ BROKEN = {
 
 
 @pytest.fixture
-def folder(service: Service, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """A folder that the service is told of; files that are written there are strategies."""
-    monkeypatch.setenv(VARIABLE, str(tmp_path))
-    yield tmp_path
-    monkeypatch.undo()
-    service.client.get("/api/v1/strategies")  # which forgets them
-
-
-def own(service: Service) -> dict[str, Any]:
-    return {each["id"]: each for each in service.client.get("/api/v1/strategies").json() if each["own"]}
-
-
-def driven(service: Service, strategies: list[str], scenario: dict[str, Any] = SCENARIO) -> dict[str, Any]:
-    answer: dict[str, Any] = service.run(strategies, scenario).json()["strategies"]
-    return answer
+def folder(service: Service, tmp_path: Path) -> Iterator[Path]:
+    with told_of(service, tmp_path):
+        yield tmp_path
 
 
 def test_a_file_is_a_strategy_and_a_saved_one_another_law(service: Service, folder: Path) -> None:
@@ -268,91 +241,3 @@ def test_a_file_that_cannot_be_used_keeps_nothing_else_from_working(service: Ser
     (folder / "half.py").unlink()
     assert "whole" not in own(service)
     assert service.run(["whole"], SCENARIO).status_code == 422
-
-
-@pytest.fixture
-def mine(folder: Path) -> Path:
-    file = folder / "mine.py"
-    file.write_text(LAW.replace("    damping", "    hard: bool = option(False)\n    damping"))
-    return file
-
-
-def with_options(**options: Any) -> dict[str, Any]:
-    return {**SCENARIO, "own": {"mine": options}}
-
-
-def test_options_are_fields_that_only_their_law_reads(service: Service, mine: Path) -> None:
-    schema = service.client.get("/api/v1/schema").json()
-    assert schema["$defs"]["Own"]["properties"] == {"mine": {"$ref": "#/$defs/own.mine"}}
-    field = schema["$defs"]["own.mine"]["properties"]["damping"]
-    assert (field["unit"], field["soft_range"], field["default"]) == ("N·s/m", [0, 20_000], 2000.0)
-    assert own(service)["mine"]["reads"][-1] == "own.mine"
-    soft = driven(service, ["mine", "passive"])
-    hard = driven(service, ["mine", "passive"], with_options(damping=4000))
-    assert hard["passive"]["cached"]
-    assert hard["mine"]["metrics"] != soft["mine"]["metrics"]
-    mine.write_text(mine.read_text().replace("2000.0", "4000.0"))
-    assert driven(service, ["mine"])["mine"]["metrics"] == hard["mine"]["metrics"]
-
-
-@pytest.mark.parametrize(
-    ("sent", "pointer", "said"),
-    [
-        ({"mine": {"damping": 30_000}}, "mine/damping", "Input should be less than or equal to 20000"),
-        ({"mine": {"damping": "hard"}}, "mine/damping", "Input should be a valid number"),
-        ({"mine": {"hard": 1}}, "mine/hard", "Input should be a valid boolean"),
-        ({"mine": {"dampng": 1.0}}, "mine/dampng", "Unknown option dampng, perhaps damping; there are hard, damping"),
-        ({"mien": {"damping": 1.0}}, "mien", "Unknown controller with options mien, perhaps mine; there are mine"),
-        ({"lqr": {"damping": 1.0}}, "lqr", "Unknown controller with options lqr; there are mine"),
-        ({"mine": {"damping": [1.0]}}, "mine/damping", "An option is a finite number, true or false, or a short text"),
-        ({"mine": 3}, "mine", "Input should be a valid dictionary"),
-    ],
-)
-def test_an_option_that_cannot_be_is_refused_at_its_field(
-    service: Service, mine: Path, sent: dict[str, Any], pointer: str, said: str
-) -> None:
-    answer = service.run(["mine"], {**SCENARIO, "own": sent})
-    assert answer.status_code == 422
-    assert answer.json()["errors"] == [{"pointer": f"/scenario/own/{pointer}", "message": said}]
-
-
-def test_a_stored_scenario_whose_law_is_gone_still_opens(service: Service, mine: Path) -> None:
-    run = service.run(["mine", "passive"], with_options(damping=4000)).json()
-    slug = service.client.post("/api/v1/links", json={"run_id": run["id"]}).json()["slug"]
-    curves = f"/api/v1/runs/{run['id']}/series?strategy=mine&points=9&signals=front_force"
-    pinned = service.client.get(curves).json()
-    mine.unlink()
-    assert service.client.get(curves).json() == pinned, "the link keeps them"
-    assert service.run(["passive"], run["scenario"]).json()["errors"][0]["pointer"] == "/scenario/own/mine"
-    link = service.client.get(f"/api/v1/links/{slug}").json()
-    assert link["run"]["scenario"]["own"] == {"mine": {"damping": 4000}}
-    assert link["run"]["strategies"]["mine"]["metrics"] == run["strategies"]["mine"]["metrics"]
-
-
-def test_sweeps_and_searches_take_options(service: Service, mine: Path) -> None:
-    body = {
-        "scenario": SCENARIO,
-        "strategies": ["mine", "passive"],
-        "sweep": {"grid": {"own.mine.damping": [0, 3000, 6000]}},
-    }
-    batch = service.client.post("/api/v1/batches", json=body).json()
-    assert "id" in batch, batch
-    wait_until(lambda: service.client.get(f"/api/v1/batches/{batch['id']}").json()["state"] == "done", "a sweep")
-    figures = {"figures": "bump.body_acceleration.peak"}
-    table = service.client.get(f"/api/v1/batches/{batch['id']}/table", params=figures).json()
-    columns = table["columns"]
-    assert table["units"]["own.mine.damping"] == "N·s/m"
-    assert columns["own.mine.damping"] == [0, 0, 3000, 3000, 6000, 6000]
-    assert len(set(columns["bump.body_acceleration.peak"])) == 4, "passive reads none of it"
-    assert "Passive does not use mine: damping: its 3 runs give 1 result" in batch["notes"][0]
-    question = {
-        "scenario": SCENARIO,
-        "strategy": "mine",
-        "field": "own.mine.damping",
-        "range": [0, 3000],
-        "metric": "bump.front_force.peak",
-        "limit": 500,
-    }
-    solution = service.client.post("/api/v1/solve", json=question).json()
-    assert 0 < solution["value"] < 3000
-    assert solution["metric_value"] <= 500 < max(each["metric_value"] for each in solution["tried"])

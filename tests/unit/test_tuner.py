@@ -119,7 +119,7 @@ def test_dominated_shares_with_known_answers() -> None:
     assert front.dominated_share([trial(0, 1)], None) is None
 
 
-@pytest.mark.parametrize("strategy", space.STRATEGIES)
+@pytest.mark.parametrize("strategy", space.OURS)
 def test_weights_are_points_and_points_weights(strategy: str) -> None:
     search = space.default_search(strategy)
     papers = space.paper_weights(strategy, search)
@@ -268,9 +268,8 @@ def test_against_zero_the_difference_decides() -> None:
         ({"objectives": [{"kind": "paper"}, {"kind": "paper", "window": "whole"}]}, ()),
         ({"objectives": [{"kind": "paper", "q": [1, 1, "1"]}]}, ("objectives", 0, "q", 2)),
         ({"limits": [{"figure": "events.airborne_ms", "at_most": True}]}, ("limits", 0, "at_most")),
-        ({"search": {"lqr.weights.0": [0.1, 1]}}, ()),
-        ({"search": {"lqr.weights.3": [0.1, 1]}}, ("search",)),
-        ({"search": {"mpc.stage_weights.bump.0": [0, 1]}}, ("search", "mpc.stage_weights.bump.0", 0)),
+        ({"search": {"lqr.weights.0": [0.1, 1]}}, ("search",)),
+        ({"search": {"mpc.stage_weights.bump.0": [0, 1]}}, ()),
         ({"search": {"mpc.prediction_horizon": [10, 40]}}, ()),  # shorter than the scenario's control horizon
         ({"search": {"mpc.prediction_horizon": [32.6, 34.4]}}, ()),
         ({"search": {"mpc.sample_time": [0.001, 0.01]}}, ()),

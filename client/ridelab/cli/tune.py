@@ -25,9 +25,10 @@ _OBJECTIVE = (
 )
 _LIMIT = "On every training road, such as events.travel_exceeded_mm=1."
 _SEARCH = (
-    "Only these weights, horizons or times, such as mpc.stage_weights.bump.2=0.1:20 or mpc.prediction_horizon=20:60 "
-    "[default: all weights, 0.05:50]."
+    "Only these weights, options, horizons or times, such as mpc.stage_weights.bump.2=0.1:20 or "
+    "own.mine.damping=1kNs/m:9kNs/m [default: all weights, 0.05:50; of a law of your own all options with bounds]."
 )
+_STRATEGY = "lv, suspension_only, lqr, or a law of your own."
 _PREVIEW = "Kinds of preview to try too, such as obstacle,lookahead."
 _UNCERTAIN = "On every road another car, sensors and actuators, as in a robustness study."
 _QUANTILE = "Minimise this quantile over the roads, such as 0.9, not the mean."
@@ -39,7 +40,7 @@ def tune(
     scenario: options.Scenario = "paper",
     objective: Annotated[list[str] | None, options.option("OBJECTIVE", _OBJECTIVE)] = None,
     limit: Annotated[list[str] | None, options.option("METRIC=MOST", _LIMIT)] = None,
-    strategy: Annotated[str, typer.Option("--strategy", "-s", metavar="ID", help="lv, suspension_only or lqr.")] = "lv",
+    strategy: Annotated[str, typer.Option("--strategy", "-s", metavar="ID", help=_STRATEGY)] = "lv",
     search: Annotated[list[str] | None, options.option("WEIGHT=LOW:HIGH", _SEARCH)] = None,
     preview: Annotated[str | None, options.option("KIND,KIND", _PREVIEW)] = None,
     uncertain: Annotated[bool, options.flag(_UNCERTAIN, "--uncertain")] = False,
@@ -73,7 +74,7 @@ def tune(
         asked = {
             "objectives": [objective_of(text) for text in objective or ["paper"]],
             "limits": [{"figure": name, "at_most": most} for name, most in limits],
-            "search": fields.ranges_of(search, "--search", {}) if search else None,
+            "search": fields.ranges_of(search, "--search", services.names.fields) if search else None,
             "previews": preview.split(",") if preview is not None else None,
             "uncertain": uncertain or None,
             "quantile": quantile,
@@ -146,17 +147,23 @@ def _show(tuning: Tuning, names: Names) -> None:
     _show_points(answer)
     best = [trial["number"] for trial in tuning.best if trial is not None]
     if best and tuning.paper is not None and set(best) == {tuning.paper["number"]}:
-        typer.echo("\nNo weights that were tried are better than the paper's; --resume with more --trials tries more.")
+        first = _first(answer, "the paper's")
+        typer.echo(f"\nNo weights that were tried are better than {first}; --resume with more --trials tries more.")
     for point in comparison["points"] if comparison is not None else []:
         if comparison is not None and point["verdict"] is not None:
             _show_compared(answer, comparison["figures"], comparison["points"][0], point)
+
+
+def _first(answer: Mapping[str, Any], papers: str) -> str:
+    """What the first trial is called: the paper's, as is said, but the defaults of a law of one's own."""
+    return papers if answer.get("source") is None else "the defaults"
 
 
 def _show_points(answer: Mapping[str, Any]) -> None:
     """A row for each point of interest: its values and its weights."""
     named: dict[int, tuple[list[str], Mapping[str, Any]]] = {}
     several = len(answer["objectives"]) > 1
-    roles = [("the paper's", answer["paper"]), ("the scenario's", answer["own"])]
+    roles = [(_first(answer, "the paper's"), answer["paper"]), ("the scenario's", answer["own"])]
     roles += [(f"best {index + 1}" if several else "best", trial) for index, trial in enumerate(answer["best"])]
     for role, trial in [*roles, ("knee", answer["knee"])]:
         if trial is not None:
@@ -168,7 +175,7 @@ def _show_points(answer: Mapping[str, Any]) -> None:
         values = [*trial["values"], *trial["limits"]] if trial["status"] == "ok" else [None] * len(aims)
         tried = (trial["weights"][name] for name in weights)
         cells = [shown(value, 4) for value in values]
-        cells += [each if isinstance(each, str) else shown(each, 3) for each in tried]
+        cells += [each if isinstance(each, str) else shown(each, 6) for each in tried]
         rows.append([", ".join(names), trial["number"], *cells])
     heads = [with_unit(each["label"], each["unit"]) for each in aims] + [name.rpartition("mpc.")[2] for name in weights]
     show_table(["weights", "trial", *heads], rows)
@@ -177,11 +184,12 @@ def _show_points(answer: Mapping[str, Any]) -> None:
 def _show_compared(
     answer: Mapping[str, Any], figures: Sequence[Mapping[str, Any]], paper: Mapping[str, Any], point: Mapping[str, Any]
 ) -> None:
-    """One point against the paper's weights, the training roads beside the validation roads."""
+    """One point against the first trial, the training roads beside the validation roads."""
     roads = f"training roads {_spans(answer['seeds'])}, validation roads {_spans(answer['fresh_seeds'])}"
-    typer.echo(f"\nTrial {point['trial']} against the paper's weights; {roads}")
-    heads = ["mean of", "paper", "tuned", "change"]
-    heads += ["paper, validation", "tuned, validation", "change, validation (95 %)", ""]
+    weights, first = _first(answer, "the paper's weights"), _first(answer, "the paper").removeprefix("the ")
+    typer.echo(f"\nTrial {point['trial']} against {weights}; {roads}")
+    heads = ["mean of", first, "tuned", "change"]
+    heads += [f"{first}, validation", "tuned, validation", "change, validation (95 %)", ""]
     rows = []
     for figure in figures:
         kind, _, index = figure["key"].partition(".")

@@ -1550,6 +1550,7 @@ export interface components {
             };
             readonly seed: number;
             readonly seeds: readonly number[];
+            readonly source: components["schemas"]["Source"] | null;
             readonly started_at: string | null;
             /** @enum {string} */
             readonly state: "queued" | "running" | "done" | "cancelled" | "failed";
@@ -1587,6 +1588,7 @@ export interface components {
             };
             readonly seed: number;
             readonly seeds: readonly number[];
+            readonly source: components["schemas"]["Source"] | null;
             readonly started_at: string | null;
             /** @enum {string} */
             readonly state: "queued" | "running" | "done" | "cancelled" | "failed";

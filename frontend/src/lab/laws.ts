@@ -1,27 +1,24 @@
 /** Controllers of one's own: their files are saved, break and go away while their results are shown. */
 
-import { useQueryClient } from "@tanstack/react-query";
 import { useEffect, useMemo, useRef } from "react";
 import type { Strategy, Summary } from "../api/types";
 import { isRecording } from "../lib/recording";
-import { figuresQuery, schemaQuery } from "../server/queries";
+import { lawsOf } from "../server/queries";
 import { useLab, useLabContext } from "./context";
 
-/** Runs what is shown again where the file of one that is chosen was saved, and reads what follows from the files. */
+/** Runs what is shown again where the file of one that is chosen was saved. */
 export function useSavedLaws(strategies: readonly Strategy[]): void {
   const { lab } = useLabContext();
-  const queries = useQueryClient();
-  const laws = strategies.map(({ id, source }) => `${id} ${source?.digest ?? ""}`).join();
+  const laws = lawsOf(strategies);
   const known = useRef(laws);
   useEffect(() => {
     if (known.current === laws) return;
     known.current = laws;
-    for (const { queryKey } of [schemaQuery, figuresQuery]) void queries.invalidateQueries({ queryKey });
     const { shown, strategies: chosen } = lab.get();
     const isOld = ({ id, own, source }: Strategy) =>
       own && chosen.includes(id) && shown?.summaries[id]?.source?.digest !== source?.digest;
     if (shown && strategies.some(isOld)) lab.runAgain();
-  }, [laws, strategies, lab, queries]);
+  }, [laws, strategies, lab]);
 }
 
 /** The strategies, and those of the shown result that are there no more: their numbers stay. */

@@ -39,13 +39,23 @@ export const roadQuery = (id: string) => ({
 });
 export const vehiclesQuery = { ...query("/vehicles", {}), ...FOR_EVER };
 const LOOK_MS = 2000;
+/** What there is, and of which file: another text where a file was saved, and what follows from it is read again. */
+export const lawsOf = (strategies: readonly Strategy[]) =>
+  strategies.map(({ id, source }) => `${id} ${source?.digest ?? ""}`).join();
 /** Those of one's own change when their file is saved: while there are any, the page looks for that. */
-export const strategiesQuery = {
-  ...query("/strategies", {}),
+export const strategiesQuery = queryOptions({
+  queryKey: ["strategies"],
+  queryFn: async ({ signal, client }) => {
+    const now = await ask("get", "/strategies", {}, signal);
+    const known = client.getQueryData<readonly Strategy[]>(["strategies"]);
+    if (known && lawsOf(known) !== lawsOf(now))
+      for (const { queryKey } of [schemaQuery, figuresQuery]) void client.invalidateQueries({ queryKey });
+    return now;
+  },
   ...UNTIL_THERE,
   refetchInterval: ({ state }: { readonly state: { readonly data?: readonly Strategy[] | undefined } }) =>
     state.data?.some(({ own }) => own) ? LOOK_MS : (false as const),
-};
+});
 export const catalogueQuery = { ...query("/catalogue", {}), ...UNTIL_THERE };
 export const figuresQuery = queryOptions({
   queryKey: ["figures"],

@@ -11,7 +11,7 @@ import { count } from "../../units/format";
 import { firstDraft, rangesFor, restoreTuning, type TuningDraft, readDraft, tuningFieldName } from "./draft";
 import { LimitRows, ObjectiveRows } from "./ObjectiveRows";
 import { RangesTable } from "./RangesTable";
-import { numberFields, TUNABLE, tunableOf, type TunableNumber } from "./space";
+import { isTunable, numberFields, reads, tunableOf, type TunableNumber } from "./space";
 import classes from "./tuner.module.css";
 import ui from "../../ui/ui.module.css";
 import { useDraft } from "../../lib/useDraft";
@@ -45,13 +45,18 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
     initial: () => firstDraft(form),
     restore: (texts) => restoreTuning(texts, form),
   });
-  const { draft, setDraft } = stored;
+  const { setDraft } = stored;
+  // A controller of one's own may have gone, or have other options, since somebody chose it.
+  const draft = isTunable(form, stored.draft.strategy)
+    ? { ...stored.draft, ranges: { ...rangesFor(form, stored.draft.strategy), ...stored.draft.ranges } }
+    : firstDraft(form);
+  const strategy = strategies.find(({ id }) => id === draft.strategy);
   const patch = (change: Partial<TuningDraft>) => setDraft({ ...draft, ...change });
   const tunable = useMemo(() => tunableOf(form, draft.strategy), [form, draft.strategy]);
-  const numbers = useMemo(() => numberFields(tunable), [tunable]);
+  const numbers = useMemo(() => numberFields(tunable).filter(({ name }) => reads(strategy, name)), [tunable, strategy]);
   const submission = useNewTuning(draft, numbers, figures, source.scenario, stored.forget);
   const { errors, general } = submission;
-  const { preview } = tunable;
+  const preview = reads(strategy, "mpc.preview") || draft.strategy === "lqr" ? tunable.preview : null;
   const entry = (
     key: "seeds" | "validationSeeds" | "trials" | "population" | "seed",
     label: string,
@@ -82,8 +87,8 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
             className={classes.segments ?? ""}
             aria-label="Strategy"
             value={draft.strategy}
-            data={TUNABLE.map((id) => ({ value: id, label: strategies.find((each) => each.id === id)?.label ?? id }))}
-            onChange={(strategy) => patch({ strategy, ranges: rangesFor(form, strategy), previews: [] })}
+            data={strategies.flatMap(({ id, label }) => (isTunable(form, id) ? [{ value: id, label }] : []))}
+            onChange={(id) => patch({ strategy: id, ranges: rangesFor(form, id), previews: [] })}
           />
         </Input.Wrapper>
       </Part>
@@ -98,7 +103,7 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
       <Part title="Within limits" detail="on every training road">
         <LimitRows limits={draft.limits} {...{ figures, errors }} onChange={(limits) => patch({ limits })} />
       </Part>
-      <Part title="Weights and times" detail="searched between these ends, by ratio">
+      <Part title="Weights and times" detail="searched between these ends, by ratio where both are above 0">
         <RangesTable
           tunable={tunable}
           fields={numbers}

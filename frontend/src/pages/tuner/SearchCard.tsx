@@ -10,6 +10,7 @@ import { useStrategies } from "../../server/useCatalogues";
 import { count, formatResult } from "../../units/format";
 import { frontFigure, historyFigure, volumeFigure, type Look } from "./charts";
 import type { Shown } from "./figures";
+import { firstTrial } from "./space";
 import type { Point, TuningParts } from "./points";
 import classes from "./tuner.module.css";
 import { Choice } from "../../ui/Entry";
@@ -45,7 +46,7 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
     const [shown] = objectives;
     return (look: Look) =>
       !several && shown
-        ? historyFigure({ ...look, trials, picked, paper: tuning.paper, shown })
+        ? historyFigure({ ...look, trials, picked, paper: tuning.paper, first: firstTrial(tuning), shown })
         : frontFigure({ ...look, trials, picked, front: tuning.front, named: namedOf(points), x, y, objectives });
   }, [trials, picked, objectives, several, tuning, points, x, y]);
   const figure = useMemo(() => draw({ palette, colour }), [draw, palette, colour]);
@@ -97,7 +98,7 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
     >
       {tuning.paper === null ? (
         <Text c="dimmed" className={classes.plotEmpty ?? ""} style={{ height: HEIGHT }}>
-          The first generation is being computed: the paper’s weights and {tuning.population - 1} others.
+          The first generation is being computed: {firstTrial(tuning)} and {tuning.population - 1} others.
         </Text>
       ) : (
         <Chart hostRef={host} figure={figure} height={HEIGHT} label={describe(tuning, objectives)} onPoint={onPick} />
@@ -127,10 +128,10 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
             hostRef={growth}
             figure={volume}
             height={180}
-            label="Share of the box under the paper’s weights that the front dominates, over the trials"
+            label="Share of the box under the first trial that the front dominates, over the trials"
           />
           <Text size="xs" c="dimmed" className={ui.note ?? ""}>
-            The part of the box between zero and the paper’s weights that the front dominates: it flattens when more
+            The part of the box between zero and {firstTrial(tuning)} that the front dominates: it flattens when more
             trials find little more.
           </Text>
         </details>
@@ -139,11 +140,12 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
   );
 }
 
-function describe({ front, paper, history }: Tuning, objectives: readonly Shown[]): string {
+function describe(tuning: Tuning, objectives: readonly Shown[]): string {
+  const { front, paper, history } = tuning;
   const names = objectives.map(({ label }) => label).join(" against ");
   if (objectives.length > 1)
     return `${names}: ${front.length} points on the Pareto front. They can be chosen by “Weights of trial”.`;
   const best = history.at(-1)?.best[0];
   const scale = objectives[0]?.scale ?? 1;
-  return `${names} over the trials: the paper’s weights ${formatResult((paper?.values?.[0] ?? NaN) * scale, 4)}, best ${typeof best === "number" ? formatResult(best * scale, 4) : "none yet"}`;
+  return `${names} over the trials: ${firstTrial(tuning)} ${formatResult((paper?.values?.[0] ?? NaN) * scale, 4)}, best ${typeof best === "number" ? formatResult(best * scale, 4) : "none yet"}`;
 }

@@ -13,9 +13,10 @@ import { ofLimit, ofObjective, useNumericCatalogues } from "./figures";
 import { ValidationTable } from "./ValidationTable";
 import { pointsOf } from "./points";
 import { PointsTable } from "./PointsTable";
-import { tunableOf } from "./space";
+import { firstTrial, tunableOf } from "./space";
 import { TuningPlot } from "./TuningPlot";
 import { TuningState } from "./TuningState";
+import { humanise } from "../../scenario/schema";
 import { withFields } from "../../scenario/fields";
 import { Fault } from "../../ui/Fault";
 import ui from "../../ui/ui.module.css";
@@ -85,11 +86,13 @@ function TuningResults({ tuning, form, strategies, figures }: { readonly tuning:
   );
 }
 
-function warningOf({ paper, trials }: Tuning): string | null {
+function warningOf(tuning: Tuning): string | null {
+  const { paper, trials } = tuning;
   if (paper === null) return null;
   if (trials.feasible === 0) return "No trial so far is within the limits on every training road.";
-  if (paper.status === "failed") return "The paper’s weights could not be driven: there is nothing to compare with.";
+  if (paper.status === "failed")
+    return `${humanise(firstTrial(tuning))} could not be driven: there is nothing to compare with.`;
   return paper.feasible
     ? null
-    : "The paper’s own weights are over a limit on the training roads: weights within the limits may give larger objectives.";
+    : `${humanise(firstTrial(tuning))} are over a limit on the training roads: weights within the limits may give larger objectives.`;
 }

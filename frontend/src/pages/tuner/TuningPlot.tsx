@@ -14,7 +14,7 @@ import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
 import { dotted } from "../../scenario/fields";
 import { DataTable, type Column } from "../../ui/DataTable";
-import { formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
+import { firstTrial, formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
 import { ask } from "../../api/http";
 
 const NO_TRIALS: readonly Trial[] = [];
@@ -51,7 +51,7 @@ export function TuningPlot({ tuning, objectives, limits, tunable, points, colour
             <WeightsOf weights={picked.weights} beside={tuning.paper?.weights} tunable={tunable} />
             {picked.number !== tuning.paper?.number && (
               <Text size="xs" c="dimmed">
-                Struck through: the paper’s.
+                Struck through: {firstTrial(tuning)}.
               </Text>
             )}
             <Button variant="filled" loading={load.opening?.number === picked.number} onClick={() => load.open(picked)}>

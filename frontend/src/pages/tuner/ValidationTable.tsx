@@ -9,7 +9,8 @@ import { formatPercent } from "../../features/tables/change";
 import tables from "../../features/tables/tables.module.css";
 import { formatResult, prettyUnit } from "../../units/format";
 import { ofKey, type Shown } from "./figures";
-import { roleName, type TuningParts } from "./points";
+import { firstTrial } from "./space";
+import { firstName, roleName, type TuningParts } from "./points";
 import results from "./results.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { LimitValue } from "./PointsTable";
@@ -37,7 +38,7 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
           <Text c="dimmed">
             {isFinal(tuning)
               ? "The comparison is made once the search is complete: resume it for that."
-              : `When the search is complete, the best weights drive ${tuning.fresh_seeds.length} roads they were not tuned on, beside the paper’s.`}
+              : `When the search is complete, the best weights drive ${tuning.fresh_seeds.length} roads they were not tuned on, beside ${firstTrial(tuning)}.`}
           </Text>
           {tuning.step === "comparison" && !isFinal(tuning) && <Skeleton height={120} radius={6} mt={10} />}
         </div>
@@ -73,7 +74,7 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
         )}
       </ul>
       <DataTable
-        label="The paper’s and the tuned weights over training and validation roads"
+        label="The first trial’s and the tuned weights over training and validation roads"
         rows={comparison.figures.map(({ key }) => rowOf(key, tuning, figures))}
         rowKey={({ key }) => key}
         rowAttributes={({ key }) => ({ "data-figure": key })}
@@ -90,12 +91,15 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
             ),
           },
           ...comparison.points.flatMap((point) =>
-            columnsOf(point, `${point.roles.map((role) => roleName(role, labels)).join(", ")} · trial ${point.trial}`),
+            columnsOf(
+              point,
+              `${point.roles.map((role) => roleName(role, labels, firstName(tuning))).join(", ")} · trial ${point.trial}`,
+            ),
           ),
         ]}
       />
       <Text size="xs" c="dimmed" className={ui.note ?? ""}>
-        Means over the roads; the change against the paper’s weights with its 95 % interval, paired road by road. An
+        Means over the roads; the change against {firstTrial(tuning)} with its 95 % interval, paired road by road. An
         arrow stands only where the interval does not hold zero.
       </Text>
     </Card>
@@ -231,7 +235,7 @@ const ENDING: Readonly<Record<Keeps, string>> = {
   shrinks: "less of the gain is left there",
   unclear: "no certain gain, as the interval holds zero",
   worse: "the weights are tuned to the training roads and worse elsewhere",
-  none: "no gain over the paper’s weights",
+  none: "no gain over the first trial",
 };
 
 function gainOf(point: ComparedPoint, objective: number): Gain | null {
@@ -241,7 +245,7 @@ function gainOf(point: ComparedPoint, objective: number): Gain | null {
       objective,
       keeps: "none",
       worse: [],
-      text: "No weights that were tried are better than the paper’s on the training roads.",
+      text: "No weights that were tried are better than the first trial’s on the training roads.",
     };
   const key = `objectives.${objective}`;
   const [training, validation] = [point.training[key]?.change, point.fresh[key]?.change];

@@ -71,7 +71,7 @@ describe("one objective", () => {
   it("is the best so far over the trials, the paper's beside", () => {
     const paper = trial(0, [2]);
     const trials = [paper, trial(1, [1], false), trial(2, [1.5]), trial(3, null), trial(4, [1.7]), trial(5, [500])];
-    const figure = historyFigure({ trials, paper, picked: null, shown: plain, palette, colour: "red" });
+    const figure = historyFigure({ trials, paper, first: "", picked: null, shown: plain, palette, colour: "red" });
     const line = figure.data.find(({ name }) => name === "Best so far");
     expect([line?.x, line?.y]).toEqual([
       [0, 2, 5],

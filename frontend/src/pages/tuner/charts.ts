@@ -5,6 +5,7 @@ import type { ChartFigure } from "../../plots/Chart";
 import { type Palette, chartLayout } from "../../plots/palettes";
 import type { LineTrace, PointTrace } from "../../plots/plotly";
 import { formatResult, prettyUnit, titleWithUnit } from "../../units/format";
+import { humanise } from "../../scenario/schema";
 import type { Shown } from "./figures";
 
 export interface Look {
@@ -157,7 +158,7 @@ export function frontFigure(input: FrontInput): SearchFigure {
 }
 
 const symbolOf = (name: string) =>
-  name.startsWith("The paper") ? "square" : name.startsWith("The scenario") ? "triangle-up" : "diamond";
+  /^The (paper|defaults)/.test(name) ? "square" : name.startsWith("The scenario") ? "triangle-up" : "diamond";
 
 /** A plot, and how many points lie beyond its axes as it opens. */
 export interface SearchFigure extends ChartFigure {
@@ -166,6 +167,8 @@ export interface SearchFigure extends ChartFigure {
 
 export interface HistoryInput extends Input {
   readonly paper: Trial | null;
+  /** What that one is. */
+  readonly first: string;
   readonly shown: Shown;
 }
 
@@ -187,7 +190,7 @@ function bestSoFar(
 
 /** One objective: every trial, and the best so far as a line. */
 export function historyFigure(input: HistoryInput): SearchFigure {
-  const { paper, shown, palette, colour } = input;
+  const { paper, first, shown, palette, colour } = input;
   const up = (trial: Trial) => valueOf(trial, 0, shown);
   const { driven, all, ring } = pointsBy(input, [shown], ({ number }) => number, up);
   const best = bestSoFar(driven, shown);
@@ -228,7 +231,7 @@ export function historyFigure(input: HistoryInput): SearchFigure {
       annotations: Number.isFinite(reference)
         ? [
             {
-              text: "The paper’s weights",
+              text: humanise(first),
               xref: "paper",
               x: 1,
               y: reference,

@@ -1,10 +1,10 @@
 import { describe, expect, it } from "vitest";
 import type { Metric } from "../../server/metrics";
 import { problemsByField } from "../../features/jobForm/problems";
-import { rangesFor, readDraft, objectiveOf, tuningFieldName, type TuningDraft } from "./draft";
+import { rangesFor, readDraft, restoreTuning, objectiveOf, tuningFieldName, type TuningDraft } from "./draft";
 import { readSchema } from "../../scenario/schema";
 import { withFields } from "../../scenario/fields";
-import { formatValue, numberFields, ownText, tunableOf, weightAt } from "./space";
+import { formatValue, numberFields, ownText, singlesIn, tunableOf, weightAt } from "./space";
 
 const TRAVEL: Metric = { key: "events.travel", label: "Travel", group: "Events", unit: "mm", scale: 1 };
 const LOAD: Metric = { key: "bump.load.peak", label: "Load", group: "Peak, bump", unit: "kN", scale: 1e-3 };
@@ -133,5 +133,35 @@ describe("a trial's weights", () => {
     expect(withFields(scenario, weights)).toEqual({
       mpc: { stage_weights: { bump: [1, 2, 3], brake: [9, 9, 9] }, deflection_weight: 4 },
     });
+  });
+});
+
+describe("a law of one's own", () => {
+  const options = {
+    damping: { type: "number", minimum: 0, maximum: 20000, unit: "N·s/m", default: 2000, soft_range: [0, 20000] },
+    gain: { type: "number", unit: "1", default: -1, soft_range: [-2, 2] },
+    hard: { type: "boolean", default: false },
+  };
+  const form = readSchema({ properties: { own: { properties: { mine: { title: "Mine", properties: options } } } } });
+
+  it("is tuned by its options that are numbers, those with bounds at first, on both sides of zero", () => {
+    const ranges = rangesFor(form, "mine");
+    expect(ranges).toEqual({
+      "own.mine.damping": { on: true, from: "0", to: "20000" },
+      "own.mine.gain": { on: false, from: "-2", to: "2" },
+    });
+    const searched = { ...ranges, "own.mine.gain": { on: true, from: "-1", to: "1" } };
+    const numbers = numberFields(tunableOf(form, "mine"));
+    const parsed = readDraft({ ...DRAFT, strategy: "mine", limits: [], ranges: searched }, numbers, []);
+    expect(parsed.ok && parsed.body.search).toEqual({ "own.mine.damping": [0, 20000], "own.mine.gain": [-1, 1] });
+    expect(restoreTuning({ ...DRAFT, strategy: "gone" }, form)).toBeNull();
+  });
+
+  it("shows what was tried of an option that it has no more", () => {
+    const shown = singlesIn(tunableOf(form, "mine"), { "own.mine.damping": 2000, "own.mine.gone": 3 });
+    expect(shown.map(({ title, field }) => [title, formatValue(3, field)])).toEqual([
+      ["Damping [N·s/m]", "3"],
+      ["gone", "3"],
+    ]);
   });
 });

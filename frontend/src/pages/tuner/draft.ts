@@ -3,13 +3,14 @@
 import type { StrategyId, TuningChoice } from "../../api/types";
 import type { Metric } from "../../server/metrics";
 import { parseTyped, typedText } from "../../scenario/limits";
+import { OWN } from "../../scenario/ownOptions";
 import type { Group } from "../../scenario/schema";
 import { isLike } from "../../lib/storage";
 import type { DraftErrors, FieldNameOf } from "../../features/jobForm/problems";
 import { formatInput, parseInput } from "../../units/format";
 import { parseQuantity } from "../../units/quantity";
 import { readSeeds } from "./seeds";
-import { numberFields, TUNABLE, tunableOf, type TunableNumber } from "./space";
+import { isTunable, numberFields, tunableOf, type TunableNumber } from "./space";
 
 export type ObjectiveKind = "paper" | "peaks" | "figure";
 
@@ -86,12 +87,13 @@ export const objectiveOf = (key: number, kind: ObjectiveKind, figure: string | n
 export function rangesFor(form: Group, strategy: StrategyId): Readonly<Record<string, RangeDraft>> {
   return Object.fromEntries(
     numberFields(tunableOf(form, strategy)).map(({ name, single, field }) => {
-      const { soft } = field;
+      const { soft, minimum, maximum } = field;
+      const isOption = field.pointer.startsWith(OWN);
       const [from, to] =
         single && !name.endsWith("deflection_weight")
-          ? [typedText(field, soft[0] || soft[1] / 100), typedText(field, soft[1])]
+          ? [typedText(field, soft[0] || (isOption ? 0 : soft[1] / 100)), typedText(field, soft[1])]
           : RANGE;
-      return [name, { on: !single, from, to }];
+      return [name, { on: isOption ? Number.isFinite(maximum - minimum) : !single, from, to }];
     }),
   );
 }
@@ -115,8 +117,8 @@ export function firstDraft(form: Group, strategy: StrategyId = "lv"): TuningDraf
 
 /** A stored draft, over the form's fields of today. */
 export function restoreTuning(stored: unknown, form: Group): TuningDraft | null {
-  const strategy = TUNABLE.find((id) => isLike({ strategy: "" }, stored) && stored.strategy === id);
-  if (strategy === undefined) return null;
+  if (!isLike({ strategy: "" }, stored) || !isTunable(form, stored.strategy)) return null;
+  const { strategy } = stored;
   const template: TuningDraft = { ...firstDraft(form, strategy), limits: [limitOf("")] };
   if (!isLike(template, stored) || !stored.objectives.every(({ kind }) => kind in WINDOW_OF)) return null;
   return stored;

@@ -12,12 +12,15 @@ export interface Point {
   readonly isPaper: boolean;
 }
 
+/** What the first trial is called. */
+export const firstName = ({ source }: Pick<Tuning, "source">) => (source === null ? "The paper’s" : "The defaults");
+
 /** One entry a trial, whatever it is at once; the paper's first. */
 export function pointsOf(tuning: Tuning, labels: readonly string[]): readonly Point[] {
   const { paper, own, best, knee } = tuning;
   const several = best.length > 1;
   const named: readonly (readonly [Trial | null, string])[] = [
-    [paper, "The paper’s"],
+    [paper, firstName(tuning)],
     [own, "The scenario’s"],
     ...best.map((trial, index) => [trial, several ? `Best: ${labels[index] ?? ""}` : "Best"] as const),
     [knee, "Balanced"],
@@ -32,8 +35,8 @@ export function pointsOf(tuning: Tuning, labels: readonly string[]): readonly Po
 }
 
 /** What a role of the comparison is called. */
-export function roleName(role: string, labels: readonly string[]): string {
-  if (role === "paper") return "The paper’s";
+export function roleName(role: string, labels: readonly string[], first: string): string {
+  if (role === "paper") return first;
   if (role === "scenario") return "The scenario’s";
   if (role === "knee") return "Balanced";
   const [, index] = /^best\.(\d+)$/.exec(role) ?? [];

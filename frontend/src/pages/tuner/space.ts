@@ -1,6 +1,7 @@
 /** What of a strategy can be tuned, as backend/tunings/space.py has it; names, units and limits are the form's. */
 
-import type { Scenario, StrategyId, Weights } from "../../api/types";
+import type { Scenario, Strategy, StrategyId, Tuning, Weights } from "../../api/types";
+import { OWN } from "../../scenario/ownOptions";
 import { getAt, type Pointer } from "../../scenario/path";
 import {
   findMember,
@@ -37,7 +38,20 @@ const SPACES: Readonly<Record<StrategyId, Space>> = {
   },
 };
 
-export const TUNABLE: readonly StrategyId[] = Object.keys(SPACES);
+/** Of a controller of one's own: its options that are numbers come first. */
+const spaceOf = (form: Group, strategy: StrategyId): Space | undefined => {
+  const law = findMember(form, `${OWN}${strategy}`);
+  if (law?.kind !== "group") return SPACES[strategy];
+  const options = law.members.flatMap(({ kind, pointer }) => (kind === "number" ? [pointer] : []));
+  return { triples: [], others: [...options, "/mpc/prediction_horizon", ...TIMING], preview: MPC.preview };
+};
+
+/** Ours that have weights, and those of one's own that have options. */
+export const isTunable = (form: Group, strategy: StrategyId): boolean => spaceOf(form, strategy) !== undefined;
+
+/** Whether a strategy looks at a field of the scenario. */
+export const reads = (strategy: Strategy | undefined, name: string): boolean =>
+  strategy?.reads.some((each) => name === each || name.startsWith(`${each}.`)) ?? false;
 
 export interface Tunable {
   readonly triples: readonly VectorField[];
@@ -46,7 +60,7 @@ export interface Tunable {
 }
 
 export function tunableOf(form: Group, strategy: StrategyId): Tunable {
-  const space = SPACES[strategy];
+  const space = spaceOf(form, strategy);
   const member = (pointer: Pointer) => findMember(form, pointer);
   const preview = space && member(space.preview);
   return {
@@ -68,7 +82,7 @@ export interface TunableNumber {
   readonly name: string;
   /** The title of the row it stands in. */
   readonly row: string;
-  /** With the limits of a search: by ratio, so from above 0. */
+  /** With the limits of a search: by ratio, so from above 0, but for an option of a controller of one's own. */
   readonly field: NumberField;
   /** It is none of a triple. */
   readonly single: boolean;
@@ -77,7 +91,7 @@ export interface TunableNumber {
 /** The triples' weights first. */
 export function numberFields({ triples, others }: Tunable): readonly TunableNumber[] {
   const searched = (field: NumberField): NumberField =>
-    field.minimum > 0 ? field : { ...field, minimum: 0, exclusiveMinimum: true };
+    field.minimum > 0 || field.pointer.startsWith(OWN) ? field : { ...field, minimum: 0, exclusiveMinimum: true };
   return [
     ...triples.flatMap((triple) =>
       triple.items.map((field) => ({
@@ -98,6 +112,10 @@ export function numberFields({ triples, others }: Tunable): readonly TunableNumb
 
 const titleOf = ({ title, shown }: NumberField) => titleWithUnit(title, shown.unit);
 
+/** What the first trial is. */
+export const firstTrial = ({ source }: Pick<Tuning, "source">) =>
+  source === null ? "the paper’s weights" : "the law’s defaults";
+
 /** A single value of a trial: `mpc.stage_weights.bump.0` of `{"mpc.stage_weights.bump": [1, 1, 6]}`. */
 export function weightAt(weights: Weights, name: string): number | string | undefined {
   const whole = weights[name];
@@ -111,7 +129,8 @@ export function weightAt(weights: Weights, name: string): number | string | unde
 export interface Single {
   readonly name: string;
   readonly title: string;
-  readonly field: NumberField | ChoiceField;
+  /** Null of an option that its law has no more. */
+  readonly field: NumberField | ChoiceField | null;
 }
 
 /** What a trial has beside its triples: the numbers and the kind of preview that were searched. */
@@ -120,12 +139,18 @@ export function singlesIn({ others, preview }: Tunable, weights: Weights): reado
     ...others.map((field) => ({ name: dotted(field.pointer), title: titleOf(field), field })),
     ...(preview ? [{ name: dotted(preview.pointer), title: preview.title, field: preview }] : []),
   ];
-  return all.filter(({ name }) => name in weights);
+  const gone = Object.keys(weights).filter(
+    (name) => name.startsWith("own.") && all.every((each) => each.name !== name),
+  );
+  return [
+    ...all.filter(({ name }) => name in weights),
+    ...gone.map((name) => ({ name, title: name.replace(/^own\.\w+\./, ""), field: null })),
+  ];
 }
 
 /** In the field's shown unit, without it. */
-export const formatValue = (value: number | string, field: NumberField | ChoiceField): string =>
-  typeof value === "string" ? optionTitle(value) : field.kind === "number" ? typedText(field, value) : String(value);
+export const formatValue = (value: number | string, field: Single["field"]): string =>
+  typeof value === "string" ? optionTitle(value) : field?.kind === "number" ? typedText(field, value) : String(value);
 
 /** The scenario's own value, with its unit. */
 export const ownText = (scenario: Scenario, { name, field }: TunableNumber): string => {

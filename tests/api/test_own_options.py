@@ -1,0 +1,163 @@
+"""Options of controllers of one's own are fields like ours: in runs, sweeps, searches and tunings."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.api.conftest import ROAD, Service
+from tests.api.own_laws import LAW, SCENARIO, driven, own, told_of
+from tests.api.tuning import begin, get, trials, wait_for
+from tests.servers.process import wait_until
+
+MINE = LAW.replace("    damping", "    hard: bool = option(False)\n    damping")
+_CLASS = LAW.partition("\n\n\n")[2]
+FREE = _CLASS.replace("mine", "free").replace("Mine", "Free").replace(", ge=0, le=20_000", "")
+
+
+@pytest.fixture(scope="module", autouse=True)
+def folder(service: Service, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """With a file of two laws: one with bounds, one without, which looks nowhere ahead."""
+    folder = tmp_path_factory.mktemp("laws")
+    (folder / "mine.py").write_text(f"{MINE}\n\n{FREE}    preview = 'none'\n")
+    with told_of(service, folder):
+        yield folder
+
+
+def with_options(**options: Any) -> dict[str, Any]:
+    return {**SCENARIO, "own": {"mine": options}}
+
+
+def test_options_are_fields_that_only_their_law_reads(service: Service) -> None:
+    schema = service.client.get("/api/v1/schema").json()
+    assert schema["$defs"]["Own"]["properties"]["mine"] == {"$ref": "#/$defs/own.mine"}
+    field = schema["$defs"]["own.mine"]["properties"]["damping"]
+    assert (field["unit"], field["soft_range"], field["default"]) == ("N·s/m", [0, 20_000], 2000.0)
+    assert own(service)["mine"]["reads"][-1] == "own.mine"
+    soft = driven(service, ["mine", "passive"])
+    hard = driven(service, ["mine", "passive"], with_options(damping=4000))
+    assert hard["passive"]["cached"]
+    assert hard["mine"]["metrics"] != soft["mine"]["metrics"]
+
+
+@pytest.mark.parametrize(
+    ("sent", "pointer", "said"),
+    [
+        ({"mine": {"damping": 30_000}}, "mine/damping", "Input should be less than or equal to 20000"),
+        ({"mine": {"damping": "hard"}}, "mine/damping", "Input should be a valid number"),
+        ({"mine": {"hard": 1}}, "mine/hard", "Input should be a valid boolean"),
+        ({"mine": {"dampng": 1.0}}, "mine/dampng", "Unknown option dampng, perhaps damping; there are hard, damping"),
+        (
+            {"mien": {"damping": 1.0}},
+            "mien",
+            "Unknown controller with options mien, perhaps mine; there are mine, free",
+        ),
+        ({"lqr": {"damping": 1.0}}, "lqr", "Unknown controller with options lqr; there are mine, free"),
+        ({"mine": {"damping": [1.0]}}, "mine/damping", "An option is a finite number, true or false, or a short text"),
+        ({"mine": 3}, "mine", "Input should be a valid dictionary"),
+    ],
+)
+def test_an_option_that_cannot_be_is_refused_at_its_field(
+    service: Service, sent: dict[str, Any], pointer: str, said: str
+) -> None:
+    answer = service.run(["mine"], {**SCENARIO, "own": sent})
+    assert answer.status_code == 422
+    assert answer.json()["errors"] == [{"pointer": f"/scenario/own/{pointer}", "message": said}]
+
+
+def test_a_stored_scenario_whose_law_is_gone_still_opens(service: Service, folder: Path) -> None:
+    file = folder / "leaving.py"
+    file.write_text(LAW.replace("mine", "leaving"))
+    run = service.run(["leaving", "passive"], {**SCENARIO, "own": {"leaving": {"damping": 4000}}}).json()
+    slug = service.client.post("/api/v1/links", json={"run_id": run["id"]}).json()["slug"]
+    curves = f"/api/v1/runs/{run['id']}/series?strategy=leaving&points=9&signals=front_force"
+    pinned = service.client.get(curves).json()
+    file.unlink()
+    assert service.client.get(curves).json() == pinned, "the link keeps them"
+    assert service.run(["passive"], run["scenario"]).json()["errors"][0]["pointer"] == "/scenario/own/leaving"
+    link = service.client.get(f"/api/v1/links/{slug}").json()
+    assert link["run"]["scenario"]["own"] == {"leaving": {"damping": 4000}}
+    assert link["run"]["strategies"]["leaving"]["metrics"] == run["strategies"]["leaving"]["metrics"]
+
+
+def test_sweeps_and_searches_take_options(service: Service) -> None:
+    body = {
+        "scenario": SCENARIO,
+        "strategies": ["mine", "passive"],
+        "sweep": {"grid": {"own.mine.damping": [0, 3000, 6000]}},
+    }
+    batch = service.client.post("/api/v1/batches", json=body).json()
+    assert "id" in batch, batch
+    wait_until(lambda: service.client.get(f"/api/v1/batches/{batch['id']}").json()["state"] == "done", "a sweep")
+    figures = {"figures": "bump.body_acceleration.peak"}
+    table = service.client.get(f"/api/v1/batches/{batch['id']}/table", params=figures).json()
+    columns = table["columns"]
+    assert table["units"]["own.mine.damping"] == "N·s/m"
+    assert columns["own.mine.damping"] == [0, 0, 3000, 3000, 6000, 6000]
+    assert len(set(columns["bump.body_acceleration.peak"])) == 4, "passive reads none of it"
+    assert "Passive does not use mine: damping: its 3 runs give 1 result" in batch["notes"][0]
+    question = {
+        "scenario": SCENARIO,
+        "strategy": "mine",
+        "field": "own.mine.damping",
+        "range": [0, 3000],
+        "metric": "bump.front_force.peak",
+        "limit": 500,
+    }
+    solution = service.client.post("/api/v1/solve", json=question).json()
+    assert 0 < solution["value"] < 3000
+    assert solution["metric_value"] <= 500 < max(each["metric_value"] for each in solution["tried"])
+
+
+def test_the_tuner_searches_options_of_the_law_it_began_with(service: Service, folder: Path) -> None:
+    file = folder / "tuned.py"
+    file.write_text(LAW.replace("mine", "tuned"))
+    figure = {"kind": "figure", "figure": "bump.body_acceleration.peak"}
+    more: dict[str, Any] = {"strategy": "tuned", "objectives": [figure], "limits": [], "trials": 4, "population": 4}
+    begun = begin(service.client, **more, scenario=SCENARIO, seeds=[1], fresh_seeds=[2, 3])
+    tuned = wait_for(service.client, begun["id"])
+    assert (tuned["state"], tuned["source"]["file"]) == ("done", "tuned.py"), tuned["reason"]
+    assert (tuned["paper"]["weights"], tuned["own"]) == ({"own.tuned.damping": 2000}, None)
+    tried = [each["weights"]["own.tuned.damping"] for each in trials(service.client, begun["id"])]
+    assert all(0 <= each <= 20_000 for each in tried), "linear: its bounds begin with 0"
+    (best,) = tuned["best"]
+    scenario = {"road": {**ROAD, "seed": 1}, "own": {"tuned": {"damping": best["weights"]["own.tuned.damping"]}}}
+    alone = driven(service, ["tuned"], scenario)
+    assert best["values"] == [alone["tuned"]["metrics"]["bump"]["body_acceleration"]["peak"]]
+    assert tuned["comparison"]["points"][0]["weights"] == {"own.tuned.damping": 2000}
+    file.write_text(file.read_text().replace("2000.0", "3000.0"))
+    service.client.post(f"/api/v1/tunings/{begun['id']}/resume?trials=5").raise_for_status()
+    resumed = wait_for(service.client, begun["id"])
+    assert resumed["reason"] == "tuned.py has changed or gone since it began: begin another tuning"
+    file.unlink()
+    assert get(service.client, begun["id"])["best"] == tuned["best"], "its numbers stay"
+
+
+@pytest.mark.parametrize(
+    ("asked", "pointer", "said"),
+    [
+        ({"search": {"own.mine.dampng": [0, 1]}}, "search/own.mine.dampng", "Unknown weight or option own.mine.dampng"),
+        ({"search": {"own.mine.hard": [0, 1]}}, "search/own.mine.hard", "A range needs an option that is a number"),
+        (
+            {"search": {"own.mine.damping": [0, 20_001]}},
+            "search/own.mine.damping",
+            "Input should be less than or equal",
+        ),
+        ({"search": {"lqr.weights.0": [1, 2]}}, "search/lqr.weights.0", "Unknown weight or option lqr.weights.0"),
+        (
+            {"strategy": "free"},
+            "search",
+            "No option of free has both ge and le: name ranges to search, of own.free.damping",
+        ),
+        ({"strategy": "mien"}, "strategy", "Unknown strategy that can be tuned mien, perhaps mine"),
+        ({"previews": ["none", "obstacle"], "strategy": "free"}, "previews", "free has a preview of its own"),
+    ],
+)
+def test_what_cannot_be_tuned_of_a_law_is_refused_at_its_field(
+    service: Service, asked: dict[str, Any], pointer: str, said: str
+) -> None:
+    answer = service.client.post("/api/v1/tunings", json={"strategy": "mine", "dry_run": True, **asked})
+    (error,) = answer.json()["errors"]
+    assert (answer.status_code, error["pointer"]) == (422, f"/{pointer}")
+    assert error["message"].startswith(said)
