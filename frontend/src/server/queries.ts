@@ -3,7 +3,7 @@
 import { queryOptions, QueryClient } from "@tanstack/react-query";
 import { api } from "../api/client";
 import { ask, query } from "../api/http";
-import { isTransient } from "../api/problem";
+import { ApiProblem, isTransient } from "../api/problem";
 import type { FigureTemplates, Requirement, Strategy, StrategyId } from "../api/types";
 import { readSchema } from "../scenario/schema";
 
@@ -133,8 +133,18 @@ export function allSamplesQuery(
 // A local server needs no network, and asking again is the connection banner's work.
 const networkMode = "always";
 
+/** What is sent was refused before anything was done with it: it waits as long as the server says and is sent again. */
+const inTurn = {
+  retry: (count: number, error: Error) => count < 5 && waitOf(error) !== null,
+  retryDelay: (_count: number, error: Error) => 1000 * (waitOf(error) ?? 0),
+};
+const waitOf = (error: Error) => (error instanceof ApiProblem && isTransient(error) ? error.retryAfter : null);
+
 /** How the page asks for data and sends changes. */
 export const createQueryClient = () =>
   new QueryClient({
-    defaultOptions: { queries: { retry: false, networkMode, refetchOnWindowFocus: false }, mutations: { networkMode } },
+    defaultOptions: {
+      queries: { retry: false, networkMode, refetchOnWindowFocus: false },
+      mutations: { ...inTurn, networkMode },
+    },
   });
