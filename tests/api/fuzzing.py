@@ -79,7 +79,7 @@ unexpected-methods = ["PUT"]
 [[operations]]
 include-operation-id = [
     "createRun", "live", "solve", "frequency", "createBatch", "createTuning",
-    "exportController", "reportController", "driveByClock",
+    "exportController", "reportController", "driveByClock", "exportFmu",
 ]
 phases.coverage.enabled = false
 """

@@ -1,5 +1,6 @@
 """What the `ridelab` command starts and leaves behind: private services, Ctrl-C, SIGTERM, readers that go away."""
 
+import contextlib
 import csv
 import io
 import json
@@ -8,8 +9,7 @@ import re
 import signal
 import sqlite3
 import subprocess
-from collections.abc import Iterator
-from contextlib import closing
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -54,9 +54,13 @@ def no_service_left() -> Iterator[None]:
     wait_until(lambda: not set(private_services()) - before, "the private service ends")
 
 
-def private_services() -> list[int]:
-    processes = psutil.process_iter(["cmdline"])
-    return [process.pid for process in processes if "--until-input-ends" in (process.info["cmdline"] or ())]
+def private_services(among: Iterable[psutil.Process] | None = None) -> list[int]:
+    pids = []
+    for process in psutil.process_iter() if among is None else among:
+        with contextlib.suppress(psutil.Error):  # it has ended
+            if "--until-input-ends" in process.cmdline():
+                pids.append(process.pid)
+    return pids
 
 
 @pytest.mark.usefixtures("no_service_left")
@@ -72,7 +76,7 @@ def test_without_a_server_a_private_one_works_until_ctrl_c_and_keeps_what_it_sto
     assert list(stored["strategies"]) == ["passive"]
     process.send_signal(signal.SIGINT)
     assert process.wait(HANG_TIMEOUT) == 0
-    with closing(sqlite3.connect(elsewhere / "data" / "ridelab.sqlite")) as database:
+    with contextlib.closing(sqlite3.connect(elsewhere / "data" / "ridelab.sqlite")) as database:
         assert database.execute("SELECT id FROM runs").fetchall() == [(stored["id"],)]
 
 
@@ -187,10 +191,9 @@ def test_ctrl_c_on_an_export_leaves_the_batch_alone(service: Service, tmp_path: 
 def test_a_private_service_that_still_starts_ends_with_its_command(
     elsewhere: Path, how: signal.Signals, code: int, message: str
 ) -> None:
-    before = set(private_services())
     arguments = command("sweep", "--grid", "road.seed=1:80:80", "--out", "rows.csv")
     process = subprocess.Popen(arguments, cwd=elsewhere, env=environment(), stderr=subprocess.PIPE, text=True)
-    wait_until(lambda: set(private_services()) - before, "it starts its service")
+    wait_until(lambda: private_services(psutil.Process(process.pid).children()), "it starts its service")
     process.send_signal(how)
     _, said = process.communicate(timeout=HANG_TIMEOUT)
     assert (process.returncode, said) == (code, message)

@@ -271,7 +271,6 @@ print(most() - before)
         ("passive", Mpc(), {}),
         ("lqr", Mpc(sample_time=0.002), {"estimation": Estimation(kind="kalman")}),
         ("lv", Mpc(prediction_horizon=100, preview="none"), {}),
-        ("lv", Mpc(prediction_horizon=50, preview="wheelbase"), {}),
     ],
     ids=lambda value: value if isinstance(value, str) else "",
 )

@@ -141,10 +141,10 @@ def test_the_other_solver_steps_in_and_is_counted(monkeypatch: pytest.MonkeyPatc
 
 def test_a_qp_that_c_cannot_prove_is_the_other_solvers(monkeypatch: pytest.MonkeyPatch) -> None:
     """The dual method stops after one iteration: it may answer a QP of one limit alone."""
-    normal = simulate(LONG, "lv")
+    normal = simulate(HARD, "lv")
     monkeypatch.setattr(mpc_design, "MOST_ITERATIONS", 1)
-    uncached = LONG.mpc.model_copy(update={"force_weight": LONG.mpc.force_weight * (1 + 1e-12)})
-    fallen = simulate(LONG.model_copy(update={"mpc": uncached}), "lv")
+    uncached = HARD.mpc.model_copy(update={"force_weight": HARD.mpc.force_weight * (1 + 1e-12)})
+    fallen = simulate(HARD.model_copy(update={"mpc": uncached}), "lv")
     assert 0 < event(fallen, "qp_fallbacks") < event(fallen, "qp_solves")
     assert fallen.events["qp_failures"] == 0
     assert fallen.series["front_force"] == pytest.approx(normal.series["front_force"], abs=0.1)

@@ -1,10 +1,14 @@
 """Random cars, bumps and scenarios for property tests: the ranges people drag sliders over."""
 
 import os
+from collections.abc import Sequence
+from typing import TypeVar
 
 from hypothesis import strategies as st
 
 from sim_core.scenario import Bump, Mpc, Road, Scenario, Speed, Vehicle
+
+T = TypeVar("T")
 
 
 def between(low: float, high: float) -> st.SearchStrategy[float]:
@@ -81,6 +85,14 @@ scenarios = st.builds(
 )
 
 
+AT_LENGTH = os.environ.get("HYPOTHESIS_PROFILE") == "search"  # as `make drill` asks
+
+
 def examples(count: int) -> int:
     """How many a test of whole runs takes: a third of these always, all of them and new ones in `make drill`."""
-    return count if os.environ.get("HYPOTHESIS_PROFILE") == "search" else count // 3
+    return count if AT_LENGTH else count // 3
+
+
+def some(count: int, cases: Sequence[T]) -> Sequence[T]:
+    """The cases that are always tried, those that say most first; all of them in `make drill`."""
+    return cases if AT_LENGTH else cases[:count]

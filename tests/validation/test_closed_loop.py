@@ -11,6 +11,7 @@ from sim_core.simulate import simulate
 from tests.results import event
 from tests.validation.reference.loop import drive
 from tests.validation.reference.vehicle import OUTPUTS
+from tests.validation.strategies import some
 
 Weighting = Callable[[float], tuple[float, float, float]]
 
@@ -37,7 +38,15 @@ LAWS: dict[str, tuple[str, Callable[[Scenario], Weighting]]] = {
     "suspension_only": ("mpc", by_road),
     "lqr": ("lqr", by_stage),
 }
-ROAD = Road(length=80, seed=7, bump=Bump(start=60))
+ROAD = Road(length=60, seed=7, bump=Bump(start=40))
+PREVIEWS: tuple[tuple[str, Preview], ...] = (
+    ("lv", "lookahead"),
+    ("suspension_only", "wheelbase"),
+    ("lv", "none"),
+    ("lv", "wheelbase"),
+    ("suspension_only", "lookahead"),
+    ("suspension_only", "none"),
+)
 FREE = Mpc(force_limit=1e6, deflection_limit=1.0)  # no limit binds
 
 
@@ -57,8 +66,7 @@ def difference(scenario: Scenario, strategy: str) -> tuple[float, int]:
     return float(gap[rows].max()), int(event(result, "limited_steps"))
 
 
-@pytest.mark.parametrize("preview", ["lookahead", "wheelbase", "none"])
-@pytest.mark.parametrize("strategy", ["lv", "suspension_only"])
+@pytest.mark.parametrize(("strategy", "preview"), some(3, PREVIEWS))
 def test_without_a_limit_the_runs_are_the_same(strategy: str, preview: Preview) -> None:
     """Linear all through: what is left is rounding, and the road plan's samples (1e-6)."""
     scenario = Scenario(road=ROAD, mpc=FREE.model_copy(update={"preview": preview}))
@@ -71,8 +79,7 @@ def test_lqr_is_the_same() -> None:
     assert difference(Scenario(road=ROAD, lqr=Lqr(weights=(1, 2, 3))), "lqr")[0] < 1e-6
 
 
-@pytest.mark.parametrize("preview", ["lookahead", "wheelbase", "none"])
-@pytest.mark.parametrize("strategy", ["lv", "suspension_only"])
+@pytest.mark.parametrize(("strategy", "preview"), some(3, PREVIEWS))
 def test_the_papers_scenario_with_its_limits(strategy: str, preview: Preview) -> None:
     """DAQP's active set is exact and the interior-point reference polishes to 1e-10: 1e-6 of the peak is left."""
     scenario = Scenario(mpc=Mpc(preview=preview))

@@ -40,6 +40,7 @@ from sim_core.vehicle.linear import control_step
 from sim_core.vehicle.plant import plant
 from tests.validation.reference.sampled import to_deflections
 from tests.validation.reference.vehicle import state_space
+from tests.validation.strategies import some
 
 KALMAN = Estimation(kind="kalman")
 CAR = Vehicle(cg_to_front=1.2, cg_to_rear=1.5, front_wheel_mass=40)
@@ -283,7 +284,7 @@ def test_the_unseen_share_goes_from_nothing_to_all() -> None:
     assert unseen_share(CAR, 0.0, 13.9, ExpectedErrors(noise=0.001)) == pytest.approx(1)
 
 
-@pytest.mark.parametrize("strategy", ["lv", "lv_hil"])
+@pytest.mark.parametrize("strategy", some(1, ["lv", "lv_hil"]))
 def test_told_of_the_road_lv_loses_little_on_the_papers_bump(strategy: str) -> None:
     """Against the exact state, mean of five roads.
 

@@ -11,12 +11,12 @@ from sim_core.scenario import Actuator, Bump, Estimation, Hil, Mismatch, Road, S
 from sim_core.simulate import prepare, simulate
 from tests.results import event
 from tests.validation.nonlinear_loops import PEAK, RMS, errors, loop, worst
-from tests.validation.strategies import examples
+from tests.validation.strategies import examples, some
 
 LINKED = Vehicle(anti_dive=0.6, anti_lift=0.4)
 
 
-@pytest.mark.parametrize("seed", range(1, 1 + examples(12)))
+@pytest.mark.parametrize("seed", range(1, 1 + examples(9)))
 def test_metrics_are_an_adaptive_solvers(seed: int) -> None:
     """RMS within 0.1 %, peaks within 0.3 %: random cars on roads of class B to D with a bump, with and without lag.
 
@@ -32,7 +32,7 @@ def test_metrics_are_an_adaptive_solvers(seed: int) -> None:
     assert peak < 0.003
 
 
-@pytest.mark.parametrize("seed", [34, 257])
+@pytest.mark.parametrize("seed", some(1, [34, 257]))
 def test_closed_loops_are_an_adaptive_solvers(seed: int) -> None:
     """RMS within 1 %, peaks within 2 %: loops that were off by 10 to 12 %; `make drill` drives 300."""
     rms, peak = worst(errors(loop(seed)))
