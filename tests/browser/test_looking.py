@@ -264,6 +264,7 @@ def test_opening_while_the_server_starts(dashboard: Dashboard) -> None:
     page.route(refused, lambda route: route.fulfill(status=503, body="{}", headers={"retry-after": "1"}))
     page.goto("/")
     expect(page.get_by_test_id("connection")).to_contain_text("starting")
+    page.wait_for_function("document.getAnimations().length === 0")  # who asked for less motion sees nothing move
     page.unroute(refused)
     dashboard.expect_curves()
     expect(page.get_by_test_id("connection")).to_have_count(0)
