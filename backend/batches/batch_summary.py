@@ -8,10 +8,11 @@ from typing import Any
 import numpy as np
 import orjson
 
+from backend import own
 from backend.batches import robustness, summary
 from backend.batches.models import BatchSummary
 from backend.job_run import JobRow
-from backend.json_types import Summary
+from backend.json_types import JsonObject, Summary
 from backend.scenario_at import scenario_at
 from backend.store import StoredJob
 from sim_core import __version__ as CORE_VERSION
@@ -35,12 +36,14 @@ async def summarised(
     async for rows in pages:
         await asyncio.to_thread(gathered.add, rows)
     origin = (batch.request["scenario"], batch.schema_version)
-    ran, damping = gathered.ran(), np.full((len(gathered.changes), len(batch.request["strategies"])), np.nan)
+    ran, names = gathered.ran(), gathered.unchanged()
+    damping = np.full((len(gathered.changes), len(batch.request["strategies"])), np.nan)
+    columns = [batch.request["strategies"].index(name) for name in names]
     for first in range(0, len(ran), POINTS_A_CALL):
         some = ran[first : first + POINTS_A_CALL]
         texts = [gathered.changes[point] for point in some]
-        damping[some] = await call(summary.dampings, *origin, texts, batch.request["strategies"])
-    summaries, nominal_damping = await call(summary.nominal, *origin, batch.request["strategies"], roads)
+        damping[np.ix_(some, columns)] = await call(summary.dampings, *origin, texts, names)
+    summaries, nominal_damping = await call(summary.nominal, *origin, names, roads)
     study = gathered.study(damping, summaries, nominal_damping)
     return BatchSummary(
         batch=batch.id,
@@ -64,6 +67,7 @@ class _Gathered:
         self._values: dict[str, FloatArray] = {key: np.full(shape, np.nan) for key in figures}
         self._status = np.full(shape, "waiting", dtype="U9")
         self._reasons: dict[str, Counter[str]] = {name: Counter() for name in batch.request["strategies"]}
+        self._sources: dict[str, JsonObject | None] = {}
         self.changes: list[str] = []
 
     def add(self, rows: Sequence[JobRow]) -> None:
@@ -77,6 +81,7 @@ class _Gathered:
             if row.status == "failed":
                 self._reasons[row.strategy][row.reason or result.get("reason") or "unknown"] += 1
             if row.status == "ok":
+                self._sources[row.strategy] = result.get("source")
                 for key in self._figures:
                     value = METRICS[key].of(result)
                     self._values[key][point, index] = np.nan if value is None else value
@@ -85,6 +90,11 @@ class _Gathered:
         """The points at which some strategy has succeeded."""
         result: list[int] = np.flatnonzero((self._status == "ok").any(axis=1)).tolist()
         return result
+
+    def unchanged(self) -> list[str]:
+        """The strategies whose law is the one that was driven, not that of a file that was saved since."""
+        names = self._batch.request["strategies"]
+        return [name for name in names if self._sources.get(name) == own.source(name)]
 
     def study(
         self,

@@ -5,6 +5,7 @@ Runs in a worker: no web here. Everything is read from the batch's own rows; not
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any
 
@@ -23,8 +24,10 @@ from backend.batches.summary_models import (
 )
 from backend.cost.affordable import simulate
 from backend.json_types import JsonObject, Summary
+from backend.own import isolated
 from backend.scenario_at import NO_ROADS, scenario_at
 from sim_core.arrays import FloatArray
+from sim_core.controller_files import ControllerFileError
 from sim_core.errors import RidelabError
 from sim_core.frequency.stability import least_damping
 from sim_core.scenario import Scenario
@@ -69,15 +72,13 @@ class Study:
 
 def dampings(base: JsonObject, schema_version: int, changes: Sequence[str], strategies: Sequence[str]) -> FloatArray:
     """Least damping of each strategy's loop at these points (`changes` is JSON text); NaN where there is none."""
-    ratios = np.full((len(changes), len(strategies)), np.nan)
+    points: dict[int, Scenario] = {}
     for point, text in enumerate(changes):
-        try:
-            scenario = scenario_at(base, orjson.loads(text), schema_version)
-        except (ValidationError, RidelabError):  # another version ran it
-            continue
-        for index, name in enumerate(strategies):
-            ratio = _damping(scenario, name)
-            ratios[point, index] = np.nan if ratio is None else ratio
+        with suppress(ValidationError, RidelabError):  # another version ran it
+            points[point] = scenario_at(base, orjson.loads(text), schema_version)
+    ratios = np.full((len(changes), len(strategies)), np.nan)
+    for index, name in enumerate(strategies):
+        ratios[list(points), index] = [np.nan if each is None else each for each in _dampings([*points.values()], name)]
     return ratios
 
 
@@ -92,7 +93,7 @@ def nominal(
             summaries[name] = simulate(scenario, name).summary()
         except RidelabError:
             summaries[name] = {}
-    return summaries, {name: _damping(scenario, name) for name in strategies}
+    return summaries, {name: _dampings([scenario], name)[0] for name in strategies}
 
 
 def summarise(study: Study, baseline: str) -> dict[str, StrategySummary]:
@@ -229,8 +230,18 @@ def _effect(x: FloatArray, y: FloatArray) -> tuple[float, float]:
     return max(0.0, float((test.statistic - k + 1) / (n - k))), float(test.pvalue)
 
 
-def _damping(scenario: Scenario, name: str) -> float | None:
+def _dampings(scenarios: Sequence[Scenario], name: str) -> Sequence[float | None]:
     try:
-        return least_damping(scenario, name)
-    except RidelabError:
-        return None
+        return isolated(name, _each_damping, scenarios, name)
+    except ControllerFileError:
+        return [None] * len(scenarios)
+
+
+def _each_damping(scenarios: Sequence[Scenario], name: str) -> list[float | None]:
+    ratios: list[float | None] = []
+    for scenario in scenarios:
+        try:
+            ratios.append(least_damping(scenario, name))
+        except RidelabError:
+            ratios.append(None)
+    return ratios

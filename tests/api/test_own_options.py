@@ -6,6 +6,8 @@ from typing import Any
 
 import pytest
 
+from sim_core.frequency.stability import least_damping
+from sim_core.scenario import Scenario
 from tests.api.conftest import ROAD, Service
 from tests.api.own_laws import LAW, SCENARIO, driven, own, told_of
 from tests.api.tuning import begin, get, trials, wait_for
@@ -13,6 +15,21 @@ from tests.servers.process import wait_until
 
 MINE = LAW.replace("    damping", "    hard: bool = option(False)\n    damping")
 _CLASS = LAW.partition("\n\n\n")[2]
+STEADY = """
+import numpy as np
+from sim_core import Controller, LinearLaw
+
+
+class Steady(Controller):
+    "Damps the body by a linear law."
+    id, label = "steady", "Steady"
+
+    def start(self, setup):
+        self._law = LinearLaw(gain=np.outer([-1.0, -1.0], np.eye(10)[4] * 2000.0))
+
+    def linear_law(self, stage):
+        return self._law
+"""
 FREE = _CLASS.replace("mine", "free").replace("Mine", "Free").replace(", ge=0, le=20_000", "")
 
 
@@ -20,7 +37,7 @@ FREE = _CLASS.replace("mine", "free").replace("Mine", "Free").replace(", ge=0, l
 def folder(service: Service, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     """With a file of two laws: one with bounds, one without, which looks nowhere ahead."""
     folder = tmp_path_factory.mktemp("laws")
-    (folder / "mine.py").write_text(f"{MINE}\n\n{FREE}    preview = 'none'\n")
+    (folder / "mine.py").write_text(f"{MINE}\n\n{FREE}    preview = 'none'")
     with told_of(service, folder):
         yield folder
 
@@ -108,6 +125,32 @@ def test_sweeps_and_searches_take_options(service: Service) -> None:
     solution = service.client.post("/api/v1/solve", json=question).json()
     assert 0 < solution["value"] < 3000
     assert solution["metric_value"] <= 500 < max(each["metric_value"] for each in solution["tried"])
+
+
+def test_a_robustness_study_judges_the_law_that_it_drove(service: Service, folder: Path) -> None:
+    file = folder / "steady.py"
+    file.write_text(STEADY)
+    ranges = {"own.mine.damping": [1000, 9000], "mismatch.body_mass": [0.8, 1.2]}
+    sweep = {"latin_hypercube": {"ranges": ranges, "samples": 4}}
+    body = {"scenario": SCENARIO, "strategies": ["mine", "steady", "passive"], "sweep": sweep}
+    batch = service.client.post("/api/v1/batches", json=body).json()["id"]
+    wait_until(lambda: service.client.get(f"/api/v1/batches/{batch}").json()["state"] == "done", "the study")
+    summary = f"/api/v1/batches/{batch}/summary?baseline=passive&figures=bump.front_force.peak"
+    study = service.client.get(summary).json()["strategies"]
+    forces = study["mine"]["figures"]["bump.front_force.peak"]
+    assert forces["nominal"] == driven(service, ["mine"])["mine"]["metrics"]["bump"]["front_force"]["peak"]
+    assert 0 < forces["lowest"]["value"] < forces["highest"]["value"]
+    law: dict[str, Any] = {"__name__": __name__}
+    exec(STEADY, law)  # noqa: S102 - ours
+    expected = least_damping(Scenario.model_validate(SCENARIO), law["Steady"])
+    assert (study["steady"]["stability"]["nominal"], study["steady"]["stability"]["n"]) == (expected, 4)
+    assert study["mine"]["stability"]["known"] == 0, "it says no linear law"
+    file.write_text(STEADY.replace("2000", "9000"))
+    anew = summary.replace("passive", "mine")  # computed, not the one that was kept
+    changed = service.client.get(anew).json()["strategies"]["steady"]
+    peak = changed["figures"]["bump.front_force.peak"]
+    assert (peak["mean"], peak["nominal"]) == (study["steady"]["figures"]["bump.front_force.peak"]["mean"], None)
+    assert changed["stability"]["known"] == 0, "the new law did not drive these"
 
 
 def test_the_tuner_searches_options_of_the_law_it_began_with(service: Service, folder: Path) -> None:
