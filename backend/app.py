@@ -118,7 +118,7 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     try:
         warming = asyncio.create_task(asyncio.to_thread(answers.warm))  # beside: nobody waits for it
         await asyncio.to_thread(services.spool.clear)
-        services.start()
+        await services.start()
         yield
         await warming
     finally:

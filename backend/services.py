@@ -69,10 +69,10 @@ class Services(HttpParts):
     scheduler: Scheduler
     verifying: list[asyncio.Task[None]] = field(default_factory=list)  # the check of the whole database, at the start
 
-    def start(self) -> None:
+    async def start(self) -> None:
         """Spawn the workers, and lead jobs where no other service does; batch workers start with their first task."""
-        self.own_files.begin()
         self.workers.start()
+        await self.own_files.current()  # jobs that go on may drive them
         self.scheduler.start()
         self.verifying.append(asyncio.create_task(verify_at_start(self.store)))
 

@@ -15,6 +15,8 @@ import psutil
 import pytest
 
 from backend.jobs.leadership import LOCK_ID
+from sim_core.controller_files import VARIABLE
+from tests.api.own_laws import LAW
 from tests.servers.api import ask
 from tests.servers.compose import Topology
 from tests.servers.postgres import Postgres
@@ -25,7 +27,10 @@ SHORT = {"length": 120, "bump": {"start": 90}}
 
 @pytest.fixture(scope="module")
 def topology(postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Topology]:
-    topology = Topology(tmp_path_factory.mktemp("topology"), postgres, API_WORKERS="1", WORKER_CORES="1")
+    law = tmp_path_factory.mktemp("laws") / "mine.py"
+    law.write_text(LAW)
+    variables = {"API_WORKERS": "1", "WORKER_CORES": "1", VARIABLE: str(law)}
+    topology = Topology(tmp_path_factory.mktemp("topology"), postgres, **variables)
     try:
         topology.wait_until_ready()
         wait_until(lambda: both_serve(topology), "both replicas serve")
@@ -138,6 +143,13 @@ def test_a_run_a_link_and_a_batch_go_through_the_proxy(topology: Topology, clien
     assert '"done"' in last
     assert_completes(client, identifier, 20)
     assert submit(client, 0.05, 20) == identifier, "the same key, whichever replica is asked"
+
+
+def test_dasks_workers_drive_a_law_of_ones_own(client: httpx.Client) -> None:
+    sweep = {"grid": {"own.mine.damping": [500, 1000, 1500, 2000]}}
+    body = {"scenario": {"road": SHORT}, "strategies": ["mine"], "sweep": sweep}
+    identifier = client.post("/api/v1/batches", json=body).raise_for_status().json()["id"]
+    assert_completes(client, identifier, 4)
 
 
 def test_what_dask_opens_is_for_who_has_a_certificate(topology: Topology) -> None:

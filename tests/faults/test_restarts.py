@@ -14,6 +14,8 @@ import httpx
 import psutil
 import pytest
 
+from sim_core.controller_files import VARIABLE
+from tests.api.own_laws import LAW
 from tests.servers.accepted import Accepted, database
 from tests.servers.api import Api, ask
 from tests.servers.process import HANG_TIMEOUT, request, wait_until
@@ -27,7 +29,7 @@ ENDLESS = {
 }
 TUNING = {
     "scenario": {"road": {"length": 63, "bump": {"start": 45}}, "speed": {"detection_distance": 40}},
-    "strategy": "lqr",
+    "strategy": "mine",
     "objectives": [{"kind": "peaks"}, {"kind": "figure", "figure": "rough_road.front_tyre_load.rms"}],
     "seeds": [1, 2],
     "fresh_seeds": [11, 12],
@@ -40,6 +42,8 @@ TUNING = {
 def api(tmp_path: Path) -> Iterator[Api]:
     limits = {"RIDELAB_WORKERS": "1", "RIDELAB_BATCH_WORKERS": "1", "RIDELAB_MAX_REQUEST_COST": "1000"}
     limits["RIDELAB_RUN_TIMEOUT"] = "3600"
+    (tmp_path / "mine.py").write_text(LAW)
+    limits[VARIABLE] = str(tmp_path / "mine.py")
     api = Api(tmp_path, **limits)
     try:
         api.wait_until_ready()

@@ -2,11 +2,13 @@
 
 import os
 import re
+import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from backend.own.host import Host
 from sim_core import Controller, check_controller, controller_files, load_controllers, simulate
 from sim_core.controller_files import VARIABLE, ControllerFileError
 from sim_core.errors import UnknownNameError
@@ -120,6 +122,22 @@ def test_files_and_folders_that_the_variable_names_are_strategies(
     with pytest.raises(ControllerFileError, match=r"other\.py: .*mine\.py has a controller of the id mine too"):
         simulate(SHORT, "mine")
     assert simulate(SHORT, "passive").strategy == "passive"  # ours need none of those files
+
+
+@pytest.mark.parametrize("named", ["my_laws", "my_laws:Mine"])
+def test_a_package_names_its_own_by_an_entry_point(named: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "my_laws.py").write_text(LAW)
+    (tmp_path / "my_laws-1.dist-info").mkdir()
+    (tmp_path / "my_laws-1.dist-info" / "entry_points.txt").write_text(f"[{controller_files.GROUP}]\nlaws = {named}\n")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    monkeypatch.delitem(sys.modules, "my_laws", raising=False)
+    monkeypatch.setattr(controller_files, "_installed", controller_files._installed.__wrapped__)
+    assert simulate(SHORT, "mine").metrics == simulate(SHORT, controller_files.load("entry point laws")["mine"]).metrics
+    host = Host("entry point laws")  # as a service has it: in a process of its own
+    try:
+        assert host.call(os.path.basename, "/a/b", limit=10) == "b"
+    finally:
+        host.close()
 
 
 @pytest.mark.parametrize(
