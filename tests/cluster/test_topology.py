@@ -15,7 +15,6 @@ import psutil
 import pytest
 
 from backend.jobs.leadership import LOCK_ID
-from sim_core.controller_files import VARIABLE
 from tests.api.own_laws import LAW
 from tests.servers.api import ask
 from tests.servers.compose import Topology
@@ -29,8 +28,8 @@ SHORT = {"length": 120, "bump": {"start": 90}}
 def topology(postgres: Postgres, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Topology]:
     law = tmp_path_factory.mktemp("laws") / "mine.py"
     law.write_text(LAW)
-    variables = {"API_WORKERS": "1", "WORKER_CORES": "1", VARIABLE: str(law)}
-    topology = Topology(tmp_path_factory.mktemp("topology"), postgres, **variables)
+    folder = tmp_path_factory.mktemp("topology")
+    topology = Topology(folder, postgres, API_WORKERS="1", WORKER_CORES="1", RIDELAB_CONTROLLERS=str(law))
     try:
         topology.wait_until_ready()
         wait_until(lambda: both_serve(topology), "both replicas serve")
