@@ -136,7 +136,7 @@ class RunResult:
     """A run; `run["lv"]` is one strategy's outcome.
 
     Attributes:
-        id: Names it for ever; None where only a file holds it.
+        id: Names it for ever; None where no service stores it.
         core_version: What computed it.
         scenario: All of it, defaults included.
         strategies: Outcomes by strategy id, in the catalogue's order.
@@ -149,7 +149,7 @@ class RunResult:
         service: Where it is from; None of a file's.
     """
 
-    id: str
+    id: str | None
     core_version: str
     scenario: dict[str, Any] = field(repr=False)
     strategies: dict[str, Outcome] = field(repr=False)
@@ -230,7 +230,10 @@ class RunResult:
 
 def quoted_id(result: RunResult | str) -> str:
     """The id of a run, or the id that is given, as it stands in an address."""
-    return quote(result.id if isinstance(result, RunResult) else result, safe="")
+    run_id = result.id if isinstance(result, RunResult) else result
+    if run_id is None:
+        raise ValueError("No service stores this run: get_run(id) of a Ridelab has one that is stored")
+    return quote(run_id, safe="")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

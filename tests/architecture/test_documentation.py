@@ -17,6 +17,8 @@ import pytest
 
 import sim_core
 from backend.paper import errata
+from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, RUN_FIGURES
+from sim_core.scenario import dotted
 from tests.docs import library_reference, scenario_reference
 from tests.docs.drawing import chart
 
@@ -89,6 +91,19 @@ def compare(path: Path, content: str) -> None:
     if os.environ.get("UPDATE_DOCS"):
         path.write_text(content, encoding="utf-8")
     assert path.read_text(encoding="utf-8") == content, f"{path.name} is another one: UPDATE_DOCS=1"
+
+
+def test_every_name_with_a_question_mark_on_the_page_has_one_place_in_the_manual() -> None:
+    """Those of ui/ManualLink.tsx: fields by their dotted names, weights by their row, metrics and strategies by theirs.
+
+    Headings are places too: a browser goes to the first one of a name.
+    """
+    page = (ROOT / "docs/reference/scenario.md").read_text(encoding="utf-8")
+    headings = [heading.lower().replace(" ", "-") for heading in re.findall(r"^#+ (.+)$", page, re.MULTILINE)]
+    places = Counter(re.findall(r'<a id="([^"]+)"></a>', page)) + Counter(headings)
+    fields = {re.sub(r"\.\d+$", "", name) for name in dotted.fields()}
+    metrics = {*METRIC_SIGNALS, *COMFORT, *RUN_FIGURES, *EVENTS}
+    assert [name for name in (*fields, *metrics, *sim_core.STRATEGIES, "strategies") if places[name] != 1] == []
 
 
 def test_a_symbol_has_one_meaning() -> None:

@@ -16,6 +16,7 @@ Scheme = Literal["light", "dark"]
 RULES: dict[Scheme, list[str]] = {"light": ["wcag2a", "wcag2aa", "wcag21aa", "wcag22aa"], "dark": ["color-contrast"]}
 # Of a whole page: what somebody who does not see it goes by.
 STRUCTURE = ["heading-order", "landmark-unique", "landmark-no-duplicate-main", "landmark-one-main"]
+TOUR_SEEN = "try { localStorage['ridelab.tour'] = 'true' } catch {}"  # an empty page stores nothing
 REFUSE_COPYING = """
 Object.defineProperty(navigator, 'clipboard', {value: undefined});
 document.execCommand = () => false;

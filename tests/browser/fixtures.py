@@ -6,7 +6,7 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Playwright, expect, sync_playwright
 
 from tests.browser.chromium import launch
-from tests.browser.dashboard import HANG_TIMEOUT_MS, LAPTOP, Dashboard
+from tests.browser.dashboard import HANG_TIMEOUT_MS, LAPTOP, TOUR_SEEN, Dashboard
 from tests.browser.server import Server
 from tests.servers.process import ROOT
 
@@ -40,6 +40,7 @@ def browser(playwright: Playwright) -> Iterator[Browser]:
 def context(browser: Browser, server: Server) -> Iterator[BrowserContext]:
     """One browser profile, which asked for no animations: they show nothing and cost frames."""
     context = browser.new_context(viewport=LAPTOP, base_url=server.url, color_scheme="light", reduced_motion="reduce")
+    context.add_init_script(TOUR_SEEN)
     yield context
     context.close()
 

@@ -13,7 +13,7 @@ from pathlib import Path
 from playwright.sync_api import expect, sync_playwright
 
 from tests.browser.chromium import launch
-from tests.browser.dashboard import HANG_TIMEOUT_MS, Dashboard, Scheme
+from tests.browser.dashboard import HANG_TIMEOUT_MS, TOUR_SEEN, Dashboard, Scheme
 from tests.browser.server import Server
 from tests.servers.process import ROOT, request
 
@@ -138,6 +138,7 @@ def main() -> None:
                     color_scheme=picture.scheme,
                     reduced_motion="reduce",
                 )
+                context.add_init_script(TOUR_SEEN)
                 dashboard = Dashboard(context.new_page(), server.url)
                 dashboard.page.goto(address)
                 picture.ready(dashboard)

@@ -231,7 +231,7 @@ def test_commands_and_fields_are_found_by_name(dashboard: Dashboard) -> None:
     expect(dashboard.row("lqr")).to_have_count(0)
     expect(search).to_have_count(0)
     page.keyboard.press("?")
-    keys = page.get_by_role("dialog", name="Keys")
+    keys = page.get_by_role("dialog", name="Help")
     expect(keys).to_contain_text("Undo")
     expect(keys.get_by_role("row", name="Play the car")).to_contain_text("Space")
     dashboard.expect_accessible(keys)

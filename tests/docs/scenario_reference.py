@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from sim_core.catalogue import COMFORT, EVENTS, SIGNALS, Entry
+from sim_core.catalogue import COMFORT, EVENTS, RUN_FIGURES, SIGNALS, Entry
 from sim_core.scenario import Scenario, dotted
 from sim_core.scenario.data_sheet import DataSheet
 from sim_core.scenario.presets import PRESETS
@@ -33,7 +33,12 @@ def page() -> str:
     lines += ["## Strategies\n", "| id | what it does | reads |", "|---|---|---|"]
     for row in STRATEGIES.values():
         lines.append(f"| {_named(row.id)} | {row.description()} | {', '.join(f'`{name}`' for name in reads(row))} |")
-    for title, catalogue in (("Signals", SIGNALS), ("Comfort figures", COMFORT), ("Events", EVENTS)):
+    for title, catalogue in {
+        "Signals": SIGNALS,
+        "Comfort figures": COMFORT,
+        "Run figures": RUN_FIGURES,
+        "Events": EVENTS,
+    }.items():
         lines += [f"\n## {title}\n", "| key | label | unit | note |", "|---|---|---|---|"]
         lines += [_quantity(item) for item in catalogue.values()]
     return "\n".join(lines) + "\n"
@@ -61,7 +66,11 @@ def _resolve(node: dict[str, Any], schema: dict[str, Any]) -> dict[str, Any]:
 
 def _part(path: str, part: dict[str, Any], schema: dict[str, Any]) -> list[str]:
     """A table for a part, then its nested parts."""
-    lines = [f"## {path}\n", "| field | default | unit | range | limits | what it is |", "|---|---|---|---|---|---|"]
+    lines = [
+        f"## Fields of {path}\n",
+        "| field | default | unit | range | limits | what it is |",
+        "|---|---|---|---|---|---|",
+    ]
     nested: list[str] = []
     for name, node in part["properties"].items():
         field = _resolve(node, schema)

@@ -58,7 +58,7 @@ def changed(
 def vehicle_of(target: str, services: Services) -> Any:
     """The vehicle of a file with one (a vehicle's, a scenario's, a run's), or that a service knows by name."""
     if not Path(target).is_file():
-        vehicles = services.at().vehicles()
+        vehicles = services.quick.vehicles()
         if target not in vehicles:
             raise InputError(f"{VEHICLE}: {target} is neither a file nor a vehicle ({', '.join(vehicles)})")
         return vehicles[target]["vehicle"]

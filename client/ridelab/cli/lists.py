@@ -18,13 +18,13 @@ _PARTS = ("unit", "default", "minimum", "maximum", "choices")
 
 def fields(services: Services, words: Words = None, as_json: options.AsJson = False) -> None:
     """List the scenario's fields: unit, the paper's value, range or choices, and what each is."""
-    listed = [_field(name, schema) for name, schema in fields_of(services.at().get("/schema")).items()]
+    listed = [_field(name, schema) for name, schema in fields_of(services.quick.get("/schema")).items()]
     _show(listed, ("name", "unit", "default", "range", "title"), words, as_json=as_json)
 
 
 def metrics(services: Services, words: Words = None, as_json: options.AsJson = False) -> None:
     """List the metrics by the flat names that --metric, --limit and compare take, each with its unit."""
-    listed = [{"name": name, "unit": unit} for name, unit in services.at().units.items()]
+    listed = [{"name": name, "unit": unit} for name, unit in services.quick.units.items()]
     _show(listed, ("name", "unit"), words, as_json=as_json)
 
 
@@ -35,12 +35,12 @@ def strategies(services: Services, words: Words = None, as_json: options.AsJson 
 
 def presets(services: Services, words: Words = None, as_json: options.AsJson = False) -> None:
     """List the presets: complete scenarios that stand in the place of SCENARIO."""
-    _named(services.at().get("/presets"), words, as_json=as_json)
+    _named(services.quick.get("/presets"), words, as_json=as_json)
 
 
 def vehicles(services: Services, words: Words = None, as_json: options.AsJson = False) -> None:
     """List the vehicles that --set vehicle=NAME takes; `ridelab vehicle NAME` shows one."""
-    _named(list(services.at().vehicles().values()), words, as_json=as_json)
+    _named(list(services.quick.vehicles().values()), words, as_json=as_json)
 
 
 def problems(services: Services, words: Words = None, as_json: options.AsJson = False) -> None:

@@ -1,4 +1,7 @@
-"""A service's fields, strategies, presets and signals by name. The shell completes them from the last answer."""
+"""A service's fields, strategies, presets and signals by name.
+
+The shell completes those that the last service had which has other ones than names.json, this version's.
+"""
 
 import contextlib
 import json
@@ -10,6 +13,8 @@ from typing import Any, Self
 
 from ridelab.client import Ridelab
 from ridelab.files import save
+
+OURS = Path(__file__).with_name("names.json")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,11 +61,11 @@ class Names:
 
 
 def remembered() -> dict[str, list[str]]:
-    """The names in the last answer of a service; empty before the first one."""
+    """The names in the last answer of a service; this version's where none was asked, or it had the same."""
     try:
         names: dict[str, list[str]] = json.loads(_remembered_in().read_bytes())
     except (OSError, ValueError):
-        return {}
+        names = json.loads(OURS.read_bytes())
     return names
 
 

@@ -30,8 +30,11 @@ def run(
 ) -> None:
     """Run strategies over one scenario and show how they compare.
 
-    All strategies unless --strategy names some. What is stored already is not computed again. Over several roads every
-    figure is a mean with half its 95 % interval's width, every change that of the means, paired road by road.
+    All strategies unless --strategy names some. Over several roads every figure is a mean with half its 95 % interval's
+    width, every change that of the means, paired road by road.
+
+    A service, or a private one with --data-dir, does not compute again what is stored. Without both, a run over one
+    road is computed here at once and nothing is left behind.
 
     With --require the exit code is 1 where a requirement fails, 0 where all pass; over several roads one is uncertain
     where the interval holds its limit.
@@ -41,7 +44,7 @@ def run(
         raise InputError(f"--baseline: one of the strategies that run, {', '.join(names)}")
     source = targets.find(scenario, services)
     changed = fields.changed(source.scenario, changes or [], services)
-    ridelab = services.at()
+    ridelab = services.quick
     required = requirements.requirements_of(require, services)
     requirements.check_file(junit, required)
     names = names or list(services.names.strategies)
@@ -56,12 +59,18 @@ def run(
         if judged:
             typer.echo()
             requirements.show(judged, services)
-        typer.echo(f"\nrun {result.id}" if services.private else f"\n{ridelab.address}/r/{result.id}")
+        typer.echo(f"\n{_place(result, services)}")
     if any(outcome.status != "ok" for outcome in result):
         note("Not every strategy could run")
         raise typer.Exit(DIFFERENT)
     if failing(judged, strict=strict):
         raise typer.Exit(DIFFERENT)
+
+
+def _place(run: RunResult, services: Services) -> str:
+    if run.id is None:
+        return "not stored (--data-dir DIR stores it)"
+    return f"run {run.id}" if services.private else f"{services.at().address}/r/{run.id}"
 
 
 def with_units(run: RunResult) -> dict[str, Any]:

@@ -16,6 +16,7 @@ from typing import IO, Any, NoReturn
 
 import typer
 
+from ridelab.cli.in_process import InProcess
 from ridelab.cli.names import Names
 from ridelab.cli.options import Controllers, DataDir, Server
 from ridelab.cli.reporting import InputError, UnavailableError, waiting
@@ -30,7 +31,8 @@ _ADDRESS = re.compile(r"^Ridelab is at (http://\S+)$", re.MULTILINE)
 
 def server_command(*arguments: str, data_dir: Path | None = None) -> list[str]:
     """The command line of `python -m backend`, which only an installed server has."""
-    if importlib.util.find_spec("sim_core") is None:  # `backend` may be anybody's
+    core = core_folder()
+    if core is None or not (core / "backend" / "__main__.py").is_file():  # another `backend` may be anybody's
         raise UnavailableError(
             "Ridelab's server is not installed here: name a service with --server or RIDELAB_SERVER, or use the "
             "command in a folder of Ridelab's sources (`make setup` there, then .venv/bin/ridelab)"
@@ -41,10 +43,14 @@ def server_command(*arguments: str, data_dir: Path | None = None) -> list[str]:
 
 def server_environment() -> dict[str, str]:
     """The environment in which Python imports the server beside this core, whatever the current folder holds."""
-    spec = importlib.util.find_spec("sim_core")
-    folder = "" if spec is None or spec.origin is None else str(Path(spec.origin).parents[1])
-    paths = [folder, os.environ.get("PYTHONPATH", "")]
+    paths = [str(core_folder() or ""), os.environ.get("PYTHONPATH", "")]
     return {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in paths if path)}
+
+
+def core_folder() -> Path | None:
+    """Where the core is installed, and the server beside it if there is one; None without a core."""
+    spec = importlib.util.find_spec("sim_core")
+    return None if spec is None or spec.origin is None else Path(spec.origin).parents[1]
 
 
 def default_data_dir() -> Path:
@@ -92,7 +98,14 @@ class Services(ExitStack):
     @cached_property
     def names(self) -> Names:
         """The service's fields, strategies, presets and signals by name."""
-        return Names.of(self.at())
+        return Names.of(self.quick)
+
+    @cached_property
+    def quick(self) -> Ridelab:
+        """For names, and runs that need not be stored: this process where nobody names a service or its data."""
+        own = self.controllers or os.environ.get(_CONTROLLERS)
+        in_process = self.private and self.data_dir is None and not own and core_folder() is not None
+        return InProcess(self.at) if in_process else self.at()
 
     @property
     def options(self) -> list[str]:

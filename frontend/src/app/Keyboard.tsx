@@ -1,4 +1,4 @@
-/** Keys that mean actions, the list of them, and the search for an action by its name. */
+/** Keys that mean actions, help, and the search for an action by its name. */
 
 import { lazy, useEffect, useEffectEvent, useState } from "react";
 import { ACTION_IDS, ACTIONS, canRun, runAction, useAction } from "../lab/actions";
@@ -6,12 +6,12 @@ import { LazyPart } from "../ui/LazyPart";
 import { belongsToFocus, isPressed, watchTyping } from "./keys";
 
 const Palette = lazy(() => import("./Palette").then((module) => ({ default: module.Palette })));
-const KeyList = lazy(() => import("./KeyList").then((module) => ({ default: module.KeyList })));
+const Help = lazy(() => import("./Help").then((module) => ({ default: module.Help })));
 
 export function Keyboard() {
-  const [opened, setOpened] = useState<"palette" | "keys" | null>(null);
+  const [opened, setOpened] = useState<"palette" | "help" | null>(null);
   useAction("search", () => setOpened("palette"));
-  useAction("keys", () => setOpened("keys"));
+  useAction("help", () => setOpened("help"));
   const press = useEffectEvent((event: KeyboardEvent, isTyping: boolean) => {
     for (const id of ACTION_IDS) {
       const keys = ACTIONS[id].keys?.find((each) => isPressed(event, each));
@@ -35,7 +35,7 @@ export function Keyboard() {
   return (
     <LazyPart onClose={close}>
       {opened === "palette" && <Palette onClose={close} />}
-      {opened === "keys" && <KeyList onClose={close} />}
+      {opened === "help" && <Help onClose={close} />}
     </LazyPart>
   );
 }

@@ -4,6 +4,7 @@ import { Link, linkOptions, useNavigate, useRouterState, useSearch } from "@tans
 import { lazy } from "react";
 import { firstCurves } from "../lib/firstCurves";
 import { LazyPart } from "../ui/LazyPart";
+import { MANUAL } from "../ui/ManualLink";
 import type { Address } from "../lab/address";
 import { usePaletteEntries } from "../lab/actions";
 import { useLabContext, useLab } from "../lab/context";
@@ -36,7 +37,10 @@ export function Nav() {
   const path = useRouterState({ select: ({ matches }) => matches[1]?.routeId.split("/")[1] });
   const section = path === "b" ? "sweeps" : path;
   const navigate = useNavigate();
-  usePaletteEntries(entries.map(({ label, link }) => ({ group: "Pages", label, run: () => void navigate(link) })));
+  usePaletteEntries([
+    ...entries.map(({ label, link }) => ({ group: "Pages" as const, label, run: () => void navigate(link) })),
+    { group: "Pages", label: "Manual", run: () => void window.open(MANUAL, "_blank", "noopener") },
+  ]);
   return (
     <>
       <Link {...labLink(lab)} className={classes.home} aria-label="Ridelab, to the lab">

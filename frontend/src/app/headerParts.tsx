@@ -1,11 +1,12 @@
-/** What of the header follows the first curves: the pages where they have no room side by side, colours and logging out. */
+/** What of the header follows the first curves: the pages where they have no room side by side, help, colours and logging out. */
 
-import { Button, Menu, useComputedColorScheme, useMantineColorScheme } from "@mantine/core";
+import { Box, Button, Menu, useComputedColorScheme, useMantineColorScheme } from "@mantine/core";
 import { useMutation, useQuery } from "@tanstack/react-query";
 import { Link, type LinkOptions } from "@tanstack/react-router";
 import { ask, query } from "../api/http";
+import { useActionButton } from "../lab/actions";
 import { IconButton } from "../ui/IconButton";
-import { IconChevronDown, IconLogout, IconMoon, IconSun } from "../ui/icons";
+import { IconChevronDown, IconHelp, IconLogout, IconMoon, IconSun } from "../ui/icons";
 import classes from "./nav.module.css";
 
 interface PagesProps {
@@ -15,6 +16,7 @@ interface PagesProps {
 }
 
 export function PagesMenu({ entries, section }: PagesProps) {
+  const help = useActionButton("help");
   const current = entries.find((entry) => entry.section === section);
   return (
     <Menu position="bottom-start" width={180}>
@@ -40,12 +42,16 @@ export function PagesMenu({ entries, section }: PagesProps) {
             {label}
           </Menu.Item>
         ))}
+        <Menu.Divider />
+        <Menu.Item className={classes.item ?? ""} onClick={help.onClick}>
+          {help.label}
+        </Menu.Item>
       </Menu.Dropdown>
     </Menu>
   );
 }
 
-/** What every header ends with: dark or light, whatever the system says, and logging out where there is a login. */
+/** What every header ends with: help, dark or light, whatever the system says, and logging out where there is a login. */
 export function HeaderEnd() {
   const { setColorScheme } = useMantineColorScheme();
   const isDark = useComputedColorScheme("light") === "dark";
@@ -57,6 +63,11 @@ export function HeaderEnd() {
   });
   return (
     <>
+      <Box component="span" visibleFrom="sm">
+        <IconButton {...useActionButton("help")}>
+          <IconHelp size={18} stroke={1.7} />
+        </IconButton>
+      </Box>
       <IconButton label={`Use ${next} colours`} onClick={() => setColorScheme(next)}>
         {isDark ? <IconSun size={18} stroke={1.7} /> : <IconMoon size={18} stroke={1.7} />}
       </IconButton>

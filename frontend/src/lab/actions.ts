@@ -14,7 +14,8 @@ interface Declared {
 
 const DECLARED = {
   search: { label: "Search commands and fields", keys: ["mod+K"] },
-  keys: { label: "List of keys", keys: ["?"] },
+  help: { label: "Help: tour, manual and keys", short: "Help", keys: ["?"] },
+  tour: { label: "Tour of the lab in five steps", short: "Take the tour" },
   undo: { label: "Undo", keys: ["mod+Z"] },
   redo: { label: "Redo", keys: ["mod+shift+Z", "mod+Y"] },
   play: { label: "Play the car, or pause it", keys: ["Space"] },

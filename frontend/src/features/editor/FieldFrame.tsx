@@ -2,7 +2,8 @@
 
 import { ActionIcon, Box, Group, Text, Tooltip, NativeSelect } from "@mantine/core";
 import { memo, useEffect, useRef, type ReactNode, useId } from "react";
-import { IconArrowBackUp, IconInfoCircle } from "../../ui/icons";
+import { IconArrowBackUp } from "../../ui/icons";
+import { ManualLink } from "../../ui/ManualLink";
 import { useEdit, useReadOnly } from "../../lab/context";
 import classes from "./editor.module.css";
 import type { Leaf } from "../../scenario/differences";
@@ -22,7 +23,7 @@ interface Props {
 }
 
 export function FieldFrame({ id, field, leaf: { changed, error }, standard, aside, children }: Props) {
-  const { pointer, title, description } = field;
+  const { pointer, title } = field;
   return (
     <div
       className={classes.field}
@@ -34,7 +35,7 @@ export function FieldFrame({ id, field, leaf: { changed, error }, standard, asid
         <label className={classes.label} htmlFor={id} id={`${id}-label`}>
           {title}
         </label>
-        {description !== "" && <Help id={id} title={title} text={description} />}
+        <Help field={field} />
         <Box component="span" flex={1} />
         <ResetButton {...{ field, standard, changed }} />
         {aside}
@@ -45,30 +46,10 @@ export function FieldFrame({ id, field, leaf: { changed, error }, standard, asid
   );
 }
 
-// Help and reset are as they were while a slider moves: half of what a field costs to draw.
-export const Help = memo(function Help({
-  id,
-  title,
-  text,
-}: {
-  readonly id: string;
-  readonly title: string;
-  readonly text: string;
-}) {
-  return (
-    <Tooltip label={text} multiline w={240} withArrow events={{ hover: true, focus: true, touch: true }}>
-      <ActionIcon
-        className={classes.help}
-        variant="transparent"
-        size={18}
-        aria-label={`About ${title}: ${text}`}
-        id={`${id}-help`}
-      >
-        <IconInfoCircle size={14} stroke={1.6} />
-      </ActionIcon>
-    </Tooltip>
-  );
-});
+/** Opens the manual where it says what the field is. */
+export function Help({ field: { pointer, title, description } }: { readonly field: Field }) {
+  return <ManualLink name={pointer.slice(1).replaceAll("/", ".")} label={title} text={description} />;
+}
 
 interface ResetProps {
   readonly field: Field;
@@ -77,6 +58,7 @@ interface ResetProps {
   readonly changed: boolean;
 }
 
+// As it was while a slider moves.
 /** Keeps its place while hidden, so nothing moves when a value first differs from the paper. */
 export const ResetButton = memo(function ResetButton({ field, standard, changed }: ResetProps) {
   const edit = useEdit();

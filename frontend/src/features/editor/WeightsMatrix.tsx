@@ -42,8 +42,8 @@ function MatrixRow({ vector }: { readonly vector: VectorField }) {
     <>
       <div className={classes.rowTitle} data-changed={changed || undefined}>
         <span className={classes.label}>{vector.title}</span>
-        <Group gap="0" wrap="nowrap">
-          {vector.description !== "" && <Help id={id} title={vector.title} text={vector.description} />}
+        <Group gap={3} wrap="nowrap">
+          <Help field={vector} />
           <ResetButton
             field={vector}
             standard={vector.items

@@ -25,7 +25,7 @@ export const SolveButton = memo(function SolveButton({ metric, label }: Props) {
       <Tooltip label="How fast may it go so that this stays below a limit?" withArrow>
         <ActionIcon
           className={classes.button}
-          size={20}
+          size={24}
           variant="subtle"
           aria-label={`How fast may it go: ${label}`}
           onClick={open}

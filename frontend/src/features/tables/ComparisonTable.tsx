@@ -19,6 +19,7 @@ import classes from "./tables.module.css";
 import { shownUnit } from "../../server/metrics";
 import { SolveButton } from "../solve/SolveButton";
 import { DataTable, type Column } from "../../ui/DataTable";
+import { ManualLink } from "../../ui/ManualLink";
 import { ChangeText, Estimated, CaveatMark } from "./ChangeMark";
 import { useLabContext } from "../../lab/context";
 import { caveatsOf } from "./caveats";
@@ -82,7 +83,7 @@ function columnsOf({ resultView, catalogue, figures, signals, grouping }: Compar
         key: `${view.window} ${signal}`,
         group: headingOf(view, catalogue),
         head: labelOf(signal, catalogue),
-        detail: <UnitAndSolve {...{ unit, metric, catalogue }} />,
+        detail: <UnitAndTools {...{ unit, metric, catalogue }} />,
         sort: ({ summary }) => valueAt(summary, metric),
         attributes: (entry) => cellAttributes(entry, metric),
         cell: (entry) => <ResultCell {...{ resultView, entry, metric, scale, lowest }} />,
@@ -106,14 +107,17 @@ interface UnitProps {
   readonly catalogue: Catalogue;
 }
 
-export function UnitAndSolve({ unit, metric: { window, signal, statistic }, catalogue }: UnitProps) {
+export function UnitAndTools({ unit, metric: { window, signal, statistic }, catalogue }: UnitProps) {
   return (
     <>
       {prettyUnit(unit)}{" "}
-      <SolveButton
-        metric={`${window}.${signal}.${statistic}`}
-        label={`${labelOf(signal, catalogue)}, ${window.replace("_", " ")}`}
-      />
+      <span className={classes.tools}>
+        <SolveButton
+          metric={`${window}.${signal}.${statistic}`}
+          label={`${labelOf(signal, catalogue)}, ${window.replace("_", " ")}`}
+        />
+        <ManualLink name={signal} label={labelOf(signal, catalogue)} />
+      </span>
     </>
   );
 }
@@ -186,6 +190,7 @@ export function EntryHead({
           {typeof speed === "number" ? `${formatFixed(speed, speed < 99.95 ? 1 : 0)}\u00a0km/h` : "–"}
         </span>
         {isBaseline && <span>baseline</span>}
+        <ManualLink name={strategy.own ? `own.${strategy.id}` : strategy.id} label={strategy.label} />
         <CaveatMark caveats={caveatsOf(summary?.events, catalogue)} />
       </span>
     </span>

@@ -10,6 +10,7 @@ import { metricName, valueAt, type MetricPath } from "../../lab/metricPath";
 import { StrategyName } from "../../ui/StrategyKey";
 import classes from "./tables.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
+import { ManualLink } from "../../ui/ManualLink";
 import ui from "../../ui/ui.module.css";
 import { RequirementMarks } from "../requirements/RequirementMarks";
 import { requiredOf } from "../requirements/judged";
@@ -64,7 +65,8 @@ export function RunTable({
           attributes: ({ quantity }) => ({ title: quantity.description }),
           cell: ({ quantity }) => (
             <>
-              {quantity.label} <span className={ui.dim}>{prettyUnit(quantity.unit)}</span>
+              {quantity.label} <span className={ui.dim}>{prettyUnit(quantity.unit)}</span>{" "}
+              <ManualLink name={quantity.key} label={quantity.label} text={quantity.description} />
             </>
           ),
         },

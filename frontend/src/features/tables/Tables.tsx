@@ -11,7 +11,7 @@ import {
   ComparisonTable,
   headingOf,
   labelOf,
-  UnitAndSolve,
+  UnitAndTools,
   type ComparisonProps,
   cellAttributes,
   ResultCell,
@@ -142,7 +142,7 @@ function NarrowTable({
             <>
               {labelOf(signal, catalogue)}{" "}
               <span className={ui.dim}>
-                <UnitAndSolve
+                <UnitAndTools
                   unit={shownUnit(signal, figures, catalogue).unit}
                   metric={metricOf(signal)}
                   catalogue={catalogue}

@@ -30,6 +30,7 @@ export function EditorPane() {
       <Button
         size="sm"
         variant="filled"
+        data-tour="edit"
         className={classes.editButton ?? ""}
         leftSection={<IconAdjustmentsHorizontal size={18} />}
         onClick={open}

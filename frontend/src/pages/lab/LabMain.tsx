@@ -1,12 +1,14 @@
 /** What the lab shows of a run: the only part of the page that is rendered anew with each answer. */
 
-import { Group, Anchor, Text } from "@mantine/core";
+import { Anchor, Button, Group, Text } from "@mantine/core";
 import { useMemo } from "react";
 import { useQuery } from "@tanstack/react-query";
 import { Link } from "@tanstack/react-router";
 import type { Strategy } from "../../api/types";
 import { useCompared, usePaired } from "../../features/compare/useCompared";
 import { useJudged } from "../../features/requirements/useJudged";
+import { endOffer, tourOffered } from "../../features/tour/offered";
+import { useActionButton } from "../../lab/actions";
 import { useLab, useView, useLabContext } from "../../lab/context";
 import { partShown, withBaseline } from "../../lab/resultView";
 import { Results } from "./Results";
@@ -83,7 +85,7 @@ function FromPage() {
   const untouched = useLab((state) => state.history?.present === restored);
   if (slug !== null) return null;
   if (from !== undefined) return <Back from={from} />;
-  if (!untouched) return null;
+  if (!untouched) return <TourOffer />;
   return (
     <Text size="xs" role="status">
       Your last scenario.{" "}
@@ -91,6 +93,24 @@ function FromPage() {
         Open the paper’s scenario
       </Anchor>
     </Text>
+  );
+}
+
+/** To whoever is here for the first time. */
+function TourOffer() {
+  const offered = useSelector(tourOffered);
+  const { label, disabled, onClick } = useActionButton("tour");
+  if (!offered) return null;
+  return (
+    <Group gap="0.4rem">
+      <Text size="xs">New here?</Text>
+      <Button size="compact-xs" variant="light" disabled={disabled} onClick={onClick}>
+        {label}
+      </Button>
+      <Button size="compact-xs" variant="subtle" onClick={endOffer}>
+        Not again
+      </Button>
+    </Group>
   );
 }
 

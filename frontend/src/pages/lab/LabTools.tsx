@@ -6,7 +6,9 @@ import { ExportMenu } from "../../features/export/ExportMenu";
 import { LibraryButton } from "../../features/library/LibraryButton";
 import { ShareRun } from "../../features/share/ShareRun";
 import { SweepButton } from "../../features/sweep/SweepButton";
+import { endOffer } from "../../features/tour/offered";
 import { IconButton } from "../../ui/IconButton";
+import { LazyPart } from "../../ui/LazyPart";
 import classes from "../../ui/shell.module.css";
 import { StatusLine } from "./StatusLine";
 import { useLabContext, useLab } from "../../lab/context";
@@ -17,7 +19,9 @@ import { optionTitle } from "../../scenario/schema";
 import { useLabStrategies } from "../../lab/recordings";
 import { useFigures, useForm, usePresets } from "../../server/useCatalogues";
 import { useSelected } from "./StrategyChoice";
-import { useEffect } from "react";
+import { lazy, useEffect, useState } from "react";
+
+const Tour = lazy(() => import("../../features/tour/Tour").then((module) => ({ default: module.Tour })));
 
 export function LabTools() {
   return (
@@ -76,5 +80,16 @@ export function LabActions() {
       run: () => revealed.set(leaf.pointer),
     })),
   ]);
-  return null;
+  const [touring, setTouring] = useState(false);
+  useAction("tour", () => {
+    endOffer();
+    setTouring(true);
+  });
+  return (
+    touring && (
+      <LazyPart onClose={() => setTouring(false)}>
+        <Tour onEnd={() => setTouring(false)} />
+      </LazyPart>
+    )
+  );
 }

@@ -3,7 +3,8 @@
 import { Button, Menu, Text, Tooltip } from "@mantine/core";
 import { memo, useState } from "react";
 import type { Strategy, StrategyId } from "../../api/types";
-import { IconChevronDown } from "../../ui/icons";
+import { IconChevronDown, IconExternalLink } from "../../ui/icons";
+import { STRATEGIES } from "../../ui/ManualLink";
 import { useLab, useLabContext } from "../../lab/context";
 import { isolateWhilePointed } from "../../lab/isolated";
 import { StrategyKey } from "../../ui/StrategyKey";
@@ -67,6 +68,10 @@ export const StrategyChoice = memo(function StrategyChoice({
               )}
             </Menu.CheckboxItem>
           ))}
+          <Menu.Divider />
+          <Menu.Item component="a" href={STRATEGIES} target="_blank" rightSection={<IconExternalLink size={14} />}>
+            What each of them does
+          </Menu.Item>
         </Menu.Dropdown>
       </Menu>
     </div>

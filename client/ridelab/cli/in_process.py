@@ -1,0 +1,146 @@
+"""The core in this process, in a service's place: for names, and for a run that nobody wants stored.
+
+docs/decisions/0035-a-run-in-process.md says why. Nothing is started and nothing is left behind.
+"""
+
+import json
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import asdict
+from typing import Any
+
+from ridelab.cli.reporting import InputError, UnavailableError, waiting
+from ridelab.client import Ridelab
+from ridelab.http import plain
+
+_LISTS = (
+    "signals",
+    "metric_signals",
+    "paper_signals",
+    "windows",
+    "statistics",
+    "stages",
+    "comfort",
+    "events",
+    "run_figures",
+    "references",
+)
+
+
+class InProcess(Ridelab):
+    """Answers as a service does; what the core alone cannot answer, and what it refuses, goes to a private service.
+
+    Args:
+        service: Gives the private service's client; called when it is first needed.
+    """
+
+    def __init__(self, service: Callable[[], Ridelab]) -> None:
+        self._service = service
+
+    def get(self, path: str, params: Mapping[str, Any] | None = None) -> Any:
+        """The JSON at a path below `/api/v1`."""
+        answer = _NAMES.get(path)
+        return self._service().get(path, params) if answer is None else answer()
+
+    def _post(self, path: str, body: Mapping[str, Any], key: str = "") -> dict[str, Any]:
+        refusal: list[str] = []
+        if path == "/runs" and body["roads"] == 1 and "requirements" not in body:
+            with waiting("Driving"):
+                answer = _run(body, refusal)
+            if answer is not None:
+                return answer
+        try:
+            return self._service()._post(path, body, key)  # it says better what is wrong, beside what is not
+        except UnavailableError:
+            if refusal:
+                raise InputError(*refusal) from None
+            raise
+
+
+def _schema() -> Any:
+    from sim_core.scenario import SCHEMA_VERSION, Scenario
+
+    return {**Scenario.model_json_schema(), "schema_version": SCHEMA_VERSION}
+
+
+def _catalogue() -> Any:
+    from sim_core import catalogue
+
+    lists = {name: getattr(catalogue, name.upper()) for name in _LISTS}
+    return {
+        name: list(map(asdict, each.values())) if isinstance(each, dict) else list(each) for name, each in lists.items()
+    }
+
+
+def _strategies() -> Any:
+    from sim_core.strategies import STRATEGIES
+
+    return [{"id": each.id, "label": each.label} for each in STRATEGIES.values()]
+
+
+def _presets() -> Any:
+    from sim_core.scenario.presets import PRESETS
+
+    return [
+        {
+            "id": each.id,
+            "label": each.label,
+            "description": each.description,
+            "scenario": each.scenario.model_dump(mode="json"),
+        }
+        for each in PRESETS.values()
+    ]
+
+
+def _vehicles() -> Any:
+    from sim_core.scenario import characteristics
+    from sim_core.scenario.vehicles import VEHICLES
+
+    names = ("id", "label", "description", "sources", "derived")
+    return [
+        {
+            **{name: getattr(each, name) for name in names},
+            "vehicle": each.vehicle.model_dump(mode="json"),
+            "characteristics": asdict(characteristics(each.vehicle)),
+        }
+        for each in VEHICLES.values()
+    ]
+
+
+_NAMES: Mapping[str, Callable[[], Any]] = {
+    "/schema": _schema,
+    "/catalogue": _catalogue,
+    "/strategies": _strategies,
+    "/presets": _presets,
+    "/vehicles": _vehicles,
+}
+
+
+def _run(body: Mapping[str, Any], refusal: list[str]) -> dict[str, Any] | None:
+    """A run's answer without an id; None, and why, where the core refuses anything of it."""
+    from pydantic import ValidationError
+
+    from sim_core import STRATEGIES, RidelabError, Scenario, __version__, simulate
+
+    answers = {}
+    try:
+        scenario = Scenario.model_validate_json(json.dumps(body["scenario"], default=plain))
+        known = [name for name in STRATEGIES if name in body["strategies"]]
+        for name in known + [name for name in body["strategies"] if name not in known]:
+            begin = time.perf_counter()
+            summary = simulate(scenario, name).summary()
+            milliseconds = round(1000 * (time.perf_counter() - begin), 2)
+            answers[name] = {"status": "ok", "compute_ms": milliseconds, "cached": False, "source": None, **summary}
+    except ValidationError as error:
+        refusal += [f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in error.errors()]
+        return None
+    except RidelabError as error:
+        refusal.append(error.message)
+        return None
+    plain_answers: dict[str, Any] = json.loads(json.dumps(answers, default=plain))
+    return {
+        "id": None,
+        "core_version": __version__,
+        "scenario": scenario.model_dump(mode="json"),
+        "strategies": plain_answers,
+    }

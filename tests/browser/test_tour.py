@@ -1,0 +1,48 @@
+"""The page teaches: a tour that is offered once, and question marks that open the manual at a name."""
+
+import re
+
+from playwright.sync_api import expect
+
+from tests.browser.dashboard import Dashboard
+
+
+def test_a_tour_of_five_steps_and_the_manual_beside_every_name(reader: Dashboard) -> None:
+    """By keyboard, then on a phone; once taken it is offered no more, and help has it."""
+    reader.open()
+    page = reader.page
+    page.get_by_role("button", name="Take the tour").press("Enter")
+    step = page.get_by_role("dialog")
+    for number in range(1, 6):
+        expect(step).to_contain_text(f"{number} of 5")
+        expect(step).to_be_in_viewport(ratio=1)
+        expect(step.get_by_role("button", name="Done" if number == 5 else "Next")).to_be_focused()
+        page.keyboard.press("Enter")
+    expect(step).to_have_count(0)
+
+    page.set_viewport_size({"width": 390, "height": 844})
+    reader.open()
+    expect(page.get_by_text("New here?")).to_have_count(0)
+    page.keyboard.press("?")
+    page.get_by_role("dialog", name="Help").get_by_role("button", name="Take the tour").click()
+    for number in range(1, 5):
+        expect(step).to_contain_text(f"{number} of 5")
+        expect(step).to_be_in_viewport(ratio=1)
+        step.get_by_role("button", name="Next").click()
+    reader.expect_accessible(step)
+    page.keyboard.press("Escape")
+    expect(step).to_have_count(0)
+
+    places = {
+        each: page.get_by_role("link", name=f"About {each}, in the manual").first.get_attribute("href")
+        for each in ("Body acceleration", "LQR")
+    }
+    assert places == {
+        "Body acceleration": "/manual/reference/scenario/#body_acceleration",
+        "LQR": "/manual/reference/scenario/#lqr",
+    }
+    page.get_by_role("button", name="Edit scenario").click()
+    with page.context.expect_page() as manual:
+        page.get_by_role("link", name="About Height, in the manual").click()
+    expect(manual.value).to_have_url(re.compile(r"/manual/reference/scenario/#road\.bump\.height$"))
+    expect(manual.value.locator("[id='road.bump.height']")).to_be_in_viewport()
