@@ -5,6 +5,7 @@ WORKDIR /build
 COPY frontend/.npmrc frontend/package.json frontend/package-lock.json ./
 RUN npm ci --no-audit --no-fund
 COPY frontend/ ./
+COPY examples/paper-claims.json /examples/
 RUN npm run build
 
 # The manual, as pages.

@@ -237,11 +237,11 @@ def _filled(signals: dict[str, FloatArray], warnings: list[str]) -> dict[str, Fl
         )
         filled[key] = np.where(within & np.isnan(values), np.interp(at, samples_at, values[there]), values)
         for count, what in (
-            (_count(np.isnan(values) & within), "lie between its own values, straight"),
-            (_count(np.isnan(filled[key])), "are missing: so are its metrics there"),
+            (_count(np.isnan(values) & within), "straight between its own values"),
+            (_count(np.isnan(filled[key])), "missing, and so are its metrics there"),
         ):
             if count:
-                warnings.append(f"{SIGNALS[key].label}: {count} samples {what}")
+                warnings.append(f"{SIGNALS[key].label}: {what}, {count} of {len(values)} samples")
     return filled
 
 

@@ -1,6 +1,6 @@
 """The page as a person uses it: names for what they look at and do."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any, Literal
 
@@ -26,6 +26,12 @@ WATCH_DRAWINGS = """async () => {
   window.drawings = 0;
   const {stroke} = CanvasRenderingContext2D.prototype;
   CanvasRenderingContext2D.prototype.stroke = function () { window.drawings += 1; return stroke.call(this); };
+}"""
+DROP = """files => {
+  const dataTransfer = new DataTransfer();
+  for (const [name, text] of Object.entries(files)) dataTransfer.items.add(new File([text], name));
+  for (const type of ['dragover', 'drop'])
+    document.querySelector('main').dispatchEvent(new DragEvent(type, {dataTransfer, bubbles: true, cancelable: true}));
 }"""
 WINDOWS = {"rough_road": "rms", "bump": "peak"}
 
@@ -152,6 +158,10 @@ class Dashboard:
     def panel(self, signal: str) -> Locator:
         """The canvas of a figure; `data-drawn` says how many curves are on it."""
         return self.page.locator(f"section[data-figure={signal}] canvas")
+
+    def drop(self, files: Mapping[str, str]) -> None:
+        """Drops files with these contents on the page."""
+        self.page.evaluate(DROP, files)
 
     def drawings(self) -> Callable[[], int]:
         """How often a line is drawn from now on."""

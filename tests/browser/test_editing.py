@@ -10,11 +10,6 @@ from playwright.sync_api import expect
 
 from tests.browser.dashboard import Dashboard, expect_new_address
 
-DROP = """files => {
-  const dataTransfer = new DataTransfer();
-  for (const [name, text] of files) dataTransfer.items.add(new File([text], name));
-  window.dispatchEvent(new DragEvent('drop', {dataTransfer, cancelable: true}));
-}"""
 ROADS = Path(__file__).parents[2] / "docs" / "roads"
 
 
@@ -228,7 +223,7 @@ def test_presets_and_own_scenarios_are_opened_saved_and_imported(dashboard: Dash
     page.get_by_role("textbox", name="Name", exact=True).fill("My pothole")
     page.keyboard.press("Enter")
     expect(page.get_by_role("status").filter(has_text="in the library as “My pothole”")).to_be_visible()
-    page.evaluate(DROP, [["hump.json", '{"road": {"bump": {"height": 0.12}}}'], ["photo.png", "?"]])
+    dashboard.drop({"hump.json": '{"road": {"bump": {"height": 0.12}}}', "photo.png": "?"})
     alert = page.get_by_role("alert").filter(has_text="photo.png: Expected a scenario or a vehicle as JSON")
     expect(alert.filter(has_text="The scenario “hump” is opened, and in the library")).to_be_visible()
     expect(dashboard.entry("Height")).to_have_value("12")
@@ -328,7 +323,7 @@ def test_a_measured_road_is_driven_taken_off_chosen_saved_and_taken_to_another_s
     expect(choice).to_have_value(profile)
     content |= {"schema_version": 99}
     wrong = {"road": {"bump": {"height": 5}}}
-    page.evaluate(DROP, [["new.json", json.dumps(content)], ["high.json", json.dumps(wrong)]])
+    dashboard.drop({"new.json": json.dumps(content), "high.json": json.dumps(wrong)})
     alert = page.get_by_role("alert").filter(has_text="new.json: This file comes from a newer version of Ridelab")
     expect(alert).to_contain_text("high.json: Bump height: Must be from −100 to 100\u00a0cm; the file has 500\u00a0cm")
 

@@ -1,39 +1,57 @@
-"""A recorded drive on the page: its columns are shown before it is sent, then it is one more strategy."""
+"""A recorded drive on the page: dropped on it, its columns mapped, then it is one more strategy."""
 
-from playwright.sync_api import FilePayload, expect
+from playwright.sync_api import expect
 
 from sim_core import Scenario, simulate
-from tests.browser.dashboard import Dashboard
+from tests.browser.dashboard import Dashboard, expect_new_address
 
 PEAK = '[data-cell="bump.body_acceleration.peak"]'
 
 
-def recorded() -> bytes:
-    """A passive drive over the paper's road with names and units of a test engineer's own."""
+def recorded() -> str:
+    """A passive drive over the paper's road as a logger may write it: own names and units, semicolons, a lost cell."""
     series = simulate(Scenario(), "passive").series
-    rows = zip(series["time"][::4], series["speed"][::4], series["body_acceleration"][::4] / 9.80665, strict=True)
-    return ("t [s],v [m/s],acc_z\n" + "".join(f"{t:.4f},{v:.3f},{a:.5f}\n" for t, v, a in rows)).encode()
+    columns = (series["time"][::4], series["speed"][::4], series["body_acceleration"][::4] / 9.80665)
+    rows = [f"{t:.4f};{v:.3f};{a:.5f};on" for t, v, a in zip(*columns, strict=True)]
+    rows[40] = rows[40].rsplit(";", 2)[0] + ";;on"
+    return "\n".join(["t [s];v [m/s];acc_z;lights", *(row.replace(".", ",") for row in rows), ""])
 
 
 def test_a_recorded_drive_stands_beside_the_simulated_ones(dashboard: Dashboard) -> None:
+    """Also after an edit and after the page is loaded anew."""
     dashboard.open()
-    page = dashboard.page
-    page.get_by_role("button", name="Library").first.click()
-    file: FilePayload = {"name": "drive.csv", "mimeType": "text/csv", "buffer": recorded()}
-    page.get_by_label("Files for the library").set_input_files(file)
-    dialog = page.get_by_role("dialog", name="Recorded drive “drive.csv”")
-    expect(dialog.get_by_role("alert")).to_contain_text("No column is a signal to compare")
-    expect(dialog.get_by_label("Signal of v [m/s]")).to_have_value("speed")
-    dialog.get_by_label("Signal of acc_z").select_option("Body acceleration")
-    dialog.get_by_label("Unit of acc_z").fill("N")
-    dialog.get_by_role("button", name="Show the drive").click()
-    expect(dialog.get_by_role("alert")).to_contain_text("Column 3, acc_z")
-    dashboard.expect_accessible(dialog)
-    dialog.get_by_label("Unit of acc_z").fill("g")
-    dialog.get_by_role("button", name="Show the drive").click()
+    page, address = dashboard.page, dashboard.page.url
+    dashboard.drop({"drive.csv": recorded()})
+    mapping = page.get_by_role("dialog", name="Columns of drive.csv")
+    expect(mapping.get_by_label("The file is of")).to_have_value("drive")
+    expect(mapping.get_by_role("alert")).to_contain_text("a signal to compare")
+    expect(mapping.get_by_label("v [m/s] is", exact=True)).to_have_value("speed")
+    mapping.get_by_label("acc_z is").select_option("Body acceleration")
+    mapping.get_by_label("Unit of acc_z").select_option("g")
+    expect(mapping.get_by_role("img", name="The drive as it is read")).to_contain_text("Body acceleration: ")
+    dashboard.expect_accessible(mapping)
+    mapping.get_by_role("button", name="Show the drive").click()
     expect(page.get_by_role("status").filter(has_text="“drive.csv” is shown")).to_be_visible()
     expect(page.get_by_test_id("recording")).to_contain_text("drive.csv: Its distance is its speed over its time")
+    expect_new_address(page, address)
+    dashboard.expect_curves()
     own = page.locator('tr[data-strategy^="recording:"]').first
-    passive, ours = dashboard.row("passive").locator(PEAK), own.locator(PEAK)
-    simulated, measured = (float(cell.get_attribute("data-value") or "nan") for cell in (passive, ours))
+
+    def peaks() -> tuple[float, float]:
+        cells = (dashboard.row("passive").locator(PEAK), own.locator(PEAK))
+        simulated, measured = (float(cell.get_attribute("data-value") or "nan") for cell in cells)
+        return simulated, measured
+
+    simulated, measured = peaks()
     assert abs(measured - simulated) < 0.02 * simulated
+    expect(own.locator('[data-cell="bump.rear_tyre_load.peak"]')).to_contain_text("–")
+    address = page.url
+    dashboard.type_into("Height", "8")
+    expect_new_address(page, address)
+    dashboard.expect_curves()
+    page.reload()
+    dashboard.expect_curves()
+    expect(dashboard.chip("drive.csv")).to_be_visible()
+    lower, again = peaks()
+    assert lower < simulated
+    assert abs(again - measured) < 0.02 * measured

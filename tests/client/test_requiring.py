@@ -20,7 +20,7 @@ def judged(prepared: Prepared, outcomes: dict[str, dict[str, Any]]) -> None:
     run: Any = prepared.answers["POST /runs"]
 
     def answer(body: Any) -> dict[str, Any]:
-        requirements = [Requirement.model_validate(each) for each in body["requirements"]]
+        requirements = [Requirement.model_validate(each) for each in body.get("requirements", ())]
         higher = json.loads(json.dumps(outcomes))
         higher["lv"]["metrics"]["bump"]["body_acceleration"]["peak"] *= 1.1
         roads = [outcomes, higher][: body["roads"]]
@@ -79,3 +79,31 @@ def test_the_exit_code_is_1_where_one_fails_and_uncertain_fails_with_strict(
         assert (uncertain.get("classname"), list(passed)) == ("ridelab.lv", [])
     cli("run", "--junit", file, code=2)
     assert cli.error.startswith("--junit writes what becomes of requirements")
+
+
+def test_the_second_of_two_results_is_held_to_limits(
+    cli: Cli, outcomes: dict[str, dict[str, Any]], tmp_path: Path
+) -> None:
+    """Beside the differences; a file whose numbers the service would not compute is not held to any."""
+    saved, file = tmp_path / "saved.json", tmp_path / "junit.xml"
+    run = json.loads(cli("run", "-s", "lv,passive", "--json"))
+    saved.write_text(json.dumps(run))
+    peak = outcomes["lv"]["metrics"]["bump"]["body_acceleration"]["peak"]
+    compare = ("compare", saved, saved, "--junit", file)
+    assert "pass" in cli(*compare, "--require", f"{PEAK}<{1.01 * peak}")
+    assert "fail" in cli(*compare, "--require", f"{PEAK}<{0.99 * peak}", code=1)
+    cases = list(ElementTree.parse(file).getroot())  # noqa: S314  # written here
+    assert [(case.get("classname"), [child.tag for child in case]) for case in cases] == [
+        ("ridelab.lv", []),
+        ("ridelab.passive", []),
+        ("ridelab.lv", ["failure"]),
+    ]
+    run["strategies"]["passive"]["travel_time"] += 1
+    other = tmp_path / "other.json"
+    other.write_text(json.dumps({**run, "id": "A" * 22}))
+    cli("compare", saved, other, "--junit", file, code=1)
+    failure = ElementTree.parse(file).find("testcase[@classname='ridelab.passive']/failure")  # noqa: S314
+    assert failure is not None
+    assert "travel_time" in failure.get("message", "")
+    cli("compare", saved, other, "--require", f"{PEAK}<9", code=2)
+    assert "--require cannot hold it to a limit" in cli.error

@@ -1,17 +1,18 @@
 """`ridelab compare`: two results, metric by metric; its exit code says whether they are the same."""
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from fnmatch import fnmatchcase
 from typing import Annotated, Any
 
 import typer
 
-from ridelab.cli import options, recorded, targets
-from ridelab.cli.reporting import DIFFERENT, InputError, print_json
+from ridelab.cli import options, recorded, requirements, targets
+from ridelab.cli.reporting import DIFFERENT, InputError, folder_of, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, shown, with_unit
+from ridelab.requirements import FAIL, PASS, RequirementResult, failing
 from ridelab.results import Figure, RunResult, flat
 
 _RESULT = "File of a scenario or of a saved run (run --json), preset, run id, or address of a run or link."
@@ -21,6 +22,7 @@ _OTHER = "The same, or a recorded drive, a file .csv; changes are from A to B."
 _COLUMN = "What a column of a recorded drive is, 'acc_z=body_acceleration [g]'; nothing behind = leaves it out."
 _METRICS = "Only these metrics, such as bump.*.peak; with commas or repeated."
 _PART = "Equal up to this part of A's value [default: 1e-6]; of some metrics: comfort.*=0.05. Of several the last."
+_JUNIT = "Write there as JUnit XML which strategies are equal, and what becomes of requirements."
 _MUCH = "Equal up to this much, in each metric's own unit [default: 1e-9]; likewise."
 
 
@@ -39,6 +41,10 @@ def compare(
         bool, options.flag("Different scenarios are a difference, too.", "--same-scenario")
     ] = False,
     column: Annotated[list[str] | None, options.option("NAME=SIGNAL [UNIT]", _COLUMN)] = None,
+    baseline: options.Baseline = None,
+    require: requirements.Require = None,
+    strict: requirements.Strict = False,
+    junit: Annotated[str | None, options.option("FILE", _JUNIT)] = None,
     limit: Annotated[int, typer.Option(metavar="N", min=0, help="Show the N largest differences, 0 for all.")] = 20,
     as_json: options.AsJson = False,
 ) -> None:
@@ -50,11 +56,19 @@ def compare(
     A recorded drive is compared with the one strategy that drove it: the metrics it has, and as signal.NAME the
     difference of both curves at the same positions. Its RMS, shown as B, is held to REL times the RMS of A's curve.
 
-    Exit codes: 0 equal within the tolerance, 1 different, 2 bad input, 3 no service or it failed.
+    --require holds B to limits; of a recorded drive changes are against the strategy that drove it.
+
+    Exit codes: 0 equal within the tolerance, 1 different or a requirement fails, 2 bad input, 3 no service or it
+    failed.
     """
     if a == b == "-":
         raise InputError("Only one of A and B can be standard input")
     equal = equal_within(tolerance or [], tolerance_abs or [])
+    if junit is not None:
+        folder_of(junit, "--junit")
+    required = requirements.requirements_of(require, services)
+    if baseline is not None and not required:
+        raise InputError("--baseline is what requirements' changes are against: give some with --require")
     named, patterns = options.listed(strategy), options.listed(metric, "--metric")
     drive = None
     if b.lower().endswith(recorded.ENDING):
@@ -66,48 +80,42 @@ def compare(
         first, second = (_run(side, named, sides, services) for side in sides)
         names = named or list(dict.fromkeys([*first.strategies, *second.strategies]))
     check_patterns(first, second, {"--metric": patterns, **limited(tolerance or [], tolerance_abs or [])}, drive)
-    curves = (
-        [] if drive is None else [key for key in drive.curves if _fits(f"{recorded.SIGNAL}{key}", patterns or ["*"])]
-    )
+    patterns = patterns or ["*"]
+    curves = [] if drive is None else [key for key in drive.curves if _fits(f"{recorded.SIGNAL}{key}", patterns)]
     if drive is not None:  # those that it has; none fits where only signals were asked for
-        patterns = [metric for metric in drive.metrics if _fits(metric, patterns or ["*"])] or [recorded.SIGNAL]
-    differing = [
-        item for item in differences(first, second, names, equal, patterns or ["*"]) if item.worse or not worse
-    ]
+        patterns = [metric for metric in drive.metrics if _fits(metric, patterns)] or [recorded.SIGNAL]
+    differing = [item for item in differences(first, second, names, equal, patterns) if item.worse or not worse]
     if drive is not None:
         differing = sorted([*differing, *_apart(drive, curves, equal)], key=lambda item: -abs(item.change))
+    held, base = (second, baseline) if drive is None else (first, baseline or drive.strategy)
+    judged = requirements.judged(held, required, base, b, services)
     changed = inputs(first.scenario, second.scenario)
     other_scenario = same_scenario and bool(changed)
     if as_json:
-        head: dict[str, Any] = {
-            key: {"id": run.id, "core_version": run.core_version} for key, run in (("a", first), ("b", second))
-        }
-        fields = [{"field": name, "a": one, "b": other} for name, one, other in changed]
-        listed = [{**asdict(item), "change": item.change if math.isfinite(item.change) else None} for item in differing]
-        if drive is not None:
-            head["b"] = {"recording": drive.recorded[drive.strategy].recording, "notes": drive.said}
-        print_json({**head, "equal": not (differing or other_scenario), "inputs": fields, "differences": listed})
+        _print_json(first, second, drive, differing, changed, judged, equal=not (differing or other_scenario))
     else:
         for letter, side, run in zip("AB", sides, (first, second), strict=drive is None):
             over = f", mean of {run.roads} roads" if run.roads > 1 else ""
             typer.echo(f"{letter}  {side.name} (core {run.core_version}{over})")
         if drive is not None:
-            typer.echo(f"B  {b}")
-            for sentence in drive.said:
-                typer.echo(f"   {sentence}")
-        units = services.names.fields if services.opened else {}
-        for name, one, other in changed:
-            typer.echo(f"   {with_unit(name, units.get(name, ''))}: {shown(one)} -> {shown(other)}")
+            typer.echo("\n   ".join([f"B  {b}", *drive.said]))
+        _show_inputs(changed, services)
         if differing:
             _show(differing[: limit or None], len(differing))
         else:
             metrics = [metric for name in names for metric in _all(first, name) if metric != "status"]
-            count = sum(_fits(metric, patterns or ["*"]) for metric in metrics) + len(curves)
+            count = sum(_fits(metric, patterns) for metric in metrics) + len(curves)
             how = "Not worse beyond" if worse else "Equal within"
             typer.echo(f"{how} the tolerance: {count} metrics of {', '.join(names)}")
         if other_scenario:
             typer.echo(f"The scenarios differ in {len(changed)} field{'s' * (len(changed) > 1)}")
-    if differing or other_scenario:
+        if judged:
+            typer.echo()
+            requirements.show(judged, services)
+    if junit is not None:
+        cases = [*_cases(names, differing, changed if same_scenario else ()), *requirements.cases(judged, services)]
+        requirements.write_junit(cases, junit, "ridelab compare", strict=strict)
+    if differing or other_scenario or failing(judged, strict=strict):
         raise typer.Exit(DIFFERENT)
 
 
@@ -148,6 +156,46 @@ def differences(
                 unit = a.units.get(metric, "1")
                 differing.append(Difference(strategy=name, figure=metric, unit=unit, a=one, b=other, change=change))
     return sorted(differing, key=lambda item: -abs(item.change))
+
+
+def _print_json(
+    first: RunResult,
+    second: RunResult,
+    drive: recorded.RecordedSide | None,
+    differing: Sequence[Difference],
+    changed: Sequence[tuple[str, Any, Any]],
+    judged: Sequence[RequirementResult],
+    *,
+    equal: bool,
+) -> None:
+    head: dict[str, Any] = {
+        key: {"id": run.id, "core_version": run.core_version} for key, run in (("a", first), ("b", second))
+    }
+    if drive is not None:
+        head["b"] = {"recording": drive.recorded[drive.strategy].recording, "notes": drive.said}
+    fields = [{"field": name, "a": one, "b": other} for name, one, other in changed]
+    listed = [{**asdict(item), "change": item.change if math.isfinite(item.change) else None} for item in differing]
+    kept = {"requirement_results": [asdict(each) for each in judged]} if judged else {}
+    print_json({**head, "equal": equal, "inputs": fields, "differences": listed, **kept})
+
+
+def _show_inputs(changed: Sequence[tuple[str, Any, Any]], services: Services) -> None:
+    units = services.names.fields if services.opened else {}
+    for name, one, other in changed:
+        typer.echo(f"   {with_unit(name, units.get(name, ''))}: {shown(one)} -> {shown(other)}")
+
+
+def _cases(
+    names: Sequence[str], differing: Sequence[Difference], changed: Sequence[tuple[str, Any, Any]]
+) -> Iterator[requirements.Case]:
+    """For a CI system: a case for each strategy, and one for scenarios that have to be the same and are not."""
+    for name in names:
+        said = [f"{each.figure}: {each.a} -> {each.b}" for each in differing if each.strategy == name]
+        result, name_of_case = FAIL if said else PASS, "equal within the tolerance"
+        yield requirements.Case(strategy=name, name=name_of_case, result=result, message="; ".join(said))
+    if changed:
+        message = "; ".join(f"{field}: {one} -> {other}" for field, one, other in changed)
+        yield requirements.Case(strategy="scenario", name="the same", result=FAIL, message=message)
 
 
 def _apart(drive: recorded.RecordedSide, curves: Sequence[str], equal: Equal) -> list[Difference]:

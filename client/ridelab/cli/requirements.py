@@ -1,7 +1,8 @@
 """`--require`: limits that metrics have to keep, as they are typed, shown, and written for a CI system."""
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
 from xml.etree import ElementTree
@@ -13,7 +14,8 @@ from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table
 from ridelab.cli.targets import document
 from ridelab.files import save
-from ridelab.requirements import FAIL, PASS, UNCERTAIN, RequirementResult
+from ridelab.requirements import FAIL, PASS, UNCERTAIN, Requirement, RequirementResult
+from ridelab.results import RunResult
 from ridelab.units import quantity
 
 _REQUIRE = (
@@ -98,23 +100,62 @@ def check_file(junit: str | None, requirements: Sequence[Any]) -> None:
             raise InputError("--junit writes what becomes of requirements: give some with --require")
 
 
-def write_junit(
-    results: Sequence[RequirementResult], path: str, suite: str, units: Mapping[str, str], *, strict: bool
-) -> None:
-    """The results as JUnit XML: a test case each; what is uncertain is skipped, or fails where it is strict."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Case:
+    """A test case for a CI system: what a strategy is held to, what became of it, and why it does not pass."""
+
+    strategy: str
+    name: str
+    result: str
+    message: str
+
+
+def cases(results: Sequence[RequirementResult], services: Services) -> list[Case]:
+    """One for each requirement and strategy."""
+    units = services.names.metrics if results else {}
+    return [
+        Case(
+            strategy=each.strategy,
+            name=f"{each.metric} {each.limit(units.get(each.metric, '1'))}",
+            result=each.result,
+            message=" ".join(filter(None, [each.result, _held(each, units.get(each.metric, "1")), explained(each)])),
+        )
+        for each in results
+    ]
+
+
+def write_junit(cases: Sequence[Case], path: str, suite: str, *, strict: bool) -> None:
+    """The cases as JUnit XML; what is uncertain is skipped, or fails where it is strict."""
     failures = {FAIL, UNCERTAIN} if strict else {FAIL}
     counts = {
-        "tests": len(results),
-        "failures": sum(each.result in failures for each in results),
-        "skipped": sum(each.result == UNCERTAIN and not strict for each in results),
+        "tests": len(cases),
+        "failures": sum(each.result in failures for each in cases),
+        "skipped": sum(each.result == UNCERTAIN and not strict for each in cases),
     }
     root = ElementTree.Element("testsuite", {"name": suite, **{name: str(count) for name, count in counts.items()}})
-    for each in results:
-        unit = units.get(each.metric, "1")
-        name = f"{each.metric} {each.limit(unit)}"
-        case = ElementTree.SubElement(root, "testcase", {"classname": f"ridelab.{each.strategy}", "name": name})
+    for each in cases:
+        case = ElementTree.SubElement(root, "testcase", {"classname": f"ridelab.{each.strategy}", "name": each.name})
         if each.result != PASS:
-            message = " ".join(filter(None, [each.result, _held(each, unit), explained(each)]))
-            ElementTree.SubElement(case, "failure" if each.result in failures else "skipped", {"message": message})
+            kind = "failure" if each.result in failures else "skipped"
+            ElementTree.SubElement(case, kind, {"message": each.message})
     ElementTree.indent(root)
     save([ElementTree.tostring(root, encoding="utf-8", xml_declaration=True), b"\n"], path)
+
+
+def judged(
+    run: RunResult, requirements: Sequence[Requirement], baseline: str | None, name: str, services: Services
+) -> Sequence[RequirementResult]:
+    """How the strategies of a run, which may be one saved to a file, keep requirements.
+
+    Raises:
+        InputError: The service computes other numbers than the file has.
+    """
+    if not requirements:
+        return ()
+    held = services.at().run(
+        run.scenario, list(run.strategies), roads=run.roads, baseline=baseline, requirements=requirements
+    )
+    if held.id != run.id:
+        older = f"core {run.core_version} computed it, and the service has {held.core_version}"
+        raise InputError(f"{name}: --require cannot hold it to a limit, {older}: run its scenario again")
+    return held.requirement_results

@@ -51,7 +51,7 @@ def run(
     result = ridelab.run(changed, names, roads=roads, baseline=baseline, requirements=required)
     judged = result.requirement_results
     if junit is not None:
-        requirements.write_junit(judged, junit, "ridelab run", services.names.metrics, strict=strict)
+        requirements.write_junit(requirements.cases(judged, services), junit, "ridelab run", strict=strict)
     if as_json:
         print_json(with_units(result))
     else:

@@ -100,7 +100,7 @@ def sweep(
         typer.echo()
         requirements.show(judged, services)
     if junit is not None:
-        requirements.write_junit(judged, junit, "ridelab sweep", services.names.metrics, strict=strict)
+        requirements.write_junit(requirements.cases(judged, services), junit, "ridelab sweep", strict=strict)
     failed = DIFFERENT if failing(judged, strict=strict) else 0
     raise typer.Exit(code or following.say_end(batch) or failed)
 

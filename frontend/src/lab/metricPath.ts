@@ -29,3 +29,10 @@ export function valueAt(summary: Summary | undefined, metric: MetricPath): numbe
   if ("run" in metric) return metric.run === "travel_time" ? summary?.travel_time : summary?.arrival_speed_kmh;
   return summary?.metrics[metric.window]?.[metric.signal]?.[metric.statistic];
 }
+
+/** A number of a summary by its flat name, events included; `null` where it has none. */
+export function valueNamed(summary: Summary | undefined, name: string): number | null {
+  const [, event] = /^events[.](.+)/.exec(name) ?? [];
+  const value = event === undefined ? valueAt(summary, metricPath(name)) : summary?.events[event];
+  return typeof value === "number" || typeof value === "boolean" ? Number(value) : null;
+}

@@ -1,6 +1,7 @@
 /** Requirements: metrics with limits, as the command line writes them; addresses carry them so. */
 
-import type { Requirement, RequirementResult } from "../api/types";
+import type { Requirement, RequirementResult, StrategyId } from "../api/types";
+import { isLike } from "../lib/storage";
 
 export type { Requirement, RequirementResult };
 
@@ -26,7 +27,7 @@ export function requirementText(requirement: Requirement): string {
   return `${who}${requirement.metric}${kind === "min" ? ">" : "<"}${value}`;
 }
 
-const TEXT = /^(?:([\w,-]+):)?([\w.]+)([<>])([+-]?[\d.]+(?:e[+-]?\d+)?)(%?)$/i;
+const TEXT = /^(?:([\w,:-]+):)?([\w.]+)([<>])([+-]?[\d.]+(?:e[+-]?\d+)?)(%?)$/i;
 
 function readRequirement(text: string): readonly Requirement[] {
   const [, who, metric = "", sign, number, percent] = TEXT.exec(text) ?? [];
@@ -44,6 +45,28 @@ export const requirementsText = (all: readonly Requirement[]) => all.map(require
 /** Those of an address; what is none is left out. */
 export const readRequirements = (text = ""): readonly Requirement[] =>
   text.split(";").flatMap(readRequirement).slice(0, MOST);
+
+/** The requirements in a file or in the library; none where there is anything else. */
+export function requirementsIn(value: unknown): readonly Requirement[] {
+  if (!isLike<readonly Requirement[]>([{ metric: "" }], value)) return [];
+  const read = readRequirements(requirementsText(value));
+  return read.length === value.length ? read : [];
+}
+
+/** What is sent with a question about these strategies: those that are about one of them. */
+export function requiredOfThese(
+  requirements: readonly Requirement[],
+  names: readonly StrategyId[],
+  baseline: StrategyId,
+): { readonly requirements?: readonly Requirement[]; readonly baseline?: StrategyId } {
+  const about = requirements.flatMap((requirement) => {
+    const strategies = requirement.strategies?.filter((id) => names.includes(id));
+    if (strategies?.length === 0) return [];
+    return [strategies ? { ...requirement, strategies } : requirement];
+  });
+  if (about.length === 0) return {};
+  return { requirements: about, ...(names.includes(baseline) && { baseline }) };
+}
 
 /** By run how it keeps what is required; a run under way, or one that could not be asked about, has no entry. */
 export type Judged = Readonly<Record<string, readonly RequirementResult[]>>;

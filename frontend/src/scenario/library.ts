@@ -1,4 +1,4 @@
-/** Scenarios, vehicles and measured roads of one's own, by name. Each has an entry of its own in the browser's storage, so that one tab never overwrites what another has saved. */
+/** Scenarios, vehicles, measured roads and sets of requirements of one's own, by name. Each has an entry of its own in the browser's storage, so that one tab never overwrites what another has saved. */
 
 import type { JsonObject } from "../api/types";
 import { sameValue } from "./path";
@@ -6,13 +6,15 @@ import { SCHEMA_VERSION, upgraded } from "./versions";
 import { isLike, ownStorage } from "../lib/storage";
 import { createAtom, type Atom, useSelector } from "@tanstack/react-store";
 
-export const KINDS = ["scenario", "vehicle", "road"] as const;
+export const KINDS = ["scenario", "vehicle", "road", "requirements"] as const;
 export type ItemKind = (typeof KINDS)[number];
+
+export const kindWord = (kind: ItemKind) => (kind === "requirements" ? "set of requirements" : kind);
 
 export interface Item {
   readonly kind: ItemKind;
   readonly name: string;
-  /** A whole scenario, its vehicle, or the head of a measured road that the server has. */
+  /** A whole scenario, its vehicle, the head of a measured road that the server has, or a list of `requirements`. */
   readonly value: JsonObject;
   /** When, as an ISO date. */
   readonly saved: string;
@@ -108,7 +110,7 @@ export function createLibrary(
     rename: (item, name) => {
       const clean = cleanName(name);
       if (clean === "" || clean === item.name) return;
-      if (has(item.kind, clean)) throw new Error(`There is a ${item.kind} of this name`);
+      if (has(item.kind, clean)) throw new Error(`There is a ${kindWord(item.kind)} of this name`);
       write({ ...item, name: clean });
       storage?.removeItem(keyOf(item));
       refresh();

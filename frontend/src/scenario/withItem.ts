@@ -11,6 +11,7 @@ export type Content = Pick<Item, "kind" | "value">;
 /** The edited scenario with an item in place of its own. */
 export function withItem(scenario: Scenario, { kind, value }: Content, form: Group): Scenario {
   if (kind === "scenario") return completed(form, value);
+  if (kind === "requirements") return scenario;
   // A road's value is what the server said of it when it was uploaded.
   if (kind === "road") return onRoad(scenario, value as unknown as CreatedRoad);
   return completed(form, setAt(scenario, "/vehicle", value));

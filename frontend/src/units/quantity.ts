@@ -23,8 +23,13 @@ const keyOf = (unit: string) =>
 
 const ALIASES = new Map(Object.entries(table.aliases).map(([alias, unit]) => [keyOf(alias), keyOf(unit)]));
 
+const plainKey = (unit: string) => ALIASES.get(keyOf(unit)) ?? keyOf(unit);
+
+/** Whether two spellings are of one unit. */
+export const isSameUnit = (one: string, other: string): boolean => plainKey(one) === plainKey(other);
+
 /** Every unit of what this one measures; this one alone where the table does not have it. */
-function unitsLike(unit: string): Readonly<Record<string, number>> {
+export function unitsLike(unit: string): Readonly<Record<string, number>> {
   const all: readonly Readonly<Record<string, number>>[] = Object.values(table.units);
   return all.find((units) => unit in units) ?? { [unit]: 1 };
 }
@@ -58,11 +63,11 @@ export function parseQuantity(text: string, unit: string): Quantity {
       ok: false,
       message: `Enter a number, e.g. ${unit === "1" ? "0.12" : `12 ${prettyUnit(unit)}`}; no commas for thousands`,
     };
-  const written = keyOf(compact.slice(digits.length));
-  if (written === "") return { ok: true, value };
+  const written = compact.slice(digits.length);
+  if (keyOf(written) === "") return { ok: true, value };
   const own = unit.replace("²", "^2");
   const units = unitsLike(own);
-  const match = Object.entries(units).find(([name]) => keyOf(name) === (ALIASES.get(written) ?? written));
+  const match = Object.entries(units).find(([name]) => isSameUnit(name, written));
   if (!match) return { ok: false, message: `Takes ${listed(units, own)}` };
   return { ok: true, value: rounded((value * match[1]) / (units[own] ?? 1)) };
 }

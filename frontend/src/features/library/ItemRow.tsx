@@ -2,6 +2,7 @@
 
 import { ActionIcon, Menu } from "@mantine/core";
 import { useRef, useState } from "react";
+import { requirementsIn, requirementsText } from "../../lab/requirements";
 import { changedFields, changesText, completed } from "../../scenario/differences";
 import type { Group } from "../../scenario/schema";
 import { IconDots } from "../../ui/icons";
@@ -28,6 +29,7 @@ function describe({ kind, value }: Item, form: Group): string {
     const bumps = Array.isArray(value.bumps) ? value.bumps.length : 0;
     return `${typeof value.length === "number" ? value.length : "?"} m, ${count(bumps, "bump")} in it`;
   }
+  if (kind === "requirements") return requirementsText(requirementsIn(value.requirements)).replaceAll(";", "; ");
   const paper = completed(form, {});
   const scenario = kind === "scenario" ? value : { ...paper, vehicle: value };
   return changesText(changedFields(form, paper, completed(form, scenario))) || "As in the paper";

@@ -10,7 +10,7 @@ import { useSelector } from "@tanstack/react-store";
 import { compact } from "../../ui/compact";
 import { LazyPart } from "../../ui/LazyPart";
 import { useOpenItem } from "./open";
-import { dialog, ownLibrary } from "../../scenario/library";
+import { dialog, kindWord, ownLibrary } from "../../scenario/library";
 
 const LibraryDialog = lazy(() => import("./LibraryDialog").then((module) => ({ default: module.LibraryDialog })));
 
@@ -26,7 +26,13 @@ export function LibraryButton() {
   useAction("library", canEdit ? () => dialog.set("scenario") : null);
   useAction("saveVehicle", canEdit ? () => dialog.set("vehicle") : null);
   const found = items.map(
-    (item) => ({ group: "Library", label: item.name, description: `Own ${item.kind}`, run: () => open(item) }) as const,
+    (item) =>
+      ({
+        group: "Library",
+        label: item.name,
+        description: `Own ${kindWord(item.kind)}`,
+        run: () => open(item),
+      }) as const,
   );
   usePaletteEntries(canEdit ? found : []);
   const { label, ...button } = useActionButton("library");

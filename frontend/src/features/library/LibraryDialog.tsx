@@ -1,20 +1,38 @@
-/** One's own scenarios, vehicles and roads, and the presets: saved, opened, renamed, deleted, imported and exported. */
+/** One's own scenarios, vehicles, roads and sets of requirements, and the presets: saved, opened, renamed, deleted, imported and exported. */
 
 import { Box, Button, Modal, Text, SegmentedControl, TextInput } from "@mantine/core";
 import { useState } from "react";
-import type { Preset, JsonObject } from "../../api/types";
+import claims from "../../../../examples/paper-claims.json";
+import type { Preset, JsonObject, Requirement } from "../../api/types";
 import type { Group } from "../../scenario/schema";
 import { ItemRow } from "./ItemRow";
-import { type Item, type ItemKind, ownLibrary, useItems, LONGEST_NAME, cleanName } from "../../scenario/library";
+import {
+  type Item,
+  type ItemKind,
+  kindWord,
+  ownLibrary,
+  useItems,
+  LONGEST_NAME,
+  cleanName,
+} from "../../scenario/library";
 import classes from "./library.module.css";
 import { useOpenItem, notice, useExportItem } from "./open";
 import { OpenFiles } from "./OpenFiles";
 import { Template } from "./Template";
 import { changedFields, changesText, completed } from "../../scenario/differences";
 import { sameValue } from "../../scenario/path";
-import { useEdit, useScenario } from "../../lab/context";
+import { useEdit, useScenario, useView } from "../../lab/context";
 import { formatMinute } from "../../units/dates";
 import { Fault } from "../../ui/Fault";
+
+const CLAIMS = {
+  id: "paper-claims",
+  label: "Requirements: what the paper claims",
+  description:
+    "What its abstract says LV changes against the suspension’s control alone, which has to be the baseline.",
+  kind: "requirements" as const,
+  value: { requirements: claims as readonly Requirement[] },
+};
 
 interface Props {
   readonly form: Group;
@@ -39,21 +57,21 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
     setDeleted(null);
   };
   return (
-    <Modal opened onClose={onClose} title="Library" size="lg">
+    <Modal opened onClose={onClose} title="Library" size="xl">
       <SaveForm form={form} kind={saving} onSaved={onClose} />
       <div className={classes.import}>
         <OpenFiles name="Files for the library" size="xs">
           Import files
         </OpenFiles>
         <Text className={classes.text}>
-          Scenarios and vehicles as JSON, measured roads as CSV or OpenCRG, recorded drives as CSV; or drop them
-          anywhere on the lab. This browser keeps the library: export what others need. <Template />.
+          Scenarios, vehicles and requirements as JSON, measured roads as CSV or OpenCRG, recorded drives as CSV; or
+          drop them anywhere on the lab. This browser keeps the library: export what others need. <Template />.
         </Text>
       </div>
       {deleted && (
         <div className={classes.deleted}>
           <Text role="status">
-            Deleted the {deleted.kind} “{deleted.name}”.
+            Deleted the {kindWord(deleted.kind)} “{deleted.name}”.
           </Text>
           <Button size="compact-xs" autoFocus onClick={() => restore(deleted)}>
             Undo
@@ -63,13 +81,17 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
       <OwnItems title="Your scenarios" kind="scenario" {...{ form, open, remove }} />
       <OwnItems title="Your vehicles" kind="vehicle" {...{ form, open, remove }} />
       <OwnItems title="Your measured roads" kind="road" {...{ form, open, remove }} />
+      <OwnItems title="Your sets of requirements" kind="requirements" {...{ form, open, remove }} />
       <Box component="h3" m="1rem 0 0.3rem" fz="md" fw={650}>
         Presets
       </Box>
       <ul className={classes.list} aria-label="Presets">
-        {presets.map(({ id, label, description, scenario }) => (
+        {[
+          ...presets.map(({ scenario, ...preset }) => ({ ...preset, kind: "scenario" as const, value: scenario })),
+          CLAIMS,
+        ].map(({ id, label, description, kind, value }) => (
           <li key={id} className={classes.entry}>
-            <button type="button" className={classes.open} onClick={() => open({ kind: "scenario", value: scenario })}>
+            <button type="button" className={classes.open} onClick={() => open({ kind, value })}>
               <span className={classes.name}>{label}</span>
               <span className={classes.text}>{description}</span>
             </button>
@@ -120,18 +142,23 @@ function SaveForm({ form, kind: first, onSaved }: SaveFormProps) {
   const edit = useEdit();
   const exportItem = useExportItem();
   const scenario = completed(form, useScenario());
+  const { requirements } = useView();
   const [kind, setKind] = useState(first);
   const [typed, setTyped] = useState<string | null>(null);
   const [wrong, setWrong] = useState<string | null>(null);
-  const value = kind === "vehicle" ? (scenario.vehicle as JsonObject) : scenario;
+  const value = { scenario, vehicle: scenario.vehicle as JsonObject, requirements: { requirements } }[kind];
   const items = useItems(kind);
-  const described = kind === "vehicle" ? "" : changesText(changedFields(form, completed(form, {}), scenario), 2);
+  const described = kind !== "scenario" ? "" : changesText(changedFields(form, completed(form, {}), scenario), 2);
   const name = cleanName(typed ?? items.find((item) => sameValue(item.value, value))?.name ?? described);
   const replaced = items.find((item) => item.name === name);
   const save = () => {
     try {
       ownLibrary.save(kind, name, value);
-      notice.set({ lines: [`The ${kind} is in the library as “${name}”.`], isWrong: false, scenario: edit.newest() });
+      notice.set({
+        lines: [`The ${kindWord(kind)} is in the library as “${name}”.`],
+        isWrong: false,
+        scenario: edit.newest(),
+      });
       onSaved();
     } catch (error) {
       setWrong(error instanceof Error ? error.message : String(error));
@@ -151,6 +178,7 @@ function SaveForm({ form, kind: first, onSaved }: SaveFormProps) {
         data={[
           { value: "scenario", label: "This scenario" },
           { value: "vehicle", label: "Its vehicle" },
+          { value: "requirements", label: "Its requirements", disabled: requirements.length === 0 },
         ]}
         onChange={setKind}
       />
@@ -171,7 +199,7 @@ function SaveForm({ form, kind: first, onSaved }: SaveFormProps) {
       </Button>
       <Text className={classes.text} role="status">
         {replaced
-          ? `Replaces the ${kind} that was saved under this name on ${formatMinute(replaced.saved)}.`
+          ? `Replaces the ${kindWord(kind)} that was saved under this name on ${formatMinute(replaced.saved)}.`
           : "\u00a0"}
       </Text>
       {wrong !== null && <Fault>{wrong}</Fault>}

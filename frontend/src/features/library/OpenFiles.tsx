@@ -8,11 +8,10 @@ import { LazyPart } from "../../ui/LazyPart";
 import { useOpenFiles, notice, unclear } from "./open";
 import { useScenario } from "../../lab/context";
 import { useSelector } from "@tanstack/react-store";
-import { RecordingDialog } from "./RecordingDialog";
 import ui from "../../ui/ui.module.css";
 import classes from "./library.module.css";
 
-const RoadMapping = lazy(() => import("./RoadMapping").then((module) => ({ default: module.RoadMapping })));
+const FileMapping = lazy(() => import("./FileMapping").then((module) => ({ default: module.FileMapping })));
 
 interface Props {
   readonly children: string;
@@ -73,12 +72,11 @@ export function DropFiles() {
     <Portal>
       {isAsked && (
         <LazyPart onClose={() => unclear.set([])}>
-          <RoadMapping />
+          <FileMapping />
         </LazyPart>
       )}
       {isOver && <div className={classes.drop}>Drop scenarios, vehicles, measured roads or recorded drives</div>}
       <LastNotice />
-      <RecordingDialog />
     </Portal>
   );
 }

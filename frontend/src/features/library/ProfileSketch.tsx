@@ -1,4 +1,4 @@
-/** A road's heights over its length, in small. */
+/** A road's heights over its length, or another curve, in small. */
 
 import { useElementSize } from "@mantine/hooks";
 import { Box } from "@mantine/core";
@@ -7,19 +7,25 @@ import classes from "./library.module.css";
 
 interface Props {
   readonly label: string;
-  /** [m] */
+  /** In `unit`. */
   readonly distance: readonly number[];
   /** Of each track [m]. */
   readonly tracks: readonly (readonly number[])[];
   /** Stretches to mark, the one that counts in full. */
   readonly marks?: readonly { readonly start: number; readonly width: number; readonly counts: boolean }[];
+  /** What is said of the lowest and the highest value. */
+  readonly caption?: (low: number, high: number) => string;
+  readonly unit?: string;
 }
 
 const [HEIGHT, FOOT, HEAD] = [84, 16, 14];
 /** No more points than can be seen. */
 const MOST = 800;
 
-export function ProfileSketch({ label, distance, tracks, marks = [] }: Props) {
+const heightRange = (low: number, high: number) =>
+  `${formatNumber(1000 * (high - low))} mm from the lowest to the highest`;
+
+export function ProfileSketch({ label, distance, tracks, marks = [], caption = heightRange, unit = "m" }: Props) {
   const { ref, width } = useElementSize<HTMLDivElement>();
   const step = Math.max(1, Math.ceil(distance.length / MOST));
   const shown = distance.flatMap((x, index) => (index % step === 0 && Number.isFinite(x) ? [index] : []));
@@ -52,13 +58,13 @@ export function ProfileSketch({ label, distance, tracks, marks = [] }: Props) {
             <polyline key={index} points={path(track)} className={classes.track} data-track={index} />
           ))}
           <text x={0} y={10}>
-            {formatNumber(1000 * (high - low))} mm from the lowest to the highest
+            {caption(low, high)}
           </text>
           <text x={0} y={HEIGHT - 3}>
-            {formatNumber(from)} m
+            {formatNumber(from)} {unit}
           </text>
           <text x={width} y={HEIGHT - 3} textAnchor="end">
-            {formatNumber(to)} m
+            {formatNumber(to)} {unit}
           </text>
         </svg>
       )}

@@ -2,7 +2,7 @@
 
 import { Anchor } from "@mantine/core";
 import { download } from "../../lib/download";
-import { TEMPLATE } from "./roadFile";
+import { TEMPLATE } from "./tableFile";
 
 export function Template() {
   const save = () => {

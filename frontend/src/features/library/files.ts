@@ -1,6 +1,7 @@
 /** What a file holds, seen from its content, and what an item is exported as. */
 
 import type { JsonObject } from "../../api/types";
+import { requirementsIn } from "../../lab/requirements";
 import { getAt } from "../../scenario/path";
 import type { ScenarioSchema } from "../../scenario/schema";
 import { isWrittenOut, upgraded } from "../../scenario/versions";
@@ -13,7 +14,7 @@ export type Content =
       readonly label: string | null;
       /** Its measured road as CSV. */ readonly road: string | null;
     }
-  | { readonly kind: "vehicle"; readonly value: JsonObject; readonly label: string | null }
+  | { readonly kind: "vehicle" | "requirements"; readonly value: JsonObject; readonly label: string | null }
   | { readonly kind: "road"; readonly csv: string };
 
 export type Exported = Pick<Item, "kind" | "name" | "value">;
@@ -23,7 +24,7 @@ const isObject = (value: unknown): value is JsonObject =>
 const text = (value: unknown) => (typeof value === "string" ? value : null);
 
 const EXPECTED =
-  "Expected a scenario or a vehicle as JSON, or a measured road or a recorded drive as CSV with a line of titles";
+  "Expected a scenario, a vehicle or requirements as JSON, or a measured road or a recorded drive as CSV with a line of titles";
 
 /**
  * What a file holds. A run holds its scenario.
@@ -36,6 +37,9 @@ export function readFile(name: string, content: string, form: ScenarioSchema): C
     throw new Error(EXPECTED);
   }
   const whole = parsed(content);
+  const requirements = requirementsIn(isObject(whole) ? whole.requirements : whole);
+  if (requirements.length > 0)
+    return { kind: "requirements", value: { requirements }, label: isObject(whole) ? text(whole.label) : null };
   if (!isObject(whole)) throw new Error(EXPECTED);
   const scenario = isObject(whole.scenario) ? whole.scenario : whole;
   // A run and what `ridelab tune --out` writes say no version; what a person wrote is today's.
@@ -82,7 +86,7 @@ export function fileOf(
   const content = {
     schema_version: version,
     label: name,
-    [kind]: value,
+    [kind]: kind === "requirements" ? value.requirements : value,
     ...(road !== null && { measured_road: road }),
   };
   return { name: `${stem}.json`, type: "application/json", text: `${JSON.stringify(content, null, 1)}\n` };

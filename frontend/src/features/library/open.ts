@@ -5,11 +5,12 @@ import { useQueryClient } from "@tanstack/react-query";
 import type { Scenario } from "../../api/types";
 import { withItem, type Content } from "../../scenario/withItem";
 import { sameValue } from "../../scenario/path";
-import { useEdit, useReadOnly } from "../../lab/context";
+import { useEdit, useLabContext, useReadOnly } from "../../lab/context";
 import { useForm } from "../../server/useCatalogues";
 import { createAtom } from "@tanstack/react-store";
 import type { Exported } from "./files";
-import { type ItemKind, dialog } from "../../scenario/library";
+import { requirementsIn } from "../../lab/requirements";
+import { type ItemKind, dialog, kindWord } from "../../scenario/library";
 
 export interface Notice {
   readonly lines: readonly string[];
@@ -18,16 +19,25 @@ export interface Notice {
   readonly scenario: Scenario;
 }
 
-/** Files of roads whose columns have to be asked for, one after the other. */
-export const unclear = createAtom<readonly { readonly name: string; readonly text: string }[]>([]);
+/** A table of a road or a drive whose columns have to be asked for. */
+export interface Unclear {
+  readonly name: string;
+  readonly text: string;
+  readonly likely: "road" | "drive";
+}
+
+/** They are asked for one after the other. */
+export const unclear = createAtom<readonly Unclear[]>([]);
 
 /** What the library has done last. */
 export const notice = createAtom<Notice | null>(null);
 
 export function useOpenItem(): (item: Content) => void {
   const edit = useEdit();
+  const { labAddress } = useLabContext();
   const form = useForm();
   return (item) => {
+    if (item.kind === "requirements") labAddress.setView({ requirements: requirementsIn(item.value.requirements) });
     const next = withItem(edit.newest(), item, form);
     if (!sameValue(next, edit.newest())) edit.commit(next);
   };
@@ -44,7 +54,7 @@ export function useExportItem(): (item: Exported) => Promise<void> {
     } catch (error) {
       dialog.set(null);
       notice.set({
-        lines: [`The ${item.kind} “${item.name}” is not exported: ${messageOf(error)}`],
+        lines: [`The ${kindWord(item.kind)} “${item.name}” is not exported: ${messageOf(error)}`],
         isWrong: true,
         scenario: edit.newest(),
       });
@@ -55,6 +65,7 @@ export function useExportItem(): (item: Exported) => Promise<void> {
 /** `wanted` is the part to take from a file that has more; the promise is what was wrong. */
 export function useOpenFiles(): (files: readonly File[], wanted?: ItemKind) => Promise<string | null> {
   const edit = useEdit();
+  const { labAddress } = useLabContext();
   const readOnly = useReadOnly();
   const queries = useQueryClient();
   const say = (lines: readonly string[], isWrong = false) => notice.set({ lines, isWrong, scenario: edit.newest() });
@@ -67,7 +78,9 @@ export function useOpenFiles(): (files: readonly File[], wanted?: ItemKind) => P
     say([`Opening ${files.map(({ name }) => name).join(", ")}`]);
     try {
       const { openAll } = await import("./upload");
-      const { scenario, lines, isWrong, asked } = await openAll(files, () => edit.newest(), queries, wanted);
+      const opened = await openAll(files, () => edit.newest(), queries, wanted);
+      const { scenario, requirements, lines, isWrong, asked } = opened;
+      if (requirements) labAddress.setView({ requirements });
       if (!sameValue(scenario, edit.newest())) edit.commit(scenario);
       unclear.set([...unclear.get(), ...asked]);
       if (lines.length > 0) say(lines, isWrong);

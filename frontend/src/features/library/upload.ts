@@ -9,13 +9,14 @@ import { completed, namedLeaves, type Leaf } from "../../scenario/differences";
 import { sameValue, setAt, getAt, type Pointer } from "../../scenario/path";
 import { type ScenarioSchema, findMember, optionTitle, type NumberField } from "../../scenario/schema";
 import { DEFAULT_VIEW } from "../../lab/address";
+import { requirementsIn, type Requirement } from "../../lab/requirements";
 import { presetsQuery, schemaQuery, vehiclesQuery } from "../../server/queries";
 import { readFile, type Content, fileOf, roadOf, type Exported } from "./files";
-import { recordedFile } from "./recordedFile";
-import { KINDS, type Item, type ItemKind, ownLibrary } from "../../scenario/library";
+import { KINDS, kindWord, type Item, type ItemKind, ownLibrary } from "../../scenario/library";
 import { withItem } from "../../scenario/withItem";
 import { limitText, valueText } from "../../scenario/limits";
-import { hasUnclearColumns, isOpenCrg } from "./roadFile";
+import type { Unclear } from "./open";
+import { isOpenCrg, likelyKind } from "./tableFile";
 import { download } from "../../lib/download";
 
 interface Opened extends Pick<Item, "kind" | "value" | "name"> {
@@ -25,10 +26,12 @@ interface Opened extends Pick<Item, "kind" | "value" | "name"> {
 export interface Outcome {
   /** With what the files hold in place of its own. */
   readonly scenario: Scenario;
+  /** In place of the lab's; `null` where no file has any. */
+  readonly requirements: readonly Requirement[] | null;
   readonly lines: readonly string[];
   readonly isWrong: boolean;
-  /** Roads whose columns have to be asked for. */
-  readonly asked: readonly { readonly name: string; readonly text: string }[];
+  /** Those whose columns have to be asked for. */
+  readonly asked: readonly Unclear[];
 }
 
 const MEBIBYTE = 1024 * 1024;
@@ -54,18 +57,16 @@ export async function openAll(
   ];
   const wrong: string[] = [];
   const opened: Opened[] = [];
-  const asked: { name: string; text: string }[] = [];
+  const asked: Unclear[] = [];
   for (const file of files) {
     try {
       if (file.size > LONGEST_GRID) throw new Error("A file may have 16 MiB");
       const text = await file.text();
+      const likely = likelyKind(file.name, text);
       if (isOpenCrg(text)) opened.push(await uploadGrid(file));
       else if (file.size > LONGEST) throw new Error("A file may have 6 MiB");
-      else if (hasUnclearColumns(file.name, text)) asked.push({ name: file.name, text });
-      else {
-        const content = await upload(file.name, text, form, wanted);
-        if (content !== null) opened.push(content);
-      }
+      else if (likely !== null) asked.push({ name: file.name, text, likely });
+      else opened.push(await upload(file.name, text, form, wanted));
     } catch (error) {
       wrong.push(`${file.name}: ${messageOf(error)}`);
     }
@@ -73,27 +74,24 @@ export async function openAll(
   // A vehicle and a road belong into the scenario that came with them.
   opened.sort((one, other) => KINDS.indexOf(one.kind) - KINDS.indexOf(other.kind));
   const scenario = opened.reduce((before, content) => withItem(before, content, form), newest());
+  const required = opened.findLast(({ kind }) => kind === "requirements");
   return {
     scenario,
+    requirements: required ? requirementsIn(required.value.requirements) : null,
     lines: [...wrong, ...opened.flatMap((content) => [addToLibrary(content, known), ...content.warnings])],
     isWrong: wrong.length > 0,
     asked,
   };
 }
 
-/** The content of a file as the server understands it: complete, in SI units, and within every limit; `null` of a recorded drive, whose columns a dialog asks for. */
-async function upload(
-  name: string,
-  text: string,
-  form: ScenarioSchema,
-  wanted: ItemKind | undefined,
-): Promise<Opened | null> {
+/** The content of a file as the server understands it: complete, in SI units, and within every limit. */
+async function upload(name: string, text: string, form: ScenarioSchema, wanted: ItemKind | undefined): Promise<Opened> {
   const content = readFile(name, text, form);
   const stem = stemOf(name);
-  if (content.kind === "road")
-    return (await isDrive(name, content.csv)) ? null : roadItem(stem, await uploadRoad(content.csv));
+  if (content.kind === "road") return roadItem(stem, await uploadRoad(content.csv));
   if (wanted === "vehicle" && content.kind === "scenario" && !("vehicle" in content.value))
     throw new Error("This file has no vehicle");
+  if (content.kind === "requirements") return { ...content, name: content.label ?? stem, warnings: [] };
   const { scenario, warnings } = await checked(content, form);
   const kind = wanted === "vehicle" ? wanted : content.kind;
   return {
@@ -102,18 +100,6 @@ async function upload(
     value: kind === "vehicle" ? (scenario.vehicle as JsonObject) : scenario,
     warnings,
   };
-}
-
-const HEAD = 16_000;
-
-/** Whether the file is rather a recorded drive's; then the dialog has it. */
-async function isDrive(name: string, csv: string): Promise<boolean> {
-  const head = csv.length > HEAD ? csv.slice(0, csv.lastIndexOf("\n", HEAD) + 1) : csv;
-  const preview = await ask("post", "/recordings/preview", { body: head, query: {} });
-  if (preview.road) return false;
-  if (new Blob([csv]).size > LONGEST_ROAD) throw new Error("The file of a recorded drive may have 4 MiB");
-  recordedFile.set({ name, csv, preview });
-  return true;
 }
 
 const stemOf = (name: string) => name.replace(/\.\w+$/, "") || "File";
@@ -157,11 +143,12 @@ async function checked(
 
 /** Adds it to the library, except where the server has it by a name; returns what to say of it. */
 function addToLibrary({ kind, name, value }: Opened, known: readonly (JsonValue | undefined)[]): string {
-  if (known.some((each) => sameValue(each, value))) return `The ${kind} “${name}” is opened.`;
+  const word = kindWord(kind);
+  if (known.some((each) => sameValue(each, value))) return `The ${word} “${name}” is opened.`;
   try {
-    return `The ${kind} “${ownLibrary.add(kind, name, value)}” is opened, and in the library.`;
+    return `The ${word} “${ownLibrary.add(kind, name, value)}” is opened, and in the library.`;
   } catch (error) {
-    return `The ${kind} “${name}” is opened, but not in the library. ${messageOf(error)}.`;
+    return `The ${word} “${name}” is opened, but not in the library. ${messageOf(error)}.`;
   }
 }
 

@@ -6,7 +6,7 @@ import { limitText, RESULT_WORDS } from "./judged";
 import classes from "./requirements.module.css";
 import { useFigures, useCatalogue } from "../../server/useCatalogues";
 import { metricsOf } from "../../server/metrics";
-import { useMemo } from "react";
+import { useMemo, type ReactNode } from "react";
 
 const SIGNS = { pass: IconCheck, fail: IconX, uncertain: IconAlertTriangle } as const;
 
@@ -22,11 +22,25 @@ export function RequirementMark({ result }: { readonly result: RequirementResult
     [catalogue, templates, result.metric],
   );
   const limit = limitText(result, figure, result.baseline);
-  const Sign = SIGNS[result.result];
   return (
-    <span className={classes.mark} data-result={result.result} title={`Required: ${limit}`}>
-      <Sign size={12} stroke={2.4} aria-hidden /> {RESULT_WORDS[result.result]}
+    <ResultMark result={result.result} title={`Required: ${limit}`}>
       <span className="visually-hidden">, required {limit}</span>
+    </ResultMark>
+  );
+}
+
+interface MarkProps {
+  readonly result: RequirementResult["result"];
+  readonly title?: string;
+  readonly children?: ReactNode;
+}
+
+export function ResultMark({ result, title, children }: MarkProps) {
+  const Sign = SIGNS[result];
+  return (
+    <span className={classes.mark} data-result={result} title={title}>
+      <Sign size={12} stroke={2.4} aria-hidden /> {RESULT_WORDS[result]}
+      {children}
     </span>
   );
 }

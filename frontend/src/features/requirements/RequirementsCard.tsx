@@ -1,13 +1,14 @@
 /** What the strategies are held to: a list of limits, each with how the shown result keeps it. */
 
 import { useState } from "react";
-import { Text } from "@mantine/core";
+import { Anchor, Text } from "@mantine/core";
 import type { Strategy } from "../../api/types";
 import { useLabContext, useReadOnly, useView } from "../../lab/context";
-import { metricPath, valueAt } from "../../lab/metricPath";
+import { valueNamed } from "../../lab/metricPath";
 import { limitOf, requirementText, type LimitKind, type Requirement } from "../../lab/requirements";
 import type { ResultView } from "../../lab/resultView";
 import { fullName, optionsOf, type Metric } from "../../server/metrics";
+import { dialog } from "../../scenario/library";
 import { Card } from "../../ui/Card";
 import { Choice, Entry, EntryRow, Finder } from "../../ui/Entry";
 import ui from "../../ui/ui.module.css";
@@ -55,6 +56,11 @@ export function RequirementsCard({ resultView, figures }: Props) {
         )}
         {requirements.length > 0 && (
           <Text size="xs" c="dimmed" m={0}>
+            {!readOnly && (
+              <Anchor component="button" type="button" fz="xs" onClick={() => dialog.set("requirements")}>
+                Keep this set
+              </Anchor>
+            )}{" "}
             {resultView.shown.over === null
               ? "On one road; over several the mean’s 95 % interval has to keep the limit, and one that holds it is uncertain."
               : "Over several roads: uncertain where the mean’s 95 % interval holds the limit."}
@@ -67,11 +73,9 @@ export function RequirementsCard({ resultView, figures }: Props) {
 
 /** A limit to begin with: what the worst of the strategies has, in two digits. */
 function opening({ strategies, summaries, baseline }: ResultView, metric: string): number {
-  const [, event] = /^events[.](.+)/.exec(metric) ?? [];
   const values = strategies.flatMap(({ id }) => {
-    const summary = summaries[id];
-    const value = event === undefined ? valueAt(summary, metricPath(metric)) : summary?.events[event];
-    return typeof value === "number" && (id !== baseline || strategies.length === 1) ? [value] : [];
+    const value = valueNamed(summaries[id], metric);
+    return value !== null && (id !== baseline || strategies.length === 1) ? [value] : [];
   });
   return Number(Math.max(0, ...values).toPrecision(2));
 }

@@ -1,6 +1,7 @@
 /** How results keep requirements, for tables, chips and the list. */
 
-import type { RequirementResult, StrategyId } from "../../api/types";
+import type { RequirementResult, StrategyId, Summary } from "../../api/types";
+import { valueNamed } from "../../lab/metricPath";
 import { limitOf, type Judged, type LimitKind, type Requirement } from "../../lab/requirements";
 import type { Result } from "../../lab/result";
 import type { Metric } from "../../server/metrics";
@@ -9,6 +10,32 @@ import { formatInput, prettyUnit } from "../../units/format";
 interface Judgeable {
   readonly shown: Pick<Result, "runId">;
   readonly strategy: { readonly id: StrategyId };
+}
+
+/** How one road's summaries keep requirements, as the service judges one road: what is shown until it has, and while somebody drags. */
+export function judgedHere(
+  summaries: Readonly<Record<StrategyId, Summary>>,
+  requirements: readonly Requirement[],
+  baseline: StrategyId,
+): readonly RequirementResult[] {
+  const names = Object.keys(summaries);
+  const others = names.filter((id) => id !== baseline);
+  return requirements.flatMap((requirement): readonly RequirementResult[] => {
+    const { metric } = requirement;
+    const { kind, value: limit } = limitOf(requirement);
+    const isChange = kind === "max_change";
+    const usual = isChange || others.length > 0 ? others : names;
+    const base = isChange ? valueNamed(summaries[baseline], metric) : 100;
+    return (requirement.strategies ?? usual).map((strategy) => {
+      const own = valueNamed(summaries[strategy], metric);
+      const change = own === null || base === null || (base === 0 && own !== 0) ? null : base && 100 * (own / base - 1);
+      const value = isChange ? change : own;
+      const keeps = value !== null && (kind === "min" ? value >= limit : value <= limit);
+      const none = { max: null, min: null, max_change: null, low: null, high: null };
+      const head = { ...none, metric, strategy, value, [kind]: limit, baseline: isChange ? baseline : null };
+      return { ...head, result: keeps ? "pass" : "fail", reason: value === null ? "It has no such metric" : null };
+    });
+  });
 }
 
 /** How one strategy of a result keeps what is required of a metric. */

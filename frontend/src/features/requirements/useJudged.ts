@@ -1,4 +1,4 @@
-/** Asks how the shown result and those it is compared with keep the requirements. */
+/** How the shown result, under a moving slider too, and those it is compared with keep the requirements. */
 
 import { useQueries, type UseQueryResult } from "@tanstack/react-query";
 import { useCallback, useMemo } from "react";
@@ -6,6 +6,7 @@ import type { StrategyId } from "../../api/types";
 import type { Compared } from "../../lab/compare";
 import type { Judged, Requirement, RequirementResult } from "../../lab/requirements";
 import type { PartShown } from "../../lab/resultView";
+import { judgedHere } from "./judged";
 import { judgedQuery } from "../../server/queries";
 
 export function useJudged(
@@ -22,7 +23,14 @@ export function useJudged(
     );
     return [...new Map(runs)];
   }, [shown, pins, requirements, baseline]);
-  return useQueries({
+  const here = useMemo(
+    () =>
+      shown?.over === null && requirements.length > 0
+        ? { [shown.runId ?? ""]: judgedHere(shown.summaries, requirements, baseline) }
+        : {},
+    [shown, requirements, baseline],
+  );
+  const stored = useQueries({
     queries: asked.map(([run, base]) => judgedQuery(run, requirements, base)),
     combine: useCallback(
       (results: readonly UseQueryResult<readonly RequirementResult[]>[]): Judged =>
@@ -35,4 +43,5 @@ export function useJudged(
       [asked],
     ),
   });
+  return useMemo(() => ({ ...here, ...stored }), [here, stored]);
 }

@@ -11,7 +11,7 @@ import { fullName, optionsOf, type Metric } from "../../server/metrics";
 import { typedText, valueText } from "../../scenario/limits";
 import { getAt, setAt } from "../../scenario/path";
 import type { NumberField } from "../../scenario/schema";
-import { useEdit, useLab, useReadOnly, useScenario } from "../../lab/context";
+import { useEdit, useLab, useReadOnly, useScenario, useView } from "../../lab/context";
 import type { Catalogues } from "../../server/useCatalogues";
 import { pointerOf, sweepFields, type SweepField } from "../../scenario/fields";
 import sweep from "../sweep/sweep.module.css";
@@ -19,7 +19,7 @@ import { Fault } from "../../ui/Fault";
 import { Entry, labelled } from "../../ui/Entry";
 import { formatExact, formatInput, formatResult, prettyUnit } from "../../units/format";
 import { LimitChart } from "./LimitChart";
-import { askable, otherField, readDraft, type Range, type SolveDraft, translateUnits } from "./draft";
+import { ALL, askable, otherField, readDraft, type Range, type SolveDraft, translateUnits } from "./draft";
 
 const [TARGET, INITIAL] = ["speed.target_speed_kmh", "speed.initial_speed_kmh"] as const;
 
@@ -36,8 +36,8 @@ const TYPED_MS = 500;
 const isNoSolution = (error: Error) => error instanceof ApiProblem && error.kind === "no-solution";
 
 /** In the units of the page: the service's own sentence is in SI. */
-const noSolution = (field: NumberField, [low, high]: Question["range"]) =>
-  `No value tried from ${valueText(field, low)} to ${valueText(field, high)} keeps the limit. Choose another range or limit.`;
+const noSolution = (field: NumberField, { range: [low, high], requirements }: Question) =>
+  `No value tried from ${valueText(field, low)} to ${valueText(field, high)} keeps ${requirements ? "every requirement. Choose another range" : "the limit. Choose another range or limit"}.`;
 
 interface Props {
   readonly catalogues: Catalogues;
@@ -51,6 +51,7 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
   const scenario = useScenario();
   const selected = useLab((state) => state.strategies);
   const roads = useLab((state) => state.roads);
+  const { requirements, baseline } = useView();
   const byId = (id: string | undefined) => strategies.find((each) => each.id === id);
   const [draft, setDraft] = useState<SolveDraft>(() => ({
     ...rangeOf(fields, speedField(byId(selected[0]), scenario)),
@@ -64,10 +65,10 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
   const field = fields.find(({ name }) => name === draft.field);
   const figure = figures.find(({ key }) => key === draft.metric);
   const leaf = field?.leaf.kind === "number" ? field.leaf : null;
-  const { question, wrong, driven } = useMemo(
-    () => (leaf && figure ? readDraft(draft, leaf, figure) : { question: null, wrong: {}, driven: null }),
-    [draft, leaf, figure],
-  );
+  const { question, wrong, driven } = useMemo(() => {
+    const held = draft.metric === ALL ? { requirements, baseline } : figure;
+    return leaf && held ? readDraft(draft, leaf, held) : { question: null, wrong: {}, driven: null };
+  }, [draft, leaf, figure, requirements, baseline]);
   const [typed] = useDebouncedValue(
     useMemo(() => ({ driven, field: draft.field }), [driven, draft.field]),
     TYPED_MS,
@@ -143,11 +144,16 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
           w={250}
           searchable
           allowDeselect={false}
-          data={optionsOf(figures)}
+          data={[
+            ...(requirements.length > 0
+              ? [{ group: "Of the lab", items: [{ value: ALL, label: "All requirements" }] }]
+              : []),
+            ...optionsOf(figures),
+          ]}
           value={draft.metric}
           onChange={(key) => key !== null && patch({ metric: key, limit: "" })}
         />
-        {entry("limit", "At most", figure?.unit ?? "1")}
+        {figure && entry("limit", "At most", figure.unit)}
         {entry("roads", "Roads", "1")}
       </Group>
       {settled && leaf && figure && (
@@ -164,17 +170,16 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
           onLimit={(limit) => patch({ limit: formatInput(Number((limit * figure.scale).toPrecision(3))) })}
         />
       )}
+      {!figure && wrong.limit !== undefined && <Fault>{wrong.limit}</Fault>}
       {search.error && (
-        <Fault>
-          {leaf && isNoSolution(search.error) ? noSolution(leaf, search.variables.range) : explain(search.error)}
-        </Fault>
+        <Fault>{leaf && isNoSolution(search.error) ? noSolution(leaf, search.variables) : explain(search.error)}</Fault>
       )}
-      {search.data && field && figure && <Answer {...{ field, figure, onClose }} solution={search.data} />}
+      {search.data && field && <Answer {...{ field, figure, onClose }} solution={search.data} />}
       <Group justify="flex-end" gap="xs">
         <Button size="sm" onClick={onClose}>
           Close
         </Button>
-        <Button size="sm" variant="filled" disabled={!leaf || !figure} loading={search.isPending} onClick={find}>
+        <Button size="sm" variant="filled" disabled={!leaf} loading={search.isPending} onClick={find}>
           Find
         </Button>
       </Group>
@@ -200,7 +205,8 @@ const bySection = (fields: readonly SweepField[]) =>
 interface AnswerProps {
   readonly solution: Solution;
   readonly field: SweepField;
-  readonly figure: Metric;
+  /** `undefined` where all requirements have to hold. */
+  readonly figure: Metric | undefined;
   readonly onClose: () => void;
 }
 
@@ -221,7 +227,7 @@ function Answer({ solution, field, figure, onClose }: AnswerProps) {
       <Group gap="sm">
         <Text fw={600}>
           {isWhole
-            ? `The limit holds at ${text(solution.value)}, the top of the range; the largest value may lie beyond`
+            ? `${figure ? "The limit holds" : "All requirements pass"} at ${text(solution.value)}, the top of the range; the largest value may lie beyond`
             : `${field.title} at most ${isExact ? "" : "about "}${text(solution.resolved_value)}`}
         </Text>
         {!readOnly && (
@@ -231,10 +237,12 @@ function Answer({ solution, field, figure, onClose }: AnswerProps) {
         )}
       </Group>
       <Text>
-        {fullName(figure)}: {formatResult(solution.metric_value * figure.scale)} {prettyUnit(figure.unit)} at{" "}
-        {text(solution.value)}
+        {figure
+          ? `${fullName(figure)}: ${formatResult(solution.metric_value * figure.scale)} ${prettyUnit(figure.unit)}`
+          : `All requirements pass; the strictest limit is used to ${formatResult(100 * solution.metric_value)} %`}{" "}
+        at {text(solution.value)}
         {solution.interval ? ", the upper end of its interval" : ""}.{" "}
-        {isWhole ? "" : `${text(above)} does not keep the limit.`}
+        {isWhole ? "" : `${text(above)} does not keep ${figure ? "the limit" : "all of them"}.`}
       </Text>
       {solution.warnings.length > 0 && (
         <List size="sm">

@@ -43,6 +43,23 @@ describe("a question as it is typed", () => {
     });
   });
 
+  it("is about the requirements of its strategy, in place of a limit", () => {
+    const requirements = [
+      { metric: LOAD.key, max: 4500 },
+      { metric: LOAD.key, max: 1, strategies: ["lqr"] },
+    ];
+    const of = (all: typeof requirements) => readDraft(DRAFT, FIELD, { requirements: all, baseline: "passive" });
+    expect(of(requirements).question).toEqual({
+      field: "road.bump.height",
+      strategy: "lv",
+      requirements: [requirements[0]],
+      baseline: "passive",
+      range: [0.05, 0.2],
+      roads: 3,
+    });
+    expect(of(requirements.slice(1)).wrong.limit).toBe("None of the lab’s requirements is about this strategy");
+  });
+
   it("says what is missing or wrong at the field", () => {
     const wrong = (change: Partial<SolveDraft>) => readDraft({ ...DRAFT, ...change }, FIELD, LOAD).wrong;
     expect(readDraft({ ...DRAFT, limit: " " }, FIELD, LOAD)).toEqual({

@@ -12,12 +12,13 @@ import { StrategyChoice } from "./StrategyChoice";
 import { SweptFieldRow } from "./SweptFieldRow";
 import classes from "./sweep.module.css";
 import { amountOf, notesOf, useSweep } from "./useSweep";
-import { useLab, useScenario } from "../../lab/context";
+import { useLab, useScenario, useView } from "../../lab/context";
+import { requiredOfThese } from "../../lab/requirements";
 import { useDraft } from "../../lib/useDraft";
 import { StartFoot } from "../jobForm/StartFoot";
 import { Entry, Finder } from "../../ui/Entry";
 import { Problems } from "../../ui/Fault";
-import { prettyUnit } from "../../units/format";
+import { count, prettyUnit } from "../../units/format";
 import ui from "../../ui/ui.module.css";
 
 interface Props {
@@ -53,6 +54,7 @@ export function SweepDialog({ form: schema, strategies, onClose }: Props) {
   );
   const submission = useSweep(draft, scenario, form.forget);
   const { errors, general } = submission;
+  const held = requiredOfThese(useView().requirements, draft.strategies, "").requirements ?? [];
 
   return (
     <Modal
@@ -137,7 +139,10 @@ export function SweepDialog({ form: schema, strategies, onClose }: Props) {
         {...{ submission, draft: form }}
         className={classes.footer}
         amount={amountOf(draft.strategies.length)}
-        notes={notesOf}
+        notes={(estimate) => [
+          ...notesOf(estimate),
+          ...(held.length > 0 ? [`Its runs are held to ${count(held.length, "requirement")} of the lab`] : []),
+        ]}
       >
         <Button size="sm" onClick={onClose}>
           Cancel

@@ -112,9 +112,12 @@ export function showFigure(value: Cell, scale: number): string {
   return typeof value === "number" ? formatResult(value * scale, 4) : "–";
 }
 
+/** The column of what becomes of each run's requirements, which the page adds. */
+export const REQUIRED = "requirements";
+
 /** Rows are asked for again while a batch runs, the less often the more there are, and soon until there are some [ms]. */
-function refreshEvery({ total, done }: Batch, table: BatchTable | undefined): number {
-  if (done > 0 && table?.columns.status?.includes("ok") !== true) return 1_000;
+function refreshEvery({ total, done }: Batch, table?: BatchTable): number {
+  if (table !== undefined && done > 0 && table.columns.status?.includes("ok") !== true) return 1_000;
   return total <= 1000 || done <= 1000 ? 3_000 : 10_000;
 }
 
@@ -134,4 +137,14 @@ export const tableQuery = (batch: Batch | undefined, figures: readonly string[])
     staleTime: Infinity,
     gcTime: 5 * 60_000,
     refetchInterval: (query) => batch !== undefined && !isFinal(batch) && refreshEvery(batch, query.state.data),
+  });
+
+/** How a batch's runs keep what is required of them. */
+export const batchRequirementsQuery = (batch: Batch) =>
+  queryOptions({
+    queryKey: ["batch requirements", batch.id, isFinal(batch)],
+    queryFn: ({ signal }) => ask("get", "/batches/{id}/requirements", { path: { id: batch.id } }, signal),
+    enabled: batch.requirements !== undefined && batch.requirements.length > 0,
+    staleTime: Infinity,
+    refetchInterval: !isFinal(batch) && refreshEvery(batch),
   });

@@ -6,15 +6,21 @@ import { withKey } from "../../api/jobs";
 import type { Estimate, Scenario } from "../../api/types";
 import { BATCH } from "../../jobs/useJob";
 import { useJobForm } from "../jobForm/useJobForm";
+import { useView } from "../../lab/context";
+import { requiredOfThese } from "../../lab/requirements";
 import { count } from "../../units/format";
 import { readDraft, type SweepDraft } from "./draft";
 import type { FieldNameOf } from "../jobForm/problems";
 
 export function useSweep(draft: SweepDraft, scenario: Scenario, onSubmitted: () => void) {
+  const { requirements, baseline } = useView();
+  const { strategies } = draft;
   const parsed = useMemo(() => readDraft(draft), [draft]);
   return useJobForm({
     kind: "batch",
-    body: parsed.ok ? { scenario, strategies: draft.strategies, sweep: parsed.sweep } : null,
+    body: parsed.ok
+      ? { scenario, strategies, sweep: parsed.sweep, ...requiredOfThese(requirements, strategies, baseline) }
+      : null,
     errors: parsed.ok ? null : parsed.errors,
     fieldNameOf: sweepFieldName(draft.fields.map(({ field }) => field.name)),
     estimate: (body, signal) => ask("post", "/batches", { body: { ...body, dry_run: true } }, signal),

@@ -9,7 +9,8 @@ import { count, formatExact, formatResult, titleWithUnit } from "../../units/for
 import { fullName } from "../../server/metrics";
 import { oneRoadNoiseOf } from "../../features/tables/entries";
 import { metricPath } from "../../lab/metricPath";
-import { hatched, mapGrid, shareBelow, unsettled } from "./map";
+import { fieldTexts } from "./describeRow";
+import { failing, firstOf, hatched, mapGrid, shareBelow, unsettled } from "./map";
 import { mapFigure } from "./mapFigure";
 import type { PlotParts } from "./shownPlot";
 
@@ -26,6 +27,7 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
     () => other && mapGrid(columns, { x: x.name, y: other.name, metric: y.key, scale: y.scale, strategy, against }),
     [columns, x, other, y, strategy, against],
   );
+  const fails = useMemo(() => (grid ? failing(grid, columns) : []), [grid, columns]);
   const figure = useMemo(() => {
     if (!grid || !other) return null;
     const cellText = (row: number, value: number) => [
@@ -36,6 +38,7 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
     const input = {
       grid,
       hatched: hatched(grid, columns),
+      failing: fails,
       pale: unsettled(grid, noise),
       x,
       y: other,
@@ -49,7 +52,7 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
       drawn: mapFigure({ ...input, palette: PALETTES[scheme], scheme }),
       onPaper: () => mapFigure({ ...input, palette: ON_PAPER, scheme: "light" }),
     };
-  }, [grid, columns, noise, x, other, y, mapUnit, against, otherLabel, threshold, textOf, scheme]);
+  }, [grid, columns, fails, noise, x, other, y, mapUnit, against, otherLabel, threshold, textOf, scheme]);
   const host = useRef<HTMLDivElement>(null);
 
   if (!grid || !other || !figure)
@@ -69,6 +72,7 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
         ? `${labelOf(strategy)} is at or below ${otherLabel} at ${below} of ${points}.`
         : `At or below ${limit} at ${below} of ${points}.`;
   const { drawn, onPaper } = figure;
+  const first = firstOf(grid, fails);
   const colours = titleWithUnit(name, mapUnit);
   return (
     <>
@@ -85,6 +89,8 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
         <Text size="xs" p="0.2rem 0.9rem 0.6rem" c="dimmed" data-testid="map-note">
           {colours}. {sentence}
           {hatched(grid, columns).flat().includes(true) && " Strokes: a tyre was in the air."}
+          {first !== null &&
+            ` Crosses: a requirement fails, first at ${fieldTexts(columns, first, batch.fields).join(", ")}.`}
           {unsettled(grid, noise).flat().includes(true) && " Pale: within one road’s luck."}
           {gaps > 0 && ` ${count(gaps, "gap")} without a value.`} A click on a cell opens its run; drag to zoom, double
           click for all.

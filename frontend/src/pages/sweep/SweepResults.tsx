@@ -5,7 +5,17 @@ import { useCallback, useDeferredValue, useEffect, useEffectEvent, useMemo } fro
 import type { Group, NumberField } from "../../scenario/schema";
 import { BatchRows } from "./SweepRows";
 import { paperMetrics } from "../../server/metrics";
-import { cell, lowest, rowsOf, type Columns, tableQuery, axesOf } from "../../features/sweep/table";
+import {
+  axesOf,
+  batchRequirementsQuery,
+  cell,
+  lowest,
+  REQUIRED,
+  rowsOf,
+  tableQuery,
+  type Columns,
+} from "../../features/sweep/table";
+import { BatchRequirements } from "./BatchRequirements";
 import { CAVEAT_COLUMNS, describeRow } from "./describeRow";
 import { useOpenRun } from "../../features/sweep/useOpenRun";
 import { shownPlot, type SweepParts } from "./shownPlot";
@@ -48,7 +58,11 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
   const arrived = table.data?.columns ?? NOTHING;
   // Drawn in pieces: ten thousand rows do not hold the page.
   const fetched = useDeferredValue(arrived, NOTHING);
-  const columns = useMemo(() => shownColumns(fetched, storedFields, form), [fetched, storedFields, form]);
+  const required = useQuery({ ...batchRequirementsQuery(stored), placeholderData: keepPreviousData }).data;
+  const columns = useMemo<Columns>(
+    () => ({ ...shownColumns(fetched, storedFields, form), ...(required && { [REQUIRED]: required.runs }) }),
+    [fetched, storedFields, form, required],
+  );
   // The first finished runs are shown as soon as they are known of, not when rows are due again.
   const readFirst = useEffectEvent(() => {
     if (!columns.status?.includes("ok")) void table.refetch();
@@ -90,6 +104,13 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
         {...{ batch, columns, catalogue, strategies, markers, figures, shown, view, best, onView }}
         onOpen={open}
       />
+      {required && (
+        <BatchRequirements
+          results={required.requirement_results}
+          {...{ columns, fields, strategies, figures }}
+          onOpen={open}
+        />
+      )}
       <BatchRows
         {...{ batch, columns, catalogue, strategies, markers, best }}
         loading={table.isPending || fetched !== arrived}

@@ -6,7 +6,8 @@ import { IconExternalLink } from "../../ui/icons";
 import { count, prettyUnit } from "../../units/format";
 import classes from "./sweep.module.css";
 import { MarkerKey } from "./PlotTools";
-import { showCell, showFigure, cell, rowsOf, type Columns } from "../../features/sweep/table";
+import { cell, REQUIRED, rowsOf, showCell, showFigure, type Cell, type Columns } from "../../features/sweep/table";
+import { ResultMark } from "../../features/requirements/RequirementMarks";
 import { caveatsOfRow } from "./describeRow";
 import { Card } from "../../ui/Card";
 import { DataTable, type Column } from "../../ui/DataTable";
@@ -106,6 +107,17 @@ function columnsOf(props: Props): readonly Column<number>[] {
       sort: (row) => strategies.find(({ id }) => id === cell(columns, "strategy", row))?.label,
       cell: (row) => <Driven {...props} row={row} />,
     },
+    ...(columns[REQUIRED]
+      ? [
+          {
+            key: REQUIRED,
+            head: "Required",
+            text: true,
+            sort: sort(REQUIRED),
+            cell: (row: number) => <Required result={cell(columns, REQUIRED, row)} />,
+          },
+        ]
+      : []),
     ...figures.map(({ key, label, group, unit, scale }, index): Column<number> => ({
       key,
       head: label,
@@ -158,6 +170,10 @@ function Driven({ columns, catalogue, strategies, markers, row }: CellProps) {
       <CaveatMark caveats={caveatsOfRow(columns, row, catalogue)} short />
     </span>
   );
+}
+
+function Required({ result }: { readonly result: Cell }) {
+  return result === "pass" || result === "fail" || result === "uncertain" ? <ResultMark result={result} /> : "–";
 }
 
 /** What became of a run that has no results, and why. */

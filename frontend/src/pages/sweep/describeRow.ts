@@ -4,7 +4,7 @@ import type { Batch, Catalogue, Strategy } from "../../api/types";
 import { CAVEAT_EVENTS, caveatsOf, type Caveat } from "../../features/tables/caveats";
 import { formatResult, isNothing, prettyUnit } from "../../units/format";
 import { fullName, type Metric } from "../../server/metrics";
-import { showCell, cell, type Columns } from "../../features/sweep/table";
+import { cell, REQUIRED, showCell, type Columns } from "../../features/sweep/table";
 
 const columnOf = (event: string) => `events.${event}`;
 
@@ -43,6 +43,7 @@ export function describeRow(row: number, { columns, fields, strategies, y, catal
     strategies.find(({ id }) => id === cell(columns, "strategy", row))?.label ?? "",
     ...fieldTexts(columns, row, fields),
     `${fullName(y)}: ${value} ${prettyUnit(y.unit)}`.trim(),
+    ...(cell(columns, REQUIRED, row) === "fail" ? ["✕ A requirement fails"] : []),
     ...caveatsOfRow(columns, row, catalogue).map(({ text }) => `⚠ ${text}`),
   ];
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { frontOf } from "./lines";
-import { hatched, mapGrid, shareBelow, unsettled } from "./map";
+import { failing, firstOf, hatched, mapGrid, shareBelow, unsettled } from "./map";
 import { mapFigure } from "./mapFigure";
 import type { GridTrace } from "../../plots/plotly";
 import type { Columns } from "../../features/sweep/table";
@@ -47,6 +47,16 @@ describe("a map", () => {
       { ...QUESTION, against: "passive" },
     );
     if (!grid) throw new Error("no grid");
+    const required = { ...COLUMNS, requirements: ["pass", null, "fail", null, "fail", null, "pass", null] };
+    const fails = failing(grid, required);
+    expect([fails, firstOf(grid, fails), firstOf(grid, [])]).toEqual([
+      [
+        [false, true],
+        [true, false],
+      ],
+      2,
+      null,
+    ]);
     expect(hatched(grid, { ...COLUMNS, "events.airborne_ms": [0, 0, 5, 0, 0.5, 0, 0, 9] })).toEqual([
       [false, false],
       [true, false],
@@ -76,6 +86,7 @@ describe("a map", () => {
       title: "Peak",
       unit: "m/s^2",
       hatched: [],
+      failing: [],
       pale: [],
       textOf: (row: number, value: number) => [`run ${row}`, String(value)],
       palette: { text: "#000", grid: "#ccc", zero: "#999" },

@@ -2,7 +2,7 @@
 
 import type { StrategyId } from "../../api/types";
 import { changeAgainst } from "../../features/tables/change";
-import { cell, type Columns } from "../../features/sweep/table";
+import { cell, REQUIRED, type Columns } from "../../features/sweep/table";
 
 export type AxisValue = number | string;
 
@@ -20,6 +20,18 @@ const AIRBORNE = "events.airborne_ms";
 /** Where a tyre was in the air, cell by cell. */
 export const hatched = ({ rows }: MapGrid, columns: Columns): readonly (readonly boolean[])[] =>
   rows.map((line) => line.map((row) => row !== null && Number(cell(columns, AIRBORNE, row) ?? 0) >= 1));
+
+/** Where the run fails what is required of it, cell by cell. */
+export const failing = ({ rows }: MapGrid, columns: Columns): readonly (readonly boolean[])[] =>
+  rows.map((line) => line.map((row) => row !== null && cell(columns, REQUIRED, row) === "fail"));
+
+/** The first run of these cells; `null` where there is none. */
+export function firstOf({ rows }: MapGrid, cells: readonly (readonly boolean[])[]): number | null {
+  const marked = rows.flatMap((line, i) =>
+    line.filter((row, j): row is number => row !== null && cells[i]?.[j] === true),
+  );
+  return marked.length > 0 ? Math.min(...marked) : null;
+}
 
 /** Where a change [%] is within the luck of the roads, cell by cell. */
 export const unsettled = ({ values }: MapGrid, noise: number): readonly (readonly boolean[])[] =>

@@ -21,6 +21,8 @@ interface Input {
   readonly textOf: (row: number, value: number) => readonly string[];
   /** Cells in which a tyre was in the air. */
   readonly hatched: readonly (readonly boolean[])[];
+  /** Cells whose run fails a requirement. */
+  readonly failing: readonly (readonly boolean[])[];
   /** Cells whose change may be luck. */
   readonly pale: readonly (readonly boolean[])[];
   readonly palette: Palette;
@@ -83,8 +85,8 @@ function line({ grid, threshold, unit }: Input): readonly GridTrace[] {
 
 const GROUND = { light: "#ffffff", dark: "#1a1b1e" } as const;
 
-/** Over the cells: a veil where the change may be luck, strokes where a tyre was in the air. */
-function marks({ grid, hatched, pale, scheme }: Input): readonly (GridTrace | PointTrace)[] {
+/** Over the cells: a veil where the change may be luck, strokes where a tyre was in the air, crosses where a requirement fails. */
+function marks({ grid, hatched, failing, pale, scheme }: Input): readonly (GridTrace | PointTrace)[] {
   const [xs, ys] = [grid.xs.map(named), grid.ys.map(named)];
   const veil: GridTrace = {
     type: "heatmap",
@@ -102,26 +104,28 @@ function marks({ grid, hatched, pale, scheme }: Input): readonly (GridTrace | Po
     xgap: 1,
     ygap: 1,
   };
-  const cells = hatched.flatMap((line, i) =>
-    line.flatMap((isHatched, j) => (isHatched ? [[xs[j], ys[i]] as const] : [])),
-  );
-  const strokes: PointTrace = {
-    type: "scatter",
-    mode: "markers",
-    name: "",
-    x: cells.map(([x]) => x ?? 0),
-    y: cells.map(([, y]) => y ?? 0),
-    marker: {
-      symbol: "line-ne-open",
-      size: 16,
-      line: { width: 2.5 },
-      color: scheme === "dark" ? "#f1f3f4" : "#101418",
-    },
-    showlegend: false,
-    customdata: [],
-    hoverinfo: "skip",
+  const signs = (marked: readonly (readonly boolean[])[], symbol: string): readonly PointTrace[] => {
+    const cells = marked.flatMap((line, i) =>
+      line.flatMap((isMarked, j) => (isMarked ? [[xs[j], ys[i]] as const] : [])),
+    );
+    const sign: PointTrace = {
+      type: "scatter",
+      mode: "markers",
+      name: "",
+      x: cells.map(([x]) => x ?? 0),
+      y: cells.map(([, y]) => y ?? 0),
+      marker: { symbol, size: 16, line: { width: 2.5 }, color: scheme === "dark" ? "#f1f3f4" : "#101418" },
+      showlegend: false,
+      customdata: [],
+      hoverinfo: "skip",
+    };
+    return cells.length > 0 ? [sign] : [];
   };
-  return [...(pale.flat().includes(true) ? [veil] : []), ...(cells.length > 0 ? [strokes] : [])];
+  return [
+    ...(pale.flat().includes(true) ? [veil] : []),
+    ...signs(hatched, "line-ne-open"),
+    ...signs(failing, "x-thin-open"),
+  ];
 }
 
 export function mapFigure(input: Input): {

@@ -1,28 +1,41 @@
-/** Asks what the columns of a table are, and shows what comes of the answer. */
+/** Asks what a table is of and what its columns are, and shows what comes of the answer. */
 
 import { Button, Checkbox, Group, Modal, NativeSelect, Text } from "@mantine/core";
 import { useMemo, useState, type ReactNode } from "react";
+import { messageOf } from "../../api/problem";
 import { DataTable } from "../../ui/DataTable";
 import { Fault } from "../../ui/Fault";
-import { guessLayout, guessUses, rewritten, tableOf, type Layout, type Role, type Table, type Use } from "./columns";
+import { prettyUnit } from "../../units/format";
+import {
+  guessLayout,
+  guessUses,
+  rewritten,
+  tableOf,
+  type Layout,
+  type Table,
+  type TableKind,
+  type Use,
+} from "./columns";
 
-interface Props {
-  readonly title: string;
-  readonly text: string;
-  readonly roles: readonly Role[];
-  /** The roles of columns without titles. */
-  readonly places: (columns: number) => readonly string[];
-  /** What is missing or twice among the roles; `null` where nothing is. */
-  readonly faultOf: (uses: readonly Use[]) => string | null;
-  /** A picture of the mapped table. */
-  readonly picture: (table: Table, uses: readonly Use[], layout: Layout) => ReactNode;
+/** What a table may be of, and what becomes of it. */
+export interface MappedKind extends TableKind {
   /** Of the button that goes on. */
   readonly action: string;
-  /** With the mapped table as CSV; the promise is what is wrong with it. */
-  readonly onMapped: (csv: string) => Promise<string | null>;
-  readonly onClose: () => void;
   /** Beside the buttons. */
-  readonly aside?: ReactNode;
+  readonly aside: ReactNode;
+  /** Of the mapped table. */
+  readonly picture: (table: Table, uses: readonly Use[], layout: Layout) => ReactNode;
+  /** With the mapped table as CSV; fails, or says what is wrong with it. */
+  readonly onMapped: (csv: string) => Promise<string | null>;
+}
+
+interface Props {
+  readonly name: string;
+  readonly text: string;
+  readonly kinds: readonly MappedKind[];
+  /** The kind that it looks like. */
+  readonly likely: string;
+  readonly onClose: () => void;
 }
 
 const SEPARATORS = [
@@ -34,68 +47,71 @@ const SEPARATORS = [
 /** Rows in the table. */
 const SHOWN = 6;
 
-export function MappingDialog({
-  title,
-  text,
-  roles,
-  places,
-  faultOf,
-  picture,
-  action,
-  onMapped,
-  onClose,
-  aside,
-}: Props) {
+export function MappingDialog({ name, text, kinds, likely, onClose }: Props) {
   const [layout, setLayout] = useState(() => guessLayout(text));
+  const [kindId, setKind] = useState(likely);
   const [chosen, setChosen] = useState<readonly Use[] | null>(null);
   const [wrong, setWrong] = useState<string | null>(null);
   const [isBusy, setBusy] = useState(false);
   const table = useMemo(() => tableOf(text, layout), [text, layout]);
-  const unitOf = (role: string) => roles.find(({ id }) => id === role)?.units[0] ?? "";
-  const uses = (chosen ?? guessUses(table, roles, places)).map(({ role, unit }) => ({
-    role,
-    unit: unit || unitOf(role),
-  }));
+  const kind = kinds.find(({ id }) => id === kindId);
+  if (!kind) return null;
+  const unitOf = (role: string) => kind.roles.find(({ id }) => id === role)?.units[0] ?? "";
+  const uses = (chosen ?? guessUses(table, kind)).map(({ role, unit }) => ({ role, unit: unit || unitOf(role) }));
+  const choose = (next: readonly Use[] | null) => {
+    setChosen(next);
+    setWrong(null);
+  };
   const relay = (change: Partial<Layout>) => {
     setLayout({ ...layout, ...change });
-    setChosen(null);
-    setWrong(null);
+    choose(null);
   };
-  const use = (index: number, change: Partial<Use>) => {
-    setChosen(uses.map((each, at) => (at === index ? { ...each, ...change } : each)));
-    setWrong(null);
-  };
-  const fault = table.rows.length === 0 ? "There are no rows" : faultOf(uses);
+  const use = (index: number, change: Partial<Use>) =>
+    choose(uses.map((each, at) => (at === index ? { ...each, ...change } : each)));
+  const fault = table.rows.length === 0 ? "There are no rows" : kind.faultOf(uses);
   const go = async () => {
     setBusy(true);
-    setWrong(await onMapped(rewritten(text, layout, uses)));
+    setWrong(await kind.onMapped(rewritten(text, layout, uses)).catch(messageOf));
     setBusy(false);
   };
-  const columns = table.titles.map((name, index) => ({
+  const columns = table.titles.map((title, index) => ({
     key: String(index),
     head: (
       <>
-        {name}
+        {title}
         <NativeSelect
-          aria-label={`${name} is`}
+          aria-label={`${title} is`}
+          miw={110}
           value={uses[index]?.role ?? ""}
-          data={[{ value: "", label: "left out" }, ...roles.map(({ id, label }) => ({ value: id, label }))]}
+          data={[{ value: "", label: "left out" }, ...kind.roles.map(({ id, label }) => ({ value: id, label }))]}
           onChange={(event) => use(index, { role: event.currentTarget.value, unit: unitOf(event.currentTarget.value) })}
         />
         <NativeSelect
-          aria-label={`Unit of ${name}`}
+          aria-label={`Unit of ${title}`}
           value={uses[index]?.unit ?? ""}
           disabled={uses[index]?.role === ""}
-          data={[...(roles.find(({ id }) => id === uses[index]?.role)?.units ?? [""])]}
+          data={(kind.roles.find(({ id }) => id === uses[index]?.role)?.units ?? [""]).map((unit) => ({
+            value: unit,
+            label: prettyUnit(unit),
+          }))}
           onChange={(event) => use(index, { unit: event.currentTarget.value })}
         />
       </>
     ),
-    cell: (row: { readonly cells: readonly string[] }) => row.cells[index] ?? "",
+    cell: (row: { readonly cells: readonly string[] }) => row.cells[index] || "–",
   }));
   return (
-    <Modal opened onClose={onClose} title={title} size="xl">
+    <Modal opened onClose={onClose} title={`Columns of ${name}`} size="xl">
       <Group gap="sm" align="end" mb="sm">
+        <NativeSelect
+          label="The file is of"
+          value={kind.id}
+          data={kinds.map(({ id, label }) => ({ value: id, label }))}
+          onChange={(event) => {
+            setKind(event.currentTarget.value);
+            choose(null);
+          }}
+        />
         <NativeSelect
           label="Between columns"
           value={layout.separator}
@@ -120,18 +136,18 @@ export function MappingDialog({
         rows={table.rows.slice(0, SHOWN).map((cells, index) => ({ cells, index }))}
         rowKey={({ index }) => index}
       />
-      {fault === null && picture(table, uses, layout)}
+      {fault === null && kind.picture(table, uses, layout)}
       {(wrong ?? fault) !== null && <Fault>{wrong ?? fault}</Fault>}
       <Group justify="space-between" mt="sm">
-        <Text component="div" fz="xs" c="dimmed">
-          {aside}
+        <Text component="div" fz="xs" c="dimmed" flex="1 1 14rem">
+          {kind.aside}
         </Text>
         <Group gap="xs">
           <Button variant="default" onClick={onClose}>
             Cancel
           </Button>
           <Button variant="filled" data-autofocus disabled={fault !== null} loading={isBusy} onClick={() => void go()}>
-            {action}
+            {kind.action}
           </Button>
         </Group>
       </Group>

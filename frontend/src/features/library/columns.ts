@@ -1,13 +1,26 @@
 /** A table of measurements as somebody else wrote it: how it is laid out, what its columns are, and the same with titles and units. */
 
+import { isSameUnit } from "../../units/quantity";
+
 /** What a column may be. */
 export interface Role {
   readonly id: string;
   readonly label: string;
-  /** Titles it is known by, in small letters. */
+  /** Titles it is known by, in small letters, with blanks between words. */
   readonly titles: readonly string[];
   /** The likeliest first. */
   readonly units: readonly string[];
+}
+
+/** What a table may be of. */
+export interface TableKind {
+  readonly id: string;
+  readonly label: string;
+  readonly roles: readonly Role[];
+  /** The roles of columns without titles. */
+  readonly places: (columns: number) => readonly string[];
+  /** What is missing or twice among the roles; `null` where nothing is. */
+  readonly faultOf: (uses: readonly Use[]) => string | null;
 }
 
 export interface Layout {
@@ -78,16 +91,16 @@ export function tableOf(text: string, { separator, hasHeader }: Layout, most = I
 
 const UNIT = /^(.*?)\s*[[(]\s*([^\])]*?)\s*[\])]?$/;
 
-/** What each column is by its title; `places` are the roles of columns without titles, from the first on. */
-export function guessUses(
-  { titles }: Table,
-  roles: readonly Role[],
-  places: (columns: number) => readonly string[],
-): readonly Use[] {
+/** What each column is by its title, or, where none is known, by its place. */
+export function guessUses({ titles }: Table, { roles, places }: Pick<TableKind, "roles" | "places">): readonly Use[] {
   const known = titles.map((title): Use => {
     const [, name = title, unit = ""] = UNIT.exec(title) ?? [];
-    const role = roles.find(({ titles }) => titles.includes(name.trim().toLowerCase()));
-    return { role: role?.id ?? "", unit: role?.units.find((each) => each === unit.toLowerCase()) ?? "" };
+    const plain = name
+      .trim()
+      .toLowerCase()
+      .replace(/[\s_-]+/g, " ");
+    const role = roles.find(({ titles }) => titles.includes(plain));
+    return { role: role?.id ?? "", unit: role?.units.find((each) => isSameUnit(each, unit)) ?? "" };
   });
   if (known.some(({ role }) => role !== "")) return known;
   const ids = places(titles.length);

@@ -20,7 +20,7 @@ test.each([
 });
 
 test("columns are known by their titles, or else by their places", () => {
-  const of = (text: string) => guessUses(tableOf(text, guessLayout(text)), ROLES, PLACES);
+  const of = (text: string) => guessUses(tableOf(text, guessLayout(text)), { roles: ROLES, places: PLACES });
   const clear = of("X (m), Left [mm]\n0,1\n1,2\n");
   expect(clear).toEqual([
     { role: "distance", unit: "m" },

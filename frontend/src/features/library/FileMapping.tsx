@@ -1,0 +1,105 @@
+/** Asks what the columns of a measured road or of a recorded drive are before its file is sent. */
+
+import { useSelector } from "@tanstack/react-store";
+import { ask } from "../../api/http";
+import { useLabContext } from "../../lab/context";
+import { nameRecording } from "../../lab/recordings";
+import { useCatalogue } from "../../server/useCatalogues";
+import { formatNumber, prettyUnit } from "../../units/format";
+import { unitsLike } from "../../units/quantity";
+import { columnsOf, type Layout, type Table, type Use } from "./columns";
+import { MappingDialog, type MappedKind } from "./MappingDialog";
+import { notice, unclear, useOpenFiles } from "./open";
+import { ProfileSketch } from "./ProfileSketch";
+import { driveKind, METRES, ROAD } from "./tableFile";
+import { Template } from "./Template";
+
+export function FileMapping() {
+  const [file] = useSelector(unclear);
+  const catalogue = useCatalogue();
+  const openFiles = useOpenFiles();
+  const showDrive = useShowDrive();
+  if (!file) return null;
+  const next = () => unclear.set(unclear.get().slice(1));
+  const road: MappedKind = {
+    ...ROAD,
+    action: "Drive this road",
+    aside: <Template />,
+    picture: (table, uses, layout) => <RoadPicture {...{ table, uses, layout }} />,
+    onMapped: async (csv) => {
+      const wrong = await openFiles([new File([csv], file.name)]);
+      if (wrong === null) next();
+      return wrong;
+    },
+  };
+  const drive: MappedKind = {
+    ...driveKind(catalogue),
+    action: "Show the drive",
+    aside:
+      "Position and clock need not fit: the drive is placed on this road where it is most like a simulated one. Empty cells are missing values.",
+    picture: (table, uses, layout) => <DrivePicture {...{ table, uses, layout }} />,
+    onMapped: async (csv) => {
+      await showDrive(file.name, csv);
+      next();
+      return null;
+    },
+  };
+  return <MappingDialog key={file.name} {...file} kinds={[road, drive]} onClose={next} />;
+}
+
+/** Sends a recorded drive and adds it to the strategies shown. */
+function useShowDrive() {
+  const { lab } = useLabContext();
+  return async (name: string, csv: string) => {
+    const sent = await ask("post", "/recordings", { body: csv, query: {} });
+    nameRecording(sent.strategy, name);
+    const { history, strategies } = lab.get();
+    lab.setStrategies([...strategies.filter((id) => id !== sent.strategy), sent.strategy]);
+    if (history)
+      notice.set({ lines: [`“${name}” is shown.`, ...sent.warnings], isWrong: false, scenario: history.present });
+  };
+}
+
+interface PictureProps {
+  readonly table: Table;
+  readonly uses: readonly Use[];
+  readonly layout: Layout;
+}
+
+function RoadPicture({ table, uses, layout }: PictureProps) {
+  const columns = columnsOf(table, uses, layout.decimalComma);
+  const metres = ({ role, unit }: Use) => (columns.get(role) ?? []).map((value) => value * (METRES[unit] ?? 1));
+  const distance = uses.find(({ role }) => role === "distance");
+  const heights = uses.filter(({ role }) => role !== "" && role !== "distance");
+  return (
+    <ProfileSketch
+      label="The road as it is read"
+      distance={distance ? metres(distance) : []}
+      tracks={heights.map(metres)}
+    />
+  );
+}
+
+/** The first signal that has metrics, over time or else over distance. */
+function DrivePicture({ table, uses, layout }: PictureProps) {
+  const { signals, metric_signals } = useCatalogue();
+  const columns = columnsOf(table, uses, layout.decimalComma);
+  const of = (use: Use | undefined) => {
+    const signal = signals.find(({ key }) => key === use?.role);
+    const scale = unitsLike(signal?.unit ?? "1")[use?.unit ?? ""] ?? 1;
+    return { values: (columns.get(use?.role ?? "") ?? []).map((value) => value * scale), ...signal };
+  };
+  const along = of(uses.find(({ role }) => role === "time") ?? uses.find(({ role }) => role === "position"));
+  const drawn = of(uses.find(({ role }) => metric_signals.includes(role)));
+  const caption = (low: number, high: number) =>
+    `${drawn.label ?? ""}: ${formatNumber(low)} to ${formatNumber(high)} ${prettyUnit(drawn.unit ?? "1")}`;
+  return (
+    <ProfileSketch
+      label="The drive as it is read"
+      distance={along.values}
+      tracks={[drawn.values]}
+      caption={caption}
+      unit={along.unit ?? ""}
+    />
+  );
+}
