@@ -29,6 +29,7 @@ from backend.runs.curves import RunCurves
 from backend.runs.deviations import Deviations
 from backend.runs.figures import PANELS
 from backend.runs.frequency import FrequencyAnswer, FrequencyRequest
+from backend.runs.fuzzy import FuzzyAnswer, FuzzyRequest
 from backend.runs.instants import InstantAnswer
 from backend.runs.models import CreatedRun, Run, RunRequest
 from backend.runs.over_roads import Bands, CreatedRoadsRun, PairedChanges, RoadsRun
@@ -95,6 +96,12 @@ async def solve(body: SolveRequest, solver: SolverService, client: Client) -> Re
 async def frequency(body: FrequencyRequest, analysis: AnalysisService, client: Client) -> Response:
     """Responses from the road to ride and tyre loads, modes, margins and spectra while no limit binds."""
     return json_answer(await analysis.frequency(body, client))
+
+
+@computing.post("/fuzzy", operation_id="fuzzy", response_model=FuzzyAnswer)
+async def fuzzy(body: FuzzyRequest, analysis: AnalysisService, client: Client) -> Response:
+    """The fuzzy speed controller's sets as curves, its rules written out, and the torque surface they come to."""
+    return json_answer(await analysis.fuzzy(body, client))
 
 
 @runs.get(

@@ -59,6 +59,7 @@ EXAMPLES: dict[str, JsonObject] = {  # of bodies, by their schema
     "RunRequest": {"scenario": SCENARIO, "strategies": ["lv", "passive"]},
     "LiveRequest": {"scenario": SCENARIO, "strategies": ["lv"], "points": 200, "signals": [PAPER_SIGNALS[0]]},
     "FrequencyRequest": {"scenario": SCENARIO, "strategies": ["lqr", "passive"], "frequencies": [1, 5, 11]},
+    "FuzzyRequest": {"scenario": {"fuzzy": {"rules": [{"if": {"speed_error": "V"}, "then": "V"}]}}},
     "SolveRequest": {
         "scenario": SCENARIO,
         "strategy": "passive",

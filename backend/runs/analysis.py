@@ -7,6 +7,8 @@ from backend.gate import Gate
 from backend.roads.service import MeasuredRoads
 from backend.runs.frequency import COST as FREQUENCY_COST
 from backend.runs.frequency import FrequencyAnswer, FrequencyRequest, frequency_answer
+from backend.runs.fuzzy import COST as FUZZY_COST
+from backend.runs.fuzzy import FuzzyAnswer, FuzzyRequest, fuzzy_answer
 from backend.runs.histories import LawGoneError, changed_laws
 from backend.runs.instants import InstantAnswer, instant_answer
 from backend.runs.service import Runs, ordered
@@ -35,6 +37,15 @@ class ControlAnalysis:
         question = scenario, names, asked.frequencies, asked.outputs, asked.stage
         with self._gate.computing(client, cost):
             return await self._workers.call(frequency_answer, *question, client=client, cost=cost)
+
+    async def fuzzy(self, asked: FuzzyRequest, client: str) -> FuzzyAnswer:
+        """The speed controller's sets, rules and surface.
+
+        Raises:
+            TemporaryError: Too much is being computed.
+        """
+        with self._gate.computing(client, FUZZY_COST):
+            return await self._workers.call(fuzzy_answer, asked.scenario.fuzzy, client=client, cost=FUZZY_COST)
 
     async def instant(
         self, run_id: str, strategy: str | None, position: float | None, time: float | None, client: str

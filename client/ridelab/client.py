@@ -146,6 +146,11 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
         answer: dict[str, Any] = self._post("/frequency", {"scenario": scenario, "strategies": strategies, **options})
         return answer
 
+    def fuzzy(self, scenario: Scenario) -> dict[str, Any]:
+        """The fuzzy speed controller of a scenario: sets as curves, rules written out, the torque over both inputs."""
+        answer: dict[str, Any] = self._post("/fuzzy", {"scenario": scenario})
+        return answer
+
     def paper(self, **asked: Any) -> dict[str, Any]:
         """The paper's printed changes with ours and a verdict on each; up to a minute the first time.
 

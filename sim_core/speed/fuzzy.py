@@ -43,6 +43,11 @@ class TorqueRules:
         distances = _between(self._distance, *_place(distance, DISTANCE_MAX, len(self._distance)))
         return float(self._shares(distances, errors[:, None])[0])
 
+    def surface(self) -> FloatArray:
+        """Torque shares 0 to 1 at every sample of the distance and of the speed error (distances, errors)."""
+        errors = np.ascontiguousarray(self._error.T)
+        return np.array([self._shares(distance, errors) for distance in self._distance])
+
     def _shares(self, distance: FloatArray, errors: FloatArray) -> FloatArray:
         """Torque shares (n,) at one distance's memberships (sets,) and n errors' (sets, n)."""
         shares = np.empty(errors.shape[1])

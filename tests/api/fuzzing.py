@@ -35,7 +35,7 @@ values = ["{link}"]
 
 [[operations]]
 include-operation-id = [
-    "createRun", "live", "solve", "frequency", "createBatch", "createTuning", "resumeTuning", "createLink",
+    "createRun", "live", "solve", "frequency", "fuzzy", "createBatch", "createTuning", "resumeTuning", "createLink",
     "getSeries", "getInstant", "getBands", "getChanges", "getRunReport", "getBatchTable", "getBatchSummary",
     "exportController", "reportController", "driveByClock", "makeHalfCar", "createRoad",
     "getPaper", "getPaperReadings", "getPaperAttribution", "getPaperFigures", "getPaperReport",
@@ -78,7 +78,7 @@ unexpected-methods = ["PUT"]
 
 [[operations]]
 include-operation-id = [
-    "createRun", "live", "solve", "frequency", "createBatch", "createTuning",
+    "createRun", "live", "solve", "frequency", "fuzzy", "createBatch", "createTuning",
     "exportController", "reportController", "driveByClock", "exportFmu",
 ]
 phases.coverage.enabled = false

@@ -133,7 +133,15 @@ def check(name: str, client: httpx.Client, folder: Path, monkeypatch: pytest.Mon
 
 HOW_TO = [
     f"how-to/{name}.md"
-    for name in ("own-vehicle", "own-controller", "measured-road", "share-and-export", "check-in-ci", "fmu")
+    for name in (
+        "own-vehicle",
+        "fuzzy-controller",
+        "own-controller",
+        "measured-road",
+        "share-and-export",
+        "check-in-ci",
+        "fmu",
+    )
 ]
 PAGES = ["../README.md", "reference/cli.md", "reference/api.md", "tutorials/sweep-from-a-script.md"]
 PAGES += ["tutorials/validate.md", *HOW_TO]

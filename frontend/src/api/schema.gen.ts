@@ -53,6 +53,9 @@ export interface paths {
     readonly "/frequency": {
         readonly post: operations["frequency"];
     };
+    readonly "/fuzzy": {
+        readonly post: operations["fuzzy"];
+    };
     readonly "/links": {
         readonly post: operations["createLink"];
     };
@@ -510,6 +513,10 @@ export interface components {
             readonly figures: readonly components["schemas"]["ComparedFigure"][];
             readonly points: readonly components["schemas"]["ComparedPoint"][];
         };
+        readonly Condition: {
+            readonly distance?: string | null;
+            readonly speed_error?: string | null;
+        };
         readonly ControllerLimit: {
             readonly distance: number;
             readonly force_without: readonly number[] | null;
@@ -734,6 +741,31 @@ export interface components {
             /** @enum {string} */
             readonly stage?: "cruise" | "brake" | "bump";
             readonly strategies: readonly string[];
+        };
+        readonly FuzzyAnswer: {
+            readonly distance: components["schemas"]["FuzzyVariable"];
+            readonly rules: readonly components["schemas"]["FuzzyRule"][];
+            readonly speed_error: components["schemas"]["FuzzyVariable"];
+            readonly surface: components["schemas"]["Surface"];
+            readonly torque: components["schemas"]["FuzzyVariable"];
+        };
+        readonly FuzzyRequest: {
+            readonly scenario?: JsonObject;
+        };
+        readonly FuzzyRule: {
+            readonly if: components["schemas"]["Condition"];
+            readonly then: string;
+        };
+        readonly FuzzySet: {
+            readonly corners: readonly number[];
+            readonly function: string;
+            readonly name: string;
+        };
+        readonly FuzzyVariable: {
+            readonly memberships: readonly (readonly number[])[];
+            readonly sets: readonly components["schemas"]["FuzzySet"][];
+            readonly unit: string;
+            readonly universe: readonly number[];
         };
         readonly Generation: {
             readonly best: readonly (number | null)[];
@@ -1454,6 +1486,11 @@ export interface components {
             readonly stability: components["schemas"]["StabilitySummary"];
             readonly unfinished: number;
         };
+        readonly Surface: {
+            readonly distance: readonly number[];
+            readonly speed_error: readonly number[];
+            readonly torque: readonly (readonly number[])[];
+        };
         readonly Sweep: {
             readonly grid?: {
                 readonly [key: string]: readonly (number | string | boolean | null | readonly number[])[];
@@ -1691,6 +1728,7 @@ export type Comfort = components['schemas']['Comfort'];
 export type ComparedFigure = components['schemas']['ComparedFigure'];
 export type ComparedPoint = components['schemas']['ComparedPoint'];
 export type Comparison = components['schemas']['Comparison'];
+export type Condition = components['schemas']['Condition'];
 export type ControllerLimit = components['schemas']['ControllerLimit'];
 export type ControllerPart = components['schemas']['ControllerPart'];
 export type ControllerReport = components['schemas']['ControllerReport'];
@@ -1717,6 +1755,11 @@ export type FmuRequest = components['schemas']['FmuRequest'];
 export type FoundBumpAnswer = components['schemas']['FoundBumpAnswer'];
 export type FrequencyAnswer = components['schemas']['FrequencyAnswer'];
 export type FrequencyRequest = components['schemas']['FrequencyRequest'];
+export type FuzzyAnswer = components['schemas']['FuzzyAnswer'];
+export type FuzzyRequest = components['schemas']['FuzzyRequest'];
+export type FuzzyRule = components['schemas']['FuzzyRule'];
+export type FuzzySet = components['schemas']['FuzzySet'];
+export type FuzzyVariable = components['schemas']['FuzzyVariable'];
 export type Generation = components['schemas']['Generation'];
 export type HalfCarAnswer = components['schemas']['HalfCarAnswer'];
 export type InstantAnswer = components['schemas']['InstantAnswer'];
@@ -1795,6 +1838,7 @@ export type StrategyFailure = components['schemas']['StrategyFailure'];
 export type StrategyFrequency = components['schemas']['StrategyFrequency'];
 export type StrategyResult = components['schemas']['StrategyResult'];
 export type StrategySummary = components['schemas']['StrategySummary'];
+export type Surface = components['schemas']['Surface'];
 export type Sweep = components['schemas']['Sweep'];
 export type TableAnswer = components['schemas']['TableAnswer'];
 export type Times = components['schemas']['Times'];
@@ -2106,6 +2150,20 @@ export interface operations {
             readonly 200: {
                 content: {
                     readonly "application/json": components["schemas"]["FrequencyAnswer"];
+                };
+            };
+        };
+    };
+    readonly fuzzy: {
+        readonly requestBody: {
+            readonly content: {
+                readonly "application/json": components["schemas"]["FuzzyRequest"];
+            };
+        };
+        readonly responses: {
+            readonly 200: {
+                content: {
+                    readonly "application/json": components["schemas"]["FuzzyAnswer"];
                 };
             };
         };

@@ -25,6 +25,7 @@ const DECLARED = {
     keys: ["W"],
   },
   frequencies: { label: "Frequencies: responses, modes and margins" },
+  fuzzy: { label: "Fuzzy speed controller: sets, rules and surface", short: "Edit" },
   library: { label: "Library: save, open, import and export", short: "Library", keys: ["mod+S"] },
   saveVehicle: { label: "Save the vehicle in the library" },
   paper: { label: "Open the paper’s scenario" },

@@ -1,7 +1,8 @@
 /** Chooses the control for each member of a section. */
 
-import { Stack, Text, SegmentedControl } from "@mantine/core";
+import { Button, Stack, Text, SegmentedControl } from "@mantine/core";
 import { memo, useId } from "react";
+import { useActionButton } from "../../lab/actions";
 import { ChoiceFieldRow, FieldFrame } from "./FieldFrame";
 import { NumberFieldRow, NumberEntry } from "./NumberFieldRow";
 import { RoadProfileRow } from "./RoadProfileRow";
@@ -119,12 +120,22 @@ function nearestClass(roughness: number): RoadClass | undefined {
   return ROAD_CLASSES.find((entry) => roughness > 0 && roughness < 2 * entry.roughness) ?? ROAD_CLASSES.at(-1);
 }
 
-/** Data that files and scripts set, such as a rule base: whether it is the paper's, and a way back to it. */
+/** A part of the fuzzy speed controller's rule base: whether it is the paper's, a way back to it, and one to its panel. */
 function DataRow({ field }: { readonly field: DataField }) {
   const leaf = useLeaf(field.pointer, field.paperValue);
   const name = `data-${field.pointer}`;
+  const { label, ...button } = useActionButton("fuzzy");
   return (
-    <FieldFrame id={name} {...{ field, leaf }} standard="Table 1">
+    <FieldFrame
+      id={name}
+      {...{ field, leaf }}
+      standard="Table 1"
+      aside={
+        <Button size="compact-xs" aria-label={`${label} ${field.title}`} {...button}>
+          {leaf.readOnly ? "Show" : label}
+        </Button>
+      }
+    >
       <Text component="output" id={name} className={classes.note}>
         {leaf.changed ? "The scenario has its own." : "As in the paper."}
       </Text>

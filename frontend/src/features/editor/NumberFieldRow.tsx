@@ -13,7 +13,8 @@ import {
   sliderScale,
 } from "../../scenario/limits";
 import type { NumberField } from "../../scenario/schema";
-import { type LeafState, useReleaseAfterKeys } from "./useLeaf";
+import type { LeafState } from "./useLeaf";
+import { useReleaseAfterKeys } from "../../lib/useReleaseAfterKeys";
 import { prettyUnit, formatWithUnit } from "../../units/format";
 import classes from "./editor.module.css";
 

@@ -1,12 +1,10 @@
 /** What every field shares: its value, its error, whether it differs from the paper, and how it is changed. */
 
-import { useEffect, useEffectEvent, useRef } from "react";
-import type { JsonValue } from "../../api/types";
+import type { JsonValue, Scenario } from "../../api/types";
 import { useEdit, useFromScenario, useLab, useReadOnly } from "../../lab/context";
 import type { InvalidInput } from "../../lab/labState";
 import { valueAt } from "../../scenario/differences";
-import { getAt, sameValue, setAt, type Pointer } from "../../scenario/path";
-import { createTimer } from "../../lib/timer";
+import { sameValue, setAt, type Pointer } from "../../scenario/path";
 
 export interface LeafState {
   readonly value: JsonValue | undefined;
@@ -23,44 +21,34 @@ export interface LeafState {
 
 export function useLeaf(pointer: Pointer, standard: JsonValue): LeafState {
   const value = useFromScenario((scenario) => valueAt(scenario, { pointer, paperValue: standard }));
+  const leaf = useValue(pointer, value, (scenario, next) => setAt(scenario, pointer, next));
+  return { ...leaf, changed: !sameValue(value, standard) };
+}
+
+type Written = (scenario: Scenario, next: JsonValue) => Scenario;
+
+/** A value that is written in a way of its own. */
+export function useValue(pointer: Pointer, value: JsonValue | undefined, written: Written): LeafState {
   const rejected = useLab((state) => state.invalidInput[pointer]);
   const refused = useLab((state) => state.serverErrors.fields[pointer]);
   const edit = useEdit();
-  const readOnly = useReadOnly();
   return {
     value,
-    readOnly,
-    changed: !sameValue(value, standard),
+    readOnly: useReadOnly(),
+    changed: false,
     rejected,
     error: rejected?.message ?? refused,
     drag: (next) => {
       edit.accept(pointer);
-      edit.drag(setAt(edit.newest(), pointer, next));
+      edit.drag(written(edit.newest(), next));
     },
     release: () => edit.commit(edit.newest()),
     commit: (next) => {
       edit.accept(pointer);
-      if (!sameValue(getAt(edit.newest(), pointer), next)) edit.commit(setAt(edit.newest(), pointer, next));
+      const scenario = written(edit.newest(), next);
+      if (!sameValue(scenario, edit.newest())) edit.commit(scenario);
     },
     reject: (next) => edit.reject(pointer, next),
     accept: () => edit.accept(pointer),
-  };
-}
-
-const KEY_PAUSE_MS = 350;
-
-/** Changes made with keys, which have no release of their own: a pause ends them, and so does leaving the control. */
-export function useReleaseAfterKeys(release: () => void) {
-  const timer = useRef<ReturnType<typeof createTimer>>(null);
-  const end = useEffectEvent(() => release());
-  useEffect(() => {
-    const own = createTimer(KEY_PAUSE_MS, () => end());
-    timer.current = own;
-    return own.flush;
-  }, []);
-  return {
-    begin: () => timer.current?.start(),
-    stop: () => timer.current?.stop(),
-    flush: () => timer.current?.flush(),
   };
 }

@@ -1,7 +1,6 @@
 /** Why this force, here: what the controller saw and planned at the cursor, its limits with their price, its cost. */
 
-import { CloseButton, Group, NativeSelect, Text, useComputedColorScheme } from "@mantine/core";
-import { useEffect, useEffectEvent } from "react";
+import { Group, NativeSelect, Text, useComputedColorScheme } from "@mantine/core";
 import type { InstantAnswer, StrategyId } from "../../api/types";
 import type { InstantPlace } from "../../lab/address";
 import { useLabContext } from "../../lab/context";
@@ -9,11 +8,11 @@ import { cursor } from "../../lab/cursor";
 import type { ResultView } from "../../lab/resultView";
 import { PALETTES } from "../../plots/palettes";
 import { StillSurface } from "../../plots/Surface";
-import { Card } from "../../ui/Card";
 import { DataTable } from "../../ui/DataTable";
 import { Fault } from "../../ui/Fault";
 import { IconCheck, IconLink } from "../../ui/icons";
 import { IconButton } from "../../ui/IconButton";
+import { SidePanel } from "../../ui/SidePanel";
 import { LineKey } from "../../ui/StrategyKey";
 import { useCopied } from "../../ui/useCopied";
 import { formatFixed, formatResult } from "../../units/format";
@@ -33,36 +32,32 @@ export function InstantPanel({ resultView, strategy, placeAt }: Props) {
   const { shown, axis, strategies } = resultView;
   const { answer, fault } = useInstant(shown.runId, strategy, axis);
   const close = () => labAddress.setView({ instant: null });
-  const closeByKey = useEffectEvent((event: KeyboardEvent) => {
-    if (event.key === "Escape" && !event.defaultPrevented) close();
-  });
-  useEffect(() => {
-    const listen = (event: KeyboardEvent) => closeByKey(event);
-    document.addEventListener("keydown", listen);
-    return () => document.removeEventListener("keydown", listen);
-  }, []);
   const drawn = strategies.find(({ id }) => id === strategy);
   return (
-    <Card className={classes.panel ?? ""} aria-label="Why this force?" data-testid="instant">
-      <Group component="header" gap="0.4rem" wrap="nowrap" className={classes.head ?? ""}>
-        <h2 className={classes.title}>Why this force?</h2>
-        <NativeSelect
-          aria-label="Whose controller"
-          size="xs"
-          value={strategy}
-          data={strategies.map(({ id, label }) => ({ value: id, label }))}
-          onChange={({ currentTarget: { value } }) => {
-            const place = placeAt(cursor.get(axis) ?? 0);
-            if (place) labAddress.setView({ instant: { ...place, strategy: value } });
-          }}
-        />
-        <CopyLink place={() => placeAt(cursor.get(axis) ?? 0)} />
-        <CloseButton aria-label="Close" onClick={close} />
-      </Group>
+    <SidePanel
+      title="Why this force?"
+      data-testid="instant"
+      onClose={close}
+      tools={
+        <>
+          <NativeSelect
+            aria-label="Whose controller"
+            size="xs"
+            value={strategy}
+            data={strategies.map(({ id, label }) => ({ value: id, label }))}
+            onChange={({ currentTarget: { value } }) => {
+              const place = placeAt(cursor.get(axis) ?? 0);
+              if (place) labAddress.setView({ instant: { ...place, strategy: value } });
+            }}
+          />
+          <CopyLink place={() => placeAt(cursor.get(axis) ?? 0)} />
+        </>
+      }
+    >
       {fault !== null && <Fault className={classes.note ?? ""}>{fault}</Fault>}
       {shown.runId === null && <Text size="xs">While a value is dragged this is the instant before.</Text>}
       {answer && drawn && <Seen answer={answer} colour={drawn.colour} seed={shown.over !== null} />}
-    </Card>
+    </SidePanel>
   );
 }
 

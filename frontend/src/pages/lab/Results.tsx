@@ -14,6 +14,7 @@ import {
   CarView,
   ChangeChips,
   FrequencyPart,
+  FuzzyPart,
   InstantPart,
   RequirementsCard,
   StageLegend,
@@ -97,6 +98,7 @@ const Conclusion = memo(function Conclusion({ resultView, catalogue }: Omit<Part
       <RecordingNotes resultView={resultView} />
       <LazyPart>
         <InstantPart resultView={resultView} />
+        <FuzzyPart resultView={resultView} />
       </LazyPart>
     </>
   );

@@ -9,6 +9,7 @@ export const CarView = lazy(async () => ({ default: (await parts()).CarView }));
 export const DropFiles = lazy(async () => ({ default: (await parts()).DropFiles }));
 export const EditorPane = lazy(async () => ({ default: (await parts()).EditorPane }));
 export const FrequencyPart = lazy(async () => ({ default: (await parts()).FrequencyPart }));
+export const FuzzyPart = lazy(async () => ({ default: (await parts()).FuzzyPart }));
 export const InstantPart = lazy(async () => ({ default: (await parts()).InstantPart }));
 export const LabActions = lazy(async () => ({ default: (await parts()).LabActions }));
 export const LabTools = lazy(async () => ({ default: (await parts()).LabTools }));

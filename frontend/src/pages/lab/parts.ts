@@ -3,6 +3,7 @@
 import "../../ui/mantine.css";
 
 export { FrequencyPart } from "../../features/frequency/FrequencyPart";
+export { FuzzyPart } from "../../features/fuzzy/FuzzyPart";
 export { InstantPart } from "../../features/instant/InstantPart";
 export { CarView } from "../../features/car/CarView";
 export { DropFiles } from "../../features/library/OpenFiles";

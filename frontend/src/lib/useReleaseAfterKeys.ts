@@ -1,0 +1,22 @@
+/** The end of changes that are made with keys. */
+
+import { useEffect, useEffectEvent, useRef } from "react";
+import { createTimer } from "./timer";
+
+const KEY_PAUSE_MS = 350;
+
+/** Changes made with keys, which have no release of their own: a pause ends them, and so does leaving the control. */
+export function useReleaseAfterKeys(release: () => void) {
+  const timer = useRef<ReturnType<typeof createTimer>>(null);
+  const end = useEffectEvent(() => release());
+  useEffect(() => {
+    const own = createTimer(KEY_PAUSE_MS, () => end());
+    timer.current = own;
+    return own.flush;
+  }, []);
+  return {
+    begin: () => timer.current?.start(),
+    stop: () => timer.current?.stop(),
+    flush: () => timer.current?.flush(),
+  };
+}

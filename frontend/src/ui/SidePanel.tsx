@@ -1,0 +1,36 @@
+/** A panel beside the plots, which make room for it; Escape closes it. */
+
+import { CloseButton, Group } from "@mantine/core";
+import { useEffect, useEffectEvent, type ReactNode } from "react";
+import { Card } from "./Card";
+import classes from "./sidePanel.module.css";
+
+interface Props {
+  readonly title: string;
+  /** What stands beside the title. */
+  readonly tools?: ReactNode;
+  readonly "data-testid": string;
+  readonly onClose: () => void;
+  readonly children: ReactNode;
+}
+
+export function SidePanel({ title, tools, onClose, children, ...rest }: Props) {
+  const closeByKey = useEffectEvent((event: KeyboardEvent) => {
+    if (event.key === "Escape" && !event.defaultPrevented) onClose();
+  });
+  useEffect(() => {
+    const listen = (event: KeyboardEvent) => closeByKey(event);
+    document.addEventListener("keydown", listen);
+    return () => document.removeEventListener("keydown", listen);
+  }, []);
+  return (
+    <Card className={classes.panel} aria-label={title} {...rest}>
+      <Group component="header" gap="0.4rem" wrap="nowrap" className={classes.head ?? ""}>
+        <h2 className={classes.title}>{title}</h2>
+        {tools}
+        <CloseButton aria-label="Close" onClick={onClose} />
+      </Group>
+      {children}
+    </Card>
+  );
+}
