@@ -39,10 +39,9 @@ def test_no_file_is_written_over_and_a_name_is_an_id(cli: Cli, file: Path) -> No
     [
         ("return 1 / 0", 1, "line 20: ZeroDivisionError"),
         ("raise SystemExit", 1, "line 20: It ends the program"),
-        ("return [float('inf'), 0.0]", 1, "not finite"),
         ("return np.empty(3 * 2**28), 0.0", 1, "line 20: MemoryError"),
         ("import os; os._exit(0)", 2, "it ended Python with the code 0"),
-        ("while True: pass", 2, "it was ended after 5 s; has it a loop without an end?"),
+        ("while True: pass", 2, "it was ended after 3 s; has it a loop without an end?"),
         ("(", 2, "SyntaxError"),
     ],
 )
@@ -50,7 +49,7 @@ def test_a_broken_law_is_told_in_words(
     cli: Cli, file: Path, law: str, code: int, said: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     if "while" in law:  # which no time is enough for
-        monkeypatch.setattr(own, "LIMIT", 5.0)
+        monkeypatch.setattr(own, "LIMIT", 3.0)
     before, _, _ = file.read_text().rpartition("return")
     file.write_text(f"{before}{law}\n")
     printed = cli("check", file, code=code)
