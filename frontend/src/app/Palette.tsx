@@ -33,7 +33,7 @@ const spotlightAction = (item: Item, index: number, choose: (item: Item) => void
 });
 
 /** Every word of the query somewhere in an item's texts; without a query everything but the many fields. */
-function found(all: readonly Item[], query: string): readonly Item[] {
+function matching(all: readonly Item[], query: string): readonly Item[] {
   const words = query.toLowerCase().split(/\s+/).filter(Boolean);
   if (words.length === 0) return all.filter(({ group }) => group !== "Fields");
   const matching = all.filter(({ label, description = "", group }) =>
@@ -50,7 +50,7 @@ export function Palette({ onClose }: { readonly onClose: () => void }) {
   const [chosen, setChosen] = useState<Item | null>(null);
   const [focused] = useState(() => document.activeElement);
   useEffect(open, [open]);
-  const shown = found(all, query);
+  const shown = matching(all, query);
   const actions = GROUPS.map((group) => ({
     group,
     actions: shown
@@ -62,7 +62,7 @@ export function Palette({ onClose }: { readonly onClose: () => void }) {
       store={store}
       shortcut={null}
       actions={actions.filter((group) => group.actions.length > 0)}
-      filter={(_, given) => given}
+      filter={(_, items) => items}
       query={query}
       onQueryChange={setQuery}
       returnFocus={false}

@@ -10,13 +10,13 @@ import { useLab, useLabContext } from "./context";
 export function useSavedLaws(strategies: readonly Strategy[]): void {
   const { lab } = useLabContext();
   const laws = lawsOf(strategies);
-  const known = useRef(laws);
+  const lastLaws = useRef(laws);
   useEffect(() => {
-    if (known.current === laws) return;
-    known.current = laws;
-    const { shown, strategies: chosen } = lab.get();
+    if (lastLaws.current === laws) return;
+    lastLaws.current = laws;
+    const { shown, strategies: switchedOn } = lab.get();
     const isOld = ({ id, own, source }: Strategy) =>
-      own && chosen.includes(id) && shown?.summaries[id]?.source?.digest !== source?.digest;
+      own && switchedOn.includes(id) && shown?.summaries[id]?.source?.digest !== source?.digest;
     if (shown && strategies.some(isOld)) lab.runAgain();
   }, [laws, strategies, lab]);
 }

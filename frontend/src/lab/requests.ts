@@ -62,8 +62,8 @@ export function createRequests(
   // shares or goes back to an address that is not of what is shown.
 
   const submit: Requests["submit"] = (mode) => {
-    const { history, strategies: chosen, roads } = store.get();
-    const strategies = roads > 1 ? chosen.filter((id) => !isRecording(id)) : chosen; // a recording is of one road
+    const { history, strategies: switchedOn, roads } = store.get();
+    const strategies = roads > 1 ? switchedOn.filter((id) => !isRecording(id)) : switchedOn; // a recording is of one road
     if (strategies.length === 0) return;
     if (mode === "push") labAddress.cancelNavigation();
     const { baseline } = labAddress.get().view;

@@ -73,8 +73,8 @@ export function partShown(
 /** Where the one chosen is not of the run, the last that is on. */
 export const baselineOf = (
   { summaries, ids }: Pick<PartShown, "summaries" | "ids">,
-  chosen: StrategyId,
-): StrategyId | null => (chosen in summaries ? chosen : (ids.at(-1) ?? null));
+  strategy: StrategyId,
+): StrategyId | null => (strategy in summaries ? strategy : (ids.at(-1) ?? null));
 
 export function withBaseline(
   part: PartShown,

@@ -10,22 +10,22 @@ export function ownStorage(): Storage | null {
 }
 
 /** What the browser keeps until somebody removes it, or with the tab alone. */
-type Kept = "localStorage" | "sessionStorage";
+type StorageName = "localStorage" | "sessionStorage";
 
 /** `null` where there is nothing, nothing that can be read, or the browser stores nothing. */
-export function readStored(name: string, kept: Kept = "localStorage"): unknown {
+export function readStored(name: string, storage: StorageName = "localStorage"): unknown {
   try {
-    return JSON.parse(globalThis[kept].getItem(name) ?? "null");
+    return JSON.parse(globalThis[storage].getItem(name) ?? "null");
   } catch {
     return null;
   }
 }
 
 /** `null` removes it. Does nothing where the storage is full or forbidden. */
-export function writeStored(name: string, value: unknown, kept: Kept = "localStorage"): void {
+export function writeStored(name: string, value: unknown, storage: StorageName = "localStorage"): void {
   try {
-    if (value === null) globalThis[kept].removeItem(name);
-    else globalThis[kept].setItem(name, JSON.stringify(value));
+    if (value === null) globalThis[storage].removeItem(name);
+    else globalThis[storage].setItem(name, JSON.stringify(value));
   } catch {
     // Then the next visit begins without it.
   }

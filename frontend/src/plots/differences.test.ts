@@ -35,11 +35,11 @@ describe("curves as differences", () => {
   it("of two thinned runs of the same motion are none: all samples are subtracted, then few are drawn", () => {
     const samples = Array.from({ length: 20_001 }, (_, index) => index);
     const motion = (time: number) => Math.sin(40 * time);
-    const series = (kept: readonly number[]) => ({
+    const series = (indices: readonly number[]) => ({
       lv: {
-        time: numbers(...kept.map((i) => i / 1000)),
-        position: numbers(...kept.map((i) => i / 1000)),
-        speed: numbers(...kept.map((i) => motion(i / 1000))),
+        time: numbers(...indices.map((i) => i / 1000)),
+        position: numbers(...indices.map((i) => i / 1000)),
+        speed: numbers(...indices.map((i) => motion(i / 1000))),
       },
     });
     const [one, other] = [

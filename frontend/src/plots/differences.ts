@@ -64,7 +64,7 @@ function thinned(series: Series, axis: Axis, [low, high]: Zoom): Series {
   const x = series[axisKey(axis)];
   if (!x || x.length <= PARTS_SHOWN) return series;
   const [from, to] = covering(x, low, high);
-  const kept = new Set([0, from, to - 1, x.length - 1]);
+  const indices = new Set([0, from, to - 1, x.length - 1]);
   const keep = (start: number, end: number, parts: number) => {
     for (const [key, values] of Object.entries(series)) {
       if (COORDINATES.includes(key)) continue;
@@ -78,14 +78,14 @@ function thinned(series: Series, axis: Axis, [low, high]: Zoom): Series {
           if ((values[i] ?? 0) < (values[bottom] ?? 0)) bottom = i;
           if ((values[i] ?? 0) > (values[top] ?? 0)) top = i;
         }
-        if (last > first) kept.add(bottom).add(top);
+        if (last > first) indices.add(bottom).add(top);
       }
     }
   };
   keep(0, from, PARTS_BESIDE);
   keep(from, to, PARTS_SHOWN);
   keep(to, x.length, PARTS_BESIDE);
-  const places = Uint32Array.from(kept).sort();
+  const places = Uint32Array.from(indices).sort();
   return Object.fromEntries(
     Object.entries(series).map(([key, values]) => [key, Float32Array.from(places, (place) => values[place] ?? 0)]),
   );

@@ -114,8 +114,8 @@ export function verticalRange(
   if (spans.length === 0) return [-1, 1];
   let low = Math.min(...spans.map(([bottom]) => bottom));
   let high = Math.max(...spans.map(([, top]) => top));
-  const reach = REACH * Math.max(high - low, Number.MIN_VALUE);
-  const near = references.filter((value) => value >= low - reach && value <= high + reach);
+  const margin = REACH * Math.max(high - low, Number.MIN_VALUE);
+  const near = references.filter((value) => value >= low - margin && value <= high + margin);
   low = Math.min(low, ...near);
   high = Math.max(high, ...near);
   const size = Math.max(Math.abs(low), Math.abs(high));

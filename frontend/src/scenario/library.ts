@@ -49,12 +49,12 @@ const keyOf = ({ kind, name }: Pick<Item, "kind" | "name">) => `${PREFIX}${kind}
 
 function readItem(key: string, text: string | null): readonly Item[] {
   const [, kind, name] = /^([a-z]+):(.+)$/s.exec(key.slice(PREFIX.length)) ?? [];
-  const known = KINDS.find((each) => each === kind);
+  const kindOfItem = KINDS.find((each) => each === kind);
   try {
     const content: unknown = JSON.parse(text ?? "null");
-    if (!known || name === undefined || !isLike<Stored>({ value: {}, saved: "" }, content)) return [];
+    if (!kindOfItem || name === undefined || !isLike<Stored>({ value: {}, saved: "" }, content)) return [];
     const { value, saved, version = 1 } = content;
-    return [{ kind: known, name, saved, value: known === "scenario" ? upgraded(value, version) : value }];
+    return [{ kind: kindOfItem, name, saved, value: kindOfItem === "scenario" ? upgraded(value, version) : value }];
   } catch {
     return []; // somebody else wrote it
   }

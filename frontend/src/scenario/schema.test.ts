@@ -81,17 +81,17 @@ describe("data without a control", () => {
 });
 
 describe("a search over all fields", () => {
-  const found = (text: string) =>
+  const names = (text: string) =>
     sections(FORM)
       .flatMap((section) => matching(section, text) ?? [])
       .flatMap(({ members }) => members.flatMap((member) => leavesOf(member).map(({ pointer }) => pointer)));
 
   it("finds by title, by part and by dotted name, every word", () => {
-    expect(found("height")).toEqual(["/road/bump/height"]);
-    expect(found("bump sh")).toEqual(["/road/bump/shape"]);
-    expect(found("mpc.force")).toEqual(["/mpc/force_weight"]);
-    expect(found("pitch")).toEqual(["/mpc/weights/0", "/mpc/weights/1"]);
-    expect(found("bump banana")).toEqual([]);
+    expect(names("height")).toEqual(["/road/bump/height"]);
+    expect(names("bump sh")).toEqual(["/road/bump/shape"]);
+    expect(names("mpc.force")).toEqual(["/mpc/force_weight"]);
+    expect(names("pitch")).toEqual(["/mpc/weights/0", "/mpc/weights/1"]);
+    expect(names("bump banana")).toEqual([]);
   });
 
   it("finds by option, unit and help text what no name has", () => {

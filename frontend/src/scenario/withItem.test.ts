@@ -13,8 +13,8 @@ test("the road ends where what was measured does; the scenario's own bump stays 
 });
 
 test("a bump that was found is the one the car brakes for, and none is added", () => {
-  const found = { ...ROAD, bumps: [{ start: 0.4, width: 200, height: 0.07 }] };
-  expect(onRoad(PAPER, found).road).toMatchObject({ bump: { start: 1, width: 179, height: 0, count: 1 } });
+  const measured = { ...ROAD, bumps: [{ start: 0.4, width: 200, height: 0.07 }] };
+  expect(onRoad(PAPER, measured).road).toMatchObject({ bump: { start: 1, width: 179, height: 0, count: 1 } });
 });
 
 const paper = standardScenario(FORM);

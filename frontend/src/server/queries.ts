@@ -47,8 +47,8 @@ export const strategiesQuery = queryOptions({
   queryKey: ["strategies"],
   queryFn: async ({ signal, client }) => {
     const now = await ask("get", "/strategies", {}, signal);
-    const known = client.getQueryData<readonly Strategy[]>(["strategies"]);
-    if (known && lawsOf(known) !== lawsOf(now))
+    const catalogue = client.getQueryData<readonly Strategy[]>(["strategies"]);
+    if (catalogue && lawsOf(catalogue) !== lawsOf(now))
       for (const { queryKey } of [schemaQuery, figuresQuery]) void client.invalidateQueries({ queryKey });
     return now;
   },

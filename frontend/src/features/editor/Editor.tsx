@@ -27,16 +27,16 @@ export function Editor({ form }: { readonly form: Group }) {
   const readOnly = useReadOnly();
   const rejected = useLab((state) => state.invalidInput);
   const refused = useLab((state) => state.serverErrors);
-  const chosen = useLab((state) => state.strategies);
+  const switchedOn = useLab((state) => state.strategies);
   const all = useMemo(
-    () => sections(form).filter(({ key }) => !isLaw(key) || chosen.some((id) => key === `${OWN}${id}`)),
-    [form, chosen],
+    () => sections(form).filter(({ key }) => !isLaw(key) || switchedOn.some((id) => key === `${OWN}${id}`)),
+    [form, switchedOn],
   );
   const [opened, setOpened] = useState(() => all.filter(({ essential }) => essential).map(({ key }) => key as string));
 
   const [search, setSearch] = useState("");
   const searching = search.trim() !== "";
-  const found = useMemo(() => (searching ? foundIn(all, search) : all), [all, search, searching]);
+  const shownSections = useMemo(() => (searching ? foundIn(all, search) : all), [all, search, searching]);
   const sought = useSelector(revealed);
   const itsSection = sought && all.find((section) => contains(section, [sought]))?.key;
   if (itsSection && !opened.includes(itsSection)) setOpened([...opened, itsSection]);
@@ -49,7 +49,9 @@ export function Editor({ form }: { readonly form: Group }) {
 
   const wrong = [...Object.keys(rejected), ...Object.keys(refused.fields)] as Pointer[];
   // A section with an error is open whatever was clicked: an error nobody sees helps nobody.
-  const forced = found.filter((section) => searching || contains(section, wrong)).map(({ key }) => key as string);
+  const forced = shownSections
+    .filter((section) => searching || contains(section, wrong))
+    .map(({ key }) => key as string);
   const changed = useFromScenario((scenario) => changedPointers(scenario, form).length);
 
   return (
@@ -87,7 +89,7 @@ export function Editor({ form }: { readonly form: Group }) {
           if (event.key === "Escape") setSearch("");
         }}
       />
-      {found.length === 0 && (
+      {shownSections.length === 0 && (
         <Text p="0.3rem 1rem" fz="sm" c="dimmed">
           No field, option, unit or help text has these words.
         </Text>
@@ -112,7 +114,7 @@ export function Editor({ form }: { readonly form: Group }) {
         }}
         transitionDuration={0}
       >
-        {found.map((section) => (
+        {shownSections.map((section) => (
           <SectionItem
             key={section.key}
             section={section}

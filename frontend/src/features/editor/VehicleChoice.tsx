@@ -26,8 +26,8 @@ export function VehicleChoice({ group }: { readonly group: Group }) {
   const own = useItems("vehicle").map(({ name, value }) => ({ id: `own ${name}`, label: name, vehicle: value }));
   const whole = (values: JsonObject) => getAt(completed(group, { vehicle: values }), group.pointer);
   const choices = [PAPER, ...sourced, ...own];
-  const chosen = choices.find((each) => sameValue(whole(each.vehicle), vehicle));
-  const source = sourced.find((each) => each === chosen);
+  const current = choices.find((each) => sameValue(whole(each.vehicle), vehicle));
+  const source = sourced.find((each) => each === current);
   const option = ({ id, label }: (typeof choices)[number]) => ({ value: id, label });
 
   const choose = (id: string) => {
@@ -36,17 +36,17 @@ export function VehicleChoice({ group }: { readonly group: Group }) {
     if (next !== undefined && !sameValue(next, vehicle)) edit.commit(setAt(edit.newest(), group.pointer, next));
   };
   const save = () =>
-    void exportItem({ kind: "vehicle", name: chosen?.label ?? "Own vehicle", value: vehicle as JsonObject });
+    void exportItem({ kind: "vehicle", name: current?.label ?? "Own vehicle", value: vehicle as JsonObject });
 
   return (
     <div className={classes.vehicle}>
       <NativeSelect
         aria-label="Vehicle"
         flex="1 1 8rem"
-        value={chosen?.id ?? OTHER}
+        value={current?.id ?? OTHER}
         disabled={readOnly}
         data={[
-          ...(chosen ? [] : [{ value: OTHER, label: "Own values" }]),
+          ...(current ? [] : [{ value: OTHER, label: "Own values" }]),
           ...[PAPER, ...sourced].map(option),
           ...(own.length > 0 ? [{ group: "Your vehicles", items: own.map(option) }] : []),
         ]}

@@ -25,7 +25,7 @@ export function LibraryButton() {
   const canEdit = !readOnly;
   useAction("library", canEdit ? () => dialog.set("scenario") : null);
   useAction("saveVehicle", canEdit ? () => dialog.set("vehicle") : null);
-  const found = items.map(
+  const commands = items.map(
     (item) =>
       ({
         group: "Library",
@@ -34,7 +34,7 @@ export function LibraryButton() {
         run: () => open(item),
       }) as const,
   );
-  usePaletteEntries(canEdit ? found : []);
+  usePaletteEntries(canEdit ? commands : []);
   const { label, ...button } = useActionButton("library");
   return (
     <>

@@ -29,8 +29,8 @@ export function LabPage() {
 }
 
 function LabContent() {
-  const known = useStrategies();
-  useSavedLaws(known);
+  const catalogue = useStrategies();
+  useSavedLaws(catalogue);
   const strategies = useWithGone(useLabStrategies());
   const coloured = useSchemeColours(strategies);
   return (
@@ -50,7 +50,7 @@ function LabContent() {
         <LabMain strategies={coloured} />
       </div>
       <ShellSlot name="notices">
-        <Notices strategies={known} />
+        <Notices strategies={catalogue} />
       </ShellSlot>
     </>
   );

@@ -78,8 +78,8 @@ interface SwitchProps {
 function Switch({ reading, set, onChange }: SwitchProps) {
   const id = useId();
   const standard = reading.choices.find((choice) => choice.id === standardOf(reading, set));
-  const chosen = reading.choices.find((choice) => choice.id === reading.chosen);
-  const isChanged = standard !== chosen;
+  const current = reading.choices.find((choice) => choice.id === reading.chosen);
+  const isChanged = standard !== current;
   return (
     <div className={`${ui.card} ${classes.switch}`} data-changed={isChanged || undefined} data-reading={reading.id}>
       <Group gap="0 0.8rem" align="baseline" justify="space-between">
@@ -102,9 +102,9 @@ function Switch({ reading, set, onChange }: SwitchProps) {
         data={reading.choices.map((choice) => ({ value: choice.id, label: typeset(choice.label) }))}
         onChange={onChange}
       />
-      {chosen && (
+      {current && (
         <Box component="p" m={0} fz="xs" lh="1.4">
-          {sourceOf(chosen.source)}
+          {sourceOf(current.source)}
         </Box>
       )}
     </div>

@@ -24,7 +24,7 @@ const CELL: PaperCell = {
 
 const UNAVAILABLE = { our_change: null, ci: null, verdict: "unavailable", certain: null } as const;
 
-function paper(chosen: string, reached: number, without: number): Paper {
+function paper(preview: string, reached: number, without: number): Paper {
   return {
     core_version: "1",
     seeds: 20,
@@ -48,7 +48,7 @@ function paper(chosen: string, reached: number, without: number): Paper {
         id: "preview",
         title: "Road preview",
         description: "",
-        chosen,
+        chosen: preview,
         choices: [
           { id: "lookahead", label: "Road ahead", default: true, source: "ours" },
           { id: "none", label: "None", default: false, source: "ours" },
@@ -89,11 +89,11 @@ it("takes what is pending neither for missed nor for uncertain", () => {
 
 it("takes what is not available neither for missed nor for uncertain", () => {
   const cell: PaperCell = { ...CELL, ...UNAVAILABLE, our_value: null, without_preview: UNAVAILABLE };
-  const found: Paper = {
+  const withErrata: Paper = {
     ...paper("lookahead", 28, 12),
     cells: [cell],
     unavailable: { cells: 1, reason: "There is no C compiler" },
   };
-  expect([uncertain(found), isMissed(cell), wordOf(cell.verdict)]).toEqual([0, false, "not available"]);
-  expect(previewSentence(found)).toContain("Without it 0 verdicts change.");
+  expect([uncertain(withErrata), isMissed(cell), wordOf(cell.verdict)]).toEqual([0, false, "not available"]);
+  expect(previewSentence(withErrata)).toContain("Without it 0 verdicts change.");
 });

@@ -38,14 +38,14 @@ describe("the chosen readings", () => {
   );
 
   it("leave no trace where their named set has them", () => {
-    const chosen = withChoice({ seeds: "40" }, "preview", "none", "lookahead");
-    expect(chosen).toEqual({ seeds: "40", preview: "none" });
-    expect(withChoice(chosen, "preview", "lookahead", "lookahead")).toEqual({ seeds: "40" });
+    const choices = withChoice({ seeds: "40" }, "preview", "none", "lookahead");
+    expect(choices).toEqual({ seeds: "40", preview: "none" });
+    expect(withChoice(choices, "preview", "lookahead", "lookahead")).toEqual({ seeds: "40" });
   });
 
   it("are reset to their named set without losing the rest of the address", () => {
-    const kept = { seeds: "40", interpretation: "favourable" };
-    expect(withoutChoices({ ...kept, preview: "none" }, [READING])).toEqual(kept);
+    const query = { seeds: "40", interpretation: "favourable" };
+    expect(withoutChoices({ ...query, preview: "none" }, [READING])).toEqual(query);
   });
 
   it("are all those of a named set once it is chosen", () => {

@@ -53,9 +53,9 @@ const inside = ({ xaxis, yaxis }: Axes, x: number, y: number) =>
   x >= xaxis._offset && x <= xaxis._offset + xaxis._length && y >= yaxis._offset && y <= yaxis._offset + yaxis._length;
 
 /** The nearest point within reach that is in sight; of points one upon the other, the one drawn last. */
-export function nearest(located: readonly LocatedDots[], axes: Axes, x: number, y: number, reach: number): Hit | null {
+export function nearest(located: readonly LocatedDots[], axes: Axes, x: number, y: number, radius: number): Hit | null {
   let nearest: Hit | null = null;
-  let least = reach * reach;
+  let least = radius * radius;
   for (const { dots, x: xs, y: ys } of located) {
     for (let index = 0; index < xs.length; index++) {
       const [atX = NaN, atY = NaN] = [xs[index], ys[index]];
