@@ -8,65 +8,12 @@ import pytest
 from pythonfmu.builder import FmuBuilder
 
 from backend.fmu.archive import fmu
+from backend.own import registry
 from sim_core.scenario import Scenario
 from sim_core.simulate import simulate
 from tests.api.conftest import Service
 from tests.api.own_laws import LAW, SCENARIO, driven, own, told_of
 from tests.importer import Importer
-
-BROKEN = {
-    "raises": "return 1 / 0",
-    "nan": "return float('nan'), 0.0",
-    "shape": "return [0.0]",
-    "ends": "raise SystemExit",
-    "ends_at_once": "import os; os._exit(3)",
-    "killed": "import os; os.kill(os.getpid(), 9)",
-    "changes": "seen.state[0] = 1.0; return 0.0, 0.0",
-    "memory": "import numpy; return numpy.ones(2**30), 0.0",
-    "deep": "return self.force(seen)",
-}
-
-
-@pytest.fixture
-def folder(service: Service, tmp_path: Path) -> Iterator[Path]:
-    with told_of(service, tmp_path):
-        yield tmp_path
-
-
-def test_a_file_is_a_strategy_and_a_saved_one_another_law(service: Service, folder: Path) -> None:
-    assert own(service) == {}
-    (folder / "mine.py").write_text(LAW)
-    first = own(service)["mine"]
-    assert (first["label"], first["description"], first["fault"]) == ("Mine", "Damps the body.", None)
-    assert first["source"]["file"] == "mine.py"
-    assert (
-        first["options"]["properties"]["damping"].items()
-        >= {
-            "type": "number",
-            "unit": "N·s/m",
-            "minimum": 0,
-            "maximum": 20_000,
-            "default": 2000.0,
-            "description": "Force per velocity.",
-        }.items()
-    )
-    run = service.run(["mine", "passive"], SCENARIO).json()
-    outcome = run["strategies"]["mine"]
-    assert (outcome["source"], run["strategies"]["passive"]["source"]) == (first["source"], None)
-    text = LAW.replace("2000.0", "4000.0")
-    (folder / "mine.py").write_text(text)
-    again = driven(service, ["mine", "passive"])
-    assert again["mine"]["source"]["digest"] != outcome["source"]["digest"]
-    assert (again["mine"]["cached"], again["passive"]["cached"]) == (False, True)
-    assert again["mine"]["metrics"] != outcome["metrics"]
-    stored = service.client.get(f"/api/v1/runs/{run['id']}").json()["strategies"]["mine"]
-    assert stored == {key: value for key, value in outcome.items() if key != "cached"}, "the old law's, as it was"
-    series = service.client.get(f"/api/v1/runs/{run['id']}/series", params={"strategy": "mine", "points": 9})
-    assert (series.status_code, "passive" in series.json()["detail"]) == (422, True), "no curves of another law"
-    assert len(service.client.get(f"/api/v1/runs/{run['id']}/figures").json()["figures"]["road"]["data"]) == 1
-    (folder / "mine.py").write_text(LAW)
-    assert driven(service, ["mine"])["mine"] == {**outcome, "cached": True}
-
 
 BY_STAGE = """
 import numpy as np
@@ -85,11 +32,79 @@ class Harder(Controller):
     def linear_law(self, stage):
         return self._laws[stage]
 """
+BROKEN = {
+    "raises": "return 1 / 0",
+    "nan": "return float('nan'), 0.0",
+    "shape": "return [0.0]",
+    "ends": "raise SystemExit",
+    "ends_at_once": "import os; os._exit(3)",
+    "killed": "import os; os.kill(os.getpid(), 9)",
+    "changes": "seen.state[0] = 1.0; return 0.0, 0.0",
+    "memory": "import numpy; return numpy.ones(2**30), 0.0",
+    "deep": "return self.force(seen)",
+}
+
+
+def named(name: str, body: str | None = None) -> str:
+    """The law under another name; what its force does in place of what stands there."""
+    text = LAW.replace("mine", name).replace("Mine", name.title())
+    return text if body is None else text.rpartition("return")[0] + f"{body}\n"
+
+
+@pytest.fixture(scope="module")
+def laws(service: Service, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """A folder with laws that tests share: each file is a process that takes a second to start."""
+    folder = tmp_path_factory.mktemp("laws")
+    (folder / "mine.py").write_text(LAW)
+    (folder / "harder.py").write_text(BY_STAGE)
+    with told_of(service, folder):
+        yield folder
+
+
+@pytest.fixture
+def folder(laws: Path) -> Iterator[Path]:
+    """That folder; what a test writes there goes with it."""
+    shared = set(laws.iterdir())
+    yield laws
+    for file in set(laws.iterdir()) - shared:
+        file.unlink()
+
+
+def test_a_file_is_a_strategy_and_a_saved_one_another_law(service: Service, folder: Path) -> None:
+    file = folder / "saved.py"
+    assert "saved" not in own(service)
+    file.write_text(named("saved"))
+    first = own(service)["saved"]
+    assert (first["label"], first["description"], first["fault"]) == ("Saved", "Damps the body.", None)
+    assert first["source"]["file"] == "saved.py"
+    option = {"type": "number", "unit": "N·s/m", "minimum": 0, "maximum": 20_000, "default": 2000.0}
+    assert first["options"]["properties"]["damping"].items() >= {**option, "description": "Force per velocity."}.items()
+    run = service.run(["saved", "passive"], SCENARIO).json()
+    outcome = run["strategies"]["saved"]
+    assert (outcome["source"], run["strategies"]["passive"]["source"]) == (first["source"], None)
+    address = f"/api/v1/runs/{run['id']}"
+    at = service.client.get(f"{address}/instant?position=90.3&strategy=saved").json()
+    assert at["forces"]["asked"] == pytest.approx([-2000.0 * at["state"][4]] * 2, rel=1e-9)
+    assert at["predicted_states"] is at["parts"] is None
+
+    file.write_text(named("saved").replace("2000.0", "4000.0"))
+    again = driven(service, ["saved", "passive"])
+    assert again["saved"]["source"]["digest"] != outcome["source"]["digest"]
+    assert (again["saved"]["cached"], again["passive"]["cached"]) == (False, True)
+    assert again["saved"]["metrics"] != outcome["metrics"]
+    stored = service.client.get(address).json()["strategies"]["saved"]
+    assert stored == {key: value for key, value in outcome.items() if key != "cached"}, "the old law's, as it was"
+    series = service.client.get(f"{address}/series", params={"strategy": "saved", "points": 9})
+    assert (series.status_code, "passive" in series.json()["detail"]) == (422, True), "no curves of another law"
+    instant = service.client.get(f"{address}/instant?position=90.3&strategy=saved")
+    assert (instant.status_code, "has changed" in instant.json()["detail"]) == (410, True)
+    assert len(service.client.get(f"{address}/figures").json()["figures"]["road"]["data"]) == 1
+    file.write_text(named("saved"))
+    assert driven(service, ["saved"])["saved"] == {**outcome, "cached": True}
 
 
 def test_a_law_of_ones_own_that_is_linear_leaves_as_an_fmu(service: Service, folder: Path, tmp_path: Path) -> None:
     """Its gains differ by stage, and count the force before, which the FMU remembers."""
-    (folder / "harder.py").write_text(BY_STAGE)
     answer = service.client.post(
         "/api/v1/fmus", json={"strategy": "harder", "version": "3.0", "platforms": ["linux64"]}
     )
@@ -104,23 +119,9 @@ def test_a_law_of_ones_own_that_is_linear_leaves_as_an_fmu(service: Service, fol
             importer.step(0.01 * len(given), 0.01, {"state[5]": 1.0, "stage": stage})
             given.append(importer.get(["force_front", "force_rear"]))
     assert given == [[-1000.0] * 2, [-1500.0] * 2, [-3500.0] * 2]
-    (folder / "mine.py").write_text(LAW)
     refused = service.client.post("/api/v1/fmus", json={"strategy": "mine"})
     assert refused.status_code == 422
     assert "its forces follow no linear law" in refused.json()["detail"]
-
-
-def test_its_instants_are_the_laws_that_was_driven(service: Service, folder: Path) -> None:
-    (folder / "mine.py").write_text(LAW)
-    run = service.run(["mine"], SCENARIO).json()
-    address = f"/api/v1/runs/{run['id']}/instant?position=90.3"
-    at = service.client.get(address).json()
-    assert at["forces"]["asked"] == pytest.approx([-2000.0 * at["state"][4]] * 2, rel=1e-9)
-    assert at["predicted_states"] is at["parts"] is None
-    (folder / "mine.py").write_text(LAW.replace("2000.0", "4000.0"))
-    own(service)
-    gone = service.client.get(address)
-    assert (gone.status_code, "has changed" in gone.json()["detail"]) == (410, True)
 
 
 CRASHES = """
@@ -153,8 +154,8 @@ def test_an_fmu_is_a_strategy_too_and_one_that_crashes_costs_its_own_column(serv
     assert theirs == pytest.approx(ours, rel=1e-9)
 
 
-def test_it_is_driven_as_in_the_library(service: Service, folder: Path) -> None:
-    (folder / "mine.py").write_text(LAW)
+@pytest.mark.usefixtures("laws")
+def test_it_is_driven_as_in_the_library(service: Service) -> None:
     namespace: dict[str, Any] = {"__name__": __name__}
     exec(LAW, namespace)  # noqa: S102 - ours
     expected = simulate(Scenario.model_validate(SCENARIO), namespace["Mine"]).summary()
@@ -164,14 +165,11 @@ def test_it_is_driven_as_in_the_library(service: Service, folder: Path) -> None:
 
 
 def test_a_law_that_fails_costs_its_own_column_and_is_told_with_its_line(service: Service, folder: Path) -> None:
-    laws = [
-        LAW.partition("\n\n\n")[2].replace("Mine", name.title()).replace("mine", name).rpartition("return")[0] + body
-        for name, body in BROKEN.items()
-    ]
-    (folder / "broken.py").write_text("from sim_core import Controller, option\n" + "\n\n".join(laws))
+    laws = [named(name, body).partition("\n\n\n")[2] for name, body in BROKEN.items()]
+    (folder / "broken.py").write_text("from sim_core import Controller, option\n" + "\n".join(laws))
     lines = (folder / "broken.py").read_text().splitlines()
     line = {name: lines.index(f"        {body}") + 1 for name, body in BROKEN.items()}
-    (folder / "chatty.py").write_text(LAW.replace("mine", "chatty").replace("return", "print('x' * 10_000); return"))
+    (folder / "chatty.py").write_text(named("chatty").replace("return", "print('x' * 10_000); return"))
     outcomes = driven(service, [*BROKEN, "chatty", "passive"])
     assert {name for name, each in outcomes.items() if each["status"] == "ok"} == {"chatty", "passive"}
     reasons = {name: outcomes[name]["reason"] for name in BROKEN}
@@ -195,12 +193,9 @@ def test_a_law_that_fails_costs_its_own_column_and_is_told_with_its_line(service
 
 def test_a_law_that_does_not_end_is_ended(service: Service, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(service.app.state.services.own_files, "_limit", 0.5)
-    head = LAW.rpartition("return")[0]
-    (folder / "endless.py").write_text(head.replace("mine", "endless") + "while True: pass")
-    (folder / "stubborn.py").write_text(
-        head.replace("mine", "stubborn")
-        + "import signal; signal.alarm(0); signal.signal(14, signal.SIG_IGN)\n        while True: pass"
-    )
+    (folder / "endless.py").write_text(named("endless", "while True: pass"))
+    ignoring = "import signal; signal.alarm(0); signal.signal(14, signal.SIG_IGN)\n        while True: pass"
+    (folder / "stubborn.py").write_text(named("stubborn", ignoring))
     outcomes = driven(service, ["endless", "stubborn", "passive"])
     assert {name: each.get("reason") for name, each in outcomes.items()} == {
         "passive": None,
@@ -209,13 +204,15 @@ def test_a_law_that_does_not_end_is_ended(service: Service, folder: Path, monkey
     }
 
 
-def test_a_file_that_cannot_be_used_keeps_nothing_else_from_working(service: Service, folder: Path) -> None:
+def test_a_file_that_cannot_be_used_keeps_nothing_else_from_working(
+    service: Service, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(registry, "LOADING", 2.0)
     texts = {
         "half.py": LAW[:-40],
         "endless.py": "while True: pass",
         "lqr.py": LAW.replace('"mine"', '"lqr"'),
         "twice.py": LAW,
-        "mine.py": LAW,
         "bad_default.py": LAW.replace("mine", "bad_default").replace("2000.0", "-1.0"),
     }
     for name, text in texts.items():
@@ -226,7 +223,7 @@ def test_a_file_that_cannot_be_used_keeps_nothing_else_from_working(service: Ser
         faults = service.client.get("/readyz").json()["controllers"]
     assert faults == {
         "half.py": "half.py, line 12: SyntaxError: invalid syntax",
-        "endless.py": "endless.py, line 1: it did not end within 5 s",
+        "endless.py": "endless.py, line 1: it did not end within 2 s",
         "lqr.py": faults["lqr.py"],
         "twice.py": "twice.py: mine.py has a controller of the id mine too",
         "bad_default.py": "bad_default.py, class Mine: damping: Input should be greater than or equal to 0",
