@@ -55,7 +55,7 @@ def vehicle_model(scenario: Scenario) -> Model:
         variables=[*inputs, *state("output"), *outputs, *fields, *own],
         sources={
             **sources(("model.h", "instance.h", "vehicle.c")),
-            **sources(("car.c", "record.c", "road.c", "loop.h", "record.h", "road.h"), FOLDER),
+            **sources(("car.c", "record.c", "road.c", "loop.h", "numbers.h", "qp.h", "record.h", "road.h"), FOLDER),
         },
         sizes={"KEPT_STEPS": KEPT_STEPS, "KEPT_NUMBERS": 2 + CAUSES * NUMBERS},
         step=1e-3,

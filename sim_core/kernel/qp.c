@@ -5,7 +5,8 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "loop.h"
+#include "numbers.h"
+#include "qp.h"
 
 #define RIDELAB_SIZES_H
 #define RIDELAB_REAL double
