@@ -49,6 +49,15 @@ def test_a_run_is_computed_and_nothing_is_left_behind(alone: Cli, tmp_path: Path
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.usefixtures("alone")
+def test_controllers_of_a_package_are_driven_by_a_service(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "laws-1.dist-info").mkdir()
+    (tmp_path / "laws-1.dist-info" / "entry_points.txt").write_text("[ridelab.controllers]\nmine = laws\n")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    with pytest.raises(UnavailableError):
+        _ = Services(None, None).quick
+
+
 def test_a_run_has_the_members_of_a_services(alone: Cli, ridelab: Ridelab) -> None:
     assert alone.error == ""
     ours, theirs = (each.run({}, ["passive"]) for each in (InProcess(no_service), ridelab))

@@ -102,8 +102,13 @@ class Services(ExitStack):
 
     @cached_property
     def quick(self) -> Ridelab:
-        """For names, and runs that need not be stored: this process where nobody names a service or its data."""
-        own = self.controllers or os.environ.get(_CONTROLLERS)
+        """For names, and runs that need not be stored: this process where nobody names a service or its data.
+
+        A controller of one's own has a process of its own, which a service gives it.
+        """
+        from importlib.metadata import entry_points  # as the core finds them, which is imported then too
+
+        own = self.controllers or os.environ.get(_CONTROLLERS) or entry_points(group="ridelab.controllers")
         in_process = self.private and self.data_dir is None and not own and core_folder() is not None
         return InProcess(self.at) if in_process else self.at()
 
