@@ -1,7 +1,6 @@
-"""Estimates of a run's cost against what runs cost, over random scenarios within the sliders; and their coefficients.
+"""Estimates of a run's cost against what runs cost, over random scenarios within the sliders.
 
-`python -m benchmarks.cost [draws]` prints the quantiles of real cost over estimate, `python -m benchmarks.cost fit
-[draws]` the coefficients of backend/cost as fitted anew.
+`python -m benchmarks.cost [draws]` prints the quantiles of real cost over estimate.
 """
 
 import multiprocessing
@@ -29,7 +28,7 @@ from sim_core.errors import TooExpensiveError  # noqa: E402 - after the thread l
 from sim_core.scenario import Scenario  # noqa: E402 - after the thread limits
 from sim_core.strategies import STRATEGIES  # noqa: E402 - after the thread limits
 
-JUDGED, FITTED = 101, 2  # seeds of the draws: none is fitted that is judged
+JUDGED = 101  # seed of the draws; benchmarks/cost_fit.py has another
 Draw = Callable[[FieldInfo, np.random.Generator], Any]  # a value of a field
 QUANTILES = (0.0, 0.025, 0.25, 0.5, 0.75, 0.975, 1.0)
 FACTOR = 3.0
@@ -181,15 +180,8 @@ def report(runs: Sequence[Measured]) -> None:
 
 def main(arguments: Sequence[str]) -> None:
     """What the module's documentation says."""
-    if arguments[:1] == ["fit"]:
-        from benchmarks.cost_fit import fit
-
-        count = int(arguments[1]) if len(arguments) > 1 else 1000
-        strategies = ("lv", "suspension_only", "lqr", "lv_hil", "skyhook", "passive")
-        fit(measure(drawn(FITTED, number, strategies) for number in range(count)))
-    else:
-        count = int(arguments[0]) if arguments else 500
-        report(measure(drawn(JUDGED, number) for number in range(count)))
+    count = int(arguments[0]) if arguments else 500
+    report(measure(drawn(JUDGED, number) for number in range(count)))
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
-"""Coefficients of the estimate, fitted to measured runs (`python -m benchmarks.cost fit`)."""
+"""Coefficients of the estimate, fitted to measured runs (`python -m benchmarks.cost_fit`)."""
 
+import sys
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -7,10 +8,11 @@ from scipy.optimize import least_squares, nnls
 
 from backend.cost.binding_limits import LimitShares, bump_share, combine, limit_terms
 from backend.cost.estimate import SECONDS, expected_time, work
-from benchmarks.cost import Measured
+from benchmarks.cost import Measured, drawn, measure
 from sim_core.arrays import FloatArray
 from sim_core.strategies import STRATEGIES
 
+FITTED = 2  # seed of the draws: none is fitted that is judged
 SHARE = 0.01  # added to shares before their logarithm: smaller differences do not count
 PRIOR = 1.0  # weight of a coefficient's deviation from START (ridge regression)
 START = {  # of each cause's first coefficient
@@ -151,3 +153,9 @@ def _parts(runs: Sequence[Measured], times: FloatArray, seconds: Mapping[str, fl
 
     free, solved = cost(), cost(solved=1.0)
     return free, cost(limited=1.0) - free, solved - free, cost(solved=1.0, iterations=1.0) - solved
+
+
+if __name__ == "__main__":
+    number = int(sys.argv[1]) if len(sys.argv) > 1 else 1000
+    strategies = ("lv", "suspension_only", "lqr", "lv_hil", "skyhook", "passive")
+    fit(measure(drawn(FITTED, each, strategies) for each in range(number)))

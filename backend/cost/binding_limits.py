@@ -4,7 +4,7 @@ The force a control law asks for on a rough road is near that of the passive sus
 quarter car: road velocity as white noise of density A does work on a tyre of stiffness k_t at a mean power of
 A k_t / 2, all of which the damper dissipates, so E[ḋ²] = A k_t / (2 c), and E[d²] = A (m_b + m_w) / (2 c); spring and
 damper force are uncorrelated. The margin of the limits over these matters most, and whether the real car is softer
-than the law's model of it, for then the loop is unstable. benchmarks/cost.py fits the coefficients to random scenarios.
+than the law's model of it, for then the loop is unstable. benchmarks/cost_fit.py fits the coefficients to random runs.
 """
 
 from collections.abc import Mapping

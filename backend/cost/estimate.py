@@ -1,6 +1,6 @@
 """What a run costs, estimated from the scenario alone; and the limit on what one run may cost.
 
-Seconds are those of one core of the machine on which `python -m benchmarks.cost fit` was run last. A run's own limits
+Seconds are those of one core of the machine on which `python -m benchmarks.cost_fit` was run last. A run's own limits
 count its work and not its time, so that whether it is too expensive depends on the scenario alone, and on no fit.
 """
 
