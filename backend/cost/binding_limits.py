@@ -20,10 +20,11 @@ from sim_core.scenario import Scenario
 from sim_core.strategies.suspension_only import SuspensionOnly
 
 MIN_ITERATIONS, MAX_ITERATIONS = 25.0, 2000.0  # of OSQP, for one QP: so often it looks whether it has solved it
+FITTED_WEIGHT = 10.0  # of travel, the greatest that the coefficients were fitted to: the slider's end
+TRIED_WEIGHT = 60.0  # the greatest that is searched for good laws (benchmarks/robust.py)
 _MIN_ROUGHNESS = 1e-8  # of a road without any, as its logarithm is needed [m^3]
 _NO_SATURATION, _NO_RATE = 3e4, 5e6  # stand for an actuator without a limit [N, N/s]
 _LITTLE_NOISE = 1e-3  # of a previewed height [m]
-_MOST_TRAVEL_WEIGHT = 10.0  # that the coefficients were fitted to: the slider's end, beyond which they say nothing
 _SETTLING = 0.5  # the bump's effect lasts so long after it [s]
 
 # Coefficients of `limit_terms`, by cause. The sum of "force", "travel", "actuator" and "lqr" is the logarithm of the
@@ -58,6 +59,9 @@ def expected_limits(scenario: Scenario, strategy: type[Controller], time: float)
         for cause, row in limit_terms(scenario, strategy, time).items()
     }
     limited, solved, iterations = combine(values, np.asarray(bump_share(scenario, time)))
+    if issubclass(strategy, PredictiveController):  # a law far from what was fitted may be at a limit in every step
+        trust = TRIED_WEIGHT / max(scenario.mpc.deflection_weight, TRIED_WEIGHT)
+        limited, solved = 1 - trust * (1 - limited), 1 - trust * (1 - solved)
     return LimitShares(limited=float(limited), solved=float(solved), iterations=float(iterations))
 
 
@@ -100,7 +104,7 @@ def limit_terms(scenario: Scenario, strategy: type[Controller], time: float) -> 
             log(mpc.prediction_horizon),
             force_margin,
             log(mpc.deflection_limit / travel),
-            min(mpc.deflection_weight, _MOST_TRAVEL_WEIGHT),
+            min(mpc.deflection_weight, FITTED_WEIGHT),
             underdamping,
             *errors,
         ),
