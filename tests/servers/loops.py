@@ -11,8 +11,10 @@ import httpx
 T = TypeVar("T")
 
 
-def run(main: Callable[[], Coroutine[Any, Any, T]]) -> T:
-    """The result of a coroutine, in a thread and an event loop of its own.
+def run(
+    main: Callable[[], Coroutine[Any, Any, T]], make_loop: Callable[[], asyncio.AbstractEventLoop] | None = None
+) -> T:
+    """The result of a coroutine, in a thread and an event loop of its own, or of this kind.
 
     The thread is a daemon: where a test runs into its time limit, nothing waits for it.
     """
@@ -20,7 +22,8 @@ def run(main: Callable[[], Coroutine[Any, Any, T]]) -> T:
 
     def drive() -> None:
         try:
-            result.set_result(asyncio.run(main()))
+            with asyncio.Runner(loop_factory=make_loop) as runner:
+                result.set_result(runner.run(main()))
         except BaseException as error:  # noqa: BLE001  # it is raised where the result is asked for
             result.set_exception(error)
 
