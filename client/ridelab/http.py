@@ -8,7 +8,7 @@ import json
 import re
 import time
 from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager, nullcontext
 from typing import Any
 
 import httpx
@@ -43,13 +43,17 @@ def split_login(address: str) -> tuple[httpx.URL, httpx.BasicAuth | None]:
 
 
 class Http:
-    """An httpx client that repeats a request at most `retries` times; `sleep` waits that many seconds."""
+    """An httpx client that repeats a request at most `retries` times; `sleep` waits that many seconds.
+
+    Each answer is waited for within what `meanwhile` gives.
+    """
 
     def __init__(
         self, client: httpx.Client, *, retries: int = 5, sleep: Callable[[float], object] = time.sleep
     ) -> None:
         self.client = client
         self.sleep = sleep
+        self.meanwhile: Callable[[], AbstractContextManager[object]] = nullcontext
         self._retries = retries
 
     @property
@@ -102,7 +106,8 @@ class Http:
         for number in itertools.count():
             pause: float | None = FIRST_PAUSE * 2**number
             try:
-                response = self.client.send(request, stream=stream)
+                with self.meanwhile():
+                    response = self.client.send(request, stream=stream)
             except httpx.TransportError as error:
                 arrived = not isinstance(error, httpx.ConnectError | httpx.ConnectTimeout)
                 # One that is being worked on is not asked for again: that makes it worse.

@@ -160,7 +160,7 @@ def test_jobs_are_shown_followed_stopped_and_removed(cli: Cli, prepared: Prepare
     for name, path in (("batches", batch), ("tunings", tuning)):
         prepared.answers |= {f"DELETE /{name}/{path}": {}, f"PATCH /{name}/{path}": {}}
         prepared.answers[f"GET /{name}"] = {name: [prepared.answers[f"GET /{name}/{path}"]], "next": None}
-    cli("jobs", "follow", batch)
+    assert json.loads(cli("jobs", "follow", batch, "--json"))["id"] == batch
     assert cli.error == f"batch {batch}: done, 2 of 2 done, 0 failed\n"
     cli("jobs", "follow", tuning, "--timeout", "0", code=3)
     assert cli.error.startswith(f"The tuning {tuning} is running after 0 s")

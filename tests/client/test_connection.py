@@ -1,6 +1,7 @@
 """The client's rules, against prepared answers: which requests it repeats, for how long, and its messages."""
 
 import json
+import threading
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -17,11 +18,12 @@ from ridelab import (
     RidelabAPIError,
     RidelabConnectionError,
 )
-from ridelab.cli import app
+from ridelab.cli import app, reporting
 from ridelab.cli.service import Services
 from ridelab.files import save
 from ridelab.http import LONGEST_WAIT, Http
 from ridelab.streams import json_rows, server_sent
+from tests.servers.process import HANG_TIMEOUT
 
 FULL = {"type": "about:blank", "title": "Full", "status": 503, "detail": "Full.", "errors": []}
 
@@ -178,6 +180,22 @@ def test_a_file_is_whole_or_not_touched(tmp_path: Path) -> None:
         save(broken(), target)
     assert target.read_bytes() == b"onetwo"
     assert {path.name for path in tmp_path.iterdir()} == {"a.csv", "plain"}
+
+
+def test_something_moves_while_an_answer_takes_long(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where somebody looks: the service answers once it has begun to move."""
+    moves = threading.Event()
+    monkeypatch.setattr("rich.status.Status.start", lambda _: moves.set())
+    monkeypatch.setenv("TTY_COMPATIBLE", "1")
+    monkeypatch.setattr(reporting, "MOMENT", 0)
+
+    def answer(_: httpx.Request) -> httpx.Response:
+        return httpx.Response(200, json={"moved": moves.wait(HANG_TIMEOUT)})
+
+    with Services("http://ridelab.test", None) as services:
+        ridelab = services.at()
+        ridelab._http.client = httpx.Client(base_url=ridelab.address, transport=httpx.MockTransport(answer))
+        assert ridelab.get("/schema") == {"moved": True}
 
 
 Handler = Callable[[httpx.Request], httpx.Response]

@@ -64,11 +64,18 @@ def show(services: Services, job_id: JobId, as_json: options.AsJson = False) -> 
             typer.echo(f"{name + ':':<16}{value}")
 
 
-def follow(services: Services, job_id: JobId, timeout: Timeout = None) -> None:
+def follow(services: Services, job_id: JobId, timeout: Timeout = None, as_json: options.AsJson = False) -> None:
     """Wait for a job's end; Ctrl-C only ends the waiting."""
     job = targets.job_of(job_id, services)
     follow_to_end(job, services, ours=False, timeout=timeout)
-    raise typer.Exit(say_end(job))
+    raise typer.Exit(_end(job, as_json=as_json))
+
+
+def _end(job: Job, *, as_json: bool) -> int:
+    """Say how it stands; the exit code."""
+    if as_json:
+        print_json(job.answer)
+    return say_end(job)
 
 
 def label_job(services: Services, job_id: JobId, text: Text) -> None:
@@ -76,17 +83,17 @@ def label_job(services: Services, job_id: JobId, text: Text) -> None:
     targets.job_of(job_id, services).rename(text or None)
 
 
-def cancel(services: Services, job_id: JobId) -> None:
+def cancel(services: Services, job_id: JobId, as_json: options.AsJson = False) -> None:
     """Stop a job; what is finished stays."""
-    say_end(targets.job_of(job_id, services).cancel())
+    _end(targets.job_of(job_id, services).cancel(), as_json=as_json)
 
 
-def resume(services: Services, job_id: JobId) -> None:
+def resume(services: Services, job_id: JobId, as_json: options.AsJson = False) -> None:
     """Go on with a job that was cancelled or failed; a private service ends with the command, so it is followed."""
     job = targets.job_of(job_id, services).resume()
     if services.private:
         follow_to_end(job, services)
-    say_end(job)
+    _end(job, as_json=as_json)
 
 
 def delete(services: Services, job_ids: JobIds) -> None:

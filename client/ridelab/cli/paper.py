@@ -7,7 +7,7 @@ import typer
 
 from ridelab.cli import options
 from ridelab.cli.names import Names
-from ridelab.cli.reporting import InputError, deliver, folder_of, note, print_json, waiting
+from ridelab.cli.reporting import InputError, deliver, folder_of, note, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table
 
@@ -39,11 +39,11 @@ def paper(
     if report not in (None, "-"):
         folder_of(str(report), "--report")
     ridelab = services.at()
-    with waiting(f"Driving {asked['seeds']} roads"):
-        answer = ridelab.paper(**asked)
+    services.doing = f"Driving {asked['seeds']} roads"
+    answer = ridelab.paper(**asked)
     if report is not None:
-        with waiting("Making the report"):
-            deliver(ridelab.paper_report(**asked), report)
+        services.doing = "Making the report"
+        deliver(ridelab.paper_report(**asked), report)
     if report != "-":
         print_json(answer) if as_json else _show(answer, services.names)
     if report not in (None, "-"):

@@ -7,9 +7,10 @@ import json
 import os
 import signal
 import sys
-from collections.abc import Iterable, Sequence
-from contextlib import AbstractContextManager, nullcontext
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
+from threading import Timer
 from typing import Any
 
 import typer
@@ -26,6 +27,7 @@ INTERRUPTED = 130  # 128 + SIGINT, as shells count
 BROKEN_PIPE = 141  # 128 + SIGPIPE
 TERMINATED = 143  # 128 + SIGTERM
 
+MOMENT = 0.5  # shorter waits show nothing [s]
 _TRY_AGAIN = 429
 
 
@@ -97,10 +99,22 @@ def note(line: str) -> None:
     typer.echo(line, err=True)
 
 
-def waiting(what: str) -> AbstractContextManager[Any]:
-    """Something that moves on stderr while one waits, where somebody looks."""
+@contextmanager
+def waiting(what: str) -> Iterator[None]:
+    """Something that moves on stderr where somebody looks, from `MOMENT` on while one waits."""
     console = Console(stderr=True)
-    return console.status(what) if console.is_terminal else nullcontext()
+    if not console.is_terminal:
+        yield
+        return
+    status = console.status(what)
+    begin = Timer(MOMENT, status.start)
+    begin.start()
+    try:
+        yield
+    finally:
+        begin.cancel()
+        begin.join()
+        status.stop()
 
 
 def print_json(value: Any) -> None:

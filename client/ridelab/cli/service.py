@@ -89,6 +89,7 @@ class Services(ExitStack):
         self.data_dir = data_dir
         self.controllers = controllers
         self.opened: dict[str | None, Ridelab] = {}  # None is the private one
+        self.doing = "Waiting for the service"  # said while an answer takes long
 
     @property
     def private(self) -> bool:
@@ -129,6 +130,7 @@ class Services(ExitStack):
             token = None if address is not None and address == self.server else ""  # nobody else is told it
             try:
                 self.opened[address] = self.enter_context(Ridelab(url, token=token))
+                self.opened[address]._http.meanwhile = lambda: waiting(self.doing)
             except ValueError as error:
                 raise InputError(f"--server or RIDELAB_SERVER: {error}") from None
         return self.opened[address]

@@ -44,6 +44,7 @@ def solve(
     required = requirements.requirements_of(require, services)
     start = fields.scenario_of(scenario, changes, services)
     ridelab = services.at()
+    services.doing = "Searching"
     try:
         solution = ridelab.solve(
             start,
