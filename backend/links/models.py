@@ -64,6 +64,13 @@ class LinkPin(RequestModel):
     run: Id
 
 
+class LinkInstant(RequestModel):
+    """The control step at which the page says why the force is what it is."""
+
+    strategy: ShownStrategy
+    position: Finite = Field(description="Place of the front axle [m].")
+
+
 def _number_or_none(value: Any, read: ValidatorFunctionWrapHandler) -> Any:
     """One error at the field, in place of one for each member of the union."""
     try:
@@ -92,6 +99,9 @@ class LinkView(RequestModel):
     )
     differences: bool | None = Field(
         None, description="Of a run only: whether plots show differences to what changes are against."
+    )
+    instant: LinkInstant | None = Field(
+        None, description="Of a run only: where the page opens on why a force was what it was."
     )
     x: str | None = Field(None, max_length=255, description="Of a batch only: the field on the x axis, dotted.")
     y: Column | None = Field(None, description="Of a batch only: the metric on the y axis, or of the map.")

@@ -112,7 +112,7 @@ def test_a_link_opens_the_run_in_the_view_it_was_shared_in(client: httpx.Client,
     [
         {},
         {"zoom": None, "cursor": None, "baseline": None},
-        {"zoom": [-0.0, 1e300]},
+        {"zoom": [-0.0, 1e300], "instant": {"strategy": "lv", "position": 31.5}},
         {"strategies": []},
         {"axis": "distance"},
     ],

@@ -877,6 +877,10 @@ export interface components {
             readonly url: string;
             readonly view: components["schemas"]["LinkView"];
         };
+        readonly LinkInstant: {
+            readonly position: number;
+            readonly strategy: string;
+        };
         readonly LinkPin: {
             readonly name: string;
             readonly run: string;
@@ -894,6 +898,7 @@ export interface components {
             readonly cursor?: number | null;
             readonly differences?: boolean | null;
             readonly hidden?: readonly string[] | null;
+            readonly instant?: components["schemas"]["LinkInstant"] | null;
             readonly pins?: readonly components["schemas"]["LinkPin"][] | null;
             readonly plot?: ("points" | "map" | "trade_off") | null;
             readonly reference?: string | null;
@@ -1773,6 +1778,7 @@ export type LatinHypercube = components['schemas']['LatinHypercube'];
 export type Limit = components['schemas']['Limit'];
 export type LimitAnswer = components['schemas']['LimitAnswer'];
 export type Link = components['schemas']['Link'];
+export type LinkInstant = components['schemas']['LinkInstant'];
 export type LinkPin = components['schemas']['LinkPin'];
 export type LinkRequest = components['schemas']['LinkRequest'];
 export type LinkView = components['schemas']['LinkView'];

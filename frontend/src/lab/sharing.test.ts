@@ -31,7 +31,7 @@ describe("a link's view", () => {
       whole: [0, 9],
       range: [1, 2.5],
     } as unknown as ResultView;
-    const shared = viewToShare(resultView, 2);
+    const shared = viewToShare(resultView, 2, { strategy: "lv", position: 31.5 });
     expect(shared).toEqual({
       strategies: ["lv", "lqr", "passive"],
       hidden: ["lqr"],
@@ -39,10 +39,18 @@ describe("a link's view", () => {
       axis: "time",
       zoom: [1, 2.5],
       cursor: 2,
+      instant: { strategy: "lv", position: 31.5 },
       pins: [{ name: "Soft", run: "s" }],
     });
     expect(read(shared)).toEqual({
-      view: { ...DEFAULT_VIEW, axis: "time", baseline: "lv", hidden: ["lqr"], zoom: [1, 2.5] },
+      view: {
+        ...DEFAULT_VIEW,
+        axis: "time",
+        baseline: "lv",
+        hidden: ["lqr"],
+        zoom: [1, 2.5],
+        instant: { strategy: "lv", position: 31.5 },
+      },
       strategies: ["lv", "passive"],
       at: 2,
     });
@@ -61,17 +69,17 @@ describe("a link's view", () => {
     }) as unknown as ResultView;
 
   it("is against the pin or the baseline it was shared with, differences too", () => {
-    const toPin = viewToShare(resultView({ reference: pin }), null);
+    const toPin = viewToShare(resultView({ reference: pin }), null, null);
     expect(toPin).toMatchObject({ reference: "s", differences: true });
     expect(read(toPin).view).toMatchObject({ reference: "pin:s", differences: true });
-    expect(read(viewToShare(resultView({ reference: null }), null)).view).toMatchObject({
+    expect(read(viewToShare(resultView({ reference: null }), null, null)).view).toMatchObject({
       reference: "baseline",
       differences: true,
     });
   });
 
   it("leaves out the state before the last edit, which a reader has not", () => {
-    const view = viewToShare(resultView({ reference: before }), null);
+    const view = viewToShare(resultView({ reference: before }), null, null);
     expect(view).not.toHaveProperty("reference");
     expect(read(view).view).toMatchObject({ reference: "baseline", differences: false });
   });

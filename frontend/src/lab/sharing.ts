@@ -31,7 +31,7 @@ export function readSharedView({
       zoom: readZoom(view.zoom),
       reference: view.reference ? pinReference(view.reference) : "baseline",
       differences: view.differences ?? false,
-      instant: null,
+      instant: view.instant ?? null,
       requirements,
     },
     strategies,
@@ -57,7 +57,7 @@ function comparisonToShare({
   return reference === before || runId === null ? {} : { reference: runId, ...(differences && { differences: true }) };
 }
 
-export function viewToShare(resultView: ResultView, at: number | null): SharedView {
+export function viewToShare(resultView: ResultView, at: number | null, instant: View["instant"]): SharedView {
   const { summaries, ids, baseline, axis, whole, range, pins } = resultView;
   const computed = Object.keys(summaries);
   return {
@@ -67,6 +67,7 @@ export function viewToShare(resultView: ResultView, at: number | null): SharedVi
     axis,
     zoom: range === whole ? null : [...range],
     cursor: at,
+    ...(instant && { instant }),
     ...(pins.length > 0
       ? { pins: pins.flatMap(({ name, shown: { runId } }) => (runId === null ? [] : [{ name, run: runId }])) }
       : {}),

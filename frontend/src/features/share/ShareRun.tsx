@@ -11,7 +11,7 @@ import { viewToShare } from "../../lab/sharing";
 import { ShareLink } from "./ShareLink";
 
 const OPENS =
-  "It opens this scenario with these results, strategies, comparison, zoom, cursor and pins, for anyone who has the link. It is read-only.";
+  "It opens this scenario with these results, strategies, comparison, zoom, cursor, instant and pins, for anyone who has the link. It is read-only.";
 
 function obstacleOf({ failure, shown, stale, serverErrors }: LabState): string | null {
   if (failure?.kind === "unreachable") return "The server does not answer";
@@ -35,7 +35,7 @@ export function ShareRun() {
     return ask("post", "/links", {
       body: {
         run_id: shown.runId,
-        view: viewToShare(resultView, cursor.get(resultView.axis)),
+        view: viewToShare(resultView, cursor.get(resultView.axis), view.instant),
         requirements: view.requirements,
       },
     });
