@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Playwright, expect, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, Playwright, ViewportSize, expect, sync_playwright
 
 from tests.browser.chromium import launch
 from tests.browser.dashboard import HANG_TIMEOUT_MS, LAPTOP, TOUR_SEEN, Dashboard
@@ -60,7 +60,8 @@ def dashboard(context: BrowserContext, server: Server) -> Iterator[Dashboard]:
 @pytest.fixture
 def reader(browser: Browser, server: Server) -> Iterator[Dashboard]:
     """Somebody else: a browser that has seen nothing of this yet, in the dark."""
-    context = browser.new_context(viewport={"width": 1366, "height": 768}, base_url=server.url, color_scheme="dark")
+    size: ViewportSize = {"width": 1366, "height": 768}
+    context = browser.new_context(viewport=size, base_url=server.url, color_scheme="dark", reduced_motion="reduce")
     dashboard = Dashboard(context.new_page(), server.url)
     yield dashboard
     context.close()

@@ -17,7 +17,7 @@ def test_the_page_asks_for_a_token_once(browser: Browser, tmp_path: Path) -> Non
     limits = {"RIDELAB_WORKERS": "1", "RIDELAB_BATCH_WORKERS": "1", "RIDELAB_TOKENS_FILE": str(tokens)}
     api = Api(tmp_path, **limits)
     api.wait_until_ready()
-    context = browser.new_context(base_url=api.url)
+    context = browser.new_context(base_url=api.url, reduced_motion="reduce")
     dashboard = Dashboard(context.new_page(), api.url)
     page = dashboard.page
     try:

@@ -35,7 +35,7 @@ def test_a_limit_is_set_marked_and_kept(dashboard: Dashboard) -> None:
     card.get_by_label(f"{TITLE}: of which strategies").select_option("LQR")
     expect(results).to_have_text([re.compile(r"LQR [-−]76[.]2 %\s+fail")])
     assert page.url.endswith(f"?require=lqr:{PEAK}%3C-80%25")
-    dashboard.expect_accessible()
+    dashboard.expect_accessible(card)
     page.reload()
     expect(results).to_have_text([re.compile(r"LQR [-−]76[.]2 %\s+fail")])
     card.get_by_role("button", name=f"Remove the requirement of {TITLE}").click()

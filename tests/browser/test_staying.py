@@ -4,7 +4,7 @@ import re
 from collections.abc import Callable, Iterator
 
 import pytest
-from playwright.sync_api import Browser, Page, Playwright, Route, expect
+from playwright.sync_api import Browser, Locator, Page, Playwright, Route, expect
 
 from tests.browser.chromium import launch
 from tests.browser.dashboard import LAPTOP, Dashboard, expect_new_address
@@ -61,18 +61,19 @@ def expect_edited(dashboard: Dashboard) -> None:
     expect(page.get_by_role("button", name="Redo")).to_be_disabled()
 
 
-def test_a_reload_keeps_undo_redo_and_what_changes_are_against(dashboard: Dashboard) -> None:
-    """On the lab's page and on another one; a lab that opens as it was left still offers the paper's scenario.
+def pin(page: Page) -> None:
+    page.get_by_role("region", name="Comparison").get_by_role("button", name="Pin", exact=True).click()
 
-    A new tab has nothing to undo.
-    """
+
+def pins(page: Page) -> Locator:
+    return page.get_by_role("list", name="Pinned results").get_by_role("button")
+
+
+def test_a_reload_keeps_undo_redo_and_what_changes_are_against(dashboard: Dashboard) -> None:
+    """On the lab's page and on another one; a lab that opens as it was left still offers the paper's scenario."""
     dashboard.open()
     edited(dashboard)
     page = dashboard.page
-    with page.context.new_page() as other:
-        other.goto(dashboard.address())
-        expect(other.locator("canvas[data-drawn]").first).to_be_visible()
-        expect(other.get_by_role("button", name="Undo")).to_be_disabled()
     page.reload()
     dashboard.expect_curves()
     expect_edited(dashboard)
@@ -85,15 +86,30 @@ def test_a_reload_keeps_undo_redo_and_what_changes_are_against(dashboard: Dashbo
     expect(page.get_by_text("Your last scenario.")).to_have_count(0)
 
 
-def test_back_from_another_document_keeps_them(cached: Dashboard) -> None:
-    """By the browser's cache; without it going back is a reload."""
+def test_back_from_another_document_keeps_them_and_brings_the_pins_of_another_tab(cached: Dashboard) -> None:
+    """By the browser's cache; without it going back is a reload. A new tab has nothing to undo."""
     cached.open()
     edited(cached)
     page, address = cached.page, cached.address()
-    page.evaluate("window.cached = false; location.href = '/docs'")
-    expect(page.locator("#swagger-ui")).to_be_attached()
+    pin(page)
+    with page.context.new_page() as other:
+        second = Dashboard(other, cached.url)
+        second.open(address.split("?")[0])
+        expect(other.get_by_role("button", name="Undo")).to_be_disabled()
+        second.type_into("Height", "7")
+        expect(second.results.get_by_test_id("differences")).to_be_visible()
+        pin(other)
+        expect(pins(page)).to_have_count(2)
+        page.evaluate("window.cached = false; location.href = '/docs'")
+        expect(page.locator("#swagger-ui")).to_be_attached()
+        second.type_into("Height", "8")
+        expect(second.entry("Height")).to_have_value("8")
+        second.expect_curves()
+        pin(other)
+        expect(pins(other)).to_have_count(3)
     page.evaluate("history.back()")
     page.wait_for_function("() => window.cached")
+    expect(pins(page)).to_have_count(3)
     cached.expect_curves()
     assert cached.address() == address
     expect_edited(cached)
@@ -115,36 +131,6 @@ def test_forward_leads_to_an_edit_that_back_has_left(cached: Dashboard) -> None:
         cached.expect_curves()
     page.get_by_role("button", name="Undo").click()
     expect(cached.entry("Height")).to_have_value("10")
-
-
-def pin(page: Page) -> None:
-    page.get_by_role("region", name="Comparison").get_by_role("button", name="Pin", exact=True).click()
-
-
-def test_pins_of_two_tabs_stay(cached: Dashboard) -> None:
-    """Also those that another tab makes while the browser keeps this one aside."""
-    cached.open()
-    page = cached.page
-    pins = page.get_by_role("list", name="Pinned results").get_by_role("button")
-    with page.context.new_page() as other:
-        second = Dashboard(other, cached.url)
-        second.open("/")
-        pin(page)
-        expect(pins).to_have_count(1)
-        second.type_into("Height", "6")
-        expect(second.results.get_by_test_id("differences")).to_be_visible()
-        pin(other)
-        expect(pins).to_have_count(2)
-        page.evaluate("window.cached = false; location.href = '/docs'")
-        expect(page.locator("#swagger-ui")).to_be_attached()
-        second.type_into("Height", "7")
-        expect(second.entry("Height")).to_have_value("7")
-        second.expect_curves()
-        pin(other)
-        expect(other.get_by_role("list", name="Pinned results").get_by_role("button")).to_have_count(3)
-    page.evaluate("history.back()")
-    page.wait_for_function("() => window.cached")
-    expect(pins).to_have_count(3)
 
 
 def test_plots_that_cannot_be_saved_say_so_and_a_missing_part_leaves_the_lab(dashboard: Dashboard) -> None:
