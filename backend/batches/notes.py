@@ -24,7 +24,7 @@ def notes(
     """
     policies = {point.get(POLICY, dotted.value(base, POLICY)) for point in points}
     names = list(dict.fromkeys(run.strategy for run in runs))
-    return [*_unread(names, policies, axes, runs), *_clamped(base, points, names, policies)]
+    return [*_unread(names, policies, axes, runs), *_overruled(base, axes), *_clamped(base, points, names, policies)]
 
 
 def _unread(
@@ -41,6 +41,16 @@ def _unread(
             counted = f"its {len(keys)} runs give {results} result{'s' if results > 1 else ''}"
             said.append(f"{strategy_named(name).label} does not use {fields}: {counted}")
     return said
+
+
+def _overruled(base: JsonObject, axes: Mapping[str, Sequence[str]]) -> list[str]:
+    """The car is driven with a damper's curve, not with its coefficient."""
+    swept = [name for axis, linked in axes.items() for name in (axis, *linked)]
+    return [
+        f"The {axle} damper has a curve, which the car is driven with: {axle} damping is what controllers believe alone"
+        for axle in ("front", "rear")
+        if f"vehicle.{axle}_damping" in swept and dotted.value(base, f"vehicle.{axle}_damper_curve") is not None
+    ]
 
 
 def _reads(read: Sequence[str], field: str) -> bool:

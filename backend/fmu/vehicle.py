@@ -4,6 +4,7 @@ from typing import Any
 
 from backend.fmu.controller import state
 from backend.fmu.model import Model, Variable, sources
+from sim_core.errors import RidelabError
 from sim_core.kernel.build import FOLDER
 from sim_core.kernel.prepared import CAUSES, KEPT_STEPS, NUMBERS
 from sim_core.scenario import Scenario, Vehicle
@@ -36,7 +37,11 @@ _ROAD = (
 
 
 def vehicle_model(scenario: Scenario) -> Model:
-    """The model of the car that the scenario drives, its mismatch and its actuators' lag included."""
+    """The model of the car that the scenario drives, its mismatch and its actuators' lag included.
+
+    Raises:
+        RidelabError: A damper has a curve.
+    """
     vehicle, actuator = scenario.real_vehicle, scenario.actuator
     inputs = [Variable(name=name, causality="input", description=text, unit=unit) for name, text, unit in _INPUTS]
     outputs = [Variable(name=name, causality="output", description=text, unit=unit) for name, text, unit in _OUTPUTS]
@@ -47,8 +52,15 @@ def vehicle_model(scenario: Scenario) -> Model:
         ),
         _parameter("internal_step", "Longest step of the integration", "s", internal),
     ]
+    if vehicle.damper_curves is not None:
+        said = "The FMU of a vehicle has no damper curves: give it damping and a rebound ratio that come close"
+        raise RidelabError(said, field="scenario.vehicle")
     properties = Vehicle.model_json_schema()["properties"]
-    fields = [_field(name, getattr(vehicle, name), schema) for name, schema in properties.items()]
+    fields = [
+        _field(name, getattr(vehicle, name), schema)
+        for name, schema in properties.items()
+        if not name.endswith("damper_curve")
+    ]
     return Model(
         name="ridelab_vehicle",
         description="Half-car with its suspension, tyres and actuators",

@@ -81,7 +81,9 @@ def stage_law(controller: Controller, run: Run, stage: str) -> LinearLaw:
         NotLinearError: It has none.
     """
     if not run.scenario.real_vehicle.linear:
-        raise NotLinearError("The car is not linear: unequal dampers, bump stops or a tyre that can lift off")
+        raise NotLinearError(
+            "The car is not linear: unequal dampers, damper curves, bump stops or a tyre that can lift off"
+        )
     if controller.dampers() is not None:
         raise NotLinearError("A semi-active damper is not linear: its force is a product of coefficient and velocity")
     if isinstance(controller, EcuController):

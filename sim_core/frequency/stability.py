@@ -20,6 +20,7 @@ from sim_core.loop.closed_loop import law_arrays
 from sim_core.loop.preview import Forecast
 from sim_core.loop.run import filter_preview
 from sim_core.scenario import Actuator, Mismatch, Scenario, Vehicle
+from sim_core.scenario.damper import slopes_at_rest, straight
 from sim_core.simulate import ANY_ROAD, prepare
 from sim_core.strategies import make_controller
 from sim_core.vehicle.estimator import make_estimator
@@ -80,7 +81,7 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
     if None in of_stages:
         return None
     laws = dict.fromkeys(law for law in of_stages if law is not None)
-    vehicle, actuator = scenario.real_vehicle, scenario.actuator if instance.actuated else Actuator()
+    vehicle, actuator = _near_rest(scenario.real_vehicle), scenario.actuator if instance.actuated else Actuator()
     step, estimator = setup.sample_time, None
     if instance.actuated:
         mode, still = filter_preview(scenario, instance.for_scenario(scenario)), np.zeros((1, 1))
@@ -88,7 +89,7 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
     A, B = control_step(plant(vehicle, actuator, step), vehicle, estimator)
     loops = [closed_loop_matrix(A, B, law) for law in laws]
     of_modes = [damping(loop, step) for loop in loops]
-    if vehicle.rebound_ratio == 1 or not instance.actuated:  # dampers alone only take energy out
+    if vehicle.linear or not instance.actuated:  # dampers alone only take energy out
         return min(of_modes)
     last = [_last_motion(vehicle, actuator, step, estimator, law, loop) for law, loop in zip(laws, loops, strict=True)]
     return min(slowest if mean < 0 else min(mean, slowest) for mean, slowest in zip(of_modes, last, strict=True))
@@ -112,6 +113,17 @@ def damping(loop: FloatArray, step: float) -> float:
     return float(ratios.min(initial=1.0))
 
 
+def _near_rest(vehicle: Vehicle) -> Vehicle:
+    """As it is around rest: no stop is met, no tyre lifts off, dampers are straight in either direction."""
+    front, rear = vehicle.damping_at_rest
+    changes: dict[str, object] = {"bump_stop_clearance": None, "tyre_lift_off": False}
+    if vehicle.damper_curves is not None:
+        curves = [straight(*slopes_at_rest(points)) for points in vehicle.damper_curves]
+        changes |= {"front_damper_curve": curves[0], "rear_damper_curve": curves[1]}
+        changes |= {"front_damping": front, "rear_damping": rear}
+    return vehicle.model_copy(update=changes)
+
+
 def _last_motion(
     vehicle: Vehicle, actuator: Actuator, step: float, estimator: Estimator | None, law: LinearLaw, loop: FloatArray
 ) -> float:
@@ -122,10 +134,9 @@ def _last_motion(
     the ratio is -r / |r + jw|. Both are those of the motion x in the modes of the `loop` with the mean dampers; with
     g = e^(r step) a mode changes by |x' - x|² = (1 + g² - 2 g cos(w step)) |x|² in a step.
     """
-    near_rest = vehicle.model_copy(update={"bump_stop_clearance": None, "tyre_lift_off": False})
     if estimator is not None:
         estimator = replace(estimator, input=np.zeros((_BLOCK, STATES)))
-    car = make_vehicle(near_rest, actuator, step, 1, *_STILL, estimator=estimator)
+    car = make_vehicle(vehicle, actuator, step, 1, *_STILL, estimator=estimator)
     motion = np.ones((_BLOCK + 1, len(loop)))
     free = law_arrays(LinearLaw(gain=law.gain), _NO_PREVIEW, np.full(3, inf), clips=True)
     follow = car.follow_law(free, motion)

@@ -14,6 +14,7 @@
 enum { MEASURED = 4 };
 enum { TRAVEL = 0, TYRE = 2, BODY = 4, WHEEL = 6, FORCE = 8, NUMBERS = 10 }; /* places in a state, two numbers each */
 enum { MOST_EVENTS = 4 };          /* that a step ends at; both axles' dampers may turn again and again around rest */
+enum { MOST_POINTS = 21 };         /* of a damper's curve; 0 m/s is one of them, neither the first nor the last */
 enum { PARTS = 8 };                /* of a fine step in which a tyre lifts off or lands */
 static const double NEAR = 1e-3;   /* of a step: an event nearer to one of its ends does not divide it */
 static const double ROUNDING = 1e-9; /* of a length */
@@ -29,6 +30,9 @@ struct vehicle {
     double arm[AXLES], per_wheel_mass[AXLES], spring[AXLES], rebound[AXLES], compression[AXLES], clearance[AXLES];
     double stop[AXLES], tyre[AXLES], lift_off[AXLES], link[AXLES];
     double least_damping[AXLES], most_damping[AXLES]; /* of semi-active dampers */
+    struct curve {
+        double points, speed[MOST_POINTS], force[MOST_POINTS]; /* 0 is no curve; one of both axles, or of none */
+    } curve[AXLES];
 };
 
 /* Travel and tyre deflection of both axles, vertical and pitch velocity of the body, both wheels' velocities; then a
@@ -115,7 +119,7 @@ enum { MAY_TURN = 1 << AXLES * OF_AXLE };
    whether a damper is so slow that it may turn, and turn back, within a step; a semi-active one is no mode's. */
 static inline int side(const struct vehicle *vehicle, const struct state *x)
 {
-    double slow = vehicle->semi_active ? INFINITY : SLOW * vehicle->turns;
+    double slow = vehicle->semi_active || vehicle->curve[0].points > 0 ? INFINITY : SLOW * vehicle->turns;
     int sides = 0;
     for (int axle = 0; axle < AXLES; axle++) {
         double travel = x->at[TRAVEL + axle], speed = vehicle->turns * travel_speed(vehicle, axle, x);
@@ -138,6 +142,26 @@ static inline struct mode mode_of(const struct vehicle *vehicle, int sides)
         mode.tyre[axle] = own & LIFTED ? 0 : vehicle->tyre[axle];
         mode.lifted[axle] = own & LIFTED ? vehicle->lift_off[axle] : 0;
     }
+    return mode;
+}
+
+/* Force over speed of a curve, straight between its points and beyond them. */
+static double secant(const struct curve *curve, double speed)
+{
+    int i = 1, last = (int)curve->points - 1;
+    while (i < last && speed > curve->speed[i])
+        i++;
+    double slope = (curve->force[i] - curve->force[i - 1]) / (curve->speed[i] - curve->speed[i - 1]);
+    int from = speed > 0 ? i - 1 : i; /* the nearer to rest */
+    return curve->speed[from] == 0 ? slope : (curve->force[from] + slope * (speed - curve->speed[from])) / speed;
+}
+
+/* That of a state: a damper with a curve is one that is linear at each speed, with its force there. */
+static inline struct mode mode_at(const struct vehicle *vehicle, const struct state *x)
+{
+    struct mode mode = mode_of(vehicle, side(vehicle, x));
+    for (int axle = 0; axle < AXLES && vehicle->curve[0].points > 0; axle++)
+        mode.damping[axle] = secant(vehicle->curve + axle, travel_speed(vehicle, axle, x));
     return mode;
 }
 
@@ -184,7 +208,7 @@ static inline struct state derivative_in(const struct mode *mode, const struct v
 static inline struct state derivative(const struct vehicle *vehicle, const struct state *x, const double *command,
                                       const struct piece *w, double time)
 {
-    struct mode mode = mode_of(vehicle, side(vehicle, x));
+    struct mode mode = mode_at(vehicle, x);
     return derivative_in(&mode, vehicle, x, command, w, time);
 }
 
@@ -317,7 +341,10 @@ static double first_event(const struct vehicle *vehicle, const struct state *x, 
         share = crossing(travel - clearance, later - clearance, share);
         share = crossing(-travel - clearance, -later - clearance, share);
         share = crossing(tyre * x->at[TYRE + axle] + lift_off, tyre * next->at[TYRE + axle] + lift_off, share);
-        share = crossing(vehicle->turns * travel_speed(vehicle, axle, x), vehicle->turns * travel_speed(vehicle, axle, next), share);
+        double speed = travel_speed(vehicle, axle, x), then = travel_speed(vehicle, axle, next);
+        share = crossing(vehicle->turns * speed, vehicle->turns * then, share);
+        for (int i = 1; i < (int)vehicle->curve[axle].points - 1; i++)
+            share = crossing(speed - vehicle->curve[axle].speed[i], then - vehicle->curve[axle].speed[i], share);
     }
     return share < 1 - NEAR ? share : 1;
 }
@@ -340,9 +367,13 @@ static void advance_by_events(const struct vehicle *vehicle, double h, const dou
     }
 }
 
-static void sample(const struct car *me, const struct state *x, double braking, double *signals)
+static void sample(struct car *me, const struct state *x, double braking, double *signals)
 {
-    const struct mode *mode = &me->mode;
+    struct mode there, *mode = &me->mode;
+    if (me->vehicle->curve[0].points > 0) {
+        there = mode_at(me->vehicle, x);
+        mode = &there;
+    }
     double force[AXLES];
     for (int axle = 0; axle < AXLES; axle++) {
         double speed = travel_speed(me->vehicle, axle, x);

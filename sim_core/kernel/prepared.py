@@ -15,7 +15,7 @@ from sim_core.kernel.library import DOUBLE, INT, Array, Function, Optional, Prep
 from sim_core.kernel.qp import QpDesign, QpMemory
 from sim_core.kernel.record import LAYOUT, SIGNALS, Recorder
 
-CAR, ESTIMATOR = 33, 112  # numbers of `struct vehicle` and `struct estimator` of car.c
+CAR, ESTIMATOR = 119, 112  # numbers of `struct vehicle` and `struct estimator` of car.c
 ECU_ANSWER, _STAGES = 5, 3  # numbers of an answer in ecu.c, stages of the ECU's tables
 _LAW_NUMBERS, _SIZES = 7, 4  # of `struct law_numbers` in loop.h; magnitudes of what is previewed
 _GROUP = 10  # rows of limits that loop.h looks at together

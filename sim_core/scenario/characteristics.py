@@ -26,7 +26,7 @@ class Modes:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Characteristics:
-    """Of the car at rest, its dampers at their mean.
+    """Of the car around rest, its dampers at the mean of compression and rebound there.
 
     Attributes:
         static_sag: By how much the body's weight compresses each suspension [m]; travel is counted from there.
@@ -58,13 +58,12 @@ def characteristics(vehicle: Vehicle) -> Characteristics:
     springs = vehicle.front_spring, vehicle.rear_spring
     tyres = vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness
     wheels = vehicle.front_wheel_mass, vehicle.rear_wheel_mass
-    dampers = vehicle.front_damping, vehicle.rear_damping
     frequencies, ratios = [], []
-    for m, k_s, k_t, c in zip(shares, springs, tyres, dampers, strict=True):
+    for m, k_s, k_t, c in zip(shares, springs, tyres, vehicle.damping_at_rest, strict=True):
         together = k_s * k_t / (k_s + k_t)
         frequencies.append(sqrt(together / m) / (2 * pi))
         ratios.append(c * (k_t / (k_s + k_t)) ** 2 / (2 * sqrt(together * m)))
-    for m_w, k_s, k_t, c in zip(wheels, springs, tyres, dampers, strict=True):
+    for m_w, k_s, k_t, c in zip(wheels, springs, tyres, vehicle.damping_at_rest, strict=True):
         frequencies.append(sqrt((k_s + k_t) / m_w) / (2 * pi))
         ratios.append(c / (2 * sqrt((k_s + k_t) * m_w)))
     sag = [m * GRAVITY / k_s for m, k_s in zip(shares, springs, strict=True)]

@@ -2,6 +2,7 @@
 
 from typing import Annotated, Literal
 
+from sim_core.scenario.damper import scaled
 from sim_core.scenario.fields import ADDED, Part, field, quantity
 from sim_core.scenario.road import Seed
 from sim_core.scenario.vehicle import Vehicle
@@ -73,7 +74,13 @@ class Mismatch(Part):
             **dict.fromkeys(("front_tyre_stiffness", "rear_tyre_stiffness"), self.tyres),
             "rebound_ratio": self.rebound_ratio,
         }
-        return vehicle.model_copy(update={name: getattr(vehicle, name) * factor for name, factor in factors.items()})
+        curves = ("front_damper_curve", "rear_damper_curve")
+        return vehicle.model_copy(
+            update={
+                **{name: getattr(vehicle, name) * factor for name, factor in factors.items()},
+                **{name: scaled(getattr(vehicle, name), self.damping) for name in curves},
+            }
+        )
 
 
 class Estimation(Part):

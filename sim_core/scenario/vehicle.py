@@ -2,6 +2,7 @@
 
 from typing import Annotated
 
+from sim_core.scenario.damper import DamperCurve, slopes_at_rest, straight
 from sim_core.scenario.fields import ADDED, Part, field, quantity
 
 WheelMass = Annotated[float, quantity("kg", soft=(20, 150), ge=5, le=5000)]
@@ -45,6 +46,15 @@ class Vehicle(Part):
         "Rebound over compression",
         "Of both dampers, at the same mean damping; real ones have 2 to 3. The controllers know the mean alone.",
     )
+    front_damper_curve: Annotated[DamperCurve | None, ADDED] = field(
+        None,
+        "Front damper curve",
+        "A few points [velocity m/s, force N], rebound positive, that the car is driven with in place of the front "
+        "damper and its rebound ratio; the controllers know the front damper alone. None is no curve.",
+    )
+    rear_damper_curve: Annotated[DamperCurve | None, ADDED] = field(
+        None, "Rear damper curve", "The same of the rear damper."
+    )
     bump_stop_clearance: Annotated[Clearance, ADDED] = field(
         None, "Clearance of the stops", "Travel either way from rest until a stop is met; none is a car without stops."
     )
@@ -80,7 +90,26 @@ class Vehicle(Part):
     @property
     def linear(self) -> bool:
         """Whether its dampers, stops and tyres are linear."""
-        return self.rebound_ratio == 1 and self.bump_stop_clearance is None and not self.tyre_lift_off
+        equal = self.rebound_ratio == 1 and self.damper_curves is None
+        return equal and self.bump_stop_clearance is None and not self.tyre_lift_off
+
+    @property
+    def damper_curves(self) -> tuple[DamperCurve, DamperCurve] | None:
+        """Both dampers' curves where one has any; the other's is straight in compression and in rebound."""
+        given = self.front_damper_curve, self.rear_damper_curve
+        if given == (None, None):
+            return None
+        compression, rebound = self.damping_factors
+        linear = [straight(compression * each, rebound * each) for each in (self.front_damping, self.rear_damping)]
+        return given[0] or linear[0], given[1] or linear[1]
+
+    @property
+    def damping_at_rest(self) -> tuple[float, float]:
+        """Mean damping around 0 m/s, front and rear [N s/m]."""
+        if self.damper_curves is None:
+            return self.front_damping, self.rear_damping
+        front, rear = (sum(slopes_at_rest(points)) / 2 for points in self.damper_curves)
+        return front, rear
 
     @property
     def damping_factors(self) -> tuple[float, float]:

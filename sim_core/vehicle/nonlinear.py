@@ -15,6 +15,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.scenario import Actuator, Vehicle
+from sim_core.scenario.damper import MOST_POINTS, hardest, with_origin
 from sim_core.vehicle.half_car import deflection_speeds, half_car
 from sim_core.vehicle.model import SemiActiveDampers
 
@@ -42,8 +43,17 @@ def _hardest(vehicle: Vehicle, dampers: SemiActiveDampers) -> FloatArray:
     if dampers.most < inf:
         return np.full(2, dampers.most)
     wheels = np.array([vehicle.front_wheel_mass, vehicle.rear_wheel_mass])
-    passive = np.array([vehicle.front_damping, vehicle.rear_damping]) * max(vehicle.damping_factors)
+    passive: FloatArray = np.array(_steepest(vehicle))
     return np.maximum(np.maximum(wheels / _SHORTEST_STOP, passive), dampers.least)
+
+
+def _steepest(vehicle: Vehicle) -> tuple[float, float]:
+    """Greatest slope of both passive dampers' force over velocity, front and rear [N s/m]."""
+    if vehicle.damper_curves is None:
+        hard = max(vehicle.damping_factors)
+        return vehicle.front_damping * hard, vehicle.rear_damping * hard
+    front, rear = map(hardest, vehicle.damper_curves)
+    return front, rear
 
 
 def _corner(actuator: Actuator) -> float:
@@ -53,7 +63,7 @@ def _corner(actuator: Actuator) -> float:
 
 @lru_cache(maxsize=128)
 def numbers(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | None) -> FloatArray:
-    """`struct vehicle` of kernel/car.c (33,)."""
+    """`struct vehicle` of kernel/car.c (119,)."""
     semi_active = dampers or SemiActiveDampers(least=0.0, most=0.0, most_force=0.0)
     compression, rebound = vehicle.damping_factors
     damping = np.array([vehicle.front_damping, vehicle.rear_damping])
@@ -75,22 +85,32 @@ def numbers(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | N
         "most_damping": tuple(_hardest(vehicle, semi_active)),
     }
     brake_moment = vehicle.body_mass * vehicle.cg_height / vehicle.pitch_inertia
-    turns = dampers is not None or vehicle.rebound_ratio != 1
+    turns = dampers is not None or not (vehicle.rebound_ratio == 1 and vehicle.damper_curves is None)
     single = brake_moment, _corner(actuator), float(turns), float(dampers is not None), semi_active.most_force
-    return np.array([*single, *chain.from_iterable(front_and_rear.values())])
+    return np.array([*single, *chain.from_iterable(front_and_rear.values()), *_curves(vehicle)])
+
+
+def _curves(vehicle: Vehicle) -> FloatArray:
+    """How many points both dampers' curves have, their velocities and their forces; 0 without curves."""
+    numbers = np.zeros((2, 1 + 2 * (MOST_POINTS + 1)))
+    for row, points in zip(numbers, vehicle.damper_curves or (), strict=False):
+        whole = np.array(with_origin(points))
+        row[0] = len(whole)
+        row[1:].reshape(2, -1)[:, : len(whole)] = whole.T
+    return numbers.ravel()
 
 
 @lru_cache(maxsize=128)
 def _fastest(vehicle: Vehicle) -> float:
     """Magnitude of the fastest pole that any of its linear cars has [rad/s]: dampers hard, stops met."""
-    hard = max(vehicle.damping_factors)
+    front, rear = _steepest(vehicle)
     stop = 0.0 if vehicle.bump_stop_clearance is None else vehicle.bump_stop_stiffness
     stiffest = vehicle.model_copy(
         update={
             "front_spring": vehicle.front_spring + stop,
             "rear_spring": vehicle.rear_spring + stop,
-            "front_damping": vehicle.front_damping * hard,
-            "rear_damping": vehicle.rear_damping * hard,
+            "front_damping": front,
+            "rear_damping": rear,
         }
     )
     return float(np.abs(np.linalg.eigvals(half_car(stiffest).A)).max())

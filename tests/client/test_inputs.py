@@ -45,6 +45,7 @@ def test_changes_are_set_in_what_is_given(services: Services) -> None:
         "mpc.stage_weights.cruise": "1,2,3",
         "mpc.stage_weights.brake.1 ": " 5",
         "actuator.bandwidth": "null",
+        "vehicle.front_damper_curve": "[[-1, -500], [1, 900]]",
         "fuzzy.rules": '[{"if": {"distance": "O"}, "then": "V"}]',
     }
     changed = fields.changed(scenario_json, [f"{name}={text}" for name, text in changes.items()], services)
@@ -53,6 +54,7 @@ def test_changes_are_set_in_what_is_given(services: Services) -> None:
     assert scenario.speed.initial_speed_kmh == 36
     assert (scenario.mpc.preview, scenario.mpc.stage_weights.cruise) == ("none", (1, 2, 3))
     assert [rule.then for rule in scenario.fuzzy.rules or ()] == ["V"]
+    assert [force for _, force in scenario.vehicle.front_damper_curve or ()] == [-500, 900]
     assert (scenario.mpc.stage_weights.brake, scenario.actuator.bandwidth) == ((2, 5, 1), None)
     assert scenario_json == {"road": {"length": 130}}
     assert fields.changed(scenario_json, [], services) == scenario_json

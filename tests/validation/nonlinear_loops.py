@@ -40,11 +40,9 @@ def loop(seed: int) -> Scenario:
     def some(share: float, low: float, high: float) -> float | None:
         return _between(draw, low, high) if draw.random() < share else None
 
-    vehicle = Vehicle(
-        **{name: _between(draw, *ends) for name, ends in _CAR.items()},
-        bump_stop_clearance=some(0.8, 0.02, 0.12),
-        tyre_lift_off=bool(draw.random() < 0.8),
-    )
+    drawn: dict[str, float | None] = {name: _between(draw, *ends) for name, ends in _CAR.items()}
+    drawn["bump_stop_clearance"] = some(0.8, 0.02, 0.12)
+    vehicle = Vehicle.model_validate({**drawn, "tyre_lift_off": bool(draw.random() < 0.8)})
     bump = Bump(
         start=50,
         height=_between(draw, -0.15, 0.2),

@@ -32,6 +32,31 @@ def test_metrics_are_an_adaptive_solvers(seed: int) -> None:
     assert peak < 0.003
 
 
+# Of a digressive damper, as suppliers give it: over velocities [m/s], compression first, forces [N].
+DIGRESSIVE = ((-0.52, -1250.0), (-0.13, -520.0), (0.13, 1250.0), (0.52, 2400.0))
+
+
+def test_a_car_with_a_damper_curve_is_an_adaptive_solvers() -> None:
+    """As above, beyond the curve's outer points too; the rear dampers are unequal, without a curve."""
+    vehicle = loop(3).vehicle.model_copy(update={"front_damper_curve": DIGRESSIVE})
+    road = Road(roughness=256e-6, length=22, bump=Bump(start=12, height=0.14))
+    rms, peak = worst(errors(Scenario(vehicle=vehicle, road=road), "passive"))
+    assert rms < 0.001
+    assert peak < 0.003
+
+
+@pytest.mark.parametrize("strategy", ["lv", "passive", "skyhook"])
+def test_a_curve_of_two_straight_parts_is_the_ratio(strategy: str) -> None:
+    """Semi-active too, and where the real car's damping is another one than the controllers believe."""
+    straight = [[-0.5, -2000.0], [1.0, 8000.0]]
+    other = {"mismatch": {"damping": 0.8}, "hook": {"semi_active": True}}
+    ratio = simulate(Scenario.model_validate({"vehicle": {"rebound_ratio": 2}, **other}), strategy)
+    curves = {"front_damper_curve": straight, "rear_damper_curve": straight}
+    curve = simulate(Scenario.model_validate({"vehicle": curves, **other}), strategy)
+    for name, values in ratio.series.items():
+        np.testing.assert_allclose(curve.series[name], values, atol=1e-5 * np.abs(values).max(), err_msg=name)
+
+
 @pytest.mark.parametrize("seed", some(1, [34, 257]))
 def test_closed_loops_are_an_adaptive_solvers(seed: int) -> None:
     """RMS within 1 %, peaks within 2 %: loops that were off by 10 to 12 %; `make drill` drives 300."""

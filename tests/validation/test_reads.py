@@ -76,6 +76,8 @@ def with_leaf(path: tuple[str, ...]) -> Scenario:
         place[path[-1]] = {"bandwidth": 8.0, "rate_limit": 5000.0, "saturation": 300.0}[path[-1]]
     if path in (("vehicle", "bump_stop_clearance"), ("mismatch", "preview_resolution")):
         place[path[-1]] = {"bump_stop_clearance": 0.02, "preview_resolution": 0.2}[path[-1]]
+    if path[-1].endswith("damper_curve"):
+        place[path[-1]] = [[-1, -3000], [1, 5000]]
     if path[0] == "fuzzy":
         place[path[-1]] = OWN_RULES[path[-1]]
     if path == ("hil", "jitter"):  # whole milliseconds count

@@ -18,7 +18,7 @@ void ridelab_prepare_car(struct car *me, const struct vehicle *vehicle, int stat
                          int substeps, double time, struct recorder *recorder);
 void ridelab_sample(struct car *me, const double *loop, int first, int steps, double (*samples)[SIGNALS]);
 
-enum { LAGGING = STATE + FORCES, VEHICLE_NUMBERS = 33 };
+enum { LAGGING = STATE + FORCES, VEHICLE_NUMBERS = 119 };
 static const double MOST_SUBSTEPS = 1e6;
 
 struct memory {

@@ -180,7 +180,7 @@ def _value(text: str, unit: str) -> Any:
     """A number, three weights with or without brackets, JSON, null where a field may be without a value, or a word."""
     if text in _WORDS:
         return _WORDS[text]
-    if text.startswith(("{", "[{")):
+    if text.startswith(("{", "[{", "[[")):
         return document(text.encode(), "the value")
     if "," in text:
         return [_value(item.strip(), unit) for item in text.removeprefix("[").removesuffix("]").split(",")]

@@ -38,7 +38,7 @@ interface Props {
   readonly onRelease: () => void;
 }
 
-const [LEFT, RIGHT, TOP, BOTTOM] = [38, 14, 16, 18];
+const [LEFT, RIGHT, TOP, BOTTOM] = [44, 14, 16, 18];
 /** Of an arrow key, and of one with Shift: as a part of the range. */
 const [SMALL, LARGE] = [1 / 120, 1 / 12];
 const KEYS: Readonly<Record<string, Range>> = {

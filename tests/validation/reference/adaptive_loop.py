@@ -4,6 +4,7 @@ Newton's second law with the forces as they are and the road at `_SUBSAMPLES` pl
 core are the road's heights, the drive, the controller, the filter's matrices and what a recording is made into.
 """
 
+from bisect import bisect_right
 from unittest.mock import patch
 
 import numpy as np
@@ -71,6 +72,8 @@ class SolvedCar:
         ratio, damping = vehicle.rebound_ratio, (vehicle.front_damping, vehicle.rear_damping)
         self._compression = [2 / (1 + ratio) * each for each in damping]
         self._rebound = [2 * ratio / (1 + ratio) * each for each in damping]
+        curves = vehicle.front_damper_curve, vehicle.rear_damper_curve
+        self._curves = [curve and tuple(zip(*sorted({*curve, (0.0, 0.0)}), strict=True)) for curve in curves]
         self._clearance: float = vehicle.bump_stop_clearance or np.inf
         self._stop, self._link = vehicle.bump_stop_stiffness, vehicle.link_forces
         lifts = vehicle.tyre_lift_off
@@ -141,7 +144,13 @@ class SolvedCar:
         return max(-self._tyre[axle] * deflection, self._lowest[axle])
 
     def _damping(self, axle: int, speed: float) -> float:
-        return float((self._rebound if speed > 0 else self._compression)[axle])
+        curve = self._curves[axle]
+        if curve is None or speed == 0:
+            return float((self._rebound if speed > 0 else self._compression)[axle])
+        velocities, forces = curve
+        i = min(max(bisect_right(velocities, speed), 1), len(velocities) - 1)
+        slope = (forces[i] - forces[i - 1]) / (velocities[i] - velocities[i - 1])
+        return float(forces[i] + slope * (speed - velocities[i])) / speed
 
     def _range(self, axle: int) -> tuple[float, float]:
         """Coefficients of a semi-active damper: without a limit one that stops its wheel within a millisecond."""

@@ -3,6 +3,7 @@
 import { Button, Stack, Text, SegmentedControl } from "@mantine/core";
 import { memo, useId } from "react";
 import { useActionButton } from "../../lab/actions";
+import { DamperCurveRow } from "./DamperCurveRow";
 import { ChoiceFieldRow, FieldFrame } from "./FieldFrame";
 import { NumberFieldRow, NumberEntry } from "./NumberFieldRow";
 import { RoadProfileRow } from "./RoadProfileRow";
@@ -11,7 +12,7 @@ import { useLeaf, type LeafState } from "./useLeaf";
 import { WeightsMatrix } from "./WeightsMatrix";
 import classes from "./editor.module.css";
 
-const ROUGHNESS = "/road/roughness";
+const [ROUGHNESS, FUZZY] = ["/road/roughness", "/fuzzy/"];
 
 export const Members = memo(function Members({ members }: { readonly members: readonly Member[] }) {
   const vectors = members.filter((member): member is VectorField => member.kind === "vector");
@@ -41,7 +42,7 @@ function MemberControl({ member }: { readonly member: Member }) {
     case "text":
       return <RoadProfileRow field={member} />;
     case "data":
-      return <DataRow field={member} />;
+      return member.pointer.startsWith(FUZZY) ? <DataRow field={member} /> : <DamperCurveRow field={member} />;
     default:
       return <Leaf field={member} />;
   }

@@ -1,17 +1,15 @@
 /** The sets of one variable as curves; the chosen one's points are dragged, or typed. */
 
-import { Button, Group, Input, NativeSelect, TextInput } from "@mantine/core";
-import { useId, useState } from "react";
+import { Button, Group, NativeSelect, TextInput } from "@mantine/core";
+import { useState } from "react";
 import type { FieldError as Refused } from "../../api/problem";
-import type { FuzzySet, FuzzyVariable, Scenario } from "../../api/types";
+import type { FuzzySet, FuzzyVariable } from "../../api/types";
 import { useEdit, useReadOnly } from "../../lab/context";
 import { EditableCurves } from "../../plots/EditableCurves";
-import { child, type Pointer } from "../../scenario/path";
-import { shownIn } from "../../units/quantity";
-import { formatWithUnit } from "../../units/format";
+import { child } from "../../scenario/path";
+import { formatExact } from "../../units/format";
 import { FieldError } from "../editor/FieldFrame";
-import { NumberEntry } from "../editor/NumberFieldRow";
-import { useValue } from "../editor/useLeaf";
+import { PartEntry } from "../editor/PartEntry";
 import classes from "./fuzzy.module.css";
 import { argumentsOf, converted, FUNCTIONS, moved, pointsOf, withCorner } from "./functions";
 import { setPointer, TITLES, withNewSet, withSet, type Rewritten, type RuleBase, type Variable } from "./ruleBase";
@@ -27,6 +25,7 @@ interface Props {
 
 /** No two places are nearer to each other than this part of the universe, where they must not coincide. */
 const NEAREST = 1e-3;
+const FARTHEST = 10_000;
 
 export function SetsEditor({ variable, base, drawn, errors, rewritten }: Props) {
   const [edit, readOnly] = [useEdit(), useReadOnly()];
@@ -49,7 +48,7 @@ export function SetsEditor({ variable, base, drawn, errors, rewritten }: Props) 
         xRange={[0, end]}
         yRange={[0, 1]}
         curves={sets.map(({ name }, index) => ({ name, x: drawn.universe, y: drawn.memberships[index] ?? [] }))}
-        points={places.map((place) => ({ ...place, text: formatWithUnit(place.x, drawn.unit, 4) }))}
+        points={places.map((place) => ({ ...place, text: formatExact(place.x, drawn.unit) }))}
         onChoose={setPicked}
         onMove={(point, x) => edit.drag(replaced(moved(set, places[point]?.index ?? 0, x, NEAREST * end)))}
         onRelease={() => edit.commit(edit.newest())}
@@ -77,9 +76,11 @@ export function SetsEditor({ variable, base, drawn, errors, rewritten }: Props) 
           }
         />
         {argumentsOf(set).map(({ name, at }, index) => (
-          <Corner
+          <PartEntry
             key={`${chosen} ${name}`}
-            {...{ name, end, error }}
+            {...{ name, error }}
+            range={[0, end]}
+            farthest={FARTHEST}
             pointer={child(child(pointer, "corners"), index)}
             unit={at === undefined ? "1" : drawn.unit}
             value={set.corners[index]}
@@ -126,45 +127,5 @@ function SetName({ name, onRename }: { readonly name: string; readonly onRename:
         if (event.key === "Enter") rename();
       }}
     />
-  );
-}
-
-interface CornerProps {
-  readonly name: string;
-  readonly pointer: Pointer;
-  readonly unit: string;
-  readonly end: number;
-  readonly value: number | undefined;
-  readonly error: string | undefined;
-  readonly written: (value: number) => Scenario;
-}
-
-const FARTHEST = 10_000;
-
-/** A corner as a number; what the whole set is refused for is said below all of them. */
-function Corner({ name, pointer, unit, end, value, error, written }: CornerProps) {
-  const id = useId();
-  const leaf = useValue(pointer, value, (_, next) => written(Number(next)));
-  const field = {
-    kind: "number",
-    pointer,
-    title: name,
-    description: "",
-    paperValue: null,
-    integer: false,
-    nullable: false,
-    unit,
-    shown: shownIn(unit, unit),
-    minimum: -FARTHEST,
-    maximum: FARTHEST,
-    exclusiveMinimum: false,
-    soft: [0, end],
-  } as const;
-  return (
-    <div>
-      <Input.Label htmlFor={id}>{name}</Input.Label>
-      <NumberEntry id={id} field={field} leaf={{ ...leaf, error: leaf.error ?? error }} />
-      <FieldError id={id} error={leaf.rejected?.message} />
-    </div>
   );
 }

@@ -1,0 +1,55 @@
+"""Damper curves: what one may be, and what it comes to around rest."""
+
+from typing import Any
+
+import pytest
+from pydantic import ValidationError
+
+from sim_core.frequency.stability import least_damping
+from sim_core.scenario import Scenario, characteristics
+
+CURVE = [[-1, -1500], [-0.1, -400], [0.1, 600], [1, 2500]]
+
+
+def scenario(curve: Any, **vehicle: Any) -> Scenario:
+    return Scenario.model_validate({"vehicle": {"front_damper_curve": curve, **vehicle}})
+
+
+@pytest.mark.parametrize(
+    ("curve", "said"),
+    [
+        ([], "It needs points in compression and in rebound"),
+        ([[0.1, 100], [1, 500]], "It needs points in compression and in rebound"),
+        ([[-1, -500], [1, 900], [0.5, 1000]], "Point 3: velocities have to ascend"),
+        ([[-1, 500], [1, 900]], "Point 1: rebound and its force are positive"),
+        ([[-1, -500], [0, 50], [1, 900]], "Point 2: .* at 0 m/s it is 0 N"),
+        ([[-1, -500], [0.5, 1000], [1, 900]], "From 0.5 to 1 m/s it rises by -200 N s/m, which has to be from 0 to"),
+        ([[-1, -5], [1, 900]], "From -1 to 0 m/s it rises by 5 N s/m, which has to be from 10 to 500000"),
+        ([[-1, -500], [1, float("inf")]], "finite"),
+        ([[-1, -500, 2], [1, 600]], "at most 2 items"),
+    ],
+)
+def test_what_no_damper_does_is_refused_at_its_field(curve: Any, said: str) -> None:
+    with pytest.raises(ValidationError, match=said) as refused:
+        scenario(curve)
+    assert refused.value.errors()[0]["loc"][:2] == ("vehicle", "front_damper_curve")
+
+
+def test_the_data_sheet_goes_by_the_slopes_around_rest() -> None:
+    """The mean of 4000 N s/m in compression and 6000 in rebound, whatever the coefficient that controllers know."""
+    front = characteristics(scenario(CURVE, front_damping=1000).vehicle).damping_ratios
+    linear = characteristics(Scenario.model_validate({"vehicle": {"front_damping": 5000}}).vehicle).damping_ratios
+    assert (front.front_body, front.rear_wheel) == pytest.approx((linear.front_body, linear.rear_wheel))
+
+
+def test_a_loop_is_judged_by_the_slopes_around_rest() -> None:
+    """As that of a car with this ratio and mean there; beyond 0.1 m/s it is another damper."""
+    ratio = Scenario.model_validate({"vehicle": {"front_damping": 5000, "rear_damping": 5000, "rebound_ratio": 1.5}})
+    curve = scenario(CURVE, rear_damper_curve=CURVE, front_damping=5000, rear_damping=5000)
+    assert least_damping(curve, "lqr") == pytest.approx(least_damping(ratio, "lqr"), rel=1e-6)
+    assert least_damping(curve, "passive") == pytest.approx(least_damping(ratio, "passive"), rel=1e-9)
+
+
+def test_without_a_curve_nothing_is_known_by_it() -> None:
+    assert "front_damper_curve" not in Scenario().vehicle.identity()
+    assert scenario(CURVE).vehicle.identity()["front_damper_curve"] == CURVE
