@@ -158,6 +158,7 @@ META := PYTHONWARNINGS=ignore $(CURDIR)/$(BIN)/python -c 'import sys; from setup
 LEFTOVERS = rm -rf build/lib build/bdist.* sim_core/build client/build
 dist: development ## the three distributions in dist/: sources, wheels, and of the core a wheel for each platform
 	rm -rf dist && mkdir dist && $(LEFTOVERS)
+	$(BIN)/python backend/deploy/sbom.py > build/sbom.cdx.json
 	for each in sim_core client .; do (cd $$each && $(META) build_sdist) || exit 1; done > dist/log
 	for each in client .; do (cd $$each && $(META) build_wheel) || exit 1; done >> dist/log
 	for each in $(PLATFORMS); do $(LEFTOVERS); (cd sim_core && CC="$(CURDIR)/$(BIN)/python -m ziglang cc -target $${each#*:}" \

@@ -1,13 +1,19 @@
-"""What pyproject.toml cannot say: the built page and the built manual go into the wheel and the source distribution."""
+"""What pyproject.toml cannot say: the built page and the built manual go into the wheel and the source distribution.
+
+Into the wheel also the bill of materials, where `make dist` has made it (PEP 770).
+"""
 
 import shutil
 from pathlib import Path
 
 from setuptools import setup
+from setuptools.command.bdist_wheel import bdist_wheel
 from setuptools.command.build_py import build_py
 from setuptools.command.sdist import sdist
 
 BUILT = {"page": Path("frontend", "dist"), "manual": Path("build", "manual")}
+
+BILL = Path("build", "sbom.cdx.json")
 
 
 def copy_built(package: Path) -> None:
@@ -42,4 +48,15 @@ class SourcesWithPage(sdist):
         copy_built(Path(base_dir, "backend"))
 
 
-setup(cmdclass={"build_py": BuildWithPage, "sdist": SourcesWithPage})
+class WheelWithBill(bdist_wheel):
+    """The wheel, its bill of materials beside its metadata."""
+
+    def egg2dist(self, egginfo_path: str, distinfo_path: str) -> None:
+        """Add it."""
+        super().egg2dist(egginfo_path, distinfo_path)
+        if BILL.is_file():
+            Path(distinfo_path, "sboms").mkdir()
+            shutil.copy(BILL, Path(distinfo_path, "sboms", BILL.name))
+
+
+setup(cmdclass={"bdist_wheel": WheelWithBill, "build_py": BuildWithPage, "sdist": SourcesWithPage})

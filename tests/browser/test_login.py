@@ -46,6 +46,7 @@ def test_the_page_asks_for_a_token_once(browser: Browser, tmp_path: Path) -> Non
         page.reload()
         expect(page.get_by_role("heading", name="Ridelab asks for a token")).to_be_visible()
         assert dashboard.failures == []
+        assert not any(secret in api.log for secret in (TOKEN, "not the one", "not%20the%20one"))
     finally:
         context.close()
         api.end()

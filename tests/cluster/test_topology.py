@@ -9,10 +9,12 @@ import ssl
 from collections.abc import Iterator
 from functools import partial
 from typing import Any
+from urllib.parse import quote
 
 import httpx
 import psutil
 import pytest
+from sqlalchemy import make_url
 
 from backend.jobs.leadership import LOCK_ID
 from tests.api.own_laws import LAW
@@ -51,6 +53,11 @@ def check_stored_and_logged(topology: Topology) -> None:
         entry = json.loads(line) if line.startswith("{") else {}
         ours = str(entry.get("logger", "")).startswith("backend")
         assert not (ours and entry["level"] == "error"), entry
+    password = str(make_url(topology.database).password)
+    lines = [line for file in (topology.folder / "secrets").iterdir() for line in file.read_text().splitlines()]
+    secrets = [password, quote(password, safe=""), *(line for line in lines if len(line) > 20 and "-----" not in line)]
+    for program in topology.programs:
+        assert not [secret for secret in secrets if secret in program.log], program.name
 
 
 @pytest.fixture

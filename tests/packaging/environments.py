@@ -21,6 +21,8 @@ def built(folder: Path) -> dict[str, Path]:
         shutil.copytree(ROOT / name, sources / name, ignore=ours)
     for name in ("pyproject.toml", "setup.py", "README.md", "LICENSE"):
         shutil.copy(ROOT / name, sources)
+    with (sources / "build" / "sbom.cdx.json").open("w") as bill:  # as `make dist` does
+        subprocess.run([sys.executable, ROOT / "backend/deploy/sbom.py"], stdout=bill, check=True)
     projects = [str(path) for path in (sources / "sim_core", sources / "client", sources)]
     pip("wheel", "--no-deps", "--no-build-isolation", "--wheel-dir", str(wheels), *projects)
     return {path.name.split("-")[0].replace("_", "-"): path for path in wheels.glob("*.whl")}

@@ -10,11 +10,14 @@ from zipfile import ZipFile
 
 import httpx
 import pytest
+from cyclonedx.schema import SchemaVersion
+from cyclonedx.validation.json import JsonStrictValidator
 
 from sim_core.strategies import STRATEGIES
 from tests.packaging.environments import ROOT, Environment, built
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
+PINNED = re.compile(r"^(\S+)==(\S+)", re.MULTILINE)
 PARQUET = "pip install 'ridelab-server[parquet]'"
 
 
@@ -67,6 +70,18 @@ def test_each_distribution_is_typed_and_only_the_cores_belongs_to_a_platform(whe
     assert tags["ridelab"] == tags["ridelab-server"] == ["py3", "none", "any"]
     assert tags["ridelab-core"][:2] == ["py3", "none"], "its library needs no Python headers"
     assert tags["ridelab-core"][2] != "any"
+
+
+def test_the_servers_wheel_says_what_it_is_made_of(wheels: dict[str, Path]) -> None:
+    wheel = ZipFile(wheels["ridelab-server"])
+    (bill,) = [file for file in wheel.namelist() if file.endswith(".dist-info/sboms/sbom.cdx.json")]
+    content = wheel.read(bill).decode()
+    assert JsonStrictValidator(SchemaVersion.V1_6).validate_str(content) is None
+    components = {each["purl"]: each for each in json.loads(content)["components"]}
+    pinned = {f"pkg:pypi/{name}@{number}" for name, number in PINNED.findall((ROOT / "requirements.lock").read_text())}
+    assert pinned == {purl for purl in components if purl.startswith("pkg:pypi/")}
+    assert all(each["hashes"] for purl, each in components.items() if purl in pinned)
+    assert {purl.rsplit("@")[0] for purl in components} > {"pkg:npm/react", "pkg:pypi/fastapi"}
 
 
 def test_the_core_alone_simulates(core: Environment) -> None:
