@@ -140,6 +140,23 @@ peak: float = simulate(scenario, BodyDamper).metrics["bump"]["body_acceleration"
     assert checks[2].stdout.endswith("Found 2 errors in 1 file (checked 1 source file)\n"), checks[2].stdout
 
 
+def test_client_and_core_run_check_and_play_without_a_server(
+    wheels: dict[str, Path], tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    local = Environment(tmp_path_factory.mktemp("local"), [wheels["ridelab-core"], wheels["ridelab"]])
+    before = {path.name for path in local.file(".").iterdir()}
+    run = local.run("ridelab", "run", "bump_only", "--strategy", "passive", "--json")
+    assert json.loads(run.stdout)["strategies"]["passive"]["status"] == "ok", run.stderr
+    wrong = local.run("ridelab", "run", "--set", "road.bump.hight=0.1", "--strategy", "passive")
+    assert (wrong.returncode, wrong.stderr.split(":")[0]) == (2, "road.bump.hight")
+    assert {path.name for path in local.file(".").iterdir()} == before, "no data, no cache"
+    demo = local.run("ridelab", "demo")
+    assert (demo.returncode, demo.stderr) == (0, "ridelab serve opens the laboratory in a browser\n")
+    assert re.search(r"Body acceleration \[m/s\^2\] +0\.8982 \(-85%\) +1\.474 \(-76%\) +6\.19\n", demo.stdout)
+    assert demo.stdout.count("⠀") > 100, "plots of dots"
+    assert "server is not installed" in local.run("ridelab", "sweep", "--grid", "road.seed=1:3:3").stderr
+
+
 def test_the_client_alone_is_small_and_asks_a_service(client: Environment, address: str) -> None:
     packages = "httpx, typer, numpy, pandas, scipy, fastapi, sim_core, backend"
     code = f"import importlib.util; print([n for n in '{packages}'.split(', ') if importlib.util.find_spec(n)])"
@@ -151,18 +168,19 @@ def test_the_client_alone_is_small_and_asks_a_service(client: Environment, addre
     assert client.run("python", "-c", script).stdout == "ok\n"
 
 
-def test_the_demonstration_needs_the_core_alone(server: Environment) -> None:
-    run = server.run("ridelab", "demo")
-    assert (run.returncode, run.stderr) == (0, "ridelab serve opens the laboratory in a browser\n")
-    assert re.search(r"Body acceleration \[m/s\^2\] +0\.8982 \(-85%\) +1\.474 \(-76%\) +6\.19\n", run.stdout)
-    assert run.stdout.count("⠀") > 100, "plots of dots"
-
-
-@pytest.mark.parametrize("words", ["serve", "demo", "backup copy.sqlite", "run --strategy passive"])
-def test_what_needs_the_server_says_what_to_install(client: Environment, words: str) -> None:
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        ("serve", "server is not installed here: name a service with --server"),
+        ("backup copy.sqlite", "server is not installed here"),
+        ("run --strategy passive", "server is not installed here"),
+        ("demo", "core is not installed here"),
+    ],
+)
+def test_what_needs_more_says_what_to_install(client: Environment, words: str, said: str) -> None:
     run = client.run("ridelab", *words.split())
     assert (run.returncode, run.stdout) == (3, "")
-    assert run.stderr.startswith("Ridelab's server is not installed here: name a service with --server")
+    assert run.stderr.startswith(f"Ridelab's {said}")
 
 
 @pytest.mark.parametrize(("path", "assets"), [("/", 2), ("/docs", 2)])
@@ -194,7 +212,7 @@ def test_the_servers_wheel_has_the_ecus_sources_and_the_reports_templates(addres
 
 
 def test_the_servers_command_line_starts_its_own_service(server: Environment) -> None:
-    run = server.run("ridelab", "run", "bump_only", "--strategy", "passive")
+    run = server.run("ridelab", "run", "bump_only", "--strategy", "passive", "--roads", "2")
     assert run.returncode == 0, run.stderr
     assert "\nrun " in run.stdout
     assert server.file("data-home/ridelab/ridelab.sqlite").exists(), "not in the folder one is in"

@@ -116,6 +116,10 @@ _NAMES: Mapping[str, Callable[[], Any]] = {
 }
 
 
+def _said(error: Mapping[str, Any]) -> str:
+    return "there is no such field; ridelab fields lists them" if error["type"] == "extra_forbidden" else error["msg"]
+
+
 def _run(body: Mapping[str, Any], refusal: list[str]) -> dict[str, Any] | None:
     """A run's answer without an id; None, and why, where the core refuses anything of it."""
     from pydantic import ValidationError
@@ -132,7 +136,7 @@ def _run(body: Mapping[str, Any], refusal: list[str]) -> dict[str, Any] | None:
             milliseconds = round(1000 * (time.perf_counter() - begin), 2)
             answers[name] = {"status": "ok", "compute_ms": milliseconds, "cached": False, "source": None, **summary}
     except ValidationError as error:
-        refusal += [f"{'.'.join(map(str, each['loc']))}: {each['msg']}" for each in error.errors()]
+        refusal += [f"{'.'.join(map(str, each['loc']))}: {_said(each)}" for each in error.errors()]
         return None
     except RidelabError as error:
         refusal.append(error.message)

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from ridelab.cli.reporting import DIFFERENT, InputError
-from ridelab.cli.service import server_command, server_environment
+from ridelab.cli.service import check_core, server_environment
 
 LIMIT = 60.0  # a check drives some short roads, which takes seconds [s]
 _NAME = re.compile("[a-z][a-z0-9_]*")
@@ -69,7 +69,7 @@ def check(
 
     The file is run, with all that you may do. Exit code 1 where something is wrong, 2 where it cannot be loaded.
     """
-    server_command()  # says how to install the core where it is missing
+    check_core()
     command = [sys.executable, "-P", "-m", "sim_core.check_file", str(file)]
     try:
         run = subprocess.run(  # noqa: S603  # no shell

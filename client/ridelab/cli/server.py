@@ -14,7 +14,7 @@ import typer
 
 from ridelab.cli import fields, options, targets
 from ridelab.cli.reporting import note
-from ridelab.cli.service import Services, end_as_server, server_command, server_environment
+from ridelab.cli.service import Services, check_core, end_as_server, server_command, server_environment
 
 PORT = 8000
 _WHERE = f"Where the database is [default: {options.DATA_FOLDER}]."
@@ -66,7 +66,7 @@ def _free_port(host: str) -> int:
 
 def demo() -> None:
     """Play the paper's comparison in the terminal: LV control, LQR and the passive car; no service needed."""
-    server_command()  # says how to install the core where it is missing
+    check_core()
     run = subprocess.run([sys.executable, "-P", "-m", "sim_core.demo"], env=server_environment(), check=False)
     if run.returncode:
         raise typer.Exit(run.returncode)

@@ -47,6 +47,14 @@ def server_environment() -> dict[str, str]:
     return {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in paths if path)}
 
 
+def check_core() -> None:
+    """Refuse where the core is not installed."""
+    if core_folder() is None:
+        raise UnavailableError(
+            "Ridelab's core is not installed here: `pip install ./sim_core` in Ridelab's sources installs it"
+        )
+
+
 def core_folder() -> Path | None:
     """Where the core is installed, and the server beside it if there is one; None without a core."""
     spec = importlib.util.find_spec("sim_core")
