@@ -36,22 +36,24 @@ def fill(path: Path) -> None:
         store.roads.save(MeasuredRoad.of(rng.normal(0, 0.01, 2000)))
         for number in range(RUNS):
             scenario = Scenario.model_validate({"road": {"seed": number + 1}})
-            outcomes = [outcome(digest.result_key(scenario, name), name, rng) for name in STRATEGIES]
-            run_id = digest.run_id(scenario, STRATEGIES)
-            store.runs.save(
-                StoredRun(
-                    id=run_id,
-                    core_version="0.4.0",
-                    schema_version=SCHEMA_VERSION,
-                    scenario=scenario.model_dump(mode="json"),
-                    results=tuple(outcomes),
-                )
-            )
+            run = stored_run(scenario, rng)
+            store.runs.save(run)
             if number < 3:
-                link = StoredLink(slug=digest.random_id(), kind="run", target=run_id, view={"strategies": ["lv"]})
-                store.links.save(link, {each.key: rng.bytes(3000) for each in outcomes})
+                link = StoredLink(slug=digest.random_id(), kind="run", target=run.id, view={"strategies": ["lv"]})
+                store.links.save(link, {each.key: rng.bytes(3000) for each in run.results})
         _batch(store, rng)
         _tuning(store)
+
+
+def stored_run(scenario: Scenario, rng: np.random.Generator) -> StoredRun:
+    """A run with random results."""
+    return StoredRun(
+        id=digest.run_id(scenario, STRATEGIES),
+        core_version="0.4.0",
+        schema_version=SCHEMA_VERSION,
+        scenario=scenario.model_dump(mode="json"),
+        results=tuple(outcome(digest.result_key(scenario, name), name, rng) for name in STRATEGIES),
+    )
 
 
 def outcome(key: str, strategy: str, rng: np.random.Generator) -> Outcome:

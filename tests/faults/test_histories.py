@@ -8,10 +8,9 @@ from tests.faults.histories.jobs import Jobs
 from tests.faults.histories.requests import Requests
 
 
-@pytest.mark.parametrize("seed", [0, 3])
+@pytest.mark.parametrize("seed", [3, 4])
 def test_a_history_of_requests_keeps_its_promises(seed: int) -> None:
-    """The first one has a single process alive for long, the second one dying processes and clients who leave."""
-    assert Requests(seed, lasts=100.0).run() > 20
+    assert Requests(seed, lasts=100.0).run() > 1000
 
 
 def test_a_history_of_jobs_keeps_its_promises(tmp_path: Path) -> None:

@@ -341,32 +341,6 @@ def test_another_program_that_locks_the_database_stops_no_cluster(
     assert Misbehaving.starts == 1
 
 
-def test_jobs_go_on_after_a_lead_that_did_not_end_in_order(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    confirms, ends = itertools.count(), itertools.count()
-
-    async def confirm(leadership: Leadership) -> None:
-        ours = str(tmp_path) in str(leadership._store.engine.url)  # a service of other tests may run beside
-        if ours and next(confirms) == 2:
-            raise LeadershipLostError
-
-    async def close(_: Misbehaving) -> None:
-        if next(ends) == 0:
-            raise RuntimeError("the cluster does not end")
-
-    monkeypatch.setattr(Leadership, "confirm", confirm)
-    monkeypatch.setattr(Misbehaving, "close", close)
-    rows = drive(tmp_path, lambda chunk: answered(chunk) if Misbehaving.starts == 2 else ChunkOutcome(trouble="busy"))
-    assert {row.status for row in rows} == {"ok"}
-
-
-def test_a_service_ends_although_its_cluster_does_not(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    async def close(_: Misbehaving) -> None:
-        raise RuntimeError("the cluster does not end")
-
-    monkeypatch.setattr(Misbehaving, "close", close)
-    assert {row.status for row in drive(tmp_path, answered)} == {"ok"}
-
-
 def test_what_another_core_version_left_is_computed_under_this_ones_keys(tmp_path: Path) -> None:
     rows = drive(tmp_path, answered, core_version="0.0.9")
     assert {row.status for row in rows} == {"ok"}

@@ -46,17 +46,6 @@ def test_whoever_has_least_in_work_is_next_then_the_oldest() -> None:
     assert processes.queue.waiting == 45
 
 
-def test_two_clients_get_equal_times_however_long_their_tasks_are() -> None:
-    processes = Processes(1)
-    processes.ask("long", 2.0, count=40)
-    processes.ask("short", 0.2, count=400)
-    times = {"long": 2.0, "short": 0.2}
-    while processes.now < 1060:
-        processes.work(times[processes.order[-1]])
-    shares = [times[client] * processes.order.count(client) for client in times]
-    assert abs(shares[0] - shares[1]) <= 2 * times["long"], "two long tasks more at most"
-
-
 def test_what_a_task_took_counts_and_not_what_was_estimated() -> None:
     processes = Processes(1)
     processes.ask("cheap by estimate", 0.01, count=3)
@@ -103,16 +92,6 @@ def test_a_reserved_process_takes_a_short_task_of_a_client_that_has_none_running
     assert processes.order[3:] == ["fourth"], "the reserved one is free again"
     processes.work(20.0)
     assert processes.order[4:] == ["other"]
-
-
-def test_a_long_task_gets_its_turn_however_many_short_ones_come() -> None:
-    processes = Processes(3, reserved=1)
-    for number in range(30):
-        processes.ask(f"client {number}")
-    processes.ask("long", 20.0)
-    for _ in range(30):
-        processes.work()
-    assert "long" in processes.order
 
 
 def test_while_processes_are_missing_the_reserved_one_stays_reserved() -> None:

@@ -12,16 +12,14 @@ from pathlib import Path
 import numpy as np
 import orjson
 
-from backend import digest
 from backend.db import sqlite
 from backend.db.database import Database
 from backend.db.tables import metadata
 from backend.job_run import JobRun
-from backend.store import Store, StoredJob, StoredLink, StoredRun
-from backend.store.trials import StoredTrial
-from sim_core.scenario import SCHEMA_VERSION, Scenario
+from backend.store import Store, StoredJob, StoredLink
+from sim_core.scenario import Scenario
 from sim_core.scenario.measured import MeasuredRoad
-from tests.faults.bits import outcome
+from tests.faults.bits import outcome, stored_run
 from tests.faults.power.disk import note
 
 
@@ -54,7 +52,6 @@ class Work:
         self._rng = np.random.default_rng(seed)
         self._run_ids: list[str] = []
         self._job_ids: list[str] = []
-        self._tuning_id = ""
         self._pieces: tuple[Callable[[], object], ...] = (
             self._run,
             self._run,
@@ -65,7 +62,6 @@ class Work:
             self._results,
             self._results,
             self._change,
-            self._tuning,
             self._purge,
         )
 
@@ -75,16 +71,7 @@ class Work:
 
     def _run(self) -> None:
         scenario = Scenario.model_validate({"road": {"seed": int(self._rng.integers(1, 10**6))}})
-        names = ("lv", "lqr", "passive")
-        outcomes = tuple(outcome(digest.result_key(scenario, name), name, self._rng) for name in names)
-        run = StoredRun(
-            id=digest.run_id(scenario, names),
-            core_version="0.4.0",
-            schema_version=SCHEMA_VERSION,
-            scenario=scenario.model_dump(mode="json"),
-            results=outcomes,
-        )
-        self._run_ids.append(self.store.runs.save(run).id)
+        self._run_ids.append(self.store.runs.save(stored_run(scenario, self._rng)).id)
 
     def _link(self) -> None:
         if self._run_ids:
@@ -130,28 +117,6 @@ class Work:
     def _delete(self, job_id: str) -> None:
         if self.store.jobs.delete(job_id):
             self._job_ids.remove(job_id)
-
-    def _tuning(self) -> None:
-        tuning = self.store.jobs.load(self._tuning_id)
-        if tuning is None:
-            progress = {"attempt": 1, "generation": 0}
-            job = StoredJob(
-                kind="tuning",
-                request={"scenario": {}},
-                progress=progress,
-                request_hash="t",
-                estimated_cost=1.0,
-                total=1000,
-            )
-            self._tuning_id = self.store.jobs.create(job)[0].id
-            return
-        done, generation = tuning.done, int(tuning.progress["generation"])
-        new = [
-            StoredTrial(number=done + at, generation=generation, weights={"lqr.weights.0": 1.0}, status="ok")
-            for at in range(4)
-        ]
-        progress = {"attempt": 1, "generation": generation + 1}
-        self.store.jobs.advance(tuning, event="progress", new_trials=new, progress=progress, done=done + 4)
 
     def _purge(self) -> None:
         self.store.jobs.purge()
