@@ -40,7 +40,10 @@ class InProcess(Ridelab):
     def get(self, path: str, params: Mapping[str, Any] | None = None) -> Any:
         """The JSON at a path below `/api/v1`."""
         answer = _NAMES.get(path)
-        return self._service().get(path, params) if answer is None else answer()
+        try:
+            return self._service().get(path, params) if answer is None else answer()
+        except ImportError as error:  # a core that is there and cannot be used says why
+            raise UnavailableError(str(error)) from None
 
     def _post(self, path: str, body: Mapping[str, Any], key: str = "") -> dict[str, Any]:
         refusal: list[str] = []
