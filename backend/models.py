@@ -44,6 +44,8 @@ def inconsistent(field: str, message: str, key: str | None = None) -> PydanticCu
 
 
 def _check_strategy(name: str) -> str:
+    if re.fullmatch(NAME_PATTERN, name):
+        raise PydanticCustomError("recorded", "A recording is taken by runs alone: nothing drives it")
     if name not in STRATEGIES and name not in (offered := strategies()):
         raise PydanticCustomError("unknown_strategy", "{said}", {"said": unknown_name("strategy", name, list(offered))})
     return name

@@ -10,7 +10,7 @@ from backend.errors import InvalidError
 from backend.intervals import Interval, change_with_interval, mean_with_interval
 from backend.json_types import Summary
 from backend.means_over_roads import default_baseline
-from backend.models import Answer, MetricName, RequestModel, StrategyName, inconsistent
+from backend.models import Answer, MetricName, RequestModel, ShownStrategy, inconsistent
 from sim_core.catalogue import METRICS
 
 MOST_REQUIREMENTS = 64
@@ -32,7 +32,7 @@ class Requirement(RequestModel):
     max_change: Limit | None = Field(
         None, description="At most this change against the baseline [%]; -20 is: at least a fifth less than it"
     )
-    strategies: Annotated[list[StrategyName], Field(min_length=1, max_length=32)] | None = Field(
+    strategies: Annotated[list[ShownStrategy], Field(min_length=1, max_length=32)] | None = Field(
         None, description="Which have to keep it; null is all that run but the baseline"
     )
 

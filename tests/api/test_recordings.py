@@ -118,6 +118,40 @@ def test_what_is_not_recorded_is_not_shown(
     assert [error["pointer"] for error in answer.json()["errors"]] == [pointer]
 
 
+@pytest.mark.parametrize(
+    ("address", "body", "pointer"),
+    [
+        ("batches", {"strategies": ["lv", MISSING], "sweep": {"grid": {"road.seed": [1, 2]}}}, "/strategies/1"),
+        ("solve", {"strategy": MISSING, "field": "road.bump.height", "range": [0, 0.1]}, "/strategy"),
+        ("tunings", {"strategy": MISSING}, "/strategy"),
+        ("frequency", {"strategies": [MISSING]}, "/strategies/0"),
+        ("live", {"strategies": [MISSING]}, "/strategies/0"),
+    ],
+)
+def test_what_nothing_drives_is_refused_at_its_field(
+    client: httpx.Client, address: str, body: dict[str, Any], pointer: str
+) -> None:
+    answer = client.post(f"/api/v1/{address}", json=body)
+    assert answer.status_code == 422
+    messages = {error["pointer"]: error["message"] for error in answer.json()["errors"]}
+    tuned = "Unknown strategy that can be tuned; there are lv"
+    assert (tuned if address == "tunings" else "A recording is taken by runs alone: nothing drives it") in messages[
+        pointer
+    ]
+
+
+def test_a_recording_is_held_to_requirements(service: Service, shown: dict[str, Any], sent: dict[str, Any]) -> None:
+    """By name too; its change is against the strategy that drove it."""
+    metric, name = "bump.body_acceleration.peak", sent["strategy"]
+    requirements = [{"metric": metric, "max_change": 5, "strategies": [name]}, {"metric": metric, "max": 0.1}]
+    body = {"scenario": SCENARIO, "strategies": ["passive", name], "requirements": requirements}
+    answer = service.client.post("/api/v1/runs", json=body).json()
+    assert answer["id"] == shown["id"]
+    results = answer["requirement_results"]
+    assert [(each["strategy"], each["result"]) for each in results] == [(name, "pass"), (name, "fail")]
+    assert abs(results[0]["value"]) < 5
+
+
 def test_a_file_is_shown_before_it_is_sent(client: httpx.Client) -> None:
     answer = send(client, "t [ms];acc;height [mm]\n0;0,1;5\n1;0,2;6\n", "/preview").json()
     assert answer["columns"][0] == {"name": "t [ms]", "signal": "time", "unit": "ms"}

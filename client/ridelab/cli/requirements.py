@@ -24,7 +24,7 @@ _REQUIRE = (
 )
 _STRICT = "What is uncertain over several roads fails too."
 _JUNIT = "Write the requirements' results there as JUnit XML."
-_FORM = re.compile(r"(?:(?P<strategies>[\w,-]+):\s*)?(?P<metric>[\w.]+)\s*(?P<sign>[<>])=?\s*(?P<limit>.+)")
+_FORM = re.compile(r"(?:(?P<strategies>[\w,:-]+):\s*)?(?P<metric>[\w.]+)\s*(?P<sign>[<>])=?\s*(?P<limit>.+)")
 _CHANGE = re.compile(r"(?P<percent>[-+](?:\d+\.?\d*|\.\d+))\s*%")
 
 Require = Annotated[list[str] | None, options.option("METRIC<LIMIT", _REQUIRE, completes="metrics <")]

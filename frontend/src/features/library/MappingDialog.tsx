@@ -98,7 +98,7 @@ export function MappingDialog({ name, text, kinds, likely, onClose }: Props) {
         />
       </>
     ),
-    cell: (row: { readonly cells: readonly string[] }) => row.cells[index] || "–",
+    cell: (row: { readonly cells: readonly string[] }) => (row.cells[index] === "" ? "–" : row.cells[index]),
   }));
   return (
     <Modal opened onClose={onClose} title={`Columns of ${name}`} size="xl">

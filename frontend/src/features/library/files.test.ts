@@ -26,6 +26,16 @@ it("Scenarios, runs, vehicles and roads are told apart by their content", () => 
   expect(read(commented, "street.csv")).toEqual({ kind: "road", csv: commented });
 });
 
+it("Requirements are a list, or have a name; exported they are read again, here and by --require", () => {
+  const requirements = [{ metric: "travel_time", max: 20, strategies: ["lv"] }];
+  const value = { requirements };
+  expect(read(JSON.stringify(requirements))).toEqual({ kind: "requirements", value, label: null });
+  const { text } = written({ kind: "requirements", name: "Mine", value });
+  expect(JSON.parse(text)).toMatchObject(value);
+  expect(read(text)).toEqual({ kind: "requirements", value, label: "Mine" });
+  expect(() => read('[{"metric": "travel_time"}, {"max": 3}]')).toThrow("Expected a scenario");
+});
+
 it("What core 0.3.0 wrote opens with the filter it had, what a person wrote is today's", () => {
   const kalman = { kind: "kalman", acceleration_noise: 0.05, deflection_noise: 0.0005, pitch_rate_noise: 0.002 };
   const scenario = { road: {}, estimation: kalman };
@@ -82,7 +92,7 @@ it("A file of a newer version is refused, one of an older version and one withou
 test.each([
   ["{", "file.json", "not JSON"],
   ["no vehicle", "file.json", "not JSON"],
-  ["[1]", "file.json", "Expected a scenario or a vehicle as JSON, or a measured road"],
+  ["[1]", "file.json", "Expected a scenario, a vehicle or requirements as JSON, or a measured road"],
   ['{"colour": 1}', "file.json", "one of the members vehicle, road, mpc"],
   ["Dear diary,\nit rains", "diary.txt", "Expected a scenario"],
   ["\u0000PNG", "photo.png", "Expected a scenario"],

@@ -17,6 +17,13 @@ export type Content =
   | { readonly kind: "vehicle" | "requirements"; readonly value: JsonObject; readonly label: string | null }
   | { readonly kind: "road"; readonly csv: string };
 
+/** A table of a road or a drive whose columns have to be asked for. */
+export interface Unclear {
+  readonly name: string;
+  readonly text: string;
+  readonly likely: "road" | "drive";
+}
+
 export type Exported = Pick<Item, "kind" | "name" | "value">;
 
 const isObject = (value: unknown): value is JsonObject =>

@@ -8,7 +8,7 @@ import { sameValue } from "../../scenario/path";
 import { useEdit, useLabContext, useReadOnly } from "../../lab/context";
 import { useForm } from "../../server/useCatalogues";
 import { createAtom } from "@tanstack/react-store";
-import type { Exported } from "./files";
+import type { Exported, Unclear } from "./files";
 import { requirementsIn } from "../../lab/requirements";
 import { type ItemKind, dialog, kindWord } from "../../scenario/library";
 
@@ -17,13 +17,6 @@ export interface Notice {
   readonly isWrong: boolean;
   /** It stands until this is no longer the scenario. */
   readonly scenario: Scenario;
-}
-
-/** A table of a road or a drive whose columns have to be asked for. */
-export interface Unclear {
-  readonly name: string;
-  readonly text: string;
-  readonly likely: "road" | "drive";
 }
 
 /** They are asked for one after the other. */

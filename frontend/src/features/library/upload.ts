@@ -11,11 +11,10 @@ import { type ScenarioSchema, findMember, optionTitle, type NumberField } from "
 import { DEFAULT_VIEW } from "../../lab/address";
 import { requirementsIn, type Requirement } from "../../lab/requirements";
 import { presetsQuery, schemaQuery, vehiclesQuery } from "../../server/queries";
-import { readFile, type Content, fileOf, roadOf, type Exported } from "./files";
+import { readFile, type Content, fileOf, roadOf, type Exported, type Unclear } from "./files";
 import { KINDS, kindWord, type Item, type ItemKind, ownLibrary } from "../../scenario/library";
 import { withItem } from "../../scenario/withItem";
 import { limitText, valueText } from "../../scenario/limits";
-import type { Unclear } from "./open";
 import { isOpenCrg, likelyKind } from "./tableFile";
 import { download } from "../../lib/download";
 

@@ -9,6 +9,7 @@ import { ApiProblem, explain } from "../../api/problem";
 import type { Question, Scenario, Solution, Strategy } from "../../api/types";
 import { fullName, optionsOf, type Metric } from "../../server/metrics";
 import { typedText, valueText } from "../../scenario/limits";
+import { isRecording } from "../../lib/recording";
 import { getAt, setAt } from "../../scenario/path";
 import type { NumberField } from "../../scenario/schema";
 import { useEdit, useLab, useReadOnly, useScenario, useView } from "../../lab/context";
@@ -49,7 +50,8 @@ interface Props {
 export function SolveDialog({ catalogues: { form, strategies, figures }, metric: first, onClose }: Props) {
   const fields = useMemo(() => sweepFields(form).filter(askable), [form]);
   const scenario = useScenario();
-  const selected = useLab((state) => state.strategies);
+  const chosen = useLab((state) => state.strategies);
+  const selected = useMemo(() => chosen.filter((id) => !isRecording(id)), [chosen]);
   const roads = useLab((state) => state.roads);
   const { requirements, baseline } = useView();
   const byId = (id: string | undefined) => strategies.find((each) => each.id === id);

@@ -14,6 +14,7 @@ import classes from "./sweep.module.css";
 import { amountOf, notesOf, useSweep } from "./useSweep";
 import { useLab, useScenario, useView } from "../../lab/context";
 import { requiredOfThese } from "../../lab/requirements";
+import { isRecording } from "../../lib/recording";
 import { useDraft } from "../../lib/useDraft";
 import { StartFoot } from "../jobForm/StartFoot";
 import { Entry, Finder } from "../../ui/Entry";
@@ -31,7 +32,7 @@ const FIRST_FIELD = "road.bump.height";
 
 export function SweepDialog({ form: schema, strategies, onClose }: Props) {
   const scenario = useScenario();
-  const selected = useLab((state) => state.strategies);
+  const chosen = useLab((state) => state.strategies);
   const fields = useMemo(() => sweepFields(schema), [schema]);
   const narrow = useMediaQuery("(max-width: 47.99em)", false, { getInitialValueInEffect: false });
   const form = useDraft<SweepDraft>({
@@ -41,7 +42,7 @@ export function SweepDialog({ form: schema, strategies, onClose }: Props) {
       fields: fields.filter(({ name }) => name === FIRST_FIELD).map(draftField),
       samples: "200",
       seed: "0",
-      strategies: selected,
+      strategies: chosen.filter((id) => !isRecording(id)),
     }),
     restore: (stored) => restoreSweep(stored, fields),
   });

@@ -144,7 +144,7 @@ export const batchRequirementsQuery = (batch: Batch) =>
   queryOptions({
     queryKey: ["batch requirements", batch.id, isFinal(batch)],
     queryFn: ({ signal }) => ask("get", "/batches/{id}/requirements", { path: { id: batch.id } }, signal),
-    enabled: batch.requirements !== undefined && batch.requirements.length > 0,
+    enabled: batch.requirements.length > 0,
     staleTime: Infinity,
     refetchInterval: !isFinal(batch) && refreshEvery(batch),
   });
