@@ -12,8 +12,11 @@ class Server(Api):
 
     def __init__(self, folder: Path) -> None:
         self.database = folder / "data" / "ridelab.sqlite"
+        self.laws = folder / "laws"  # of one's own: none, unless a test writes one
+        self.laws.mkdir()
         # A page asks for one thing at a time: more workers would only take longer to start.
-        super().__init__(folder, RIDELAB_WORKERS="1", RIDELAB_BATCH_WORKERS="1")
+        few = {"RIDELAB_WORKERS": "1", "RIDELAB_BATCH_WORKERS": "1"}
+        super().__init__(folder, RIDELAB_CONTROLLERS=str(self.laws), **few)
 
     def stop(self) -> None:
         """End it as an operator would."""

@@ -32,7 +32,7 @@ export function Editor({ form }: { readonly form: Group }) {
     () => sections(form).filter(({ key }) => !isLaw(key) || switchedOn.some((id) => key === `${OWN}${id}`)),
     [form, switchedOn],
   );
-  const [opened, setOpened] = useState(() => all.filter(({ essential }) => essential).map(({ key }) => key as string));
+  const [opened, setOpened] = useState(() => essentials(form));
 
   const [search, setSearch] = useState("");
   const searching = search.trim() !== "";
@@ -126,6 +126,12 @@ export function Editor({ form }: { readonly form: Group }) {
   );
 }
 
+/** What opens by itself, the options of controllers that are not chosen yet included. */
+const essentials = (form: Group): readonly string[] =>
+  sections(form)
+    .filter(({ essential }) => essential)
+    .map(({ key }) => key);
+
 function contains(section: Section, pointers: readonly Pointer[]): boolean {
   return pointers.some((pointer) =>
     section.members.some((member) => pointer === member.pointer || pointer.startsWith(`${member.pointer}/`)),
@@ -201,7 +207,8 @@ export function sections(form: Group): readonly Section[] {
     );
   return [
     ...first.map((group) => section(group, true)),
-    ...groups.map((group) => section(group, isLaw(group.pointer))),
+    ...groups.filter(({ pointer }) => isLaw(pointer)).map((group) => section(group, true)),
+    ...groups.filter(({ pointer }) => !isLaw(pointer)).map((group) => section(group, false)),
     ...(loose.length > 0
       ? [{ key: "/" as const, title: humanise("other"), description: "", essential: false, members: loose }]
       : []),
