@@ -4,6 +4,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import islice
+from math import ceil, floor
 from typing import Any
 
 import numpy as np
@@ -125,7 +126,8 @@ def differences(scenario: Scenario, strategy: str) -> dict[str, float]:
 def _shift(scenario: Scenario, strategy: str) -> float:
     """The same, seen as far ahead, further along the road: by whole control steps and whole samples of the road."""
     step = SPEED_CONTROL_PERIOD
-    speed = max(1, round(scenario.speed.initial * step / GRID)) * GRID / step
+    slowest, fastest = (speed * KMH * step / GRID for speed in (5, 200))  # that the field takes
+    speed = min(max(round(scenario.speed.initial * step / GRID), ceil(slowest)), floor(fastest)) * GRID / step
     road, detection = scenario.road, min(scenario.speed.detection_distance, scenario.road.bump.start)
     here = {
         "road.roughness": 0.0,
