@@ -1,11 +1,15 @@
 """The crash drill: DRILL_KILLS kills (50) of each topology at random, the choices by DRILL_SEED (1).
 
-Kill -9 while batches run; afterwards everything accepted is complete, each result stored once. By hand:
+Kill -9, and of the cluster's programs pauses (SIGSTOP), while batches run; afterwards everything accepted is complete,
+each result stored once. By hand:
 DRILL_KILLS=200 python -m pytest tests/drill/test_crashes.py -s
 """
 
+import contextlib
 import os
 import random
+import signal
+import threading
 import time
 from collections import Counter
 from collections.abc import Callable, Sequence
@@ -28,6 +32,7 @@ RUNS = 480  # of one batch: a second or two of two cores
 LEAST_WORK = 400  # runs that wait while it kills
 LIFE = 4.0  # of a service that is killed again and again [s]
 LIVES = 4  # times the runs of another batch
+LONGEST_PAUSE = 40.0  # [s]
 WHILE_WORKING = 0.7  # of the kills come while results come in, the others at any moment, such as during a start
 
 Victim = Callable[[], str | None]  # kills something and tells what, or tells that there is nothing to kill
@@ -89,6 +94,26 @@ def kill_worker(program: Program, chance: random.Random) -> Victim:
         return f"a process of {program.name}"
 
     return kill
+
+
+def pause(program: Program, chance: random.Random) -> Victim:
+    """Stop the program (SIGSTOP), and wake it into a world that has moved on."""
+
+    def stop() -> str | None:
+        if not program.running:
+            return None
+        pid = program.pid
+        os.kill(pid, signal.SIGSTOP)
+        seconds = chance.uniform(1, LONGEST_PAUSE)
+
+        def wake() -> None:
+            with contextlib.suppress(ProcessLookupError):  # it was killed meanwhile
+                os.kill(pid, signal.SIGCONT)
+
+        threading.Timer(seconds, wake).start()
+        return f"{program.name} by a pause"
+
+    return stop
 
 
 def kill_everything(topology: Topology, postgres: Postgres) -> Victim:
@@ -162,6 +187,7 @@ def test_a_cluster(tmp_path: Path, postgres: Postgres) -> None:
         parts = [topology.scheduler, *topology.workers, *topology.replicas]
         victims = [kill_program(part) for part in parts]
         victims += [kill_worker(worker, chance) for worker in topology.workers]
+        victims += [pause(part, chance) for part in (*parts, topology.proxy)]
         victims.append(kill_everything(topology, postgres))
         drill(Accepted(url=topology.url, engine=engine, seed=SEED, runs=RUNS), victims, chance)
     finally:
