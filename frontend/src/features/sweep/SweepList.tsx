@@ -18,7 +18,11 @@ export function SweepList({ strategies, studies = false, ...rest }: Props) {
       kind={BATCH}
       title={studies ? "Earlier studies" : "Sweeps"}
       {...(studies && { label: STUDY_LABEL })}
-      none="None yet. Each one you start stays here with all its runs."
+      none={
+        studies
+          ? "None yet. Choose in the form what is uncertain and start; each study stays here with all its runs."
+          : "None yet. Sweep… in the lab’s header runs a scenario over any of its fields; each sweep stays here with all its runs."
+      }
       describe={({ label, fields, strategies: swept }) => ({
         title: studies ? count(fields.length, "uncertain field") : titleOf(fields),
         details: [swept.map((id) => strategies.find((strategy) => strategy.id === id)?.label ?? id).join(", ")],

@@ -36,7 +36,7 @@ function TuningList({ strategies, figures }: Props) {
     <JobList
       kind={TUNING}
       title="Earlier tunings"
-      none="None yet. Each one you start stays here with all its trials."
+      none="None yet. Choose in the form what has to become small and start; each tuning stays here with all its trials."
       describe={({ strategy, objectives, limits }) => ({
         title: strategies.find(({ id }) => id === strategy)?.label ?? strategy,
         details: [
