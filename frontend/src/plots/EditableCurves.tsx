@@ -92,19 +92,15 @@ export function EditableCurves(props: Props) {
       {width > 0 && (
         <svg width={width} height={height}>
           {ticks(xRange).map((value) => (
-            <g key={value}>
-              <line x1={x(value)} x2={x(value)} y1={top} y2={bottom} />
-              <text x={x(value)} y={height - 4} textAnchor="middle">
-                {formatExact(value, "1")}
-              </text>
+            <g key={value} transform={`translate(${x(value)})`}>
+              <path d={`M 0 ${top} V ${bottom}`} />
+              <text y={height - 4} textAnchor="middle" children={formatExact(value, "1")} />
             </g>
           ))}
           {ticks(yRange).map((value) => (
-            <g key={value}>
-              <line x1={left} x2={right} y1={y(value)} y2={y(value)} />
-              <text x={left - 5} y={y(value)} textAnchor="end" dominantBaseline="middle">
-                {formatExact(value, "1")}
-              </text>
+            <g key={value} transform={`translate(0 ${y(value)})`}>
+              <path d={`M ${left} 0 H ${right}`} />
+              <text x={left - 5} textAnchor="end" dominantBaseline="middle" children={formatExact(value, "1")} />
             </g>
           ))}
           {curves.map((curve, index) => (

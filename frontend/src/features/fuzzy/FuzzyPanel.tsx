@@ -45,9 +45,10 @@ export function FuzzyPanel({ resultView, onClose }: Props) {
             size="compact-xs"
             variant="subtle"
             disabled={isPaper}
+            aria-label="Back to the paper’s Table 1"
             onClick={() => edit.commit(withoutRuleBase(edit.newest()))}
           >
-            Back to the paper’s Table 1
+            Paper’s Table 1
           </Button>
         )
       }

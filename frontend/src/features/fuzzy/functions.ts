@@ -19,72 +19,40 @@ interface MembershipFunction {
   readonly around: (centre: number, width: number) => readonly number[];
 }
 
-/** Of a Gaussian, a width from its mean. */
-const INFLECTION = Math.exp(-0.5);
-const TRAPEZOID = [
-  { name: "Left foot", at: 0 },
-  { name: "Left shoulder", at: 1 },
-  { name: "Right shoulder", at: 1 },
-  { name: "Right foot", at: 0 },
-] as const;
+const foot = (name: string): Argument => ({ name, at: 0 });
+const top = (name: string): Argument => ({ name, at: 1 });
+const half = (name: string): Argument => ({ name, at: 0.5 });
+/** A Gaussian's width, from its mean to where the curve bends. */
+const width = (name: string, mean: number, side: 1 | -1): Argument => ({
+  name,
+  at: Math.exp(-0.5),
+  beside: [mean, side],
+});
+const TRAPEZOID = [foot("Left foot"), top("Left shoulder"), top("Right shoulder"), foot("Right foot")];
 const trapezoid = (c: number, w: number) => [c - 0.75 * w, c - 0.25 * w, c + 0.25 * w, c + 0.75 * w];
 
 export const FUNCTIONS: Readonly<Record<string, MembershipFunction>> = {
   trimf: {
     title: "Triangle",
-    arguments: [
-      { name: "Left foot", at: 0 },
-      { name: "Peak", at: 1 },
-      { name: "Right foot", at: 0 },
-    ],
+    arguments: [foot("Left foot"), top("Peak"), foot("Right foot")],
     upright: true,
     around: (c, w) => [c - w, c, c + w],
   },
   trapmf: { title: "Trapezoid", arguments: TRAPEZOID, upright: true, around: trapezoid },
-  gaussmf: {
-    title: "Gaussian",
-    arguments: [
-      { name: "Mean", at: 1 },
-      { name: "Width", at: INFLECTION, beside: [0, 1] },
-    ],
-    around: (c, w) => [c, w / 2.355],
-  },
+  gaussmf: { title: "Gaussian", arguments: [top("Mean"), width("Width", 0, 1)], around: (c, w) => [c, w / 2.355] },
   gauss2mf: {
     title: "Two Gaussians",
-    arguments: [
-      { name: "Left mean", at: 1 },
-      { name: "Left width", at: INFLECTION, beside: [0, -1] },
-      { name: "Right mean", at: 1 },
-      { name: "Right width", at: INFLECTION, beside: [2, 1] },
-    ],
+    arguments: [top("Left mean"), width("Left width", 0, -1), top("Right mean"), width("Right width", 2, 1)],
     around: (c, w) => [c - w / 4, w / 4.71, c + w / 4, w / 4.71],
   },
   gbellmf: {
     title: "Bell",
-    arguments: [{ name: "Width", at: 0.5, beside: [2, 1] }, { name: "Slope" }, { name: "Centre", at: 1 }],
+    arguments: [{ ...half("Width"), beside: [2, 1] }, { name: "Slope" }, top("Centre")],
     around: (c, w) => [w / 2, 2, c],
   },
-  sigmf: {
-    title: "Sigmoid",
-    arguments: [{ name: "Centre", at: 0.5 }, { name: "Slope" }],
-    around: (c, w) => [c, 8 / w],
-  },
-  smf: {
-    title: "S curve",
-    arguments: [
-      { name: "Foot", at: 0 },
-      { name: "Ceiling", at: 1 },
-    ],
-    around: (c, w) => [c - w, c],
-  },
-  zmf: {
-    title: "Z curve",
-    arguments: [
-      { name: "Ceiling", at: 1 },
-      { name: "Foot", at: 0 },
-    ],
-    around: (c, w) => [c, c + w],
-  },
+  sigmf: { title: "Sigmoid", arguments: [half("Centre"), { name: "Slope" }], around: (c, w) => [c, 8 / w] },
+  smf: { title: "S curve", arguments: [foot("Foot"), top("Ceiling")], around: (c, w) => [c - w, c] },
+  zmf: { title: "Z curve", arguments: [top("Ceiling"), foot("Foot")], around: (c, w) => [c, c + w] },
   pimf: { title: "Pi curve", arguments: TRAPEZOID, around: trapezoid },
 };
 
