@@ -52,8 +52,7 @@ def test_a_link_leads_to_an_instant_and_keys_open_and_close_it(dashboard: Dashbo
     page.keyboard.press("Escape")
     expect(panel).to_have_count(0)
     expect(page).not_to_have_url(re.compile("instant="))
-    page.goto("about:blank")
-    page.goto(address)
+    dashboard.open(address)
     expect(place).to_have_text(shown)
 
 

@@ -38,9 +38,8 @@ def test_colour_scheme_follows_the_system_and_the_toggle_keeps(dashboard: Dashbo
     expect(scheme).to_have_attribute("data-mantine-color-scheme", "light")
 
 
-@pytest.mark.parametrize(("width", "height"), [(1440, 900), (820, 1180), (390, 844)])
-def test_nothing_jumps_while_loading_or_is_wider_than_the_window(dashboard: Dashboard, width: int, height: int) -> None:
-    """Cumulative layout shift, which is good up to 0.1; a table or a plot without its place kept is over that."""
+def expect_steady(dashboard: Dashboard, width: int, height: int) -> None:
+    """Cumulative layout shift is good up to 0.1; a table or a plot without its place kept is over that."""
     dashboard.page.set_viewport_size({"width": width, "height": height})
     dashboard.page.goto("/")
     expect(dashboard.results).to_be_visible()
@@ -57,13 +56,16 @@ def test_nothing_jumps_while_loading_or_is_wider_than_the_window(dashboard: Dash
     assert dashboard.page.evaluate("document.documentElement.scrollWidth") <= width
 
 
-def test_on_a_phone_the_form_leaves_the_plots_in_sight(dashboard: Dashboard) -> None:
+@pytest.mark.parametrize(("width", "height"), [(1440, 900), (820, 1180)])
+def test_nothing_jumps_while_loading_or_is_wider_than_the_window(dashboard: Dashboard, width: int, height: int) -> None:
+    expect_steady(dashboard, width, height)
+
+
+def test_on_a_phone_nothing_jumps_and_the_form_leaves_the_plots_in_sight(dashboard: Dashboard) -> None:
+    expect_steady(dashboard, 390, 844)
     page = dashboard.page
-    page.set_viewport_size({"width": 390, "height": 844})
-    page.goto("/")
     page.get_by_role("button", name="Edit scenario").click()
-    slider = dashboard.slider("Height")
-    expect(slider).to_be_visible()
+    expect(dashboard.slider("Height")).to_be_visible()
     box = page.get_by_role("dialog").bounding_box()
     assert box is not None
     assert box["y"] > 0.4 * 844
