@@ -30,7 +30,7 @@ export function RangesTable({ tunable, fields, scenario, ranges, errors, onChang
   return (
     <>
       <div className={classes.ranges}>
-        <span />
+        {titles.length > 0 && <span />}
         {titles.map((title) => (
           <span key={title} className={classes.rangeTitle} aria-hidden>
             {title}

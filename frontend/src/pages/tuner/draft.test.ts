@@ -152,6 +152,7 @@ describe("a law of one's own", () => {
     });
     const searched = { ...ranges, "own.mine.gain": { on: true, from: "-1", to: "1" } };
     const numbers = numberFields(tunableOf(form, "mine"));
+    expect(numbers.map((each) => ownText({ own: { mine: { gain: 2 } } }, each))).toEqual(["2000\u00a0N·s/m", "2"]);
     const parsed = readDraft({ ...DRAFT, strategy: "mine", limits: [], ranges: searched }, numbers, []);
     expect(parsed.ok && parsed.body.search).toEqual({ "own.mine.damping": [0, 20000], "own.mine.gain": [-1, 1] });
     expect(restoreTuning({ ...DRAFT, strategy: "gone" }, form)).toBeNull();

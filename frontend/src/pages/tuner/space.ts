@@ -154,6 +154,6 @@ export const formatValue = (value: number | string, field: Single["field"]): str
 
 /** The scenario's own value, with its unit. */
 export const ownText = (scenario: Scenario, { name, field }: TunableNumber): string => {
-  const value = getAt(scenario, pointerOf(name));
+  const value = getAt(scenario, pointerOf(name)) ?? field.paperValue; // an option that nobody set has its default
   return typeof value === "number" ? valueText(field, value) : "as it is";
 };
