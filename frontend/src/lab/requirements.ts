@@ -49,6 +49,7 @@ export const readRequirements = (text = ""): readonly Requirement[] =>
 /** The requirements in a file or in the library; none where there is anything else. */
 export function requirementsIn(value: unknown): readonly Requirement[] {
   if (!isLike<readonly Requirement[]>([{ metric: "" }], value)) return [];
+  if (!value.every(({ max, min, max_change }) => typeof (max ?? min ?? max_change) === "number")) return [];
   const read = readRequirements(requirementsText(value));
   return read.length === value.length ? read : [];
 }
