@@ -1,7 +1,7 @@
 """Runs, and each strategy's result stored once under its content's key."""
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
@@ -170,17 +170,17 @@ def _load_run(connection: Connection, run_id: str) -> tuple[StoredRun | None, li
     check(runs, head, "run")
     members = connection.execute(_MEMBERS, {"run": run_id}).all()
     damaged = [row.key for row in members if not is_intact_result(row)]
-    outcomes = (_result(row) if row.key not in damaged else replace(_result(row), status=EXPIRED) for row in members)
+    outcomes = (_result(row, lost=row.key in damaged) for row in members)
     values = {name: getattr(head, name) for name in (*_STORED_NAMES, "created_at")}
     return StoredRun(**values, results=tuple(outcomes)), damaged
 
 
-def _result(row: Any) -> Outcome:
+def _result(row: Any, *, lost: bool = False) -> Outcome:
     return Outcome(
         key=row.key,
         strategy=row.strategy,
-        status=row.status,
-        json=row.summary.encode(),
+        status=EXPIRED if lost else row.status,
+        json=b"{}" if lost else row.summary.encode(),
         compute_ms=row.compute_ms,
         cached=True,
     )

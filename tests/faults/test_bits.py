@@ -1,10 +1,14 @@
 """A bit that flips in the database's file is told, or changes nothing; the drill tries 10,000 of them."""
 
+import sqlite3
+from contextlib import closing
 from pathlib import Path
 
 import pytest
 
 from backend.__main__ import main
+from backend.store import Store
+from backend.store.verify import verify
 from tests.faults import bits
 
 
@@ -13,6 +17,21 @@ def test_no_flipped_bit_changes_an_answer_without_a_word(tmp_path: Path) -> None
     fates, silent = bits.flip(tmp_path / "ridelab.sqlite", seed=1, count=40)
     assert not silent
     assert fates["told"] > 10, "else nothing was tried"
+
+
+def test_a_text_whose_type_became_bytes_is_damaged_and_its_run_is_computed_again(tmp_path: Path) -> None:
+    """SQLite keeps the type with each value: one bit decides it."""
+    file = tmp_path / "ridelab.sqlite"
+    bits.fill(file)
+    with closing(sqlite3.connect(file)) as connection:
+        connection.execute("UPDATE results SET summary = CAST(summary AS BLOB) WHERE strategy = 'lv'")
+        connection.commit()
+        (run_id,) = connection.execute("SELECT id FROM runs LIMIT 1").fetchone()
+    with closing(Store(f"sqlite:///{file}")) as store:
+        assert len(verify(store).damaged["results"]) == bits.RUNS + bits.POINTS
+        run = store.runs.load(run_id)
+    assert run is not None
+    assert run.expired
 
 
 def test_verify_names_what_is_damaged(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
