@@ -4,7 +4,6 @@ import csv
 import io
 import json
 import re
-import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +18,7 @@ from backend.runs.reports import inputs
 from sim_core.catalogue import METRICS
 from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
 from sim_core.scenario.vehicles import VEHICLES
-from tests.client.cli import ROOT, Cli, command, environment
+from tests.client.cli import ROOT, Cli
 from tests.client.conftest import ADDRESS, RUN, SHORT, SLUG, Prepared
 
 OLD = ("-s0h-wlxdeCgHw4J2eqW3g", "--0Zt9MhQy5rUqf5n_Xk7A", "-" + "k" * 21)  # the letters of options, alone and long
@@ -347,18 +346,18 @@ def test_the_papers_count_is_asked_for_by_readings_and_seeds(cli: Cli, prepared:
     assert file.read_bytes() == b"<html>"
 
 
-def test_the_shell_completes_names_that_a_service_gave(cli: Cli, tmp_path: Path) -> None:
+def test_the_shell_completes_names_that_a_service_gave(cli: Cli, monkeypatch: pytest.MonkeyPatch) -> None:
     cli("run", "-s", "passive")
+    monkeypatch.setenv("_RIDELAB_COMPLETE", "complete_bash")
     for words, completed in (
         ("run pap", "paper"),
         ("run --set road.bump.he", "road.bump.height="),
         ("sweep -s lv,lq", "lv,lqr"),
         ("compare a b --metric comfort.vib", "comfort.vibration_dose"),
     ):
-        variables = {"COMP_WORDS": f"ridelab {words}", "COMP_CWORD": str(len(words.split()))}
-        variables |= {"_RIDELAB_COMPLETE": "complete_bash", "XDG_CACHE_HOME": str(tmp_path / "cache")}
-        run = subprocess.run(command(), env=environment(**variables), capture_output=True, text=True, check=False)
-        assert completed in run.stdout.split(), (words, run)
+        monkeypatch.setenv("COMP_WORDS", f"ridelab {words}")
+        monkeypatch.setenv("COMP_CWORD", str(len(words.split())))
+        assert completed in cli().split(), words
 
 
 def test_names_are_listed_with_what_a_script_needs(cli: Cli) -> None:

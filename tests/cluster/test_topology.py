@@ -16,10 +16,10 @@ import psutil
 import pytest
 from sqlalchemy import make_url
 
-from backend.jobs.leadership import LOCK_ID
 from tests.api.own_laws import LAW
 from tests.servers.api import ask
 from tests.servers.compose import Topology
+from tests.servers.leader import leader
 from tests.servers.postgres import Postgres
 from tests.servers.process import HANG_TIMEOUT, Program, request, wait_until
 
@@ -110,31 +110,6 @@ def assert_completes(client: httpx.Client, identifier: str, runs: int) -> None:
     assert len({row["metrics"]["bump"]["body_acceleration"]["peak"] for row in rows}) > runs / 2, "results of their own"
 
 
-def driver(topology: Topology) -> Program:
-    """The replica that holds the lock: the database knows who connected."""
-    drivers: list[Program] = []
-
-    def look() -> bool:
-        for (port,) in topology.ask_database(
-            "SELECT client_port FROM pg_stat_activity JOIN pg_locks USING (pid) "
-            "WHERE locktype = 'advisory' AND objid = %s AND granted",
-            LOCK_ID,
-        ):
-            drivers.extend(replica for replica in topology.replicas if port in ports_of(replica))
-        return bool(drivers)
-
-    wait_until(look, "a replica drives")
-    return drivers[0]
-
-
-def ports_of(program: Program) -> set[int]:
-    """The ports of its connections; none where it is dead."""
-    try:
-        return {connection.laddr.port for connection in psutil.Process(program.pid).net_connections()}
-    except psutil.Error:
-        return set()
-
-
 def test_a_run_a_link_and_a_batch_go_through_the_proxy(topology: Topology, client: httpx.Client) -> None:
     run = client.post("/api/v1/runs", json={"scenario": {"road": SHORT}, "strategies": ["lv", "passive"]})
     assert run.status_code == 200
@@ -202,12 +177,12 @@ def kind_of_port(port: int) -> str:
 def test_a_batch_goes_on_when_the_replica_that_drives_is_killed(topology: Topology, client: httpx.Client) -> None:
     """That requests go to the other one is shown in tests/cluster/test_proxy.py."""
     wait_until(lambda: both_serve(topology), "both replicas serve")
-    killed, identifier = driver(topology), submit(client, 0.06, 300)
+    killed, identifier = leader(topology.database, topology.replicas), submit(client, 0.06, 300)
     stored = wait_until_begun(client, identifier)
     killed.kill(stays_dead=True)
     try:
         wait_until(lambda: done(client, identifier) > stored, "the batch goes on")
-        assert driver(topology) is not killed
+        assert leader(topology.database, topology.replicas) is not killed
         assert_completes(client, identifier, 300)
     finally:
         killed.revive()

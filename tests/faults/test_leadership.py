@@ -10,17 +10,17 @@ import signal
 from collections.abc import Iterator
 from pathlib import Path
 
-import psutil
 import pytest
 from sqlalchemy import make_url, text
 
 from backend.jobs import leadership
-from backend.jobs.leadership import LOCK_ID, Leadership, LeadershipLostError
+from backend.jobs.leadership import Leadership, LeadershipLostError
 from backend.store import Store
 from tests.api.test_job_store import BATCH, rows
 from tests.faults.conftest import Process
 from tests.faults.test_batches import state, submit
 from tests.servers import loops
+from tests.servers.leader import leader
 from tests.servers.postgres import Postgres
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
@@ -145,14 +145,14 @@ def test_a_batch_goes_on_when_its_leader_is_stopped_and_nothing_is_twice_when_it
     replicas: list[Process], url: str
 ) -> None:
     with contextlib.closing(Store(url)) as store:
-        stopped = leading(store, replicas)
+        stopped = leader(url, replicas)
         (other,) = (each for each in replicas if each is not stopped)
         batch = submit(other, {"road": {"length": 121.7}}, RUNS)
         wait_until(lambda: state(other, batch)["done"] > 0, "the batch begins", pause=0.01)
         os.kill(stopped.pid, signal.SIGSTOP)
         try:
             # Until then the server may still commit what the stopped one had sent.
-            wait_until(lambda: leading(store, replicas) is other, "the other one drives")
+            wait_until(lambda: leader(url, replicas) is other, "the other one drives")
             before = state(other, batch)["done"]
             assert before < RUNS, "the test needs a longer batch"
             wait_until(lambda: state(other, batch)["done"] > before, "the batch goes on")
@@ -161,7 +161,7 @@ def test_a_batch_goes_on_when_its_leader_is_stopped_and_nothing_is_twice_when_it
         wait_until(lambda: "Another service leads the jobs now" in stopped.log, "the old one has stepped down")
         wait_until(lambda: state(other, batch)["state"] == "done", "the batch ends")
         assert stopped.client.get(f"/api/v1/batches/{batch}").json()["done"] == RUNS
-        assert leading(store, replicas) is other
+        assert leader(url, replicas) is other
         with store.reading() as connection:
             counts = connection.execute(COUNTS).one()
         assert set(counts) == {RUNS}
@@ -169,27 +169,3 @@ def test_a_batch_goes_on_when_its_leader_is_stopped_and_nothing_is_twice_when_it
         assert numbers == list(range(1, len(numbers) + 1))
     for each in replicas:
         assert "Traceback" not in each.log, each.log[-5000:]
-
-
-def leading(store: Store, replicas: list[Process]) -> Process:
-    """The replica that holds the lock: the database knows who connected."""
-    found: list[Process] = []
-
-    def look() -> bool:
-        with store.reading() as connection:
-            ports = connection.execute(
-                text(
-                    "SELECT client_port FROM pg_stat_activity JOIN pg_locks USING (pid) WHERE objid = :id AND granted"
-                ),
-                {"id": LOCK_ID},
-            ).scalars()
-            for port in ports:
-                found.extend(each for each in replicas if port in ports_of(each))
-        return bool(found)
-
-    wait_until(look, "a replica drives")
-    return found[0]
-
-
-def ports_of(replica: Process) -> set[int]:
-    return {connection.laddr.port for connection in psutil.Process(replica.pid).net_connections()}

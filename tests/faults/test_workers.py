@@ -120,21 +120,6 @@ def test_a_task_that_nobody_waits_for_ends_or_never_begins(do: Do, tmp_path: Pat
     assert not never.exists()
 
 
-def test_clients_take_turns(do: Do) -> None:
-    async def use(workers: Workers) -> None:
-        order: list[str] = []
-
-        async def one(client: str) -> None:
-            await workers.call(time.sleep, 0.02, client=client)
-            order.append(client)
-
-        await asyncio.gather(*(one("greedy") for _ in range(10)), *(one("other") for _ in range(2)))
-        assert order.index("other") <= 2
-        assert order[:5].count("other") == 2
-
-    do(use)
-
-
 def test_a_reserved_worker_answers_while_one_client_has_long_runs() -> None:
     async def use() -> None:
         workers = Workers(1, timeout=HANG_TIMEOUT, warm_up=WARM_UP, reserved=1)

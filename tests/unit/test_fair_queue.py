@@ -122,15 +122,6 @@ def test_no_more_run_than_there_are_processes_left() -> None:
     assert processes.order == ["long", "short"]
 
 
-def test_one_client_alone_uses_all_but_the_reserved_process() -> None:
-    processes = Processes(3, reserved=1)
-    processes.ask("alone", count=10)
-    assert len(processes.running) == 2
-    for _ in range(9):
-        processes.work()
-    assert processes.order == ["alone"] * 10
-
-
 def test_a_task_that_is_killed_counts_as_all_that_was_estimated() -> None:
     queue = FairQueue(clock=lambda: 0.0)
     queue.add("gone", 20.0)

@@ -86,14 +86,14 @@ A_DRIVE = """
 import numpy as np
 from ctypes import ArgumentError
 from math import inf
-from sim_core.kernel.prepared import DrivenCar, LawArrays, LawDesign
+from sim_core.kernel.prepared import CAR, DrivenCar, LawArrays, LawDesign
 from tests.unit.test_recorder import recorder
 
 REFUSED = ValueError, TypeError, ArgumentError
 STEPS, FINE = 6, 2
 ROAD_POSITIONS = np.zeros((2, STEPS * FINE + 1))
 RIGHT = dict(
-    vehicle=np.ones(33), states=8, effects=None, steps=STEPS, fine=FINE, estimator=None,
+    vehicle=np.ones(CAR), states=8, effects=None, steps=STEPS, fine=FINE, estimator=None,
     estimator_input=np.empty((0, 8)), substeps=3, fine_step=1e-3, height=ROAD_POSITIONS, braking=np.zeros(STEPS * FINE),
     road=(np.zeros(50), np.ones(9), ROAD_POSITIONS, np.zeros((STEPS * FINE, 4))),
     recorder=recorder(FINE, STEPS, np.array([[0.0, 4.0]])),
@@ -143,7 +143,7 @@ MISUSES = {
     "backwards": "first=1, last=0",
     "far beyond the drive": "first=2**31 - 1",
     "more steps than the drive": "last=STEPS + 1, loop=np.zeros((STEPS + 2, 10))",
-    "a car of too few numbers": "vehicle=np.ones(32)",
+    "a car of too few numbers": "vehicle=np.ones(CAR - 1)",
     "a state of nine": "states=9",
     "an estimator that knows nothing": "estimator=np.zeros(112)",
     "half an estimator": "estimator=np.zeros(100), estimator_input=np.zeros((STEPS, 8))",
@@ -219,7 +219,6 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     "recorder, a step before it": lambda: recorder(2, 4, ENDS).record(0),
     "recorder, a step beyond it": lambda: recorder(2, 4, ENDS).record(4),
     "drive, another's steps": lambda: linear_drive(steps=5),
-    "drive, no row after the last": lambda: linear_drive(loop=np.zeros((6, 10))),
     "qp, a column less": lambda: qp_design(columns=np.zeros((4, 8))),
     "qp, one limit of a deflection": lambda: qp_design(columns=np.zeros((5, 7))),
     "qp, slacks alone": lambda: qp_design(columns=np.zeros((2, 8)), H=np.eye(2), low=np.zeros(2), high=np.zeros(2)),
@@ -270,8 +269,7 @@ def linear_drive(qp: tuple[QpDesign, QpMemory] | None = None, **changed: Any) ->
         clips=True,
         qp=qp,
     )
-    loop = changed.pop("loop", np.zeros((7, 10)))
-    still_car(**changed).follow_law(law, loop)
+    still_car(**changed).follow_law(law, np.zeros((7, 10)))
 
 
 @pytest.mark.parametrize("misuse", DISAGREEING)
