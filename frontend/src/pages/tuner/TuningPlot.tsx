@@ -147,7 +147,7 @@ function WeightsOf({ weights, beside, tunable }: Props) {
       rowKey={({ title }) => title}
       columns={[
         { key: "stage", head: "", text: true, cell: ({ title }) => title },
-        ...(triples[0]?.items ?? []).map(({ title }, index): Column<Row> => ({
+        ...(triples[0]?.items ?? [{ title: "Value" }]).map(({ title }, index): Column<Row> => ({
           key: title,
           head: title,
           attributes({ items }) {
