@@ -27,8 +27,11 @@ def run(
         except BaseException as error:  # noqa: BLE001  # it is raised where the result is asked for
             result.set_exception(error)
 
-    threading.Thread(target=drive, daemon=True).start()
-    return result.result()
+    thread = threading.Thread(target=drive, daemon=True)
+    thread.start()
+    value = result.result()
+    thread.join()  # until then it holds the value, and its loop is open
+    return value
 
 
 def ask(app: Any, method: str, address: str, **more: Any) -> httpx.Response:
