@@ -168,7 +168,7 @@ def test_a_tuning_is_cancelled_and_goes_on(dashboard: Dashboard, server: Server)
     page.get_by_role("button", name="Cancel").click()
     expect_state(page, "Cancelled; complete generations are kept")
 
-    page.get_by_role("link", name="New tuning, earlier tunings").click()
+    page.get_by_role("link", name="New tuning").click()
     entry = page.get_by_role("region", name="Earlier tunings").locator(f"a[href='/tuner/{tuning}']")
     expect(entry).to_contain_text("cancelled")
 

@@ -17,7 +17,7 @@ type Outcome =
 
 interface Props {
   /** Makes the link. */
-  readonly make: () => Promise<NewLink>;
+  readonly make: () => Promise<Pick<NewLink, "url">>;
   /** Why there is nothing to share, `null` where there is. */
   readonly obstacle: string | null;
   /** What the link opens, in a sentence. */

@@ -23,7 +23,8 @@ import { Switches } from "./Switches";
 import { Tables } from "./Tables";
 import { Fault, Waiting } from "./Waiting";
 import { useLabels, type Labels } from "./labels";
-import { compact } from "../../ui/compact";
+import { FileMenu } from "../../features/export/FileMenu";
+import { ShareAddress } from "../../features/share/ShareAddress";
 
 const DOI = "10.3390/wevj16040232";
 
@@ -40,15 +41,18 @@ export function PaperPage() {
     <>
       <ShellSlot name="tools">
         <span className={shell.grow} />
-        <Button
-          component="a"
-          href={address("/paper/report.html", { query: choices })}
-          aria-label="Report"
-          leftSection={<IconFileDescription size={15} aria-hidden />}
-          classNames={compact}
-        >
-          Report
-        </Button>
+        <ShareAddress what="page" ready />
+        <FileMenu
+          contents="Every cell, table and picture"
+          files={[
+            {
+              label: "Report (HTML)",
+              icon: <IconFileDescription size={16} />,
+              address: address("/paper/report.html", { query: choices }),
+              name: "ridelab-paper.html",
+            },
+          ]}
+        />
       </ShellSlot>
       <div className={classes.page}>
         <Contents paper={paper} />

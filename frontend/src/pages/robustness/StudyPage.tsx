@@ -6,6 +6,8 @@ import { useQuery } from "@tanstack/react-query";
 import { Link, useParams } from "@tanstack/react-router";
 import { useMemo } from "react";
 import { IconAdjustments, IconPlus } from "../../ui/icons";
+import { BatchFiles } from "../../features/export/FileMenu";
+import { ShareAddress } from "../../features/share/ShareAddress";
 import { BatchState } from "../../features/sweep/SweepState";
 import { otherThanPaper } from "../../features/scenarioSource/otherThanPaper";
 import { BATCH, useJob } from "../../jobs/useJob";
@@ -49,6 +51,8 @@ export function StudyPage() {
       >
         New study
       </Button>
+      <ShareAddress what="study" ready={batch !== undefined} />
+      <BatchFiles batch={batch} />
     </>
   );
   const ready = batch && defaults.data;

@@ -2,7 +2,6 @@
 
 import { useParams } from "@tanstack/react-router";
 import { useMemo } from "react";
-import { Button, Menu } from "@mantine/core";
 import type { Link, Batch, SharedView } from "../../api/types";
 import { BATCH, useJob } from "../../jobs/useJob";
 import { markersOf } from "../../plots/markers";
@@ -15,11 +14,9 @@ import { SharedNote } from "../../features/share/SharedBanner";
 import { SweepList } from "../../features/sweep/SweepList";
 import { titleOf } from "../../features/sweep/table";
 import { useBatchView, useSharedView, type BatchView } from "./view";
-import { IconBraces, IconDownload, IconFileTypeCsv, IconTable } from "../../ui/icons";
-import { address, ask } from "../../api/http";
-import { download } from "../../lib/download";
+import { ask } from "../../api/http";
+import { BatchFiles } from "../../features/export/FileMenu";
 import { ShareLink } from "../../features/share/ShareLink";
-import { compact } from "../../ui/compact";
 
 export function SweepPage() {
   const { id } = useParams({ from: "/b/$id" });
@@ -77,12 +74,6 @@ interface SweepActionsProps {
   readonly view: BatchView;
 }
 
-const FORMATS = [
-  { format: "csv", label: "CSV", icon: IconFileTypeCsv },
-  { format: "parquet", label: "Parquet", icon: IconTable },
-  { format: "json", label: "JSON", icon: IconBraces },
-] as const;
-
 /** What the page of a sweep can do: share it and save its runs as files. */
 function BatchActions({ batch, view }: SweepActionsProps) {
   return (
@@ -96,31 +87,7 @@ function BatchActions({ batch, view }: SweepActionsProps) {
         obstacle={batch ? null : "There is no sweep to share yet"}
         opens="It opens this sweep with its plot as it is here, for anyone who has the link. It is read-only."
       />
-      <Menu position="bottom-end" width={260}>
-        <Menu.Target>
-          <Button aria-label="Export" classNames={compact} leftSection={<IconDownload size={15} />} disabled={!batch}>
-            Export
-          </Button>
-        </Menu.Target>
-        <Menu.Dropdown>
-          <Menu.Label>One row per run, all metrics</Menu.Label>
-          {FORMATS.map(({ format, label, icon: Icon }) => (
-            <Menu.Item
-              key={format}
-              leftSection={<Icon size={16} />}
-              onClick={() =>
-                batch &&
-                download(
-                  address("/batches/{id}/results", { path: { id: batch.id }, query: { format } }),
-                  `ridelab-batch-${batch.id}.${format}`,
-                )
-              }
-            >
-              {label}
-            </Menu.Item>
-          ))}
-        </Menu.Dropdown>
-      </Menu>
+      <BatchFiles batch={batch} />
     </>
   );
 }

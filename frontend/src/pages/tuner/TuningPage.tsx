@@ -1,9 +1,14 @@
 /** One tuning: how far it is, what it found, and whether that holds on other roads. */
 
-import { Anchor, Text } from "@mantine/core";
+import { Anchor, Button, Text } from "@mantine/core";
 import { Link, useParams } from "@tanstack/react-router";
 import { useMemo } from "react";
 import { api } from "../../api/client";
+import { address } from "../../api/http";
+import { FileMenu } from "../../features/export/FileMenu";
+import { ShareAddress } from "../../features/share/ShareAddress";
+import { compact } from "../../ui/compact";
+import { IconBraces, IconPlus } from "../../ui/icons";
 import type { Trial, Tuning } from "../../api/types";
 import { TUNING, useJob } from "../../jobs/useJob";
 import { Page } from "../../ui/Page";
@@ -30,14 +35,26 @@ export function TuningPage() {
   const { job: tuning, error, connected, left } = useJob(TUNING, id);
   const strategy = catalogues.strategies.find((each) => each.id === tuning?.strategy)?.label ?? tuning?.strategy;
   const heading = strategy !== undefined ? `Weights of ${strategy}` : undefined;
-  const start = (text: string) => <Anchor renderRoot={(props) => <Link to="/tuner" {...props} />}>{text}</Anchor>;
   return (
     <Page
       title={heading ?? "Tuning"}
-      above={start("New tuning, earlier tunings")}
+      tools={
+        <>
+          <Button
+            aria-label="New tuning"
+            classNames={compact}
+            leftSection={<IconPlus size={15} />}
+            renderRoot={(props) => <Link to="/tuner" {...props} />}
+          >
+            New tuning
+          </Button>
+          <ShareAddress what="tuning" ready={tuning !== undefined} />
+          <FileMenu contents="Every trial of the complete generations" files={tuning ? [trialsOf(tuning)] : []} />
+        </>
+      }
       heading={heading && `${heading}, tuned`}
       what="tuning"
-      instead={start("Start a tuning")}
+      instead={<Anchor renderRoot={(props) => <Link to="/tuner" {...props} />}>Start a tuning</Anchor>}
       faults={[tuning ? null : error]}
       heights={[28, 150, 420]}
     >
@@ -50,6 +67,13 @@ export function TuningPage() {
     </Page>
   );
 }
+
+const trialsOf = ({ id }: Tuning) => ({
+  label: "JSON",
+  icon: <IconBraces size={16} />,
+  address: address("/tunings/{id}/trials", { path: { id } }),
+  name: `ridelab-tuning-${id}.json`,
+});
 
 function TuningResults({ tuning, form, strategies, figures }: { readonly tuning: Tuning } & Catalogues) {
   const objectives = useMemo(
