@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from backend.own.host import Host
 from sim_core import Controller, check_controller, controller_files, load_controllers, simulate
 from sim_core.controller_files import VARIABLE, ControllerFileError
 from sim_core.errors import UnknownNameError
@@ -133,11 +132,6 @@ def test_a_package_names_its_own_by_an_entry_point(named: str, tmp_path: Path, m
     monkeypatch.delitem(sys.modules, "my_laws", raising=False)
     monkeypatch.setattr(controller_files, "_installed", controller_files._installed.__wrapped__)
     assert simulate(SHORT, "mine").metrics == simulate(SHORT, controller_files.load("entry point laws")["mine"]).metrics
-    host = Host("entry point laws")  # as a service has it: in a process of its own
-    try:
-        assert host.call(os.path.basename, "/a/b", limit=10) == "b"
-    finally:
-        host.close()
 
 
 @pytest.mark.parametrize(
