@@ -71,9 +71,3 @@ export function requiredOfThese(
 
 /** By run how it keeps what is required; a run under way, or one that could not be asked about, has no entry. */
 export type Judged = Readonly<Record<string, readonly RequirementResult[]>>;
-
-/** The worst of the results first: one that fails counts more than one that is uncertain. */
-export function worstOf(results: readonly RequirementResult[]): RequirementResult | null {
-  const rank = { fail: 0, uncertain: 1, pass: 2 };
-  return [...results].sort((one, other) => rank[one.result] - rank[other.result])[0] ?? null;
-}
