@@ -67,7 +67,7 @@ class Gate:
             yield
         finally:
             for name, amount in amounts.items():
-                left = self._open[name].pop(client) - amount
+                left = self._open[name].pop(client, 0.0) - amount  # there is none where all that is open costs nothing
                 if left > 1e-9:  # else it is rounding
                     self._open[name][client] = left
 

@@ -60,6 +60,17 @@ def test_each_thing_that_is_counted_has_its_own_limits() -> None:
         assert gate.load["cost"] == 9.0, "one alone may be as big as a request may be"
 
 
+def test_what_costs_nothing_ends_after_what_costs_something() -> None:
+    """Both are one client's: the first to end leaves nothing open, and nothing for the other to take away."""
+    gate = Gate(Settings())
+    first, second = gate.computing("a", 0.0), gate.hold("a", cost=5.0)
+    for block in (first, second):
+        block.__enter__()
+    for block in (second, first):
+        block.__exit__(None, None, None)
+    assert gate.open("cost") == gate.open("computing") == 0
+
+
 def test_a_greedy_client_fills_its_own_share_of_the_cost() -> None:
     gate = gate_with(cost=Quota(what="computing", taken_by="", total=10, fair=True))
     with ExitStack() as held:

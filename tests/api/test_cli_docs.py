@@ -11,13 +11,14 @@ import shlex
 import subprocess
 import sys
 from collections.abc import Callable
-from contextlib import redirect_stderr, redirect_stdout
+from contextlib import closing, redirect_stderr, redirect_stdout
 from functools import partial
 from pathlib import Path
 
 import httpx
 import pytest
 
+from ridelab import Ridelab
 from ridelab.cli import app
 from tests.client.cli import environment
 from tests.servers.programs import find
@@ -66,6 +67,12 @@ class Page:
         commands = [line for line in text.splitlines() if line.startswith("$ ")]
         shown = "".join(f"{line}\n{self._shown(output(self._prepared(line[2:])))}" for line in commands)
         return f"```console\n{shown}```\n"
+
+    def close(self) -> None:
+        """Close the clients that its cells have made."""
+        for each in self._variables.values():
+            if isinstance(each, Ridelab):
+                each.close()
 
     def _prepared(self, command: str) -> str:
         for word, name in self._ids.items():
@@ -125,7 +132,8 @@ def check(name: str, client: httpx.Client, folder: Path, monkeypatch: pytest.Mon
     (folder / "examples").symlink_to(ROOT / "examples")
     monkeypatch.setenv("RIDELAB_SERVER", address)
     page = Page(name, address)
-    again = page.again()
+    with closing(page):
+        again = page.again()
     if UPDATE:
         page.path.write_text(again, encoding="utf-8")
     assert without_changing_values(page.path.read_text(encoding="utf-8")) == without_changing_values(again)

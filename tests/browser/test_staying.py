@@ -155,7 +155,7 @@ def test_plots_that_cannot_be_saved_say_so_and_a_missing_part_leaves_the_lab(das
         page.get_by_role("menuitem", name="PNG picture").click()
     page.get_by_label("Plot differences").uncheck()
 
-    page.route(re.compile(r"/assets/(\w+Dialog|Palette|KeyList|FigureMenu)-"), lambda route: route.abort())
+    page.route(re.compile(r"/assets/(\w+Dialog|Palette|Help|FigureMenu)-"), lambda route: route.abort())
     opening: dict[str, Callable[[], None]] = {
         "the library": lambda: page.get_by_role("button", name="Library").click(),
         "a sweep": lambda: page.get_by_role("button", name="Sweep…").click(),
