@@ -41,7 +41,7 @@ def main() -> None:
     bom = Bom(components=[*python_packages(), *page_libraries()])
     bom.metadata.component = service
     bom.register_dependency(service, bom.components)
-    print(JsonV1Dot6(bom).output_as_string(indent=1))  # noqa: T201
+    print(JsonV1Dot6(bom).output_as_string(indent=1))  # noqa: T201  # a command: what it prints is the bill
 
 
 if __name__ == "__main__":

@@ -30,7 +30,7 @@ def rows(database: Database) -> dict[str, list[str]]:
         for table in metadata.sorted_tables:
             columns = ", ".join(column.name for column in table.columns)
             order = ", ".join(column.name for column in table.primary_key)
-            read = connection.exec_driver_sql(f"SELECT {columns} FROM {table.name} ORDER BY {order}")  # noqa: S608
+            read = connection.exec_driver_sql(f"SELECT {columns} FROM {table.name} ORDER BY {order}")  # noqa: S608  # names of our own tables
             found[table.name] = [repr(tuple(row)) for row in read]
     return found
 
@@ -143,7 +143,7 @@ def states(url: str, seed: int, pieces: int) -> Iterator[str]:
 
 def main() -> None:
     """What the module's documentation says; with WAL where RECORD_WAL says so, whatever SQLite this is."""
-    sqlite.wal_is_safe = lambda _: "RECORD_WAL" in os.environ  # type: ignore[assignment]
+    sqlite.wal_is_safe = lambda _: "RECORD_WAL" in os.environ  # type: ignore[assignment]  # the journal that the drill asks for
     url, seed, pieces = sys.argv[1:]
     with Path(os.environ["RECORD_LOG"]).open("ab", buffering=0) as log:
         for state in states(url, int(seed), int(pieces)):
