@@ -13,8 +13,7 @@ from sim_core.speed.profile import make_speed_profile
 from sim_core.speed.stages import spans
 from sim_core.strategies import make_controller, resolve_speed_plan
 
-# No control law depends on the road; a Kalman filter depends on its roughness alone.
-ANY_ROAD = Road(roughness=0, length=30, bump=Bump(height=0, start=20))
+_ANY_ROAD = Road(length=30, bump=Bump(height=0, start=20))
 
 
 @one_thread()
@@ -42,6 +41,11 @@ def simulate(scenario: Scenario, strategy: str | type[Controller] | Controller) 
     run = prepare(scenario, strategy)
     recorder = make_recorder(run)
     return evaluate(run, recorder, run.drive(recorder))
+
+
+def on_any_road(scenario: Scenario) -> Scenario:
+    """The scenario on a short, even road: no control law depends on it, a Kalman filter on its roughness alone."""
+    return scenario.model_copy(update={"road": _ANY_ROAD.model_copy(update={"roughness": scenario.road.roughness})})
 
 
 def prepare(scenario: Scenario, strategy: str | type[Controller] | Controller) -> Run:

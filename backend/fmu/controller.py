@@ -14,7 +14,7 @@ from sim_core.ecu.controller import EcuController
 from sim_core.ecu.sources import SOURCES as ECU_SOURCES
 from sim_core.errors import RidelabError
 from sim_core.scenario import Scenario
-from sim_core.simulate import ANY_ROAD, prepare
+from sim_core.simulate import on_any_road, prepare
 from sim_core.strategies import strategy_named
 from sim_core.strategies.lv import Lv
 from sim_core.strategies.lv_hil import LvHil
@@ -96,7 +96,7 @@ def controller_model(scenario: Scenario, strategy: str) -> Model:
         RidelabError: It has none that an FMU can hold, or the vehicle and weights admit none.
     """
     named = LvHil if strategy == Lv.id else strategy_named(strategy)
-    run = prepare(scenario.model_copy(update={"road": ANY_ROAD}), named)
+    run = prepare(on_any_road(scenario), named)
     setup = run.setup()
     if isinstance(run.controller, EcuController):
         return _program_model(run.controller, setup)

@@ -21,23 +21,23 @@ from sim_core.frequency.sampled_loop import (
     ComplexArray,
     NotLinearError,
     SampledLoop,
-    continuous,
     preview_command,
     previewed,
     sampled_loop,
+    stage_law,
 )
 from sim_core.metrics.comfort import wk_gain
 from sim_core.road.profile import CUTOFF_FREQUENCY, REFERENCE_FREQUENCY
-from sim_core.scenario import Road, Scenario
-from sim_core.simulate import ANY_ROAD, prepare
-from sim_core.vehicle.half_car import OUTPUTS, half_car
-from sim_core.vehicle.plant import plant
+from sim_core.scenario import Scenario
+from sim_core.simulate import on_any_road, prepare
+from sim_core.vehicle.half_car import OUTPUTS, STATES, half_car
+from sim_core.vehicle.plant import continuous, plant
 
 RESPONSES = OUTPUTS[:6]
 BANDS = ((1.0, 2.0), (4.0, 8.0), (10.0, 12.0))  # body, the passengers' most sensitive range, wheels [Hz]
 DEFAULT_FREQUENCIES = tuple(np.geomspace(0.3, 30, 200).tolist())
 _NODES, _NODE_WEIGHTS = np.polynomial.legendre.leggauss(24)  # in each band
-_NEGLIGIBLE = 1e-6  # a mode with a smaller eigenvalue has died out after one control step
+NEGLIGIBLE = 1e-6  # a mode with a smaller eigenvalue has died out after one control step
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -111,11 +111,15 @@ def frequency_response(
     """
     if unknown := set(outputs) - set(RESPONSES):
         raise RidelabError(f"There is no response of {', '.join(sorted(unknown))}")
-    run = prepare(scenario.model_copy(update={"road": _level(scenario)}), strategy)
+    run, vehicle = prepare(on_any_road(scenario), strategy), scenario.real_vehicle
     planned = run.plan == "planned" and stage == "bump"
     speed = min(scenario.speed.initial, scenario.speed.target) if planned else scenario.speed.initial
     try:
-        loop = sampled_loop(run, stage, speed)
+        if not vehicle.linear:
+            raise NotLinearError(
+                "The car is not linear: unequal dampers, damper curves, bump stops or a tyre that can lift off"
+            )
+        loop = sampled_loop(run, stage_law(run, stage), vehicle, speed)
     except NotLinearError as error:
         return FrequencyResult(stage=stage, speed=speed, reason=str(error))
     own = modes(loop.closed, loop.step)
@@ -150,7 +154,7 @@ def passive_modes(scenario: Scenario) -> tuple[Mode, ...]:
 def modes(closed: FloatArray, step: float) -> tuple[Mode, ...]:
     """Of z' = closed·z over a step [s]; what is gone after a step is left out."""
     eigenvalues = np.linalg.eigvals(closed).astype(np.complex128)
-    return _modes(np.asarray(np.log(eigenvalues[np.abs(eigenvalues) > _NEGLIGIBLE]) / step, dtype=np.complex128))
+    return _modes(np.asarray(np.log(eigenvalues[np.abs(eigenvalues) > NEGLIGIBLE]) / step, dtype=np.complex128))
 
 
 def _modes(poles: ComplexArray) -> tuple[Mode, ...]:
@@ -163,21 +167,23 @@ def _modes(poles: ComplexArray) -> tuple[Mode, ...]:
 
 def _responses(loop: SampledLoop, omega: FloatArray) -> ComplexArray:
     """Of all outputs per metre of road height (frequencies, 6)."""
-    A, B, E, C, D = continuous(loop)
-    s, h = 1j * omega, loop.step
-    n, size = len(A), len(loop.within)
-    velocity = s[:, None] * np.stack([np.ones_like(s), np.exp(-s * loop.scenario.vehicle.wheelbase / loop.speed)], 1)
-    resolvent = s[:, None, None] * np.eye(n) - A
-    of_road: ComplexArray = np.asarray(np.linalg.solve(resolvent, (velocity @ E.T)[..., None])[..., 0], np.complex128)
+    car, outputs = continuous(loop.vehicle, loop.run.actuator), half_car(loop.vehicle)
+    s, h, size = 1j * omega, loop.step, len(loop.within)
+    wheelbase = loop.run.scenario.vehicle.wheelbase
+    velocity = s[:, None] * np.stack([np.ones_like(s), np.exp(-s * wheelbase / loop.speed)], 1)
+    resolvent = s[:, None, None] * np.eye(car.size) - car.A
+    road = velocity @ car.E[:, :2].T
+    of_road: ComplexArray = np.asarray(np.linalg.solve(resolvent, road[..., None])[..., 0], np.complex128)
     feed = preview_command(loop, omega)
     forcing = np.zeros((len(omega), len(loop.A)), dtype=np.complex128)
     forcing[:, :size] = _road_in_step(loop, omega, of_road)
     forcing += feed @ (loop.B + loop.C).T
     z = np.linalg.solve(np.exp(s * h)[:, None, None] * np.eye(len(loop.A)) - loop.closed, forcing[..., None])[..., 0]
-    command = z[:, size : size + 2] if loop.delayed else z @ loop.K.T + feed
+    command = z[:, size : size + 2] if loop.run.controller.delayed else z @ loop.K.T + feed
     held = command * ((1 - np.exp(-s * h)) / (s * h))[:, None]
-    x = of_road + np.linalg.solve(resolvent, (held @ B.T)[..., None])[..., 0]
-    return np.asarray((x @ C.T + held @ D.T)[:, : len(RESPONSES)])
+    x = of_road + np.linalg.solve(resolvent, (held @ car.B.T)[..., None])[..., 0]
+    forces = x[:, STATES:] if car.size > STATES else held
+    return np.asarray((x[:, :STATES] @ outputs.C.T + forces @ outputs.D.T)[:, : len(RESPONSES)])
 
 
 def _road_in_step(loop: SampledLoop, omega: FloatArray, of_road: ComplexArray) -> ComplexArray:
@@ -187,22 +193,17 @@ def _road_in_step(loop: SampledLoop, omega: FloatArray, of_road: ComplexArray) -
     """
     h = loop.step / loop.short
     turn = np.exp(1j * omega * h)[:, None]
-    within = plant(loop.scenario.real_vehicle, loop.actuator, h)
+    within = plant(loop.vehicle, loop.run.actuator, h)
     added = turn * of_road - of_road @ within.A.T
     if loop.filtered is None:
         return np.asarray(added)
     from_preview, from_sensors = loop.filtered
-    seen = previewed(loop, loop.filter_preview, omega, 1)[:, :, 0] @ from_preview.T
+    seen = previewed(loop, loop.run.filter_preview, omega, 1)[:, :, 0] @ from_preview.T
     over = np.zeros((len(omega), len(loop.within)), dtype=np.complex128)
     for i in range(loop.short):
         now = added * turn**i
         over = over @ loop.within.T + np.hstack([now @ from_sensors.T + seen, now])
     return np.asarray(over)
-
-
-def _level(scenario: Scenario) -> Road:
-    """A short road of that roughness, which a filter is made for; a measured road's has none."""
-    return ANY_ROAD.model_copy(update={"roughness": scenario.road.roughness})
 
 
 def _road_density(scenario: Scenario, frequencies: FloatArray, speed: float) -> FloatArray | None:

@@ -10,11 +10,12 @@ from sim_core.control.controller import Controller
 from sim_core.control.law import LAW_INPUTS, LinearLaw
 from sim_core.ecu.controller import EcuController
 from sim_core.errors import RidelabError
-from sim_core.loop.run import Run, filter_preview
+from sim_core.loop.run import Run
 from sim_core.road.sensed import expected_errors, trust
-from sim_core.scenario import Actuator, Preview, Scenario
+from sim_core.scenario import Preview, Vehicle
 from sim_core.vehicle.estimator import make_estimator
-from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, discrete, half_car, measurement
+from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, discrete, measurement
+from sim_core.vehicle.model import Estimator
 from sim_core.vehicle.plant import plant
 
 ComplexArray = NDArray[np.complex128]
@@ -37,18 +38,13 @@ class SampledLoop:
         B: Of the command on the car and its sensors (n, 2).
         K: The law (2, n).
         within: As A, of the filter and the car between two measurements.
-        step: Control step [s].
         short: Measurements of the filter in a control step.
         speed: Of the car [m/s].
-        scenario: What is driven.
+        run: What is driven.
+        vehicle: The car that is, linear.
         law: Its gains on state and previous command, then on the previewed disturbances.
-        preview: What is previewed.
-        filter_preview: What of it the filter gets.
-        delayed: Whether a command takes effect one control step later.
-        predicts: Whether the state is predicted for that moment.
-        actuator: Between command and force.
-        filtered: What the filter makes of previewed road velocities (8, 2) and of the car's state (8, n); None without
-            one.
+        estimator: The filter; None without one.
+        filtered: What that makes of previewed road velocities (8, 2) and of the car's state (8, n); None without one.
     """
 
     A: FloatArray
@@ -56,17 +52,18 @@ class SampledLoop:
     C: FloatArray
     K: FloatArray
     within: FloatArray
-    step: float
     short: int
     speed: float
-    scenario: Scenario
+    run: Run
+    vehicle: Vehicle
     law: LinearLaw
-    preview: Preview
-    filter_preview: Preview
-    delayed: bool
-    predicts: bool
-    actuator: Actuator
+    estimator: Estimator | None
     filtered: tuple[FloatArray, FloatArray] | None
+
+    @property
+    def step(self) -> float:
+        """Control step [s]."""
+        return self.run.steps.control
 
     @property
     def closed(self) -> FloatArray:
@@ -74,16 +71,18 @@ class SampledLoop:
         return self.A + (self.B + self.C) @ self.K
 
 
-def stage_law(controller: Controller, run: Run, stage: str) -> LinearLaw:
+def predicts(controller: Controller) -> bool:
+    """Whether the state is predicted for the moment at which a command takes effect."""
+    return isinstance(controller, EcuController) and controller.hil.compensation == "predict"
+
+
+def stage_law(run: Run, stage: str) -> LinearLaw:
     """The law of a stage while no limit binds, an ECU's too.
 
     Raises:
         NotLinearError: It has none.
     """
-    if not run.scenario.real_vehicle.linear:
-        raise NotLinearError(
-            "The car is not linear: unequal dampers, damper curves, bump stops or a tyre that can lift off"
-        )
+    controller = run.controller
     if controller.dampers() is not None:
         raise NotLinearError("A semi-active damper is not linear: its force is a product of coefficient and velocity")
     if isinstance(controller, EcuController):
@@ -102,52 +101,47 @@ def stage_law(controller: Controller, run: Run, stage: str) -> LinearLaw:
     return law
 
 
-def sampled_loop(run: Run, stage: str, speed: float) -> SampledLoop:
-    """The loop of a prepared run in one stage at one speed [m/s].
+def sampled_loop(run: Run, law: LinearLaw, vehicle: Vehicle, speed: float) -> SampledLoop:
+    """The loop of a prepared run with one stage's law and a linear car that is driven at one speed [m/s].
 
     Raises:
-        NotLinearError: The law or the car is not linear.
-        RidelabError: The vehicle and weights admit no stabilising controller.
+        RidelabError: There is no stable filter.
     """
     scenario, controller = run.scenario, run.controller
-    law = stage_law(controller, run, stage)
-    actuator = scenario.actuator if controller.actuated else Actuator()
-    short = run.steps.short if controller.delayed and scenario.estimation.kind == "kalman" else 1
+    filters = controller.actuated and scenario.estimation.kind == "kalman"
+    short = run.steps.short if filters else 1
     step = run.steps.control
-    preview = filter_preview(scenario, controller)
-    car = plant(scenario.real_vehicle, actuator, step / short)
+    car = plant(vehicle, run.actuator, step / short)
     A, B, C = car.A, car.B, np.zeros_like(car.B)
-    filtered = None
-    if controller.actuated and scenario.estimation.kind == "kalman":
-        still = np.zeros((1, 1))
-        own = make_estimator(scenario, step / short, run.speed_profile.initial_speed, still, short, mode=preview)
-        assert own is not None  # noqa: S101 - it is a kalman filter
-        sensors, L = measurement(scenario.real_vehicle), own.measurement
+    estimator = filtered = None
+    if filters:
+        still, initial_speed = np.zeros((1, 1)), run.speed_profile.initial_speed
+        estimator = make_estimator(scenario, step / short, initial_speed, still, short, mode=run.filter_preview)
+        assert estimator is not None  # noqa: S101 - it is a kalman filter
+        sensors, L = measurement(vehicle), estimator.measurement
         on_state = np.hstack([sensors.C, sensors.D]) if len(A) > STATES else sensors.C
         on_force = np.zeros_like(sensors.D) if len(A) > STATES else sensors.D
         nothing = np.zeros((len(A), STATES))
-        C = np.vstack([own.command, np.zeros_like(B)])
+        C = np.vstack([estimator.command, np.zeros_like(B)])
         B = np.vstack([L @ (on_state @ B + on_force), B])
-        A = np.block([[own.state, L @ on_state @ A], [nothing, A]])
+        A = np.block([[estimator.state, L @ on_state @ A], [nothing, A]])
         rest = np.eye(STATES) - L @ measurement(scenario.vehicle).C
         filtered = rest @ discrete(scenario.vehicle, step / short).E[:, :2], L @ on_state
     A_step, B_step, C_step = np.eye(len(A)), np.zeros_like(B), np.zeros_like(C)
     for _ in range(short):
         A_step, B_step, C_step = A @ A_step, A @ B_step + B, A @ C_step + C
-    delayed = controller.delayed
-    predicts = isinstance(controller, EcuController) and controller.hil.compensation == "predict"
     n = len(A_step)
-    waiting = FORCES if delayed else 0  # a delayed command takes effect a step later
+    waiting = FORCES if controller.delayed else 0  # a delayed command takes effect a step later
     size = n + waiting + FORCES  # the controller's previous command is the last
     gain = np.zeros((FORCES, size))
     gain[:, :STATES], gain[:, -FORCES:] = law.gain[:, :STATES], law.gain[:, STATES:LAW_INPUTS]
-    if predicts:
+    if predicts(controller):
         believed = discrete(scenario.vehicle, step)
         gain[:, :STATES] = law.gain[:, :STATES] @ believed.A
         gain[:, -FORCES:] += law.gain[:, :STATES] @ believed.B
     whole, inputs, memory = np.zeros((size, size)), np.zeros((size, FORCES)), np.zeros((size, FORCES))
     whole[:n, :n], memory[-FORCES:] = A_step, np.eye(FORCES)
-    if delayed:
+    if controller.delayed:
         whole[:n, n : n + FORCES], whole[:n, -FORCES:] = B_step, C_step
         inputs[n : n + FORCES] = np.eye(FORCES)
     else:
@@ -158,31 +152,14 @@ def sampled_loop(run: Run, stage: str, speed: float) -> SampledLoop:
         B=inputs,
         C=memory,
         K=gain,
-        step=step,
         short=short,
         speed=speed,
-        scenario=scenario,
+        run=run,
+        vehicle=vehicle,
         law=law,
-        preview=controller.preview if law.preview_gain is not None else "none",
-        filter_preview=preview if filtered is not None else "none",
-        delayed=delayed,
-        predicts=predicts,
-        actuator=actuator,
+        estimator=estimator,
         filtered=filtered,
     )
-
-
-def continuous(loop: SampledLoop) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]:
-    """The real car with its actuators in continuous time: A, B (command), E (both road velocities), C, D of outputs."""
-    model, bandwidth = half_car(loop.scenario.real_vehicle), loop.actuator.bandwidth
-    road = model.E[:, :2]
-    if bandwidth is None:
-        return model.A, model.B, road, model.C, model.D
-    corner = 2 * np.pi * bandwidth
-    A = np.block([[model.A, model.B], [np.zeros((FORCES, STATES)), -corner * np.eye(FORCES)]])
-    B = np.vstack([np.zeros((STATES, FORCES)), corner * np.eye(FORCES)])
-    E = np.vstack([road, np.zeros((FORCES, 2))])
-    return A, B, E, np.hstack([model.C, model.D]), np.zeros_like(model.D)
 
 
 def previewed(loop: SampledLoop, mode: Preview, omega: FloatArray, steps: int) -> ComplexArray:
@@ -190,7 +167,7 @@ def previewed(loop: SampledLoop, mode: Preview, omega: FloatArray, steps: int) -
 
     Interval i begins i steps ahead: a factor exp(jω·i·step). `obstacle` reports the bump alone, so of the road nothing.
     """
-    scenario, h, v = loop.scenario, loop.step, loop.speed
+    scenario, h, v = loop.run.scenario, loop.step, loop.speed
     s, interval_index = 1j * omega[:, None], np.arange(steps)
     behind = np.exp(-s * scenario.vehicle.wheelbase / v)
     interval = np.exp(s * h * interval_index) * (np.exp(s * h) - 1) / h
@@ -211,9 +188,12 @@ def preview_command(loop: SampledLoop, omega: FloatArray) -> ComplexArray:
     """What the law adds to the command for the previewed road, per metre of road height (frequencies, 2) [N/m]."""
     if loop.law.preview_gain is None:
         return np.zeros((len(omega), FORCES), dtype=np.complex128)
+    controller = loop.run.controller
+    ahead = int(predicts(controller))
     gain = loop.law.preview_gain.reshape(FORCES, DISTURBANCES, -1)[:, :2]
-    seen = previewed(loop, loop.preview, omega, gain.shape[2] + loop.predicts)
-    if not loop.predicts:
-        return np.asarray(np.einsum("uwi,fwi->fu", gain, seen))
-    first = loop.law.gain[:, :STATES] @ discrete(loop.scenario.vehicle, loop.step).E[:, :2]
-    return np.asarray(np.einsum("uwi,fwi->fu", gain, seen[:, :, 1:]) + seen[:, :, 0] @ first.T)
+    seen = previewed(loop, controller.preview, omega, gain.shape[2] + ahead)
+    command = np.einsum("uwi,fwi->fu", gain, seen[:, :, ahead:])
+    if ahead:
+        first = loop.law.gain[:, :STATES] @ discrete(loop.run.scenario.vehicle, loop.step).E[:, :2]
+        command += seen[:, :, 0] @ first.T
+    return np.asarray(command)

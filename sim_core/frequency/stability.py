@@ -16,19 +16,15 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.control.controller import Controller
 from sim_core.control.law import LinearLaw
+from sim_core.frequency.responses import NEGLIGIBLE, modes
+from sim_core.frequency.sampled_loop import SampledLoop, sampled_loop
 from sim_core.loop.closed_loop import law_arrays
 from sim_core.loop.preview import Forecast
-from sim_core.loop.run import filter_preview
-from sim_core.scenario import Actuator, Mismatch, Scenario, Vehicle
+from sim_core.scenario import Scenario, Vehicle
 from sim_core.scenario.damper import slopes_at_rest, straight
-from sim_core.simulate import ANY_ROAD, prepare
-from sim_core.strategies import make_controller
-from sim_core.vehicle.estimator import make_estimator
-from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
-from sim_core.vehicle.linear import control_step
+from sim_core.simulate import on_any_road, prepare
+from sim_core.vehicle.half_car import DISTURBANCES, STATES
 from sim_core.vehicle.make import make_vehicle
-from sim_core.vehicle.model import Estimator
-from sim_core.vehicle.plant import plant
 
 _SETTLED = 8.0  # by then only the motion of a loop with unequal dampers that dies out last is left [s]
 _BLOCK = 100  # control steps after which its motion is brought back to size 1
@@ -39,7 +35,6 @@ _NO_PREVIEW = Forecast(
     sizes=np.zeros((1 + DISTURBANCES, _BLOCK)),
     height_now=np.zeros((2, _BLOCK)),
 )
-_NEGLIGIBLE = 1e-6  # a mode with a smaller eigenvalue has died out after one control step
 
 
 def least_damping(scenario: Scenario, strategy: str | type[Controller] | Controller) -> float | None:
@@ -62,16 +57,7 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
         UnknownNameError: No such strategy.
         RidelabError: The vehicle and weights admit no stabilising controller.
     """
-    instance = make_controller(strategy)
-    believed = scenario.model_copy(
-        update={
-            "road": ANY_ROAD,
-            "mismatch": Mismatch(),
-            "mpc": scenario.mpc.model_copy(update={"preview": "none"}),
-            "lqr": scenario.lqr.model_copy(update={"preview": "none"}),
-        }
-    )
-    run = prepare(believed, instance)
+    run = prepare(on_any_road(scenario), strategy)
     controller, setup = run.controller, run.setup()
     if controller.delayed or controller.dampers() is not None:
         return None
@@ -81,36 +67,18 @@ def least_damping(scenario: Scenario, strategy: str | type[Controller] | Control
     if None in of_stages:
         return None
     laws = dict.fromkeys(law for law in of_stages if law is not None)
-    vehicle, actuator = _near_rest(scenario.real_vehicle), scenario.actuator if instance.actuated else Actuator()
-    step, estimator = setup.sample_time, None
-    if instance.actuated:
-        mode, still = filter_preview(scenario, instance.for_scenario(scenario)), np.zeros((1, 1))
-        estimator = make_estimator(scenario, step, setup.initial_speed, still, mode=mode)
-    A, B = control_step(plant(vehicle, actuator, step), vehicle, estimator)
-    loops = [closed_loop_matrix(A, B, law) for law in laws]
-    of_modes = [damping(loop, step) for loop in loops]
-    if vehicle.linear or not instance.actuated:  # dampers alone only take energy out
+    vehicle = _near_rest(scenario.real_vehicle)
+    loops = [sampled_loop(run, law, vehicle, setup.initial_speed) for law in laws]
+    of_modes = [damping(loop.closed, loop.step) for loop in loops]
+    if vehicle.linear or not controller.actuated:  # dampers alone only take energy out
         return min(of_modes)
-    last = [_last_motion(vehicle, actuator, step, estimator, law, loop) for law, loop in zip(laws, loops, strict=True)]
+    last = map(_last_motion, loops)
     return min(slowest if mean < 0 else min(mean, slowest) for mean, slowest in zip(of_modes, last, strict=True))
 
 
-def closed_loop_matrix(A: FloatArray, B: FloatArray, law: LinearLaw) -> FloatArray:
-    """One control step of [p; previous command] while no limit binds (n + 2, n + 2)."""
-    n = len(A)
-    gain = np.zeros((FORCES, n + FORCES))
-    gain[:, :STATES], gain[:, n:] = law.gain[:, :STATES], law.gain[:, STATES:]
-    return np.vstack([np.hstack([A, np.zeros((n, FORCES))]) + B @ gain, gain])
-
-
-def damping(loop: FloatArray, step: float) -> float:
-    """Smallest damping ratio [1] of z' = loop·z over a step [s]; loop (n, n)."""
-    eigenvalues = np.linalg.eigvals(loop)
-    eigenvalues = eigenvalues[np.abs(eigenvalues) > np.finfo(float).tiny]  # zero is gone after a step: damped enough
-    poles = np.log(eigenvalues.astype(np.complex128)) / step
-    size = np.abs(poles)
-    ratios = np.where(size > 0, -poles.real / np.where(size > 0, size, 1), 0.0)
-    return float(ratios.min(initial=1.0))
+def damping(closed: FloatArray, step: float) -> float:
+    """Smallest damping ratio [1] of z' = closed·z over a step [s]; of modes that are gone after a step, 1."""
+    return min((mode.damping_ratio for mode in modes(closed, step)), default=1.0)
 
 
 def _near_rest(vehicle: Vehicle) -> Vehicle:
@@ -124,9 +92,7 @@ def _near_rest(vehicle: Vehicle) -> Vehicle:
     return vehicle.model_copy(update=changes)
 
 
-def _last_motion(
-    vehicle: Vehicle, actuator: Actuator, step: float, estimator: Estimator | None, law: LinearLaw, loop: FloatArray
-) -> float:
+def _last_motion(loop: SampledLoop) -> float:
     """Damping ratio [1] of the motion that dies out last, or grows most, of a loop with unequal dampers near rest.
 
     Such a loop is homogeneous: twice the disturbance, twice the motion. From a start in which all states take part it
@@ -134,14 +100,15 @@ def _last_motion(
     the ratio is -r / |r + jw|. Both are those of the motion x in the modes of the `loop` with the mean dampers; with
     g = e^(r step) a mode changes by |x' - x|² = (1 + g² - 2 g cos(w step)) |x|² in a step.
     """
+    step, estimator = loop.step, loop.estimator
     if estimator is not None:
         estimator = replace(estimator, input=np.zeros((_BLOCK, STATES)))
-    car = make_vehicle(vehicle, actuator, step, 1, *_STILL, estimator=estimator)
-    motion = np.ones((_BLOCK + 1, len(loop)))
-    free = law_arrays(LinearLaw(gain=law.gain), _NO_PREVIEW, np.full(3, inf), clips=True)
+    car = make_vehicle(loop.vehicle, loop.run.actuator, step, 1, *_STILL, estimator=estimator)
+    motion = np.ones((_BLOCK + 1, len(loop.closed)))
+    free = law_arrays(LinearLaw(gain=loop.law.gain), _NO_PREVIEW, np.full(3, inf), clips=True)
     follow = car.follow_law(free, motion)
-    eigenvalues, modes = np.linalg.eig(loop)
-    to_modes = np.linalg.pinv(modes)[np.abs(eigenvalues) > _NEGLIGIBLE].T
+    eigenvalues, vectors = np.linalg.eig(loop.closed)
+    to_modes = np.linalg.pinv(vectors)[np.abs(eigenvalues) > NEGLIGIBLE].T
     blocks = ceil(_SETTLED / (step * _BLOCK))
     grown = 0.0
     logarithms, changes = [], []

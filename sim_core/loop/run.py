@@ -29,11 +29,6 @@ from sim_core.vehicle.model import Estimator, SemiActiveDampers
 _AT_ONCE = 1024  # commands whose samples are turned at once: all would take as much memory again
 
 
-def filter_preview(scenario: Scenario, controller: Controller) -> Preview:
-    """What of the road a controller's filter is told: what the controller previews, where the scenario says so."""
-    return controller.preview if scenario.estimation.knows_preview else "none"
-
-
 def run_dampers(scenario: Scenario, controller: Controller) -> SemiActiveDampers | None:
     """The car's dampers where the controller sets their coefficients, within the limits of forces; else None."""
     dampers = controller.dampers()
@@ -90,6 +85,16 @@ class Run:
     steps: StepSizes
     excitation: Excitation
     stages: tuple[Span, ...]
+
+    @property
+    def actuator(self) -> Actuator:
+        """Between commands and forces: ideal where there is none."""
+        return self.scenario.actuator if self.controller.actuated else Actuator()
+
+    @property
+    def filter_preview(self) -> Preview:
+        """What of the road the controller's filter is told: what it previews itself, where the scenario says so."""
+        return self.controller.preview if self.scenario.estimation.knows_preview else "none"
 
     def segments(self) -> list[Segment]:
         """The control steps of each driving stage."""
@@ -152,7 +157,7 @@ class Run:
         scenario, short = self.scenario, self.steps.short
         if not self.controller.actuated or scenario.estimation.kind == "exact":
             return None
-        mode = filter_preview(scenario, self.controller)
+        mode = self.filter_preview
         seen = None if mode == "none" else self.forecast(mode, 1).disturbances[:2, :, 0].T
         step, speed = self.excitation.grid.step / short, self.speed_profile.initial_speed
         braking = self.excitation.braking.reshape(-1, self.steps.fine // short)
@@ -164,7 +169,7 @@ class Run:
         vehicle, excitation = scenario.real_vehicle, self.excitation
         return make_vehicle(
             vehicle,
-            scenario.actuator if self.controller.actuated else Actuator(),
+            self.actuator,
             excitation.grid.fine_step,
             self.steps.fine // self.steps.short,
             excitation.height,

@@ -28,15 +28,22 @@ class Plant:
         return len(self.A)
 
 
+def continuous(vehicle: Vehicle, actuator: Actuator) -> Plant:
+    """The plant in continuous time: ṗ = A p + B u + E w."""
+    model = half_car(vehicle)
+    if actuator.bandwidth is None:
+        return Plant(A=model.A, B=model.B, E=model.E)
+    corner = 2 * pi * actuator.bandwidth  # u̇ = 2π f (command - u): the forces become states, the command drives them
+    return Plant(
+        A=np.block([[model.A, model.B], [np.zeros((FORCES, STATES)), -corner * np.eye(FORCES)]]),
+        B=np.vstack([np.zeros((STATES, FORCES)), corner * np.eye(FORCES)]),
+        E=np.vstack([model.E, np.zeros((FORCES, DISTURBANCES))]),
+    )
+
+
 @cached
 def plant(vehicle: Vehicle, actuator: Actuator, step: float) -> Plant:
     """The plant over a step [s]."""
-    model = half_car(vehicle)
-    A, inputs = model.A, np.hstack([model.B, model.E])
-    if actuator.bandwidth is not None:  # u̇ = 2π f (command - u): the forces become states, the command drives them
-        corner = 2 * pi * actuator.bandwidth
-        A = np.block([[model.A, model.B], [np.zeros((FORCES, STATES)), -corner * np.eye(FORCES)]])
-        command = np.vstack([np.zeros((STATES, FORCES)), corner * np.eye(FORCES)])
-        inputs = np.hstack([command, np.vstack([model.E, np.zeros((FORCES, DISTURBANCES))])])
-    over_step, held = hold(A, inputs, step)
+    model = continuous(vehicle, actuator)
+    over_step, held = hold(model.A, np.hstack([model.B, model.E]), step)
     return Plant(A=over_step, B=held[:, :FORCES], E=held[:, FORCES:])

@@ -7,19 +7,17 @@ import numpy as np
 import pytest
 from scipy.linalg import solve_continuous_lyapunov, solve_discrete_are
 
-from sim_core import LinearLaw, PredictiveController
+from sim_core import PredictiveController
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import PAPER_SIGNALS
-from sim_core.control.cost import CostTerms
-from sim_core.control.regulator import regulator
 from sim_core.errors import RidelabError
-from sim_core.frequency.stability import closed_loop_matrix
+from sim_core.frequency.sampled_loop import sampled_loop, stage_law
 from sim_core.loop.closed_loop import ClosedLoop, Trajectory
 from sim_core.loop.preview import preview
-from sim_core.loop.run import Run, filter_preview
+from sim_core.loop.run import Run
 from sim_core.road.profile import road_profile
 from sim_core.road.sensed import ExpectedErrors, expected_errors
-from sim_core.scenario import Actuator, Bump, Estimation, Lqr, Mismatch, Mpc, Preview, Road, Scenario, Speed, Vehicle
+from sim_core.scenario import Bump, Estimation, Lqr, Mismatch, Mpc, Preview, Road, Scenario, Speed, Vehicle
 from sim_core.scenario.presets import preset
 from sim_core.simulate import prepare, simulate
 from sim_core.speed.profile import SpeedProfile
@@ -36,8 +34,6 @@ from sim_core.vehicle.estimator import (
     unseen_share,
 )
 from sim_core.vehicle.half_car import discrete, half_car, measurement
-from sim_core.vehicle.linear import control_step
-from sim_core.vehicle.plant import plant
 from tests.validation.reference.sampled import to_deflections
 from tests.validation.reference.vehicle import state_space
 from tests.validation.strategies import some
@@ -227,8 +223,8 @@ def test_each_strategy_tells_its_filter_what_it_previews_itself(lqr: Preview, mp
     untold = scenario.model_copy(update={"estimation": UNTOLD})
     for name, strategy in STRATEGIES.items():
         expected = lqr if name == "lqr" else mpc if issubclass(strategy, PredictiveController) else "none"
-        assert filter_preview(scenario, strategy().for_scenario(scenario)) == expected
-        assert filter_preview(untold, strategy().for_scenario(untold)) == "none"
+        assert prepare(scenario, strategy).filter_preview == expected
+        assert prepare(untold, strategy).filter_preview == "none"
 
 
 def test_it_is_told_what_the_controller_itself_plans_on() -> None:
@@ -304,27 +300,14 @@ def test_told_of_the_road_lv_loses_little_on_the_papers_bump(strategy: str) -> N
 
 def test_the_loop_has_the_regulators_poles_and_the_filters() -> None:
     """Separation: with the model it believes in, neither moves the other's (Åström and Wittenmark 1997, 11.4)."""
-    terms = CostTerms(
-        vehicle=CAR,
-        speed=13.9,
-        sample_time=STEP,
-        weights=(1, 1, 1),
-        deflection_weight=3,
-        deflection_limit=0.08,
-        force_weight=1e-9,
-    )
-    design, model = regulator(terms), discrete(CAR, STEP)
-    scenario = Scenario(vehicle=CAR, estimation=KALMAN)
-    estimate = make_estimator(scenario, STEP, 13.9, np.zeros((1, 3)))
-    assert estimate is not None
-    loop = closed_loop_matrix(
-        *control_step(plant(CAR, Actuator(), STEP), CAR, estimate),
-        LinearLaw(gain=np.hstack([design.gain, np.zeros((2, 2))])),
-    )
+    run = prepare(Scenario(vehicle=CAR, estimation=KALMAN), "lqr")
+    loop = sampled_loop(run, stage_law(run, "cruise"), CAR, run.speed_profile.initial_speed)
+    assert loop.estimator is not None
+    model, gain = discrete(CAR, STEP), loop.law.gain[:, :8]
     poles = np.concatenate(
-        [np.linalg.eigvals(model.A + model.B @ design.gain), np.linalg.eigvals(estimate.state), np.zeros(2)]
+        [np.linalg.eigvals(model.A + model.B @ gain), np.linalg.eigvals(loop.estimator.state), np.zeros(2)]
     )
-    ours = np.linalg.eigvals(loop)
+    ours = np.linalg.eigvals(loop.closed)
     for pole in poles:
         assert np.abs(ours - pole).min() < 1e-5, pole
 

@@ -8,7 +8,7 @@ import pytest
 
 from sim_core.frequency.margins import margins, transfer
 from sim_core.frequency.responses import BANDS, RESPONSES, frequency_response
-from sim_core.frequency.sampled_loop import SampledLoop, sampled_loop
+from sim_core.frequency.sampled_loop import SampledLoop, sampled_loop, stage_law
 from sim_core.frequency.stability import least_damping
 from sim_core.scenario import Scenario
 from sim_core.scenario.measured import MeasuredRoad
@@ -126,7 +126,8 @@ def test_a_swept_sine_gives_the_table_of_bands(strategy: str, parts: dict[str, A
 
 
 def loop_of(strategy: str, **parts: Any) -> SampledLoop:
-    return sampled_loop(prepare(at_one_speed(**parts), strategy), "cruise", SPEED)
+    run = prepare(at_one_speed(**parts), strategy)
+    return sampled_loop(run, stage_law(run, "cruise"), run.scenario.real_vehicle, SPEED)
 
 
 @pytest.mark.parametrize(("strategy", "parts"), CASES)
