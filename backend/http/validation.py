@@ -27,7 +27,7 @@ def blamed(item: Mapping[str, Any], model: Any) -> dict[str, str]:
         message = unknown_name("field", item["loc"][-1], names)
     elif item["type"] == "unknown_key":
         path.append(context["key"])
-        message = unknown_name(context["what"], context["key"], context["known"])
+        message = unknown_name(context["what"], context["key"], context["allowed"])
     elif item["type"] == "inconsistent":
         path += [*context["field"].split("."), *([key] if (key := context.get("key")) else [])]
     elif item["type"] == "too_short" and context.get("min_length") == 1:

@@ -61,11 +61,11 @@ def _check_strategy(name: str) -> str:
 def _check_names(search: Any, info: ValidationInfo) -> Any:
     """Names first: what an unknown one holds is of no use."""
     strategy = info.data.get("strategy")
-    known = [] if strategy is None else searchable(strategy)
+    allowed = [] if strategy is None else searchable(strategy)
     for name in search if isinstance(search, dict) and strategy is not None else ():
         is_option = name.startswith(f"{dotted.OWN}{strategy}.") and name in dotted.fields()
-        if name not in known and not is_option:
-            context = {"key": name, "what": "weight or option", "known": known}
+        if name not in allowed and not is_option:
+            context = {"key": name, "what": "weight or option", "allowed": allowed}
             raise PydanticCustomError("unknown_key", "Unknown weight or option", context)
     return search
 

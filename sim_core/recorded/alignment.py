@@ -56,8 +56,8 @@ def place(distance: FloatArray, recorded: FloatArray, position: FloatArray, simu
         >>> import numpy as np
         >>> x = np.arange(0, 100, 0.1)
         >>> bump = np.exp(-((x - 60) ** 2)) * np.sin(3 * x)
-        >>> found = place(x[:500], bump[None, 350:850], x, bump[None])
-        >>> round(found.offset, 2)
+        >>> placement = place(x[:500], bump[None, 350:850], x, bump[None])
+        >>> round(placement.offset, 2)
         35.0
     """
     longer = max(distance[-1] - distance[0], position[-1] - position[0])

@@ -96,12 +96,12 @@ class Vehicle(Part):
     @property
     def damper_curves(self) -> tuple[DamperCurve, DamperCurve] | None:
         """Both dampers' curves where one has any; the other's is straight in compression and in rebound."""
-        given = self.front_damper_curve, self.rear_damper_curve
-        if given == (None, None):
+        curves = self.front_damper_curve, self.rear_damper_curve
+        if curves == (None, None):
             return None
         compression, rebound = self.damping_factors
         linear = [straight(compression * each, rebound * each) for each in (self.front_damping, self.rear_damping)]
-        return given[0] or linear[0], given[1] or linear[1]
+        return curves[0] or linear[0], curves[1] or linear[1]
 
     @property
     def damping_at_rest(self) -> tuple[float, float]:

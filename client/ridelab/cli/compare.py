@@ -175,8 +175,8 @@ def _print_json(
         head["b"] = {"recording": drive.recorded[drive.strategy].recording, "notes": drive.said}
     fields = [{"field": name, "a": one, "b": other} for name, one, other in changed]
     listed = [{**asdict(item), "change": item.change if math.isfinite(item.change) else None} for item in differing]
-    kept = {"requirement_results": [asdict(each) for each in judged]} if judged else {}
-    print_json({**head, "equal": equal, "inputs": fields, "differences": listed, **kept})
+    results = {"requirement_results": [asdict(each) for each in judged]} if judged else {}
+    print_json({**head, "equal": equal, "inputs": fields, "differences": listed, **results})
 
 
 def _show_inputs(changed: Sequence[tuple[str, Any, Any]], services: Services) -> None:

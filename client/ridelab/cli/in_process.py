@@ -132,8 +132,8 @@ def _run(body: Mapping[str, Any], refusal: list[str]) -> dict[str, Any] | None:
     answers = {}
     try:
         scenario = Scenario.model_validate_json(json.dumps(body["scenario"], default=plain))
-        known = [name for name in STRATEGIES if name in body["strategies"]]
-        for name in known + [name for name in body["strategies"] if name not in known]:
+        ours = [name for name in STRATEGIES if name in body["strategies"]]
+        for name in ours + [name for name in body["strategies"] if name not in ours]:
             begin = time.perf_counter()
             summary = simulate(scenario, name).summary()
             milliseconds = round(1000 * (time.perf_counter() - begin), 2)

@@ -47,7 +47,7 @@ export function Palette({ onClose }: { readonly onClose: () => void }) {
   const [all] = useState<readonly Item[]>(() => [...runnable(), ...paletteEntries()]);
   const [query, setQuery] = useState("");
   const [[store, { open }]] = useState(createSpotlight);
-  const [chosen, setChosen] = useState<Item | null>(null);
+  const [picked, setPicked] = useState<Item | null>(null);
   const [focused] = useState(() => document.activeElement);
   useEffect(open, [open]);
   const shown = matching(all, query);
@@ -55,7 +55,7 @@ export function Palette({ onClose }: { readonly onClose: () => void }) {
     group,
     actions: shown
       .filter((item) => item.group === group)
-      .map((item) => spotlightAction(item, all.indexOf(item), setChosen)),
+      .map((item) => spotlightAction(item, all.indexOf(item), setPicked)),
   }));
   return (
     <Spotlight
@@ -73,7 +73,7 @@ export function Palette({ onClose }: { readonly onClose: () => void }) {
           onClose();
           // An action may move it on.
           if (focused instanceof HTMLElement) focused.focus({ preventScroll: true });
-          chosen?.run();
+          picked?.run();
         },
       }}
       nothingFound="Nothing of that name"

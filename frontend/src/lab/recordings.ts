@@ -50,13 +50,13 @@ const inUse = ({ strategies, shown }: LabState) =>
 
 /** Every strategy there is, then the recordings of this browser and of what is shown. */
 export function useLabStrategies(): readonly Strategy[] {
-  const [strategies, known, used] = [useStrategies(), useSelector(named), useLab(inUse)];
+  const [strategies, own, used] = [useStrategies(), useSelector(named), useLab(inUse)];
   return useMemo(() => {
     const like = strategies.find(({ id }) => id === "passive") ?? strategies[0];
-    const ids = [...new Set([...known.map(({ id }) => id), ...used.split(",").filter(Boolean)])];
-    const recorded = like ? ids.map((id) => strategyOf(id, known.find((each) => each.id === id)?.name, like)) : [];
+    const ids = [...new Set([...own.map(({ id }) => id), ...used.split(",").filter(Boolean)])];
+    const recorded = like ? ids.map((id) => strategyOf(id, own.find((each) => each.id === id)?.name, like)) : [];
     return [...strategies, ...recorded];
-  }, [strategies, known, used]);
+  }, [strategies, own, used]);
 }
 
 /** The figures with a curve for each recording among the strategies. */

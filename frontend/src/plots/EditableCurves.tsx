@@ -30,7 +30,7 @@ interface Props {
   readonly yRange: Range;
   readonly curves: readonly Curve[];
   /** The one that the points are of. */
-  readonly chosen: number;
+  readonly selected: number;
   readonly points: readonly MovablePoint[];
   readonly readOnly: boolean;
   readonly onChoose?: (curve: number) => void;
@@ -58,7 +58,7 @@ function ticks([low, high]: Range): readonly number[] {
 }
 
 export function EditableCurves(props: Props) {
-  const { label, height, xRange, yRange, curves, chosen, points, readOnly, onChoose, onMove, onRelease } = props;
+  const { label, height, xRange, yRange, curves, selected, points, readOnly, onChoose, onMove, onRelease } = props;
   const { ref, width } = useElementSize<HTMLDivElement>();
   const keys = useReleaseAfterKeys(onRelease);
   const scale =
@@ -104,7 +104,7 @@ export function EditableCurves(props: Props) {
             </g>
           ))}
           {curves.map((curve, index) => (
-            <g key={curve.name} data-chosen={index === chosen || undefined} onPointerDown={() => onChoose?.(index)}>
+            <g key={curve.name} data-selected={index === selected || undefined} onPointerDown={() => onChoose?.(index)}>
               <polyline points={path(curve)} className={classes.target} />
               <polyline points={path(curve)} className={classes.curve} />
               <text x={nameAt(curve)} y={top - 5} textAnchor="middle">

@@ -80,8 +80,8 @@ export function DataTable<Row>({
   height,
   attributes = {},
 }: Props<Row>) {
-  const [chosen, setOrder] = useState<Order | undefined>();
-  const order = chosen ?? initial;
+  const [clicked, setOrder] = useState<Order | undefined>();
+  const order = clicked ?? initial;
   const sort = (column: string) => {
     const again = order?.column === column;
     setOrder(again && order.descending ? undefined : { column, descending: again });

@@ -92,8 +92,8 @@ export interface DrawnCar {
   readonly tilt: number;
 }
 
-/** The car with its front axle `ahead` metres before the place where the followed one has it. */
-export function drawnCar(pose: CarPose, car: Dimensions, scale: Scale, ahead = 0): DrawnCar {
+/** The car with its front axle `lead` metres before the place where the followed one has it. */
+export function drawnCar(pose: CarPose, car: Dimensions, scale: Scale, lead = 0): DrawnCar {
   const { metre, rise, clearance, newton } = scale;
   const radius = car.radius * metre;
   const axle = ({ road, wheel, body, force, airborne }: Axle, x: number, compression: number): DrawnAxle => {
@@ -109,7 +109,7 @@ export function drawnCar(pose: CarPose, car: Dimensions, scale: Scale, ahead = 0
       airborne,
     };
   };
-  const frontX = scale.frontX + ahead * metre;
+  const frontX = scale.frontX + lead * metre;
   const front = axle(pose.front, frontX, car.compression.front);
   const rear = axle(pose.rear, frontX - car.wheelbase * metre, car.compression.rear);
   return { front, rear, tilt: (Math.atan2(front.floor - rear.floor, front.x - rear.x) * 180) / Math.PI };

@@ -58,7 +58,7 @@ export function DamperCurveRow({ field }: { readonly field: DataField }) {
             label={`${field.title}: force in N over velocity in m/s`}
             height={150}
             curves={[{ name: "", ...drawnCurve(points, reach(0)) }]}
-            chosen={0}
+            selected={0}
             points={points.map(([x, y], index) => ({
               name: `Point ${index + 1}`,
               text: `${formatExact(x, "m/s")}, ${formatExact(y, "N")}`,

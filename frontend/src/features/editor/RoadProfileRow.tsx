@@ -27,7 +27,7 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
   const id = typeof leaf.value === "string" ? leaf.value : "";
   const road = useQuery(roadQuery(id)).data;
   const bumps = road?.bumps ?? [];
-  const found = bumps.map(
+  const labels = bumps.map(
     ({ start, width, height }) => `${(1000 * height).toFixed(0)} mm at ${start} m over ${width} m`,
   );
   const place = useFromScenario((scenario) => getAt(scenario, "/road/bump/start"));
@@ -37,10 +37,10 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
   );
   const name = `profile-${field.pointer}`;
 
-  const choose = (chosen: string) => {
-    const item = own.find(({ value }) => value.id === chosen);
+  const choose = (value: string) => {
+    const item = own.find((each) => each.value.id === value);
     if (item) openItem(item);
-    else if (chosen === "") edit.commit(setAt(edit.newest(), field.pointer, null));
+    else if (value === "") edit.commit(setAt(edit.newest(), field.pointer, null));
   };
 
   return (
@@ -99,7 +99,7 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
           />
           <Text className={classes.note}>
             {road.length} m measured, in place of roughness and seed.{" "}
-            {found.length > 0 ? `Bumps in it: ${found.join(", ")}.` : "No bump was found in it."}
+            {labels.length > 0 ? `Bumps in it: ${labels.join(", ")}.` : "No bump was found in it."}
           </Text>
           {bumps.length > 1 && (
             <NativeSelect
@@ -109,7 +109,7 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
               disabled={leaf.readOnly}
               data={[
                 ...(counting < 0 ? [{ value: "-1", label: "None of them" }] : []),
-                ...found.map((label, index) => ({ value: String(index), label })),
+                ...labels.map((label, index) => ({ value: String(index), label })),
               ]}
               onChange={(event) => {
                 const bump = bumps[Number(event.currentTarget.value)];

@@ -1,4 +1,4 @@
-/** The sets of one variable as curves; the chosen one's points are dragged, or typed. */
+/** The sets of one variable as curves; the selected one's points are dragged, or typed. */
 
 import { Button, Group, NativeSelect, TextInput } from "@mantine/core";
 import { useState } from "react";
@@ -31,15 +31,15 @@ export function SetsEditor({ variable, base, drawn, errors, rewritten }: Props) 
   const [edit, readOnly] = [useEdit(), useReadOnly()];
   const [picked, setPicked] = useState(0);
   const sets = base[variable];
-  const chosen = Math.min(picked, sets.length - 1);
-  const set = sets[chosen];
+  const selected = Math.min(picked, sets.length - 1);
+  const set = sets[selected];
   const end = drawn.universe.at(-1) ?? 1;
   if (!set) return null;
-  const pointer = setPointer(variable, chosen);
+  const pointer = setPointer(variable, selected);
   const error = errors.find((each) => each.pointer.startsWith(`/scenario${pointer}`))?.message;
   const places = pointsOf(set);
   const replaced = (next: FuzzySet | null) =>
-    rewritten(edit.newest(), (before) => withSet(before, variable, chosen, next));
+    rewritten(edit.newest(), (before) => withSet(before, variable, selected, next));
   return (
     <>
       <EditableCurves
@@ -52,17 +52,17 @@ export function SetsEditor({ variable, base, drawn, errors, rewritten }: Props) 
         onChoose={setPicked}
         onMove={(point, x) => edit.drag(replaced(moved(set, places[point]?.index ?? 0, x, NEAREST * end)))}
         onRelease={() => edit.commit(edit.newest())}
-        {...{ chosen, readOnly }}
+        {...{ selected, readOnly }}
       />
       <div className={classes.fields} data-pointer={pointer}>
         <NativeSelect
           label="Set"
-          value={chosen}
+          value={selected}
           data={sets.map(({ name }, index) => ({ value: String(index), label: name }))}
           onChange={({ currentTarget: { value } }) => setPicked(Number(value))}
         />
         <SetName
-          key={`${chosen} ${set.name}`}
+          key={`${selected} ${set.name}`}
           name={set.name}
           onRename={(name) => edit.commit(replaced({ ...set, name }))}
         />
@@ -72,12 +72,12 @@ export function SetsEditor({ variable, base, drawn, errors, rewritten }: Props) 
           disabled={readOnly}
           data={Object.entries(FUNCTIONS).map(([value, { title }]) => ({ value, label: title }))}
           onChange={({ currentTarget: { value } }) =>
-            edit.commit(replaced(converted(set, value, drawn.universe, drawn.memberships[chosen] ?? [])))
+            edit.commit(replaced(converted(set, value, drawn.universe, drawn.memberships[selected] ?? [])))
           }
         />
         {argumentsOf(set).map(({ name, at }, index) => (
           <PartEntry
-            key={`${chosen} ${name}`}
+            key={`${selected} ${name}`}
             {...{ name, error }}
             range={[0, end]}
             farthest={FARTHEST}

@@ -50,16 +50,16 @@ const SHOWN = 6;
 export function MappingDialog({ name, text, kinds, likely, onClose }: Props) {
   const [layout, setLayout] = useState(() => guessLayout(text));
   const [kindId, setKind] = useState(likely);
-  const [chosen, setChosen] = useState<readonly Use[] | null>(null);
+  const [edited, setEdited] = useState<readonly Use[] | null>(null);
   const [wrong, setWrong] = useState<string | null>(null);
   const [isBusy, setBusy] = useState(false);
   const table = useMemo(() => tableOf(text, layout), [text, layout]);
   const kind = kinds.find(({ id }) => id === kindId);
   if (!kind) return null;
   const unitOf = (role: string) => kind.roles.find(({ id }) => id === role)?.units[0] ?? "";
-  const uses = (chosen ?? guessUses(table, kind)).map(({ role, unit }) => ({ role, unit: unit || unitOf(role) }));
+  const uses = (edited ?? guessUses(table, kind)).map(({ role, unit }) => ({ role, unit: unit || unitOf(role) }));
   const choose = (next: readonly Use[] | null) => {
-    setChosen(next);
+    setEdited(next);
     setWrong(null);
   };
   const relay = (change: Partial<Layout>) => {

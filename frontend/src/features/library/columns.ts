@@ -93,7 +93,7 @@ const UNIT = /^(.*?)\s*[[(]\s*([^\])]*?)\s*[\])]?$/;
 
 /** What each column is by its title, or, where none is known, by its place. */
 export function guessUses({ titles }: Table, { roles, places }: Pick<TableKind, "roles" | "places">): readonly Use[] {
-  const known = titles.map((title): Use => {
+  const uses = titles.map((title): Use => {
     const [, name = title, unit = ""] = UNIT.exec(title) ?? [];
     const plain = name
       .trim()
@@ -102,7 +102,7 @@ export function guessUses({ titles }: Table, { roles, places }: Pick<TableKind, 
     const role = roles.find(({ titles }) => titles.includes(plain));
     return { role: role?.id ?? "", unit: role?.units.find((each) => isSameUnit(each, unit)) ?? "" };
   });
-  if (known.some(({ role }) => role !== "")) return known;
+  if (uses.some(({ role }) => role !== "")) return uses;
   const ids = places(titles.length);
   return titles.map((_, index) => ({ role: ids[index] ?? "", unit: "" }));
 }

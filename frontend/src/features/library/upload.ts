@@ -50,7 +50,7 @@ export async function openAll(
     queries.query({ ...presetsQuery, staleTime: "static" }),
     queries.query({ ...vehiclesQuery, staleTime: "static" }),
   ]);
-  const known = [
+  const builtIn = [
     ...presets.map(({ scenario }) => scenario),
     ...vehicles.map(({ vehicle }) => completed(form, { vehicle }).vehicle),
   ];
@@ -77,7 +77,7 @@ export async function openAll(
   return {
     scenario,
     requirements: required ? requirementsIn(required.value.requirements) : null,
-    lines: [...wrong, ...opened.flatMap((content) => [addToLibrary(content, known), ...content.warnings])],
+    lines: [...wrong, ...opened.flatMap((content) => [addToLibrary(content, builtIn), ...content.warnings])],
     isWrong: wrong.length > 0,
     asked,
   };
@@ -141,9 +141,9 @@ async function checked(
 }
 
 /** Adds it to the library, except where the server has it by a name; returns what to say of it. */
-function addToLibrary({ kind, name, value }: Opened, known: readonly (JsonValue | undefined)[]): string {
+function addToLibrary({ kind, name, value }: Opened, builtIn: readonly (JsonValue | undefined)[]): string {
   const word = kindWord(kind);
-  if (known.some((each) => sameValue(each, value))) return `The ${word} “${name}” is opened.`;
+  if (builtIn.some((each) => sameValue(each, value))) return `The ${word} “${name}” is opened.`;
   try {
     return `The ${word} “${ownLibrary.add(kind, name, value)}” is opened, and in the library.`;
   } catch (error) {
@@ -156,8 +156,8 @@ export function faultsOf(form: ScenarioSchema, scenario: Scenario, errors: reado
   const leaves = namedLeaves(form);
   return errors.map(({ pointer, message }) => {
     const place = pointer.replace(/^\/scenario(?=\/|$)/, "") as Pointer | "";
-    const found = leaves.find(({ leaf }) => leaf.pointer === place);
-    if (found) return `${found.name}: ${wrong(found.leaf, getAt(scenario, found.leaf.pointer)) ?? message}`;
+    const match = leaves.find(({ leaf }) => leaf.pointer === place);
+    if (match) return `${match.name}: ${wrong(match.leaf, getAt(scenario, match.leaf.pointer)) ?? message}`;
     const member = place === "" ? undefined : findMember(form, place);
     if (!member) return place === "" ? message : `${place.slice(1).replace(/\//g, ".")}: ${message}`;
     const { title } = member;

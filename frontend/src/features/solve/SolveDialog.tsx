@@ -50,8 +50,8 @@ interface Props {
 export function SolveDialog({ catalogues: { form, strategies, figures }, metric: first, onClose }: Props) {
   const fields = useMemo(() => sweepFields(form).filter(askable), [form]);
   const scenario = useScenario();
-  const chosen = useLab((state) => state.strategies);
-  const selected = useMemo(() => chosen.filter((id) => !isRecording(id)), [chosen]);
+  const switchedOn = useLab((state) => state.strategies);
+  const selected = useMemo(() => switchedOn.filter((id) => !isRecording(id)), [switchedOn]);
   const roads = useLab((state) => state.roads);
   const { requirements, baseline } = useView();
   const byId = (id: string | undefined) => strategies.find((each) => each.id === id);

@@ -32,7 +32,7 @@ const FIRST_FIELD = "road.bump.height";
 
 export function SweepDialog({ form: schema, strategies, onClose }: Props) {
   const scenario = useScenario();
-  const chosen = useLab((state) => state.strategies);
+  const switchedOn = useLab((state) => state.strategies);
   const fields = useMemo(() => sweepFields(schema), [schema]);
   const narrow = useMediaQuery("(max-width: 47.99em)", false, { getInitialValueInEffect: false });
   const form = useDraft<SweepDraft>({
@@ -42,7 +42,7 @@ export function SweepDialog({ form: schema, strategies, onClose }: Props) {
       fields: fields.filter(({ name }) => name === FIRST_FIELD).map(draftField),
       samples: "200",
       seed: "0",
-      strategies: chosen.filter((id) => !isRecording(id)),
+      strategies: switchedOn.filter((id) => !isRecording(id)),
     }),
     restore: (stored) => restoreSweep(stored, fields),
   });

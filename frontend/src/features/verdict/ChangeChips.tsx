@@ -24,7 +24,7 @@ interface Props {
 
 export function ChangeChips({ resultView, catalogue }: Props) {
   const { before, shown, strategies } = resultView;
-  const [chosen, setChosen] = useState<string | null>(null);
+  const [picked, setPicked] = useState<string | null>(null);
   const unlike = before && whyNotCompared(shown, before.shown);
   const paired = usePairedChanges(
     shown,
@@ -41,7 +41,7 @@ export function ChangeChips({ resultView, catalogue }: Props) {
       </div>
     );
   const changes = editChanges(resultView, before, catalogue, paired);
-  const strategy = strategies.find(({ id }) => id === chosen) ?? changedMost(changes, strategies);
+  const strategy = strategies.find(({ id }) => id === picked) ?? changedMost(changes, strategies);
   const of = changes.filter((each) => each.strategy === strategy?.id);
   return (
     <div className={classes.chips} role="group" aria-label={`Changes against the state ${before.name}`}>
@@ -51,7 +51,7 @@ export function ChangeChips({ resultView, catalogue }: Props) {
         value={strategy?.id}
         data={labelled(strategies)}
         w="7.5rem"
-        onChange={({ currentTarget: { value } }) => setChosen(value)}
+        onChange={({ currentTarget: { value } }) => setPicked(value)}
       />
       {VIEWS.map((view) => (
         <span key={view.window} className={classes.view} title={headingOf(view, catalogue)}>

@@ -41,13 +41,13 @@ export function VerdictLine({ resultView, catalogue }: Props) {
   const sentence = leader && rival && sentenceOf(resultView, catalogue, { leader, rival }, paired);
   const stale = useLab((state) => state.stale);
   // A screen reader is told of results, not of each step of a slider.
-  const [told, setTold] = useState("");
+  const [announced, setAnnounced] = useState("");
   const text = sentence ? sentence.lead + sentence.rest : "";
-  if (shown.source === "exact" && !stale && text !== told) setTold(text);
+  if (shown.source === "exact" && !stale && text !== announced) setAnnounced(text);
   return (
     <div className={classes.verdict} data-testid="verdict">
       <p className="visually-hidden" role="status">
-        {told}
+        {announced}
       </p>
       <p aria-hidden>
         {sentence ? (

@@ -11,11 +11,11 @@ export interface LeadOf {
 /** `LV control is better than LQR in 7 of 8 metrics at most points, in 5 of them at 95 % and more; worse in 1.` */
 export function leadSentence(label: string, other: string, leads: readonly LeadOf[]): string {
   const count = (test: (lead: LeadOf) => boolean) => formatWhole(leads.filter(test).length);
-  const [ahead, sure, behind] = [
+  const [better, sure, behind] = [
     count(({ worse }) => worse > 0.5),
     count(({ worse }) => worse >= 0.95),
     count(({ better }) => better > 0.5),
   ];
   const certain = sure === "0" ? "nowhere at 95 % of them" : `in ${sure} at 95 % of them and more`;
-  return `${label} is better than ${other} in ${ahead} of ${leads.length} metrics at most points, ${certain}${behind === "0" ? "" : `; worse in ${behind}`}.`;
+  return `${label} is better than ${other} in ${better} of ${leads.length} metrics at most points, ${certain}${behind === "0" ? "" : `; worse in ${behind}`}.`;
 }
