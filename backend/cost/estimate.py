@@ -5,7 +5,7 @@ count its work and not its time, so that whether it is too expensive depends on 
 """
 
 from collections.abc import Iterable, Mapping
-from math import sqrt
+from math import atan, exp, log, sqrt
 
 from backend.cost.binding_limits import LimitShares, expected_limits
 from sim_core import Controller, DampingController, EcuController, PredictiveController
@@ -15,6 +15,7 @@ from sim_core.loop.excitation import StepSizes, longest_fine_step, step_sizes
 from sim_core.loop.run import run_dampers
 from sim_core.scenario import Actuator, Scenario
 from sim_core.scenario.recorded import REFERENCES, recording_id
+from sim_core.speed.brake import BrakeChain
 from sim_core.speed.profile import SPEED_CONTROL_PERIOD, TARGET_BAND, make_speed_profile
 from sim_core.strategies import resolve_speed_plan, strategy_named
 from sim_core.vehicle.make import is_linear
@@ -148,11 +149,34 @@ def expected_time(scenario: Scenario, strategy: type[Controller]) -> float:
     initial = speed.initial
     if resolve_speed_plan(strategy, speed.policy) == "constant":
         return road.length / initial
-    detection = scenario.braking_start
-    distance, target = road.bump.start - detection, min(initial, speed.target)
+    chain, target = BrakeChain(brake, scenario.vehicle.total_mass), min(initial, speed.target)
+    distance, left = road.bump.start - scenario.braking_start, min(scenario.bump_left, road.length)
     braked = max(0.0, distance - brake.pressure_lag * initial)
-    arrival = max(target, sqrt(max(0.0, initial**2 - 2 * brake.maximum_deceleration * braked)))
-    return detection / initial + distance / ((initial + arrival) / 2) + (road.length - road.bump.start) / arrival
+    _, arrival = _slowing(chain, initial, target, braked, brake.maximum_deceleration)
+    coasting, last = _slowing(chain, arrival, target - TARGET_BAND, left - road.bump.start)
+    before = scenario.braking_start / initial + distance / ((initial + arrival) / 2)
+    return before + coasting + (road.length - left) / last
+
+
+def _slowing(
+    chain: BrakeChain, speed: float, least: float, distance: float, braking: float = 0.0
+) -> tuple[float, float]:
+    """Time [s] over a distance [m] on which a car slows down to a least speed [m/s], and its speed then.
+
+    Args:
+        chain: Whose resistances slow it down.
+        speed: That it begins with [m/s].
+        least: That it holds [m/s].
+        distance: [m].
+        braking: Deceleration by the brakes [m/s^2].
+    """
+    constant = max(braking + chain.resistance(0.0), 1e-6)
+    air = max(chain.resistance(1.0) - chain.resistance(0.0), 1e-6)  # of the speed's square [1/m]
+    alike = sqrt(constant / air)  # the speed at which both are the same
+    slowing = min(distance, log((speed**2 + alike**2) / (least**2 + alike**2)) / (2 * air))
+    slower = sqrt((speed**2 + alike**2) * exp(-2 * air * slowing) - alike**2)
+    time = (atan(speed / alike) - atan(slower / alike)) / sqrt(constant * air)
+    return time + (distance - slowing) / slower, slower
 
 
 def work(scenario: Scenario, strategy: type[Controller], time: float, expected: LimitShares) -> dict[str, float]:

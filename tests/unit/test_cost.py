@@ -65,18 +65,28 @@ def test_duration_is_never_underestimated(scenario: Scenario, strategy: str) -> 
 
 
 @pytest.mark.parametrize(
-    ("road", "speed", "lag"),
+    ("road", "speed", "brake"),
     [
-        (Road(), Speed(), 0.1),
-        (Road(length=400), Speed(initial_speed_kmh=20, target_speed_kmh=10), 0.1),
-        (Road(), Speed(initial_speed_kmh=80, detection_distance=30), 0.1),  # no time to brake to the target
-        (Road(), Speed(initial_speed_kmh=60, detection_distance=38), 0.8),  # the lag leaves none
-        (Road(bump=Bump(start=10)), Speed(target_speed_kmh=80), 0.1),  # nothing to brake for
+        (Road(), Speed(), Brake()),
+        (Road(length=400), Speed(initial_speed_kmh=20, target_speed_kmh=10), Brake()),
+        (Road(), Speed(initial_speed_kmh=80, detection_distance=30), Brake()),  # no time to brake to the target
+        (Road(), Speed(initial_speed_kmh=60, detection_distance=38), Brake(pressure_lag=0.8)),  # the lag leaves none
+        (Road(bump=Bump(start=10)), Speed(target_speed_kmh=80), Brake()),  # nothing to brake for
+        (
+            Road(length=2000, bump=Bump(start=10, count=20, spacing=14)),
+            Speed(initial_speed_kmh=60),
+            Brake(),
+        ),  # it coasts
+        (
+            Road(length=700, bump=Bump(start=10, count=40, spacing=14)),
+            Speed(initial_speed_kmh=120),
+            Brake(drag_area=20),
+        ),
     ],
 )
-def test_the_expected_time_is_near_that_of_the_drive(road: Road, speed: Speed, lag: float) -> None:
+def test_the_expected_time_is_near_that_of_the_drive(road: Road, speed: Speed, brake: Brake) -> None:
     """It is somewhat short, for brakes and drive hold the plan's lower speeds longer than it says."""
-    scenario = Scenario(road=road, speed=speed, brake=Brake(pressure_lag=lag))
+    scenario = Scenario(road=road, speed=speed, brake=brake)
     driven = simulate(scenario, "speed_only").travel_time
     assert 0.75 * driven < expected_time(scenario, STRATEGIES["speed_only"]) < 1.01 * driven
     assert duration(scenario, "speed_only") < 2.5 * driven

@@ -168,18 +168,19 @@ class Jobs:
         self.loop.paused.clear()
 
     async def _pause(self, who: str, seconds: float) -> None:
-        """One replica's calls rest; the other one leads before long, where the database is there."""
-        self.loop.paused = {who: self.loop.time() + seconds}
+        """One replica's calls rest; if nothing else does and the database is there, the other one leads before long."""
+        begun = self.loop.time()
+        self.loop.pause(who, seconds)
         if seconds > TAKEN_OVER:
             self.loop.failing = 0.0
             await asyncio.sleep(TAKEN_OVER)
-            leader = self._server.leader
-            if leader is None or leader.name.endswith(who):
+            leader, resting = self._server.leader, sum(until > begun for until in self.loop.paused.values())
+            if resting == 1 and (leader is None or leader.name.endswith(who)):
                 self.loop.broken(f"{who} rests for {seconds:.0f} s, and the other one does not lead")
 
     def _pause_in_a_write(self, who: str) -> None:
         if self._troubled and self.loop.time() < self._end and self._rng.random() < 0.02:
-            self.loop.paused[who] = self.loop.time() + float(self._rng.uniform(1, PAUSE))
+            self.loop.pause(who, float(self._rng.uniform(1, PAUSE)))
 
     def _duration(self, args: tuple[Any, ...]) -> float:
         return float(self._rng.uniform(0.05, 2.0))

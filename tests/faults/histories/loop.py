@@ -56,6 +56,10 @@ class SimulatedLoop(asyncio.SelectorEventLoop):
         """Of the history [s]."""
         return self.now
 
+    def pause(self, who: str, seconds: float) -> None:
+        """Have a replica's calls rest for so long; a pause in a longer one does not end it."""
+        self.paused[who] = max(self.paused.get(who, 0.0), self.now + seconds)
+
     def broken(self, what: str) -> NoReturn:
         """End the history, whoever takes the error for one of his own."""
         self._broken = self._broken or BrokenPromiseError(what)
