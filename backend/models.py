@@ -6,7 +6,7 @@ What is answered is built as its model, a large table and what is stored as JSON
 import re
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationInfo, WithJsonSchema
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationInfo, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
 from backend.digest import STRATEGY_PATTERN
@@ -36,6 +36,14 @@ class Answer(BaseModel):
     """Base of answer models: every field is always present; can be built from the core's objects."""
 
     model_config = ConfigDict(json_schema_serialization_defaults_required=True, from_attributes=True)
+
+
+def _listed(values: Any) -> Any:
+    return values.tolist() if hasattr(values, "tolist") else values
+
+
+Vector = Annotated[list[float], BeforeValidator(_listed)]  # of an array of numbers
+Matrix = Annotated[list[list[float]], BeforeValidator(_listed)]  # row by row
 
 
 def inconsistent(field: str, message: str, key: str | None = None) -> PydanticCustomError:

@@ -23,7 +23,7 @@ from backend.jobs.scheduler import Scheduler
 from backend.links.service import Links
 from backend.metrics import service_registry
 from backend.own.watch import Watch
-from backend.paper.rows import REPRODUCTION
+from backend.paper.rows import REPRODUCTION, PaperRows
 from backend.paper.service import Paper
 from backend.recordings.service import Recordings
 from backend.roads.service import MeasuredRoads
@@ -145,7 +145,7 @@ def make_services(settings: Settings, workers: Workers) -> Services:
         solver=Solver(runs=runs, gate=gate, roads=roads),
         batches=batches,
         tunings=TuningService(store=store, batch_workers=batch_workers, gate=gate, settings=settings),
-        paper=Paper(store=store, results=results, gate=gate),
+        paper=Paper(rows=PaperRows(store), results=results, gate=gate),
         links=Links(store=store, workers=workers, runs=runs, gate=gate, roads=roads, recordings=recordings),
         controllers=Controllers(workers=workers, gate=gate, roads=roads, max_request_cost=settings.max_request_cost),
         fmus=Fmus(workers=workers, gate=gate, roads=roads),

@@ -3,6 +3,7 @@
 import asyncio
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterable, Mapping, Sequence
 from contextlib import ExitStack
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any, TypeVar
@@ -37,10 +38,11 @@ QUICK = 0.3  # what takes less delays no interactive run [s of one core]
 T = TypeVar("T")
 
 
+@dataclass(eq=False, kw_only=True)
 class BatchService:
     """The service of batches.
 
-    Args:
+    Attributes:
         store: The database.
         workers: Processes for interactive runs; they also do what is quick.
         batch_workers: Processes for longer planning and summaries, so that these delay no interactive run.
@@ -50,26 +52,17 @@ class BatchService:
         spool: For long tables.
     """
 
-    def __init__(
-        self,
-        *,
-        store: Store,
-        workers: Workers,
-        batch_workers: Workers,
-        gate: Gate,
-        settings: Settings,
-        roads: MeasuredRoads,
-        spool: Spool,
-    ) -> None:
-        self._spool = spool
-        self.jobs = Jobs(SWEEP, store=store, gate=gate, settings=settings, size_pointer="/sweep", run_pointer="/sweep")
-        self._store = store
-        self._workers = workers
-        self._batch_workers = batch_workers
-        self._gate = gate
-        self._roads = roads
-        self._settings = settings
-        self._summaries = Summaries(rows=self.rows, call=self._call, gate=gate, roads=roads)
+    store: Store
+    workers: Workers
+    batch_workers: Workers
+    gate: Gate
+    settings: Settings
+    roads: MeasuredRoads
+    spool: Spool
+
+    def __post_init__(self) -> None:
+        self.jobs = Jobs(kind=SWEEP, store=self.store, gate=self.gate, settings=self.settings)
+        self._summaries = Summaries(rows=self.rows, call=self._call, gate=self.gate, roads=self.roads)
 
     async def estimate(self, scenario: Scenario, strategies: Iterable[str], sweep: Sweep, client: str) -> Estimate:
         """The size and the estimated time of that batch.
@@ -77,17 +70,17 @@ class BatchService:
         It is refused where `create` refuses it.
         """
         names, sent_scenario = ordered(strategies), scenario
-        scenario = await self._roads.with_length(scenario)
+        scenario = await self.roads.with_length(scenario)
         base = scenario.model_dump(mode="json")
         roads = await self._named_roads(base, _sent(sweep))
         lengths = _lengths(sent_scenario, roads)
         planned = await self._planned(base, names, sweep, lengths, client)
         cost = plan.PILOTS * len(names) * min(plan.PILOT_LIMIT, planned.max_run_cost)
-        with self._gate.hold(client, requests=1, background_cost=cost):
+        with self.gate.hold(client, requests=1, background_cost=cost):
             seconds = await self._call(client, cost, plan.pilot, base, names, sweep, lengths, roads)
         points = planned.total // len(names)
         if seconds is not None:
-            seconds *= points / self._settings.batch_workers
+            seconds *= points / self.settings.batch_workers
             seconds *= 1 + await self._queued_cost(planned.cost) / planned.cost if planned.cost else 1
         return Estimate(
             points=points,
@@ -133,7 +126,7 @@ class BatchService:
             TemporaryError: Too much is waiting.
         """
         names, sent, sent_scenario = ordered(strategies), _sent(sweep), scenario
-        scenario = await self._roads.with_length(scenario)
+        scenario = await self.roads.with_length(scenario)
         base = scenario.model_dump(mode="json")
         held: JsonObject = {}
         if requirements:
@@ -205,9 +198,9 @@ class BatchService:
         names = [*table.FIXED, *fields, *figures]
         size, call = table.TABLE_VALUE_BYTES * job.total * len(names), self._page_call(client)
         with (
-            self._gate.computing(client, rendering.ROW_COST * job.total),
-            self._spool.reserved(client, size) as write,
-            self._spool.scratch(client, size) as scratch,
+            self.gate.computing(client, rendering.ROW_COST * job.total),
+            self.spool.reserved(client, size) as write,
+            self.spool.scratch(client, size) as scratch,
         ):
             pages = table.ColumnPages(names, scratch)
             async for rows in self.rows(job.id):
@@ -253,13 +246,13 @@ class BatchService:
             TemporaryError: Too much is being computed.
         """
         job, counted = await self.jobs.get(job_id), ExitStack()
-        counted.enter_context(self._gate.hold(client, computing=1, cost=rendering.ROW_COST * job.total))
+        counted.enter_context(self.gate.hold(client, computing=1, cost=rendering.ROW_COST * job.total))
         return job, table.RENDERERS[file_format](job, self.rows(job.id), self._page_call(client)), counted
 
     async def rows(self, job_id: str) -> AsyncIterator[list[JobRow]]:
         """Its rows in order, page by page."""
         last = -1
-        while rows := await self._store.read(self._store.job_runs.rows, job_id, last, ROWS_AT_ONCE):
+        while rows := await self.store.read(self.store.job_runs.rows, job_id, last, ROWS_AT_ONCE):
             yield rows
             last = rows[-1].position
 
@@ -269,8 +262,8 @@ class BatchService:
         Raises:
             InvalidError: One is not there.
         """
-        of_base = await self._roads.named(measured_roads(base))
-        return {**of_base, **await self._roads.named(swept_roads(sent), "/sweep")}
+        of_base = await self.roads.named(measured_roads(base))
+        return {**of_base, **await self.roads.named(swept_roads(sent), "/sweep")}
 
     async def _planned(
         self,
@@ -283,7 +276,7 @@ class BatchService:
         self.jobs.check_runs(size(sweep) * len(names))
         try:
             cost = PLAN_COST * size(sweep) * len(names)
-            with self._gate.hold(client, requests=1, background_cost=cost):
+            with self.gate.hold(client, requests=1, background_cost=cost):
                 planned = await self._call(client, cost, plan.plan, base, names, sweep, lengths)
         except SweepError as error:
             raise InvalidError(
@@ -294,16 +287,16 @@ class BatchService:
 
     async def _call(self, client: str, cost: float, function: Callable[..., T], *args: Any) -> T:
         """Run a function in a process; a long one behind interactive runs."""
-        workers = self._workers if cost < QUICK else self._batch_workers
+        workers = self.workers if cost < QUICK else self.batch_workers
         return await workers.call(function, *args, client=client, cost=cost)
 
     def _page_call(self, client: str) -> Callable[..., Awaitable[Any]]:
         """Runs a function of a page of rows in a worker, so that clients take turns page by page."""
-        return partial(self._workers.call, client=client, cost=rendering.ROW_COST * ROWS_AT_ONCE)
+        return partial(self.workers.call, client=client, cost=rendering.ROW_COST * ROWS_AT_ONCE)
 
     async def _queued_cost(self, own: float) -> float:
         """Cost of other jobs' runs before a new job of that cost ends, as all share the processes [s of one core]."""
-        unfinished = await self._store.read(self._store.jobs.unfinished)
+        unfinished = await self.store.read(self.store.jobs.unfinished)
         return sum(min(own, job.estimated_cost * job.open_runs / job.total) for job in unfinished)
 
 

@@ -3,7 +3,7 @@
 import asyncio
 import time
 from collections.abc import AsyncIterator, Awaitable, Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
 
@@ -39,30 +39,25 @@ class CachedSummary:
     reusable_until: float
 
 
+@dataclass(eq=False, kw_only=True)
 class Summaries:
     """Computes and caches summaries.
 
-    Args:
+    Attributes:
         rows: A batch's rows, page by page, by its id.
         call: Runs a function of that client and that cost [s of one core] in a process.
         gate: What is accepted at once.
         roads: The measured roads.
     """
 
-    def __init__(
-        self,
-        *,
-        rows: Callable[[str], AsyncIterator[list[JobRow]]],
-        call: Callable[..., Awaitable[Any]],
-        gate: Gate,
-        roads: MeasuredRoads,
-    ) -> None:
-        self._rows = rows
-        self._call = call
-        self._gate = gate
-        self._roads = roads
-        self._cached: LRUCache[tuple[str, ...], CachedSummary] = LRUCache(CACHED)
-        self._in_progress: SharedComputations[tuple[str | int, ...], BatchSummary] = SharedComputations()
+    rows: Callable[[str], AsyncIterator[list[JobRow]]]
+    call: Callable[..., Awaitable[Any]]
+    gate: Gate
+    roads: MeasuredRoads
+    _cached: LRUCache[tuple[str, ...], CachedSummary] = field(init=False, default_factory=lambda: LRUCache(CACHED))
+    _in_progress: SharedComputations[tuple[str | int, ...], BatchSummary] = field(
+        init=False, default_factory=SharedComputations
+    )
 
     async def get(self, job: StoredJob, figures: Sequence[str], baseline: str | None, client: str) -> BatchSummary:
         """The summary of the batch's finished rows.
@@ -84,9 +79,9 @@ class Summaries:
             return cached.answer.model_copy(update={"state": job.state})
         begin = time.perf_counter()
         cost = COST * ended
-        rows, call = self._rows(job.id), partial(self._call, client, cost)
-        measured = await self._roads.named(job.road_ids)
-        with self._gate.hold(client, requests=1, background_cost=cost):
+        rows, call = self.rows(job.id), partial(self.call, client, cost)
+        measured = await self.roads.named(job.road_ids)
+        with self.gate.hold(client, requests=1, background_cost=cost):
             answer = await self._in_progress.join(
                 (*key, ended), partial(batch_summary.summarised, job, rows, call, figures, against, measured)
             )

@@ -1,6 +1,7 @@
 """Controllers: exported, checked against the part, driven in real time. A worker does the work."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import TypeVar
 
 from backend.compute.workers import Workers
@@ -17,16 +18,14 @@ STRATEGY = "lv_hil"
 BUILDING = 1.0  # one controller for its part [s of one core]
 
 
+@dataclass(eq=False, kw_only=True)
 class Controllers:
     """The one service of controllers."""
 
-    def __init__(self, *, workers: Workers, gate: Gate, roads: MeasuredRoads, max_request_cost: float) -> None:
-        self._workers = workers
-        self._gate = gate
-        self._roads = roads
-        self._longest = min(
-            realtime.LONGEST, 2 * max_request_cost
-        )  # a drive by the clock holds a worker and mostly waits [s]
+    workers: Workers
+    gate: Gate
+    roads: MeasuredRoads
+    max_request_cost: float
 
     async def archive(self, scenario: Scenario, client: str) -> bytes:
         """A zip of C sources.
@@ -35,11 +34,11 @@ class Controllers:
             CostLimitError: It would take too much.
             TemporaryError: Too much is being computed.
         """
-        scenario = await self._roads.with_length(scenario)
+        scenario = await self.roads.with_length(scenario)
         cost = estimate(scenario, STRATEGY)
-        self._gate.check_cost(cost)
-        with self._gate.computing(client, cost):
-            return await self._workers.call(export.archive, scenario, client=client, cost=cost)
+        self.gate.check_cost(cost)
+        with self.gate.computing(client, cost):
+            return await self.workers.call(export.archive, scenario, client=client, cost=cost)
 
     async def report(self, scenario: Scenario, client: str) -> ControllerReport:
         """Whether the scenario's controller fits the part, and what does.
@@ -48,7 +47,7 @@ class Controllers:
             CostLimitError: It would take too much.
             TemporaryError: Too much is being computed.
         """
-        scenario = await self._roads.on(scenario)
+        scenario = await self.roads.on(scenario)
         cost = len(report.VARIANTS) * (BUILDING + estimate(scenario, STRATEGY))
         return await self._alone(report.report, scenario, client, cost, cost)
 
@@ -59,10 +58,11 @@ class Controllers:
             CostLimitError: It would take too much.
             TemporaryError: Too much is being computed.
         """
-        scenario = await self._roads.on(scenario)
-        time = await self._workers.call(duration, scenario, STRATEGY, client=client)
-        if time > self._longest:
-            message = f"The drive may take {time:.0f} s; a drive by the clock at most {self._longest:.0f} s"
+        scenario = await self.roads.on(scenario)
+        time = await self.workers.call(duration, scenario, STRATEGY, client=client)
+        longest = min(realtime.LONGEST, 2 * self.max_request_cost)  # it holds a worker and mostly waits [s]
+        if time > longest:
+            message = f"The drive may take {time:.0f} s; a drive by the clock at most {longest:.0f} s"
             raise CostLimitError(f"{message}.", pointer="/scenario")
         return await self._alone(realtime.drive_by_clock, scenario, client, 2 * estimate(scenario, STRATEGY), time)
 
@@ -70,6 +70,6 @@ class Controllers:
         self, function: Callable[[Scenario], T], scenario: Scenario, client: str, cost: float, lasts: float
     ) -> T:
         """Run it in a worker, for about so many seconds of which it computes `cost`."""
-        self._gate.check_cost(cost)
-        with self._gate.computing(client, cost, controller=1):
-            return await self._workers.call(function, scenario, client=client, cost=lasts)
+        self.gate.check_cost(cost)
+        with self.gate.computing(client, cost, controller=1):
+            return await self.workers.call(function, scenario, client=client, cost=lasts)

@@ -242,6 +242,13 @@ class Database:
             )
 
 
+class RowStore:
+    """Reads and writes the rows of one kind; every method is one short transaction, in whatever thread."""
+
+    def __init__(self, database: Database) -> None:
+        self._database = database
+
+
 class _RetryingThreads:
     """Threads for one kind of transaction, which retry while SQLite is locked.
 

@@ -1,5 +1,7 @@
 """FMUs of scenarios. A worker does the work."""
 
+from dataclasses import dataclass
+
 from backend.compute.workers import Workers
 from backend.fmu.archive import fmu
 from backend.fmu.models import FmuRequest
@@ -9,13 +11,13 @@ from backend.roads.service import MeasuredRoads
 COST = 2.0  # of describing and compiling one [s of one core]
 
 
+@dataclass(eq=False, kw_only=True)
 class Fmus:
     """The one service of FMUs."""
 
-    def __init__(self, *, workers: Workers, gate: Gate, roads: MeasuredRoads) -> None:
-        self._workers = workers
-        self._gate = gate
-        self._roads = roads
+    workers: Workers
+    gate: Gate
+    roads: MeasuredRoads
 
     async def archive(self, asked: FmuRequest, client: str) -> bytes:
         """The FMU, a zip.
@@ -24,9 +26,9 @@ class Fmus:
             CostLimitError: The service lets no request take as much.
             TemporaryError: Too much is being computed.
         """
-        scenario = await self._roads.with_length(asked.scenario)
-        self._gate.check_cost(COST)
-        with self._gate.computing(client, COST, controller=1):
-            return await self._workers.call(
+        scenario = await self.roads.with_length(asked.scenario)
+        self.gate.check_cost(COST)
+        with self.gate.computing(client, COST, controller=1):
+            return await self.workers.call(
                 fmu, scenario, asked.strategy, asked.of, asked.version, asked.platforms, client=client, cost=COST
             )

@@ -28,6 +28,8 @@ class JobKind:
         name: As it is stored.
         word: What users call one.
         plural: What they call several.
+        size_pointer: What of a request makes a job large.
+        run_pointer: What makes one of its runs expensive.
         compute: What a worker computes of each run.
         rekey: Run in a worker after an upgrade: gives waiting runs the keys of this core version. Without it a job of
             another version is deleted: who asked for it asks anew.
@@ -41,6 +43,8 @@ class JobKind:
     name: str
     word: str
     plural: str
+    size_pointer: str = ""
+    run_pointer: str = ""
     compute: ComputeRun | None = None
     rekey: Rekey | None = None
     passing: bool = False

@@ -2,6 +2,7 @@
 
 import hashlib
 from collections.abc import AsyncIterator, Iterable
+from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from typing import Any
 
@@ -20,34 +21,21 @@ CURSOR = r"^\d{16}_[A-Za-z0-9_-]{1,22}$"  # when the last job of a page was crea
 EPOCH, MICROSECOND = datetime(1970, 1, 1, tzinfo=UTC), timedelta(microseconds=1)
 
 
+@dataclass(eq=False, kw_only=True)
 class Jobs:
     """The service of one kind of job.
 
-    Args:
+    Attributes:
         kind: Which.
         store: The database.
         gate: What is accepted at once.
         settings: Of the service.
-        size_pointer: What of a request makes its job large.
-        run_pointer: What makes one of its runs expensive.
     """
 
-    def __init__(
-        self,
-        kind: JobKind,
-        *,
-        store: Store,
-        gate: Gate,
-        settings: Settings,
-        size_pointer: str,
-        run_pointer: str,
-    ) -> None:
-        self._kind = kind
-        self._size_pointer = size_pointer
-        self._run_pointer = run_pointer
-        self._store = store
-        self._gate = gate
-        self._settings = settings
+    kind: JobKind
+    store: Store
+    gate: Gate
+    settings: Settings
 
     async def existing(self, key: str | None, request_hash: str) -> StoredJob | None:
         """The job that was accepted with that idempotency key.
@@ -57,7 +45,7 @@ class Jobs:
         """
         if key is None:
             return None
-        job = await self._store.read(self._store.jobs.by_idempotency_key, self._kind.name, key)
+        job = await self.store.read(self.store.jobs.by_idempotency_key, self.kind.name, key)
         return None if job is None else _same(job, request_hash)
 
     async def check_room(self) -> None:
@@ -66,33 +54,33 @@ class Jobs:
         Raises:
             BusyError: There are.
         """
-        counts = await self._store.read(self._store.jobs.counts)
+        counts = await self.store.read(self.store.jobs.counts)
         waiting = sum(
-            count for (kind, state), (count, _) in counts.items() if kind == self._kind.name and state in UNFINISHED
+            count for (kind, state), (count, _) in counts.items() if kind == self.kind.name and state in UNFINISHED
         )
-        if waiting >= self._settings.max_unfinished_batches:
-            raise BusyError(f"The service is full: too many {self._kind.plural} are waiting.", retry_after=RETRY_AFTER)
+        if waiting >= self.settings.max_unfinished_batches:
+            raise BusyError(f"The service is full: too many {self.kind.plural} are waiting.", retry_after=RETRY_AFTER)
 
     def check_runs(self, runs: float) -> None:
         """Refuse a job of too many runs; raises CostLimitError."""
-        limit = self._settings.max_batch_runs
+        limit = self.settings.max_batch_runs
         if runs > limit:
             raise self._over_limit(f"{runs:.6g} runs are over the limit of {limit} runs")
 
     def check_cost(self, cost: float, max_run_cost: float) -> None:
         """Refuse a job of that estimated cost, and of its costliest run [s of one core]; raises CostLimitError."""
-        limit, each = self._settings.max_batch_cost, self._settings.max_request_cost
+        limit, each = self.settings.max_batch_cost, self.settings.max_request_cost
         if cost > limit:
             raise self._over_limit(f"The estimated cost of {cost:.3g} s of computing is over the limit of {limit:g} s")
         if max_run_cost > each:
             raise CostLimitError(
                 f"One run's estimated cost of {max_run_cost:.3g} s of computing is over the limit of {each:g} s; "
                 f"{CHEAPER_RUN}",
-                pointer=self._run_pointer,
+                pointer=self.kind.run_pointer,
             )
 
     def _over_limit(self, message: str) -> CostLimitError:
-        return CostLimitError(f"{message} a {self._kind.word}", pointer=self._size_pointer)
+        return CostLimitError(f"{message} a {self.kind.word}", pointer=self.kind.size_pointer)
 
     async def accept(self, job: StoredJob, runs: Iterable[JobRun], key: str | None) -> StoredJob:
         """Commit a job with its runs; where one was accepted with that key meanwhile, return that one.
@@ -100,7 +88,7 @@ class Jobs:
         Raises:
             ConflictError: The key had another request.
         """
-        stored, new = await self._store.write(self._store.jobs.create, job, runs, key)
+        stored, new = await self.store.write(self.store.jobs.create, job, runs, key)
         return stored if new else _same(stored, job.request_hash)
 
     async def get(self, job_id: str) -> StoredJob:
@@ -109,9 +97,9 @@ class Jobs:
         Raises:
             NotFoundError: There is none.
         """
-        job = await self._store.read(self._store.jobs.load, job_id)
-        if job is None or job.kind != self._kind.name:
-            raise NotFoundError(f"There is no {self._kind.word} of this id.")
+        job = await self.store.read(self.store.jobs.load, job_id)
+        if job is None or job.kind != self.kind.name:
+            raise NotFoundError(f"There is no {self.kind.word} of this id.")
         return job
 
     async def page(
@@ -119,8 +107,8 @@ class Jobs:
     ) -> tuple[list[StoredJob], str | None]:
         """The newest jobs without their sweeps, and the cursor of the next page (None: this is the last one)."""
         before = None if cursor is None else _position_of(cursor)
-        page = await self._store.read(
-            self._store.jobs.page, self._kind.name, limit + 1, before=before, state=state, label=label
+        page = await self.store.read(
+            self.store.jobs.page, self.kind.name, limit + 1, before=before, state=state, label=label
         )
         more, shown = len(page) > limit, page[:limit]
         return shown, _cursor(shown[-1]) if more else None
@@ -129,7 +117,7 @@ class Jobs:
         """By id the number of runs of earlier jobs that wait; 0 for a job that runs or has ended."""
         unfinished = []
         if any(job.state == "queued" for job in jobs):
-            unfinished = await self._store.read(self._store.jobs.unfinished)
+            unfinished = await self.store.read(self.store.jobs.unfinished)
         return {
             job.id: sum(
                 other.open_runs
@@ -163,13 +151,13 @@ class Jobs:
             ForbiddenError: It belongs to another token.
         """
         await self.owned(job_id, owner)
-        await self._store.write(self._store.jobs.cancel, job_id)
+        await self.store.write(self.store.jobs.cancel, job_id)
         return await self.get(job_id)
 
     async def resume(self, job_id: str, **values: Any) -> StoredJob:
         """Continue a job that has ended, with these columns changed."""
         await self.check_room()
-        await self._store.write(self._store.jobs.resume, job_id, **values)
+        await self.store.write(self.store.jobs.resume, job_id, **values)
         return await self.get(job_id)
 
     async def set_label(self, job_id: str, label: str | None, owner: str | None) -> StoredJob:
@@ -180,7 +168,7 @@ class Jobs:
             ForbiddenError: It belongs to another token.
         """
         await self.owned(job_id, owner)
-        await self._store.write(self._store.jobs.set_label, job_id, label)
+        await self.store.write(self.store.jobs.set_label, job_id, label)
         return await self.get(job_id)
 
     async def delete(self, job_id: str, owner: str | None) -> None:
@@ -192,11 +180,11 @@ class Jobs:
             ConflictError: It has not ended, or a link shows it.
         """
         await self.owned(job_id, owner)
-        if not await self._store.write(self._store.jobs.delete, job_id):
+        if not await self.store.write(self.store.jobs.delete, job_id):
             raise ConflictError(
                 "It has not ended, or a link shows it: cancel it first; what a link shows stays.", kind="not-deletable"
             )
-        while await self._store.write(self._store.jobs.purge):
+        while await self.store.write(self.store.jobs.purge):
             pass
 
     async def events(self, job_id: str, after: int, client: str) -> AsyncIterator[bytes]:
@@ -208,7 +196,7 @@ class Jobs:
             BusyError: The service has.
         """
         await self.get(job_id)
-        return await server_sent(self._store, job_id, after, self._gate, client)
+        return await server_sent(self.store, job_id, after, self.gate, client)
 
 
 def request_hash(request: Any) -> str:

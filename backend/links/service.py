@@ -41,18 +41,16 @@ class _SharedRun:
     missing: Mapping[str, str]
 
 
+@dataclass(eq=False, kw_only=True)
 class Links:
     """The one service of links."""
 
-    def __init__(
-        self, *, store: Store, workers: Workers, runs: Runs, gate: Gate, roads: MeasuredRoads, recordings: Recordings
-    ) -> None:
-        self._runs = runs
-        self._store = store
-        self._workers = workers
-        self._gate = gate
-        self._roads = roads
-        self._recordings = recordings
+    store: Store
+    workers: Workers
+    runs: Runs
+    gate: Gate
+    roads: MeasuredRoads
+    recordings: Recordings
 
     async def share_run(
         self, run_id: str, view: LinkView, client: str, requirements: Sequence[Requirement] = ()
@@ -68,7 +66,7 @@ class Links:
         places = [(run_id, "run_id"), *((pin.run, f"view/pins/{n}/run") for n, pin in enumerate(view.pins or []))]
         shared = [await self._shared(run, place, client) for run, place in places]
         missing = {key for each in shared for key in each.missing.values()}
-        self._gate.linking(client, links=len(shared), pinned=len(missing))
+        self.gate.linking(client, links=len(shared), pinned=len(missing))
         series = [await self._pin(each, client) for each in shared]
         for each, pinned in zip(shared[1:], series[1:], strict=True):
             await self._save_run(each.stored.id, {}, pinned, client)
@@ -79,11 +77,11 @@ class Links:
     async def _shared(self, run_id: str, place: str, client: str) -> _SharedRun:
         """The run, and which of its time histories no link has pinned yet."""
         try:
-            stored = await self._runs.stored(run_id, client)
+            stored = await self.runs.stored(run_id, client)
         except NotFoundError:
             raise _unknown(place, "There is no run of this id") from None
         keys = {name: key for name, key in _histories(stored).items() if name not in changed_laws(stored)}
-        present = await self._store.read(self._store.links.pinned, keys.values())
+        present = await self.store.read(self.store.links.pinned, keys.values())
         return _SharedRun(stored=stored, missing={name: key for name, key in keys.items() if key not in present})
 
     async def share_batch(
@@ -95,12 +93,12 @@ class Links:
             InvalidError: No such batch, or a view of a field that it does not sweep.
             TooManyRequestsError: Too many new links.
         """
-        stored = await self._store.read(self._store.jobs.load, batch_id)
+        stored = await self.store.read(self.store.jobs.load, batch_id)
         if stored is None or stored.kind != SWEEP.name:
             raise _unknown("batch_id", "There is no batch of this id")
         if view.x not in (None, *stored.request["fields"]):
             raise _unknown("view/x", f"This batch sweeps {', '.join(stored.request['fields'])}")
-        self._gate.linking(client)
+        self.gate.linking(client)
         slug = await self._save("batch", batch_id, _sent(view, requirements), {})
         if slug is None:
             raise _unknown("batch_id", "There is no batch of this id")
@@ -121,11 +119,11 @@ class Links:
             return _opened(link, job, job.request["scenario"], batch=_batch(job).model_dump())
         stored = await self._run(link)
         if stored.expired:
-            again = await self._runs.stored(stored.id, client)
+            again = await self.runs.stored(stored.id, client)
             stored = replace(again, schema_version=stored.schema_version)
             link = await self._load(slug) or link  # now it knows that something was damaged
         keys = set(_histories(stored).values())
-        pinned = await self._store.read(self._store.links.pinned, keys)
+        pinned = await self.store.read(self.store.links.pinned, keys)
         return _opened(
             link,
             stored,
@@ -157,16 +155,16 @@ class Links:
         scenario = Scenario.model_validate(upgraded_scenario(stored.scenario, stored.schema_version))
         if SAMPLE_BYTES * sum(most_samples(scenario, name) for name in missing) > MOST_PINNED:
             return {}
-        scenario = await self._recordings.on(await self._roads.on(scenario), missing)
+        scenario = await self.recordings.on(await self.roads.on(scenario), missing)
         cost = cost_of(scenario, missing)
-        with self._gate.computing(client, cost):
-            series = await self._workers.call(pins.make, scenario, list(missing), client=client, cost=cost)
+        with self.gate.computing(client, cost):
+            series = await self.workers.call(pins.make, scenario, list(missing), client=client, cost=cost)
         return {missing[name]: content for name, content in series.items()}
 
     async def _save_run(self, run_id: str, view: JsonObject, series: Mapping[str, bytes], client: str) -> str:
         """Save a link to a run; results that were removed since the run was read are computed again first."""
         while (slug := await self._save("run", run_id, view, series)) is None:
-            await self._runs.stored(run_id, client)
+            await self.runs.stored(run_id, client)
         return slug
 
     async def _save(
@@ -175,19 +173,19 @@ class Links:
         """The new link's slug; None where a result of the run, or the batch, was removed meanwhile."""
         slug = digest.random_id()
         link = StoredLink(slug=slug, kind=kind, target=target, view=view)
-        return slug if await self._store.write(self._store.links.save, link, series) else None
+        return slug if await self.store.write(self.store.links.save, link, series) else None
 
     async def _load(self, slug: str) -> StoredLink | None:
-        return await self._store.read(self._store.links.load, slug) if re.fullmatch(SLUG_PATTERN, slug) else None
+        return await self.store.read(self.store.links.load, slug) if re.fullmatch(SLUG_PATTERN, slug) else None
 
     async def _run(self, link: StoredLink) -> StoredRun:
-        stored = await self._store.read(self._store.runs.load, link.target)
+        stored = await self.store.read(self.store.runs.load, link.target)
         if stored is None:
             raise RuntimeError("A link's run is not there, though nothing removes runs")
         return replace(stored, scenario=upgraded_scenario(stored.scenario, stored.schema_version))
 
     async def _job(self, link: StoredLink) -> StoredJob:
-        stored = await self._store.read(self._store.jobs.load, link.target)
+        stored = await self.store.read(self.store.jobs.load, link.target)
         if stored is None:
             raise RuntimeError("A link's batch is not there, though nothing removes it")
         scenario = upgraded_scenario(stored.request["scenario"], stored.schema_version)

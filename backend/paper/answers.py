@@ -62,13 +62,14 @@ def reproduction(
 
 
 def _interpretation(item: Interpretation, values: claims.Values) -> models.Interpretation:
-    own = {name: getattr(item, name) for name in ("id", "title", "description", "choices")}
-    return models.Interpretation(**own, changes=changes_of(item.otherwise), **_counted(claims.judge(values)))
+    changes = changes_of(item.otherwise)
+    counted = _counted(claims.judge(values))
+    return models.Interpretation(**asdict(item), choices=item.choices, changes=changes, **counted)
 
 
 def _reading(reading: Reading, choice: str) -> models.ReadingAnswer:
-    own = {name: getattr(reading, name) for name in ("id", "title", "description")}
-    choices = [{**asdict(each), "default": each.id == reading.default} for each in reading.choices]
+    own = asdict(reading)
+    choices = [{**each, "default": each["id"] == reading.default} for each in own.pop("choices")]
     return models.ReadingAnswer(**own, chosen=choice, choices=choices)
 
 
@@ -178,7 +179,7 @@ def _cell(cell: PaperCell, item: Judged | None, blind: Judged | None, ours: clai
     base = ours.get(cell.against, {}).get((cell.window, cell.statistic, cell.signal))
     looks_ahead = {cell.strategy, cell.against} & set(claims.PREVIEWED)
     return models.Cell(
-        **{name: getattr(cell, name) for name in ("table", "window", "signal", "statistic", "strategy", "against")},
+        **asdict(cell),
         **dict(_judgement(item, rows)),
         paper_value=cell.value,
         paper_base=cell.base,

@@ -2,6 +2,7 @@
 
 import asyncio
 from collections.abc import Mapping
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -18,7 +19,6 @@ from backend.paper.rows import PaperRows, Rows
 from backend.runs.reports import page
 from backend.runs.reports.page import Report, in_thread
 from backend.runs.result_finder import ResultFinder
-from backend.store import Store
 from sim_core.scenario import Scenario
 
 HISTORY_POINTS = 1200
@@ -27,13 +27,13 @@ WAIT_FOR_ROWS = 2.0  # an answer in rows comes after so long with those that are
 Requests = Mapping[str, tuple[JobRun, ...]]
 
 
+@dataclass(eq=False, kw_only=True)
 class Paper:
     """The one service of the paper page."""
 
-    def __init__(self, *, store: Store, results: ResultFinder, gate: Gate) -> None:
-        self._rows = PaperRows(store)
-        self._results = results
-        self._gate = gate
+    rows: PaperRows
+    results: ResultFinder
+    gate: Gate
 
     async def reproduction(
         self, choices: Mapping[str, str], roads: range, client: str, *, partial: bool = False
@@ -102,7 +102,7 @@ class Paper:
             TemporaryError: Too much is being computed.
         """
         peaks = await self._study(paper_rows.SPEEDS, roads, client)
-        results = await self._results.get(Scenario(), claims.STRATEGIES, client, points=HISTORY_POINTS)
+        results = await self.results.get(Scenario(), claims.STRATEGIES, client, points=HISTORY_POINTS)
         return PaperFigures(figures=await asyncio.to_thread(drawings.all_figures, peaks, results))
 
     async def report(self, choices: Mapping[str, str], roads: range, client: str, *, compressed: bool) -> Report:
@@ -113,7 +113,7 @@ class Paper:
         """
         whole = await self.reproduction(choices, roads, client)
         parts, drawn = await self.attribution(roads, client), await self.figures(roads, client)
-        with self._gate.computing(client, page.COST, reports=1):
+        with self.gate.computing(client, page.COST, reports=1):
             return await in_thread(partial(report, whole, parts, drawn.figures, compressed=compressed))
 
     async def _study(self, study: str, roads: range, client: str) -> list[Any]:
@@ -125,10 +125,10 @@ class Paper:
 
     async def _get(self, client: str, *requests: Requests, patience: float | None) -> Rows:
         """These rows; one road's runs must be within the cost limit of a request."""
-        self._gate.check_cost(cost_of(Scenario(), claims.STRATEGIES))
-        with self._gate.hold(client, requests=1):
+        self.gate.check_cost(cost_of(Scenario(), claims.STRATEGIES))
+        with self.gate.hold(client, requests=1):
             every = [row for by_strategy in requests for rows in by_strategy.values() for row in rows]
-            return await self._rows.get(every, client, patience)
+            return await self.rows.get(every, client, patience)
 
 
 async def _requests(choices: Mapping[str, str], roads: range) -> Requests:

@@ -1,6 +1,7 @@
 """Recorded drives: read from CSV, stored, and added to scenarios of runs that show them."""
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import numpy as np
@@ -21,13 +22,13 @@ CSV_COST = 2e-6  # of one value [s of one core]
 Read = TypeVar("Read")
 
 
+@dataclass(eq=False, kw_only=True)
 class Recordings:
     """The one service of recorded drives."""
 
-    def __init__(self, *, store: Store, workers: Workers, gate: Gate) -> None:
-        self._store = store
-        self._workers = workers
-        self._gate = gate
+    store: Store
+    workers: Workers
+    gate: Gate
 
     async def create(self, content: bytes, mapping: Mapping[str, str], client: str) -> CreatedRecording:
         """Read a CSV file and store its recording; arguments as of `reading.read`.
@@ -37,8 +38,8 @@ class Recordings:
             TemporaryError: Too much is being read.
         """
         read = await self._read(reading.read, content, mapping, client, READING_COST)
-        await self._store.write(self._store.recordings.save, read.drive)
-        head = await self._workers.call(head_of, read.drive, client=client)
+        await self.store.write(self.store.recordings.save, read.drive)
+        head = await self.workers.call(head_of, read.drive, client=client)
         columns = [RecordedColumn.model_validate(each) for each in read.columns]
         return CreatedRecording(**head, columns=columns, warnings=list(read.warnings))
 
@@ -61,9 +62,9 @@ class Recordings:
         client: str,
         cost: float,
     ) -> Read:
-        with self._gate.hold(client, road_files=1, requests=1, background_cost=cost):
+        with self.gate.hold(client, road_files=1, requests=1, background_cost=cost):
             try:
-                return await self._workers.call(how, content, mapping, client=client, cost=cost)
+                return await self.workers.call(how, content, mapping, client=client, cost=cost)
             except CsvError as error:
                 raise InvalidError(f"Line {error.line}: {error.message}.", pointer="") from None
 
@@ -75,8 +76,8 @@ class Recordings:
             TemporaryError: Too much is being computed.
         """
         drive = await self._stored(recording)
-        with self._gate.computing(client, 0.0):
-            return RecordingAnswer(**await self._workers.call(head_of, drive, client=client))
+        with self.gate.computing(client, 0.0):
+            return RecordingAnswer(**await self.workers.call(head_of, drive, client=client))
 
     async def csv(self, recording: str, client: str) -> bytes:
         """Its signals as CSV; sent again, it is the same recording.
@@ -87,11 +88,11 @@ class Recordings:
         """
         drive = await self._stored(recording)
         cost = CSV_COST * drive.samples * len(drive.keys.split(","))
-        with self._gate.computing(client, cost):
-            return await self._workers.call(export.as_csv, drive, client=client, cost=cost)
+        with self.gate.computing(client, cost):
+            return await self.workers.call(export.as_csv, drive, client=client, cost=cost)
 
     async def _stored(self, recording: str) -> RecordedDrive:
-        drive = (await self._store.read(self._store.recordings.load, [recording])).get(recording)
+        drive = (await self.store.read(self.store.recordings.load, [recording])).get(recording)
         if drive is None:
             raise NotFoundError("There is no recording of this id.")
         return drive
@@ -112,7 +113,7 @@ class Recordings:
             InvalidError: One is not there.
         """
         wanted = {each for name in strategies if (each := recording_id(name)) is not None}
-        drives: dict[str, RecordedDrive] = await self._store.read(self._store.recordings.load, wanted) if wanted else {}
+        drives: dict[str, RecordedDrive] = await self.store.read(self.store.recordings.load, wanted) if wanted else {}
         if wanted - drives.keys():
             raise InvalidError("There is no recording of this id.", kind="unknown", pointer="/strategies")
         return drives

@@ -1,7 +1,7 @@
 """Measured roads: read from files, stored, answered, and added to scenarios that name them."""
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 
 import numpy as np
 
@@ -22,13 +22,13 @@ EXPORT_COST = 2e-6  # of one height [s of one core]
 POINTER = "/scenario/road/profile"
 
 
+@dataclass(eq=False, kw_only=True)
 class MeasuredRoads:
     """The one service of measured roads."""
 
-    def __init__(self, *, store: Store, workers: Workers, gate: Gate) -> None:
-        self._store = store
-        self._workers = workers
-        self._gate = gate
+    store: Store
+    workers: Workers
+    gate: Gate
 
     async def create(self, client: str, read: Callable[..., survey.Survey], *file: object) -> CreatedRoad:
         """Store the road that `read` makes of a file.
@@ -37,13 +37,13 @@ class MeasuredRoads:
             InvalidError: It is none; the message has the line.
             TemporaryError: Too much is being read.
         """
-        with self._gate.hold(client, road_files=1, requests=1, background_cost=SURVEY_COST):
+        with self.gate.hold(client, road_files=1, requests=1, background_cost=SURVEY_COST):
             try:
-                surveyed = await self._workers.call(read, *file, client=client, cost=SURVEY_COST)
+                surveyed = await self.workers.call(read, *file, client=client, cost=SURVEY_COST)
             except (CsvError, survey.SurveyError) as error:
                 place = "" if error.line is None else f"Line {error.line}: "
                 raise InvalidError(f"{place}{error.message}.", pointer="") from None
-        await self._store.write(self._store.roads.save, surveyed.road, surveyed.analysis)
+        await self.store.write(self.store.roads.save, surveyed.road, surveyed.analysis)
         road = surveyed.road
         return CreatedRoad(
             id=road.id,
@@ -62,9 +62,9 @@ class MeasuredRoads:
             TemporaryError: Too much is being computed.
         """
         road = await self._stored(road_id)
-        analysis = await self._store.read(self._store.roads.analysis, road_id)
-        with self._gate.computing(client, 0.0):
-            distance, height, bumps = await self._workers.call(drawn, road, points, client=client)
+        analysis = await self.store.read(self.store.roads.analysis, road_id)
+        with self.gate.computing(client, 0.0):
+            distance, height, bumps = await self.workers.call(drawn, road, points, client=client)
         return RoadAnswer(
             id=road.id,
             length=road.length,
@@ -84,11 +84,11 @@ class MeasuredRoads:
         """
         road = await self._stored(road_id)
         cost = EXPORT_COST * road.samples
-        with self._gate.computing(client, cost):
-            return await self._workers.call(write, road, client=client, cost=cost)
+        with self.gate.computing(client, cost):
+            return await self.workers.call(write, road, client=client, cost=cost)
 
     async def _stored(self, road_id: str) -> MeasuredRoad:
-        road = (await self._store.read(self._store.roads.load, [road_id])).get(road_id)
+        road = (await self.store.read(self.store.roads.load, [road_id])).get(road_id)
         if road is None:
             raise NotFoundError("There is no measured road of this id.")
         return road
@@ -127,7 +127,7 @@ class MeasuredRoads:
             InvalidError: One is not there.
         """
         wanted = set(ids)
-        roads: dict[str, MeasuredRoad] = await self._store.read(self._store.roads.load, wanted) if wanted else {}
+        roads: dict[str, MeasuredRoad] = await self.store.read(self.store.roads.load, wanted) if wanted else {}
         if wanted - roads.keys():
             raise InvalidError("There is no measured road of this id.", kind="unknown", pointer=pointer)
         return roads

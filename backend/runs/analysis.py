@@ -1,5 +1,7 @@
 """Why and at which frequency a controller acts: what is asked of runs and scenarios beside their results."""
 
+from dataclasses import dataclass
+
 from backend.compute.workers import Workers
 from backend.cost.estimate import cost_of
 from backend.errors import GoneError, InvalidError, RoadGoneError
@@ -17,14 +19,14 @@ from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import recording_id
 
 
+@dataclass(eq=False, kw_only=True)
 class ControlAnalysis:
     """Answers what a controller does; nothing is stored."""
 
-    def __init__(self, *, runs: Runs, workers: Workers, gate: Gate, roads: MeasuredRoads) -> None:
-        self._runs = runs
-        self._workers = workers
-        self._gate = gate
-        self._roads = roads
+    runs: Runs
+    workers: Workers
+    gate: Gate
+    roads: MeasuredRoads
 
     async def frequency(self, asked: FrequencyRequest, client: str) -> FrequencyAnswer:
         """Responses, modes, margins and spectra of strategies.
@@ -33,10 +35,10 @@ class ControlAnalysis:
             TemporaryError: Too much is being computed.
         """
         names, cost = ordered(asked.strategies), FREQUENCY_COST * len(asked.strategies)
-        scenario = await self._roads.with_length(asked.scenario)
+        scenario = await self.roads.with_length(asked.scenario)
         question = scenario, names, asked.frequencies, asked.outputs, asked.stage
-        with self._gate.computing(client, cost):
-            return await self._workers.call(frequency_answer, *question, client=client, cost=cost)
+        with self.gate.computing(client, cost):
+            return await self.workers.call(frequency_answer, *question, client=client, cost=cost)
 
     async def fuzzy(self, asked: FuzzyRequest, client: str) -> FuzzyAnswer:
         """The speed controller's sets, rules and surface.
@@ -44,8 +46,8 @@ class ControlAnalysis:
         Raises:
             TemporaryError: Too much is being computed.
         """
-        with self._gate.computing(client, FUZZY_COST):
-            return await self._workers.call(fuzzy_answer, asked.scenario.fuzzy, client=client, cost=FUZZY_COST)
+        with self.gate.computing(client, FUZZY_COST):
+            return await self.workers.call(fuzzy_answer, asked.scenario.fuzzy, client=client, cost=FUZZY_COST)
 
     async def instant(
         self, run_id: str, strategy: str | None, position: float | None, time: float | None, client: str
@@ -57,7 +59,7 @@ class ControlAnalysis:
             InvalidError: The run has no such strategy, or the place is not on its drive.
             GoneError: Another core version or another law computed the run, or its road is gone.
         """
-        stored = await self._runs.stored(run_id, client)
+        stored = await self.runs.stored(run_id, client)
         drives = {item.strategy: item for item in stored.shown if recording_id(item.strategy) is None}
         if strategy is None and len(drives) == 1:
             (strategy,) = drives
@@ -80,11 +82,9 @@ class ControlAnalysis:
         if strategy in changed_laws(stored):
             raise LawGoneError
         try:
-            scenario = await self._roads.on(scenario)
+            scenario = await self.roads.on(scenario)
         except InvalidError:
             raise RoadGoneError from None
         cost = cost_of(scenario, [strategy])
-        with self._gate.computing(client, cost):
-            return await self._workers.call(
-                instant_answer, scenario, strategy, position, time, client=client, cost=cost
-            )
+        with self.gate.computing(client, cost):
+            return await self.workers.call(instant_answer, scenario, strategy, position, time, client=client, cost=cost)

@@ -2,6 +2,7 @@
 
 import asyncio
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Literal
 
 from backend.errors import InvalidError, NotFoundError
@@ -17,13 +18,13 @@ from backend.runs.service import Runs, ordered
 from sim_core.catalogue import SIGNALS
 
 
+@dataclass(eq=False, kw_only=True)
 class RunCurves:
     """Answers with what was recorded along a run's drives."""
 
-    def __init__(self, *, runs: Runs, histories: Histories, gate: Gate) -> None:
-        self._runs = runs
-        self._histories = histories
-        self._gate = gate
+    runs: Runs
+    histories: Histories
+    gate: Gate
 
     async def series(
         self,
@@ -52,8 +53,8 @@ class RunCurves:
             GoneError: Its time histories are gone.
             InvalidError: Strategies it does not have.
         """
-        stored = await self._runs.stored(run_id, client)
-        keys = await self._histories.keys(stored)
+        stored = await self.runs.stored(run_id, client)
+        keys = await self.histories.keys(stored)
         names = list(keys) if strategies is None else ordered(strategies)
         if not set(names) <= set(keys) or (strategies is None and len(names) != 1):
             message = f"This run has time histories of {', '.join(keys) or 'no strategy'}; name some of them"
@@ -66,7 +67,7 @@ class RunCurves:
             encoding=encoding,
             provenance={"run": stored.id, "core_version": stored.core_version},
         )
-        return await self._histories.exported(stored, {name: keys[name] for name in names}, export, client)
+        return await self.histories.exported(stored, {name: keys[name] for name in names}, export, client)
 
     async def bands(
         self,
@@ -85,7 +86,7 @@ class RunCurves:
             GoneError: Another core version computed it.
             InvalidError: It is of one road, or does not have these strategies.
         """
-        stored = await self._runs.stored(run_id, client)
+        stored = await self.runs.stored(run_id, client)
         if stored.roads == 1:
             raise InvalidError("This run is of one road: its time histories are at /series", parameter="id")
         keys = [item.strategy for item in stored.shown]
@@ -94,7 +95,7 @@ class RunCurves:
             message = f"This run has time histories of {', '.join(keys) or 'no strategy'}"
             raise InvalidError(message, parameter="strategy")
         asked = series.ordered_signals(signals)
-        return await self._histories.over_roads(stored, names, asked, points, encoding, client)
+        return await self.histories.over_roads(stored, names, asked, points, encoding, client)
 
     async def figures(self, run_id: str, name: str | None, axis: str, client: str) -> JsonObject:
         """One figure of a stored run, or all of them by name, with data.
@@ -105,9 +106,9 @@ class RunCurves:
         """
         if name is not None and name not in figures.PANELS:
             raise NotFoundError(f"There is no such figure; there are {', '.join(figures.PANELS)}.")
-        stored = await self._runs.stored(run_id, client)
-        outcomes = await self._histories.outcomes(stored, client)
-        with self._gate.computing(client, 0.0):
+        stored = await self.runs.stored(run_id, client)
+        outcomes = await self.histories.outcomes(stored, client)
+        with self.gate.computing(client, 0.0):
             if name is not None:
                 return figures.filled(name, outcomes, axis)
             return {"figures": {each: figures.filled(each, outcomes, axis) for each in figures.PANELS}}
@@ -120,9 +121,9 @@ class RunCurves:
             GoneError: Its time histories are gone.
             InvalidError: There is no curve of the baseline.
         """
-        stored = await self._runs.stored(run_id, client)
+        stored = await self.runs.stored(run_id, client)
         baseline = baseline or default_baseline(list(stored.by_strategy))
-        outcomes = await self._histories.outcomes(stored, client, deviations.POINTS)
+        outcomes = await self.histories.outcomes(stored, client, deviations.POINTS)
         series = {name: outcome.series for name, outcome in outcomes.items() if outcome.series is not None}
         if baseline not in series:
             message = (

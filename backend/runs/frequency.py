@@ -2,14 +2,13 @@
 
 from collections.abc import Sequence
 from math import isfinite
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Field
+from pydantic import AfterValidator, Field, model_validator
 
-from backend.models import Answer, StrategiesRequest
+from backend.models import Answer, StrategiesRequest, Vector
 from backend.own import isolated
-from sim_core.arrays import FloatArray
 from sim_core.errors import RidelabError
 from sim_core.frequency import responses
 from sim_core.frequency.responses import DEFAULT_FREQUENCIES, RESPONSES, FrequencyResult, frequency_response
@@ -49,8 +48,15 @@ class Mode(Answer):
 class Response(Answer):
     """From road height at the front axle to a signal, at each frequency."""
 
-    magnitude: list[float] = Field(description="[signal's unit / m]")
-    phase: list[float] = Field(description="[rad]")
+    magnitude: Vector = Field(description="[signal's unit / m]")
+    phase: Vector = Field(description="[rad]")
+
+    @model_validator(mode="before")
+    @classmethod
+    def _of_complex(cls, values: Any) -> Any:
+        if not isinstance(values, np.ndarray):
+            return values
+        return {"magnitude": np.abs(values), "phase": np.unwrap(np.angle(values))}
 
 
 class LoopMargin(Answer):
@@ -62,13 +68,19 @@ class LoopMargin(Answer):
     delay: float | None = Field(description="That it can take [s]; null: its gain is nowhere 1")
 
 
+def _finite(value: float | None) -> float | None:
+    return None if value is None or not isfinite(value) else value
+
+
 class Margins(Answer):
     """How far the loop is from instability."""
 
     front: LoopMargin
     rear: LoopMargin
     disk: float = Field(description="Disk margin α of both loops at the same time [1]")
-    disk_gain: float | None = Field(description="Both gains may change by any factor between 1 / this and this")
+    disk_gain: Annotated[float | None, AfterValidator(_finite)] = Field(
+        description="Both gains may change by any factor between 1 / this and this"
+    )
     disk_phase: float = Field(description="And, in place of that, both phases by this, either way [rad]")
 
 
@@ -79,10 +91,10 @@ class StrategyFrequency(Answer):
     responses: dict[str, Response] | None
     modes: list[Mode] | None
     margins: Margins | None = Field(description="Null too where there are no actuators")
-    psd: dict[str, list[float]] | None = Field(
+    psd: dict[str, Vector] | None = Field(
         description="One-sided, on the scenario's road [unit^2/Hz]; weighted_body_acceleration is by ISO 2631-1's Wk"
     )
-    bands: dict[str, list[float]] | None = Field(description="RMS on that road in each of the answer's bands")
+    bands: dict[str, Vector] | None = Field(description="RMS on that road in each of the answer's bands")
     reason: str | None
 
 
@@ -121,34 +133,4 @@ def _one(
         result = isolated(strategy, frequency_response, scenario, strategy, frequencies, outputs, stage)
     except RidelabError as error:
         result = FrequencyResult(stage=stage, speed=scenario.speed.initial, reason=str(error))
-    return StrategyFrequency(
-        speed=result.speed,
-        responses=None
-        if result.responses is None
-        else {
-            name: Response(magnitude=np.abs(values).tolist(), phase=np.unwrap(np.angle(values)).tolist())
-            for name, values in result.responses.items()
-        },
-        modes=None if result.modes is None else [Mode.model_validate(mode) for mode in result.modes],
-        margins=_margins(result),
-        psd=_lists(result.psd),
-        bands=_lists(result.bands),
-        reason=result.reason,
-    )
-
-
-def _margins(result: FrequencyResult) -> Margins | None:
-    margins = result.margins
-    if margins is None:
-        return None
-    return Margins(
-        front=LoopMargin.model_validate(margins.front),
-        rear=LoopMargin.model_validate(margins.rear),
-        disk=margins.disk,
-        disk_gain=margins.disk_gain if isfinite(margins.disk_gain) else None,
-        disk_phase=margins.disk_phase,
-    )
-
-
-def _lists(values: dict[str, FloatArray] | None) -> dict[str, list[float]] | None:
-    return None if values is None else {name: each.tolist() for name, each in values.items()}
+    return StrategyFrequency.model_validate(result)

@@ -3,7 +3,7 @@
 import asyncio
 from collections.abc import AsyncIterator, Iterable, Mapping, Sequence
 from contextlib import asynccontextmanager
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 
 from cachetools import LRUCache
@@ -45,31 +45,22 @@ class LawGoneError(GoneError):
         )
 
 
+@dataclass(eq=False, kw_only=True)
 class Histories:
     """Reads or simulates time histories."""
 
-    def __init__(
-        self,
-        *,
-        store: Store,
-        workers: Workers,
-        results: ResultFinder,
-        gate: Gate,
-        roads: MeasuredRoads,
-        recordings: Recordings,
-        spool: Spool,
-    ) -> None:
-        self._spool = spool
-        self._store = store
-        self._workers = workers
-        self._results = results
-        self._gate = gate
-        self._roads = roads
-        self._recordings = recordings
-        self._bands: LRUCache[str, SpoolFile] = LRUCache(
-            BAND_BYTES, getsizeof=lambda band: max(MIN_CACHED_BAND, band.size)
-        )
-        self._in_progress: SharedComputations[str, SpoolFile] = SharedComputations()
+    store: Store
+    workers: Workers
+    results: ResultFinder
+    gate: Gate
+    roads: MeasuredRoads
+    recordings: Recordings
+    spool: Spool
+    _bands: LRUCache[str, SpoolFile] = field(
+        init=False,
+        default_factory=lambda: LRUCache(BAND_BYTES, getsizeof=lambda band: max(MIN_CACHED_BAND, band.size)),
+    )
+    _in_progress: SharedComputations[str, SpoolFile] = field(init=False, default_factory=SharedComputations)
 
     async def keys(self, stored: StoredRun) -> dict[str, str]:
         """Result keys of the strategies whose exact time histories are pinned or can be simulated again.
@@ -83,7 +74,7 @@ class Histories:
         current = {name: keys[name] for name in keys.keys() - changed_laws(stored)}
         if stored.core_version == CORE_VERSION and current == keys:
             return keys
-        pinned = await self._store.read(self._store.links.pinned, keys.values())
+        pinned = await self.store.read(self.store.links.pinned, keys.values())
         if stored.core_version == CORE_VERSION:
             if set(keys.values()) <= pinned:
                 return keys
@@ -111,9 +102,9 @@ class Histories:
         async with self._pinned(scenario, keys, client) as pinned:
             if pinned is None:
                 await self._on_its_road(scenario, keys)
-                return await self._results.get(scenario, list(keys), client, points=points)
-            with self._gate.computing(client, 0.0):
-                arrays = await self._workers.call(pins.opened, pinned, _stages(stored), points, client=client)
+                return await self.results.get(scenario, list(keys), client, points=points)
+            with self.gate.computing(client, 0.0):
+                arrays = await self.workers.call(pins.opened, pinned, _stages(stored), points, client=client)
         return {
             item.strategy: replace(item, points=points, series=arrays[item.strategy])
             for item in stored.shown
@@ -136,8 +127,8 @@ class Histories:
             if pinned is None:
                 scenario = await self._on_its_road(scenario, keys)
                 cost += cost_of(scenario, keys)
-            with self._gate.computing(client, cost), self._spool.reserved(client, size) as write:
-                call = partial(self._workers.call, client=client, cost=cost)
+            with self.gate.computing(client, cost), self.spool.reserved(client, size) as write:
+                call = partial(self.workers.call, client=client, cost=cost)
                 if pinned is None:
                     work = partial(call, exports.render, scenario, export)
                 else:
@@ -175,7 +166,7 @@ class Histories:
         render_cost = exports.BYTE_COST * size
         cost = stored.roads * cost_of(roads[0], missing) + render_cost
         self._check_memory(roads[0], names)
-        with self._gate.computing(client, cost), self._spool.reserved(client, size) as write:
+        with self.gate.computing(client, cost), self.spool.reserved(client, size) as write:
             tasks = [
                 asyncio.create_task(self._in_progress.join(keys[name], partial(self._drive, roads, name, client)))
                 for name in missing
@@ -188,7 +179,7 @@ class Histories:
             self._bands.update({keys[name]: driven[name] for name in missing if driven[name].size <= BAND_BYTES})
             paths = {name: driven[name].path for name in names}
             shown = (paths, stored.roads, _stages(stored), signals, points, encoding)
-            return await write(partial(self._workers.call, bands.render, *shown, client=client, cost=render_cost))
+            return await write(partial(self.workers.call, bands.render, *shown, client=client, cost=render_cost))
 
     @staticmethod
     def _check_memory(scenario: Scenario, names: Sequence[str]) -> None:
@@ -204,11 +195,11 @@ class Histories:
     async def _drive(self, roads: Sequence[Scenario], name: str, client: str) -> SpoolFile:
         """The band of one strategy over all roads, slice by slice, so that other requests come in between."""
         size, done = bands.Band.most_nbytes(roads[0], name), 0
-        before, after = (self._spool.file(client, size, advice=SHORTER_RUN) for _ in range(2))
+        before, after = (self.spool.file(client, size, advice=SHORTER_RUN) for _ in range(2))
         cost = max(bands.LONGEST_TASK, estimate(roads[0], name))
         with refused_where_full():
             while done < len(roads):
-                done = await self._workers.call(
+                done = await self.workers.call(
                     bands.drive, roads, name, (before.path, done), after.path, client=client, cost=cost
                 )
                 before, after = after, before
@@ -221,7 +212,7 @@ class Histories:
             RoadGoneError: The road is not stored any more.
         """
         try:
-            return await self._recordings.on(await self._roads.on(scenario), names)
+            return await self.recordings.on(await self.roads.on(scenario), names)
         except InvalidError:
             raise RoadGoneError from None
 
@@ -235,12 +226,12 @@ class Histories:
             TemporaryError: Those of other requests take the memory.
         """
         wanted = set(keys.values())
-        if not wanted <= await self._store.read(self._store.links.pinned, wanted):
+        if not wanted <= await self.store.read(self.store.links.pinned, wanted):
             yield None
             return
         size = SAMPLE_BYTES * sum(most_samples(scenario, name) for name in keys)
-        with self._gate.hold(client, pinned_bytes=size):
-            contents = await self._store.read(self._store.links.load_pins, wanted)
+        with self.gate.hold(client, pinned_bytes=size):
+            contents = await self.store.read(self.store.links.load_pins, wanted)
             if not wanted <= contents.keys():
                 raise DamagedResultError
             yield {name: contents[key] for name, key in keys.items()}

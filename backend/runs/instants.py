@@ -1,36 +1,34 @@
 """`GET /runs/{id}/instant`: what a controller saw and decided at one control step of a stored run."""
 
-from typing import Any
+from dataclasses import fields
 
 import numpy as np
 from pydantic import Field
 
 from backend.cost.estimate import check_affordable
-from backend.models import Answer
+from backend.models import Answer, Matrix, Vector
 from backend.own import isolated
 from sim_core.instant import Instant, instant
 from sim_core.scenario import Scenario
-
-Two = list[float]
 
 
 class RoadAhead(Answer):
     """The road ahead as the sensors gave it, beside the real one, at the end of each coming control step."""
 
     mode: str = Field(description="What is previewed: wheelbase, lookahead or obstacle")
-    time: list[float] = Field(description="[s]")
-    position: list[float] = Field(description="Of the front axle then [m]")
-    seen: list[Two] = Field(description="Heights under front and rear axle, as the sensors gave them [m]")
-    real: list[Two] = Field(description="Those of the road there [m]")
+    time: Vector = Field(description="[s]")
+    position: Vector = Field(description="Of the front axle then [m]")
+    seen: Matrix = Field(description="Heights under front and rear axle, as the sensors gave them [m]")
+    real: Matrix = Field(description="Those of the road there [m]")
 
 
 class InstantForces(Answer):
     """Forces front and rear [N], up on the body."""
 
-    asked: Two | None = Field(description="By the controller; null where no command came")
-    command: Two = Field(description="What the actuators are told in this step, within all limits")
-    previous: Two = Field(description="What they were told before")
-    acting: Two = Field(description="What acts on the car just after the change")
+    asked: Vector | None = Field(description="By the controller; null where no command came")
+    command: Vector = Field(description="What the actuators are told in this step, within all limits")
+    previous: Vector = Field(description="What they were told before")
+    acting: Vector = Field(description="What acts on the car just after the change")
 
 
 class ControllerLimit(Answer):
@@ -38,14 +36,14 @@ class ControllerLimit(Answer):
 
     name: str = Field(description="The quantity, such as front_force, rear_force_change or front_deflection")
     unit: str
-    limit: float = Field(description="Its largest magnitude [unit]")
+    limit: float = Field(validation_alias="bound", description="Its largest magnitude [unit]")
     distance: float = Field(description="From the value nearest to the limit; negative beyond it [unit]")
     multiplier: float | None = Field(
         description="By how much the cost falls where the limit is raised [1/unit]; null where nothing is minimised"
     )
-    values: list[float] = Field(description="What it limits: now, or in every interval of the horizon [unit]")
-    multipliers: list[float] | None = Field(description="Of each value; negative at the lower limit [1/unit]")
-    force_without: Two | None = Field(description="Forces that would be commanded without this limit [N]")
+    values: Vector = Field(description="What it limits: now, or in every interval of the horizon [unit]")
+    multipliers: Vector | None = Field(description="Of each value; negative at the lower limit [1/unit]")
+    force_without: Vector | None = Field(description="Forces that would be commanded without this limit [N]")
 
 
 class InstantAnswer(Answer):
@@ -57,21 +55,21 @@ class InstantAnswer(Answer):
     position: float = Field(description="Of the front axle [m]")
     speed: float = Field(description="[m/s]")
     stage: str = Field(description="cruise, brake or bump")
-    state: list[float] = Field(
+    state: Vector = Field(
         description="Of the car: suspension and tyre deflections [m], body velocity [m/s], pitch rate [rad/s], wheel "
         "velocities [m/s]; front before rear"
     )
-    estimated_state: list[float] | None = Field(description="What the controller has in its place")
-    measurement: list[float] = Field(
+    estimated_state: Vector | None = Field(description="What the controller has in its place")
+    measurement: Vector = Field(
         description="By its sensors: suspension deflections [m], body acceleration [m/s^2], pitch rate [rad/s]"
     )
     preview: RoadAhead | None
     forces: InstantForces
-    parts: dict[str, Two] | None = Field(description="Of a linear law, what each part of its inputs adds [N]")
+    parts: dict[str, Vector] | None = Field(description="Of a linear law, what each part of its inputs adds [N]")
     limits: list[ControllerLimit]
-    predicted_time: list[float] | None = Field(description="Now and at the end of each step of the horizon [s]")
-    predicted_states: list[list[float]] | None = Field(description="Then, in the order of state")
-    predicted_forces: list[Two] | None = Field(description="In each of its steps [N]")
+    predicted_time: Vector | None = Field(description="Now and at the end of each step of the horizon [s]")
+    predicted_states: Matrix | None = Field(description="Then, in the order of state")
+    predicted_forces: Matrix | None = Field(description="In each of its steps [N]")
     cost: dict[str, float] | None = Field(description="What is minimised, by its terms [1]")
     why: str = Field(description="One sentence that says why these forces")
 
@@ -88,53 +86,16 @@ def _instant_answer(scenario: Scenario, strategy: str, position: float | None, t
 
 def as_answer(strategy: str, seen: Instant) -> InstantAnswer:
     """As it is sent."""
-    plan, preview = seen.plan, seen.preview
+    plan = seen.plan
     steps = np.arange(0 if plan is None else len(plan.states))
-    return InstantAnswer(
-        strategy=strategy,
-        step=seen.step,
-        time=seen.time,
-        position=seen.position,
-        speed=seen.speed,
-        stage=seen.stage,
-        state=seen.state.tolist(),
-        estimated_state=_listed(seen.estimated_state),
-        measurement=seen.measurement.tolist(),
-        preview=preview
-        and RoadAhead(
-            mode=preview.mode,
-            time=preview.time.tolist(),
-            position=preview.position.tolist(),
-            seen=preview.seen.tolist(),
-            real=preview.real.tolist(),
-        ),
-        forces=InstantForces(
-            asked=_listed(seen.asked),
-            command=seen.command.tolist(),
-            previous=seen.previous.tolist(),
-            acting=seen.acting.tolist(),
-        ),
-        parts=seen.parts and {name: part.tolist() for name, part in seen.parts.items()},
-        limits=[
-            ControllerLimit(
-                name=limit.name,
-                unit=limit.unit,
-                limit=limit.bound,
-                distance=limit.distance,
-                multiplier=limit.multiplier,
-                values=limit.values.tolist(),
-                multipliers=_listed(limit.multipliers),
-                force_without=_listed(limit.force_without),
-            )
-            for limit in seen.limits
-        ],
-        predicted_time=None if plan is None else (seen.time + steps * seen.sample_time).tolist(),
-        predicted_states=None if plan is None else plan.states.tolist(),
-        predicted_forces=None if plan is None else plan.forces.tolist(),
-        cost=None if plan is None else plan.cost,
-        why=seen.why,
+    return InstantAnswer.model_validate(
+        {
+            **{each.name: getattr(seen, each.name) for each in fields(seen)},
+            "strategy": strategy,
+            "forces": seen,
+            "predicted_time": plan and seen.time + steps * seen.sample_time,
+            "predicted_states": plan and plan.states,
+            "predicted_forces": plan and plan.forces,
+            "cost": plan and plan.cost,
+        }
     )
-
-
-def _listed(values: Any) -> Any:
-    return None if values is None else values.tolist()

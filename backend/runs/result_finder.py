@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from backend import digest, own
 from backend.compute.shared_computations import SharedComputations
@@ -30,26 +30,19 @@ class _Request:
     costs: Mapping[str, float]
 
 
+@dataclass(eq=False, kw_only=True)
 class ResultFinder:
     """Finds or computes results."""
 
-    def __init__(
-        self,
-        *,
-        store: Store,
-        workers: Workers,
-        memory: ResultCache,
-        gate: Gate,
-        roads: MeasuredRoads,
-        recordings: Recordings,
-    ) -> None:
-        self._store = store
-        self._workers = workers
-        self._memory = memory
-        self._gate = gate
-        self._roads = roads
-        self._recordings = recordings
-        self._in_progress: SharedComputations[tuple[str, int | None], Outcomes] = SharedComputations()
+    store: Store
+    workers: Workers
+    memory: ResultCache
+    gate: Gate
+    roads: MeasuredRoads
+    recordings: Recordings
+    _in_progress: SharedComputations[tuple[str, int | None], Outcomes] = field(
+        init=False, default_factory=SharedComputations
+    )
 
     async def get(self, scenario: Scenario, names: Sequence[str], client: str, *, points: int | None) -> Outcomes:
         """Each strategy's result, with about `points` samples of its time histories or (None) without them.
@@ -72,8 +65,8 @@ class ResultFinder:
         keys = digest.result_keys(roads, names)
         stored: Outcomes = {}
         if points is None:
-            unknown = [key for each in keys for key in each.values() if self._memory.get(key, None) is None]
-            stored = await self._store.read(self._store.runs.load_results, unknown) if unknown else {}
+            unknown = [key for each in keys for key in each.values() if self.memory.get(key, None) is None]
+            stored = await self.store.read(self.store.runs.load_results, unknown) if unknown else {}
         available = [self._found(each, stored, points) for each in keys]
         missing = [
             {name: key for name, key in each.items() if name not in there}
@@ -83,24 +76,24 @@ class ResultFinder:
         CACHE.labels("hit").inc(sum(map(len, available)))
         CACHE.labels("miss").inc(len(costly))
         if costly:
-            roads = [await self._recordings.on(await self._roads.on(road), costly) for road in roads]
+            roads = [await self.recordings.on(await self.roads.on(road), costly) for road in roads]
             costs = {name: estimate(roads[0], name) for name in set(costly)}  # which no seed changes
             request = _Request(client=client, points=points, costs=costs)
-            with self._gate.computing(client, sum(costs[name] for name in costly)):
+            with self.gate.computing(client, sum(costs[name] for name in costly)):
                 computed = await self._compute_roads(roads, missing, request)
             available = [there | new for there, new in zip(available, computed, strict=True)]
         return [{name: each[name] for name in names} for each in available]
 
     def _found(self, keys: Mapping[str, str], stored: Outcomes, points: int | None) -> Outcomes:
         """The results of one road that are in memory or (by key) stored."""
-        outcomes = {name: stored.get(key) or self._memory.get(key, points) for name, key in keys.items()}
+        outcomes = {name: stored.get(key) or self.memory.get(key, points) for name, key in keys.items()}
         return {name: outcome for name, outcome in outcomes.items() if outcome is not None}
 
     async def _compute_roads(
         self, roads: Sequence[Scenario], missing: Sequence[Mapping[str, str]], request: _Request
     ) -> list[Outcomes]:
         """At most as many roads at once as there are workers, so that the client's other requests come in between."""
-        slots = asyncio.Semaphore(self._workers.count)
+        slots = asyncio.Semaphore(self.workers.count)
 
         async def one(road: Scenario, keys: Mapping[str, str]) -> Outcomes:
             async with slots:
@@ -134,11 +127,11 @@ class ResultFinder:
 
     async def _compute_fresh(self, scenario: Scenario, fresh: Mapping[str, str], request: _Request) -> Outcomes:
         cost = sum(request.costs[name] for name in fresh)
-        outcomes = await self._workers.call(
+        outcomes = await self.workers.call(
             compute_run, scenario, fresh, request.points, client=request.client, cost=cost
         )
         for outcome in outcomes.values():  # those without series too: until they are committed nothing else has them
             count_runs("interactive", outcome.status, fallbacks=outcome.fallbacks)
             if outcome.cacheable:
-                self._memory.put(outcome.key, replace(outcome, cached=True))
+                self.memory.put(outcome.key, replace(outcome, cached=True))
         return outcomes

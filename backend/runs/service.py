@@ -2,7 +2,7 @@
 
 import asyncio
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 
 from backend import digest
@@ -41,23 +41,15 @@ from sim_core.strategies import STRATEGIES
 from sim_core.strategies import strategies as known_strategies
 
 
+@dataclass(eq=False, kw_only=True)
 class Runs:
     """Makes runs and reads them."""
 
-    def __init__(
-        self,
-        *,
-        store: Store,
-        results: ResultFinder,
-        gate: Gate,
-        roads: MeasuredRoads,
-        recordings: Recordings,
-    ) -> None:
-        self._store = store
-        self._results = results
-        self._gate = gate
-        self._roads = roads
-        self._recordings = recordings
+    store: Store
+    results: ResultFinder
+    gate: Gate
+    roads: MeasuredRoads
+    recordings: Recordings
 
     async def create(
         self,
@@ -88,14 +80,14 @@ class Runs:
         self, scenario: Scenario, strategies: Iterable[str], client: str, *, roads: int, baseline: str | None
     ) -> tuple[StoredRun, dict[str, bool]]:
         """The run in the database, and the strategies that were not computed for this request."""
-        names, scenario = ordered(strategies), await self._roads.with_length(scenario)
+        names, scenario = ordered(strategies), await self.roads.with_length(scenario)
         against = None if roads == 1 else baseline or default_baseline(names)
         run_id = digest.run_id(scenario, names, roads, against)
         stored = await self._load(run_id)
         if stored is not None and not stored.expired:
             CACHE.labels("hit").inc(len(names) * roads)
             return stored, dict.fromkeys(names, True)
-        self._gate.check_cost(roads * cost_of(scenario, names))
+        self.gate.check_cost(roads * cost_of(scenario, names))
         outcomes = await self._computed(scenario, names, roads, client)
         if not all(item.cacheable for item in outcomes):  # asked again: tried again
             run_id = digest.random_id()
@@ -109,14 +101,14 @@ class Runs:
             baseline=against,
         )
         # Results in memory outlive their road and their recording.
-        await self._roads.named(measured_roads(run.scenario))
-        await self._recordings.named(names)
-        saved = await self._store.write(self._store.runs.save, run)
+        await self.roads.named(measured_roads(run.scenario))
+        await self.recordings.named(names)
+        saved = await self.store.write(self.store.runs.save, run)
         return saved, {name: all(item.cached for item in outcomes if item.strategy == name) for name in names}
 
     async def is_stored(self, run_id: str) -> bool:
         """Whether there is a run of this id, whatever has become of its results."""
-        return await self._store.read(self._store.runs.is_stored, run_id)
+        return await self.store.read(self.store.runs.is_stored, run_id)
 
     async def get(
         self, run_id: str, client: str, *, requirements: Sequence[Requirement] = (), baseline: str | None = None
@@ -156,9 +148,9 @@ class Runs:
         binary: bool,
     ) -> bytes:
         """Figures and decimated time histories of that scenario, as JSON or `binary`; nothing is stored."""
-        names, scenario = ordered(strategies), await self._roads.with_length(scenario)
-        self._gate.check_cost(cost_of(scenario, names))
-        outcomes = await self._results.get(scenario, names, client, points=points)
+        names, scenario = ordered(strategies), await self.roads.with_length(scenario)
+        self.gate.check_cost(cost_of(scenario, names))
+        outcomes = await self.results.get(scenario, names, client, points=points)
         render = live_binary if binary else live_json
         return render(scenario, outcomes, ordered_signals(signals))
 
@@ -188,7 +180,7 @@ class Runs:
 
     async def _load(self, run_id: str) -> StoredRun | None:
         """The run as it is stored, its scenario today's."""
-        stored = await self._store.read(self._store.runs.load, run_id)
+        stored = await self.store.read(self.store.runs.load, run_id)
         if stored is None or (stored.core_version, stored.schema_version) == (CORE_VERSION, SCHEMA_VERSION):
             return stored  # as this very version wrote it
         scenario = upgraded_scenario(stored.scenario, stored.schema_version)
@@ -196,7 +188,7 @@ class Runs:
 
     async def _computed(self, scenario: Scenario, names: Sequence[str], roads: int, client: str) -> list[Outcome]:
         """Results road by road, as they are stored."""
-        results = await self._results.on_roads(seeded(scenario, roads), names, client, points=None)
+        results = await self.results.on_roads(seeded(scenario, roads), names, client, points=None)
         every = [each[name] for each in results for name in names]
         return [each if each.cacheable else replace(each, key=digest.uncacheable_key()) for each in every]
 
@@ -215,7 +207,7 @@ class Runs:
             raise RoadGoneError from None
         if not all(item.cacheable for item in outcomes):
             raise RoadGoneError  # stored, this failure would be the run's result for ever
-        await self._store.write(self._store.runs.recompute, stored.id, CORE_VERSION, outcomes)
+        await self.store.write(self.store.runs.recompute, stored.id, CORE_VERSION, outcomes)
         return replace(stored, results=tuple(outcomes), core_version=CORE_VERSION)
 
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import orjson
 from sqlalchemy import Connection, func, insert, select
 
-from backend.db.database import Database
+from backend.db.database import RowStore
 from backend.db.tables import job_events, jobs
 from backend.json_types import JsonObject
 from backend.store.job import UNFINISHED
@@ -22,11 +22,8 @@ class JobEvent:
     data: str
 
 
-class JobEventStore:
+class JobEventStore(RowStore):
     """Reads events; every method is one short transaction."""
-
-    def __init__(self, database: Database) -> None:
-        self._database = database
 
     def of(self, job_id: str, after: int, limit: int = EVENTS_AT_ONCE) -> list[JobEvent]:
         """The events behind event `after`."""

@@ -6,7 +6,7 @@ from typing import Any
 from sqlalchemy import Connection, Row, Select, Update, bindparam, select, update
 
 from backend.db.checksum import check, is_intact
-from backend.db.database import Database
+from backend.db.database import RowStore
 from backend.db.tables import EXPIRED, job_runs, jobs, results
 from backend.errors import DamagedError
 from backend.job_run import JobRow, JobRun
@@ -20,11 +20,8 @@ RESULT = "result_"  # before the names of a result's columns beside those of its
 DAMAGED = "What was stored of this run is damaged"
 
 
-class JobRunStore:
+class JobRunStore(RowStore):
     """Reads and writes the runs of jobs; every method is one short transaction."""
-
-    def __init__(self, database: Database) -> None:
-        self._database = database
 
     def waiting(self, job_id: str, after: int, limit: int) -> tuple[int | None, list[JobRun]]:
         """The next runs without a result behind position `after`, and the last position looked at (None: no more).

@@ -15,7 +15,7 @@ from sqlalchemy.exc import IntegrityError
 
 from backend.db.checksum import check, update_row
 from backend.db.clock import UNSTORED, Now
-from backend.db.database import Database, insert_new
+from backend.db.database import RowStore, insert_new
 from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, trials
 from backend.job_run import JobRun
 from backend.json_types import JsonObject
@@ -37,11 +37,8 @@ WHOLE = [*(jobs.c[name] for name in NAMES), jobs.c.checksum]
 WITHOUT_SWEEP = [jobs.c[name] for name in NAMES if name != "sweep"]
 
 
-class JobStore:
+class JobStore(RowStore):
     """Reads and writes jobs; every method is one short transaction."""
-
-    def __init__(self, database: Database) -> None:
-        self._database = database
 
     def create(
         self, job: StoredJob, runs: Iterable[JobRun] = (), idempotency_key: str | None = None

@@ -9,7 +9,7 @@ from sqlalchemy import Connection, select
 
 from backend.db.checksum import check, is_intact
 from backend.db.clock import UNSTORED
-from backend.db.database import Database, insert_new
+from backend.db.database import RowStore, insert_new
 from backend.db.tables import EXPIRED, REMOVED, jobs, links, pinned_series, results, run_results
 from backend.json_types import JsonObject
 from backend.store.damage import drop_pins
@@ -27,11 +27,8 @@ class StoredLink:
     damaged_at: datetime | None = None
 
 
-class LinkStore:
+class LinkStore(RowStore):
     """Reads and writes links and pins; safe for several threads and several processes."""
-
-    def __init__(self, database: Database) -> None:
-        self._database = database
 
     def save(self, link: StoredLink, pins: Mapping[str, bytes]) -> bool:
         """Commit a link and what is not yet pinned of its time histories (by result key), together.

@@ -5,17 +5,14 @@ from datetime import timedelta
 from sqlalchemy import delete, select
 
 from backend.db.clock import Now
-from backend.db.database import Database, insert_new
+from backend.db.database import RowStore, insert_new
 from backend.db.tables import ended_logins
 
 KEPT = timedelta(days=91)  # a login lasts 90 days
 
 
-class LoginStore:
+class LoginStore(RowStore):
     """Reads and writes ended logins."""
-
-    def __init__(self, database: Database) -> None:
-        self._database = database
 
     def end(self, login: str) -> None:
         """Commit that a login has ended; those whose cookies are too old by now are forgotten."""

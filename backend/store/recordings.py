@@ -6,16 +6,13 @@ from sqlalchemy import select
 
 from backend.db.checksum import check, update_row
 from backend.db.clock import Now
-from backend.db.database import Database, insert_new
+from backend.db.database import RowStore, insert_new
 from backend.db.tables import recordings
 from sim_core.scenario.recorded import RecordedDrive
 
 
-class RecordingStore:
+class RecordingStore(RowStore):
     """Reads and writes recordings; they never change."""
-
-    def __init__(self, database: Database) -> None:
-        self._database = database
 
     def save(self, drive: RecordedDrive) -> None:
         """Commit a recording; for one already stored, restart its retention."""

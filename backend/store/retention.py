@@ -10,9 +10,23 @@ from collections.abc import Sequence
 from datetime import datetime
 from typing import Any, NamedTuple
 
-from sqlalchemy import Column, Connection, Select, Table, and_, delete, exists, func, or_, select, update
+from sqlalchemy import (
+    Column,
+    ColumnElement,
+    Connection,
+    Select,
+    Table,
+    TextClause,
+    and_,
+    delete,
+    exists,
+    func,
+    or_,
+    select,
+    update,
+)
 
-from backend.db.database import Database
+from backend.db.database import RowStore
 from backend.db.tables import (
     EXPIRED_RESULT,
     REMOVED,
@@ -45,11 +59,8 @@ class Removed(NamedTuple):
     size: int
 
 
-class RetentionStore:
+class RetentionStore(RowStore):
     """Removes old rows; every method is one short transaction."""
-
-    def __init__(self, database: Database) -> None:
-        self._database = database
 
     def size(self) -> int:
         """Size of what is stored [bytes]; no row is read for it, however many there are.
@@ -166,25 +177,26 @@ def _family(connection: Connection, ids: Sequence[str]) -> list[str]:
     return list(connection.execute(family).scalars())
 
 
+def _page(
+    key: Column[Any],
+    created: Column[Any],
+    before: datetime | None,
+    *conditions: ColumnElement[bool] | TextClause,
+    limit: int = REMOVED_AT_ONCE,
+) -> Removable:
+    """The oldest rows that meet the conditions, with their times; where one is given, those of before then."""
+    query = select(key, created.label("created")).where(*conditions)
+    return (query if before is None else query.where(created < before)).order_by("created").limit(limit)
+
+
 def _removable_roads(before: datetime | None) -> Removable:
-    query = select(roads.c.id, roads.c.created_at.label("created")).where(
-        ~exists().where(run_roads.c.road_id == roads.c.id), ~exists().where(job_roads.c.road_id == roads.c.id)
-    )
-    return (
-        (query if before is None else query.where(roads.c.created_at < before))
-        .order_by("created")
-        .limit(REMOVED_AT_ONCE)
-    )
+    named = (exists().where(each.c.road_id == roads.c.id) for each in (run_roads, job_roads))
+    return _page(roads.c.id, roads.c.created_at, before, *(~each for each in named))
 
 
 def _removable_recordings(before: datetime | None) -> Removable:
     shown = exists().where(run_recordings.c.recording_id == recordings.c.id)
-    query = select(recordings.c.id, recordings.c.created_at.label("created")).where(~shown)
-    return (
-        (query if before is None else query.where(recordings.c.created_at < before))
-        .order_by("created")
-        .limit(REMOVED_AT_ONCE)
-    )
+    return _page(recordings.c.id, recordings.c.created_at, before, ~shown)
 
 
 def _removable_jobs(before: datetime | None) -> Removable:
@@ -195,29 +207,20 @@ def _removable_jobs(before: datetime | None) -> Removable:
         exists().where(links.c.job_id == member.c.id),
     )
     family = or_(member.c.id == jobs.c.id, member.c.parent_id == jobs.c.id)
-    query = select(jobs.c.id, jobs.c.finished_at.label("created")).where(
-        jobs.c.parent_id.is_(None), jobs.c.state.in_(FINAL), jobs.c.kind != REMOVED, ~exists().where(family, named)
-    )
-    return (
-        (query if before is None else query.where(jobs.c.finished_at < before))
-        .order_by("created")
-        .limit(JOBS_REMOVED_AT_ONCE)
-    )
+    of_users = jobs.c.parent_id.is_(None), jobs.c.state.in_(FINAL), jobs.c.kind != REMOVED
+    unnamed = ~exists().where(family, named)
+    return _page(jobs.c.id, jobs.c.finished_at, before, *of_users, unnamed, limit=JOBS_REMOVED_AT_ONCE)
 
 
 def _removable_results(before: datetime | None) -> Removable:
     shown = exists().where(and_(links.c.run_id == run_results.c.run_id, run_results.c.result_key == results.c.key))
-    query = select(results.c.key, results.c.created_at.label("created")).where(
-        UNEXPIRED,  # as the index has it
-        ~exists().where(job_runs.c.result_key == results.c.key),
-        ~exists().where(pinned_series.c.result_key == results.c.key),
-        ~shown,
+    needed = (
+        exists().where(job_runs.c.result_key == results.c.key),
+        exists().where(pinned_series.c.result_key == results.c.key),
+        shown,
     )
-    return (
-        (query if before is None else query.where(results.c.created_at < before))
-        .order_by("created")
-        .limit(REMOVED_AT_ONCE)
-    )
+    # The condition UNEXPIRED stands as the index has it.
+    return _page(results.c.key, results.c.created_at, before, UNEXPIRED, *(~each for each in needed))
 
 
 _REMOVABLE = (_removable_jobs, _removable_results, _removable_roads, _removable_recordings)

@@ -7,7 +7,7 @@ from sqlalchemy import select
 
 from backend.db.checksum import check, update_row
 from backend.db.clock import Now
-from backend.db.database import Database, insert_new
+from backend.db.database import RowStore, insert_new
 from backend.db.tables import roads
 from backend.json_types import JsonObject
 from sim_core.scenario.measured import ID_PATTERN, MeasuredRoad
@@ -29,11 +29,8 @@ def swept_roads(sweep: JsonObject) -> set[str]:
     return {each for each in named if isinstance(each, str) and re.fullmatch(ID_PATTERN, each)}
 
 
-class RoadStore:
+class RoadStore(RowStore):
     """Reads and writes measured roads; they never change."""
-
-    def __init__(self, database: Database) -> None:
-        self._database = database
 
     def save(self, road: MeasuredRoad, analysis: JsonObject | None = None) -> None:
         """Commit a road; for one already stored, restart its retention. The first analysis of it stays."""

@@ -10,7 +10,7 @@ from sqlalchemy.dialects import postgresql, sqlite
 
 from backend.db.checksum import check, update_row
 from backend.db.clock import UNSTORED
-from backend.db.database import Database, insert_new
+from backend.db.database import RowStore, insert_new
 from backend.db.tables import EXPIRED, results, run_recordings, run_results, run_roads, runs
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
@@ -75,11 +75,8 @@ _MEMBERS = (
 )
 
 
-class RunStore:
+class RunStore(RowStore):
     """Reads and writes runs; safe for several threads and several processes."""
-
-    def __init__(self, database: Database) -> None:
-        self._database = database
 
     def load(self, run_id: str) -> StoredRun | None:
         """The run of that id, if it is stored."""

@@ -6,7 +6,7 @@ from typing import Any, Literal
 from sqlalchemy import Row, select
 
 from backend.db.checksum import check
-from backend.db.database import Database
+from backend.db.database import RowStore
 from backend.db.tables import trials
 from backend.json_types import JsonObject
 
@@ -30,11 +30,8 @@ class StoredTrial:
         return {"job_id": job_id, **row, "objectives": row.pop("values")}
 
 
-class TrialStore:
+class TrialStore(RowStore):
     """Reads trials."""
-
-    def __init__(self, database: Database) -> None:
-        self._database = database
 
     def of(self, job_id: str) -> list[StoredTrial]:
         """Every trial of a tuning, in order."""

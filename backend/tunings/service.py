@@ -2,6 +2,7 @@
 
 import asyncio
 import math
+from dataclasses import dataclass
 
 from backend.batches import plan
 from backend.batches.points import Sweep
@@ -22,17 +23,17 @@ from backend.tunings.steps import TUNING, first_progress
 from sim_core.scenario import Scenario, dotted
 
 
+@dataclass(eq=False, kw_only=True)
 class TuningService:
     """The service of tunings."""
 
-    def __init__(self, *, store: Store, batch_workers: Workers, gate: Gate, settings: Settings) -> None:
-        self.jobs = Jobs(
-            TUNING, store=store, gate=gate, settings=settings, size_pointer="/trials", run_pointer="/scenario"
-        )
-        self._store = store
-        self._batch_workers = batch_workers
-        self._gate = gate
-        self._settings = settings
+    store: Store
+    batch_workers: Workers
+    gate: Gate
+    settings: Settings
+
+    def __post_init__(self) -> None:
+        self.jobs = Jobs(kind=TUNING, store=self.store, gate=self.gate, settings=self.settings)
 
     async def estimate(self, request: TuningRequest, client: str) -> TuningEstimate:
         """The size and the estimated time of that tuning.
@@ -45,15 +46,15 @@ class TuningService:
         points = [{**weights, **road(stored, seed)} for weights in first for seed in request.seeds]
         sweep = Sweep.model_validate({"list": points})
         cost = plan.PILOTS * estimate(request.scenario, request.strategy)
-        with self._gate.hold(client, requests=1, background_cost=cost):
-            each = await self._batch_workers.call(
+        with self.gate.hold(client, requests=1, background_cost=cost):
+            each = await self.batch_workers.call(
                 plan.pilot, stored["scenario"], [request.strategy], sweep, client=client
             )
         return TuningEstimate(
             runs=runs,
             generations=math.ceil(request.trials / request.population),
             estimated_cost=whole_cost,
-            estimated_seconds=None if each is None else each * runs / self._settings.batch_workers,
+            estimated_seconds=None if each is None else each * runs / self.settings.batch_workers,
         )
 
     async def create(self, request: TuningRequest, key: str | None, owner: str | None) -> StoredJob:
@@ -85,8 +86,8 @@ class TuningService:
 
     async def answer(self, job: StoredJob) -> Tuning:
         """The answer about a tuning: all its trials give the front, the events of its generations the history."""
-        trials = await self._store.read(self._store.trials.of, job.id)
-        history = await self._store.read(self._store.job_events.history, job.id)
+        trials = await self.store.read(self.store.trials.of, job.id)
+        history = await self.store.read(self.store.job_events.history, job.id)
         return await asyncio.to_thread(Tuning.whole, job, trials, history)
 
     async def page(self, *, limit: int, cursor: str | None, state: State | None, label: str | None) -> Tunings:
@@ -101,7 +102,7 @@ class TuningService:
             NotFoundError: There is no such tuning.
         """
         job = await self.jobs.get(job_id)
-        trials = await self._store.read(self._store.trials.of, job.id)
+        trials = await self.store.read(self.store.trials.of, job.id)
         return Trials(tuning=job.id, trials=trials)
 
     async def resume(self, job_id: str, trials: int | None, owner: str | None) -> StoredJob:

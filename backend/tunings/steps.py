@@ -51,7 +51,7 @@ logger = logging.getLogger(__name__)
 JOB_POLL_INTERVAL = 1.0  # between two looks at a sweep, where nothing tells that one has ended [s]
 CLIENT = "tuning"  # whose computing it counts as
 Step = Literal["search", "comparison"]
-TUNING = JobKind(name="tuning", word="tuning", plural="tunings")
+TUNING = JobKind(name="tuning", word="tuning", plural="tunings", size_pointer="/trials", run_pointer="/scenario")
 
 
 class TuningSteps:

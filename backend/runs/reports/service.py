@@ -2,6 +2,7 @@
 
 import asyncio
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import partial
 
 from backend.errors import GoneError, InvalidError
@@ -18,13 +19,13 @@ from backend.runs.result_finder import Outcomes
 from backend.runs.service import Runs
 
 
+@dataclass(eq=False, kw_only=True)
 class RunReports:
     """Writes runs as files for people."""
 
-    def __init__(self, *, runs: Runs, histories: Histories, gate: Gate) -> None:
-        self._runs = runs
-        self._histories = histories
-        self._gate = gate
+    runs: Runs
+    histories: Histories
+    gate: Gate
 
     async def report(
         self,
@@ -52,7 +53,7 @@ class RunReports:
             NotFoundError: No such run.
             InvalidError: It has no such strategy as `baseline`, or changes `against` that run do not exist.
         """
-        stored = await self._runs.stored(run_id, client)
+        stored = await self.runs.stored(run_id, client)
         names = list(stored.by_strategy)
         if baseline is not None and baseline not in names:
             message = f"This run has {', '.join(names)}; the baseline is one of them"
@@ -60,7 +61,7 @@ class RunReports:
         outcomes: Outcomes = {}
         gone = None
         try:
-            outcomes = await self._histories.outcomes(stored, client)
+            outcomes = await self.histories.outcomes(stored, client)
         except GoneError as error:
             gone = error.message
         base = baseline or stored.baseline or default_baseline(names)
@@ -68,7 +69,7 @@ class RunReports:
         answer = await asyncio.to_thread(lambda: as_plain(judged()))
         other: JsonObject | None = None
         if against is not None:
-            run = await self._runs.reference(against, client)
+            run = await self.runs.reference(against, client)
             other = await asyncio.to_thread(lambda: as_plain(run_answer(run)))
             if stored.roads > 1 or run.roads > 1:
                 answer["changes"] = (await asyncio.to_thread(changes_to_run, stored, run))["changes"]
@@ -81,5 +82,5 @@ class RunReports:
             axis=axis,
             gone=gone,
         )
-        with self._gate.computing(client, page.COST, reports=1):
+        with self.gate.computing(client, page.COST, reports=1):
             return await in_thread(partial(run_report.report, facts, compressed=compressed))

@@ -1,5 +1,7 @@
 """Computes runs at the values that the search for a limit proposes; each is stored as every run is."""
 
+from dataclasses import dataclass
+
 from pydantic import ValidationError
 
 from backend.cost.estimate import cost_of
@@ -17,13 +19,13 @@ from sim_core.scenario import Scenario
 LENGTH = "road.length"
 
 
+@dataclass(eq=False, kw_only=True)
 class Solver:
     """Finds the largest value of a field that keeps a limit."""
 
-    def __init__(self, *, runs: Runs, gate: Gate, roads: MeasuredRoads) -> None:
-        self._runs = runs
-        self._gate = gate
-        self._roads = roads
+    runs: Runs
+    gate: Gate
+    roads: MeasuredRoads
 
     async def solve(self, request: SolveRequest, client: str) -> Solution:
         """The largest value in the range, its bracket, and what is to be said about it.
@@ -37,11 +39,11 @@ class Solver:
             InvalidError: No value in the range can be driven, or the strategy has no such metric.
             TemporaryError: Too much is being computed.
         """
-        request = request.model_copy(update={"scenario": await self._roads.with_length(request.scenario)})
+        request = request.model_copy(update={"scenario": await self.roads.with_length(request.scenario)})
         cost = _max_cost(request)
-        self._gate.check_cost(cost)
+        self.gate.check_cost(cost)
         tried: dict[int, Tried] = {}
-        with self._gate.computing(client, cost):
+        with self.gate.computing(client, cost):
             while indices := next_indices(request.axis, request.bound, bounds_of(tried)):
                 for index in indices:
                     tried[index] = await self._drive(request, index, client)
@@ -53,7 +55,7 @@ class Solver:
         except ValidationError as error:
             return Tried(reason=contradiction(error))
         try:
-            run, _ = await self._runs.drive(scenario, request.driven, client, roads=request.roads, baseline=None)
+            run, _ = await self.runs.drive(scenario, request.driven, client, roads=request.roads, baseline=None)
         except ShortRoadError as error:
             if request.field != LENGTH:  # every value would fail alike: the scenario is to blame
                 raise
