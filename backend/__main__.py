@@ -6,13 +6,15 @@ Worker processes import this module too when they are spawned, so it imports the
 import argparse
 import errno
 import gc
+import json
+import math
 import os
 import signal
 import socket
 import sys
 import threading
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from fastapi import FastAPI
@@ -42,16 +44,17 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--verify", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--force", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--drive", type=Path, help=argparse.SUPPRESS)
+    parser.add_argument("--json", action="store_true", help=argparse.SUPPRESS)
     parser.epilog = "Further settings are environment variables RIDELAB_*; see docs/how-to/operations.md."
     options = parser.parse_args(arguments)
     if options.drive is not None:
-        return _drive(options.drive)
+        return _drive(options.drive, as_json=options.json)
     if options.back_up is not None:
-        return _back_up(options.data_dir, options.back_up, overwrite=options.force)
+        return _back_up(options.data_dir, options.back_up, overwrite=options.force, as_json=options.json)
     if options.verify:
-        return _verify(options.data_dir)
+        return _verify(options.data_dir, as_json=options.json)
     if options.explain_limits:
-        return _explain_limits()
+        return _explain_limits(as_json=options.json)
     if options.until_input_ends:
         threading.Thread(target=_end_with_the_input, daemon=True).start()
 
@@ -93,6 +96,11 @@ class _Ending:
             os._exit(TERMINATED)
 
 
+def _say(text: str, value: Any, *, as_json: bool) -> None:
+    """An answer in words, or the value for machines."""
+    print(json.dumps(value, indent=1, default=str) if as_json else text, flush=True)
+
+
 def _refuse(why: str) -> int:
     print(why, file=sys.stderr)
     return 2
@@ -109,18 +117,27 @@ def _end_with_the_input() -> None:
     os.kill(os.getpid(), signal.SIGTERM)
 
 
-def _explain_limits() -> int:
+def _explain_limits(*, as_json: bool) -> int:
+    from dataclasses import asdict
+
     from backend.gate.quotas import explained, quotas
     from backend.settings import Settings, SettingsError
 
     try:
-        print(explained(quotas(Settings.from_environment(os.environ))))
+        table = quotas(Settings.from_environment(os.environ))
     except SettingsError as error:
         return _refuse(str(error))
+    numbers = {
+        name: {key: None if value == math.inf else value for key, value in asdict(quota).items()}
+        for name, quota in table.items()
+    }
+    _say(explained(table), numbers, as_json=as_json)
     return 0
 
 
-def _back_up(data_dir: str | None, file: Path, *, overwrite: bool) -> int:
+def _back_up(data_dir: str | None, file: Path, *, overwrite: bool, as_json: bool) -> int:
+    from dataclasses import asdict
+
     from backend.db.backup import BackupError, back_up
     from backend.settings import Settings, SettingsError
 
@@ -130,13 +147,16 @@ def _back_up(data_dir: str | None, file: Path, *, overwrite: bool) -> int:
         return _refuse(str(error))
     except OSError as error:
         return _refuse(_named(error))
-    print(f"{file}: {copy.size / 1e6:.1f} MB, a copy of {copy.database}; writes waited {copy.seconds:.2f} s at most")
+    waited = f"writes waited {copy.seconds:.2f} s at most"
+    text = f"{file}: {copy.size / 1e6:.1f} MB, a copy of {copy.database}; {waited}"
+    _say(text, {"file": file, **asdict(copy)}, as_json=as_json)
     return 0
 
 
-def _verify(data_dir: str | None) -> int:
+def _verify(data_dir: str | None, *, as_json: bool) -> int:
     """Read the whole database; 1 where something in it is damaged."""
     from contextlib import closing
+    from dataclasses import asdict
 
     from sqlalchemy.exc import DBAPIError, SQLAlchemyError
 
@@ -156,15 +176,18 @@ def _verify(data_dir: str | None) -> int:
     except (SettingsError, UnusableDatabaseError) as error:
         return _refuse(str(error))
     except SQLAlchemyError as error:
-        print(f"The database cannot be read: {reason(error) if isinstance(error, DBAPIError) else error}")
+        why = f"The database cannot be read: {reason(error) if isinstance(error, DBAPIError) else error}"
+        _say(why, {"sound": False, "structure": [why]}, as_json=as_json)
         return 1
-    print("\n".join(verdict.lines()))
-    print("Everything is as it was written" if verdict.sound else "Something is damaged (docs/how-to/operations.md)")
+    end = "Everything is as it was written" if verdict.sound else "Something is damaged (docs/how-to/operations.md)"
+    _say("\n".join([*verdict.lines(), end]), {"sound": verdict.sound, **asdict(verdict)}, as_json=as_json)
     return 0 if verdict.sound else 1
 
 
-def _drive(program: Path) -> int:
+def _drive(program: Path, *, as_json: bool) -> int:
     """A built ECU program drives the scenario on standard input."""
+    from dataclasses import asdict
+
     from pydantic import ValidationError
 
     from backend.controller.build import EcuError
@@ -173,14 +196,14 @@ def _drive(program: Path) -> int:
     from sim_core.scenario import Scenario
 
     try:
-        for line in driven(Scenario.model_validate_json(sys.stdin.buffer.read()), program):
-            print(line)
+        drive = driven(Scenario.model_validate_json(sys.stdin.buffer.read()), program)
     except (EcuError, RidelabError) as error:
         return _refuse(error.message)
     except OSError as error:
         return _refuse(_named(error))
     except ValidationError as error:
         return _refuse(str(error))
+    _say("\n".join(drive.lines()), asdict(drive), as_json=as_json)
     return 0
 
 
@@ -254,9 +277,10 @@ def _serve(
             await app.state.services.workers.wait_until_warm()
             shown = f"[{options.host}]" if ":" in options.host else options.host
             address = f"http://{shown}:{listener.getsockname()[1]}"
-            print(f"Ridelab is at {address}", flush=True)
-            if options.say_where:
-                print(f"Its data are in {settings.data_dir.absolute()}\nCtrl-C ends it", flush=True)
+            folder = settings.data_dir.absolute()
+            where = f"\nIts data are in {folder}\nCtrl-C ends it" * options.say_where
+            said = {"address": address, "data_dir": folder}
+            _say(f"Ridelab is at {address}{where}", said, as_json=options.json)
             if options.open:
                 await asyncio.to_thread(webbrowser.open, address)
 

@@ -1,7 +1,9 @@
 """`python -m sim_core.check_file FILE`: what is wrong with its controllers, in words, and pictures of their forces."""
 
+import json
 import sys
 from contextlib import redirect_stdout, suppress
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import numpy as np
@@ -19,16 +21,43 @@ _WIDTH, _HEIGHT, _MARGIN = 800, 300, 40  # of the picture
 _AXLES = (("front", "#1C5FDF"), ("rear", "#C0300C"))
 
 
-def main(file: Path) -> int:
-    """Print a line for each controller and each fault; the exit code says whether there are any."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Check:
+    """What was found in one controller.
+
+    Attributes:
+        id: The controller's.
+        label: The controller's.
+        faults: A sentence each.
+        picture: File with the drawing of its forces, where nothing is wrong.
+    """
+
+    id: str
+    label: str
+    faults: list[str]
+    picture: Path | None
+
+    def lines(self) -> list[str]:
+        """It in words."""
+        head = f"{self.id} ({self.label}): {'this is wrong' if self.faults else 'nothing wrong was found'}"
+        where = [] if self.picture is None else [f"its forces on the paper's road: {self.picture}"]
+        return [head, *(f"  {each}" for each in [*self.faults, *where])]
+
+
+def main(file: Path, *, as_json: bool = False) -> int:
+    """Print what was found in each controller; the exit code says whether anything is wrong."""
     _bound_memory()
-    with redirect_stdout(sys.stderr):  # what the file itself prints is no part of the answer
-        try:
-            lines, faults = _checked(file)
-        except ControllerFileError as error:
-            lines, faults = [error.message], UNUSABLE
-    sys.stdout.write("\n".join([*lines, ""]))
-    return faults
+    try:
+        with redirect_stdout(sys.stderr):  # what the file itself prints is no part of the answer
+            checks = [_check(each, file) for each in load_controllers(file).values()]
+    except ControllerFileError as error:
+        sys.stdout.write(f"{error.message}\n")
+        return UNUSABLE
+    text = "\n".join(line for each in checks for line in each.lines())
+    if as_json:
+        text = json.dumps([asdict(each) for each in checks], indent=1, default=str)
+    sys.stdout.write(f"{text}\n")
+    return FAULTS if any(each.faults for each in checks) else 0
 
 
 def _bound_memory() -> None:
@@ -38,19 +67,13 @@ def _bound_memory() -> None:
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, resource.getrlimit(resource.RLIMIT_AS)[1]))
 
 
-def _checked(file: Path) -> tuple[list[str], int]:
-    lines, faults = [], 0
-    for name, controller in load_controllers(file).items():
-        wrong = check_controller(controller)
-        lines.append(f"{name} ({controller.label}): {'nothing wrong was found' if not wrong else 'this is wrong'}")
-        lines += [f"  {each}" for each in wrong]
-        if wrong:
-            faults = FAULTS
-            continue
-        picture = file.with_name(f"{name}-forces.svg")
+def _check(controller: type[Controller], file: Path) -> Check:
+    """Check it, and draw its forces beside the file where nothing is wrong."""
+    faults, picture = check_controller(controller), None
+    if not faults:
+        picture = file.with_name(f"{controller.id}-forces.svg")
         picture.write_text(_picture(controller), encoding="utf-8")
-        lines.append(f"  its forces on the paper's road: {picture}")
-    return lines, faults
+    return Check(id=controller.id, label=str(controller.label), faults=faults, picture=picture)
 
 
 def _picture(controller: type[Controller]) -> str:
@@ -81,4 +104,4 @@ def _points(position: FloatArray, force: FloatArray, most: float) -> str:
 
 
 if __name__ == "__main__":
-    sys.exit(main(Path(sys.argv[1])))
+    sys.exit(main(Path(sys.argv[1]), as_json="--json" in sys.argv[2:]))

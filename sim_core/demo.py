@@ -1,5 +1,6 @@
 """`python -m sim_core.demo`: the paper's comparison in a terminal, computed here, with plots of dots."""
 
+import json
 import sys
 from collections.abc import Iterator
 
@@ -21,15 +22,20 @@ _FIRST = 34  # characters of a table's first column
 _COMPARED = (("rough_road", "rms"), ("bump", "peak"))  # windows and statistics
 
 
-def main() -> int:
-    """Print the comparison."""
-    sys.stdout.write("\n".join([*lines(Scenario()), ""]))
+def main(*, as_json: bool = False) -> int:
+    """Print the comparison, or each result for machines."""
+    scenario = Scenario()
+    results = {name: simulate(scenario, name) for name in SHOWN}
+    if as_json:
+        text = json.dumps({name: result.summary() for name, result in results.items()}, indent=1, default=dict)
+    else:
+        text = "\n".join(lines(scenario, results))
+    sys.stdout.write(f"{text}\n")
     return 0
 
 
-def lines(scenario: Scenario) -> Iterator[str]:
+def lines(scenario: Scenario, results: dict[str, StrategyResult]) -> Iterator[str]:
     """The comparison over a scenario's bump."""
-    results = {name: simulate(scenario, name) for name in SHOWN}
     bump, speed = scenario.road.bump, scenario.speed.initial_speed_kmh
     yield f"A car at {speed:g} km/h, a bump {bump.height:g} m high and {bump.length:g} m long, computed here."
     yield "The body's vertical acceleration over the road, one scale for all:"
@@ -82,4 +88,4 @@ def _cell(value: float, passive: float, name: str) -> str:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(as_json="--json" in sys.argv))

@@ -5,6 +5,7 @@ And every public name of the core has an example that runs.
 
 import doctest
 import io
+import json
 import os
 import re
 from collections import Counter
@@ -18,7 +19,7 @@ import pytest
 import sim_core
 from backend.paper import errata
 from sim_core.catalogue import COMFORT, EVENTS, METRIC_SIGNALS, RUN_FIGURES
-from sim_core.scenario import dotted
+from sim_core.scenario import SCHEMA_VERSION, dotted
 from tests.docs import library_reference, scenario_reference
 from tests.docs.drawing import chart
 
@@ -26,7 +27,7 @@ ROOT = Path(__file__).parents[2]
 BLOCK = re.compile(r"^```python\n(.*?)^```$(?:\n\nIt prints:\n\n```text\n(.*?)^```$)?", re.DOTALL | re.MULTILINE)
 PRINTS = "\n\nIt prints:\n\n```text\n{}```"
 FIGURE = re.compile(r"^!\[([^\]]*)\]\(([^)]+\.svg)\)$", re.MULTILINE)
-SCENARIO = re.compile(r"\[[^\]]*\]\(([\w-]+\.json)\)")
+GALLERY_LINK = re.compile(r"\]\(/\?gallery=([\w-]+)\)")
 _FORMULAS = ("road", "half-car", "fuzzy-drive", "cost-and-lqr", "mpc", "preview", "estimation", "metrics", "luck")
 _LESSONS = ("ten-cells", "own-controller", "read-a-result")
 PAGES = [
@@ -83,7 +84,17 @@ def compare_figure(folder: Path, above: str, names: dict[str, Any]) -> None:
     title, picture = FIGURE.findall(above)[-1]
     compare(folder / picture, chart(names["curves"], names["axes"], title))
     if isinstance(scenario := names.get("scenario"), sim_core.Scenario):
-        compare(folder / SCENARIO.findall(above)[-1], scenario.model_dump_json(indent=1) + "\n")
+        name = GALLERY_LINK.findall(above)[-1]
+        compare(folder / f"{name}.json", json.dumps(whole(scenario), indent=1) + "\n")
+
+
+def whole(scenario: sim_core.Scenario) -> dict[str, Any]:
+    """As the page saves it in a file: a measured road goes with its heights."""
+    written = scenario.model_dump(mode="json")
+    if scenario.road.profile is None:
+        return written
+    road = (ROOT / "docs/roads/street.csv").read_text(encoding="utf-8")
+    return {"schema_version": SCHEMA_VERSION, "scenario": written, "measured_road": road}
 
 
 def compare(path: Path, content: str) -> None:

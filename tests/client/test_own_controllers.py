@@ -1,5 +1,6 @@
 """`ridelab new controller` writes a file that `ridelab check` likes; broken ones are told in words."""
 
+import json
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
@@ -18,6 +19,9 @@ def file(cli: Cli, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 def test_a_new_controller_runs_and_its_forces_are_drawn(cli: Cli, file: Path) -> None:
     assert cli("check", file).startswith("my_law (My law): nothing wrong was found\n")
+    (checked,) = json.loads(cli("check", file, "--json"))
+    assert checked == {"id": "my_law", "label": "My law", "faults": [], "picture": f"{file.parent}/my_law-forces.svg"}
+    assert json.loads(cli("new", "controller", "other", "--json")) == {"file": "other.py", "id": "other"}
     picture = ElementTree.parse(file.with_name("my_law-forces.svg")).getroot()  # noqa: S314 - our own
     front, rear = picture.iter("{http://www.w3.org/2000/svg}polyline")
     assert front.get("points") != rear.get("points")

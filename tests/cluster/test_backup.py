@@ -3,6 +3,7 @@
 That a batch goes on from a copy is shown in tests/drill/test_database.py.
 """
 
+import json
 import os
 import re
 import shlex
@@ -96,6 +97,7 @@ def test_a_copy_of_sqlite_under_writes_is_a_whole_database(sqlite_store: Store, 
     assert there[9]
     copy.close()
     assert {path.name for path in tmp_path.iterdir()} == {"data", "copy.sqlite"}
+    assert json.loads(backup("--force", "--json"))["file"] == "copy.sqlite"
 
 
 def test_no_copy_is_half_and_none_is_lost(sqlite_store: Store, tmp_path: Path, backup: Backup) -> None:

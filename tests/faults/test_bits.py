@@ -1,5 +1,6 @@
 """A bit that flips in the database's file is told, or changes nothing; the drill tries 10,000 of them."""
 
+import json
 import sqlite3
 from contextlib import closing
 from pathlib import Path
@@ -44,3 +45,6 @@ def test_verify_names_what_is_damaged(tmp_path: Path, capsys: pytest.CaptureFixt
     file.write_bytes(content)
     assert main(arguments) == 1
     assert "results: 87 rows, 1 damaged\n" in capsys.readouterr().out
+    assert main([*arguments, "--json"]) == 1
+    verdict = json.loads(capsys.readouterr().out)
+    assert (verdict["sound"], verdict["rows"]["results"], len(verdict["damaged"]["results"])) == (False, 87, 1)

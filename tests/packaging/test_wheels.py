@@ -154,6 +154,7 @@ def test_client_and_core_run_check_and_play_without_a_server(
     assert (demo.returncode, demo.stderr) == (0, "ridelab serve opens the laboratory in a browser\n")
     assert re.search(r"Body acceleration \[m/s\^2\] +0\.8982 \(-85%\) +1\.474 \(-76%\) +6\.19\n", demo.stdout)
     assert demo.stdout.count("⠀") > 100, "plots of dots"
+    assert list(json.loads(local.run("ridelab", "demo", "--json").stdout)) == ["lv", "lqr", "passive"]
     assert "server is not installed" in local.run("ridelab", "sweep", "--grid", "road.seed=1:3:3").stderr
 
 

@@ -162,7 +162,7 @@ def test_a_run_with_too_many_steps_ends_before_it_begins(strategy: str) -> None:
     [
         lambda path: report.report(ENDLESS),
         lambda path: realtime.drive_by_clock(ENDLESS),
-        lambda path: list(program.driven(ENDLESS, path)),
+        lambda path: program.driven(ENDLESS, path),
         lambda path: exports.render(ENDLESS, EXPORT, None),
         lambda path: pins.make(ENDLESS, ["lv"]),
         lambda path: bands.drive([ENDLESS], "lv", (path, 0), path),

@@ -35,10 +35,10 @@ def controller(
     design = fields.scenario_of(scenario, changes, services)
     ridelab = services.at()
     if out is not None:
-        deliver([ridelab.controller(design)], out)
+        deliver([ridelab.controller(design)], out, as_json=as_json)
         return
     if program is not None:  # a program of somebody's is run here, never by a service
-        end_as_server("--drive", str(program), content=json.dumps(design).encode())
+        end_as_server("--drive", str(program), content=json.dumps(design).encode(), as_json=as_json)
     note("Building and driving each controller; this takes about ten seconds")
     measured = ridelab.controller_report(design)
     print_json(measured) if as_json else _show_fit(measured)

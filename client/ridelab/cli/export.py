@@ -28,6 +28,7 @@ def export(
     points: Annotated[int | None, options.option("N", "Of a run: about N samples instead of all.", min=2)] = None,
     metrics: Annotated[bool, options.flag(_METRICS, "--metrics")] = False,
     wait: Annotated[bool, options.flag("Of a batch: until it has ended.", "--wait")] = False,
+    as_json: options.AsJson = False,
 ) -> None:
     """Write a run's time histories or metrics, or a batch's table, to a file; units are in the header.
 
@@ -54,7 +55,7 @@ def export(
         )
     else:
         raise InputError(f"{target}: export takes a stored run, batch or link; run and sweep make them")
-    deliver(content, out)
+    deliver(content, out, as_json=as_json, format=kind)
 
 
 def _metrics_csv(run: RunResult) -> str:

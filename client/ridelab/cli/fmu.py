@@ -24,6 +24,7 @@ def fmu(
     fmi: Annotated[str, options.option("2.0|3.0", _FMI)] = "2.0",
     platform: Annotated[list[str] | None, options.option("NAME", _PLATFORM, "--platform")] = None,
     changes: options.Changes = None,
+    as_json: options.AsJson = False,
 ) -> None:
     """Export a controller, or the vehicle, as an FMU for co-simulation, with its C and what could be compiled of it."""
     if fmi not in ("2.0", "3.0"):
@@ -33,8 +34,8 @@ def fmu(
     content = services.at().fmu(
         design, strategy, of="vehicle" if vehicle else "controller", version=fmi, platforms=wanted
     )
-    deliver([content], out)
     with zipfile.ZipFile(io.BytesIO(content)) as archive:
         inside = [name.split("/")[1] for name in archive.namelist() if name.startswith("binaries/")]
+    deliver([content], out, as_json=as_json, platforms=inside)
     missing = "" if len(inside) == len(wanted) else "; documentation/index.html inside says why others are missing"
     note(f"Binaries for {', '.join(inside) or 'no platform'}{missing}")

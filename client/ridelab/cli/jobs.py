@@ -6,7 +6,7 @@ import typer
 
 from ridelab.cli import options, targets
 from ridelab.cli.following import follow_to_end, resume_command, say_end
-from ridelab.cli.reporting import note, print_json
+from ridelab.cli.reporting import note, print_json, say
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table
 from ridelab.jobs import Job
@@ -78,9 +78,11 @@ def _end(job: Job, *, as_json: bool) -> int:
     return say_end(job)
 
 
-def label_job(services: Services, job_id: JobId, text: Text) -> None:
+def label_job(services: Services, job_id: JobId, text: Text, as_json: options.AsJson = False) -> None:
     """Give a job a label, by which lists find it."""
-    targets.job_of(job_id, services).rename(text or None)
+    job = targets.job_of(job_id, services)
+    job.rename(text or None)
+    say(f"{job.NAME} {job.id}: {job.label or 'no label'}", job.answer, as_json=as_json)
 
 
 def cancel(services: Services, job_id: JobId, as_json: options.AsJson = False) -> None:
@@ -96,12 +98,16 @@ def resume(services: Services, job_id: JobId, as_json: options.AsJson = False) -
     _end(job, as_json=as_json)
 
 
-def delete(services: Services, job_ids: JobIds) -> None:
+def delete(services: Services, job_ids: JobIds, as_json: options.AsJson = False) -> None:
     """Remove jobs that have ended and that no link shows."""
+    deleted = []
     for each in job_ids:
         job = targets.job_of(each, services)
         job.delete()
         note(f"{job.NAME} {job.id}: deleted")
+        deleted.append({"kind": job.NAME, "id": job.id})
+    if as_json:
+        print_json(deleted)
 
 
 def _row(job: Job) -> list[Any]:

@@ -8,7 +8,8 @@ from typing import Annotated
 
 import typer
 
-from ridelab.cli.reporting import DIFFERENT, InputError
+from ridelab.cli import options
+from ridelab.cli.reporting import DIFFERENT, InputError, say
 from ridelab.cli.service import check_core, server_environment
 
 LIMIT = 60.0  # a check drives some short roads, which takes seconds [s]
@@ -45,6 +46,7 @@ def new() -> None:
 @NEW.command("controller")
 def new_controller(
     name: Annotated[str, typer.Argument(metavar="NAME", help="Its id, and the file's name before .py.")],
+    as_json: options.AsJson = False,
 ) -> None:
     """Write NAME.py here: a controller that runs, for a law of your own in its place."""
     if not _NAME.fullmatch(name):
@@ -59,18 +61,19 @@ def new_controller(
             new_file.write(text)
     except FileExistsError:
         raise InputError(f"{file} is there already") from None
-    typer.echo(f"{file}: ridelab check {file} tries it")
+    say(f"{file}: ridelab check {file} tries it", {"file": str(file), "id": name}, as_json=as_json)
 
 
 def check(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="A Python file with controllers.", exists=True)],
+    as_json: options.AsJson = False,
 ) -> None:
     """Say in words what is wrong with a file's controllers, and draw their forces in an SVG file beside it.
 
     The file is run, with all that you may do. Exit code 1 where something is wrong, 2 where it cannot be loaded.
     """
     check_core()
-    command = [sys.executable, "-P", "-m", "sim_core.check_file", str(file)]
+    command = [sys.executable, "-P", "-m", "sim_core.check_file", str(file), *["--json"] * as_json]
     try:
         run = subprocess.run(  # noqa: S603  # no shell
             command, env=server_environment(), stdout=subprocess.PIPE, timeout=LIMIT, check=False

@@ -122,6 +122,11 @@ def print_json(value: Any) -> None:
     typer.echo(json.dumps(value, indent=1, ensure_ascii=False))
 
 
+def say(text: str, value: Any, *, as_json: bool) -> None:
+    """A result in words, or the value for machines."""
+    print_json(value) if as_json else typer.echo(text)
+
+
 def print_json_rows(head: dict[str, Any], rows: Iterable[Any]) -> None:
     """An object for machines with a last member `rows`, row by row: there may be more than fit in memory."""
     typer.echo(json.dumps(head, indent=1, ensure_ascii=False).removesuffix("\n}") + ',\n "rows": [', nl=False)
@@ -145,6 +150,16 @@ def output_format(out: str, file_format: str | None) -> str:
         raise InputError(f"{'--format' if file_format or out == '-' else '--out'}: {error}") from None
 
 
-def deliver(content: Iterable[bytes], out: str) -> None:
-    """Write the pieces there, `-` is standard output; a file is whole or not touched."""
-    sys.stdout.buffer.writelines(content) if out == "-" else save(content, out)
+def deliver(content: Iterable[bytes], out: str, *, as_json: bool = False, **about: Any) -> None:
+    """Write the pieces there, `-` is standard output; a file is whole or not touched.
+
+    For machines, its name, its size [bytes] and what else is said about it are printed then.
+    """
+    if out != "-":
+        save(content, out)
+    elif as_json:
+        raise InputError("--json: the file itself would go to standard output; name another one")
+    else:
+        sys.stdout.buffer.writelines(content)
+    if as_json:
+        print_json({"file": out, "size": Path(out).stat().st_size, **about})

@@ -13,7 +13,7 @@ from typing import Annotated
 import typer
 
 from ridelab.cli import fields, options, targets
-from ridelab.cli.reporting import note
+from ridelab.cli.reporting import note, say
 from ridelab.cli.service import Services, check_core, end_as_server, server_command, server_environment
 
 PORT = 8000
@@ -33,6 +33,7 @@ def serve(
     explain_limits: Annotated[
         bool, options.flag("Print what clients may have open at once, and end.", "--explain-limits")
     ] = False,
+    as_json: options.AsJson = False,
 ) -> None:
     """Serve the dashboard and the API until Ctrl-C or SIGTERM.
 
@@ -40,6 +41,7 @@ def serve(
     (docs/how-to/operations.md).
     """
     flags = ["--say-where"] + ["--explain-limits"] * explain_limits + ["--open"] * (open_page and _has_screen())
+    flags += ["--json"] * as_json
     port = _free_port(host) if port is None else port
     command = server_command("--host", host, "--port", str(port), *flags, data_dir=data_dir)
     # The service takes this process's place: signals reach it, and what it spawns never passes through this command.
@@ -64,10 +66,11 @@ def _free_port(host: str) -> int:
     return PORT
 
 
-def demo() -> None:
+def demo(as_json: options.AsJson = False) -> None:
     """Play the paper's comparison in the terminal: LV control, LQR and the passive car; no service needed."""
     check_core()
-    run = subprocess.run([sys.executable, "-P", "-m", "sim_core.demo"], env=server_environment(), check=False)
+    command = [sys.executable, "-P", "-m", "sim_core.demo", *["--json"] * as_json]
+    run = subprocess.run(command, env=server_environment(), check=False)  # noqa: S603  # no shell
     if run.returncode:
         raise typer.Exit(run.returncode)
     note("ridelab serve opens the laboratory in a browser")
@@ -77,20 +80,21 @@ def backup(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="Where to write the copy.")],
     force: Annotated[bool, options.flag("Replace a file that is there already.", "--force")] = False,
     data_dir: DatabaseDir = None,
+    as_json: options.AsJson = False,
 ) -> None:
     """Copy the SQLite database to a file, while a service uses it or while none does.
 
     The copy is a whole database. Nothing is written meanwhile: new runs are refused with Retry-After, batches wait.
     """
-    end_as_server("--back-up", str(file), *["--force"] * force, data_dir=data_dir)
+    end_as_server("--back-up", str(file), *["--force"] * force, data_dir=data_dir, as_json=as_json)
 
 
-def verify(data_dir: DatabaseDir = None) -> None:
+def verify(data_dir: DatabaseDir = None, as_json: options.AsJson = False) -> None:
     """Read the whole database and say what in it is not as it was written, while a service uses it or while none does.
 
     The exit code is 1 where something is damaged. A service that starts on it computes damaged results again.
     """
-    end_as_server("--verify", data_dir=data_dir)
+    end_as_server("--verify", data_dir=data_dir, as_json=as_json)
 
 
 def open_(
@@ -99,13 +103,14 @@ def open_(
     changes: options.Changes = None,
     strategy: options.Strategies = None,
     only_print: Annotated[bool, options.flag("Print the address, start no browser.", "--print")] = False,
+    as_json: options.AsJson = False,
 ) -> None:
     """Open a result in the browser, and print its address.
 
     A scenario is run first. Without --server the private service stays until Ctrl-C, so that the page can work.
     """
     address = _address(target, changes or [], options.listed(strategy), services)
-    typer.echo(address)
+    say(address, {"address": address}, as_json=as_json)
     if not only_print:
         webbrowser.open(address)
     if None in services.opened:

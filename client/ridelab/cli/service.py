@@ -75,9 +75,9 @@ def default_data_dir() -> Path:
     return folder / "ridelab"
 
 
-def end_as_server(*arguments: str, content: bytes = b"", data_dir: Path | None = None) -> NoReturn:
+def end_as_server(*arguments: str, content: bytes = b"", data_dir: Path | None = None, as_json: bool) -> NoReturn:
     """Run the server's own command, which reads that content, and end as it ends."""
-    command = server_command(*arguments, data_dir=data_dir)
+    command = server_command(*arguments, *["--json"] * as_json, data_dir=data_dir)
     run = subprocess.run(command, env=server_environment(), input=content, check=False)  # noqa: S603  # no shell
     raise typer.Exit(run.returncode)
 

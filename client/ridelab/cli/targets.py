@@ -113,15 +113,14 @@ def _of_library(value: dict[str, Any], name: str, services: Services) -> dict[st
     """The scenario of a library's file; the service gets its measured road."""
     scenario: dict[str, Any] = value["scenario"]
     version, road = value.get("schema_version", 1), value.get("measured_road")
-    ridelab = services.at()
-    newest = ridelab.get("/schema")["schema_version"]
+    newest = services.quick.get("/schema")["schema_version"]
     if type(version) is not int or version < 1:
         raise InputError(f"{name}: schema_version has to be a whole number from 1 on")
     if version > newest:
         older = f"this service reads up to {newest}: update Ridelab"
         raise InputError(f"{name}: its schema version is {version}, and {older}")
     if isinstance(road, str):
-        profile, part = ridelab.upload_road(road.encode())["id"], scenario.get("road", {})
+        profile, part = services.at().upload_road(road.encode())["id"], scenario.get("road", {})
         if not isinstance(part, dict):
             raise InputError(f"{name}: road has to be a JSON object")
         scenario = {**scenario, "road": {**part, "profile": profile}}

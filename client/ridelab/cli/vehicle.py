@@ -41,7 +41,7 @@ def vehicle(
         return
     content = _of_sheet(sheet, services) if sheet is not None else _named(str(which), services)
     if out is not None:
-        deliver([json.dumps(content, indent=1).encode() + b"\n"], out)
+        deliver([json.dumps(content, indent=1).encode() + b"\n"], out, as_json=as_json)
     elif as_json:
         print_json(content)
     else:

@@ -7,7 +7,7 @@ import "./mantine.css";
 import { api } from "../api/client";
 import { loadPinned, ownPins } from "../features/compare/useCompared";
 import "./global.css";
-import { ownLibrary } from "../scenario/library";
+import { galleryEntry, ownLibrary } from "../scenario/library";
 import { createAppRouter } from "./router";
 import { LabContextProvider } from "../lab/context";
 import { createLab } from "../lab/lab";
@@ -61,6 +61,7 @@ const queries = createQueryClient();
 
 // The lab lives as long as the tab: other pages come and go beside it.
 const pages = createAppRouter(queries);
+galleryEntry.set(new URLSearchParams(window.location.search).get("gallery"));
 // An address that names a result opens that, and nothing is behind it.
 const restored = startsAnew(pages) ? restoreSession() : null;
 const labAddress = createLabAddress(pages, restored?.view);

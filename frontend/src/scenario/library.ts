@@ -126,6 +126,9 @@ export function createLibrary(
 /** The library of this browser. */
 export const ownLibrary = createLibrary(ownStorage());
 
+/** The gallery's scenario that the address names, `/?gallery=NAME`; `null` where it names none, or it is opened. */
+export const galleryEntry = createAtom<string | null>(null);
+
 /** What the open dialog offers to save; `null` while it is closed. */
 export const dialog = createAtom<Exclude<ItemKind, "road"> | null>(null);
 

@@ -1,11 +1,11 @@
 /** A button that opens files in the lab. */
 
 import { Button, FileButton, CloseButton, Portal, Text } from "@mantine/core";
-import { lazy, useRef, useState } from "react";
+import { lazy, useEffect, useEffectEvent, useRef, useState } from "react";
 import { useWindowEvent } from "@mantine/hooks";
 import { type ItemKind, dialog } from "../../scenario/library";
 import { LazyPart } from "../../ui/LazyPart";
-import { useOpenFiles, notice, unclear } from "./open";
+import { useOpenFiles, useOpenGalleryEntry, notice, unclear } from "./open";
 import { useScenario } from "../../lab/context";
 import { useSelector } from "@tanstack/react-store";
 import ui from "../../ui/ui.module.css";
@@ -49,9 +49,11 @@ export function OpenFiles({ children, name, wanted, size = "compact-xs" }: Props
 
 const hasFiles = ({ dataTransfer }: DragEvent) => dataTransfer?.types.includes("Files") === true;
 
-/** Files dropped anywhere on the lab, and what the library has done last. */
+/** Files dropped anywhere on the lab, the gallery's scenario that the address names, and what the library has done last. */
 export function DropFiles() {
   const openFiles = useOpenFiles();
+  const openGalleryEntry = useEffectEvent(useOpenGalleryEntry());
+  useEffect(() => void openGalleryEntry(), []);
   const [isOver, setOver] = useState(false);
   const isAsked = useSelector(unclear).length > 0;
   useWindowEvent("dragover", (event) => {

@@ -38,11 +38,12 @@ const MEBIBYTE = 1024 * 1024;
 const [LONGEST, LONGEST_ROAD, LONGEST_GRID] = [6 * MEBIBYTE, 4 * MEBIBYTE, 16 * MEBIBYTE];
 const OPENCRG = "application/x-opencrg";
 
-/** Opens the files in `newest()`, and adds them to the library; `wanted` is the part to take from a file that has more. */
+/** Opens the files in `newest()`, and adds them to the library if asked to; `wanted` is the part to take from a file that has more. */
 export async function openAll(
   files: readonly File[],
   newest: () => Scenario,
   queries: QueryClient,
+  inLibrary: boolean,
   wanted?: ItemKind,
 ): Promise<Outcome> {
   const [form, presets, vehicles] = await Promise.all([
@@ -70,6 +71,7 @@ export async function openAll(
       wrong.push(`${file.name}: ${messageOf(error)}`);
     }
   }
+  const added = (content: Opened) => (inLibrary ? addToLibrary(content, builtIn) : openedLine(content));
   // A vehicle and a road belong into the scenario that came with them.
   opened.sort((one, other) => KINDS.indexOf(one.kind) - KINDS.indexOf(other.kind));
   const scenario = opened.reduce((before, content) => withItem(before, content, form), newest());
@@ -77,7 +79,7 @@ export async function openAll(
   return {
     scenario,
     requirements: required ? requirementsIn(required.value.requirements) : null,
-    lines: [...wrong, ...opened.flatMap((content) => [addToLibrary(content, builtIn), ...content.warnings])],
+    lines: [...wrong, ...opened.flatMap((content) => [added(content), ...content.warnings])],
     isWrong: wrong.length > 0,
     asked,
   };
@@ -140,10 +142,13 @@ async function checked(
   }
 }
 
+const openedLine = ({ kind, name }: Opened) => `The ${kindWord(kind)} “${name}” is opened.`;
+
 /** Adds it to the library, except where the server has it by a name; returns what to say of it. */
-function addToLibrary({ kind, name, value }: Opened, builtIn: readonly (JsonValue | undefined)[]): string {
+function addToLibrary(opened: Opened, builtIn: readonly (JsonValue | undefined)[]): string {
+  const { kind, name, value } = opened;
   const word = kindWord(kind);
-  if (builtIn.some((each) => sameValue(each, value))) return `The ${word} “${name}” is opened.`;
+  if (builtIn.some((each) => sameValue(each, value))) return openedLine(opened);
   try {
     return `The ${word} “${ownLibrary.add(kind, name, value)}” is opened, and in the library.`;
   } catch (error) {
