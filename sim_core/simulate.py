@@ -7,6 +7,7 @@ from sim_core.loop.excitation import excite, step_sizes
 from sim_core.loop.run import Run
 from sim_core.metrics.evaluate import evaluate
 from sim_core.metrics.recorder import make_recorder
+from sim_core.metrics.windows import windows_of
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Road, Scenario
 from sim_core.speed.profile import make_speed_profile
@@ -39,8 +40,9 @@ def simulate(scenario: Scenario, strategy: str | type[Controller] | Controller) 
         True
     """
     run = prepare(scenario, strategy)
-    recorder = make_recorder(run)
-    return evaluate(run, recorder, run.drive(recorder))
+    windows = windows_of(run)
+    recorder = make_recorder(run, windows)
+    return evaluate(run, windows, recorder, run.drive(recorder))
 
 
 def on_any_road(scenario: Scenario) -> Scenario:

@@ -254,7 +254,12 @@ class Controller:
         return None
 
     def dampers(self) -> SemiActiveDampers | None:
-        """The car's dampers where this controller sets their coefficients; None where actuators act beside them."""
+        """The car's dampers where this controller sets their coefficients; None where actuators act beside them.
+
+        `force` then says what control adds to the passive damper's force, up on the body, and each damper gives the
+        nearest to it that its least and most coefficient allow at its speed. A law that knows hard and soft only asks
+        for a force far beyond them: against the deflection's speed for hard, with it for soft.
+        """
         return None
 
     def arrivals(self, setup: Setup) -> NDArray[np.intp]:

@@ -5,10 +5,22 @@ from contextlib import AbstractContextManager, nullcontext
 import numpy as np
 
 from sim_core.ecu.calibration import Calibration
-from sim_core.ecu.channels import PREVIEW, highest_code
+from sim_core.ecu.channels import PREVIEW, STAGES, highest_code
 from sim_core.ecu.interface import Ecu, Frame, Reply
-from sim_core.kernel import prepared
+from sim_core.kernel.library import INT, Array, Function, require
 from sim_core.vehicle.half_car import FORCES, STATES
+
+_ANSWER = 5  # whole numbers
+_REALS = Array(ndim=1, dtype=np.float32)
+_TABLES = Array(ndim=3, dtype=np.float32)
+_ecu_step = Function(
+    "ecu_step",
+    *(Array(6, dtype=np.int32), Array(4, dtype=np.float32), Array(115, dtype=np.float32), _REALS),
+    *(Array(ndim=1, dtype=np.int8), _TABLES, _TABLES),
+    *(Array(FORCES, dtype=np.float32, written=True), Array(ndim=1, dtype=np.int32)),
+    *(Array(_ANSWER, dtype=np.int32, written=True), Array(1, dtype=np.float32, written=True), INT),
+    result=INT,
+)
 
 
 def in_process(calibration: Calibration) -> AbstractContextManager[Ecu]:
@@ -17,38 +29,47 @@ def in_process(calibration: Calibration) -> AbstractContextManager[Ecu]:
 
 
 class CompiledEcu(Ecu):
-    """The program with these tables, in float32 as everywhere it runs: its answers are the same to the bit."""
+    """The program with these tables, in float32 as everywhere it runs: its answers are the same to the bit.
+
+    Raises:
+        ValueError: Sizes disagree.
+    """
 
     def __init__(self, tables: Calibration) -> None:
+        rows, columns = tables.row_count, STATES + FORCES + len(PREVIEW) * tables.intervals
+        effects = np.array([stage.rows for stage in tables.stages], dtype=np.float32)
+        gram = np.array([stage.gram for stage in tables.stages], dtype=np.float32)
+        fits = effects.shape == (len(STAGES), rows, columns) and gram.shape == (len(STAGES), rows, rows)
+        require(fits and len(tables.axles) == rows, "Tables of every stage, with a bound for each row")
         self._codes = np.zeros(STATES + len(PREVIEW) * tables.preview_length, dtype=np.int32)
-        self._answer, self._slack = np.zeros(prepared.ECU_ANSWER, dtype=np.int32), np.zeros(1, dtype=np.float32)
-        sizes = tables.intervals, tables.preview_length, tables.row_count, tables.predicts, tables.iterations
+        self._answer, self._slack = np.zeros(_ANSWER, dtype=np.int32), np.zeros(1, dtype=np.float32)
+        sizes = tables.intervals, tables.preview_length, rows, tables.predicts, tables.iterations
         real = tables.command_step, tables.force_limit, tables.slack_price, tables.slack_yield
         vehicle = [part.ravel() for part in (tables.input_steps, tables.A, tables.B, tables.E)]
-        self._step = prepared.ecu_step(
-            sizes=np.array([*sizes, highest_code(tables.bits)], dtype=np.int32),
-            real=np.array(real, dtype=np.float32),
-            vehicle=np.concatenate(vehicle).astype(np.float32),
-            bounds=tables.bounds.astype(np.float32),
-            axles=np.array(tables.axles, dtype=np.int8),
-            effects=np.array([stage.rows for stage in tables.stages], dtype=np.float32),
-            gram=np.array([stage.gram for stage in tables.stages], dtype=np.float32),
-            previous=np.zeros(FORCES, dtype=np.float32),
-            codes=self._codes,
-            answer=self._answer,
-            slack=self._slack,
+        self._step = _ecu_step.bind(  # kernel/ecu.c says what they hold
+            np.array([*sizes, highest_code(tables.bits)], dtype=np.int32),
+            np.array(real, dtype=np.float32),
+            np.concatenate(vehicle).astype(np.float32),
+            tables.bounds.astype(np.float32),
+            np.array(tables.axles, dtype=np.int8),
+            effects,
+            gram,
+            np.zeros(FORCES, dtype=np.float32),
+            self._codes,
+            self._answer,
+            self._slack,
         )
 
     def exchange(self, frame: Frame) -> Reply:
         """Answer at once.
 
         Raises:
-            ValueError: The frame has not as many codes as the tables say, or its stage is none.
+            ValueError: The frame has not as many codes as the tables say, its stage is none, or the program has not the
+                memory for the tables.
         """
-        if frame.codes.shape != self._codes.shape:
-            raise ValueError("A frame has as many codes as the tables say")
+        require(frame.codes.shape == self._codes.shape, "A frame has as many codes as the tables say")
         self._codes[:] = frame.codes
-        self._step(frame.stage)
+        require(self._step(frame.stage) == 0, "The ECU's program knows no such tables or stage")
         front, rear, limited, iterations, unfinished = self._answer.tolist()
         return Reply(
             commands=(front, rear),

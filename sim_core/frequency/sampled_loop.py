@@ -117,7 +117,6 @@ def sampled_loop(run: Run, law: LinearLaw, vehicle: Vehicle, speed: float) -> Sa
     if filters:
         still, initial_speed = np.zeros((1, 1)), run.speed_profile.initial_speed
         estimator = make_estimator(scenario, step / short, initial_speed, still, short, mode=run.filter_preview)
-        assert estimator is not None  # noqa: S101 - it is a kalman filter
         sensors, L = measurement(vehicle), estimator.measurement
         on_state = np.hstack([sensors.C, sensors.D]) if len(A) > STATES else sensors.C
         on_force = np.zeros_like(sensors.D) if len(A) > STATES else sensors.D

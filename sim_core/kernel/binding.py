@@ -5,6 +5,8 @@ Each function raises ValueError where sizes disagree, and ctypes.ArgumentError w
 float64, or cannot be written into. Calls that are made at every step are in prepared.py.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -27,18 +29,11 @@ _window_sizes = Function("window_sizes", _TABLE, INT, INT, _TABLE_OUT)
 _shape_number = Function("shape_number", NAME, result=INT)
 
 
-def bump_numbers(
-    shape: str, count: int, start: float, height: float, width: float, spacing: float, until: float
-) -> FloatArray:
-    """`struct bump` of kernel/road.h; lengths in m."""
+def road_layout(first: float, grid: float, shape: str, bumps: Sequence[float]) -> FloatArray:
+    """`struct layout` of kernel/road.h (9,), with what `struct bump` has behind the shape; lengths in m."""
     number = _shape_number(shape.encode())
     require(number >= 0, f"C knows no bump of the shape {shape}")
-    return np.array([number, count, start, height, width, spacing, until], dtype=np.float64)
-
-
-def road_layout(first: float, grid: float, bump: FloatArray) -> FloatArray:
-    """`struct layout` of kernel/road.h; lengths in m."""
-    return np.array([first, grid, *bump])
+    return np.array([first, grid, number, *bumps], dtype=np.float64)
 
 
 def torque_shares(

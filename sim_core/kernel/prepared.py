@@ -8,7 +8,6 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.kernel.library import DOUBLE, INT, Array, Function, Optional, Prepared, require
@@ -16,7 +15,6 @@ from sim_core.kernel.qp import QpDesign, QpMemory
 from sim_core.kernel.record import LAYOUT, SIGNALS, Recorder
 
 CAR, ESTIMATOR = 119, 112  # numbers of `struct vehicle` and `struct estimator` of car.c
-ECU_ANSWER, _STAGES = 5, 3  # numbers of an answer in ecu.c, stages of the ECU's tables
 _LAW_NUMBERS, _SIZES = 7, 4  # of `struct law_numbers` in loop.h; magnitudes of what is previewed
 _GROUP = 10  # rows of limits that loop.h looks at together
 CAUSES, NUMBERS, KEPT_STEPS = 20, 10, 16  # of `struct linear_step` in car.c, and how many are kept
@@ -24,19 +22,6 @@ _STATES, _LAGGING, _FORCES, _LAW_INPUTS, _DISTURBANCES, _MEASURED = 8, 10, 2, 10
 _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
 _LINE_OUT, _TABLE_OUT, _LINES_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2, 3))
 
-_ecu_step = Function(
-    "ecu_step",
-    *(
-        Array(6, dtype=np.int32),
-        Array(4, dtype=np.float32),
-        Array(115, dtype=np.float32),
-        Array(ndim=1, dtype=np.float32),
-    ),
-    *(Array(ndim=1, dtype=np.int8), Array(ndim=3, dtype=np.float32), Array(ndim=3, dtype=np.float32)),
-    *(Array(_FORCES, dtype=np.float32, written=True), Array(ndim=1, dtype=np.int32)),
-    *(Array(ECU_ANSWER, dtype=np.int32, written=True), Array(1, dtype=np.float32, written=True), INT),
-    result=INT,
-)
 _prepare_law_design = Function("prepare_law_design", INT, INT, _TABLE, _TABLE, Array(_LAW_INPUTS), _TABLE)
 _prepare_law = Function("prepare_law", Prepared, Array(_LAW_NUMBERS), Array(), _TABLE, _LINE_OUT, Optional, Optional)
 _prepare_car = Function(
@@ -53,38 +38,6 @@ _limit_force = Function(
 )
 _advance = Function("advance", Prepared, _TABLE_OUT, INT)
 _measure = Function("measure", Prepared, INT, _LINE, Array(_FORCES), Array(_MEASURED, written=True))
-
-
-def ecu_step(
-    *,
-    sizes: NDArray[np.int32],
-    real: NDArray[np.float32],
-    vehicle: NDArray[np.float32],
-    bounds: NDArray[np.float32],
-    axles: NDArray[np.int8],
-    effects: NDArray[np.float32],
-    gram: NDArray[np.float32],
-    previous: NDArray[np.float32],
-    codes: NDArray[np.int32],
-    answer: NDArray[np.int32],
-    slack: NDArray[np.float32],
-) -> Callable[[int], None]:
-    """A step of the ECU's program in a stage, whenever it is called; kernel/ecu.c says what the arrays hold.
-
-    Raises:
-        ValueError: Sizes disagree; when it is called: the program has not the memory for them, or the stage is none.
-    """
-    intervals, previewed, rows = sizes[:3].tolist()
-    columns = _STATES + _FORCES + _DISTURBANCES * intervals
-    fits = effects.shape == (_STAGES, rows, columns) and gram.shape == (_STAGES, rows, rows)
-    require(fits and len(bounds) == len(axles) == rows, "Tables of every stage, with a bound for each row")
-    require(len(codes) == _STATES + _DISTURBANCES * previewed, "A code for everything measured and previewed")
-    step = _ecu_step.bind(sizes, real, vehicle, bounds, axles, effects, gram, previous, codes, answer, slack)
-
-    def step_in(stage: int) -> None:
-        require(step(stage) == 0, "The ECU's program knows no such tables or stage")
-
-    return step_in
 
 
 def limit_force(limits: FloatArray, wanted: FloatArray, previous: FloatArray, command: FloatArray) -> bool:

@@ -12,7 +12,8 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.control.controller import Controller
-from sim_core.road.profile import GRID, RoadProfile, RoadUnderAxles, detail, road_profile, road_under_axles
+from sim_core.kernel import binding
+from sim_core.road.profile import GRID, RoadProfile, RoadUnderAxles, detail, road_profile
 from sim_core.scenario import Road, Scenario
 from sim_core.speed.profile import SPEED_CONTROL_PERIOD, SpeedPlan, SpeedProfile
 
@@ -148,7 +149,10 @@ def excite(road: Road, wheelbase: float, speed_profile: SpeedProfile, step: floa
 @cached
 def under_axles(excitation: Excitation) -> RoadUnderAxles:
     """The road itself within each fine step, in which a linear car takes it as straight."""
-    return road_under_axles(excitation.surface, excitation.grid.axles)
+    surface, position = excitation.surface, excitation.grid.axles
+    within = np.empty((position.shape[1] - 1, 4))
+    binding.within_steps(surface.roughness, surface.layout, position, within)
+    return RoadUnderAxles(surface=surface, position=position, within=within)
 
 
 @cached

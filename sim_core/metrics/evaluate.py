@@ -14,8 +14,7 @@ from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS, WINDOWS
 from sim_core.kernel.record import SIGNALS, Recorder
 from sim_core.loop.run import Recording, Run
-from sim_core.metrics.recorder import windows
-from sim_core.metrics.windows import section_ends
+from sim_core.metrics.windows import Windows, section_ends
 from sim_core.result import Series, StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.scenario.parts import KMH
@@ -25,11 +24,11 @@ _AIRBORNE = "airborne_ms", "front_airborne_ms", "rear_airborne_ms"
 _LINES = sum(signal.endswith("acceleration") for signal in METRIC_SIGNALS)  # straight between samples
 
 
-def evaluate(run: Run, recorder: Recorder, recording: Recording) -> StrategyResult:
+def evaluate(run: Run, windows: Windows, recorder: Recorder, recording: Recording) -> StrategyResult:
     """Everything a run reports, from what was measured while it was driven."""
     scenario, controller, speed_profile = run.scenario, run.controller, run.speed_profile
     excitation, trajectory, report = run.excitation, recording.trajectory, controller.report
-    ends, arrival = (of_run := windows(run)).ends, of_run.arrival_speed
+    ends, arrival = windows.ends, windows.arrival_speed
     metrics = _by_window(recorder, ends)
     fine_step, duration = excitation.grid.fine_step, float(ends[-1, 1])
     samples, (squares, fourths), (power, most_power) = len(excitation.series["time"]), recorder.weighted, recorder.power

@@ -10,6 +10,7 @@ import numpy as np
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
 from sim_core.loop.excitation import TimeGrid
+from sim_core.loop.run import Run
 from sim_core.speed.profile import SpeedProfile
 
 _SNAP = 1e-6  # of a fine step: a section that ends so near to a sample ends there
@@ -29,37 +30,31 @@ class Windows:
     Attributes:
         ends: First and last place of the rough road, the bump, and what follows it (3, 2) [fine steps]; together the
             whole run.
-        fine_step: In s.
         step_distance: The longest fine step in each section (3,) [m].
         arrival_speed: Speed of the car as the front axle meets the bump [m/s].
     """
 
     ends: FloatArray
-    fine_step: float
     step_distance: FloatArray
     arrival_speed: float
 
 
-@cached
-def windows_of(
-    grid: TimeGrid, speed_profile: SpeedProfile, bump_start: float, bump_end: float, length: float
-) -> Windows:
-    """The windows of a record.
+def windows_of(run: Run) -> Windows:
+    """Where a run's windows lie."""
+    scenario = run.scenario
+    start, end, length = scenario.road.bump.start, scenario.bump_left, scenario.road.length
+    return _windows(run.excitation.grid, run.speed_profile, start, min(end, length), length)
 
-    Args:
-        grid: The drive, sampled.
-        speed_profile: The same.
-        bump_start: Of the bump [m].
-        bump_end: Where the front axle is when the rear one has left it [m].
-        length: Of the road [m].
-    """
+
+@cached
+def _windows(grid: TimeGrid, speed_profile: SpeedProfile, start: float, end: float, length: float) -> Windows:
+    """Those of the road up to the bump's start [m], from there to its end, and from there on."""
     h = grid.fine_step
-    bounds = [0.0, *(speed_profile.time_at(position) / h for position in (bump_start, min(bump_end, length), length))]
+    bounds = [0.0, *(speed_profile.time_at(position) / h for position in (start, end, length))]
     ends = section_ends(list(pairwise(bounds)))
     distance = np.diff(grid.axles[0, grid.on_record.start :])
     return Windows(
         ends=ends,
-        fine_step=h,
         step_distance=np.array([distance[int(first) : ceil(last)].max(initial=0) for first, last in ends.tolist()]),
-        arrival_speed=float(speed_profile.at(np.array(speed_profile.time_at(bump_start)))[1]),
+        arrival_speed=float(speed_profile.at(np.array(speed_profile.time_at(start)))[1]),
     )

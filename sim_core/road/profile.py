@@ -51,7 +51,11 @@ class RoadProfile:
 
     def __post_init__(self) -> None:
         """Prepare what C reads."""
-        object.__setattr__(self, "layout", binding.road_layout(-_BEFORE, GRID, _numbers(self.bump)))
+        bump = self.bump
+        until = inf if bump.shape == "kerb" else bump.end  # it stays up
+        numbers = bump.count, bump.start, bump.height, bump.width, bump.spacing, until
+        layout = binding.road_layout(-_BEFORE, GRID, bump.shape, numbers)
+        object.__setattr__(self, "layout", layout)
 
     def height(self, position: FloatArray) -> FloatArray:
         """Road height [m] at positions [m] of any shape; level beyond the road made."""
@@ -84,13 +88,6 @@ class RoadUnderAxles:
     within: FloatArray
 
 
-def road_under_axles(surface: RoadProfile, position: FloatArray) -> RoadUnderAxles:
-    """The road at positions (2, n + 1) [m]."""
-    within = np.empty((position.shape[1] - 1, 4))
-    binding.within_steps(surface.roughness, surface.layout, position, within)
-    return RoadUnderAxles(surface=surface, position=position, within=within)
-
-
 def rough_profile(roughness: FloatArray, bump: Bump) -> RoadProfile:
     """A road of those samples (n,) [m]."""
     return RoadProfile(roughness, _slopes(roughness), bump)
@@ -101,20 +98,9 @@ def _slopes(roughness: FloatArray) -> float:
     return float(max(rise.max(), 0.0) - min(rise.min(), 0.0)) / GRID
 
 
-def changed_until(bump: Bump) -> float:
-    """Where the road is again as it would be without the bump [m]; never behind a kerb."""
-    return inf if bump.shape == "kerb" else bump.end
-
-
 def bump_height(bump: Bump, position: FloatArray) -> FloatArray:
     """Height of the bumps alone [m] at positions [m]; behind a kerb its whole height."""
     return RoadProfile(np.zeros(2), 0.0, bump).height(position)
-
-
-def _numbers(bump: Bump) -> FloatArray:
-    """For C (7,)."""
-    until = changed_until(bump)
-    return binding.bump_numbers(bump.shape, bump.count, bump.start, bump.height, bump.width, bump.spacing, until)
 
 
 def kinks(bump: Bump) -> tuple[float, ...]:

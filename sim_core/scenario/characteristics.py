@@ -54,26 +54,17 @@ def characteristics(vehicle: Vehicle) -> Characteristics:
         '0.87 Hz, 0.300 m'
     """
     per_metre = vehicle.body_mass / vehicle.wheelbase
-    shares = per_metre * vehicle.cg_to_rear, per_metre * vehicle.cg_to_front
-    springs = vehicle.front_spring, vehicle.rear_spring
-    tyres = vehicle.front_tyre_stiffness, vehicle.rear_tyre_stiffness
-    wheels = vehicle.front_wheel_mass, vehicle.rear_wheel_mass
-    frequencies, ratios = [], []
-    for m, k_s, k_t, c in zip(shares, springs, tyres, vehicle.damping_at_rest, strict=True):
-        together = k_s * k_t / (k_s + k_t)
-        frequencies.append(sqrt(together / m) / (2 * pi))
-        ratios.append(c * (k_t / (k_s + k_t)) ** 2 / (2 * sqrt(together * m)))
-    for m_w, k_s, k_t, c in zip(wheels, springs, tyres, vehicle.damping_at_rest, strict=True):
-        frequencies.append(sqrt((k_s + k_t) / m_w) / (2 * pi))
-        ratios.append(c / (2 * sqrt((k_s + k_t) * m_w)))
-    sag = [m * GRAVITY / k_s for m, k_s in zip(shares, springs, strict=True)]
+    sag, frequencies, ratios = dict[str, float](), dict[str, float](), dict[str, float]()
+    axles = zip(("front", "rear"), (vehicle.cg_to_rear, vehicle.cg_to_front), vehicle.damping_at_rest, strict=True)
+    for axle, arm, c in axles:
+        names = ("spring", "tyre_stiffness", "wheel_mass")
+        k_s, k_t, m_w = (getattr(vehicle, f"{axle}_{name}") for name in names)
+        m, series, parallel = per_metre * arm, k_s * k_t / (k_s + k_t), k_s + k_t
+        sag[axle] = m * GRAVITY / k_s
+        frequencies[f"{axle}_body"] = sqrt(series / m) / (2 * pi)
+        frequencies[f"{axle}_wheel"] = sqrt(parallel / m_w) / (2 * pi)
+        ratios[f"{axle}_body"] = c * (k_t / (k_s + k_t)) ** 2 / (2 * sqrt(series * m))
+        ratios[f"{axle}_wheel"] = c / (2 * sqrt(parallel * m_w))
     return Characteristics(
-        static_sag=Axles(front=sag[0], rear=sag[1]),
-        natural_frequencies=_modes(frequencies),
-        damping_ratios=_modes(ratios),
+        static_sag=Axles(**sag), natural_frequencies=Modes(**frequencies), damping_ratios=Modes(**ratios)
     )
-
-
-def _modes(values: list[float]) -> Modes:
-    front_body, rear_body, front_wheel, rear_wheel = values
-    return Modes(front_body=front_body, rear_body=rear_body, front_wheel=front_wheel, rear_wheel=rear_wheel)

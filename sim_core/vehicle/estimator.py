@@ -84,8 +84,8 @@ def make_estimator(
     *,
     mode: Preview = "none",
     seen: FloatArray | None = None,
-) -> Estimator | None:
-    """What estimates the state for a scenario's controllers, or None where they have the state itself.
+) -> Estimator:
+    """What estimates the state for a scenario's controllers.
 
     Args:
         scenario: Whose vehicle, road and sensors.
@@ -100,8 +100,6 @@ def make_estimator(
     Raises:
         RidelabError: There is no such filter.
     """
-    if scenario.estimation.kind == "exact":
-        return None
     roughness = max(scenario.road.roughness, _LEAST_ROUGHNESS)
     intensity = (2 * pi * REFERENCE_FREQUENCY) ** 2 * roughness * speed / 2
     unseen = _unseen(scenario, mode, speed)

@@ -8,9 +8,9 @@ from sim_core.kernel.record import Recorder
 from sim_core.road.profile import RoadUnderAxles
 from sim_core.scenario import Actuator, Vehicle
 from sim_core.vehicle.half_car import FORCES, STATES
-from sim_core.vehicle.linear import effects
 from sim_core.vehicle.model import Estimator, SemiActiveDampers
 from sim_core.vehicle.nonlinear import numbers, substeps
+from sim_core.vehicle.plant import effects
 
 
 def make_vehicle(

@@ -184,7 +184,7 @@ def test_no_drive_is_let_beyond_its_arrays() -> None:
 
 
 ENDS = np.array([[0.0, 2.5], [2.5, 6.0]])
-ROAD = np.zeros(50), binding.road_layout(-1.0, 0.1, binding.bump_numbers("cosine", 1, 2.0, 0.1, 0.5, 3.0, 2.5))
+ROAD = np.zeros(50), binding.road_layout(-1.0, 0.1, "cosine", (1, 2.0, 0.1, 0.5, 3.0, 2.5))
 DISAGREEING: dict[str, Callable[[], object]] = {
     "sizes, one axle": lambda: binding.window_sizes(np.zeros((2, 5)), 2, np.zeros((4, 4))),
     "sizes, no window": lambda: binding.window_sizes(np.zeros((3, 5)), 6, np.zeros((4, 0))),
@@ -198,7 +198,7 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     "fuzzy, too many torques": lambda: fuzzy(memberships=np.zeros((21, 9))),
     "fuzzy, torques": lambda: fuzzy(memberships=np.zeros((5, 1))),
     "roughness, none": lambda: binding.roughness(np.zeros(0), 1.0, 0.5, 0.1),
-    "bumps, shape": lambda: binding.bump_numbers("hexagon", 1, 0.0, 0.1, 0.5, 3.0, 2.5),
+    "bumps, shape": lambda: binding.road_layout(-1.0, 0.1, "hexagon", (1, 0.0, 0.1, 0.5, 3.0, 2.5)),
     "road, heights": lambda: binding.road_heights(*ROAD, np.zeros(4), np.zeros(3)),
     "road, one sample": lambda: binding.road_heights(np.zeros(1), ROAD[1], np.zeros(4), np.zeros(4)),
     "chords, positions": lambda: binding.within_steps(*ROAD, np.zeros((2, 4)), np.zeros((4, 4))),

@@ -16,7 +16,7 @@ from sim_core.kernel.record import SIGNALS, WEIGHTING, Recorder
 from sim_core.metrics.comfort import weighting, wk_quotients
 
 STATIC = 1.5  # load at which the tyres of `recorder` are in the air
-LAYOUT = binding.road_layout(-1.0, 100.0, binding.bump_numbers("cosine", 1, 2.0, 0.0, 0.5, 3.0, 2.5))  # no kink
+LAYOUT = binding.road_layout(-1.0, 100.0, "cosine", (1, 2.0, 0.0, 0.5, 3.0, 2.5))  # no kink
 
 
 def recorder(fine: int, steps: int, ends: FloatArray, **changed: Any) -> Recorder:

@@ -183,7 +183,6 @@ def test_told_the_whole_truth_it_has_the_state_itself() -> None:
     disturbance, command = numbers[:, :3] * [0.2, 0.2, 1], numbers[:, 3:] * 500
     scenario = Scenario(vehicle=CAR, estimation=KALMAN)
     ours = make_estimator(scenario, STEP, 13.9, disturbance[:, 2:], mode="lookahead", seen=disturbance[:, :2])
-    assert ours is not None
     noise = np.random.default_rng((scenario.road.seed, _NOISE_STREAM)).standard_normal((steps, 4)) * NOISES
     known = ours.input - noise @ ours.measurement.T
     model, sensors = discrete(CAR, STEP), measurement(CAR)
@@ -245,7 +244,6 @@ def test_it_is_told_what_the_controller_itself_plans_on() -> None:
         seen=expected[:2, :, 0].T,
     )
     assert ours is not None
-    assert told is not None
     # Of inputs up to 0.5: the road is averaged in another order.
     np.testing.assert_allclose(ours.input, told.input, rtol=0, atol=1e-13)
 
@@ -316,8 +314,6 @@ def test_a_filter_with_another_cars_model_gets_no_hint_of_it() -> None:
     """Its matrices are the believed car's: only what it is fed differs."""
     heavy = Scenario(estimation=KALMAN, mismatch=Mismatch(body_mass=1.3))
     one, two = (make_estimator(each, STEP, 13.9, np.zeros((5, 3))) for each in (heavy, Scenario(estimation=KALMAN)))
-    assert one is not None
-    assert two is not None
     np.testing.assert_array_equal(one.state, two.state)
     np.testing.assert_array_equal(one.measurement, two.measurement)
 
