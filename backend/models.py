@@ -33,9 +33,12 @@ class RequestModel(BaseModel):
 
 
 class Answer(BaseModel):
-    """Base of answer models: every field is always present; can be built from the core's objects."""
+    """Base of answer models: every field is always present; can be built from the core's objects.
 
-    model_config = ConfigDict(json_schema_serialization_defaults_required=True, from_attributes=True)
+    Most are parts of others: where each has its validator only once it is asked for, a service starts sooner.
+    """
+
+    model_config = ConfigDict(json_schema_serialization_defaults_required=True, from_attributes=True, defer_build=True)
 
 
 def _listed(values: Any) -> Any:

@@ -10,18 +10,15 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from datetime import datetime
 from functools import partial
-from typing import ParamSpec, TypeVar
+from importlib import import_module
+from typing import Any, ParamSpec, TypeVar
 
-from alembic import command
-from alembic.config import Config
-from alembic.migration import MigrationContext
-from alembic.script import ScriptDirectory
-from sqlalchemy import Connection, ExceptionContext, Table, event, inspect, make_url, select
-from sqlalchemy.dialects import postgresql, sqlite
+from sqlalchemy import Connection, ExceptionContext, Table, event, inspect, make_url, select, text
 from sqlalchemy.exc import DBAPIError, OperationalError, SQLAlchemyError
 
 from backend.db.clock import Now
 from backend.db.commits import Commits
+from backend.db.migrations import REVISIONS, upgrade
 from backend.db.server import ReadOnlyError, SilentServerError, is_silent, server_engine
 from backend.db.sqlite import (
     COMMIT_TIMEOUT,
@@ -46,6 +43,7 @@ T = TypeVar("T")
 
 READERS = 4  # threads
 SERVER_WRITERS = 2  # PostgreSQL locks rows, not the database: a batch of 100,000 runs keeps no other writer waiting
+VERSION = text("SELECT version_num FROM alembic_version")
 START_TIMEOUT = 30.0  # a start waits so long for another one's migration, or for a backup [s]
 DAMAGED = (
     "The database is damaged: stop the service, put a backup in its place and start again "
@@ -217,27 +215,25 @@ class Database:
         return "The database" if self._file is None else str(self._file.path)
 
     def _migrate(self, revision: str) -> None:
-        config = Config()
-        config.set_main_option("script_location", "backend.db:migrations")
         with self.writing(large=True) as connection:
             if not self._is_sqlite:
                 connection.exec_driver_sql("SELECT pg_advisory_xact_lock(7236543)")
-            self._check_origin(connection, ScriptDirectory.from_config(config))
-            config.attributes["connection"] = connection
-            command.upgrade(config, revision)
+            tables = inspect(connection).get_table_names()
+            stored = connection.execute(VERSION).scalar() if "alembic_version" in tables else None
+            self._check_origin(tables, stored)
+            if (revision if revision != "head" else REVISIONS[-1]) != stored:
+                upgrade(connection, revision)
 
-    def _check_origin(self, connection: Connection, script: ScriptDirectory) -> None:
-        revisions = {step.revision for step in script.walk_revisions()}
-        stored = MigrationContext.configure(connection).get_current_revision()
-        if stored is None and self._is_sqlite and inspect(connection).get_table_names():
+    def _check_origin(self, tables: list[str], stored: str | None) -> None:
+        if stored is None and self._is_sqlite and tables:
             raise UnusableDatabaseError(f"{self._name} is another program's database")
-        if stored is not None and stored < min(revisions):
+        if stored is not None and stored < REVISIONS[0]:
             raise UnusableDatabaseError(
                 f"{self._name} is of a version of Ridelab before 0.2.0 (schema {stored}): start 0.2.0 on it once"
             )
-        if stored is not None and stored not in revisions:
+        if stored is not None and stored not in REVISIONS:
             raise UnusableDatabaseError(
-                f"{self._name} is of a newer version of Ridelab (schema {stored}, this one knows {max(revisions)}): "
+                f"{self._name} is of a newer version of Ridelab (schema {stored}, this one knows {REVISIONS[-1]}): "
                 "upgrade, or put the backup from before in its place"
             )
 
@@ -304,5 +300,9 @@ def insert_new(connection: Connection, table: Table, rows: Sequence[dict[str, ob
     """
     key = [column.name for column in table.primary_key]
     ordered = sorted(rows, key=lambda row: [row[name] for name in key])
-    insert = postgresql.insert if connection.dialect.name == "postgresql" else sqlite.insert
-    connection.execute(insert(table).on_conflict_do_nothing(), ordered)
+    connection.execute(dialect_insert(connection, table).on_conflict_do_nothing(), ordered)
+
+
+def dialect_insert(connection: Connection, table: Table) -> Any:
+    """An INSERT of its dialect, which may say what becomes of rows that are there; no other dialect is imported."""
+    return import_module(f"sqlalchemy.dialects.{connection.dialect.name}").insert(table)

@@ -6,11 +6,10 @@ from datetime import datetime
 from typing import Any
 
 from sqlalchemy import Connection, bindparam, delete, insert, select
-from sqlalchemy.dialects import postgresql, sqlite
 
 from backend.db.checksum import check, update_row
 from backend.db.clock import UNSTORED
-from backend.db.database import RowStore, insert_new
+from backend.db.database import RowStore, dialect_insert, insert_new
 from backend.db.tables import EXPIRED, results, run_recordings, run_results, run_roads, runs
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
@@ -149,7 +148,7 @@ def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_ver
     ]
     if not rows:
         return
-    new = postgresql.insert(results) if connection.dialect.name == "postgresql" else sqlite.insert(results)
+    new = dialect_insert(connection, results)
     columns = ("core_version", "status", "summary", "compute_ms", "created_at", "checksum")
     replacing = new.on_conflict_do_update(
         index_elements=[results.c.key],

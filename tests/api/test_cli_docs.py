@@ -12,7 +12,6 @@ import subprocess
 import sys
 from collections.abc import Callable
 from contextlib import closing, redirect_stderr, redirect_stdout
-from functools import partial
 from pathlib import Path
 
 import httpx
@@ -29,6 +28,8 @@ ADDRESS = "http://127.0.0.1:8000"
 BLOCK = re.compile(
     r"^```(console|python)\n(.*?)^```\n(?:\nIt prints:\n\n```text\n(.*?)^```\n)?", re.DOTALL | re.MULTILINE
 )
+WORD = r"(?:'[^']*'|[^\s'\"|<>&;$`*])+"
+COMMAND = re.compile(rf"(ridelab(?: {WORD})+)( ?[|>;].*)?")  # and what a shell does with its output
 LONGEST = 18  # lines of an output that a page shows; what follows is "..."
 WIDEST = 240  # characters of a line
 # What changes from run to run: random ids, times of day, how long something took, how often progress was heard of;
@@ -62,8 +63,10 @@ class Page:
 
     def _block(self, kind: str, text: str, _: str | None) -> str:
         if kind == "python":
-            script = partial(exec, text.replace(ADDRESS, self._address), self._variables)
-            return f"```python\n{text}```\n\nIt prints:\n\n```text\n{self._shown(printed(script))}```\n"
+            printed = Output()
+            with redirect_stdout(printed), redirect_stderr(printed):
+                exec(text.replace(ADDRESS, self._address), self._variables)  # noqa: S102 - ours
+            return f"```python\n{text}```\n\nIt prints:\n\n```text\n{self._shown(printed.content)}```\n"
         commands = [line for line in text.splitlines() if line.startswith("$ ")]
         shown = "".join(f"{line}\n{self._shown(output(self._prepared(line[2:])))}" for line in commands)
         return f"```console\n{shown}```\n"
@@ -91,31 +94,41 @@ class Page:
         return "".join(f"{line.rstrip()}\n" for line in [*cut, *(["..."] if len(lines) > LONGEST else [])])
 
 
-def output(command: str) -> bytes:
-    """What a line prints: `ridelab` alone in this process, which has imported all it needs, all else by a shell."""
-    if re.fullmatch(r"ridelab [^|<>&;$`*]+", command):
-        return printed(partial(app.run, shlex.split(command)[1:]))
-    return shell(command)
+def output(line: str) -> bytes:
+    """What a line prints: a first `ridelab` is run in this process, which has all imported, the rest by a shell."""
+    match = COMMAND.fullmatch(line)
+    if match is None:
+        return shell(line)
+    printed, said, code = Output(), Output(), 0
+    command, rest = match.groups()
+    with redirect_stdout(printed), redirect_stderr(said if rest else printed):
+        code = app.run(shlex.split(command)[1:])
+    return said.content + (shell(f"(cat; exit {code}){rest}", printed.content) if rest else printed.content)
 
 
-def shell(command: str) -> bytes:
+class Output(io.TextIOWrapper):
+    """A standard output that keeps what it gets."""
+
+    def __init__(self) -> None:
+        super().__init__(io.BytesIO(), write_through=True)
+
+    @property
+    def content(self) -> bytes:
+        """All of it."""
+        assert isinstance(self.buffer, io.BytesIO)
+        return self.buffer.getvalue()
+
+
+def shell(command: str, given: bytes = b"") -> bytes:
     """A shell line's output, with errors, so that a page without errors has none."""
     find("curl", package="curl")
     server = os.environ["RIDELAB_SERVER"]
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     variables = environment(PATH=path, PYTHONUNBUFFERED="1", RIDELAB_SERVER=server)
-    run = subprocess.run(
-        ["sh", "-c", command], env=variables, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
-    )
-    return run.stdout
-
-
-def printed(work: Callable[[], object]) -> bytes:
-    """The standard output and standard error of the work."""
-    with io.TextIOWrapper(io.BytesIO(), write_through=True) as sink:
-        with redirect_stdout(sink), redirect_stderr(sink):
-            work()
-        return sink.buffer.getvalue()
+    words = ["sh", "-c", command]
+    return subprocess.run(
+        words, env=variables, check=False, input=given, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
+    ).stdout
 
 
 def without_changing_values(text: str) -> str:

@@ -19,6 +19,7 @@ import pytest
 from sqlalchemy import insert
 
 from backend.db import database, sqlite
+from backend.db.migrations import REVISIONS
 from backend.db.sqlite import DatabaseLockedError, DatabaseReplacedError, UnusableDatabaseError
 from backend.db.tables import runs
 from backend.settings import Settings
@@ -30,7 +31,6 @@ from tests.servers.process import HANG_TIMEOUT, ROOT
 
 WRITE, READ, READ_WRITE = "BEGIN IMMEDIATE", "BEGIN", "BEGIN EXCLUSIVE"
 SHORT = 0.4  # [s]
-NEWEST = max(file.name[1:5] for file in Path(ROOT, "backend/db/migrations/versions").glob("v*.py"))
 
 
 @pytest.fixture
@@ -222,7 +222,7 @@ def changed(path: Path, statement: str) -> None:
         (lambda path: path.write_bytes(b"no database at all" * 100), "it is no SQLite database"),
         (lambda path: path.write_bytes(b""), "is empty: put a backup in its place"),
         (damaged, "it is damaged; put a backup in its place"),
-        (newer, f"is of a newer version of Ridelab (schema 9999, this one knows {NEWEST})"),
+        (newer, f"is of a newer version of Ridelab (schema 9999, this one knows {REVISIONS[-1]})"),
         (older, "is of a version of Ridelab before 0.2.0 (schema 0003): start 0.2.0 on it once"),
         (strange, "is another program's database"),
         (lambda path: (path.unlink(), path.mkdir()), "it cannot be opened"),

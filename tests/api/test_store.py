@@ -17,8 +17,9 @@ from alembic.script import ScriptDirectory
 from sqlalchemy import func, select
 from sqlalchemy.exc import IntegrityError, SQLAlchemyError
 
-import backend.db.migrations
+from backend.db import migrations
 from backend.db.database import DAMAGED
+from backend.db.migrations import REVISIONS
 from backend.db.sqlite import DamagedDatabaseError, wal_is_safe
 from backend.db.tables import metadata, results
 from backend.outcome import Outcome
@@ -96,9 +97,9 @@ def test_the_migrations_make_the_tables_the_code_uses(open_store: OpenStore) -> 
 
 
 def test_migrations_are_one_line_from_release_0_2_0() -> None:
-    script = ScriptDirectory(str(Path(backend.db.migrations.__file__).parent))
+    script = ScriptDirectory(str(Path(migrations.__file__).parent))
     steps = [step.revision for step in reversed(list(script.walk_revisions()))]
-    assert steps == [f"{number:04}" for number in range(4, len(steps) + 4)]
+    assert steps == REVISIONS == [f"{number:04}" for number in range(4, len(steps) + 4)]
 
 
 @pytest.mark.parametrize("version", release.VERSIONS)

@@ -127,17 +127,13 @@ peak: float = simulate(scenario, BodyDamper).metrics["bump"]["body_acceleration"
         program.replace("Bump, Controller, Mpc, Road, Scenario, Seen, option, simulate", "*")
     )
     (tmp_path / "wrong.py").write_text(f"{program}Scenario(rod=Road())\nsimulate(scenario, 3)\n")
-    words = ["--strict", "--config-file=", "--python-executable", core.program("python")]
-    checks = [
-        subprocess.run(
-            [sys.executable, "-m", "mypy", *words, name], capture_output=True, text=True, check=False, cwd=tmp_path
-        )
-        for name in ("right.py", "star.py", "wrong.py")
-    ]
-    assert checks[0].stdout == checks[1].stdout == "Success: no issues found in 1 source file\n"
-    assert 'Unexpected keyword argument "rod" for "Scenario"' in checks[2].stdout
-    assert 'Argument 2 to "simulate" has incompatible type "int"' in checks[2].stdout
-    assert checks[2].stdout.endswith("Found 2 errors in 1 file (checked 1 source file)\n"), checks[2].stdout
+    words = ["-m", "mypy", "--strict", "--config-file=", "--python-executable", core.program("python")]
+    check = [sys.executable, *words, "right.py", "star.py", "wrong.py"]
+    *errors, last = subprocess.run(check, capture_output=True, text=True, check=False, cwd=tmp_path).stdout.splitlines()
+    assert last == "Found 2 errors in 1 file (checked 3 source files)", errors
+    assert all(error.startswith("wrong.py:") for error in errors)
+    assert 'Unexpected keyword argument "rod" for "Scenario"' in errors[0]
+    assert 'Argument 2 to "simulate" has incompatible type "int"' in errors[1]
 
 
 def test_client_and_core_run_check_and_play_without_a_server(
