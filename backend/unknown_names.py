@@ -8,6 +8,7 @@ import re
 from collections.abc import Sequence
 from difflib import get_close_matches
 
+_MANY = 24  # names that nobody reads through
 _NAME = re.compile(r"[A-Za-z0-9_.]{1,80}")
 
 Path = Sequence[str | int]
@@ -29,8 +30,13 @@ def pointer(path: Path) -> str:
 
 
 def unknown_name(what: str, name: str | int, offered: Sequence[str]) -> str:
-    """Such as `Unknown field hight, perhaps height; there are shape, height, width`."""
+    """Such as `Unknown field hight, perhaps height; there are shape, height, width`.
+
+    Of many names only those like it are said, where there are such.
+    """
     message = f"Unknown {what} {name}" if is_name(name) else f"Unknown {what}"
     similar = get_close_matches(str(name), offered) if is_name(name) else []
     perhaps = f", perhaps {' or '.join(similar)}" if similar else ""
+    if similar and len(offered) > _MANY:
+        return message + perhaps
     return f"{message}{perhaps}; there are {', '.join(offered) or 'none'}"

@@ -77,7 +77,7 @@ def fuzzy(**parts: Any) -> dict[str, Any]:
             "batches",
             {"sweep": {"list": [{"road.seed": 1}, {"rode.seed": 1}]}},
             "/sweep/list/1/rode.seed",
-            "rode.seed, perhaps road.seed; there are vehicle.body_mass, ",
+            "rode.seed, perhaps road.seed",
         ),
         ("tunings", {"objectives": [{"kind": "figure", "figure": "no.such"}]}, "/objectives/0/figure", ""),
         (

@@ -379,6 +379,8 @@ def test_names_are_listed_with_what_a_script_needs(cli: Cli) -> None:
     assert {each["name"] for each in json.loads(cli("vehicles", "--json"))} == set(VEHICLES)
     assert cli("presets", "watts", "circular").count("watts_hump") == 1
     assert {each["name"] for each in json.loads(cli("problems", "--json"))} == set(KINDS)
+    cli("run", "papr", code=2)
+    assert "nor an address; perhaps paper" in cli.error
     cli("strategies", "no", "such", code=2)
     assert "Nothing here has no and such" in cli.error
 

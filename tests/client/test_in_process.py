@@ -80,10 +80,13 @@ def test_the_shell_completes_this_versions_names_before_any_service_was_asked(
     """UPDATE_DOCS=1 writes them."""
     names = Names.of(ridelab)
     kinds = {key: list(getattr(names, key)) for key in ("fields", "strategies", "presets", "metrics")}
+    kinds["vehicles"] = list(ridelab.vehicles())
     if os.environ.get("UPDATE_DOCS"):
         OURS.write_text(json.dumps(kinds, indent=0) + "\n", "utf-8")
     assert json.loads(OURS.read_text("utf-8")) == kinds
     assert alone.error == ""
     assert completes("strategies")("lv,skyh") == ["lv,skyhook"]
     assert completes("fields", "=")("road.bump.hei") == ["road.bump.height="]
+    assert completes("fields", "=")("vehicle=va") == ["vehicle=van", "vehicle=van_loaded"]
+    assert completes("vehicles")("su") == ["suv"]
     assert list(tmp_path.iterdir()) == []

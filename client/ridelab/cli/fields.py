@@ -7,10 +7,10 @@ import json
 import math
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
+from ridelab.cli.names import similar
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
 from ridelab.cli.targets import document, find
@@ -60,7 +60,8 @@ def vehicle_of(target: str, services: Services) -> Any:
     if not Path(target).is_file():
         vehicles = services.quick.vehicles()
         if target not in vehicles:
-            raise InputError(f"{VEHICLE}: {target} is neither a file nor a vehicle ({', '.join(vehicles)})")
+            all_of_them = f"({', '.join(vehicles)}){similar(target, vehicles)}"
+            raise InputError(f"{VEHICLE}: {target} is neither a file nor a vehicle {all_of_them}")
         return vehicles[target]["vehicle"]
     content = document(Path(target).read_bytes(), target)
     if isinstance(content, dict) and isinstance(content.get("scenario"), dict):
@@ -133,8 +134,7 @@ def read(name: str, text: str, reader: Read, units: Mapping[str, str]) -> Any:
         return reader(text, units.get(name, "1"))
     except ValueError as error:
         if units and name not in units:  # then its unit was a guess
-            similar = " or ".join(get_close_matches(name, units))
-            raise InputError(f"{name}: there is no such name{similar and f'; perhaps {similar}'}") from None
+            raise InputError(f"{name}: there is no such name{similar(name, units)}") from None
         raise InputError(f"{name}: {error}") from None
 
 

@@ -6,8 +6,9 @@ The shell completes those that the last service had which has other ones than na
 import contextlib
 import json
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, Self
 
@@ -42,8 +43,12 @@ class Names:
             paper_signals=catalogue["paper_signals"],
             metrics=ridelab.units,
         )
-        listed = {key: list(getattr(names, key)) for key in ("fields", "strategies", "presets", "metrics")}
-        if listed != remembered():
+        before = remembered()
+        listed = {
+            **before,
+            **{key: list(getattr(names, key)) for key in ("fields", "strategies", "presets", "metrics")},
+        }
+        if listed != before:
             with contextlib.suppress(OSError):  # completion is a convenience
                 _remembered_in().parent.mkdir(parents=True, exist_ok=True)
                 save([json.dumps(listed).encode()], _remembered_in())
@@ -60,13 +65,20 @@ class Names:
         return "{} [{}]".format(*self.signals[key])
 
 
+def similar(name: str, names: Iterable[str]) -> str:
+    """What a wrong name may have meant, as the end of a message; empty where nothing is like it."""
+    alike = get_close_matches(name, list(names))
+    return f"; perhaps {' or '.join(alike)}" if alike else ""
+
+
 def remembered() -> dict[str, list[str]]:
     """The names in the last answer of a service; this version's where none was asked, or it had the same."""
+    ours: dict[str, list[str]] = json.loads(OURS.read_bytes())
     try:
         names: dict[str, list[str]] = json.loads(_remembered_in().read_bytes())
     except (OSError, ValueError):
-        names = json.loads(OURS.read_bytes())
-    return names
+        names = ours
+    return {**ours, **names}
 
 
 def _remembered_in() -> Path:

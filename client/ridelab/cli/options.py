@@ -33,6 +33,10 @@ def completes(kind: str, end: str = "") -> Callable[[str], list[str]]:
     """Completion by a service's names, for the last of several values with commas between them."""
 
     def complete(incomplete: str) -> list[str]:
+        field, sign, vehicle = incomplete.partition("=")
+        if sign:  # of --set, which takes a vehicle by its name
+            vehicles = remembered()["vehicles"] if field == "vehicle" else []
+            return [f"vehicle={name}" for name in vehicles if name.startswith(vehicle)]
         before, comma, last = incomplete.rpartition(",")
         return [f"{before}{comma}{name}{end}" for name in remembered().get(kind, []) if name.startswith(last)]
 

@@ -5,9 +5,10 @@ Whatever a command calls may raise `InputError` and `UnavailableError` besides t
 
 import json
 import os
+import re
 import signal
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from threading import Timer
@@ -29,6 +30,8 @@ TERMINATED = 143  # 128 + SIGTERM
 
 MOMENT = 0.5  # shorter waits show nothing [s]
 _TRY_AGAIN = 429
+_OPTIONS = {"strategies": "--strategy", "requirements": "--require"}
+_PART = re.compile(rf"^({'|'.join(_OPTIONS)})\[\d+\](?:\.\w+)?: ")
 
 
 class InputError(Exception):
@@ -60,7 +63,7 @@ class ReportingGroup(TyperGroup):
             raise failed(BAD_INPUT, error.lines) from None
         except RidelabAPIError as error:
             there = error.status >= 500 or error.status == _TRY_AGAIN
-            raise failed(UNAVAILABLE if there else BAD_INPUT, error.lines) from None
+            raise failed(UNAVAILABLE if there else BAD_INPUT, map(_as_typed, error.lines)) from None
         except (RidelabClientError, UnavailableError) as error:
             raise failed(UNAVAILABLE, [str(error)]) from None
         except KeyboardInterrupt as interrupt:  # who has handed in a job, has said what becomes of it
@@ -82,7 +85,12 @@ def end_on_sigterm() -> None:
     signal.signal(signal.SIGTERM, terminate)
 
 
-def failed(code: int, lines: Sequence[str]) -> typer.Exit:
+def _as_typed(line: str) -> str:
+    """A service's line with the option in place of the request's part: `--strategy: Unknown strategy lq`."""
+    return _PART.sub(lambda part: f"{_OPTIONS[part[1]]}: ", line)
+
+
+def failed(code: int, lines: Iterable[str]) -> typer.Exit:
     """Say it on stderr; the exit to raise."""
     for line in lines:
         typer.echo(line, err=True)

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
+from ridelab.cli.names import similar
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
 from ridelab.client import Ridelab
@@ -58,6 +59,7 @@ def find(target: str, services: Services) -> Target:
         return Target(name=target, scenario=presets[target])
     raise InputError(
         f"{without_login(target)}: neither a file, nor a preset ({', '.join(presets)}), nor an id, nor an address"
+        f"{similar(target, presets)}"
     )
 
 

@@ -19,11 +19,16 @@ _WHICH = "A vehicle's name, or a file with one; without it all are listed."
 _SHEET = "Make it from this whole car's data sheet, a JSON file."
 _AXLES, _PARTS = ("front", "rear"), {"body": "natural frequency, body", "wheel": "natural frequency, wheel"}
 _OUT = "Write it there as a vehicle file, which --set vehicle=FILE and the page read; - is stdout."
+Which = Annotated[
+    str | None, typer.Argument(metavar="VEHICLE", help=_WHICH, autocompletion=options.completes("vehicles"))
+]
 
 
 def vehicle(
     services: Services,
-    which: Annotated[str | None, typer.Argument(metavar="VEHICLE", help=_WHICH)] = None,
+    which: Annotated[
+        str | None, typer.Argument(metavar="VEHICLE", help=_WHICH, autocompletion=options.completes("vehicles"))
+    ] = None,
     sheet: Annotated[Path | None, options.option("FILE", _SHEET, exists=True, dir_okay=False)] = None,
     out: Annotated[str | None, options.option("FILE", _OUT, "--out", "-o")] = None,
     as_json: options.AsJson = False,
