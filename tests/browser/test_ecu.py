@@ -136,7 +136,7 @@ def test_the_report_says_what_fits(dashboard: Dashboard) -> None:
     )
     expect(card.locator("tr[data-fits=true]")).to_contain_text("5 unfinished")
     expect(card.locator("tr[data-fits=false] td")).to_have_count(9)
-    card.get_by_role("switch", name="All eight figures").check()
+    card.get_by_role("switch", name="All eight metrics").check()
     expect(card.locator("tr[data-fits=false] td")).to_have_count(15)
     dashboard.expect_accessible(card)
 
@@ -144,8 +144,9 @@ def test_the_report_says_what_fits(dashboard: Dashboard) -> None:
 def test_the_controller_is_taken_along(dashboard: Dashboard, tmp_path: Path) -> None:
     page = dashboard.page
     page.goto("/ecu")
+    page.get_by_role("button", name="Export", exact=True).click()
     with page.expect_download() as download:
-        page.get_by_role("button", name="Export controller (C)").click()
+        page.get_by_role("menuitem", name="Controller (C)").click()
     download.value.save_as(tmp_path / "here.zip")
     assert download.value.suggested_filename == "ridelab-controller.zip"
     with zipfile.ZipFile(tmp_path / "here.zip") as archive:

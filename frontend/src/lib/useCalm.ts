@@ -3,7 +3,7 @@
 import { useEffect, useEffectEvent, useState } from "react";
 
 /** What is read and not watched needs no more: curves alone follow each answer. */
-const CALM_MS = 120;
+const CALM_MS = 200;
 
 export function useCalm<Value>(newest: Value, moving: boolean): Value {
   const [calm, setCalm] = useState(newest);

@@ -2,7 +2,7 @@
 
 import { useComputedColorScheme, Box } from "@mantine/core";
 import { createAtom } from "@tanstack/react-store";
-import { useCallback, useLayoutEffect, useMemo, useState } from "react";
+import { memo, useCallback, useLayoutEffect, useMemo, useState } from "react";
 import type { FigureTemplate } from "../api/types";
 import type { Zoom } from "../lab/address";
 import { useLabContext } from "../lab/context";
@@ -20,16 +20,11 @@ import { buildFigure, MARGIN } from "./figure";
 import { Overlay } from "./Overlay";
 import { Surface, type CurvesSource } from "./Surface";
 
-interface Props {
-  readonly templates: readonly FigureTemplate[];
-  readonly resultView: ResultView;
-}
-
-export function PlotGrid({ templates, resultView }: Props) {
+/** What all panels draw of a result: one for all of them, which follows a slider without rendering any of them anew. */
+export function useShownCurves(resultView: ResultView): CurvesSource {
   const { roads, ...pair } = useCurves(resultView);
   const own = useDetail(pair.own);
   const other = useDetail(pair.other);
-  const onZoom = useZoom();
   const layered = useLayered(resultView);
   const { strategies, axis, range, shown, differences, baseline, ids, summaries } = resultView;
   // What changes are against is drawn only in plots of the differences.
@@ -42,44 +37,53 @@ export function PlotGrid({ templates, resultView }: Props) {
   const one = standsOut !== null && ids.includes(standsOut) ? standsOut : null;
   const minus = differences ? subtrahend(resultView) : undefined;
   const layers = useMemo(() => (differences ? [] : layersOf(layered)), [differences, layered]);
-  const curves = useMemo(
-    () => ({
-      ...drawn,
-      layers,
-      strategies,
-      axis,
-      range,
-      isolated: one,
-      live: shown.source === "live",
-      runId: shown.runId,
-      coreVersion: shown.coreVersion,
-      ...(roads !== undefined && { roads }),
-      ...(minus !== undefined && { minus }),
-    }),
-    [drawn, layers, strategies, axis, range, one, shown.source, shown.runId, shown.coreVersion, roads, minus],
-  );
-  return (
-    <div className={classes.grid}>
-      <PlotPanels {...{ templates, curves, onZoom }} />
-    </div>
+  return useCurvesSource(
+    useMemo(
+      () => ({
+        ...drawn,
+        layers,
+        strategies,
+        axis,
+        range,
+        isolated: one,
+        live: shown.source === "live",
+        runId: shown.runId,
+        coreVersion: shown.coreVersion,
+        ...(roads !== undefined && { roads }),
+        ...(minus !== undefined && { minus }),
+      }),
+      [drawn, layers, strategies, axis, range, one, shown.source, shown.runId, shown.coreVersion, roads, minus],
+    ),
   );
 }
 
-interface PanelsProps extends Pick<Props, "templates"> {
-  readonly curves: Curves;
+interface Props {
+  readonly templates: readonly FigureTemplate[];
+  readonly curves: CurvesSource;
+}
+
+export const PlotGrid = memo(function PlotGrid(props: Props) {
+  const onZoom = useZoom();
+  return (
+    <div className={classes.grid}>
+      <PlotPanels {...props} onZoom={onZoom} />
+    </div>
+  );
+});
+
+interface PanelsProps extends Props {
   readonly onZoom: (zoom: Zoom | null) => void;
 }
 
-export function PlotPanels({ templates, curves, onZoom }: PanelsProps) {
+export function PlotPanels({ templates, ...props }: PanelsProps) {
   const palette = PALETTES[useComputedColorScheme("light")];
-  const source = useCurvesSource(curves);
   return templates.map((template) => (
-    <PlotPanel key={template.layout.meta.signal} {...{ template, palette, onZoom }} curves={source} />
+    <PlotPanel key={template.layout.meta.signal} {...{ template, palette, ...props }} />
   ));
 }
 
 /** For panels that draw anew without being rendered anew, which would take longer than drawing. */
-function useCurvesSource(curves: Curves): CurvesSource {
+export function useCurvesSource<Drawn>(curves: Drawn) {
   const [source] = useState(() => createAtom(curves));
   useLayoutEffect(() => source.set(curves), [source, curves]);
   return source;

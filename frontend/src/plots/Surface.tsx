@@ -33,22 +33,25 @@ export function Surface<Drawn extends Pick<Curves, "live">>({ curves, build, vis
   const printed = useSelector(printing);
 
   useLayoutEffect(() => {
-    if (!visible || width === 0) return undefined;
+    const drawn = canvas.current;
+    if (!visible || width === 0 || !drawn) return undefined;
+    const { fontFamily } = getComputedStyle(drawn);
     const draw = () => {
-      if (!canvas.current) return;
       const figure = build(curves.get());
       const needed = figure.layout.yaxis.range;
       const range = curves.get().live && keepsRange(shownRange.current, needed) ? shownRange.current : needed;
       shownRange.current = range;
       const ratio = printed ? PAPER_RATIO : window.devicePixelRatio;
       drawOnCanvas(
-        canvas.current,
+        drawn,
         range === needed ? figure : withVerticalRange(figure, range),
         { width, height },
         ratio,
+        fontFamily,
       );
       endFirstView();
-      canvas.current.dataset.drawn = String(figure.data.length);
+      const count = String(figure.data.length);
+      if (drawn.dataset.drawn !== count) drawn.dataset.drawn = count;
     };
     draw();
     const following = curves.subscribe(draw);

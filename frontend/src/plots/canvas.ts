@@ -136,8 +136,14 @@ function drawLabels(
   );
 }
 
-/** `ratio` is how many of its pixels are one of the page's, in either direction. */
-export function drawOnCanvas(canvas: HTMLCanvasElement, figure: PanelFigure, size: Size, ratio: number): void {
+/** `ratio` is how many of its pixels are one of the page's, in either direction. The page is not asked for its style: that would have it styled anew for each panel. */
+export function drawOnCanvas(
+  canvas: HTMLCanvasElement,
+  figure: PanelFigure,
+  size: Size,
+  ratio: number,
+  fontFamily: string,
+): void {
   const [wide, high] = [Math.round(size.width * ratio), Math.round(size.height * ratio)];
   if (canvas.width !== wide || canvas.height !== high) Object.assign(canvas, { width: wide, height: high });
   const context = canvas.getContext("2d");
@@ -155,7 +161,7 @@ export function drawOnCanvas(canvas: HTMLCanvasElement, figure: PanelFigure, siz
   context.clearRect(0, 0, size.width, size.height);
   context.save();
   context.translate(MARGIN.l, MARGIN.t);
-  drawLabels(context, figure, frame, getComputedStyle(canvas).fontFamily);
+  drawLabels(context, figure, frame, fontFamily);
   context.beginPath();
   context.rect(0, 0, width, height);
   context.clip();

@@ -55,6 +55,8 @@ export interface FigureInput {
   /** Range of the shared axis. */
   readonly range: Zoom;
   readonly palette: Palette;
+  /** The curves follow a slider. */
+  readonly live?: boolean;
   /** At most about so many marks on the vertical axis. */
   readonly yTicks?: number;
 }

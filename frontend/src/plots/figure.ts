@@ -57,11 +57,14 @@ function bandTraces({ template, series, strategies, axis, range, isolated = null
   });
 }
 
+/** A line of one pixel takes a fifth of the time where no graphics card draws it. */
+const LIVE = { width: 1 };
+
 /** A curve beside the one that stands out. */
 const FADED = 0.12;
 
 function tracesOf(
-  { template, strategies, axis, range, palette, isolated = null }: FigureInput,
+  { template, strategies, axis, range, palette, isolated = null, live = false }: FigureInput,
   { name, series, line, grey = false, opacity }: Layer,
 ): readonly PlotTrace[] {
   const { scale } = template.layout.meta;
@@ -79,7 +82,7 @@ function tracesOf(
         ...(trace.name === undefined ? {} : { name: name === "" ? trace.name : `${trace.name}, ${name}` }),
         x: x.subarray(from, to),
         y: scaled(y.subarray(from, to), scale),
-        line: { ...trace.line, color: grey ? palette.text : drawn.colour, ...line, simplify: true },
+        line: { ...trace.line, color: grey ? palette.text : drawn.colour, ...line, ...(live && LIVE), simplify: true },
         opacity: isolated === null || isolated === strategy ? opacity : FADED,
       },
     ];

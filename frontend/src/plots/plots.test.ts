@@ -1,4 +1,4 @@
-import { describe, expect, it, vi } from "vitest";
+import { describe, expect, it } from "vitest";
 import { maximumOf, minimumOf } from "../api/decode";
 import type { FigureTemplate, Summary } from "../api/types";
 import { drawOnCanvas } from "./canvas";
@@ -137,7 +137,6 @@ describe("a figure over several roads", () => {
   });
 
   it("is filled by the canvas between the two edges, in that colour, and no edge is drawn", () => {
-    vi.stubGlobal("getComputedStyle", () => ({ fontFamily: "Arial" }));
     let path: (readonly [number, number])[] = [];
     const filled: unknown[] = [];
     const stroked: unknown[] = [];
@@ -152,7 +151,7 @@ describe("a figure over several roads", () => {
     );
     const canvas = { width: 0, height: 0, getContext: () => context } as unknown as HTMLCanvasElement;
     const figure = buildFigure({ ...over, layers: [] });
-    drawOnCanvas(canvas, figure, { width: MARGIN.l + MARGIN.r + 400, height: MARGIN.t + MARGIN.b + 100 }, 1);
+    drawOnCanvas(canvas, figure, { width: MARGIN.l + MARGIN.r + 400, height: MARGIN.t + MARGIN.b + 100 }, 1, "Arial");
     const [bottom, top] = figure.layout.yaxis.range;
     const toY = (y: number) => expect.closeTo((100 * (top - y)) / (top - bottom), 6) as number;
     expect(filled).toEqual([
@@ -165,7 +164,6 @@ describe("a figure over several roads", () => {
       ],
     ]);
     expect(stroked.filter((colour) => colour === "#123456")).toHaveLength(1);
-    vi.unstubAllGlobals();
   });
 });
 

@@ -24,14 +24,16 @@ function needsDetail({ shown, ids, series, axis, range }: Drawn): boolean {
   return coarse && shown.runId !== null;
 }
 
+type Figures = Readonly<Record<string, FigureTemplate>>;
+
 /** Of the plots over all roads: the road itself and the car stay those of the first. */
-const signalsOf = (figures: Readonly<Record<string, FigureTemplate>> = {}) =>
+const signalsOf = (figures: Figures = {}) =>
   Object.entries(figures).flatMap(([name, { layout }]) => (name === "road" ? [] : [layout.meta.signal]));
 
 const computedIn = ({ summaries }: Result) => Object.keys(summaries);
 const hasMeans = ({ over, runId, missing }: Result) => over !== null && runId !== null && missing === null;
 
-function meansQuery(shown: Result, figures: Readonly<Record<string, FigureTemplate>> | undefined) {
+function meansQuery(shown: Result, figures: Figures | undefined) {
   const query = seriesQuery(shown.runId ?? "", computedIn(shown), OVERVIEW_POINTS, signalsOf(figures));
   return { ...query, enabled: figures !== undefined && hasMeans(shown) };
 }
@@ -41,12 +43,12 @@ const detailQuery = (shown: Result, signals: readonly string[] | null) =>
   seriesQuery(shown.runId ?? "", computedIn(shown), signals ? DETAIL_POINTS / 2 : DETAIL_POINTS, signals);
 
 /** Differences are taken of all samples: two curves that were thinned at different places differ where the runs do not. */
-const allQuery = (shown: Result, figures: Readonly<Record<string, FigureTemplate>> | undefined) =>
+const allQuery = (shown: Result, figures: Figures | undefined) =>
   allSamplesQuery(shown.runId ?? "", computedIn(shown), signalsOf(figures), hasMeans(shown));
 
 /** Means and extremes over the roads of a result; `undefined` of one road, or until they are there. */
-function useMeans(shown: Result): SeriesByStrategy | undefined {
-  const means = useQuery(meansQuery(shown, useFigures())).data;
+function useMeans(shown: Result, figures: Figures): SeriesByStrategy | undefined {
+  const means = useQuery(meansQuery(shown, figures)).data;
   return hasMeans(shown) ? means : undefined;
 }
 
@@ -55,7 +57,7 @@ const NOTHING: SeriesByStrategy = {};
 export function useDetail(drawn: Drawn): SeriesByStrategy {
   const figures = useFigures();
   const { shown, differences } = drawn;
-  const means = useMeans(shown);
+  const means = useMeans(shown, figures);
   const isStored = shown.runId !== null;
   const all = useQuery({ ...allQuery(shown, figures), enabled: differences && isStored });
   const series = means ?? drawn.series;
@@ -147,8 +149,9 @@ function curvesOf(resultView: ResultView, meansOf: (shown: Result) => SeriesBySt
 
 export function useCurves(resultView: ResultView): Curves {
   const { shown } = resultView;
-  const means = useMeans(shown);
-  const others = useMeans(resultView.reference?.shown ?? shown);
+  const figures = useFigures();
+  const means = useMeans(shown, figures);
+  const others = useMeans(resultView.reference?.shown ?? shown, figures);
   return curvesOf(resultView, (result) => (result === shown ? means : others));
 }
 

@@ -8,11 +8,18 @@ function isObject(value: JsonValue | undefined): value is JsonObject {
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }
 
-function keys(pointer: Pointer): string[] {
-  return pointer
+/** A form has some hundred pointers, and every one is followed at every step of a slider. */
+const SPLIT = new Map<Pointer, readonly string[]>();
+
+function keys(pointer: Pointer): readonly string[] {
+  const cached = SPLIT.get(pointer);
+  if (cached) return cached;
+  const split = pointer
     .slice(1)
     .split("/")
     .map((key) => key.replace(/~1/g, "/").replace(/~0/g, "~"));
+  SPLIT.set(pointer, split);
+  return split;
 }
 
 export function child(parent: Pointer | "", key: string | number): Pointer {

@@ -24,7 +24,7 @@ import { useLabStrategies } from "../../lab/recordings";
 import { useFigures, useForm } from "../../server/useCatalogues";
 import { axisKey, makeResultView } from "../../lab/resultView";
 import { FmuDialog } from "./FmuDialog";
-import { useController } from "./useController";
+import { ControllerFault, useController } from "./useController";
 import { asCommand, asCurl, asPython, type CopyRequest } from "./copyAs";
 import classes from "./export.module.css";
 import { plotsImage } from "./image";
@@ -38,7 +38,10 @@ const FORMATS = [
 ] as const;
 
 export function ExportMenu() {
-  const shown = useLab((state) => state.shown);
+  const isShown = useLab(({ shown }) => shown !== null);
+  const runId = useLab(({ shown }) => shown?.runId ?? null);
+  const hasHistories = useLab(({ shown }) => shown?.missing === null);
+  const computed = useLab(({ shown }) => Object.keys(shown?.summaries ?? {}).join());
   const selected = useLab((state) => state.strategies);
   const view = useView();
   const client = useQueryClient();
@@ -48,11 +51,11 @@ export function ExportMenu() {
   const [refused, setRefused] = useState<string | null>(null);
   const [fmu, setFmu] = useState(false);
   const { copied, copy } = useCopied(setRefused);
-  const { save, saving, error: unsaved, reset } = useController();
-  const runId = shown?.runId ?? null;
+  const { save, saving, ...unsaved } = useController();
 
   const picture = useMutation({
     mutationFn: async (format: "png" | "svg") => {
+      const { shown } = lab.get();
       if (!shown) return;
       download(
         await plotsImage(client, figures, makeResultView(shown, strategies, selected, view, compared), format),
@@ -61,6 +64,7 @@ export function ExportMenu() {
     },
   });
   const saveReport = () => {
+    const { shown } = lab.get();
     if (!shown || runId === null) return;
     const { baseline, reference } = makeResultView(shown, strategies, selected, view, compared);
     const run = reference && whyNotCompared(shown, reference.shown) === null ? reference.shown.runId : null;
@@ -71,7 +75,7 @@ export function ExportMenu() {
       `ridelab-${runId}.html`,
     );
   };
-  const scenario = () => lab.get().history?.present ?? shown?.scenario ?? {};
+  const scenario = () => lab.get().history?.present ?? lab.get().shown?.scenario ?? {};
   const copyAs = (write: (request: CopyRequest) => string) => {
     copy(
       write({
@@ -79,7 +83,7 @@ export function ExportMenu() {
         form,
         scenario: scenario(),
         strategies: selected,
-        over: shown?.over ?? null,
+        over: lab.get().shown?.over ?? null,
         requirements: view.requirements,
       }),
     );
@@ -88,8 +92,8 @@ export function ExportMenu() {
   const saveController = () => save(scenario());
 
   useAction("report", runId === null ? null : saveReport);
-  useAction("png", shown?.missing === null ? () => picture.mutate("png") : null);
-  useAction("svg", shown?.missing === null ? () => picture.mutate("svg") : null);
+  useAction("png", hasHistories ? () => picture.mutate("png") : null);
+  useAction("svg", hasHistories ? () => picture.mutate("svg") : null);
   useAction("controller", saveController);
   useAction("fmu", () => setFmu(true));
   useAction("python", () => copyAs(asPython));
@@ -104,7 +108,7 @@ export function ExportMenu() {
             aria-label="Export"
             leftSection={copied ? <IconCheck size={15} /> : <IconDownload size={15} />}
             classNames={compact}
-            disabled={!shown}
+            disabled={!isShown}
             loading={saving || picture.isPending}
           >
             {copied ? "Copied" : "Export"}
@@ -113,7 +117,7 @@ export function ExportMenu() {
         <Menu.Dropdown className={classes.dropdown ?? ""}>
           <Menu.Label>Time histories, full resolution</Menu.Label>
           {strategies
-            .filter(({ id }) => shown && id in shown.summaries && selected.includes(id))
+            .filter(({ id }) => computed.split(",").includes(id) && selected.includes(id))
             .map(({ id, label }) => (
               <div key={id} className={classes.files}>
                 <span className={classes.file}>{label}</span>
@@ -124,7 +128,7 @@ export function ExportMenu() {
                     px="0.6rem"
                     fw={600}
                     aria-label={`${label} as ${name}`}
-                    disabled={runId === null || shown?.missing !== null}
+                    disabled={runId === null || !hasHistories}
                     onClick={() =>
                       download(
                         address("/runs/{id}/series", { path: { id: runId ?? "" }, query: { strategy: id, format } }),
@@ -152,9 +156,7 @@ export function ExportMenu() {
         </Menu.Dropdown>
       </Menu>
       {fmu && <FmuDialog {...{ strategies, scenario }} first={selected[0]} onClose={() => setFmu(false)} />}
-      <Modal opened={unsaved !== null} onClose={reset} title="The controller could not be exported">
-        <Text>{unsaved?.message}</Text>
-      </Modal>
+      <ControllerFault {...unsaved} />
       <Modal opened={picture.isError} onClose={picture.reset} title="The plots could not be saved">
         <Text>{picture.error && explain(picture.error)}</Text>
       </Modal>

@@ -1,18 +1,18 @@
-/** What a page beside the lab can be saved as: a menu of files at addresses of the server. */
+/** What a page beside the lab can be saved as: a menu of files. */
 
 import { Button, Menu } from "@mantine/core";
 import type { ReactNode } from "react";
 import { download } from "../../lib/download";
 import { compact } from "../../ui/compact";
-import { IconBraces, IconDownload, IconFileTypeCsv, IconTable } from "../../ui/icons";
+import { IconBraces, IconCpu, IconDownload, IconFileTypeCsv, IconTable } from "../../ui/icons";
+import { useController, ControllerFault } from "./useController";
 import { address } from "../../api/http";
-import type { Batch } from "../../api/types";
+import type { Batch, Scenario } from "../../api/types";
 
 export interface SavedFile {
   readonly label: string;
   readonly icon: ReactNode;
-  readonly address: string;
-  readonly name: string;
+  readonly save: () => void;
 }
 
 interface Props {
@@ -20,9 +20,10 @@ interface Props {
   readonly contents: string;
   /** None until there is something to save. */
   readonly files: readonly SavedFile[];
+  readonly saving?: boolean;
 }
 
-export function FileMenu({ contents, files }: Props) {
+export function FileMenu({ contents, files, saving = false }: Props) {
   return (
     <Menu position="bottom-end" width={260}>
       <Menu.Target>
@@ -31,14 +32,15 @@ export function FileMenu({ contents, files }: Props) {
           classNames={compact}
           leftSection={<IconDownload size={15} />}
           disabled={files.length === 0}
+          loading={saving}
         >
           Export
         </Button>
       </Menu.Target>
       <Menu.Dropdown>
         <Menu.Label>{contents}</Menu.Label>
-        {files.map(({ label, icon, address, name }) => (
-          <Menu.Item key={label} leftSection={icon} onClick={() => download(address, name)}>
+        {files.map(({ label, icon, save }) => (
+          <Menu.Item key={label} leftSection={icon} onClick={save}>
             {label}
           </Menu.Item>
         ))}
@@ -58,8 +60,31 @@ export function BatchFiles({ batch }: { readonly batch: Batch | undefined }) {
   const filesOf = ({ id }: Batch) =>
     FORMATS.map(({ format, ...shown }) => ({
       ...shown,
-      address: address("/batches/{id}/results", { path: { id }, query: { format } }),
-      name: `ridelab-batch-${id}.${format}`,
+      save: () =>
+        download(
+          address("/batches/{id}/results", { path: { id }, query: { format } }),
+          `ridelab-batch-${id}.${format}`,
+        ),
     }));
   return <FileMenu contents="One row per run, all metrics" files={batch ? filesOf(batch) : []} />;
+}
+
+/** The C sources of a scenario's controller. */
+export function ControllerFile({ scenario }: { readonly scenario: Scenario | undefined }) {
+  const { save, saving, ...fault } = useController();
+  const file = scenario && {
+    label: "Controller (C), a zip",
+    icon: <IconCpu size={16} />,
+    save: () => save(scenario),
+  };
+  return (
+    <>
+      <FileMenu
+        contents="This scenario’s tables, the C99 program without dynamic memory, a Makefile"
+        files={file ? [file] : []}
+        saving={saving}
+      />
+      <ControllerFault {...fault} />
+    </>
+  );
 }

@@ -6,7 +6,7 @@ import { useWindowEvent } from "@mantine/hooks";
 import { type ItemKind, dialog } from "../../scenario/library";
 import { LazyPart } from "../../ui/LazyPart";
 import { useOpenFiles, useOpenGalleryEntry, notice, unclear } from "./open";
-import { useScenario } from "../../lab/context";
+import { useFromScenario } from "../../lab/context";
 import { useSelector } from "@tanstack/react-store";
 import ui from "../../ui/ui.module.css";
 import classes from "./library.module.css";
@@ -85,9 +85,9 @@ export function DropFiles() {
 
 function LastNotice() {
   const said = useSelector(notice);
-  const scenario = useScenario();
+  const isNewest = useFromScenario((scenario) => said?.scenario === scenario);
   const isOpen = useSelector(dialog) !== null;
-  if (said?.scenario !== scenario || isOpen) return null;
+  if (!said || !isNewest || isOpen) return null;
   return (
     <div className={classes.message}>
       <div className={ui.notice} role={said.isWrong ? "alert" : "status"}>

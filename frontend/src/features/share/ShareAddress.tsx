@@ -1,4 +1,4 @@
-/** Shares a page whose address says all that it shows. */
+/** Shares a page that an address says all of. */
 
 import { ShareLink } from "./ShareLink";
 
@@ -6,12 +6,14 @@ interface Props {
   /** What is shown, such as `study`. */
   readonly what: string;
   readonly ready: boolean;
+  /** By default the page's own. */
+  readonly path?: string;
 }
 
-export function ShareAddress({ what, ready }: Props) {
+export function ShareAddress({ what, ready, path }: Props) {
   return (
     <ShareLink
-      make={() => Promise.resolve({ url: window.location.href })}
+      make={() => Promise.resolve({ url: path ?? window.location.href })}
       obstacle={ready ? null : `There is no ${what} to share yet`}
       opens={`It opens this ${what}, for anyone who reaches this server.`}
     />

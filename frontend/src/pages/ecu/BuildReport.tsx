@@ -95,7 +95,7 @@ function Report({ report, catalogue }: { readonly report: ControllerReport; read
         size="xs"
         px="0.9rem"
         py="xs"
-        label="All eight figures"
+        label="All eight metrics"
         checked={all}
         onChange={(event) => setAll(event.currentTarget.checked)}
       />

@@ -2,9 +2,10 @@
 
 import { Box, Group, SegmentedControl } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
-import { useMemo, useState } from "react";
+import { useMemo, useState, type ComponentProps } from "react";
 import type { Catalogue, FigureTemplate, Run, Strategy } from "../../api/types";
-import { PlotPanels } from "../../plots/PlotGrid";
+import type { Curves } from "../../plots/curves";
+import { PlotPanels, useCurvesSource } from "../../plots/PlotGrid";
 import { DEFAULT_VIEW, type Axis, type Zoom } from "../../lab/address";
 import { DETAIL_POINTS, seriesQuery } from "../../server/queries";
 import { makeResultView } from "../../lab/resultView";
@@ -73,13 +74,21 @@ export function EcuFigures({ run, strategies, catalogue, figures, stale }: Props
       {series.isError && <Fault size="md">The time histories could not be read: {series.error.message}</Fault>}
       <div className={classes.figures}>
         {curves ? (
-          <PlotPanels {...{ templates, curves }} onZoom={setZoom} />
+          <Panels {...{ templates, curves }} onZoom={setZoom} />
         ) : (
           templates.map(({ layout }) => <Box key={layout.meta.signal} h={210} className={ui.card ?? ""} />)
         )}
       </div>
     </section>
   );
+}
+
+interface PanelsProps extends Omit<ComponentProps<typeof PlotPanels>, "curves"> {
+  readonly curves: Curves;
+}
+
+function Panels({ curves, ...props }: PanelsProps) {
+  return <PlotPanels {...props} curves={useCurvesSource(curves)} />;
 }
 
 /** Drawn from the back to the front: what swings furthest would hide what is compared. */

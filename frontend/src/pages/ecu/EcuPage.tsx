@@ -1,9 +1,9 @@
 /** The ECU: the controller as a C program apart from the car, what it loses by that, and whether it fits a real part. */
 
-import { Alert, Skeleton, Text, Button, Group } from "@mantine/core";
+import { Alert, Skeleton, Text } from "@mantine/core";
 import { useMemo } from "react";
 import { ApiProblem, isTransient } from "../../api/problem";
-import type { Summary, Scenario } from "../../api/types";
+import type { Summary } from "../../api/types";
 import { usePageScenario } from "../../features/scenarioSource/scenarioSource";
 import { ScenarioChoice } from "../../features/scenarioSource/ScenarioChoice";
 import { errorsByField } from "../../scenario/errors";
@@ -16,11 +16,11 @@ import { EcuForm } from "./EcuForm";
 import { RealTime } from "./RealTime";
 import { STRATEGIES, useEcuRun } from "./useEcuRun";
 import ui from "../../ui/ui.module.css";
-import { Problems, Fault } from "../../ui/Fault";
+import { Problems } from "../../ui/Fault";
 import { Card } from "../../ui/Card";
 import { Loading } from "../../ui/Blank";
-import { IconDownload } from "../../ui/icons";
-import { useController } from "../../features/export/useController";
+import { ControllerFile } from "../../features/export/FileMenu";
+import { ShareAddress } from "../../features/share/ShareAddress";
 
 const NO_ERRORS = { fields: {}, general: [] };
 
@@ -49,7 +49,19 @@ export function EcuPage() {
   );
 
   return (
-    <Page title="ECU" heading="The controller as an ECU’s program" what="page" lead={lead} faults={[]}>
+    <Page
+      title="ECU"
+      heading="The controller as an ECU’s program"
+      what="page"
+      lead={lead}
+      tools={
+        <>
+          <ShareAddress what="run" ready={run !== undefined && !stale} path={`/ecu?run=${run?.id ?? ""}`} />
+          <ControllerFile scenario={source.scenario} />
+        </>
+      }
+      faults={[]}
+    >
       <Card className={`${ui.part}`} aria-label="Scenario and loop">
         <ScenarioChoice source={{ ...source, choose }} form={form} />
         {scenario ? (
@@ -58,7 +70,6 @@ export function EcuPage() {
           <Skeleton height={58} />
         )}
         <Problems messages={[...refused.general, ...elsewhere(refused.fields)]} />
-        <ExportController scenario={source.scenario} />
       </Card>
       {failures.map(({ id, reason }) => (
         <Alert key={id} color="red" variant="light" p="xs" role="alert">
@@ -110,27 +121,5 @@ function EcuLoading() {
       <Text c="dimmed">The program is driven over the road.</Text>
       <Loading label="Driving" heights={[420]} />
     </>
-  );
-}
-
-/** The C sources of this scenario's controller, as a zip. */
-function ExportController({ scenario }: { readonly scenario: Scenario | undefined }) {
-  const { save, saving, error } = useController();
-  return (
-    <Group gap="xs">
-      <Button
-        leftSection={<IconDownload size={15} />}
-        loading={saving}
-        disabled={!scenario}
-        onClick={() => scenario && save(scenario)}
-      >
-        Export controller (C)
-      </Button>
-      <Text size="xs" c="dimmed">
-        A zip: the tables for this scenario, the C99 program without dynamic memory, a Makefile and how to build it,
-        with any C compiler.
-      </Text>
-      {error && <Fault>It could not be exported: {error.message}</Fault>}
-    </Group>
   );
 }

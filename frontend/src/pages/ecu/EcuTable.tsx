@@ -1,4 +1,4 @@
-/** LV in the ECU beside LV in the simulation: the paper's eight figures and the rule for them. */
+/** LV in the ECU beside LV in the simulation: the paper's eight metrics and the rule for them. */
 
 import { Anchor, Text } from "@mantine/core";
 import { Link } from "@tanstack/react-router";
@@ -46,7 +46,7 @@ export function EcuTable({ summaries, strategies, catalogue, figures, stale }: P
       }
     >
       <DataTable
-        label="Figures, in the ECU and in the simulation"
+        label="Metrics, in the ECU and in the simulation"
         groups={VIEWS.map((view) => ({
           key: view.window,
           title: headingOf(view, catalogue),
@@ -77,8 +77,8 @@ function columnsOf(
   const valueOf = (row: HilRow, id: string) => ({ lv: row.lv, lv_hil: row.hil, lqr: row.lqr })[id];
   return [
     {
-      key: "figure",
-      head: "Figure",
+      key: "metric",
+      head: "Metric",
       text: true,
       cell: ({ signal }) => (
         <>

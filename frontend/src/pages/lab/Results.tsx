@@ -3,7 +3,7 @@
 import { memo, useMemo } from "react";
 import { Button, Skeleton, Text } from "@mantine/core";
 import type { Catalogue, FigureTemplate, Strategy } from "../../api/types";
-import { PlotGrid, RoadStrip } from "../../plots/PlotGrid";
+import { PlotGrid, RoadStrip, useShownCurves } from "../../plots/PlotGrid";
 import { useLabContext, useLab } from "../../lab/context";
 import { simulatedPart, type ResultView } from "../../lab/resultView";
 import { LazyPart } from "../../ui/LazyPart";
@@ -144,12 +144,13 @@ function Histories({ resultView, calm, catalogue, figures }: HistoriesProps) {
     const isRide = ({ layout }: FigureTemplate) => catalogue.paper_signals.includes(layout.meta.signal);
     return [drawn.filter(isRide), drawn.filter((template) => !isRide(template))];
   }, [catalogue, figures]);
+  const curves = useShownCurves(resultView);
   return (
     <>
       <CarOnRoad resultView={calm} figures={figures} />
-      <PlotGrid templates={ride} resultView={resultView} />
+      <PlotGrid templates={ride} curves={curves} />
       <Numbers resultView={calm} catalogue={catalogue} figures={figures} />
-      <PlotGrid templates={rest} resultView={resultView} />
+      <PlotGrid templates={rest} curves={curves} />
       <Responses resultView={calm} catalogue={catalogue} />
     </>
   );

@@ -5,6 +5,7 @@ import { useDocumentTitle } from "@mantine/hooks";
 import { useQuery } from "@tanstack/react-query";
 import { useEffect, type ReactNode } from "react";
 import { IconFileDescription } from "../../ui/icons";
+import { download } from "../../lib/download";
 import { address } from "../../api/http";
 import { ApiProblem, isTransient } from "../../api/problem";
 import type { Paper } from "../../api/types";
@@ -48,8 +49,7 @@ export function PaperPage() {
             {
               label: "Report (HTML)",
               icon: <IconFileDescription size={16} />,
-              address: address("/paper/report.html", { query: choices }),
-              name: "ridelab-paper.html",
+              save: () => download(address("/paper/report.html", { query: choices }), "ridelab-paper.html"),
             },
           ]}
         />

@@ -4,6 +4,7 @@ import { Anchor, Button, Text } from "@mantine/core";
 import { Link, useParams } from "@tanstack/react-router";
 import { useMemo } from "react";
 import { api } from "../../api/client";
+import { download } from "../../lib/download";
 import { address } from "../../api/http";
 import { FileMenu } from "../../features/export/FileMenu";
 import { ShareAddress } from "../../features/share/ShareAddress";
@@ -71,8 +72,7 @@ export function TuningPage() {
 const trialsOf = ({ id }: Tuning) => ({
   label: "JSON",
   icon: <IconBraces size={16} />,
-  address: address("/tunings/{id}/trials", { path: { id } }),
-  name: `ridelab-tuning-${id}.json`,
+  save: () => download(address("/tunings/{id}/trials", { path: { id } }), `ridelab-tuning-${id}.json`),
 });
 
 function TuningResults({ tuning, form, strategies, figures }: { readonly tuning: Tuning } & Catalogues) {

@@ -1,5 +1,6 @@
 /** Fetches the controller's C sources and hands them to the browser as a file. */
 
+import { Modal, Text } from "@mantine/core";
 import { useMutation } from "@tanstack/react-query";
 import { askFile } from "../../api/http";
 import type { Scenario } from "../../api/types";
@@ -21,4 +22,13 @@ export function useController() {
     onSuccess: (zip) => saveAs(zip, "ridelab-controller.zip"),
   });
   return { save: mutate, saving: isPending, error, reset };
+}
+
+/** Says why there is no file. */
+export function ControllerFault({ error, reset }: Pick<ReturnType<typeof useController>, "error" | "reset">) {
+  return (
+    <Modal opened={error !== null} onClose={reset} title="The controller could not be exported">
+      <Text>{error?.message}</Text>
+    </Modal>
+  );
 }
