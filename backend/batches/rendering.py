@@ -15,7 +15,7 @@ ROW_COST = 0.00016  # of one row with every figure [s of one core]
 
 
 def columns(rows: Sequence[JobRow], names: Iterable[str], figures: Iterable[str]) -> dict[str, list[Any]]:
-    """Some rows column by column: the fixed ones, the swept fields `names`, and `figures` (keys of `METRICS`)."""
+    """Some rows column by column: fixed ones, the swept fields `names`, `figures` (keys of `METRICS`), the source."""
     changes = [orjson.loads(row.changes) for row in rows]
     summaries = [orjson.loads(row.summary) if row.summary is not None else {} for row in rows]
     table: dict[str, list[Any]] = {
@@ -28,7 +28,7 @@ def columns(rows: Sequence[JobRow], names: Iterable[str], figures: Iterable[str]
     table |= {name: [change.get(name) for change in changes] for name in names}
     for key in figures:
         table[key] = [METRICS[key].of(summary) for summary in summaries]
-    return table
+    return table | {"source": [summary.get("source") for summary in summaries]}
 
 
 def column_texts(rows: Sequence[JobRow], names: Iterable[str], figures: Iterable[str]) -> list[bytes]:

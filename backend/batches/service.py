@@ -195,7 +195,7 @@ class BatchService:
         """
         job = await self.jobs.get(job_id)
         fields = job.request["fields"]
-        names = [*table.FIXED, *fields, *figures]
+        names = [*table.FIXED, *fields, *figures, "source"]
         size, call = table.TABLE_VALUE_BYTES * job.total * len(names), self._page_call(client)
         with (
             self.gate.computing(client, rendering.ROW_COST * job.total),

@@ -68,7 +68,7 @@ async def as_parquet(batch: StoredJob, pages: Pages, call: Call) -> AsyncIterato
 def column_names(batch: StoredJob) -> dict[str, str]:
     """The columns of a file by key, each with the name it has there: `road.length [m]`."""
     unit_of = units(batch)
-    keys = (*FIXED, *batch.request["fields"], *METRICS, "batch")
+    keys = (*FIXED, *batch.request["fields"], *METRICS, "source", "batch")
     return {key: f"{key} [{unit_of[key]}]" if key in unit_of else key for key in keys}
 
 

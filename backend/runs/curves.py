@@ -66,6 +66,7 @@ class RunCurves:
             file_format=file_format,
             encoding=encoding,
             provenance={"run": stored.id, "core_version": stored.core_version},
+            sources={name: source for name in names if (source := stored.by_strategy[name][0].summary.get("source"))},
         )
         return await self.histories.exported(stored, {name: keys[name] for name in names}, export, client)
 

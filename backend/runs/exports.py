@@ -55,6 +55,7 @@ class Export:
         signals: Keys, in the catalogue's order.
         points: About how many samples of each strategy, None for all.
         provenance: Where they come from, kept in the file where its format has a place for it.
+        sources: By id of a controller of one's own its file and digest, kept likewise.
     """
 
     strategies: Sequence[str]
@@ -63,6 +64,7 @@ class Export:
     file_format: FormatName
     encoding: Literal["list", "base64"]
     provenance: Mapping[str, str]
+    sources: Mapping[str, JsonObject]
 
     def size(self, samples: Iterable[int]) -> float:
         """About how long the file will be [bytes], from how many samples each strategy has."""
@@ -129,7 +131,8 @@ def _write_json(members: Members, export: Export, file: IO[bytes]) -> None:
     else:
         content = {"strategies": bodies}
     units = {key: SIGNALS[key].unit for key in export.signals}
-    write_json({"core_version": export.provenance["core_version"], "units": units, **content}, file)
+    head = {"core_version": export.provenance["core_version"], "sources": export.sources, "units": units}
+    write_json({**head, **content}, file)
 
 
 def _write_csv(members: Members, export: Export, file: IO[bytes]) -> None:
@@ -149,7 +152,8 @@ def _write_parquet(members: Members, export: Export, file: IO[bytes]) -> None:
 
     columns = {key: column_name(key) for key in export.signals}
     with_strategy = len(export.strategies) > 1
-    parquet.write(_tables(members, export), columns, export.provenance, file, with_strategy=with_strategy)
+    provenance = {**export.provenance, "sources": orjson.dumps(export.sources).decode()}
+    parquet.write(_tables(members, export), columns, provenance, file, with_strategy=with_strategy)
 
 
 def column_name(key: str) -> str:

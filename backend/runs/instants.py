@@ -87,13 +87,12 @@ def _instant_answer(scenario: Scenario, strategy: str, position: float | None, t
 def as_answer(strategy: str, seen: Instant) -> InstantAnswer:
     """As it is sent."""
     plan = seen.plan
-    steps = np.arange(0 if plan is None else len(plan.states))
     return InstantAnswer.model_validate(
         {
             **{each.name: getattr(seen, each.name) for each in fields(seen)},
             "strategy": strategy,
             "forces": seen,
-            "predicted_time": plan and seen.time + steps * seen.sample_time,
+            "predicted_time": plan and seen.time + (plan.begins + np.arange(len(plan.states))) * seen.sample_time,
             "predicted_states": plan and plan.states,
             "predicted_forces": plan and plan.forces,
             "cost": plan and plan.cost,

@@ -249,7 +249,8 @@ class Controller:
     def plan(self, seen: Seen) -> Plan | None:
         """What it plans for the coming control steps; None for a controller that plans nothing.
 
-        Asked where somebody wants to know why a force was commanded, between `start` and `end`, never during a run.
+        Asked where somebody wants to know why a force was commanded, between `start` and `end`, never during a run. Of
+        a delayed controller `seen.previous_force` is here what it answered last.
         """
         return None
 

@@ -52,6 +52,7 @@ class Plan:
         forces: In each step, front and rear (n, 2) [N].
         cost: What is minimised, by its terms [1].
         limits: Those that the plan keeps.
+        begins: In how many control steps, 1 where it is made for when its first command takes effect.
 
     Example:
         >>> from sim_core import Controller, Scenario
@@ -65,3 +66,4 @@ class Plan:
     forces: FloatArray
     cost: dict[str, float]
     limits: tuple[Limit, ...]
+    begins: int = 0

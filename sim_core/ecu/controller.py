@@ -5,6 +5,7 @@ never. What its program is, `connect` says.
 """
 
 from contextlib import ExitStack
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -15,14 +16,16 @@ from sim_core.control.controller import scenario_field
 from sim_core.control.cost import KILO
 from sim_core.control.law import LinearLaw
 from sim_core.control.mpc import PredictiveController
+from sim_core.control.mpc_plan import make_plan
+from sim_core.control.plan import Plan
 from sim_core.control.qp import CENTI
 from sim_core.control.seen import Seen, Setup
 from sim_core.ecu.calibration import Calibration, Checked, calibrate
-from sim_core.ecu.channels import STAGES, convert, full_scales
+from sim_core.ecu.channels import STAGES, Codes, convert, full_scales, highest_code
 from sim_core.ecu.interface import Connect, Frame, Reply
 from sim_core.ecu.program import in_process
 from sim_core.scenario import Hil
-from sim_core.vehicle.half_car import discrete
+from sim_core.vehicle.half_car import DISTURBANCES, STATES, discrete
 
 _NOISE, _JITTER, _LOSS = 3, 4, 5  # generators of their own beside the road's and the preview's
 
@@ -73,6 +76,7 @@ class EcuController(PredictiveController):
             RidelabError: The vehicle and weights admit no stabilising controller.
         """
         self._connection = ExitStack()
+        self._designs = self.designs(setup)
         self._calibration = calibration = self.calibration(setup)
         self._full_scale = full_scales(calibration.preview_length)
         self._noise = self._draw_noise(setup)
@@ -87,21 +91,36 @@ class EcuController(PredictiveController):
         """None: its forces are in whole steps of the converters."""
         return None
 
-    def plan(self, seen: Seen) -> None:
-        """None: the program answers with forces alone."""
+    def plan(self, seen: Seen) -> Plan | None:
+        """The optimum of the QP that the program solves, of what its converters gave, but in double precision."""
+        calibration = self._calibration
+        values = self._codes(seen)[0] * self._full_scale / highest_code(calibration.bits)
+        state, disturbances = values[:STATES], values[STATES:].reshape(DISTURBANCES, -1)
+        if calibration.predicts:
+            now = calibration.B @ (seen.previous_force / KILO) + calibration.E @ disturbances[:, 0]
+            state, disturbances = calibration.A @ state + now, disturbances[:, 1:]
+        design = self._designs[self._stage(seen)]
+        plan = make_plan(design, self._solvers(), state, seen.previous_force, disturbances)
+        return plan and replace(plan, begins=int(calibration.predicts))
 
     def force(self, seen: Seen) -> FloatArray | None:
         """What the program answers; None where nothing came in time."""
-        calibration = self._calibration
-        values = np.concatenate([seen.state, seen.disturbances.ravel()]) + self._noise[seen.step]
-        codes, clipped = convert(values, self._full_scale, calibration.bits)
+        codes, clipped = self._codes(seen)
         self.report.clipped_values = (self.report.clipped_values or 0) + clipped
-        stage = seen.next_stage if calibration.predicts else seen.stage  # in which the command takes effect
-        reply = self._ecu.exchange(Frame(step=seen.step, stage=STAGES.index(stage), codes=codes))
+        reply = self._ecu.exchange(Frame(step=seen.step, stage=STAGES.index(self._stage(seen)), codes=codes))
         if reply is None:
             return None
         self._count(reply)
-        return np.array(reply.commands) * (calibration.command_step * KILO)
+        return np.array(reply.commands) * (self._calibration.command_step * KILO)
+
+    def _codes(self, seen: Seen) -> tuple[Codes, int]:
+        """What its converters give, and how many values were beyond their range."""
+        values = np.concatenate([seen.state, seen.disturbances.ravel()]) + self._noise[seen.step]
+        return convert(values, self._full_scale, self._calibration.bits)
+
+    def _stage(self, seen: Seen) -> str:
+        """In which the command takes effect."""
+        return seen.next_stage if self._calibration.predicts else seen.stage
 
     def arrivals(self, setup: Setup) -> NDArray[np.intp]:
         """A control step later, and by the jitter; one after the end of the run where it is lost."""

@@ -13,6 +13,7 @@ from sim_core.loop.closed_loop import read_only
 from sim_core.loop.run import Recording, Run
 from sim_core.scenario import Scenario
 from sim_core.simulate import prepare
+from sim_core.vehicle.half_car import FORCES
 
 _NEAR = 1e-9  # of a step, for rounding
 
@@ -49,11 +50,14 @@ class Drive:
         near = _NEAR * float(starts[-1] - starts[0])
         return max(int(starts.searchsorted(asked + near, side="right")) - 1, 0)
 
-    def seen(self, step: int) -> Seen:
-        """What the controller was told in that step."""
-        row, car = step * self.run.steps.short, self.recording.car
-        now = read_only(self.recording.trajectory.loop[row])
-        return Seen(self.inputs, car, step, row, now[: car.size], now[car.size :])
+    def seen(self, step: int, *, answered: bool = False) -> Seen:
+        """What the controller was told in that step; with the force that it `answered` before, if arrived or not."""
+        row, car, trajectory = step * self.run.steps.short, self.recording.car, self.recording.trajectory
+        now = read_only(trajectory.loop[row])
+        previous = now[car.size :]
+        if answered:
+            previous = trajectory.asked[step - 1] if step else np.zeros(FORCES)
+        return Seen(self.inputs, car, step, row, now[: car.size], previous)
 
     def sample(self, step: int) -> FloatArray:
         """The recorded signals just after that step's command has changed (10,), as kernel/record.h orders them."""

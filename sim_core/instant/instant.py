@@ -131,7 +131,7 @@ def instant(
     try:
         controller.start(drive.run.setup())
         law = None if controller.delayed else controller.linear_law(seen.stage)
-        plan = controller.plan(seen)
+        plan = controller.plan(drive.seen(seen.step, answered=True) if controller.delayed else seen)
     finally:
         controller.end()
     return _instant(drive, seen, law, plan)
@@ -171,9 +171,9 @@ def _instant(drive: Drive, seen: Seen, law: LinearLaw | None, plan: Plan | None)
         why=why(
             actuated=run.controller.actuated,
             asked=asked,
-            command=command,
+            command=plan.forces[0] if run.controller.delayed and plan is not None else command,
             acting=None if run.controller.dampers() is None else acting,
-            limits=() if run.controller.delayed else limits,
+            limits=planned if run.controller.delayed else limits,
             parts=parts,
         ),
     )

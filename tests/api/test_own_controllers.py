@@ -1,10 +1,14 @@
 """Controllers of one's own are strategies like ours, and what is wrong with one costs its own column alone."""
 
+import csv
+import json
 from collections.abc import Iterator
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
 import pytest
+from pyarrow.parquet import read_schema
 from pythonfmu.builder import FmuBuilder
 
 from backend.fmu.archive import fmu
@@ -14,6 +18,7 @@ from sim_core.simulate import simulate
 from tests.api.conftest import Service
 from tests.api.own_laws import LAW, SCENARIO, driven, own, told_of
 from tests.importer import Importer
+from tests.servers.batches import computed
 
 BY_STAGE = """
 import numpy as np
@@ -101,6 +106,24 @@ def test_a_file_is_a_strategy_and_a_saved_one_another_law(service: Service, fold
     assert len(service.client.get(f"{address}/figures").json()["figures"]["road"]["data"]) == 1
     file.write_text(named("saved"))
     assert driven(service, ["saved"])["saved"] == {**outcome, "cached": True}
+
+
+def test_whatever_leaves_names_the_laws_file_and_digest(service: Service, folder: Path) -> None:
+    strategies = ["harder", "passive"]
+    run = service.run(strategies, SCENARIO).json()
+    source = run["strategies"]["harder"]["source"]
+    assert source == {"file": "harder.py", "digest": own(service)["harder"]["source"]["digest"]}
+    address = f"/api/v1/runs/{run['id']}"
+    assert f"harder.py, <code>{source['digest']}</code>" in service.client.get(f"{address}/report.html").text
+    asked: dict[str, str | int] = {"strategy": ",".join(strategies), "points": 9}
+    assert service.client.get(f"{address}/series", params=asked).json()["sources"] == {"harder": source}
+    parquet = service.client.get(f"{address}/series", params={**asked, "format": "parquet"}).content
+    assert json.loads(read_schema(BytesIO(parquet)).metadata[b"ridelab.sources"]) == {"harder": source}
+    sweep = {"grid": {"road.bump.height": [0.06]}}
+    batch = computed(service.client, scenario=SCENARIO, strategies=strategies, sweep=sweep)
+    results = f"/api/v1/batches/{batch['id']}/results"
+    rows = csv.DictReader(service.client.get(results, params={"format": "csv"}).text.splitlines())
+    assert [row["source"] and json.loads(row["source"]) for row in rows] == ["", source], "ours before theirs"
 
 
 def test_a_law_of_ones_own_that_is_linear_leaves_as_an_fmu(service: Service, folder: Path, tmp_path: Path) -> None:

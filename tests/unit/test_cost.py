@@ -36,7 +36,7 @@ ENDLESS = Scenario(
     mpc=Mpc(sample_time=0.002, prediction_horizon=200, control_horizon=100),
 )
 EXPORT = exports.Export(
-    strategies=["lv"], signals=["time"], points=None, file_format="csv", encoding="list", provenance={}
+    strategies=["lv"], signals=["time"], points=None, file_format="csv", encoding="list", provenance={}, sources={}
 )
 BACKEND = Path(compute_run.__file__).parents[1]
 

@@ -48,7 +48,7 @@ def test_an_instant_is_of_the_run_that_simulate_drives(strategy: str, parts: dic
         assert strategy in ("passive", "speed_only")
     elif all(limit.distance > 0 for limit in at.limits) and strategy != "lv_hil":
         np.testing.assert_allclose(at.command, asked, atol=1e-6)
-    assert (at.plan is None) == (strategy not in ("lv", "suspension_only"))
+    assert (at.plan is None) == (strategy not in ("lv", "lv_hil", "suspension_only"))
     assert (at.estimated_state is None) == (not parts.get("estimation") or not STRATEGIES[strategy].actuated)
 
 
@@ -167,6 +167,26 @@ def test_forces_without_a_limit_and_all_multipliers_are_those_of_osqp() -> None:
         freed = by_osqp(design, inputs, name)[0]
         np.testing.assert_allclose(limit.force_without, freed, atol=1e-6 * np.abs(freed).max())
     assert "limit shapes it" in at.why
+
+
+@pytest.mark.parametrize("compensation", ["predict", "none"])
+def test_an_ecus_plan_begins_with_the_command_that_its_program_gives(compensation: str) -> None:
+    """To half a code of a command: the program solves the same QP in float32, of the same codes.
+
+    The travel predicted for when it takes effect is what is then driven, to three of its codes of 0.07 mm.
+    """
+    hil = {"compensation": compensation, "iterations": 60}
+    scenario = Scenario.model_validate({**BOUND.model_dump(), "hil": hil})
+    codes = 2 ** (scenario.hil.bits - 1) - 1
+    for position in np.arange(38, 44, 0.1):
+        at = instant(scenario, "lv_hil", position=float(position))
+        assert at.plan is not None
+        assert at.asked is not None
+        np.testing.assert_allclose(at.plan.forces[0], at.asked, atol=0.51 * BOUND.mpc.force_limit / codes)
+        begins = instant(scenario, "lv_hil", time=at.time + at.plan.begins * at.sample_time)
+        np.testing.assert_allclose(at.plan.states[0, :2], begins.state[:2], atol=3 * 0.15 / codes)
+        assert begins.step - at.step == (compensation == "predict")
+    assert "limit shapes it" in instant(scenario, "lv_hil", position=AT_BUMP).why
 
 
 def test_a_moving_cursor_drives_the_run_once(monkeypatch: pytest.MonkeyPatch) -> None:

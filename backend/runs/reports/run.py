@@ -96,6 +96,7 @@ def report(facts: RunFacts, *, compressed: bool) -> Report:
         "run_id": answer["id"],
         "core_version": answer["core_version"],
         "current_version": CORE_VERSION,
+        "sources": [(label(name), source) for name, entry in ran.items() if (source := entry["source"])],
         "stored": f"{facts.created_at:%Y-%m-%d %H:%M} UTC",
         "strategies": [key_of(name) for name in entries],
         "baseline": None if facts.against else key_of(facts.baseline),

@@ -81,6 +81,13 @@ export interface Curves {
   readonly minus?: string;
 }
 
+/** Of each controller of one's own its id, its file and that one's digest. */
+export const ownLaws = ({ strategies, summaries }: Pick<Curves, "strategies" | "summaries">): readonly string[] =>
+  strategies.flatMap(({ id }) => {
+    const source = summaries[id]?.source;
+    return source ? `${id}: ${source.file}, ${source.digest}` : [];
+  });
+
 /** Name of a figure's file without its ending. */
 export const fileOf = (template: FigureTemplate, { runId }: Pick<Curves, "runId">) =>
   `ridelab-${runId ?? "live"}-${template.layout.meta.signal}`;

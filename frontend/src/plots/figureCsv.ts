@@ -2,7 +2,7 @@
 
 import type { FigureTemplate } from "../api/types";
 import { axisSignal, axisUnit, buildFigure, overRoads } from "./figure";
-import { type Curves } from "./curves";
+import { ownLaws, type Curves } from "./curves";
 import { ON_PAPER } from "./palettes";
 
 /** On one line, and nothing of it a formula to a spreadsheet, whichever sign separates its cells. */
@@ -29,6 +29,7 @@ export function figureCsv(template: FigureTemplate, curves: Curves, address: str
     `Ridelab: ${title} [${unit}]${curves.minus === undefined ? "" : `, change against ${curves.minus}`}`,
     `run: ${curves.runId ?? "none, a live preview"}`,
     `core: ${curves.coreVersion}`,
+    ...ownLaws(curves).map((law) => `law of ${law}`),
     ...(curves.roads === undefined ? [] : [overRoads(curves.roads, curves.minus !== undefined)]),
     `scenario: ${address}`,
   ];

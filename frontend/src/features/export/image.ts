@@ -4,7 +4,7 @@ import type { QueryClient } from "@tanstack/react-query";
 import { isExtreme } from "../../api/decode";
 import type { FigureTemplate, SeriesByStrategy } from "../../api/types";
 import { buildFigure, axisUnit, overRoads } from "../../plots/figure";
-import { layersOf } from "../../plots/curves";
+import { layersOf, ownLaws } from "../../plots/curves";
 import { ON_PAPER } from "../../plots/palettes";
 import { asText, loadPlotly, withPlainNames, type PlotFigure } from "../../plots/plotly";
 import { drawnOf, subtrahend } from "../../plots/differences";
@@ -15,6 +15,7 @@ const WIDTH = 1200;
 const PANEL_HEIGHT = 190;
 /** Room for the line at the foot that says where the picture comes from. */
 const FOOT = 34;
+const LINE = 15;
 const GAP = 0.28; // of a panel, for its title
 
 /** One figure with a row for each panel over one x axis; the series are those on the screen, `other` those of what changes are against. */
@@ -83,8 +84,11 @@ function stackFigures(
     ? resultView.shown.over?.roads
     : undefined;
   const source = `Ridelab core ${coreVersion}${runId === null ? ", a live preview" : `, run ${runId}`}`;
+  const laws = ownLaws(resultView).map(asText);
+  const foot = FOOT + LINE * laws.length;
   annotations.push({
-    text: source,
+    text: [source, ...laws].join("<br>"),
+    align: "left",
     xref: "paper",
     yref: "paper",
     x: 0,
@@ -97,7 +101,7 @@ function stackFigures(
   });
   return {
     data,
-    height: PANEL_HEIGHT * templates.length + FOOT,
+    height: PANEL_HEIGHT * templates.length + foot,
     layout: {
       ...axes,
       shapes,
@@ -110,7 +114,7 @@ function stackFigures(
       font: { family: "Arial, sans-serif", color: ON_PAPER.text },
       paper_bgcolor: "#ffffff",
       plot_bgcolor: "#ffffff",
-      margin: { l: 60, r: 20, t: 70, b: 30 + FOOT },
+      margin: { l: 60, r: 20, t: 70, b: 30 + foot },
       showlegend: true,
       legend: { traceorder: "normal", orientation: "h", y: 1, yanchor: "bottom", x: 1, xanchor: "right" },
     },
