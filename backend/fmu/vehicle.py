@@ -4,11 +4,10 @@ from typing import Any
 
 from backend.fmu.controller import state
 from backend.fmu.model import Model, Variable, sources
-from sim_core.errors import RidelabError
 from sim_core.kernel.build import FOLDER
 from sim_core.kernel.prepared import CAUSES, KEPT_STEPS, NUMBERS
 from sim_core.scenario import Scenario, Vehicle
-from sim_core.vehicle.nonlinear import substeps
+from sim_core.vehicle.nonlinear import curves, substeps
 
 _FINER = 18  # than the steps of our own runs: what Runge-Kutta leaves out is then below 1e-10
 _OUTPUTS = (
@@ -34,14 +33,17 @@ _ROAD = (
     "Who sets the heights of the step's end has no delay; who sets those of its beginning, as most tools do, is one "
     "communication step late. 1 ms or less follows a bump well. Commands should be within the actuators' limits."
 )
+_DAMPERS = (
+    "A damper has a curve, so both are constants here: front_damping, rear_damping and rebound_ratio change nothing."
+)
+_CURVES = (
+    "/* Generated. Of each damper: how many points its curve has, 0 for none; velocities [m/s]; forces [N]. */\n"
+    "static const double curves[] = {{{}}};\n"
+)
 
 
 def vehicle_model(scenario: Scenario) -> Model:
-    """The model of the car that the scenario drives, its mismatch and its actuators' lag included.
-
-    Raises:
-        RidelabError: A damper has a curve.
-    """
+    """The model of the car that the scenario drives, its mismatch and its actuators' lag included."""
     vehicle, actuator = scenario.real_vehicle, scenario.actuator
     inputs = [Variable(name=name, causality="input", description=text, unit=unit) for name, text, unit in _INPUTS]
     outputs = [Variable(name=name, causality="output", description=text, unit=unit) for name, text, unit in _OUTPUTS]
@@ -52,9 +54,6 @@ def vehicle_model(scenario: Scenario) -> Model:
         ),
         _parameter("internal_step", "Longest step of the integration", "s", internal),
     ]
-    if vehicle.damper_curves is not None:
-        said = "The FMU of a vehicle has no damper curves: give it damping and a rebound ratio that come close"
-        raise RidelabError(said, field="scenario.vehicle")
     properties = Vehicle.model_json_schema()["properties"]
     fields = [
         _field(name, getattr(vehicle, name), schema)
@@ -68,10 +67,11 @@ def vehicle_model(scenario: Scenario) -> Model:
         sources={
             **sources(("model.h", "instance.h", "vehicle.c")),
             **sources(("car.c", "record.c", "road.c", "loop.h", "numbers.h", "qp.h", "record.h", "road.h"), FOLDER),
+            "ridelab_curves.h": _CURVES.format(", ".join(map(repr, curves(vehicle).tolist()))),
         },
         sizes={"KEPT_STEPS": KEPT_STEPS, "KEPT_NUMBERS": 2 + CAUSES * NUMBERS},
         step=1e-3,
-        notes=[_ROAD],
+        notes=[_ROAD] if vehicle.damper_curves is None else [_ROAD, _DAMPERS],
     )
 
 

@@ -87,10 +87,10 @@ def numbers(vehicle: Vehicle, actuator: Actuator, dampers: SemiActiveDampers | N
     brake_moment = vehicle.body_mass * vehicle.cg_height / vehicle.pitch_inertia
     turns = dampers is not None or not (vehicle.rebound_ratio == 1 and vehicle.damper_curves is None)
     single = brake_moment, _corner(actuator), float(turns), float(dampers is not None), semi_active.most_force
-    return np.array([*single, *chain.from_iterable(front_and_rear.values()), *_curves(vehicle)])
+    return np.array([*single, *chain.from_iterable(front_and_rear.values()), *curves(vehicle)])
 
 
-def _curves(vehicle: Vehicle) -> FloatArray:
+def curves(vehicle: Vehicle) -> FloatArray:
     """How many points both dampers' curves have, their velocities and their forces; 0 without curves."""
     numbers = np.zeros((2, 1 + 2 * (MOST_POINTS + 1)))
     for row, points in zip(numbers, vehicle.damper_curves or (), strict=False):

@@ -6,8 +6,6 @@ import pytest
 from pydantic import ValidationError
 
 from backend.batches.notes import notes
-from backend.fmu.vehicle import vehicle_model
-from sim_core.errors import RidelabError
 from sim_core.frequency.stability import least_damping
 from sim_core.scenario import Scenario, characteristics
 
@@ -63,8 +61,3 @@ def test_a_sweep_says_that_the_car_is_driven_with_the_curve() -> None:
     (said,) = notes(base, [], {"vehicle.front_damping": ["vehicle.rear_damping"]}, [])
     assert said.startswith("The front damper has a curve")
     assert notes(Scenario().model_dump(mode="json"), [], {"vehicle.front_damping": []}, []) == []
-
-
-def test_an_fmu_of_the_vehicle_refuses_a_curve() -> None:
-    with pytest.raises(RidelabError, match="no damper curves"):
-        vehicle_model(scenario(CURVE))

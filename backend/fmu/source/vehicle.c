@@ -5,6 +5,7 @@
 #include "loop.h"
 #include "model.h"
 #include "record.h"
+#include "ridelab_curves.h"
 #include "road.h"
 
 /* As kernel/car.c has them. */
@@ -43,7 +44,7 @@ static void fill_vehicle(const double *value, double *to)
     double front_load = body * rear + value[V_FRONT_WHEEL_MASS] * GRAVITY;
     double rear_load = body * front + value[V_REAR_WHEEL_MASS] * GRAVITY;
     const double numbers[VEHICLE_NUMBERS] = {
-        mass * height / inertia, 2 * PI * value[V_ACTUATOR_BANDWIDTH], ratio != 1, 0, 0, /* no semi-active dampers */
+        mass * height / inertia, 2 * PI * value[V_ACTUATOR_BANDWIDTH], ratio != 1 || curves[0] > 0, 0, 0, /* no semi-active dampers */
         1 / mass, 1 / mass, -front / inertia, rear / inertia, -front, rear,
         1 / value[V_FRONT_WHEEL_MASS], 1 / value[V_REAR_WHEEL_MASS], value[V_FRONT_SPRING], value[V_REAR_SPRING],
         rebound * value[V_FRONT_DAMPING], rebound * value[V_REAR_DAMPING],
@@ -53,6 +54,7 @@ static void fill_vehicle(const double *value, double *to)
         share * value[V_ANTI_DIVE] * transfer, -(1 - share) * value[V_ANTI_LIFT] * transfer, 0, 0, 0, 0,
     };
     memcpy(to, numbers, sizeof numbers);
+    memcpy(to + VEHICLE_NUMBERS - sizeof curves / sizeof *curves, curves, sizeof curves);
 }
 
 /* Drive from the last state to the next one in a step [s]; the signals before and after it. */
