@@ -50,7 +50,7 @@ Matrix = Annotated[list[list[float]], BeforeValidator(_listed)]  # row by row
 
 
 def inconsistent(field: str, message: str, key: str | None = None) -> PydanticCustomError:
-    """An error of a whole request that belongs to one field, dotted, or to a key in it."""
+    """An error of a request, or of a part of it, that belongs to one field in it, dotted, or to a key there."""
     return PydanticCustomError("inconsistent", "{reason}", {"field": field, "key": key, "reason": message})
 
 

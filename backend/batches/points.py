@@ -30,9 +30,9 @@ Value = Annotated[
                 {"type": "string"},
                 {"type": "boolean"},
                 {"type": "null"},
-                {"type": "array", "items": {"type": "number"}},
+                {"type": "array"},
             ],
-            "description": "What the field takes: a number, a choice's name, true or false, or three weights",
+            "description": "What the field takes: a number, a choice's name, true or false, three weights, a curve",
         }
     ),
 ]

@@ -29,7 +29,7 @@ def blamed(item: Mapping[str, Any], model: Any) -> dict[str, str]:
         path.append(context["key"])
         message = unknown_name(context["what"], context["key"], context["allowed"])
     elif item["type"] == "inconsistent":
-        path += [*context["field"].split("."), *([key] if (key := context.get("key")) else [])]
+        path += [*filter(None, context["field"].split(".")), *([key] if (key := context.get("key")) else [])]
     elif item["type"] == "too_short" and context.get("min_length") == 1:
         message = "There has to be at least one"
     elif item["type"] == "model_attributes_type" or (not path and item["type"] != "missing"):

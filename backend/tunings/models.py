@@ -59,7 +59,7 @@ def _check_strategy(name: str) -> str:
 
 
 def _check_names(search: Any, info: ValidationInfo) -> Any:
-    """Names first: what an unknown one holds is of no use."""
+    """Names first: what an unknown one holds is of no use, nor what one holds that is no number."""
     strategy = info.data.get("strategy")
     allowed = [] if strategy is None else searchable(strategy)
     for name in search if isinstance(search, dict) and strategy is not None else ():
@@ -67,6 +67,8 @@ def _check_names(search: Any, info: ValidationInfo) -> Any:
         if name not in allowed and not is_option:
             context = {"key": name, "what": "weight or option", "allowed": allowed}
             raise PydanticCustomError("unknown_key", "Unknown weight or option", context)
+        if name not in allowed:
+            raise inconsistent("", "Numbers are tuned; sweep a switch or a choice instead", name)
     return search
 
 
@@ -183,8 +185,6 @@ class TuningRequest(RequestModel):
         plain = self.scenario.model_dump(mode="json")
         for name, ends in self._searched.items():
             field = dotted.field(name)
-            if field.kind not in ("number", "integer"):
-                raise inconsistent("search", "A range needs an option that is a number", name)
             whole = field.kind == "integer"
             if whole and not all(float(end).is_integer() for end in ends):
                 raise inconsistent("search", "Both ends have to be whole numbers", name)

@@ -181,7 +181,7 @@ def test_the_tuner_searches_options_of_the_law_it_began_with(service: Service, f
     ("asked", "pointer", "said"),
     [
         ({"search": {"own.mine.dampng": [0, 1]}}, "search/own.mine.dampng", "Unknown weight or option own.mine.dampng"),
-        ({"search": {"own.mine.hard": [0, 1]}}, "search/own.mine.hard", "A range needs an option that is a number"),
+        ({"search": {"own.mine.hard": ["soft", "hard"]}}, "search/own.mine.hard", "Numbers are tuned; sweep a switch"),
         (
             {"search": {"own.mine.damping": [0, 20_001]}},
             "search/own.mine.damping",

@@ -1,4 +1,4 @@
-/** Asks what the columns of a measured road or of a recorded drive are before its file is sent. */
+/** Asks what the columns of a measured road or of a recorded drive are, or where wheels run on a grid, before a file is sent. */
 
 import { useSelector } from "@tanstack/react-store";
 import { ask } from "../../api/http";
@@ -8,6 +8,8 @@ import { useCatalogue } from "../../server/useCatalogues";
 import { formatNumber, prettyUnit } from "../../units/format";
 import { unitsLike } from "../../units/quantity";
 import { columnsOf, type Layout, type Table, type Use } from "./columns";
+import type { Wheels } from "./files";
+import { GridDialog } from "./GridDialog";
 import { MappingDialog, type MappedKind } from "./MappingDialog";
 import { notice, unclear, useOpenFiles } from "./open";
 import { ProfileSketch } from "./ProfileSketch";
@@ -21,16 +23,19 @@ export function FileMapping() {
   const showDrive = useShowDrive();
   if (!file) return null;
   const next = () => unclear.set(unclear.get().slice(1));
+  const driveRoad = async (road: File, wheels?: Wheels) => {
+    const wrong = await openFiles([road], { wheels });
+    if (wrong === null) next();
+    return wrong;
+  };
+  if ("file" in file)
+    return <GridDialog name={file.name} onDrive={(wheels) => driveRoad(file.file, wheels)} onClose={next} />;
   const road: MappedKind = {
     ...ROAD,
     action: "Drive this road",
     aside: <Template />,
     picture: (table, uses, layout) => <RoadPicture {...{ table, uses, layout }} />,
-    onMapped: async (csv) => {
-      const wrong = await openFiles([new File([csv], file.name)]);
-      if (wrong === null) next();
-      return wrong;
-    },
+    onMapped: (csv) => driveRoad(new File([csv], file.name)),
   };
   const drive: MappedKind = {
     ...driveKind(catalogue),

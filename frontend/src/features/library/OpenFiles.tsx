@@ -28,7 +28,7 @@ export function OpenFiles({ children, name, wanted, size = "compact-xs" }: Props
   const choose = (files: readonly File[]) => {
     if (files.length === 0) return;
     reset.current?.(); // the same file may be opened again
-    void open(files, wanted);
+    void open(files, { wanted });
   };
   return (
     <FileButton

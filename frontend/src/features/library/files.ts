@@ -5,7 +5,7 @@ import { requirementsIn } from "../../lab/requirements";
 import { getAt } from "../../scenario/path";
 import type { ScenarioSchema } from "../../scenario/schema";
 import { isWrittenOut, upgraded } from "../../scenario/versions";
-import type { Item } from "../../scenario/library";
+import type { Item, ItemKind } from "../../scenario/library";
 
 export type Content =
   | {
@@ -18,10 +18,33 @@ export type Content =
   | { readonly kind: "road"; readonly csv: string };
 
 /** A table of a road or a drive whose columns have to be asked for. */
-export interface Unclear {
+export interface UnclearTable {
   readonly name: string;
   readonly text: string;
   readonly likely: "road" | "drive";
+}
+
+/** A grid of heights, on which the wheels' places have to be asked for. */
+interface UnclearGrid {
+  readonly name: string;
+  readonly file: File;
+}
+
+export type Unclear = UnclearTable | UnclearGrid;
+
+/** Where both wheels run beside a grid's reference line, to the left [m]; `null` is where the service puts them. */
+export interface Wheels {
+  readonly left: number | null;
+  readonly right: number | null;
+}
+
+export interface OpenOptions {
+  /** The part to take from a file that has more. */
+  readonly wanted?: ItemKind | undefined;
+  /** On grids; asked for where they are left out. */
+  readonly wheels?: Wheels | undefined;
+  /** Whether they go into the library; they do where it is left out. */
+  readonly inLibrary?: boolean;
 }
 
 export type Exported = Pick<Item, "kind" | "name" | "value">;

@@ -9,9 +9,9 @@ import { useEdit, useLabContext, useReadOnly } from "../../lab/context";
 import { useForm } from "../../server/useCatalogues";
 import { createAtom } from "@tanstack/react-store";
 import { MANUAL } from "../../ui/ManualLink";
-import type { Exported, Unclear } from "./files";
+import type { Exported, OpenOptions, Unclear } from "./files";
 import { requirementsIn } from "../../lab/requirements";
-import { type ItemKind, dialog, galleryEntry, kindWord } from "../../scenario/library";
+import { dialog, galleryEntry, kindWord } from "../../scenario/library";
 
 export interface Notice {
   readonly lines: readonly string[];
@@ -65,21 +65,21 @@ export function useOpenGalleryEntry(): () => Promise<void> {
     if (name === null) return;
     galleryEntry.set(null);
     const answer = await fetch(`${MANUAL}gallery/${encodeURIComponent(name)}.json`).catch(() => null);
-    if (answer?.ok) await openFiles([new File([await answer.blob()], `${name}.json`)], undefined, false);
+    if (answer?.ok) await openFiles([new File([await answer.blob()], `${name}.json`)], { inLibrary: false });
     else notice.set({ lines: [`The manual’s gallery has no “${name}”`], isWrong: true, scenario: edit.newest() });
   };
 }
 
-type OpenFiles = (files: readonly File[], wanted?: ItemKind, inLibrary?: boolean) => Promise<string | null>;
+type OpenFiles = (files: readonly File[], options?: OpenOptions) => Promise<string | null>;
 
-/** `wanted` is the part to take from a file that has more; the promise is what was wrong. */
+/** The promise is what was wrong. */
 export function useOpenFiles(): OpenFiles {
   const edit = useEdit();
   const { labAddress } = useLabContext();
   const readOnly = useReadOnly();
   const queries = useQueryClient();
   const say = (lines: readonly string[], isWrong = false) => notice.set({ lines, isWrong, scenario: edit.newest() });
-  return async (files, wanted, inLibrary = true) => {
+  return async (files, options = {}) => {
     dialog.set(null);
     if (readOnly) {
       say(["A shared result cannot be changed: open a copy to edit first."], true);
@@ -88,7 +88,7 @@ export function useOpenFiles(): OpenFiles {
     say([`Opening ${files.map(({ name }) => name).join(", ")}`]);
     try {
       const { openAll } = await import("./upload");
-      const opened = await openAll(files, () => edit.newest(), queries, inLibrary, wanted);
+      const opened = await openAll(files, () => edit.newest(), queries, options);
       const { scenario, requirements, lines, isWrong, asked } = opened;
       if (requirements) labAddress.setView({ requirements });
       if (!sameValue(scenario, edit.newest())) edit.commit(scenario);

@@ -11,7 +11,16 @@ import { type ScenarioSchema, findMember, optionTitle, type NumberField } from "
 import { DEFAULT_VIEW } from "../../lab/address";
 import { requirementsIn, type Requirement } from "../../lab/requirements";
 import { presetsQuery, schemaQuery, vehiclesQuery } from "../../server/queries";
-import { readFile, type Content, fileOf, roadOf, type Exported, type Unclear } from "./files";
+import {
+  readFile,
+  type Content,
+  fileOf,
+  roadOf,
+  type Exported,
+  type OpenOptions,
+  type Unclear,
+  type Wheels,
+} from "./files";
 import { KINDS, kindWord, type Item, type ItemKind, ownLibrary } from "../../scenario/library";
 import { withItem } from "../../scenario/withItem";
 import { limitText, valueText } from "../../scenario/limits";
@@ -37,14 +46,15 @@ const MEBIBYTE = 1024 * 1024;
 /** A scenario's file has its road inside. */
 const [LONGEST, LONGEST_ROAD, LONGEST_GRID] = [6 * MEBIBYTE, 4 * MEBIBYTE, 16 * MEBIBYTE];
 const OPENCRG = "application/x-opencrg";
+/** In a file of ours, which has the heights of its road alone. */
+const EXPORTED = "# Ridelab road ";
 
-/** Opens the files in `newest()`, and adds them to the library if asked to; `wanted` is the part to take from a file that has more. */
+/** Opens the files in `newest()`. */
 export async function openAll(
   files: readonly File[],
   newest: () => Scenario,
   queries: QueryClient,
-  inLibrary: boolean,
-  wanted?: ItemKind,
+  { wanted, wheels, inLibrary = true }: OpenOptions,
 ): Promise<Outcome> {
   const [form, presets, vehicles] = await Promise.all([
     queries.query({ ...schemaQuery, staleTime: "static" }),
@@ -63,8 +73,10 @@ export async function openAll(
       if (file.size > LONGEST_GRID) throw new Error("A file may have 16 MiB");
       const text = await file.text();
       const likely = likelyKind(file.name, text);
-      if (isOpenCrg(text)) opened.push(await uploadGrid(file));
-      else if (file.size > LONGEST) throw new Error("A file may have 6 MiB");
+      if (isOpenCrg(text)) {
+        if (wheels || text.includes(EXPORTED)) opened.push(await uploadGrid(file, wheels));
+        else asked.push({ name: file.name, file });
+      } else if (file.size > LONGEST) throw new Error("A file may have 6 MiB");
       else if (likely !== null) asked.push({ name: file.name, text, likely });
       else opened.push(await upload(file.name, text, form, wanted));
     } catch (error) {
@@ -110,9 +122,9 @@ function roadItem(name: string, { warnings, id, length, samples, bumps }: Create
   return { kind: "road", name, value: { id, length, samples, bumps }, warnings };
 }
 
-async function uploadGrid(file: File): Promise<Opened> {
+async function uploadGrid(file: File, wheels: Wheels | undefined): Promise<Opened> {
   const body = new Blob([file], { type: OPENCRG }) as unknown as string; // the API's description has bytes as text
-  return roadItem(stemOf(file.name), await ask("post", "/roads", { body }));
+  return roadItem(stemOf(file.name), await ask("post", "/roads", { body, query: { ...wheels } }));
 }
 
 async function uploadRoad(csv: string) {
