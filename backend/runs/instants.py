@@ -3,7 +3,7 @@
 from dataclasses import fields
 
 import numpy as np
-from pydantic import Field
+from pydantic import AliasChoices, Field
 
 from backend.cost.estimate import check_affordable
 from backend.models import Answer, Matrix, Vector
@@ -36,7 +36,7 @@ class ControllerLimit(Answer):
 
     name: str = Field(description="The quantity, such as front_force, rear_force_change or front_deflection")
     unit: str
-    limit: float = Field(validation_alias="bound", description="Its largest magnitude [unit]")
+    limit: float = Field(validation_alias=AliasChoices("bound", "limit"), description="Its largest magnitude [unit]")
     distance: float = Field(description="From the value nearest to the limit; negative beyond it [unit]")
     multiplier: float | None = Field(
         description="By how much the cost falls where the limit is raised [1/unit]; null where nothing is minimised"
