@@ -55,6 +55,27 @@ def test_fields_that_do_not_fit_together_name_the_field(fields: dict[str, Any], 
     assert [error["ctx"]["field"] for error in caught.value.errors()] == [field]
 
 
+@pytest.mark.parametrize(
+    ("own", "is_taken"),
+    [
+        ({f"law_{i}": {"gain": 1} for i in range(64)}, True),
+        ({f"law_{i}": {"gain": 1} for i in range(65)}, False),
+        ({"law": {f"gain_{i}": 1.5 for i in range(64)}}, True),
+        ({"law": {f"gain_{i}": 1.5 for i in range(65)}}, False),
+        ({"law": {"name": 200 * "a"}}, True),
+        ({"law": {"name": 201 * "a"}}, False),
+        ({"law": {"gain": float("inf")}}, False),
+        ({"law": {"gains": [1.0]}}, False),
+    ],
+)
+def test_options_of_own_controllers_are_few_short_and_plain(own: dict[str, Any], *, is_taken: bool) -> None:
+    if is_taken:
+        assert Scenario.model_validate({"own": own}).own.controllers == own
+    else:
+        with pytest.raises(ValidationError):
+            Scenario.model_validate({"own": own})
+
+
 def test_omitted_parts_take_the_papers_values_and_round_trip() -> None:
     scenario = Scenario.model_validate({"road": {"bump": {"height": 0.12}}})
     assert scenario.road.bump.width == 4
