@@ -3,7 +3,10 @@
 Headers, examples, links and tags stand here and not at each route, because they follow from a status, a name or a type.
 """
 
+import json
+import threading
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import Any
 
 from fastapi import FastAPI
@@ -100,6 +103,7 @@ EXAMPLES: dict[str, JsonObject] = {  # of bodies, by their schema
     },
     "LoginRequest": {"token": "0d1c7a4be8f2915c3366a0f4c1be7fd20a93b1c5de44f708"},
 }
+_MAKING = threading.Lock()  # it takes half a second of a core: many who ask at once wait for one
 LINKS = {  # operations that take the id, by the operation that answers with it
     "createRun": ("200", "$response.body#/id", ["getRun", "getRunFigures", "getRunReport"]),
     "solve": ("200", "$response.body#/run_id", ["getRun", "getRunFigures", "getRunReport"]),
@@ -120,34 +124,44 @@ LINKS = {  # operations that take the id, by the operation that answers with it
 
 
 def describe(app: FastAPI) -> JsonObject:
-    """The OpenAPI 3.1 description, built once; it lists the strategies that there are at the moment."""
-    if app.openapi_schema is None:
-        whole = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
-        whole["tags"] = [{"name": name, "description": text} for name, text in TAGS.items()]
-        components = whole["components"]
-        problem = Problem.model_json_schema(ref_template="#/components/schemas/{model}", mode="serialization")
-        components["schemas"] |= {**problem.pop("$defs"), "Problem": problem}
-        components["headers"] = {name: {"schema": {"type": "string"}, **header} for name, header in HEADERS.items()}
-        components["securitySchemes"] = {
-            "token": {"type": "http", "scheme": "bearer", "description": "Where the service has a file of tokens"},
-            "login": {"type": "apiKey", "in": "cookie", "name": COOKIE, "description": "What the page's login sets"},
-        }
-        for name, example in EXAMPLES.items():
-            components["schemas"][name]["examples"] = [example]
-        for name, schema in components["schemas"].items():
-            _describe_fields(name, schema, components["schemas"])
-        for schema in components["schemas"].values():
-            for name, field in schema.get("properties", {}).items() if schema["title"] not in OF_ROWS else ():
-                _name_strategies(name, field)
-        for path, operation in _operations(whole):
-            if path.startswith("/api/"):
-                operation["security"] = [{}, {"token": []}, {"login": []}]
-            for parameter in operation.get("parameters", []):
-                _name_strategies(parameter["name"], parameter["schema"])
-            _describe_answers(operation)
-        app.openapi_schema = whole
-    _list_strategies(app.openapi_schema, list(strategies()))
-    return app.openapi_schema
+    """The OpenAPI 3.1 description; it lists the strategies that there are at the moment."""
+    with _MAKING:
+        return _described(app, tuple(strategies()))[0]
+
+
+def encoded(app: FastAPI) -> bytes:
+    """The same as JSON."""
+    with _MAKING:
+        return _described(app, tuple(strategies()))[1]
+
+
+@lru_cache(maxsize=1)
+def _described(app: FastAPI, names: tuple[str, ...]) -> tuple[JsonObject, bytes]:
+    whole = get_openapi(title=app.title, version=app.version, description=app.description, routes=app.routes)
+    whole["tags"] = [{"name": name, "description": text} for name, text in TAGS.items()]
+    components = whole["components"]
+    problem = Problem.model_json_schema(ref_template="#/components/schemas/{model}", mode="serialization")
+    components["schemas"] |= {**problem.pop("$defs"), "Problem": problem}
+    components["headers"] = {name: {"schema": {"type": "string"}, **header} for name, header in HEADERS.items()}
+    components["securitySchemes"] = {
+        "token": {"type": "http", "scheme": "bearer", "description": "Where the service has a file of tokens"},
+        "login": {"type": "apiKey", "in": "cookie", "name": COOKIE, "description": "What the page's login sets"},
+    }
+    for name, example in EXAMPLES.items():
+        components["schemas"][name]["examples"] = [example]
+    for name, schema in components["schemas"].items():
+        _describe_fields(name, schema, components["schemas"])
+    for schema in components["schemas"].values():
+        for name, field in schema.get("properties", {}).items() if schema["title"] not in OF_ROWS else ():
+            _name_strategies(name, field)
+    for path, operation in _operations(whole):
+        if path.startswith("/api/"):
+            operation["security"] = [{}, {"token": []}, {"login": []}]
+        for parameter in operation.get("parameters", []):
+            _name_strategies(parameter["name"], parameter["schema"])
+        _describe_answers(operation)
+    _list_strategies(whole, list(names))
+    return whole, json.dumps(whole, ensure_ascii=False, separators=(",", ":")).encode()
 
 
 def _list_strategies(part: Any, names: list[str]) -> None:

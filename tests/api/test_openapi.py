@@ -9,14 +9,18 @@ import re
 import shutil
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
+from unittest.mock import Mock
 
 import httpx
 import pytest
+from fastapi.openapi.utils import get_openapi
 
 from backend.app import create_app
 from backend.errors import BusyError, RoadGoneError, ServiceError, TooManyRequestsError
+from backend.http import openapi
 from backend.http.field_descriptions import EVERYWHERE, OF_MODELS
 from backend.library.models import Catalogue, PresetAnswer, StrategyAnswer
 from backend.runs.service import Runs
@@ -47,6 +51,14 @@ def test_operations_have_names_of_their_own(description: dict[str, Any]) -> None
     assert len(set(names)) == len(names)
     assert all(re.fullmatch("[a-z]+[A-Za-z]*", name) for name in names)
     assert all(operation["description"] for operation in operations)
+
+
+def test_many_who_ask_for_it_at_once_wait_for_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    making, app = Mock(wraps=get_openapi), create_app(Settings())
+    monkeypatch.setattr(openapi, "get_openapi", making)
+    with ThreadPoolExecutor(8) as clients:
+        answers = set(clients.map(openapi.encoded, 8 * [app]))
+    assert len(answers) == making.call_count == 1
 
 
 def test_errors_are_described_as_problems(description: dict[str, Any]) -> None:
