@@ -1,7 +1,8 @@
 """The crash drill: DRILL_KILLS kills (50) of each topology at random, the choices by DRILL_SEED (1).
 
-Kill -9, and of the cluster's programs pauses (SIGSTOP), while batches run; afterwards everything accepted is complete,
-each result stored once. By hand:
+Kill -9, and of the cluster's programs pauses (SIGSTOP) and a network that is silent between replicas and database, of
+up to DRILL_PAUSE seconds (120), while batches run; afterwards everything accepted is complete, each result stored once.
+By hand:
 DRILL_KILLS=200 python -m pytest tests/drill/test_crashes.py -s
 """
 
@@ -23,6 +24,7 @@ from backend.db.tables import results
 from tests.servers.accepted import Accepted, database
 from tests.servers.api import Api
 from tests.servers.compose import Topology
+from tests.servers.forwarder import DIRECTIONS, Direction, Forwarder
 from tests.servers.postgres import Postgres
 from tests.servers.process import FORK_SERVER, Program, wait_until
 
@@ -32,7 +34,7 @@ RUNS = 480  # of one batch: a second or two of two cores
 LEAST_WORK = 400  # runs that wait while it kills
 LIFE = 4.0  # of a service that is killed again and again [s]
 LIVES = 4  # times the runs of another batch
-LONGEST_PAUSE = 40.0  # [s]
+LONGEST_PAUSE = float(os.environ.get("DRILL_PAUSE", "120"))  # [s]
 WHILE_WORKING = 0.7  # of the kills come while results come in, the others at any moment, such as during a start
 
 Victim = Callable[[], str | None]  # kills something and tells what, or tells that there is nothing to kill
@@ -116,6 +118,22 @@ def pause(program: Program, chance: random.Random) -> Victim:
     return stop
 
 
+def silence(forwarder: Forwarder, direction: Direction, chance: random.Random) -> Victim:
+    """Have the database's connections swallow what is sent in that direction, for a while."""
+
+    def swallow() -> str:
+        seconds = chance.uniform(1, LONGEST_PAUSE)
+
+        def cut() -> None:
+            with forwarder.blocked(direction):
+                time.sleep(seconds)
+
+        threading.Thread(target=cut, daemon=True).start()
+        return f"the network, {direction}"
+
+    return swallow
+
+
 def kill_everything(topology: Topology, postgres: Postgres) -> Victim:
     """Whatever is started again by itself, and the database with it, which is started again here."""
 
@@ -176,10 +194,13 @@ def kill_and_wait_for_start(api: Api) -> None:
     wait_until(lambda: api.running, "it is started again", pause=0.01)
 
 
-@pytest.mark.timeout(60 * KILLS + 300)
+@pytest.mark.timeout(180 * KILLS + 300)
 def test_a_cluster(tmp_path: Path, postgres: Postgres) -> None:
     """Two replicas on PostgreSQL, a Dask scheduler and two workers: any of them, any process of theirs, all at once."""
-    topology = Topology(tmp_path, postgres, API_WORKERS="1", WORKER_CORES="1", RIDELAB_LOG_LEVEL="warning")
+    forwarder = Forwarder(postgres.port)
+    topology = Topology(
+        tmp_path, postgres, port=forwarder.port, API_WORKERS="1", WORKER_CORES="1", RIDELAB_LOG_LEVEL="warning"
+    )
     engine = database(topology.database)
     chance = random.Random(SEED)  # noqa: S311 - reproducible is what it has to be
     try:
@@ -188,8 +209,10 @@ def test_a_cluster(tmp_path: Path, postgres: Postgres) -> None:
         victims = [kill_program(part) for part in parts]
         victims += [kill_worker(worker, chance) for worker in topology.workers]
         victims += [pause(part, chance) for part in (*parts, topology.proxy)]
+        victims += [silence(forwarder, direction, chance) for direction in DIRECTIONS]
         victims.append(kill_everything(topology, postgres))
         drill(Accepted(url=topology.url, engine=engine, seed=SEED, runs=RUNS), victims, chance)
     finally:
         engine.dispose()
         topology.end()
+        forwarder.close()

@@ -1,4 +1,7 @@
-"""DRILL_CUTS power cuts (1,000, by DRILL_SEED) of the store with each journal, and 50 ends of all of PostgreSQL."""
+"""DRILL_CUTS power cuts (1,000, by DRILL_SEED) of the store with each journal; DRILL_KILLS (50) of a whole service.
+
+And as many ends of all of PostgreSQL's processes.
+"""
 
 import os
 import threading
@@ -13,6 +16,7 @@ from sqlalchemy.exc import OperationalError
 from backend.db import sqlite
 from backend.store import Store
 from backend.store.verify import verify
+from tests.faults.power import service
 from tests.faults.power.cuts import cut, record
 from tests.faults.power.work import Work, rows
 from tests.servers.postgres import Postgres
@@ -36,6 +40,14 @@ def test_what_was_acknowledged_is_there_after_a_power_cut(
         cuts = cut(recorded, tmp_path / f"data-{seed}", seed=seed, count=min(EACH, CUTS - fates.total()))
         fates, broken, calls = fates + cuts.fates, broken + cuts.broken, calls + len(recorded)
     print(f"\n{fates.total()} power cuts of {calls} calls, seeds from {SEED}; what was not synced: {dict(fates)}")
+    assert not broken, broken
+
+
+@pytest.mark.timeout(7200)
+def test_a_service_answers_as_before_after_a_power_cut(tmp_path: Path) -> None:
+    recorded = service.record(tmp_path, seed=SEED, pieces=25)
+    broken, asked = service.cut(recorded, tmp_path / "data", seed=SEED, count=KILLS)
+    print(f"\n{KILLS} power cuts of {len(recorded)} calls, seed {SEED}: {asked} acknowledged answers asked for again")
     assert not broken, broken
 
 

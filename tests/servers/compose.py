@@ -21,8 +21,11 @@ VARIABLE = re.compile(r"\$\{(\w+):-([^}]*)\}")
 class Topology:
     """Proxy, two replicas of the API, PostgreSQL, a Dask scheduler and two workers; whatever dies is started again."""
 
-    def __init__(self, folder: Path, postgres: Postgres, *, encrypted: bool = True, **variables: str) -> None:
+    def __init__(
+        self, folder: Path, postgres: Postgres, *, encrypted: bool = True, port: int | None = None, **variables: str
+    ) -> None:
         self.folder = folder
+        self._database_port = port or postgres.port  # at which the replicas ask it
         self.encrypted = encrypted
         self.database = postgres.new_database()
         self._variables = variables
@@ -71,7 +74,7 @@ class Topology:
     def _secrets(self) -> None:
         find("openssl", package="openssl")
         url = make_url(self.database)
-        self._passwordless = f"{url.drivername}://{url.username}@{url.host}:{url.port}/{url.database}"
+        self._passwordless = f"{url.drivername}://{url.username}@{url.host}:{self._database_port}/{url.database}"
         (self.folder / "secrets").mkdir()
         (self.folder / "secrets/database_password").write_text(f"{url.password}\n")
         subprocess.run([ROOT / "backend/deploy/secrets.sh", self.folder / "secrets"], check=True, capture_output=True)

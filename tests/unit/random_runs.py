@@ -56,13 +56,13 @@ class Count:
     most_of: str = ""
 
 
-def attack(seed: int, count: int) -> Count:
-    """Drive so many random scenarios whose estimate is below `CHEAP`; costs are this process's."""
+def attack(seed: int, count: int, *, dear: bool = False) -> Count:
+    """Drive so many random scenarios whose estimate is below `CHEAP`, or not below; costs are this process's."""
     counted, number = Count(), -1
     while counted.ended + counted.refused.total() < count:
         number += 1
         scenario, strategy = drawn(seed, number, draw=to_its_limits)
-        if (expected := estimate(scenario, strategy)) >= CHEAP:
+        if ((expected := estimate(scenario, strategy)) >= CHEAP) != dear:
             continue
         before = time.process_time()
         try:
