@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from ridelab.connection import API, Scenario
 from ridelab.errors import RidelabConnectionError
+from ridelab.fields import similar, units_of, with_values
 from ridelab.frames import compared
 from ridelab.job_methods import JobMethods
 from ridelab.jobs import Batch, Job
@@ -16,6 +17,7 @@ from ridelab.measurement_methods import MeasurementMethods
 from ridelab.requirements import Requirement, required
 from ridelab.results import Link, LinkedResult, RunResult, Solution, quoted_id
 from ridelab.run_methods import RunMethods
+from ridelab.units import quantity, starts_as_number
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -30,8 +32,8 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
     minute.
 
     Args:
-        address: Such as `http://127.0.0.1:8000`. A login in it, `http://user:password@host`, is sent with every request
-            and never shown.
+        address: Such as `http://127.0.0.1:8000`; by default what RIDELAB_SERVER holds. A login in it,
+            `http://user:password@host`, is sent with every request and never shown.
         token: Sent with every request as `Authorization: Bearer`, in place of a login; None is what RIDELAB_TOKEN
             holds, and an empty one none.
         timeout: Longest wait for an answer [s].
@@ -40,7 +42,7 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
             other machines.
 
     Raises:
-        ValueError: That is no HTTP address.
+        ValueError: That is no HTTP address, or none is named.
     """
 
     @cached_property
@@ -58,6 +60,25 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
         for part, prefix in (("comfort", "comfort."), ("events", "events."), ("run_figures", "")):
             units |= {prefix + each["key"]: each["unit"] for each in catalogue[part]}
         return units
+
+    def scenario(self, preset: str = "paper", changes: Mapping[str, Any] | None = None) -> dict[str, Any]:
+        """A preset with some fields changed, for every method that takes a scenario.
+
+        Args:
+            preset: Its id.
+            changes: By dotted name; a text may say a unit, `{"road.bump.height": "12 cm"}`.
+
+        Raises:
+            ValueError: There is no such preset or place, or a text is not understood.
+        """
+        presets = {each["id"]: each["scenario"] for each in self.get("/presets")}
+        if preset not in presets:
+            raise ValueError(
+                f"{preset}: there is no such preset{similar(preset, presets)}; there are {', '.join(presets)}"
+            )
+        units = units_of(self.get("/schema"))
+        values = {name: _value(name, value, units) for name, value in (changes or {}).items()}
+        return with_values(presets[preset], values)
 
     def run(
         self,
@@ -250,3 +271,14 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
 def _flattened(readings: Mapping[str, str] | None = None, **asked: Any) -> dict[str, Any]:
     """The query parameters of `paper`: each interpretation is a parameter of its own."""
     return {**(readings or {}), **asked}
+
+
+def _value(name: str, value: Any, units: Mapping[str, str]) -> Any:
+    """A field's value; of a text with a number and a unit the number, in the field's own unit."""
+    if not isinstance(value, str) or not starts_as_number(value):
+        return value
+    try:
+        return quantity(value, units.get(name, "1"))
+    except ValueError as error:
+        wrong = error if name in units else f"there is no such name{similar(name, units)}"
+        raise ValueError(f"{name}: {wrong}") from None

@@ -9,6 +9,7 @@ import httpx
 from ridelab.http import Http, split_login
 
 API = "/api/v1"
+SERVER_VARIABLE = "RIDELAB_SERVER"
 TOKEN_VARIABLE = "RIDELAB_TOKEN"  # noqa: S105  # the variable's name
 Scenario = Any  # its JSON, as a mapping, or a pydantic model such as the core's
 _LOOPBACK = ("localhost", "127.0.0.1", "::1")
@@ -19,13 +20,16 @@ class Connection:
 
     def __init__(
         self,
-        address: str,
+        address: str | None = None,
         *,
         token: str | None = None,
         timeout: float = 120,
         retries: int = 5,
         transport: httpx.BaseTransport | None = None,
     ) -> None:
+        address = address or os.environ.get(SERVER_VARIABLE)
+        if not address:
+            raise ValueError(f"Name the address that ridelab serve prints, or set {SERVER_VARIABLE}")
         url, login = split_login(address)
         token = os.environ.get(TOKEN_VARIABLE, "") if token is None else token
         if transport is None and url.host in _LOOPBACK:

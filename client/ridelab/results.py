@@ -219,7 +219,10 @@ class RunResult:
         return f"RunResult({self.id}, core {self.core_version}{f', {self.roads} roads' * (self.roads > 1)}: {ended})"
 
     def __getitem__(self, strategy: str) -> Outcome:
-        return self.strategies[strategy]
+        try:
+            return self.strategies[strategy]
+        except KeyError:
+            raise KeyError(f"{strategy} did not run; there are {', '.join(self.strategies)}") from None
 
     def __len__(self) -> int:
         return len(self.strategies)

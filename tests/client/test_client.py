@@ -18,6 +18,8 @@ def test_a_run_is_typed(ridelab: Ridelab, outcomes: dict[str, Any]) -> None:
     run, answer = ridelab.run(SHORT, ["lv", "passive"]), outcomes["lv"]
     outcome = run["lv"]
     assert list(run.strategies) == ["lv", "passive"]
+    with pytest.raises(KeyError, match="lqr did not run; there are lv, passive"):
+        run["lqr"]
     assert (outcome.status, outcome.cached, outcome.stages) == ("ok", False, answer["stages"])
     assert outcome.figures()[PEAK] == answer["metrics"]["bump"]["body_acceleration"]["peak"]
     assert (outcome.travel_time, outcome.arrival_speed_kmh) == (answer["travel_time"], answer["arrival_speed_kmh"])
@@ -29,6 +31,36 @@ def test_a_run_is_typed(ridelab: Ridelab, outcomes: dict[str, Any]) -> None:
     assert caught.value.status == 404
     with pytest.raises(ValueError, match="JSON"):
         ridelab.run({"road": {"length": float("nan")}}, ["lv"])
+
+
+def test_a_scenario_is_a_preset_with_named_fields_changed(ridelab: Ridelab) -> None:
+    changes = {"road.bump.height": "12 cm", "speed.target_speed_kmh": 20, "mpc.preview": "none", "lqr.weights.1": "2.5"}
+    scenario, preset = ridelab.scenario("watts_hump", changes), ridelab.scenario("watts_hump")
+    changed = scenario["road"]["bump"]["height"], scenario["speed"]["target_speed_kmh"], scenario["mpc"]["preview"]
+    assert changed == (0.12, 20, "none")
+    assert scenario["lqr"]["weights"] == [1, 2.5, 1]
+    assert (
+        scenario["road"]["bump"]["width"]
+        == preset["road"]["bump"]["width"]
+        != ridelab.scenario()["road"]["bump"]["width"]
+    )
+    for wrong, message in (
+        (("papr", {}), "papr: there is no such preset; perhaps paper; there are paper, "),
+        (("paper", {"road.bump.hight": "12 cm"}), "road.bump.hight: there is no such name; perhaps road.bump.height"),
+        (("paper", {"road.bump.height": "12 kg"}), "road.bump.height: 12 kg is not understood: it takes m, mm"),
+        (("paper", {"road.bump.height.0": 1}), "the scenario given has no such place"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            ridelab.scenario(*wrong)
+
+
+def test_the_address_may_come_from_the_environment(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("RIDELAB_SERVER", ADDRESS)
+    with Ridelab() as ridelab:
+        assert ridelab.address == ADDRESS
+    monkeypatch.delenv("RIDELAB_SERVER")
+    with pytest.raises(ValueError, match="Name the address that ridelab serve prints, or set RIDELAB_SERVER"):
+        Ridelab()
 
 
 def interval(mean: float, half: float) -> dict[str, float]:

@@ -3,17 +3,17 @@
 A number may have a unit (`12cm`). Which fields there are and which values they take the service says.
 """
 
-import json
 import math
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from ridelab.cli.names import similar
+from ridelab import fields as scenario_fields
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
 from ridelab.cli.targets import document, find
+from ridelab.fields import similar
 from ridelab.units import is_number, quantity, starts_as_number
 
 _SPAN = re.compile(r"([^:]+):([^:]+):(\d+)")
@@ -73,17 +73,10 @@ def vehicle_of(target: str, services: Services) -> Any:
 
 def with_values(scenario: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
     """A copy of a complete scenario with these fields changed."""
-    copy: dict[str, Any] = json.loads(json.dumps(scenario))
-    for name, value in values.items():
-        *path, last = name.split(".")
-        part: Any = copy
-        try:
-            for step in path:
-                part = part[int(step)] if isinstance(part, list) else part.setdefault(step, {})
-            part[int(last) if isinstance(part, list) else last] = value
-        except (TypeError, AttributeError, ValueError, IndexError):
-            raise InputError(f"{name}: the scenario given has no such place") from None
-    return copy
+    try:
+        return scenario_fields.with_values(scenario, values)
+    except ValueError as error:
+        raise InputError(str(error)) from None
 
 
 Read = Callable[[str, str], Any]  # a text, in a unit unless it says another

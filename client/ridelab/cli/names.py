@@ -6,13 +6,13 @@ The shell completes those that the last service had which has other ones than na
 import contextlib
 import json
 import os
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from pathlib import Path
 from typing import Any, Self
 
 from ridelab.client import Ridelab
+from ridelab.fields import units_of
 from ridelab.files import save
 
 OURS = Path(__file__).with_name("names.json")
@@ -35,7 +35,7 @@ class Names:
         """The names of a service, saved for the shell's completion."""
         schema, catalogue = ridelab.get("/schema"), ridelab.get("/catalogue")
         names = cls(
-            fields=dict(_units(schema)),
+            fields=units_of(schema),
             strategies={each["id"]: each["label"] for each in ridelab.get("/strategies")},
             presets={each["id"]: each["scenario"] for each in ridelab.get("/presets")},
             signals={each["key"]: (each["label"], each["unit"]) for each in catalogue["signals"]},
@@ -65,12 +65,6 @@ class Names:
         return "{} [{}]".format(*self.signals[key])
 
 
-def similar(name: str, names: Iterable[str]) -> str:
-    """What a wrong name may have meant, as the end of a message; empty where nothing is like it."""
-    alike = get_close_matches(name, list(names))
-    return f"; perhaps {' or '.join(alike)}" if alike else ""
-
-
 def remembered() -> dict[str, list[str]]:
     """The names in the last answer of a service; this version's where none was asked, or it had the same."""
     ours: dict[str, list[str]] = json.loads(OURS.read_bytes())
@@ -83,23 +77,3 @@ def remembered() -> dict[str, list[str]]:
 
 def _remembered_in() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "ridelab" / "names.json"
-
-
-def fields_of(schema: Mapping[str, Any]) -> dict[str, Mapping[str, Any]]:
-    """By dotted name the JSON Schema of each field of the scenario, in its order; three weights are one field."""
-    return dict(_fields(schema, schema["$defs"], ""))
-
-
-def _fields(part: Mapping[str, Any], parts: Mapping[str, Any], prefix: str) -> Iterator[tuple[str, Mapping[str, Any]]]:
-    for key, schema in part["properties"].items():
-        if "$ref" in schema:
-            yield from _fields(parts[schema["$ref"].rpartition("/")[2]], parts, f"{prefix}{key}.")
-        else:
-            yield prefix + key, schema
-
-
-def _units(schema: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
-    """Name and unit of what `--set` takes: each field, and weights one by one too."""
-    for name, field in fields_of(schema).items():
-        for each in (name, *(f"{name}.{index}" for index in range(field.get("maxItems", 0)))):
-            yield each, field.get("unit", "1")

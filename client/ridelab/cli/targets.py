@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import urlsplit
 
-from ridelab.cli.names import similar
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
 from ridelab.client import Ridelab
 from ridelab.errors import RidelabAPIError
+from ridelab.fields import similar
 from ridelab.http import without_login
 from ridelab.jobs import Batch, Job
 from ridelab.results import LinkedResult, RunResult
