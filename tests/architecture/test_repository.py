@@ -105,5 +105,8 @@ def test_files_for_other_programs_are_what_their_schema_asks(
     assert code == 0, capsys.readouterr().out
 
 
-def test_the_citation_names_this_version() -> None:
-    assert f"\nversion: {sim_core.__version__}\n" in (ROOT / "CITATION.cff").read_text()
+def test_citation_and_changelog_have_this_version_and_its_day() -> None:
+    releases = re.findall(r"^## \[([\d.]+)\] - (\S+)$", (ROOT / "CHANGELOG.md").read_text(), re.MULTILINE)
+    version, day = releases[0]
+    assert version == sim_core.__version__
+    assert f"\nversion: {version}\ndate-released: {day}\n" in (ROOT / "CITATION.cff").read_text()
