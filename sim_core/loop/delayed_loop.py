@@ -33,10 +33,9 @@ class DelayedLoop:
         loop = np.zeros((steps * n + 1, car.size + FORCES))  # [car; previous command] before every short step
         arrivals = self._arrivals()
         newest = [-1] * (steps * n)  # the command that arrives at a short step, the newest of several
-        asked = np.full((steps + 1, FORCES), np.nan)  # by command [N]
-        asked[-1] = 0.0  # that of none, -1
-        used = np.zeros(steps + 1, dtype=bool)
-        held, present, limited = -1, np.zeros(FORCES), 0
+        asked = np.full((steps, FORCES), np.nan)  # by command [N]
+        used = np.zeros(steps, dtype=bool)
+        held, present, limited = -1, np.zeros(FORCES), 0  # -1: no command yet
         settled, bound = True, False  # whether the actuators change no more, and whether their limits hold them back
         for k in range(steps):
             counted = self._controller.report.limited_steps
@@ -61,7 +60,7 @@ class DelayedLoop:
                 car.advance(i, loop)
             limited += shaped
         held_commands = int(np.count_nonzero(~used[: steps - 1]))  # the last one would take effect after the run
-        return Trajectory(loop=loop, asked=asked[:-1], limited=limited, held_commands=held_commands)
+        return Trajectory(loop=loop, asked=asked, limited=limited, held_commands=held_commands)
 
     def _arrivals(self) -> list[int]:
         """The controller's, if each command arrives after it was asked for.

@@ -79,9 +79,11 @@ def test_sections_are_the_sum_of_their_fine_steps(fine: int, ends: list[list[flo
         np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-15)
 
 
+@pytest.mark.parametrize("acting", [(1, 1), (0, 0.1), (0.1, 0)], ids=["both", "rear", "front"])
 @pytest.mark.parametrize("fine", [1, 4])
-def test_power_and_time_in_the_air_are_trapezoids_up_to_the_last_place(fine: int) -> None:
+def test_power_and_time_in_the_air_are_trapezoids_up_to_the_last_place(fine: int, acting: tuple[float, float]) -> None:
     table, last = default_rng(fine).normal(size=(8, fine + 1, SIGNALS)), 6.7 * fine
+    table[:, :, 8:] *= acting  # forces of less than 1 N, too
     result = measured(table, np.array([[0.0, fine], [fine, last]]))
     power = np.abs(table[:, :, 8] * table[:, :, 0]) + np.abs(table[:, :, 9] * table[:, :, 1])
     np.testing.assert_allclose(result.power, in_section("value", power, 0.0, last), rtol=1e-12)

@@ -5,7 +5,7 @@ import pytest
 
 from sim_core.arrays import FloatArray
 from sim_core.road.iri import BASE, SPEED, exact_step, golden_car, iri
-from sim_core.road.iso8608 import classified, road_class
+from sim_core.road.iso8608 import classified, road_class, smoothed_psd
 
 # S and p for heights 250 and 100 mm apart, as computed in single precision: Sayers, Gillespie and Paterson
 # (1986), Guidelines for Conducting and Calibrating Road Roughness Measurements, World Bank Technical Paper 46, table 5.
@@ -81,6 +81,15 @@ def test_intervals_hold_what_the_road_was_made_from(waviness: float, length: flo
     assert sum(fit.waviness.low < waviness < fit.waviness.high for fit in found) >= 88
     errors = np.log([fit.roughness.value / 64e-6 for fit in found])
     assert abs(errors.mean()) < 4 * errors.std() / np.sqrt(len(fits)) + 0.01, "no bias"
+
+
+def test_a_bands_mean_scatters_as_its_independent_ordinates() -> None:
+    """By the variance of 1,000 white tracks: the mean over all bands to three of its own standard deviations of 1 %."""
+    tracks = np.random.default_rng(1).standard_normal((1000, 2000))
+    spectra = [smoothed_psd([track], 0.05) for track in tracks]
+    density, independent = np.array([each for _, each, _ in spectra]), spectra[0][2]
+    scatter = density.var(axis=0) / density.mean(axis=0) ** 2
+    assert (scatter * independent).mean() == pytest.approx(1, abs=0.03)
 
 
 def test_two_tracks_have_one_mean_spectrum() -> None:
