@@ -1,4 +1,4 @@
-"""Recorded drives: upload as CSV, preview of its columns, read, and export."""
+"""Recorded drives: upload as CSV, read, and export."""
 
 import json
 from typing import Annotated, Literal
@@ -11,7 +11,7 @@ from backend.errors import InvalidError
 from backend.http.answers import IMMUTABLE
 from backend.http.openapi import BYTES
 from backend.http.routing import ComputingRoute, FileRoute
-from backend.recordings.models import CreatedRecording, RecordingAnswer, RecordingPreview
+from backend.recordings.models import CreatedRecording, RecordingAnswer
 from backend.recordings.service import Recordings
 
 reading = router("recordings", 408, 413, 415, 422, 429, 503, route_class=FileRoute)
@@ -41,16 +41,6 @@ async def create_recording(
     created = await service.create(await request.body(), _mapping(columns), client)
     response.headers["Location"] = f"{API}/recordings/{created.id}"
     return created
-
-
-@reading.post(
-    "/recordings/preview", operation_id="previewRecording", response_model=RecordingPreview, openapi_extra=BODY
-)
-async def preview_recording(
-    request: Request, service: RecordingsService, client: Client, columns: ColumnMapping = None
-) -> RecordingPreview:
-    """How a file that begins like this would be read; nothing is stored."""
-    return await service.preview(await request.body(), _mapping(columns), client)
 
 
 @recordings.get(

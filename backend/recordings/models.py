@@ -29,12 +29,3 @@ class CreatedRecording(RecordingAnswer):
 
     columns: list[RecordedColumn] = Field(description="All of the file's")
     warnings: list[str] = Field(description="What was done to the file, and what may be wrong with it")
-
-
-class RecordingPreview(Answer):
-    """How the beginning of a file would be read; nothing is stored."""
-
-    columns: list[RecordedColumn] = Field(description="All of the file's")
-    rows: list[list[str]] = Field(description="Cells of the first lines, as they are")
-    message: str | None = Field(description="Why it cannot be read like that; null where it can")
-    road: bool = Field(description="Whether it is rather a measured road's, for `POST /roads`")

@@ -3,7 +3,6 @@
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from itertools import islice
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,11 +20,9 @@ LONGEST_TIME = 3600.0  # [s]
 # A step of so many usual ones, and so long, is a gap: nothing is known in it [s], [m].
 GAP_STEPS, GAP_TIME, GAP_DISTANCE = 10.0, 0.1, 1.0
 FILLED_STEPS = 3.0  # a signal of a slower rate is straight between values at most so many of its own steps apart
-SHOWN_ROWS = 5  # of a preview
 # Values beyond are hardly a car's, by SI unit.
 LARGEST = {"m/s^2": 200.0, "rad/s^2": 300.0, "N": 1e5, "m": 1.0, "m/s": 100.0, "Pa": 1e8}
 ALIASES = {"distance": "position", "t": "time", "v": "speed", "velocity": "speed", "vehicle_speed": "speed"}
-ROAD_TITLES = re.compile(r"height|elevation|profile|z|left|right|(left|right)[ _]height|z_(left|right)")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -46,23 +43,6 @@ class Reading:
     drive: RecordedDrive
     columns: Sequence[Column]
     warnings: Sequence[str]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Preview:
-    """How the first lines of a file would be read.
-
-    Attributes:
-        columns: All of them.
-        rows: Cells of the first lines, as they are.
-        message: Why it cannot be read like that; None where it can.
-        road: Whether its header is that of a measured road.
-    """
-
-    columns: Sequence[Column]
-    rows: Sequence[Sequence[str]]
-    message: str | None
-    road: bool
 
 
 def read(content: bytes, mapping: Mapping[str, str]) -> Reading:
@@ -92,25 +72,6 @@ def read(content: bytes, mapping: Mapping[str, str]) -> Reading:
     signals = _apart_at_gaps(signals, numbers, warnings)
     signals = _filled(signals, warnings)
     return Reading(drive=RecordedDrive.of(signals), columns=columns, warnings=[*warnings, *_doubts(signals)])
-
-
-def preview(content: bytes, mapping: Mapping[str, str]) -> Preview:
-    """How a file that begins like this would be read; arguments as of `read`.
-
-    Raises:
-        CsvError: It has no header, or its text cannot be read.
-    """
-    number, lines, between, names = _opened(content)
-    rows = [line.split(between)[: len(names)] for _, line in islice(lines, SHOWN_ROWS)]
-    road = any(ROAD_TITLES.fullmatch(csv_lines.title_and_unit(name)[0].lower()) for name in names)
-    columns = [Column(index=index, name=name, signal=None, unit="") for index, name in enumerate(names)]
-    message = None
-    try:
-        columns = _columns(names, mapping, number)
-        _check_signals([column for column in columns if column.signal is not None], number)
-    except CsvError as error:
-        message = error.message
-    return Preview(columns=columns, rows=rows, message=message, road=road and not mapping)
 
 
 def _opened(content: bytes) -> tuple[int, csv_lines.Lines, str, list[str]]:

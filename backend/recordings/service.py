@@ -1,8 +1,8 @@
 """Recorded drives: read from CSV, stored, and added to scenarios of runs that show them."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 
@@ -11,15 +11,13 @@ from backend.csv_lines import CsvError
 from backend.errors import InvalidError, NotFoundError
 from backend.gate import Gate
 from backend.recordings import export, reading
-from backend.recordings.models import CreatedRecording, RecordedColumn, RecordingAnswer, RecordingPreview
+from backend.recordings.models import CreatedRecording, RecordedColumn, RecordingAnswer
 from backend.store import Store
 from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import PREFIX, RecordedDrive, recording_id
 
 READING_COST = 2.0  # of the longest file allowed [s of one core]
-PREVIEW_COST = 0.05
 CSV_COST = 2e-6  # of one value [s of one core]
-Read = TypeVar("Read")
 
 
 @dataclass(eq=False, kw_only=True)
@@ -37,36 +35,15 @@ class Recordings:
             InvalidError: It is none; the message has the line.
             TemporaryError: Too much is being read.
         """
-        read = await self._read(reading.read, content, mapping, client, READING_COST)
+        with self.gate.hold(client, road_files=1, requests=1, background_cost=READING_COST):
+            try:
+                read = await self.workers.call(reading.read, content, mapping, client=client, cost=READING_COST)
+            except CsvError as error:
+                raise InvalidError(f"Line {error.line}: {error.message}.", pointer="") from None
         await self.store.write(self.store.recordings.save, read.drive)
         head = await self.workers.call(head_of, read.drive, client=client)
         columns = [RecordedColumn.model_validate(each) for each in read.columns]
         return CreatedRecording(**head, columns=columns, warnings=list(read.warnings))
-
-    async def preview(self, content: bytes, mapping: Mapping[str, str], client: str) -> RecordingPreview:
-        """How the beginning of a file would be read.
-
-        Raises:
-            InvalidError: It has no header, or its text cannot be read.
-            TemporaryError: Too much is being read.
-        """
-        return RecordingPreview.model_validate(
-            await self._read(reading.preview, content, mapping, client, PREVIEW_COST)
-        )
-
-    async def _read(
-        self,
-        how: Callable[[bytes, Mapping[str, str]], Read],
-        content: bytes,
-        mapping: Mapping[str, str],
-        client: str,
-        cost: float,
-    ) -> Read:
-        with self.gate.hold(client, road_files=1, requests=1, background_cost=cost):
-            try:
-                return await self.workers.call(how, content, mapping, client=client, cost=cost)
-            except CsvError as error:
-                raise InvalidError(f"Line {error.line}: {error.message}.", pointer="") from None
 
     async def get(self, recording: str, client: str) -> RecordingAnswer:
         """The stored recording.

@@ -39,7 +39,7 @@ include-operation-id = [
     "getSeries", "getInstant", "getBands", "getChanges", "getRunReport", "getBatchTable", "getBatchSummary",
     "exportController", "reportController", "driveByClock", "makeHalfCar", "createRoad",
     "getPaper", "getPaperReadings", "getPaperAttribution", "getPaperFigures", "getPaperReport",
-    "getRun", "createRecording", "previewRecording", "exportFmu",
+    "getRun", "createRecording", "exportFmu",
 ]
 checks.positive_data_acceptance.expected-statuses = ["2xx", 404, 409, 410, 422, 429, 503]
 

@@ -26,9 +26,9 @@ def recorded(*keys: str, every: int = 2) -> str:
     return "\n".join([head, *(",".join(f"{value:.8g}" for value in row) for row in zip(*columns, strict=True)), ""])
 
 
-def send(client: httpx.Client, content: str, to: str = "", **parameters: str) -> httpx.Response:
+def send(client: httpx.Client, content: str, **parameters: str) -> httpx.Response:
     headers = {"Content-Type": "text/csv"}
-    return client.post(f"/api/v1/recordings{to}", content=content, headers=headers, params=parameters)
+    return client.post("/api/v1/recordings", content=content, headers=headers, params=parameters)
 
 
 @pytest.fixture(scope="module")
@@ -150,16 +150,6 @@ def test_a_recording_is_held_to_requirements(service: Service, shown: dict[str, 
     results = answer["requirement_results"]
     assert [(each["strategy"], each["result"]) for each in results] == [(name, "pass"), (name, "fail")]
     assert abs(results[0]["value"]) < 5
-
-
-def test_a_file_is_shown_before_it_is_sent(client: httpx.Client) -> None:
-    answer = send(client, "t [ms];acc;height [mm]\n0;0,1;5\n1;0,2;6\n", "/preview").json()
-    assert answer["columns"][0] == {"name": "t [ms]", "signal": "time", "unit": "ms"}
-    assert answer["rows"][0] == ["0", "0,1", "5"]
-    assert "No column is a signal" in answer["message"]
-    mapped = send(client, "t [ms];acc\n0;0,1\n", "/preview", columns='{"acc": "body_acceleration [g]"}').json()
-    assert mapped["message"] is None
-    assert send(client, "distance [m],height [mm]\n0,0\n", "/preview").json()["road"] is True
 
 
 @pytest.mark.parametrize(

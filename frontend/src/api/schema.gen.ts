@@ -97,9 +97,6 @@ export interface paths {
     readonly "/recordings/{id}": {
         readonly get: operations["getRecording"];
     };
-    readonly "/recordings/preview": {
-        readonly post: operations["previewRecording"];
-    };
     readonly "/roads": {
         readonly post: operations["createRoad"];
     };
@@ -1160,12 +1157,6 @@ export interface components {
             readonly signals: readonly string[];
             readonly strategy: string;
         };
-        readonly RecordingPreview: {
-            readonly columns: readonly components["schemas"]["RecordedColumn"][];
-            readonly message: string | null;
-            readonly road: boolean;
-            readonly rows: readonly (readonly string[])[];
-        };
         readonly RecordingReport: {
             readonly end: number;
             readonly likeness: number | null;
@@ -1813,7 +1804,6 @@ export type ReadingsAnswer = components['schemas']['ReadingsAnswer'];
 export type RealtimeReport = components['schemas']['RealtimeReport'];
 export type RecordedColumn = components['schemas']['RecordedColumn'];
 export type RecordingAnswer = components['schemas']['RecordingAnswer'];
-export type RecordingPreview = components['schemas']['RecordingPreview'];
 export type RecordingReport = components['schemas']['RecordingReport'];
 export type Requirement = components['schemas']['Requirement'];
 export type RequirementResult = components['schemas']['RequirementResult'];
@@ -2394,25 +2384,6 @@ export interface operations {
                 content: {
                     readonly "application/json": components["schemas"]["RecordingAnswer"];
                     readonly "text/csv": string;
-                };
-            };
-        };
-    };
-    readonly previewRecording: {
-        readonly parameters: {
-            readonly query?: {
-                readonly columns?: string | null;
-            };
-        };
-        readonly requestBody: {
-            readonly content: {
-                readonly "text/csv": string;
-            };
-        };
-        readonly responses: {
-            readonly 200: {
-                content: {
-                    readonly "application/json": components["schemas"]["RecordingPreview"];
                 };
             };
         };

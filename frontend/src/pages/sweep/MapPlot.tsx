@@ -58,7 +58,7 @@ export function MapPlot({ batch, columns: newest, shown, strategies, height, tex
   if (!grid || !other || !figure)
     return (
       <Text p="3rem 1rem" fz="md" ta="center" c="dimmed">
-        A map needs finished runs at two or more values of both fields.
+        {columns.run ? "A map needs finished runs at two or more values of both fields." : "Loading the rows…"}
       </Text>
     );
   const name = `${fullName(y)}${against === null ? "" : `, change against ${otherLabel}`}, ${labelOf(strategy)}`;

@@ -41,7 +41,9 @@ export function BatchRows(props: Props) {
   return (
     <Card aria-label="Rows">
       <Group gap="0.4rem 1rem" mih="2.8rem" px="0.9rem" py="0.4rem">
-        <Text fw={600}>{count(rows.length, failedOnly ? "failed run" : "run")}</Text>
+        <Text fw={600}>
+          {loading && rows.length === 0 ? "Runs" : count(rows.length, failedOnly ? "failed run" : "run")}
+        </Text>
         {batch.failed > 0 && (
           <Checkbox
             label="Failed only"
