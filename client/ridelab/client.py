@@ -4,18 +4,16 @@ What reads a stored run, what makes and finds jobs, and what handles measured fi
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from ridelab.connection import API, Scenario
 from ridelab.errors import RidelabConnectionError
 from ridelab.fields import similar, units_of, with_values
-from ridelab.frames import compared
 from ridelab.job_methods import JobMethods
 from ridelab.jobs import Batch, Job
 from ridelab.measurement_methods import MeasurementMethods
 from ridelab.requirements import Requirement, required
-from ridelab.results import Link, LinkedResult, RunResult, Solution, quoted_id
+from ridelab.results import Link, LinkedResult, RunResult, Solution, compared, quoted_id
 from ridelab.run_methods import RunMethods
 from ridelab.units import quantity, starts_as_number
 
@@ -44,22 +42,6 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
     Raises:
         ValueError: That is no HTTP address, or none is named.
     """
-
-    @cached_property
-    def units(self) -> dict[str, str]:
-        """Unit of each metric by its flat name (`bump.body_acceleration.peak`), from the catalogue; `1` for none."""
-        catalogue = self.get("/catalogue")
-        signals = {each["key"]: each["unit"] for each in catalogue["signals"]}
-        windows, statistics = ([each["key"] for each in catalogue[name]] for name in ("windows", "statistics"))
-        units = {
-            f"{window}.{signal}.{statistic}": signals[signal]
-            for window in windows
-            for signal in catalogue["metric_signals"]
-            for statistic in statistics
-        }
-        for part, prefix in (("comfort", "comfort."), ("events", "events."), ("run_figures", "")):
-            units |= {prefix + each["key"]: each["unit"] for each in catalogue[part]}
-        return units
 
     def scenario(self, preset: str = "paper", changes: Mapping[str, Any] | None = None) -> dict[str, Any]:
         """A preset with some fields changed, for every method that takes a scenario.

@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Iterator, Mapping
+from functools import cached_property
 from typing import Any, Self
 
 import httpx
@@ -66,6 +67,22 @@ class Connection:
     def get(self, path: str, params: Mapping[str, Any] | None = None) -> Any:
         """The JSON at a path below `/api/v1`, such as `/presets`, `/schema`, `/catalogue`."""
         return self._http.json("GET", f"{API}{path}", params=params)
+
+    @cached_property
+    def units(self) -> dict[str, str]:
+        """Unit of each metric by its flat name (`bump.body_acceleration.peak`), from the catalogue; `1` for none."""
+        catalogue = self.get("/catalogue")
+        signals = {each["key"]: each["unit"] for each in catalogue["signals"]}
+        windows, statistics = ([each["key"] for each in catalogue[name]] for name in ("windows", "statistics"))
+        units = {
+            f"{window}.{signal}.{statistic}": signals[signal]
+            for window in windows
+            for signal in catalogue["metric_signals"]
+            for statistic in statistics
+        }
+        for part, prefix in (("comfort", "comfort."), ("events", "events."), ("run_figures", "")):
+            units |= {prefix + each["key"]: each["unit"] for each in catalogue[part]}
+        return units
 
     def _post(self, path: str, body: Mapping[str, Any], key: str = "") -> dict[str, Any]:
         return self._http.json("POST", API + path, body=body, headers={"Idempotency-Key": key} if key else None)

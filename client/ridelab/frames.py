@@ -8,8 +8,6 @@ if TYPE_CHECKING:
     import pandas as pd
     import plotly.graph_objects as go
 
-    from ridelab.results import RunResult
-
 
 def needed(package: str, what: str, module: str = "") -> Any:
     """A package that is no part of the client.
@@ -34,29 +32,3 @@ def figure_of(answer: Mapping[str, Any]) -> "go.Figure":
     """A figure of the service as plotly's own."""
     figure: go.Figure = needed("plotly", "A figure", "plotly.graph_objects").Figure(dict(answer), skip_invalid=True)
     return figure
-
-
-def compared(a: "RunResult", b: "RunResult") -> "pd.DataFrame":
-    """Every metric of the strategies that both have: `a`, `b`, `change` from a to b [%] and `unit`."""
-    both = [outcome for outcome in a if outcome.strategy in b.strategies]
-    rows = [
-        {
-            "strategy": outcome.strategy,
-            "metric": metric,
-            "a": one,
-            "b": other,
-            "change": _change(one, other),
-            "unit": a.units.get(metric, "1"),
-        }
-        for outcome in both
-        for metric, one in outcome.figures().items()
-        for other in [b[outcome.strategy].figures().get(metric)]
-    ]
-    return frame_of(rows, ["strategy", "metric"], a.units)
-
-
-def _change(one: float | bool | None, other: float | bool | None) -> float | None:
-    """In percent; None where there is no number, and from zero."""
-    if one is None or other is None or isinstance(one, bool) or isinstance(other, bool) or one == 0:
-        return None
-    return 100 * (other - one) / abs(one)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal, Self, TypedDict
 from urllib.parse import quote
 
 from ridelab import frames
+from ridelab.connection import Connection
 from ridelab.jobs import Batch
 from ridelab.requirements import RequirementResult
 
@@ -14,7 +15,6 @@ if TYPE_CHECKING:
     import pandas as pd
     import plotly.graph_objects as go
 
-    from ridelab.client import Ridelab
 
 Figure = float | bool | None
 _AVERAGED = {"metrics", "comfort"}
@@ -158,10 +158,10 @@ class RunResult:
     changes: Mapping[str, Any] = field(default_factory=dict, repr=False)
     requirement_results: Sequence[RequirementResult] = ()
     answer: dict[str, Any] = field(repr=False)
-    service: "Ridelab | None" = field(default=None, repr=False, compare=False)
+    service: Connection | None = field(default=None, repr=False, compare=False)
 
     @classmethod
-    def of(cls, answer: Mapping[str, Any], service: "Ridelab | None" = None) -> Self:
+    def of(cls, answer: Mapping[str, Any], service: Connection | None = None) -> Self:
         """The run in an answer of a service, or in a file that holds one.
 
         Raises:
@@ -229,6 +229,32 @@ class RunResult:
 
     def __iter__(self) -> Iterator[Outcome]:
         return iter(self.strategies.values())
+
+
+def compared(a: RunResult, b: RunResult) -> "pd.DataFrame":
+    """Every metric of the strategies that both have: `a`, `b`, `change` from a to b [%] and `unit`."""
+    both = [outcome for outcome in a if outcome.strategy in b.strategies]
+    rows = [
+        {
+            "strategy": outcome.strategy,
+            "metric": metric,
+            "a": one,
+            "b": other,
+            "change": _change(one, other),
+            "unit": a.units.get(metric, "1"),
+        }
+        for outcome in both
+        for metric, one in outcome.figures().items()
+        for other in [b[outcome.strategy].figures().get(metric)]
+    ]
+    return frames.frame_of(rows, ["strategy", "metric"], a.units)
+
+
+def _change(one: float | bool | None, other: float | bool | None) -> float | None:
+    """In percent; None where there is no number, and from zero."""
+    if one is None or other is None or isinstance(one, bool) or isinstance(other, bool) or one == 0:
+        return None
+    return 100 * (other - one) / abs(one)
 
 
 def quoted_id(result: RunResult | str) -> str:
