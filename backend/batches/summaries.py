@@ -20,7 +20,9 @@ from backend.store import StoredJob
 from backend.store.job import FINAL
 
 CACHED = 16  # a page that is opened again asks for the same
-REUSE = 10  # a summary of a batch that goes on is answered again for so many times as long as it took
+# A summary of a batch that goes on is answered again for so many times as long as it took, or a page that is open would
+# keep a process from the batch (test_a_summary_of_a_batch_that_goes_on_is_answered_again_for_a_while).
+REUSE = 10
 COST = 0.005  # of one run, its loop's stability included [s of one core]
 
 

@@ -11,10 +11,14 @@ from dataclasses import dataclass
 from backend.errors import BusyError, TooManyRequestsError
 from backend.gate.quota import fair_share
 
-MIN_SMOOTHING = 0.1  # weight of the newest interval in the moving average
+MIN_SMOOTHING = (
+    0.1  # weight of the newest interval in the moving average (test_the_wait_follows_requests_of_another_kind)
+)
 MAX_RETRY_AFTER = 60  # [s]
 SOON = 2  # [s]
-RELIABLE = 8  # intervals: the first ones of a burst last as long as the service reads all of it
+# Intervals: the first ones of a burst last as long as the service reads all of it
+# (test_the_first_completions_of_a_burst_send_nobody_away_for_long).
+RELIABLE = 8
 
 
 @dataclass(slots=True)

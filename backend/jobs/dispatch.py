@@ -58,16 +58,6 @@ class Dispatch:
         running.open_chunks += 1
         _keep(self._computing, self._compute(executor, running, runs, priority))
 
-    async def wait_until_computed(self, seconds: float) -> None:
-        """Wait until every chunk is back, at most `seconds`; the chunks then wait to be stored."""
-        if self._computing:
-            await asyncio.wait(self._computing, timeout=seconds)
-
-    async def wait_until_stored(self, seconds: float) -> None:
-        """Wait until every chunk that came back is stored, at most `seconds`."""
-        if self._committing:
-            await asyncio.wait(self._committing, timeout=seconds)
-
     async def stop_computing(self) -> None:
         """Cancel the chunks being computed; those that came back are still stored."""
         await _cancel(self._computing)

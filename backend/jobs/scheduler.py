@@ -31,10 +31,9 @@ from sim_core import __version__ as CORE_VERSION
 
 logger = logging.getLogger(__name__)
 
-CHUNKS_PER_PROCESS = 2  # one is computed, one waits
+CHUNKS_PER_PROCESS = 2  # one is computed, one waits (test_every_job_begins_at_once_and_first_chunks_go_first)
 JOB_POLL_INTERVAL = 1.0  # between two looks at what other services accepted or cancelled [s]
 PAUSE_AFTER_FAILURE = 2.0  # after the database or the executor failed [s]
-PARTING = 10.0  # chunks being computed when the lead is lost may take so long to come back [s]
 REKEYED_AT_ONCE = 500  # runs given new keys in one transaction
 REPORT = 5.0  # between two updates of the metrics [s]
 STATES: tuple[State, ...] = get_args(State)
@@ -95,12 +94,10 @@ class Scheduler:
             try:
                 try:
                     async with self._leadership.held():
-                        await self._chunks.wait_until_stored(PARTING)  # what was computed before the lead was lost
                         with self._store.commits.following() as changes:
                             await self._lead(changes)
                 except LeadershipLostError:
                     logger.warning("Another service leads the jobs now")
-                    await self._chunks.wait_until_computed(PARTING)
                 finally:
                     await self._leave()
             except (SQLAlchemyError, OSError) as error:

@@ -23,7 +23,9 @@ from sim_core.scenario import Scenario
 RETRY_AFTER = 30
 MAX_JOBS = 16  # that compute rows, of all visitors
 MAX_CLIENT_JOBS = 4  # of one visitor; the page asks for four at once
-TRY_AGAIN = timedelta(minutes=1)  # rows that failed are not tried again before, for those who ask every second
+# Rows that failed are not tried again before, for those who ask every second
+# (test_rows_that_failed_are_not_computed_again_for_who_asks_every_second).
+TRY_AGAIN = timedelta(minutes=1)
 JOB_POLL_INTERVAL = 1.0  # between two looks at a job of another process [s]
 ROW_COST = 0.02  # [s of one core]
 REPRODUCTION = JobKind(

@@ -15,6 +15,7 @@ from backend.paper.claims import FIGURES
 from backend.paper.interpretations import DEFAULT
 from backend.paper.rows import MAX_CLIENT_JOBS, PaperRows
 from backend.store import Store
+from sim_core import __version__ as CORE_VERSION
 from tests.api.conftest import Service
 from tests.servers.process import wait_until
 
@@ -179,3 +180,18 @@ def test_one_visitor_leaves_the_paper_page_to_others(store: Store) -> None:
         assert not await ask("polite", 101)
 
     asyncio.run(ask_all())
+
+
+def test_rows_that_failed_are_not_computed_again_for_who_asks_every_second(store: Store) -> None:
+    rows = PaperRows(store)
+
+    async def ask() -> str | None:
+        answer = await rows.get([JobRun(0, "{}", "paper.lv", "a key")], "one", patience=0.0)
+        return answer.reason if answer.complete else None
+
+    assert asyncio.run(ask()) is None
+    (job,) = store.jobs.unfinished()
+    store.job_runs.save(job.id, [], CORE_VERSION, {0: "Its process died"})
+    assert store.jobs.finish(job.id)
+    assert asyncio.run(ask()) == asyncio.run(ask()) == "Its process died"
+    assert not store.jobs.unfinished()

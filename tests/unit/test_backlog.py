@@ -117,3 +117,10 @@ def test_what_does_not_compute_says_nothing_of_the_wait(requests: Requests) -> N
     requests.complete(20)
     requests.complete(90, after=0)
     assert requests.backlog.expected_wait / 10 == pytest.approx(before, rel=0.2)
+
+
+def test_the_wait_follows_requests_of_another_kind(requests: Requests) -> None:
+    requests.arrive_from_everywhere(1000)
+    requests.complete(900, after=INTERVAL / 10)
+    requests.complete(40, after=INTERVAL)
+    assert requests.backlog.expected_wait == pytest.approx(60 * INTERVAL, rel=0.1)
