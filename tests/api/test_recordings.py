@@ -9,6 +9,7 @@ import pytest
 from sqlalchemy import delete, update
 
 from backend.db.tables import recordings, results, run_recordings
+from ridelab import Ridelab
 from sim_core import Scenario, simulate
 from sim_core.catalogue import METRIC_SIGNALS, SIGNALS
 from tests.api.conftest import Service
@@ -48,8 +49,8 @@ def shown(service: Service, sent: dict[str, Any]) -> dict[str, Any]:
 
 def test_a_recording_is_known_by_its_content(client: httpx.Client, sent: dict[str, Any]) -> None:
     assert sent["signals"] == list(SENT)
-    csv = client.get(f"/api/v1/recordings/{sent['id']}", params={"format": "csv"})
-    assert send(client, csv.text).json()["id"] == sent["id"]
+    with Ridelab(str(client.base_url)) as ridelab:
+        assert ridelab.upload_recording(b"".join(ridelab.recording_content(sent["id"])))["id"] == sent["id"]
     renamed = recorded(*SENT).replace("body_acceleration [m/s^2]", "acc z")
     columns = json.dumps({"acc z": "Body acceleration [m/s²]"})
     assert send(client, renamed, columns=columns).json()["id"] == sent["id"]
