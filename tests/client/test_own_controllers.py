@@ -61,7 +61,7 @@ def test_a_broken_law_is_told_in_words(
     assert not file.with_name("my_law-forces.svg").exists()
 
 
-@pytest.mark.parametrize("command", [["run"], ["compare", "paper", "paper"], ["robustness"], ["tune"]])
+@pytest.mark.parametrize("command", [["run"], ["compare", "paper", "paper"], ["robustness"], ["tune"], ["frequency"]])
 def test_a_service_elsewhere_is_brought_no_file(cli: Cli, file: Path, command: list[str]) -> None:
     cli(*command, "--controller", file, "--server", "http://127.0.0.1:9", code=2)
     assert "--controller: a service runs only the files that its operator named" in cli.error

@@ -99,7 +99,7 @@ COMMANDS = (
     cite,
     *LISTS,
 )
-DRIVING = (run_, compare, sweep, robustness, solve, tune)
+DRIVING = (run_, compare, sweep, robustness, solve, tune, frequency, instant, fmu)
 JOBS = typer.Typer(help="Batches and tunings: list, show, follow, label, cancel, resume, delete.", no_args_is_help=True)
 app.add_typer(JOBS, name="jobs")
 app.add_typer(NEW, name="new")
