@@ -23,6 +23,17 @@ from tests.validation.ecu_drives import DRIVES, HARD, SHORT, SLOWER
 from tests.validation.reference.ecu import ModelEcu
 
 
+def test_a_program_that_checks_few_limits_has_the_commands_and_every_third_deflection() -> None:
+    every, few = ecu_calibration(Scenario(), "all"), ecu_calibration(Scenario(), "few")
+    moves, horizon = 40, 30
+    rows = [0, 1, *range(moves + 2, moves + horizon, 3), *range(moves + horizon + 2, moves + 2 * horizon, 3)]
+    assert few.axles == (-1, -1, *[0] * 10, *[1] * 10)
+    np.testing.assert_array_equal(few.bounds, every.bounds[rows])
+    for ours, all_of_them in zip(few.stages, every.stages, strict=True):
+        np.testing.assert_array_equal(ours.rows, all_of_them.rows[rows])
+        np.testing.assert_array_equal(ours.gram, all_of_them.gram[np.ix_(rows, rows)])
+
+
 def test_the_ecus_optimum_is_the_qps() -> None:
     """Random states, roads and previous forces in every stage; the QP's answers are exact to about 1e-9 N here."""
     scenario = Scenario(mpc=HARD, hil=Hil(compensation="none", iterations=200))

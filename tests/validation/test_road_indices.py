@@ -61,6 +61,15 @@ def test_a_sloping_straight_line_is_smooth_and_a_track_may_be_too_short() -> Non
         iri(np.zeros(5), 0.05)
 
 
+def test_the_car_starts_with_the_mean_slope_of_eleven_metres() -> None:
+    """Level road of that length in front of a track that begins level adds no motion, only distance."""
+    track = 0.01 * np.maximum(np.arange(0, 60, 0.25) - 11, 0)
+    longer = np.concatenate([np.zeros(44), track])
+    alone, behind = (iri(height, 0.25) * (len(height) - 1) for height in (track, longer))
+    assert alone == pytest.approx(behind, rel=1e-9)
+    assert alone > 1
+
+
 def road(waviness: float, roughness: float, length: float, spacing: float, seed: int) -> FloatArray:
     """Gaussian heights whose PSD is the power law from 1/1000 1/m on; a piece of a road eight times as long."""
     rng, samples = np.random.default_rng(seed), round(length / spacing)
