@@ -14,11 +14,14 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
 from pathlib import Path
+from typing import Any
 
 import pytest
 from sqlalchemy import make_url
 
+from backend.db.backup import BackupError, back_up
 from backend.outcome import Outcome
+from backend.settings import Settings
 from backend.store import Store, StoredRun
 from tests.client.cli import Cli
 from tests.servers.postgres import Postgres, program
@@ -100,19 +103,28 @@ def test_a_copy_of_sqlite_under_writes_is_a_whole_database(sqlite_store: Store, 
     assert json.loads(backup("--force", "--json"))["file"] == "copy.sqlite"
 
 
+def refusal(**settings: Any) -> str:
+    """Why no copy of what these settings name takes the place of copy.sqlite."""
+    with pytest.raises(BackupError) as refused:
+        back_up(Settings.model_validate(settings), Path("copy.sqlite"), overwrite=True)
+    return str(refused.value)
+
+
 def test_no_copy_is_half_and_none_is_lost(sqlite_store: Store, tmp_path: Path, backup: Backup) -> None:
     save(sqlite_store, "before")
     sqlite_store.close()
     (tmp_path / "copy.sqlite").write_text("older")
     assert "is there already; --force replaces it" in backup(code=2)
-    database = tmp_path / "data/ridelab.sqlite"
+    folder = tmp_path / "data"
+    database = folder / "ridelab.sqlite"
     whole = database.read_bytes()
-    database.write_bytes(damaged(whole, page_of(database, "results")))
-    assert "damaged" in backup("--force", code=2)
-    database.write_bytes(b"no database at all" * 100)
-    assert "it is no SQLite database" in backup("--force", code=2)
-    database.write_bytes(b"")
-    assert "is empty, so there is nothing to copy" in backup("--force", code=2)
+    for content, why in (
+        (damaged(whole, page_of(database, "results")), "damaged"),
+        (b"no database at all" * 100, "it is no SQLite database"),
+        (b"", "is empty, so there is nothing to copy"),
+    ):
+        database.write_bytes(content)
+        assert why in refusal(data_dir=folder)
     assert (tmp_path / "copy.sqlite").read_text() == "older"
     database.write_bytes(whole)
     backup("--force")
@@ -122,10 +134,9 @@ def test_no_copy_is_half_and_none_is_lost(sqlite_store: Store, tmp_path: Path, b
     assert {path.name for path in tmp_path.iterdir()} == {"data", "copy.sqlite"}
 
 
-def test_what_cannot_be_copied_is_said(backup: Backup, monkeypatch: pytest.MonkeyPatch) -> None:
-    assert "There is no database at" in backup(code=2)
-    monkeypatch.setenv("RIDELAB_DATABASE_URL", "postgresql://host/ridelab")
-    assert "pg_dump" in backup(code=2)
+def test_what_cannot_be_copied_is_said(tmp_path: Path) -> None:
+    assert "There is no database at" in refusal(data_dir=tmp_path)
+    assert "pg_dump" in refusal(data_dir=tmp_path, database_url="postgresql://host/ridelab")
 
 
 def test_a_dump_of_postgresql_brings_everything_back(postgres: Postgres, tmp_path: Path) -> None:

@@ -44,14 +44,15 @@ def request(method: str, url: str, *, timeout: float = HANG_TIMEOUT, **options: 
     return httpx.request(method, url, timeout=timeout, verify=_NO_CERTIFICATES, **options)
 
 
-def wait_until(condition: Callable[[], object], what: str, *, pause: float = 0.05) -> None:
-    """Wait for it to hold; an OSError means not yet."""
-    end = time.monotonic() + HANG_TIMEOUT
+def wait_until(condition: Callable[[], object], what: str, *, pause: float = 0.1) -> None:
+    """Wait for it to hold, looking ever less often, at last every `pause` [s]; an OSError means not yet."""
+    end, wait = time.monotonic() + HANG_TIMEOUT, 0.005
     while time.monotonic() < end:
         with contextlib.suppress(OSError):
             if condition():
                 return
-        time.sleep(pause)
+        time.sleep(wait)
+        wait = min(1.2 * wait, pause)
     raise TimeoutError(f"It hangs: {what}")
 
 

@@ -89,8 +89,8 @@ AT_LENGTH = os.environ.get("HYPOTHESIS_PROFILE") == "search"  # as `make drill` 
 
 
 def examples(count: int) -> int:
-    """How many a test of whole runs takes: a third of these always, all of them and new ones in `make drill`."""
-    return count if AT_LENGTH else count // 3
+    """How many a test of whole runs takes: a sixth of these always, all of them and new ones in `make drill`."""
+    return count if AT_LENGTH else max(2, count // 6)
 
 
 def some(count: int, cases: Sequence[T]) -> Sequence[T]:

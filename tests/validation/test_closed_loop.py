@@ -79,7 +79,7 @@ def test_lqr_is_the_same() -> None:
     assert difference(Scenario(road=ROAD, lqr=Lqr(weights=(1, 2, 3))), "lqr")[0] < 1e-6
 
 
-@pytest.mark.parametrize(("strategy", "preview"), some(3, PREVIEWS))
+@pytest.mark.parametrize(("strategy", "preview"), some(1, PREVIEWS))
 def test_the_papers_scenario_with_its_limits(strategy: str, preview: Preview) -> None:
     """DAQP's active set is exact and the interior-point reference polishes to 1e-10: 1e-6 of the peak is left."""
     scenario = Scenario(mpc=Mpc(preview=preview))
@@ -93,12 +93,12 @@ CASES = {
     "tight limits, LV": (Scenario(road=ROAD, mpc=TIGHT), "lv"),
     "tight limits, osqp": (Scenario(road=ROAD, mpc=TIGHT.model_copy(update={"solver": "osqp"})), "suspension_only"),
     "travel out of reach": (Scenario(road=ROAD, mpc=Mpc(force_limit=300, deflection_limit=0.03)), "suspension_only"),
-    "no travel weight": (Scenario(road=ROAD, mpc=Mpc(deflection_weight=0)), "lv"),
     "clipped regulator": (Scenario(road=ROAD, mpc=Mpc(force_limit=800)), "lqr"),
     "short control horizon": (Scenario(road=ROAD, mpc=Mpc(control_horizon=3, prediction_horizon=25)), "lv"),
     "slow sampling": (Scenario(road=ROAD, mpc=Mpc(sample_time=0.02, prediction_horizon=15, control_horizon=10)), "lv"),
     "rate limit": (Scenario(road=ROAD, actuator=Actuator(rate_limit=40_000)), "suspension_only"),
     "lagging actuator": (Scenario(road=ROAD, actuator=Actuator(bandwidth=10)), "suspension_only"),
+    "no travel weight": (Scenario(road=ROAD, mpc=Mpc(deflection_weight=0)), "lv"),
     "half-car masses": (preset("half_car_consistent"), "lv"),
     "pothole": (preset("pothole"), "suspension_only"),
     "early detection": (
@@ -110,7 +110,7 @@ CASES = {
 }
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", some(9, list(CASES)))
 def test_limits_horizons_and_actuators(name: str) -> None:
     scenario, strategy = CASES[name]
     gap, limited = difference(scenario, strategy)
