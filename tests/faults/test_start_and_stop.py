@@ -16,20 +16,6 @@ from tests.client.cli import environment
 from tests.servers.process import HANG_TIMEOUT, wait_until
 
 
-def test_ctrl_c_ends_a_start_that_waits(tmp_path: Path) -> None:
-    command = [sys.executable, "-m", "backend", "--port", "0", "--data-dir", str(tmp_path)]
-    with contextlib.closing(sqlite3.connect(tmp_path / "ridelab.sqlite", isolation_level=None)) as stranger:
-        stranger.execute("PRAGMA application_id=1")
-        stranger.execute("BEGIN EXCLUSIVE")
-        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, start_new_session=True) as service:
-            opened = psutil.Process(service.pid).open_files
-            wait_until(lambda: any(file.path.endswith("ridelab.sqlite") for file in opened()), "it waits for the lock")
-            service.send_signal(signal.SIGINT)
-            _, log = service.communicate(timeout=HANG_TIMEOUT)
-    assert service.returncode == 130
-    assert "Traceback" not in log
-
-
 def test_ctrl_c_ends_it_in_order(tmp_path: Path) -> None:
     """The terminal sends it to every process of the group."""
     command = [sys.executable, "-m", "backend", "--port", "0", "--data-dir", str(tmp_path)]
@@ -57,19 +43,31 @@ def test_a_start_on_a_full_disk_says_so(tmp_path: Path) -> None:
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.skipif(os.getuid() != 0, reason="only root makes a process namespace")
-def test_process_1_ends_while_it_starts(tmp_path: Path) -> None:
-    """As which a container starts it: there the system itself does nothing at SIGTERM."""
-    command = ["unshare", "--pid", "--fork", "--kill-child", sys.executable, "-m", "backend", "--port", "0"]
+# As process 1, as which a container starts it: there the system itself does nothing at SIGTERM.
+FIRST = ("unshare", "--pid", "--fork", "--kill-child")
+needs_root = pytest.mark.skipif(os.getuid() != 0, reason="only root makes a process namespace")
+
+
+@pytest.mark.parametrize(
+    ("before", "sent", "code"),
+    [((), signal.SIGINT, 130), pytest.param(FIRST, signal.SIGTERM, 143, marks=needs_root)],
+    ids=["Ctrl-C", "process 1"],
+)
+def test_a_start_that_waits_is_ended(tmp_path: Path, before: tuple[str, ...], sent: signal.Signals, code: int) -> None:
+    command = [*before, sys.executable, "-m", "backend", "--port", "0", "--data-dir", str(tmp_path)]
     with contextlib.closing(sqlite3.connect(tmp_path / "ridelab.sqlite", isolation_level=None)) as stranger:
         stranger.execute("PRAGMA application_id=1")
         stranger.execute("BEGIN EXCLUSIVE")
-        with subprocess.Popen([*command, "--data-dir", str(tmp_path)], stderr=subprocess.PIPE, text=True) as outside:
-            wait_until(lambda: opens(outside.pid, "ridelab.sqlite"), "it waits for the lock")
-            (first,) = psutil.Process(outside.pid).children()
-            first.send_signal(signal.SIGTERM)
+        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, start_new_session=True) as outside:
+            service = psutil.Process(outside.pid)
+            if before:
+                wait_until(service.children, "it is there")
+                (service,) = service.children()
+            files = service.open_files
+            wait_until(lambda: any(file.path.endswith("ridelab.sqlite") for file in files()), "it waits for the lock")
+            service.send_signal(sent)
             _, log = outside.communicate(timeout=HANG_TIMEOUT)
-    assert outside.returncode == 143
+    assert outside.returncode == code
     assert "Traceback" not in log
 
 
@@ -80,8 +78,3 @@ def test_a_start_is_ended_before_it_has_imported_anything_large(tmp_path: Path) 
     code = f"{early}\ntry:\n  __main__.main(['--port', '0'])\nexcept ImportError:\n  {show}"
     ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, cwd=tmp_path)
     assert ended.stdout.split() == ["_Ending", "False", "False"], ended.stderr
-
-
-def opens(pid: int, name: str) -> bool:
-    """Whether a process below that one has a file of this name open."""
-    return any(file.path.endswith(name) for each in psutil.Process(pid).children() for file in each.open_files())

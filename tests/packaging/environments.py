@@ -1,6 +1,7 @@
 """Wheels of the three distributions, and environments of some of them with the packages they declare, and no others."""
 
 import os
+import shlex
 import shutil
 import subprocess
 import sys
@@ -11,6 +12,8 @@ from pathlib import Path
 from packaging.requirements import Requirement
 
 ROOT = Path(__file__).parents[2]
+# Stands for a compiler: `make setup` has compiled the core's C by the same setup.py, which takes ten seconds of a core.
+COMPILED = 'while [ "$1" != -o ]; do shift; done; cp "$0/$(basename "$2")" "$2"'
 
 
 def built(folder: Path) -> dict[str, Path]:
@@ -24,7 +27,8 @@ def built(folder: Path) -> dict[str, Path]:
     with (sources / "build" / "sbom.cdx.json").open("w") as bill:  # as `make dist` does
         subprocess.run([sys.executable, ROOT / "backend/deploy/sbom.py"], stdout=bill, check=True)
     projects = [str(path) for path in (sources / "sim_core", sources / "client", sources)]
-    pip("wheel", "--no-deps", "--no-build-isolation", "--wheel-dir", str(wheels), *projects)
+    compiler = shlex.join(["sh", "-c", COMPILED, str(ROOT / "sim_core/kernel")])
+    pip("wheel", "--no-deps", "--no-build-isolation", "--wheel-dir", str(wheels), *projects, CC=compiler)
     return {path.name.split("-")[0].replace("_", "-"): path for path in wheels.glob("*.whl")}
 
 
@@ -73,10 +77,10 @@ class Environment:
         }
 
 
-def pip(*words: str) -> None:
+def pip(*words: str, **environment: str) -> None:
     """Run it without the network."""
     command = [sys.executable, "-m", "pip", "--disable-pip-version-check", *words, "--quiet", "--no-index"]
-    subprocess.run(command, check=True, capture_output=True)
+    subprocess.run(command, check=True, capture_output=True, env={**os.environ, **environment})
 
 
 def _link(one: Distribution, extras: set[str], site: Path, linked: set[str]) -> None:
