@@ -1,0 +1,55 @@
+"""What commands print with --json, for programs to read."""
+
+import io
+import json
+import zipfile
+from collections.abc import Iterator
+from typing import Any
+
+import httpx
+import typer
+
+from ridelab.cli import app
+from tests.client.cli import Cli
+from tests.client.conftest import ADDRESS, RUN, SHORT, Prepared
+
+
+def commands(group: Any, *before: str) -> Iterator[tuple[tuple[str, ...], Any]]:
+    for name, each in group.commands.items():
+        if hasattr(each, "commands"):
+            yield from commands(each, *before, name)
+        else:
+            yield (*before, name), each
+
+
+def test_every_command_answers_machines_too() -> None:
+    without = [
+        words
+        for words, command in commands(typer.main.get_command(app.app))
+        if not any("--json" in parameter.opts for parameter in command.params)
+    ]
+    assert without == []
+
+
+def test_what_was_written_is_said_to_machines(cli: Cli, prepared: Prepared) -> None:
+    batch = prepared.job("batch", scenario=SHORT)
+    prepared.answers[f"GET /batches/{batch}/results"] = b"a,b\n"
+    archive = io.BytesIO()
+    with zipfile.ZipFile(archive, "w") as fmu:
+        fmu.writestr("binaries/win64/lv.dll", b"")
+    prepared.answers["POST /fmus"] = archive.getvalue()
+    assert json.loads(cli("export", batch, "--out", "b.csv", "--json")) == {"file": "b.csv", "size": 4, "format": "csv"}
+    written = {"file": "ridelab.fmu", "size": len(archive.getvalue()), "platforms": ["win64"]}
+    assert json.loads(cli("fmu", "--json")) == written
+    cli("export", batch, "--out", "-", "--format", "csv", "--json", code=2)
+    assert "name another one" in cli.error
+    assert json.loads(cli("open", RUN, "--print", "--json")) == {"address": f"{ADDRESS}/r/{RUN}"}
+
+
+def test_what_becomes_of_jobs_is_said_to_machines(cli: Cli, prepared: Prepared) -> None:
+    batch = prepared.job("batch")
+    path = f"/batches/{batch}"
+    prepared.answers[f"PATCH {path}"] = {**prepared.answers[f"GET {path}"], "label": "mine"}  # type: ignore[dict-item]
+    prepared.answers[f"DELETE {path}"] = httpx.Response(204)
+    assert json.loads(cli("jobs", "label", batch, "mine", "--json"))["label"] == "mine"
+    assert json.loads(cli("jobs", "delete", batch, "--json")) == [{"kind": "batch", "id": batch}]
