@@ -231,17 +231,8 @@ def test_where_nothing_keeps_the_limits_the_exit_code_is_1(cli: Cli, prepared: P
 def test_a_robustness_study_is_a_sweep_of_what_is_uncertain(cli: Cli, prepared: Prepared) -> None:
     batch = prepared.job("batch")
     prepared.answers[f"GET /batches/{batch}/summary"] = {"batch": batch}
-    options = (
-        "--samples",
-        "12",
-        "--strategy",
-        "lv,passive",
-        "--exact",
-        "road.seed",
-        "--range",
-        "mismatch.damping=0.5:1.5",
-    )
-    assert json.loads(cli("robustness", *options, "--json")) == {"batch": batch}
+    words = "robustness --samples 12 --strategy lv,passive --exact road.seed --range mismatch.damping=0.5:1.5 --json"
+    assert json.loads(cli(*words.split())) == {"batch": batch}
     (asked,) = prepared.bodies("POST /batches")
     cube = asked["sweep"]["latin_hypercube"]
     assert (asked["strategies"], cube["samples"], cube["ranges"]["mismatch.damping"]) == (
