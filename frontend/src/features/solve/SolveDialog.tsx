@@ -130,8 +130,10 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
           value={draft.field}
           onChange={(name) => name !== null && patch(rangeOf(fields, name))}
         />
-        {entry("from", "From", unit)}
-        {entry("to", "To", unit)}
+        <Group gap="xs" wrap="nowrap" align="flex-start">
+          {entry("from", "From", unit)}
+          {entry("to", "To", unit)}
+        </Group>
       </Group>
       <Group gap="xs" align="flex-start">
         <Select
