@@ -17,11 +17,10 @@ from sim_core.matrices import exponential, lyapunov
 from sim_core.road.profile import CUTOFF_FREQUENCY, REFERENCE_FREQUENCY
 from sim_core.scenario import Vehicle
 from sim_core.scenario.fields import Weights
-from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, half_car
+from sim_core.vehicle.half_car import DISTURBANCES, FORCES, OUTPUTS, STATES, half_car
 
 KILO = 1000.0  # controllers compute with forces in kN: in N the problem is badly scaled
 REFERENCE_ROUGHNESS = 64e-6  # class B, whatever the road: so weights mean the same everywhere [m^3]
-COST_OUTPUTS = 6  # the first six of half_car.OUTPUTS
 _NODES, _NODE_WEIGHTS = np.polynomial.legendre.leggauss(16)
 
 
@@ -65,7 +64,7 @@ def _interval_means(vehicle: Vehicle, sample_time: float) -> FloatArray:
     n = STATES + FORCES + DISTURBANCES
     generator = np.zeros((n, n))
     generator[:STATES] = np.hstack([model.A, inputs])
-    output = np.hstack([model.C, model.D * KILO, model.F])[:COST_OUTPUTS]
+    output = np.hstack([model.C, model.D * KILO, model.F])
     times = (_NODES + 1) / 2 * sample_time
     lifted = output @ exponential(generator * times[:, None, None])  # (point, output, 13)
     means: FloatArray = np.einsum("p,poi,poj->oij", _NODE_WEIGHTS / 2, lifted, lifted)
@@ -116,7 +115,7 @@ def stage_cost(terms: CostTerms) -> FloatArray:
 
 
 def cost_by_output(terms: CostTerms, z: FloatArray) -> FloatArray:
-    """What each cost output, the first six of `half_car.OUTPUTS`, adds to the cost [1] of intervals z (n, 13): (n, 6).
+    """What each of `half_car.OUTPUTS` adds to the cost [1] of intervals z (n, 13): (n, 6).
 
     z as in `stage_cost`, whose force term is not among them.
     """
@@ -128,7 +127,7 @@ def _scales(terms: CostTerms) -> FloatArray:
     """What each cost output's mean square is multiplied by (6,)."""
     sigma = np.array(passive_rms(terms.vehicle, terms.speed))
     q1, q2, q3 = terms.weights
-    scale = np.empty(COST_OUTPUTS)
+    scale = np.empty(len(OUTPUTS))
     scale[:4] = np.array([q1, q2, q3, q3]) / sigma**2
     scale[4:] = terms.deflection_weight / terms.deflection_limit**2
     return scale

@@ -11,7 +11,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
-from sim_core.control.cost import COST_OUTPUTS, KILO, cost_by_output
+from sim_core.control.cost import KILO, cost_by_output
 from sim_core.control.mpc_design import SLACK_LINEAR, SLACK_QUADRATIC, MpcDesign, Prediction, predict
 from sim_core.control.plan import Limit, Plan
 from sim_core.control.qp import AXLES, CENTI, Qps
@@ -51,7 +51,7 @@ def make_plan(
     changes = np.diff(moves.reshape(-1, FORCES), axis=0, prepend=previous_force[np.newaxis] / KILO) * KILO
     forces = np.ascontiguousarray(z[STATES : STATES + FORCES].T) * KILO
     by_output = cost_by_output(design.terms, z.T).sum(axis=0)
-    cost = dict(zip(OUTPUTS[:COST_OUTPUTS], by_output.tolist(), strict=True))
+    cost = dict(zip(OUTPUTS, by_output.tolist(), strict=True))
     cost["force"] = design.terms.force_weight * float((forces**2).sum())
     cost["force_change"] = design.force_change_weight * float((changes**2).sum())
     cost["travel_beyond_limit"] = float((SLACK_LINEAR * slacks / CENTI + SLACK_QUADRATIC * (slacks / CENTI) ** 2).sum())

@@ -33,7 +33,7 @@ from sim_core.simulate import on_any_road, prepare
 from sim_core.vehicle.half_car import OUTPUTS, STATES, half_car
 from sim_core.vehicle.plant import continuous, plant
 
-RESPONSES = OUTPUTS[:6]
+RESPONSES = OUTPUTS
 BANDS = ((1.0, 2.0), (4.0, 8.0), (10.0, 12.0))  # body, the passengers' most sensitive range, wheels [Hz]
 DEFAULT_FREQUENCIES = tuple(np.geomspace(0.3, 30, 200).tolist())
 _NODES, _NODE_WEIGHTS = np.polynomial.legendre.leggauss(24)  # in each band
@@ -183,7 +183,7 @@ def _responses(loop: SampledLoop, omega: FloatArray) -> ComplexArray:
     held = command * ((1 - np.exp(-s * h)) / (s * h))[:, None]
     x = of_road + np.linalg.solve(resolvent, (held @ car.B.T)[..., None])[..., 0]
     forces = x[:, STATES:] if car.size > STATES else held
-    return np.asarray((x[:, :STATES] @ outputs.C.T + forces @ outputs.D.T)[:, : len(RESPONSES)])
+    return np.asarray(x[:, :STATES] @ outputs.C.T + forces @ outputs.D.T)
 
 
 def _road_in_step(loop: SampledLoop, omega: FloatArray, of_road: ComplexArray) -> ComplexArray:

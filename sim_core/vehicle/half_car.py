@@ -10,29 +10,21 @@ from functools import lru_cache
 import numpy as np
 
 from sim_core.arrays import FloatArray
+from sim_core.catalogue import METRIC_SIGNALS
 from sim_core.matrices import exponential
 from sim_core.scenario import Vehicle
 
 STATES = 8
 FORCES = 2
 DISTURBANCES = 3  # road velocity front and rear [m/s], braking deceleration [m/s^2]
-OUTPUTS = (
-    "body_acceleration",
-    "pitch_acceleration",
-    "front_tyre_load",
-    "rear_tyre_load",
-    "front_deflection",
-    "rear_deflection",
-    "front_deflection_speed",
-    "rear_deflection_speed",
-)
+OUTPUTS = METRIC_SIGNALS[:6]  # both accelerations of the body, tyre loads, suspension deflections
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class LinearModel:
     """x' = A x + B u + E w, y = C x + D u + F w; continuous, or one step of a discrete one (then without y).
 
-    Shapes: A (8, 8), B (8, 2), E (8, 3), C (8 outputs, 8), D (8, 2), F (8, 3). u [N], w = DISTURBANCES.
+    Shapes: A (8, 8), B (8, 2), E (8, 3), C (6, 8), D (6, 2), F (6, 3). u [N], w = DISTURBANCES, y = OUTPUTS.
     """
 
     A: FloatArray
@@ -80,8 +72,8 @@ def half_car(vehicle: Vehicle) -> LinearModel:
     E[2, 0] = E[3, 1] = -1.0
     E[5, 2] = brake_moment
     E[:, 2] += B @ vehicle.link_forces
-    C = np.vstack([body_x, pitch_x, tyre_load, np.eye(2, STATES), deflection_speed])
-    D = np.vstack([body_u, pitch_u, np.zeros((6, 2))])
+    C = np.vstack([body_x, pitch_x, tyre_load, np.eye(2, STATES)])
+    D = np.vstack([body_u, pitch_u, np.zeros((4, 2))])
     F = np.zeros((len(OUTPUTS), DISTURBANCES))
     F[1, 2] = brake_moment
     F[:, 2] += D @ vehicle.link_forces
