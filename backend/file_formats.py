@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator
 from pydantic_core import PydanticCustomError
 
-NO_PARQUET = "There is no Parquet here: whoever runs this service installs it by pip install 'ridelab-server[parquet]'"
+NO_PARQUET = "There is no Parquet here: whoever runs this service installs it by pip install pyarrow"
 MEDIA_TYPES = {
     "json": "application/json",
     "csv": "text/csv; charset=utf-8; header=present",

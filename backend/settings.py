@@ -169,7 +169,7 @@ class Settings(BaseModel):
     def _check_dask(self) -> Self:
         """A scheduler's address needs Dask; TLS needs its three files, and they go together."""
         if self.dask_scheduler is not None and find_spec("distributed") is None:
-            raise ValueError(f"{_variable('dask_scheduler')} needs Dask: pip install 'ridelab-server[cluster]'")
+            raise ValueError(f"{_variable('dask_scheduler')} needs Dask: pip install distributed")
         names = ("dask_tls_ca_file", "dask_tls_cert_file", "dask_tls_key_file")
         files: dict[str, Path | None] = {name: getattr(self, name) for name in names}
         encrypted = self.dask_scheduler is not None and self.dask_scheduler.startswith("tls://")
