@@ -38,9 +38,9 @@ def to_its_limits(info: FieldInfo, rng: np.random.Generator) -> Any:
 
 
 def numbers(result: StrategyResult) -> dict[str, float]:
-    """All that a result says in numbers; of each time history its sum."""
+    """All that a result says in numbers; of each time history the sum of its sizes."""
     found = metrics(result) | {"travel_time": result.travel_time, "arrival_speed_kmh": result.arrival_speed_kmh}
-    found |= {f"{key}.sum": float(values.sum()) for key, values in result.series.items()}
+    found |= {f"{key}.sum": float(np.abs(values).sum()) for key, values in result.series.items()}
     return found | {key: value for key, value in {**result.events, **result.reference}.items() if value is not None}
 
 
