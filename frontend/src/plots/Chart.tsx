@@ -68,15 +68,23 @@ export function Chart(props: Props) {
   const [drawing, setDrawing] = useState(0);
   const covered = over !== undefined;
   useEffect(() => {
-    if (!plotly || !figure || !host.current || width === 0) return undefined;
+    const element = host.current as PlotElement | null;
+    if (!plotly || !figure || !element || width === 0) return undefined;
     let mounted = true;
     const config =
       tools === undefined ? CONFIG : { ...TOOLS, toImageButtonOptions: { format: "svg", filename: tools } };
-    void plotly.react(host.current, figure.data, { ...figure.layout, width, height }, config).then(() => {
-      if (mounted && covered) setDrawing((before) => before + 1);
-    });
+    const draw = () => {
+      void plotly.react(element, figure.data, { ...figure.layout, width, height }, config).then(() => {
+        if (mounted && covered) setDrawing((before) => before + 1);
+      });
+    };
+    // Drawn again in a task of its own: what else the page shows of the same answer takes one already.
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    if (element.removeAllListeners) timer = setTimeout(draw);
+    else draw();
     return () => {
       mounted = false;
+      clearTimeout(timer);
     };
   }, [plotly, figure, host, width, height, covered, tools]);
 

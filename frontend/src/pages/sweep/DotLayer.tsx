@@ -30,27 +30,28 @@ export function DotLayer({ host, drawing, dots, width, height, textOf, onOpen, o
   const drawn = useRef<{ readonly located: readonly LocatedDots[]; readonly axes: Axes } | null>(null);
   const [hit, setHit] = useState<Hit | null>(null);
 
+  // Other dots come with a new drawing: before it they would lie on axes of the last.
+  const paint = useEffectEvent((element: PlotElement) => {
+    if (!canvas.current) return;
+    setHit(null);
+    const axes = dots.length === 0 ? null : drawnAxes(element);
+    if (!axes) {
+      drawn.current = null;
+      clearDots(canvas.current);
+      if (dots.length > 0) onNoAxes();
+      return;
+    }
+    const located = locate(dots, axes);
+    drawn.current = { located, axes };
+    drawDots(canvas.current, located, axes, width, height);
+  });
   useEffect(() => {
     const element = host.current as PlotElement | null;
-    if (drawing === 0 || !element || !canvas.current) return undefined;
-    const paint = () => {
-      if (!canvas.current) return;
-      setHit(null);
-      const axes = dots.length === 0 ? null : drawnAxes(element);
-      if (!axes) {
-        drawn.current = null;
-        clearDots(canvas.current);
-        if (dots.length > 0) onNoAxes();
-        return;
-      }
-      const located = locate(dots, axes);
-      drawn.current = { located, axes };
-      drawDots(canvas.current, located, axes, width, height);
-    };
-    paint();
-    element.on("plotly_relayout", paint);
+    if (drawing === 0 || !element) return undefined;
+    paint(element);
+    element.on("plotly_relayout", () => paint(element));
     return () => element.removeAllListeners?.("plotly_relayout");
-  }, [host, drawing, dots, width, height, onNoAxes]);
+  }, [host, drawing]);
 
   const open = useEffectEvent((row: number) => onOpen(row));
   useEffect(() => {
