@@ -15,8 +15,8 @@ interface Props {
 }
 
 const SIDES = [
-  { side: "left", label: "Left wheel", where: "Left of the reference line is positive.", usual: "0.75" },
-  { side: "right", label: "Right wheel", where: "Right of it is negative.", usual: "−0.75" },
+  { side: "left", label: "Left wheel", where: "v, to the left positive", usual: "0.75" },
+  { side: "right", label: "Right wheel", where: "v, to the right negative", usual: "−0.75" },
 ] as const;
 
 const placeOf = (text: string) =>

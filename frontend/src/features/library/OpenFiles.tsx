@@ -87,7 +87,8 @@ function LastNotice() {
   const said = useSelector(notice);
   const isNewest = useFromScenario((scenario) => said?.scenario === scenario);
   const isOpen = useSelector(dialog) !== null;
-  if (!said || !isNewest || isOpen) return null;
+  const isAsked = useSelector(unclear).length > 0; // whose dialog says what is wrong
+  if (!said || !isNewest || isOpen || isAsked) return null;
   return (
     <div className={classes.message}>
       <div className={ui.notice} role={said.isWrong ? "alert" : "status"}>
