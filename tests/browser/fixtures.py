@@ -3,14 +3,12 @@
 from collections.abc import Iterator
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, Playwright, ViewportSize, expect, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, Playwright, sync_playwright
 
 from tests.browser.chromium import launch
-from tests.browser.dashboard import HANG_TIMEOUT_MS, LAPTOP, TOUR_SEEN, Dashboard
+from tests.browser.dashboard import LAPTOP, TOUR_SEEN, Dashboard
 from tests.browser.server import Server
 from tests.servers.process import ROOT
-
-expect.set_options(timeout=HANG_TIMEOUT_MS)
 
 
 @pytest.fixture(scope="session")
@@ -54,15 +52,4 @@ def dashboard(context: BrowserContext, server: Server) -> Iterator[Dashboard]:
     dashboard = Dashboard(context.pages[0] if context.pages else context.new_page(), server.url)
     yield dashboard
     dashboard.leave()
-    assert dashboard.failures == []
-
-
-@pytest.fixture
-def reader(browser: Browser, server: Server) -> Iterator[Dashboard]:
-    """Somebody else: a browser that has seen nothing of this yet, in the dark."""
-    size: ViewportSize = {"width": 1366, "height": 768}
-    context = browser.new_context(viewport=size, base_url=server.url, color_scheme="dark", reduced_motion="reduce")
-    dashboard = Dashboard(context.new_page(), server.url)
-    yield dashboard
-    context.close()
     assert dashboard.failures == []

@@ -9,10 +9,10 @@ import struct
 import tempfile
 from pathlib import Path
 
-from playwright.sync_api import Page, expect, sync_playwright
+from playwright.sync_api import Page, sync_playwright
 
 from tests.browser.chromium import launch
-from tests.browser.dashboard import HANG_TIMEOUT_MS, Dashboard
+from tests.browser.dashboard import Dashboard
 from tests.browser.screenshots import FOLDER
 from tests.browser.server import Server
 
@@ -69,7 +69,6 @@ def encoded(page: Page, picture: bytes) -> bytes:
 
 def main() -> None:
     """Take it."""
-    expect.set_options(timeout=HANG_TIMEOUT_MS)
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         server = Server(Path(folder))
         server.wait_until_ready()

@@ -4,9 +4,10 @@ import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Locator, Page
 
 from tests.browser.dashboard import Dashboard, expect_new_address
+from tests.browser.looks import expect
 from tests.servers.process import ROOT
 
 Question = Callable[[Dashboard], None]

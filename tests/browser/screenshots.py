@@ -1,6 +1,6 @@
 """Pictures of every page for README and docs: `make screenshots` writes docs/images again, one file a page.
 
-Beside them lies words.json, the words in each picture: test_pictures.py compares them with the page of today.
+Beside them lies words.json, the words in each picture: `make drill` compares them with the page of today.
 """
 
 import json
@@ -10,10 +10,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from playwright.sync_api import expect, sync_playwright
+from playwright.sync_api import sync_playwright
 
 from tests.browser.chromium import launch
-from tests.browser.dashboard import HANG_TIMEOUT_MS, TOUR_SEEN, Dashboard, Scheme
+from tests.browser.dashboard import TOUR_SEEN, Dashboard, Scheme
+from tests.browser.looks import expect
 from tests.browser.server import Server
 from tests.servers.process import ROOT, request
 
@@ -123,7 +124,6 @@ PICTURES = (
 
 def main() -> None:
     """Take them."""
-    expect.set_options(timeout=HANG_TIMEOUT_MS)
     shown = {}
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
         server = Server(Path(folder))

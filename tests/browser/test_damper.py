@@ -2,9 +2,8 @@
 
 import re
 
-from playwright.sync_api import expect
-
 from tests.browser.dashboard import Dashboard
+from tests.browser.looks import expect
 
 
 def test_a_dampers_curve_is_drawn_dragged_typed_and_refused(dashboard: Dashboard) -> None:

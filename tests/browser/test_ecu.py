@@ -5,9 +5,10 @@ import zipfile
 from pathlib import Path
 from typing import Any
 
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page
 
 from tests.browser.dashboard import WINDOWS, Dashboard
+from tests.browser.looks import expect
 from tests.browser.server import Server
 
 SIGNALS = ("body_acceleration", "pitch_acceleration", "front_tyre_load", "rear_tyre_load")
@@ -74,20 +75,6 @@ def test_the_loop_is_held_to_the_rule_and_its_switches_matter(dashboard: Dashboa
     dashboard.expect_no_wider(820, 400)
 
 
-def test_what_is_pointed_at_in_seconds_is_no_place_in_the_lab(dashboard: Dashboard, server: Server) -> None:
-    page = dashboard.page
-    page.goto(f"/ecu?run={run(server, SHORT)['id']}")
-    plots = page.get_by_role("region", name="Time histories")
-    plots.get_by_role("img", name="over time").first.hover()
-    expect(plots.locator("[data-empty]")).to_have_count(0)
-    page.get_by_role("navigation", name="Pages").get_by_role("link", name="Lab").click()
-    dashboard.expect_curves()
-    place = page.get_by_role("slider", name="Cursor").get_attribute("aria-valuetext") or ""
-    assert 100 < float(place.removesuffix(" m")) < 107, (
-        "where the car stands until somebody points: on its way up the bump"
-    )
-
-
 def test_a_drive_by_the_clock(dashboard: Dashboard, server: Server) -> None:
     page = dashboard.page
     page.goto(f"/ecu?run={run(server, SHORT)['id']}")
@@ -124,7 +111,7 @@ def made_up_report() -> dict[str, Any]:
     }  # fmt: skip
 
 
-def test_the_report_says_what_fits(dashboard: Dashboard) -> None:
+def test_the_report_says_what_fits_and_the_controller_is_taken_along(dashboard: Dashboard, tmp_path: Path) -> None:
     page = dashboard.page
     page.route("**/controller/report", lambda route: route.fulfill(json=made_up_report()))
     page.goto("/ecu")
@@ -140,10 +127,6 @@ def test_the_report_says_what_fits(dashboard: Dashboard) -> None:
     expect(card.locator("tr[data-fits=false] td")).to_have_count(15)
     dashboard.expect_accessible(card)
 
-
-def test_the_controller_is_taken_along(dashboard: Dashboard, tmp_path: Path) -> None:
-    page = dashboard.page
-    page.goto("/ecu")
     page.get_by_role("button", name="Export", exact=True).click()
     with page.expect_download() as download:
         page.get_by_role("menuitem", name="Controller (C)").click()

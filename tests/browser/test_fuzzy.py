@@ -2,9 +2,8 @@
 
 import re
 
-from playwright.sync_api import expect
-
 from tests.browser.dashboard import Dashboard
+from tests.browser.looks import expect
 
 
 def test_sets_and_rules_are_edited_beside_the_drive(dashboard: Dashboard) -> None:

@@ -2,9 +2,10 @@
 
 import re
 
-from playwright.sync_api import Locator, expect
+from playwright.sync_api import Locator
 
 from tests.browser.dashboard import Dashboard
+from tests.browser.looks import expect
 
 
 def plot(dashboard: Dashboard, signal: str) -> tuple[float, float, float]:
@@ -20,7 +21,7 @@ def opened(dashboard: Dashboard) -> Locator:
     return dashboard.page.get_by_role("region", name="Why this force?")
 
 
-def test_a_click_says_why_and_the_panel_follows_the_cursor(dashboard: Dashboard) -> None:
+def test_a_click_says_why_the_panel_follows_the_cursor_and_a_link_leads_there(dashboard: Dashboard) -> None:
     dashboard.open()
     page, panel = dashboard.page, opened(dashboard)
     x, y, _ = plot(dashboard, "body_acceleration")
@@ -38,20 +39,15 @@ def test_a_click_says_why_and_the_panel_follows_the_cursor(dashboard: Dashboard)
     panel.get_by_label("Whose controller").select_option("passive")
     expect(why).to_have_text("There are no actuators, so there is no force.")
     dashboard.expect_accessible(panel)
-
-
-def test_a_link_leads_to_an_instant_and_keys_open_and_close_it(dashboard: Dashboard) -> None:
-    dashboard.open()
-    page, panel = dashboard.page, opened(dashboard)
-    page.keyboard.press("w")
-    place = panel.get_by_test_id("instant-place")
-    expect(place).to_contain_text("stage bump")
+    panel.get_by_label("Whose controller").select_option("lv")
     panel.get_by_role("button", name="Copy a link to this instant").click()
     expect(page).to_have_url(re.compile(r"instant=lv~[\d.]+"))
     shown, address = place.inner_text(), page.url
     page.keyboard.press("Escape")
     expect(panel).to_have_count(0)
     expect(page).not_to_have_url(re.compile("instant="))
+    page.keyboard.press("w")
+    expect(place).to_contain_text("stage bump")
     dashboard.open(address)
     expect(place).to_have_text(shown)
 

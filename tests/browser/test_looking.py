@@ -3,9 +3,10 @@
 import re
 from collections.abc import Callable
 
-from playwright.sync_api import Locator, expect
+from playwright.sync_api import Locator
 
 from tests.browser.dashboard import Dashboard, expect_new_address
+from tests.browser.looks import expect
 
 # Scrolled to where the car stands, whichever lies there is the comparison's.
 NOT_COVERED = """head => {
@@ -31,9 +32,9 @@ def middle_of(panel: Locator) -> tuple[float, float, float]:
 def test_nothing_readable_is_cut_or_covered(dashboard: Dashboard) -> None:
     """Neither the comparison's head under the car, nor a sentence that ends in an ellipsis, nor a strategy's chip."""
     dashboard.open()
+    page = dashboard.page
     dashboard.toggle("Single suspension control")
     dashboard.toggle("Hybrid hook")
-    page = dashboard.page
     chips = page.get_by_role("group", name="Strategies")
     page.get_by_text("Plot differences").click()
     expect(page.get_by_text(", change against ").first).to_be_visible()
@@ -44,6 +45,20 @@ def test_nothing_readable_is_cut_or_covered(dashboard: Dashboard) -> None:
         head.scroll_into_view_if_needed()
         assert head.evaluate(NOT_COVERED), width
         assert dashboard.results.evaluate(CUT) == [], width
+
+
+def test_no_serious_accessibility_violation(dashboard: Dashboard) -> None:
+    """With every section of the form and a tooltip open."""
+    dashboard.open()
+    page = dashboard.page
+    closed = page.locator("aside button[aria-expanded=false]")
+    for left in range(closed.count(), 0, -1):
+        closed.first.click()
+        expect(closed).to_have_count(left - 1)
+    page.get_by_role("button", name="Travel, forces, comfort, time and events").click()
+    dashboard.row("passive").get_by_role("button", name="airborne").hover()
+    expect(page.get_by_role("tooltip")).to_be_visible()
+    dashboard.expect_accessible()
 
 
 def test_opens_on_the_bump_every_plot_has_the_same_part_and_one_cursor_reads_them_all(dashboard: Dashboard) -> None:
@@ -235,20 +250,6 @@ def test_commands_and_fields_are_found_by_name(dashboard: Dashboard) -> None:
     search.fill("tuner")
     page.get_by_role("button", name="Tuner", exact=True).click()
     expect(page).to_have_url(re.compile("/tuner"))
-
-
-def test_no_serious_accessibility_violation(dashboard: Dashboard) -> None:
-    """axe-core's WCAG 2 A and AA rules, both colour schemes, with every section of the form and a tooltip open."""
-    dashboard.open()
-    page = dashboard.page
-    closed = page.locator("aside button[aria-expanded=false]")
-    for left in range(closed.count(), 0, -1):
-        closed.first.click()
-        expect(closed).to_have_count(left - 1)
-    page.get_by_role("button", name="Travel, forces, comfort, time and events").click()
-    dashboard.row("passive").get_by_role("button", name="airborne").hover()
-    expect(page.get_by_role("tooltip")).to_be_visible()
-    dashboard.expect_accessible()
 
 
 def test_opening_while_the_server_starts(dashboard: Dashboard) -> None:

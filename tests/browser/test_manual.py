@@ -3,9 +3,9 @@
 import re
 
 import pytest
-from playwright.sync_api import expect
 
 from tests.browser.dashboard import Dashboard
+from tests.browser.looks import expect
 from tests.servers.process import ROOT
 
 
@@ -33,10 +33,3 @@ def test_a_question_of_the_gallery_opens_in_the_lab(dashboard: Dashboard, questi
     expect(page).to_have_title(re.compile(title))
     dashboard.expect_curves()
     assert page.evaluate("Object.keys(localStorage).filter(key => key.startsWith('ridelab-library:'))") == []
-
-
-def test_an_unknown_address_of_the_manual_is_answered_by_the_dashboard(dashboard: Dashboard) -> None:
-    answer = dashboard.page.goto("/manual/nothing-here/")
-    assert answer is not None
-    assert answer.status == 404
-    expect(dashboard.page.get_by_role("link", name="Lab").first).to_be_visible()

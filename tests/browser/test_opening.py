@@ -1,28 +1,9 @@
-"""What a visitor meets first: the paper's scenario, in both colour schemes and at every size."""
+"""How the page opens: in the system's colours, and without a jump; `make drill` has other windows."""
 
-import pytest
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import Route
 
 from tests.browser.dashboard import Dashboard
-from tests.browser.server import Server
-
-
-def test_opens_on_the_papers_scenario_with_every_figure(browser: Browser, server: Server) -> None:
-    """From the address to drawn curves, with an empty cache; `make bench` says how long it takes."""
-    context = browser.new_context(viewport={"width": 1440, "height": 900}, base_url=server.url)
-    dashboard = Dashboard(context.new_page(), server.url)
-    dashboard.page.goto("/")
-    dashboard.expect_curves()
-    expect(dashboard.page).to_have_title("100 mm bump, 50 → 22.5 km/h · Ridelab")
-    expect(dashboard.page.get_by_text("The paper’s scenario")).to_be_visible()
-    dashboard.expect_table_to_be_the_stored_run()
-    names = server.get("/figures")["figures"]
-    panels = dashboard.page.locator("section[data-figure]")
-    assert panels.evaluate_all("panels => panels.map(panel => panel.dataset.figure)") == [
-        figure["layout"]["meta"]["signal"] for figure in names.values()
-    ]
-    assert dashboard.failures == []
-    context.close()
+from tests.browser.looks import expect
 
 
 def test_colour_scheme_follows_the_system_and_the_toggle_keeps(dashboard: Dashboard) -> None:
@@ -56,11 +37,6 @@ def expect_steady(dashboard: Dashboard, width: int, height: int) -> None:
     assert dashboard.page.evaluate("document.documentElement.scrollWidth") <= width
 
 
-@pytest.mark.parametrize(("width", "height"), [(1440, 900), (820, 1180)])
-def test_nothing_jumps_while_loading_or_is_wider_than_the_window(dashboard: Dashboard, width: int, height: int) -> None:
-    expect_steady(dashboard, width, height)
-
-
 def test_on_a_phone_nothing_jumps_and_the_form_leaves_the_plots_in_sight(dashboard: Dashboard) -> None:
     expect_steady(dashboard, 390, 844)
     page = dashboard.page
@@ -69,3 +45,28 @@ def test_on_a_phone_nothing_jumps_and_the_form_leaves_the_plots_in_sight(dashboa
     box = page.get_by_role("dialog").bounding_box()
     assert box is not None
     assert box["y"] > 0.4 * 844
+
+
+def test_a_token_is_asked_for_until_one_is_taken(dashboard: Dashboard) -> None:
+    """By a service that has one in `make drill`, where the page then works, until somebody logs out."""
+    page, right, taken = dashboard.page, {"token": "the one"}, list[dict[str, str]]()
+
+    def guard(route: Route) -> None:
+        if taken:
+            route.continue_()
+        elif route.request.method == "POST" and route.request.post_data_json == right:
+            taken.append(right)
+            route.fulfill(status=204)
+        else:
+            refusal = {"type": "urn:problem-type:ridelab:token-required", "title": "None of the tokens"}
+            route.fulfill(status=401, json=refusal)
+
+    page.route("**/api/v1/**", guard)
+    page.goto("/")
+    expect(page.get_by_role("heading", name="Ridelab asks for a token")).to_be_visible()
+    page.get_by_label("Token").fill("another one")
+    page.get_by_role("button", name="Log in").click()
+    expect(page.get_by_text("None of the tokens")).to_be_visible()
+    page.get_by_label("Token").fill("the one")
+    page.get_by_role("button", name="Log in").click()
+    dashboard.expect_curves()

@@ -1,9 +1,8 @@
 """A controller of one's own on the page: chosen, its option changed, its file saved anew and broken."""
 
-from playwright.sync_api import expect
-
 from tests.api.own_laws import LAW
 from tests.browser.dashboard import Dashboard, expect_new_address
+from tests.browser.looks import expect
 from tests.browser.server import Server
 
 

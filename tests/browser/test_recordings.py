@@ -1,9 +1,8 @@
 """A recorded drive on the page: dropped on it, its columns mapped, then it is one more strategy."""
 
-from playwright.sync_api import expect
-
 from sim_core import Scenario, simulate
 from tests.browser.dashboard import Dashboard, expect_new_address
+from tests.browser.looks import expect
 
 PEAK = '[data-cell="bump.body_acceleration.peak"]'
 

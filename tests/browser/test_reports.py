@@ -4,26 +4,15 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, Request, expect
+from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, Request
 
 from backend.runs.figures import PANELS
 from tests.browser.dashboard import RULES, Dashboard, Scheme, violations
-from tests.browser.server import Server
+from tests.browser.looks import expect
 from tests.servers.process import request
 
 TICKS: dict[Scheme, str] = {"light": "rgb(74, 85, 91)", "dark": "rgb(169, 179, 185)"}
 DRAWN = "[data-figure] .scatterlayer .trace"
-
-
-@pytest.fixture(scope="module")
-def report(server: Server, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A saved report of a run of two strategies."""
-    body = {"scenario": {"road": {"bump": {"height": 0.12}}}, "strategies": ["lv", "passive"]}
-    run = server.post("/runs", body)
-    answer = request("GET", f"{server.url}/api/v1/runs/{run['id']}/report.html").raise_for_status()
-    path = tmp_path_factory.mktemp("reports") / "report.html"
-    path.write_bytes(answer.content)
-    return path
 
 
 @pytest.fixture
@@ -56,11 +45,30 @@ def opened(context: BrowserContext, address: str, failures: list[str]) -> Page:
     return page
 
 
-def test_a_saved_report_works_offline(alone: BrowserContext, report: Path, tmp_path: Path) -> None:
-    """It draws its figures at any width, is light, dark and always light on paper, and accessible."""
+def test_the_export_menu_gives_a_report_which_works_offline(
+    dashboard: Dashboard, alone: BrowserContext, tmp_path: Path
+) -> None:
+    """It draws its figures at any width, is light, dark and always light on paper, and accessible.
+
+    And the same opens by its address, under a policy of its own.
+    """
+    dashboard.open("/?baseline=lqr")
+    dashboard.page.get_by_role("button", name="Export").click()
+    with dashboard.page.expect_download() as download:
+        dashboard.page.get_by_role("menuitem", name="HTML report").click()
+    assert download.value.suggested_filename == f"ridelab-{dashboard.run_id}.html"
     failures: list[str] = []
-    page = opened(alone, report.as_uri(), failures)
-    expect(page.locator(DRAWN)).to_have_count(2 * len(PANELS))
+    report = opened(dashboard.page.context, download.value.url, failures)
+    assert [text for text in failures if "favicon" not in text] == []
+    expect(report.locator("header")).to_contain_text(dashboard.run_id)
+    expect(report.locator("tr.baseline").first).to_contain_text("LQR")
+    assert request("GET", download.value.url).content == download.value.path().read_bytes()
+    report.close()
+
+    file = tmp_path / "report.html"
+    download.value.save_as(file)
+    page = opened(alone, file.as_uri(), failures := [])
+    expect(page.locator(DRAWN)).to_have_count(3 * len(PANELS))
     speed = page.locator("[data-figure=speed]")
     axis = speed.locator(".xtick text").first
     for width in (1366, 820, 400):
@@ -86,23 +94,6 @@ def test_a_saved_report_works_offline(alone: BrowserContext, report: Path, tmp_p
         })"""
     )
     page.pdf(path=tmp_path / "report.pdf", prefer_css_page_size=True)
-    assert page.evaluate("window.printed") == [f"paper 2 {TICKS['light']}"] * len(PANELS)
+    assert page.evaluate("window.printed") == [f"paper 3 {TICKS['light']}"] * len(PANELS)
     expect(axis).to_have_css("fill", TICKS["dark"])
     assert failures == []
-
-
-def test_the_export_menu_gives_the_report_of_what_is_shown(dashboard: Dashboard) -> None:
-    """And the same opens by its address, under a policy of its own."""
-    dashboard.open("/?baseline=lqr")
-    page = dashboard.page
-    page.get_by_role("button", name="Export").click()
-    with page.expect_download() as download:
-        page.get_by_role("menuitem", name="HTML report").click()
-    assert download.value.suggested_filename == f"ridelab-{dashboard.run_id}.html"
-    failures: list[str] = []
-    report = opened(page.context, download.value.url, failures)
-    assert [text for text in failures if "favicon" not in text] == []
-    expect(report.locator("header")).to_contain_text(dashboard.run_id)
-    expect(report.locator("tr.baseline").first).to_contain_text("LQR")
-    assert request("GET", download.value.url).content == download.value.path().read_bytes()
-    report.close()

@@ -2,9 +2,8 @@
 
 import re
 
-from playwright.sync_api import expect
-
 from tests.browser.dashboard import Dashboard
+from tests.browser.looks import expect
 
 PEAK = "bump.body_acceleration.peak"
 TITLE = "Body acceleration, peak, bump"

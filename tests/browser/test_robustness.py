@@ -3,9 +3,10 @@
 import re
 from typing import Any
 
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Locator, Page
 
 from tests.browser.dashboard import Dashboard
+from tests.browser.looks import expect
 from tests.browser.server import Server
 
 PEAK = "bump.body_acceleration.peak"

@@ -2,9 +2,10 @@
 
 import re
 
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page
 
 from tests.browser.dashboard import REFUSE_COPYING, Dashboard, expect_new_address
+from tests.browser.looks import expect
 
 
 def share(page: Page) -> str:
@@ -15,7 +16,7 @@ def share(page: Page) -> str:
     return address.input_value()
 
 
-def test_a_link_opens_the_same_numbers_the_same_view_and_the_pins(dashboard: Dashboard, reader: Dashboard) -> None:
+def test_a_link_opens_the_same_numbers_the_same_view_and_the_pins(dashboard: Dashboard) -> None:
     dashboard.open()
     page, first, paper = dashboard.page, dashboard.page.url, dashboard.shown_values()
     comparison = page.get_by_role("region", name="Comparison")
@@ -49,19 +50,8 @@ def test_a_link_opens_the_same_numbers_the_same_view_and_the_pins(dashboard: Das
     reading = page.locator(head).inner_text()
 
     expect(page.locator(pinned)).to_be_visible()
-    reader.open(share(page))
-    expect(reader.page.locator(pinned)).to_have_attribute("data-value", str(paper[key]))
-    expect(reader.page.get_by_role("list", name="Pinned results")).to_have_text("As printed")
-    expect(reader.panel("body_acceleration")).to_have_attribute("data-drawn", "4")
-    expect(reader.row("lqr")).to_have_attribute("data-baseline", "true")
-    assert reader.shown_values() == values
-    expect(reader.row("passive")).to_have_count(0)
-    expect(reader.page.get_by_role("radio", name="Time")).to_be_checked()
-    expect(reader.page.get_by_role("slider", name="Cursor")).to_have_attribute("aria-valuetext", place or "")
-    expect(reader.page.locator(head)).to_have_text(reading, use_inner_text=True)
     name = page.locator(panel).get_attribute("aria-label") or ""
-    expect(reader.page.locator(panel)).to_have_attribute("aria-label", name)
-    expect(reader.page.locator("html")).to_have_attribute("data-mantine-color-scheme", "dark")  # the reader's own
+    link = share(page)
     page.keyboard.press("Escape")
     comparison.get_by_label("Change against").select_option("As printed")
     page.get_by_label("Plot differences").check()
@@ -82,32 +72,41 @@ def test_a_link_opens_the_same_numbers_the_same_view_and_the_pins(dashboard: Das
     page.get_by_role("menuitem", name="Unpin").click()
     expect(page.locator(pinned)).to_have_count(0)
 
-
-def test_a_link_is_copied_and_shown(dashboard: Dashboard) -> None:
-    """Where copying is refused, it is shown to be copied by hand."""
-    page = dashboard.page
-    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
-    try:
-        dashboard.open()
-        address = share(page)
-        expect(page.get_by_text("Link copied")).to_be_visible()
-        assert page.evaluate("navigator.clipboard.readText()") == address
-        dashboard.expect_accessible(page.get_by_role("dialog", name="Share"))
-        assert page.evaluate("getSelection().toString()") == address
-    finally:
-        page.context.clear_permissions()
-    page.keyboard.press("Escape")
-    expect(page.get_by_role("dialog", name="Share")).to_be_hidden()
-    page.evaluate(REFUSE_COPYING)
-    share(page)
-    expect(page.get_by_text("Here is the link: select and copy it")).to_be_visible()
+    # Somebody else opens it, whose colours are dark.
+    dashboard.forget()
+    page.emulate_media(color_scheme="dark")
+    dashboard.open(link)
+    expect(page.locator(pinned)).to_have_attribute("data-value", str(paper[key]))
+    expect(page.get_by_role("list", name="Pinned results")).to_have_text("As printed")
+    expect(dashboard.panel("body_acceleration")).to_have_attribute("data-drawn", "4")
+    expect(dashboard.row("lqr")).to_have_attribute("data-baseline", "true")
+    assert dashboard.shown_values() == values
+    expect(dashboard.row("passive")).to_have_count(0)
+    expect(page.get_by_role("radio", name="Time")).to_be_checked()
+    expect(page.get_by_role("slider", name="Cursor")).to_have_attribute("aria-valuetext", place or "")
+    expect(page.locator(head)).to_have_text(reading, use_inner_text=True)
+    expect(page.locator(panel)).to_have_attribute("aria-label", name)
+    expect(page.locator("html")).to_have_attribute("data-mantine-color-scheme", "dark")  # the reader's own
 
 
 def test_a_shared_result_is_read_only_and_a_copy_is_not(dashboard: Dashboard) -> None:
-    dashboard.open()
-    link = share(dashboard.page)
-    dashboard.open(link)
+    """Its link is copied; where that is refused, it is shown to be copied by hand."""
     page = dashboard.page
+    dashboard.open()
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    try:
+        link = share(page)
+        expect(page.get_by_text("Link copied")).to_be_visible()
+        assert page.evaluate("navigator.clipboard.readText()") == link
+    finally:
+        page.context.clear_permissions()
+    assert page.evaluate("getSelection().toString()") == link
+    dashboard.expect_accessible(page.get_by_role("dialog", name="Share"))
+    page.keyboard.press("Escape")
+    page.evaluate(REFUSE_COPYING)
+    share(page)
+    expect(page.get_by_text("Here is the link: select and copy it")).to_be_visible()
+    dashboard.open(link)
     banner = page.get_by_role("region", name="Shared result")
     expect(banner).to_contain_text(
         re.compile(r"Shared result, computed on \d+ \w+ 20\d\d by core \d+\.\d+\.\d+\. Read-only\.")

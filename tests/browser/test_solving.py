@@ -2,9 +2,8 @@
 
 import re
 
-from playwright.sync_api import expect
-
 from tests.browser.dashboard import Dashboard
+from tests.browser.looks import expect
 
 
 def test_a_limit_is_asked_answered_and_put_into_the_form(dashboard: Dashboard) -> None:

@@ -1,16 +1,39 @@
-"""The page teaches: a tour that is offered once, and question marks that open the manual at a name."""
+"""What a visitor meets first: the paper's scenario, a tour that is offered once, question marks beside names."""
 
 import re
+from collections.abc import Iterator
 
-from playwright.sync_api import expect
+import pytest
+from playwright.sync_api import Browser, ViewportSize
 
 from tests.browser.dashboard import Dashboard
+from tests.browser.looks import expect
+from tests.browser.server import Server
 
 
-def test_a_tour_of_five_steps_and_the_manual_beside_every_name(reader: Dashboard) -> None:
-    """By keyboard, then on a phone; once taken it is offered no more, and help has it."""
+@pytest.fixture
+def reader(browser: Browser, server: Server) -> Iterator[Dashboard]:
+    """Somebody else: a browser that has seen nothing of this yet, in the dark."""
+    size: ViewportSize = {"width": 1366, "height": 768}
+    context = browser.new_context(viewport=size, base_url=server.url, color_scheme="dark", reduced_motion="reduce")
+    dashboard = Dashboard(context.new_page(), server.url)
+    yield dashboard
+    context.close()
+    assert dashboard.failures == []
+
+
+def test_a_visitor_gets_the_paper_a_tour_and_the_manual_beside_every_name(reader: Dashboard, server: Server) -> None:
+    """With every figure; the tour goes by keyboard, then on a phone; once taken it is offered no more, help has it."""
     reader.open()
     page = reader.page
+    expect(reader.page).to_have_title("100 mm bump, 50 → 22.5 km/h · Ridelab")
+    expect(reader.page.get_by_text("The paper’s scenario")).to_be_visible()
+    reader.expect_table_to_be_the_stored_run()
+    names = server.get("/figures")["figures"]
+    panels = reader.page.locator("section[data-figure]")
+    assert panels.evaluate_all("panels => panels.map(panel => panel.dataset.figure)") == [
+        figure["layout"]["meta"]["signal"] for figure in names.values()
+    ]
     page.get_by_role("button", name="Take the tour").press("Enter")
     step = page.get_by_role("dialog")
     for number in range(1, 6):

@@ -3,9 +3,10 @@
 import re
 from typing import Any
 
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page
 
 from tests.browser.dashboard import Dashboard, expect_new_address
+from tests.browser.looks import expect
 from tests.browser.server import Server
 
 SHORT = {"road": {"length": 95, "bump": {"start": 70}}, "speed": {"detection_distance": 50}}
@@ -77,7 +78,11 @@ def test_a_tuning_from_the_lab_and_back(dashboard: Dashboard, server: Server) ->
 
 def test_the_form_says_what_cannot_be_tuned(dashboard: Dashboard) -> None:
     page = dashboard.page
-    page.goto("/tuner")
+    page.goto("/tuner?run=AAAAAAAAAAAAAAAAAAAAAA")
+    expect(page.get_by_text("There is no run at this address: choose another scenario")).to_be_visible()
+    page.get_by_label("Scenario", exact=True).select_option("preset paper")
+    expect(page.get_by_text("As in the paper.")).to_be_visible()
+    expect(page).to_have_url(re.compile(r"/tuner\?preset=paper$"))
     start = page.get_by_role("button", name="Start")
     expect(start).to_be_enabled()
     page.get_by_role("textbox", name="Validation roads").fill("4-9")
@@ -143,41 +148,3 @@ def test_a_front_is_looked_at_point_by_point(dashboard: Dashboard, server: Serve
     dashboard.expect_accessible()
 
     dashboard.expect_no_wider(400)
-
-
-def test_a_tuning_is_cancelled_and_goes_on(dashboard: Dashboard, server: Server) -> None:
-    """It is far longer than any click takes: nothing here waits for its end."""
-    page = dashboard.page
-    tuning = submit(server, scenario={}, trials=3000, population=4, seeds=list(range(1, 9)))
-    page.goto(f"/tuner/{tuning}")
-    expect_state(page, "Searching")
-    expect(page.get_by_test_id("tuning-counts")).to_contain_text(re.compile(r"^[1-9]\d* of 3000 trials"))
-    page.get_by_role("button", name="Cancel").click()
-    expect_state(page, "Cancelled; complete generations are kept")
-    done = stored(server, tuning)["trials"]["done"]
-    expect(page.get_by_text("The comparison is made once the search is complete")).to_be_visible()
-    page.get_by_label("Trials in all").fill("10")
-    expect(page.get_by_role("button", name="Resume")).to_be_disabled()
-    page.get_by_label("Trials in all").fill("3000")
-    page.get_by_role("button", name="Resume").click()
-    expect_state(page, "Searching")
-    page.wait_for_function(
-        "done => Number(document.querySelector('[data-testid=tuning-counts]').textContent.split(' ')[0]) > done",
-        arg=done,
-    )
-    page.get_by_role("button", name="Cancel").click()
-    expect_state(page, "Cancelled; complete generations are kept")
-
-    page.get_by_role("link", name="New tuning").click()
-    entry = page.get_by_role("region", name="Earlier tunings").locator(f"a[href='/tuner/{tuning}']")
-    expect(entry).to_contain_text("cancelled")
-
-
-def test_an_unknown_run_leaves_the_presets(dashboard: Dashboard) -> None:
-    page = dashboard.page
-    page.goto("/tuner?run=AAAAAAAAAAAAAAAAAAAAAA")
-    expect(page.get_by_text("There is no run at this address: choose another scenario")).to_be_visible()
-    page.get_by_label("Scenario", exact=True).select_option("preset paper")
-    expect(page.get_by_text("As in the paper.")).to_be_visible()
-    expect(page).to_have_url(re.compile(r"/tuner\?preset=paper$"))
-    expect(page.get_by_role("button", name="Start")).to_be_enabled()

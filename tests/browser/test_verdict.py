@@ -2,9 +2,8 @@
 
 import re
 
-from playwright.sync_api import expect
-
 from tests.browser.dashboard import Dashboard, expect_new_address
+from tests.browser.looks import expect
 
 
 def test_says_who_won_at_which_speed_and_what_an_edit_changed(dashboard: Dashboard) -> None:

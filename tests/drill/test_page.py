@@ -3,11 +3,13 @@
 import re
 
 import pytest
-from playwright.sync_api import Playwright, expect
+from playwright.sync_api import Route
 
-from tests.browser.chromium import launch
-from tests.browser.dashboard import LAPTOP, Dashboard
+from tests.browser.dashboard import Dashboard, expect_new_address
+from tests.browser.looks import expect
 from tests.browser.server import Server
+from tests.browser.test_opening import expect_steady
+from tests.browser.test_sweeping import expect_done
 
 SLOWER = 4  # times
 
@@ -37,38 +39,6 @@ def test_the_last_value_of_a_drag_is_the_exact_runs_on_a_slow_processor(dashboar
             dashboard.expect_table_to_be_the_stored_run()
     finally:
         session.send("Emulation.setCPUThrottlingRate", {"rate": 1})
-
-
-def test_back_from_another_document_goes_on_where_it_was(playwright: Playwright, server: Server) -> None:
-    """With the back/forward cache, which brings a page back as it was left, with what it had pressed and asked."""
-    browser = launch(playwright, back_forward_cache=True)
-    try:
-        page = browser.new_page(base_url=server.url, viewport=LAPTOP, reduced_motion="reduce")
-        page.add_init_script("addEventListener('pageshow', event => window.cached = event.persisted)")
-        dashboard = Dashboard(page, server.url)
-        dashboard.open()
-        dashboard.type_into("Height", "12")
-        expect(dashboard.results.get_by_test_id("differences")).to_be_visible()
-        page.get_by_role("button", name="Sweep…").click()
-        page.get_by_role("dialog", name="Sweep").get_by_role("button", name="Start").click()
-        expect(page.get_by_test_id("batch-state")).to_have_text("Done")
-        page.get_by_role("button", name=re.compile("Open run 1 in the dashboard")).click()
-        dashboard.expect_curves()
-        for step in (None, -1, -1):  # what was opened; its sweep; the lab that started it
-            if step:
-                page.evaluate(f"history.go({step})")
-            expect(page.get_by_role("navigation", name="Pages")).to_be_visible()
-            page.evaluate("window.cached = false; location.href = '/docs'")
-            page.wait_for_function("() => document.title.includes('Ridelab') && document.querySelector('#swagger-ui')")
-            page.evaluate("history.back()")
-            page.wait_for_function("() => window.cached")
-            expect(page.locator("[data-loading]")).to_have_count(0)
-        expect(dashboard.entry("Height")).to_have_value("12")
-        page.get_by_role("button", name="Sweep…").click()
-        expect(page.get_by_role("dialog", name="Sweep").get_by_role("button", name="Start")).to_be_enabled()
-        assert dashboard.failures == []
-    finally:
-        browser.close()
 
 
 def test_the_server_goes_and_comes_back(dashboard: Dashboard, server: Server) -> None:
@@ -106,3 +76,98 @@ def test_the_server_goes_and_comes_back(dashboard: Dashboard, server: Server) ->
         expect(sweep.get_by_test_id("batch-state")).to_have_text("Cancelled; finished runs are kept")
         expect(sweep.get_by_role("button", name="Cancel")).to_have_count(0)
         expect(sweep.locator("tbody tr[data-status=ok]").first).to_be_visible()
+
+
+def test_ten_thousand_runs_are_plotted_and_opened(dashboard: Dashboard, server: Server) -> None:
+    """More points than a page can hold as elements; the rows are made up, the run opened is not."""
+    page, size = dashboard.page, 10_000
+    path = server.submit({"grid": {"road.bump.height": [0.05, 0.1]}}, ["lv"])
+
+    def many(route: Route) -> None:
+        answer = route.fetch().json()
+        columns = answer["columns"]
+        answer["columns"] = {name: [values[0]] * size for name, values in columns.items()} | {
+            "run": list(range(size)),
+            "road.bump.height": [0.05 + 0.1 * index / size for index in range(size)],
+            "bump.body_acceleration.peak": [1 + (index % 100) / 100 for index in range(size)],
+        }
+        route.fulfill(json=answer)
+
+    page.route("**/table?*", many)
+    page.goto(path)
+    expect_done(page)
+    plot = page.locator("[data-points='10000']")
+    expect(plot).to_be_visible()
+    expect(page.locator(".scatterlayer .point")).to_have_count(5)  # the corners plotly needs, and the ring
+    expect(page.get_by_role("region", name="Rows")).to_contain_text("10\u202f000 runs")
+    page.get_by_role("button", name="Page 200", exact=True).click()
+    expect(page.locator("tr[data-run='9999']")).to_be_visible()
+
+    box = plot.bounding_box()
+    assert box is not None
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 4)
+    tip = page.get_by_test_id("tip")
+    expect(tip).to_contain_text(re.compile(r"LV control.*Height \d+(\.\d+)?\scm"))
+    page.mouse.down()
+    page.mouse.up()
+    dashboard.expect_curves()
+    assert 0.09 < dashboard.stored_run()["scenario"]["road"]["bump"]["height"] < 0.11
+
+
+@pytest.mark.parametrize(("width", "height"), [(1440, 900), (820, 1180)])
+def test_nothing_jumps_while_loading_or_is_wider_than_the_window(dashboard: Dashboard, width: int, height: int) -> None:
+    expect_steady(dashboard, width, height)
+
+
+def test_address_table_and_curves_change_together(dashboard: Dashboard) -> None:
+    """Whatever is slow: a run's address stands there when its curves do, and not before."""
+    dashboard.open()
+    page, series = dashboard.page, "**/series?*"
+
+    def shown() -> tuple[dict[str, float], list[str]]:
+        return dashboard.shown_values(), dashboard.curves()
+
+    first, paper = dashboard.address(), shown()
+    with dashboard.held(series):
+        with page.expect_request(series):
+            dashboard.type_into("Height", "0.06 m")
+        expect(dashboard.results).to_have_attribute("data-stale", "true")
+        assert (dashboard.address(), shown()) == (first, paper)
+    expect_new_address(page, first)
+    second, low = dashboard.address(), shown()
+    assert low[0] != paper[0]
+    assert low[1] != paper[1]
+    dashboard.expect_table_to_be_the_stored_run()
+
+    with dashboard.held(series):
+        with page.expect_request(series) as curves:
+            dashboard.drag(dashboard.slider("Height"), (10,))
+        expect(dashboard.results).to_have_attribute("data-source", "live")
+        assert dashboard.address() == second
+        with page.expect_event("requestfailed", lambda request: request == curves.value):
+            page.get_by_role("button", name="Undo").click()  # nobody waits for it any more
+        expect(dashboard.results).to_have_attribute("data-source", "exact")
+    assert (dashboard.address(), shown()) == (second, low)
+
+
+def test_back_to_a_run_that_has_to_be_fetched(dashboard: Dashboard) -> None:
+    """The browser changes the address before it is there: until then what is shown is one run, form and view included,
+    and says that it is not the address's."""
+    dashboard.open()
+    page, first, paper = dashboard.page, dashboard.address(), dashboard.shown_values()
+    dashboard.type_into("Height", "0.06 m")
+    expect_new_address(page, first)
+    low = dashboard.shown_values()
+    page.get_by_text("Time", exact=True).click()
+    expect(page).to_have_url(re.compile("axis=time"))
+    dashboard.open(dashboard.address())
+    assert dashboard.shown_values() == low
+    expect(dashboard.status).to_contain_text("Stored result")
+    with dashboard.held("**/series?*"):
+        with page.expect_request("**/series?*"):
+            page.go_back()
+        assert (dashboard.address(), dashboard.results.get_attribute("data-stale")) == (first, "true")
+        assert (dashboard.entry("Height").input_value(), dashboard.shown_values()) == ("6", low)
+        expect(page.get_by_role("radio", name="Time")).to_be_checked()
+    expect(page.get_by_role("radio", name="Distance")).to_be_checked()
+    assert (dashboard.entry("Height").input_value(), dashboard.shown_values()) == ("10", paper)

@@ -1,4 +1,4 @@
-"""Every question at every size; the tests of the browser ask each at one."""
+"""The questions that the dashboard answers, each at every size."""
 
 from itertools import product
 
@@ -6,7 +6,17 @@ import pytest
 
 from tests.browser.dashboard import Dashboard
 from tests.browser.questions import QUESTIONS, Question
-from tests.browser.test_questions import SIZES, answered
+
+SIZES = ((1440, 900), (1024, 768), (390, 844))
+
+
+def answered(dashboard: Dashboard, question: Question, size: tuple[int, int]) -> None:
+    """The page answers it at that size, accessible in both schemes and no wider than the window."""
+    width, height = size
+    dashboard.page.set_viewport_size({"width": width, "height": height})
+    question(dashboard)
+    dashboard.expect_accessible()
+    dashboard.expect_no_wider(width)
 
 
 @pytest.mark.parametrize(("question", "size"), list(product(QUESTIONS, SIZES)))

@@ -76,10 +76,8 @@ def migrated_url(request: pytest.FixtureRequest, tmp_path: Path) -> str:
 def reproduction() -> Callable[[str], None]:
     """Puts the paper's reproduction into the database of that URL, so that its service computes none of it.
 
-    Before the service starts or while it runs; nothing is computed but in the first test run after a change of what
-    the numbers depend on. See `tests.servers.reproduction`.
+    Before the service starts or while it runs. See `tests.servers.reproduction`.
     """
-    from tests.servers.reproduction import rows, store_in_database  # half the service: not for every test process
+    from tests.servers.reproduction import store_in_database  # half the service: not for every test process
 
-    rows()
     return store_in_database

@@ -1,30 +1,23 @@
-"""The paper's reproduction, computed once and cached: what every test of the paper page would else compute anew.
+"""The paper's reproduction, stored in tests/data, so that no test of the paper page has to compute it.
 
-`rows()` is what a service stores for the page by its default readings, without preview and by the favourable ones, on
-20 roads. It lies in `.cache/` under a digest of everything its numbers depend on, so it is computed again after any
-change of that. A service under test takes it into its database, before it starts or while it runs:
+It is what a service stores for the page by its default readings, by the favourable ones and by either without preview,
+on 20 roads. tests/api/test_reproduction.py computes a sample of it anew, `make drill` all; UPDATE_DOCS=1 writes
+what this core computes. A service under test takes it into its database, before it starts or while it runs:
 
     store_in(store)                                          # a `backend.store.Store` of this process
     store_in_database(f"sqlite:///{folder}/ridelab.sqlite")  # of another one; made where there is none yet
 
-A drive with hardware in the loop takes a third of a second. For those by the favourable readings without preview, which
-no page of docs/ shows by itself, the simulation stands in, save where UPDATE_DOCS=1 writes the pages.
-
 Tests ask for the fixture `reproduction` (tests/servers/fixtures.py), which gives `store_in_database`.
 """
 
-import hashlib
+import gzip
 import os
-import platform
-import sys
 from collections.abc import Mapping, Sequence
 from datetime import UTC, datetime
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import orjson
-from filelock import FileLock
 
 from backend.db.database import insert_new
 from backend.db.tables import results
@@ -37,18 +30,7 @@ from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import Scenario
 from tests.servers.process import ROOT
 
-FOLDER = ROOT / ".cache"
-SOURCES = (
-    "sim_core",
-    "backend/__init__.py",
-    "backend/digest.py",
-    "backend/errors.py",
-    "backend/intervals.py",
-    "backend/cost",
-    "backend/controller",
-    "backend/paper",
-    "tests/servers/reproduction.py",
-)
+FILE = ROOT / "tests/data/reproduction.json.gz"
 IN_ECU = claims.IN_ECU
 ROADS = range(1, claims.SEEDS + 1)
 
@@ -66,18 +48,9 @@ def requests(roads: range = ROADS) -> list[JobRun]:
     return [*under, *studies]
 
 
-def substitutes() -> dict[str, str]:
-    """By key of a row with hardware in the loop that of the simulation's, which stands in for it."""
-    if os.environ.get("UPDATE_DOCS"):
-        return {}
-    under = paper_rows.requests_under(FAVOURABLE.choices | {"preview": "none"}, ROADS)
-    return {row.key: simulated.key for row, simulated in zip(under[claims.IN_ECU], under["lv"], strict=True)}
-
-
 def distinct() -> list[JobRun]:
-    """Each row to compute once: the sets share those that their differences do not reach."""
-    left_out = substitutes()
-    return list({row.key: row for row in requests() if row.key not in left_out}.values())
+    """Each row once: the sets share those that their differences do not reach."""
+    return list({row.key: row for row in requests()}.values())
 
 
 def in_order(by_strategy: Mapping[str, Sequence[JobRun]]) -> list[JobRun]:
@@ -86,19 +59,12 @@ def in_order(by_strategy: Mapping[str, Sequence[JobRun]]) -> list[JobRun]:
 
 
 @cache
-def rows() -> Any:
-    """By key what a service stores for the page; computed where no test process of this checkout has done so yet."""
-    path = FOLDER / f"reproduction-{digest()}{len(substitutes())}.json"
-    FOLDER.mkdir(exist_ok=True)
-    with FileLock(FOLDER / "reproduction.lock"):  # while another test process computes it
-        if not path.exists():
-            for old in FOLDER.glob("reproduction-*"):
-                old.unlink()
-            beside = path.with_suffix(".part")
-            beside.write_bytes(orjson.dumps({row.key: computed(row) for row in distinct()}))
-            beside.replace(path)
-    computed_rows = orjson.loads(path.read_bytes())
-    return computed_rows | {key: computed_rows[other] for key, other in substitutes().items()}
+def rows() -> dict[str, Any]:
+    """By key what a service stores for the page."""
+    if os.environ.get("UPDATE_DOCS"):
+        FILE.write_bytes(gzip.compress(orjson.dumps([computed(row) for row in distinct()]), mtime=0))
+    stored: list[Any] = orjson.loads(gzip.decompress(FILE.read_bytes()))
+    return {row.key: summary for row, summary in zip(distinct(), stored, strict=True)}
 
 
 def computed(row: JobRun) -> Any:
@@ -139,15 +105,3 @@ def store_in_database(url: str) -> None:
         store_in(store)
     finally:
         store.close()
-
-
-def digest() -> str:
-    """A hash of everything the numbers depend on: sources, installed packages, Python and machine."""
-    packages = sorted({path.name for folder in sys.path for path in Path(folder).glob("*.dist-info")})
-    content_hash = hashlib.sha256(repr([sys.version, platform.machine(), packages]).encode())
-    for name in SOURCES:
-        assert (ROOT / name).exists(), name
-        for path in sorted([ROOT / name, *(ROOT / name).rglob("*")]):
-            if path.is_file() and "__pycache__" not in path.parts:
-                content_hash.update(f"{path.relative_to(ROOT)}\0".encode() + path.read_bytes())
-    return content_hash.hexdigest()[:24]

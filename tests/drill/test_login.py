@@ -2,9 +2,10 @@
 
 from pathlib import Path
 
-from playwright.sync_api import Browser, expect
+from playwright.sync_api import Browser
 
 from tests.browser.dashboard import Dashboard
+from tests.browser.looks import expect
 from tests.servers.api import Api
 from tests.servers.process import request
 
