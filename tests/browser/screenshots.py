@@ -105,6 +105,11 @@ def _settled(dashboard: Dashboard) -> None:
     dashboard.page.wait_for_load_state("networkidle")
 
 
+def _driven(dashboard: Dashboard) -> None:
+    expect(dashboard.page.get_by_test_id("hil-count")).to_be_visible()
+    _settled(dashboard)
+
+
 def _counted(dashboard: Dashboard) -> None:
     _settled(dashboard)
     expect(dashboard.page.get_by_test_id("count")).not_to_contain_text("so far", timeout=PAPER_MS)
@@ -118,7 +123,7 @@ PICTURES = (
     Picture(name="robustness", address=_study, ready=_ranges),
     Picture(name="tuner", address=_tuning, ready=_plots),
     Picture(name="paper", address=lambda server: "/paper", ready=_counted),
-    Picture(name="ecu", address=lambda server: "/ecu", ready=_settled),
+    Picture(name="ecu", address=lambda server: "/ecu", ready=_driven),
 )
 
 
