@@ -103,8 +103,8 @@ def assert_completes(client: httpx.Client, identifier: str, runs: int) -> None:
     """Every run once, every result stored once."""
     wait_until(lambda: batch(client, identifier)["state"] not in ("queued", "running"), "the batch ends")
     end = batch(client, identifier)
-    assert (end["state"], end["done"], end["failed"]) == ("done", runs, 0)
     rows = client.get(f"/api/v1/batches/{identifier}/results").json()["rows"]
+    assert (end["state"], end["done"], end["failed"]) == ("done", runs, 0), {row["reason"] for row in rows}
     assert [row["run"] for row in rows] == list(range(runs))
     assert {row["status"] for row in rows} == {"ok"}
     assert len({row["metrics"]["bump"]["body_acceleration"]["peak"] for row in rows}) > runs / 2, "results of their own"
