@@ -4,14 +4,24 @@ import { Button, Drawer } from "@mantine/core";
 import { useDisclosure, useMediaQuery } from "@mantine/hooks";
 import { IconAdjustmentsHorizontal } from "../../ui/icons";
 import { Editor } from "../../features/editor/Editor";
-import { useReadOnly } from "../../lab/context";
+import { useLabContext, useReadOnly } from "../../lab/context";
 import { revealed } from "../../lab/reveal";
-import { useForm } from "../../server/useCatalogues";
+import { useFigures, useForm } from "../../server/useCatalogues";
 import { useSelector } from "@tanstack/react-store";
+import { useEffect } from "react";
 import classes from "../../ui/shell.module.css";
 
+/** Signals the moving car needs besides those in the figures. */
+const CAR_SIGNALS = ["rear_road"];
+
 export function EditorPane() {
-  const form = useForm();
+  const { lab } = useLabContext();
+  const [form, figures] = [useForm(), useFigures()];
+  // Before the form's first edit, so that what is refused is marked at its field.
+  useEffect(() => {
+    const drawn = Object.values(figures).flatMap(({ data }) => data.map(({ meta }) => meta.signal));
+    lab.configure(form, [...new Set([...drawn, ...CAR_SIGNALS])]);
+  }, [lab, form, figures]);
   const narrow = useMediaQuery("(max-width: 47.99em)", false, { getInitialValueInEffect: false });
   const readOnly = useReadOnly();
   const [opened, { open, close }] = useDisclosure(false);

@@ -17,9 +17,9 @@ import { revealed } from "../../lab/reveal";
 import { sweepFields } from "../../scenario/fields";
 import { optionTitle } from "../../scenario/schema";
 import { useLabStrategies } from "../../lab/recordings";
-import { useFigures, useForm, usePresets } from "../../server/useCatalogues";
+import { useForm, usePresets } from "../../server/useCatalogues";
 import { useSelected } from "./StrategyChoice";
-import { lazy, useEffect, useState } from "react";
+import { lazy, useState } from "react";
 
 const Tour = lazy(() => import("../../features/tour/Tour").then((module) => ({ default: module.Tour })));
 
@@ -42,17 +42,10 @@ export function LabTools() {
   );
 }
 
-/** Signals the moving car needs besides those in the figures. */
-const CAR_SIGNALS = ["rear_road"];
-
 /** What can be done to the lab's scenario, and what of it is found by name. */
 export function LabActions() {
   const { lab } = useLabContext();
-  const [form, presets, strategies, figures] = [useForm(), usePresets(), useLabStrategies(), useFigures()];
-  useEffect(() => {
-    const drawn = Object.values(figures).flatMap(({ data }) => data.map(({ meta }) => meta.signal));
-    lab.configure(form, [...new Set([...drawn, ...CAR_SIGNALS])]);
-  }, [lab, form, figures]);
+  const [form, presets, strategies] = [useForm(), usePresets(), useLabStrategies()];
   const { selected, toggle } = useSelected(strategies);
   const canEdit = useLab((state) => state.shared === null);
   const canUndo = useLab((state) => hasInvalidInput(state) || (state.history?.past.length ?? 0) > 0);
