@@ -11,9 +11,8 @@ from dataclasses import dataclass
 from backend.errors import BusyError, TooManyRequestsError
 from backend.gate.quota import fair_share
 
-MIN_SMOOTHING = (
-    0.1  # weight of the newest interval in the moving average (test_the_wait_follows_requests_of_another_kind)
-)
+# Least weight of the newest interval in the moving average (test_the_wait_follows_requests_of_another_kind).
+MIN_SMOOTHING = 0.1
 MAX_RETRY_AFTER = 60  # [s]
 SOON = 2  # [s]
 # Intervals: the first ones of a burst last as long as the service reads all of it
