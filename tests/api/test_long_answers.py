@@ -33,7 +33,7 @@ def empty(service: Any, folder: Path) -> None:
     """Forget cached bands; no other file may stay."""
 
     async def forget() -> None:
-        service.app.state.services.curves._histories._bands.clear()
+        service.app.state.services.curves.histories._bands.clear()
 
     service.inside(forget())
     wait_until(lambda: not files(folder), "every file is gone")
@@ -117,7 +117,7 @@ def test_space_is_reserved_before_anything_is_computed(
     run = client.post("/api/v1/runs", json=body).json()
     sweep = {"list": [{"road.seed": 1}]}
     batch = computed(client, scenario=body["scenario"], strategies=["passive"], sweep=sweep)["id"]
-    files = service.app.state.services.curves._histories._spool
+    files = service.app.state.services.curves.histories.spool
     worker_calls.clear()
     with monkeypatch.context() as limited:
         size = bands.Band.most_nbytes(Scenario.model_validate(run["scenario"]), "passive")

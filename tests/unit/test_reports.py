@@ -103,7 +103,10 @@ def outcomes() -> dict[str, Outcome]:
 
 
 def facts(outcomes: dict[str, Outcome], **more: Any) -> RunFacts:
-    entries = {name: {"status": "ok", "compute_ms": 1.0, **outcome.summary} for name, outcome in outcomes.items()}
+    entries = {
+        name: {"status": "ok", "source": None, "compute_ms": 1.0, **outcome.summary}
+        for name, outcome in outcomes.items()
+    }
     answer = {
         "id": "a-run",
         "core_version": "1.2.3",
@@ -170,7 +173,7 @@ def test_text_never_becomes_markup(outcomes: dict[str, Outcome]) -> None:
     summary = outcomes["lv"].summary
     entries = {
         HOSTILE: {"status": "failed", "compute_ms": 1.0, "reason": HOSTILE},
-        "lv": {"status": "ok", "compute_ms": 1.0, **summary},
+        "lv": {"status": "ok", "source": None, "compute_ms": 1.0, **summary},
     }
     shown = facts(outcomes, id=HOSTILE, core_version=HOSTILE, scenario=scenario, strategies=entries)
     plain = report(replace(shown, baseline=HOSTILE), compressed=False).content.decode()
