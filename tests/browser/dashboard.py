@@ -69,7 +69,7 @@ class Dashboard:
             page.unroute_all(behavior="ignoreErrors")
             self.forget()
             page.set_viewport_size(LAPTOP)
-            page.emulate_media(media="screen", color_scheme="light", reduced_motion="reduce")
+            page.emulate_media(media="null", color_scheme="light", reduced_motion="reduce")
             page.mouse.up()
             page.mouse.move(0, 0)
             page.remove_listener("pageerror", self._fail)

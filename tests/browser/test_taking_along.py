@@ -84,7 +84,7 @@ def test_plots_are_drawn_on_paper_and_an_fmu_is_asked_for(dashboard: Dashboard, 
     page.emulate_media(media="print")
     expect(page.get_by_role("button", name="Share")).to_be_hidden()
     expect(page.get_by_text(dashboard.run_id)).to_be_visible()
-    page.emulate_media(media="screen")
+    page.emulate_media(media="null")
 
     page.get_by_role("button", name="Export").click()
     page.get_by_role("menuitem", name="FMU…").click()

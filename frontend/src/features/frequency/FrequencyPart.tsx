@@ -25,7 +25,7 @@ export function FrequencyPart(props: Props) {
   });
   const { onClick, disabled } = useActionButton("frequencies");
   return (
-    <div ref={part}>
+    <div ref={part} data-unprinted={!opened || undefined}>
       <Card
         aria-label="Frequencies"
         title="Frequencies: responses, modes and margins"

@@ -33,7 +33,7 @@ export function RequirementsCard({ resultView, figures }: Props) {
   const set = (next: readonly Requirement[]) => labAddress.setView({ requirements: next });
   if (readOnly && requirements.length === 0) return null;
   return (
-    <Card aria-label="Requirements" title="Requirements">
+    <Card aria-label="Requirements" title="Requirements" data-unprinted={requirements.length === 0 || undefined}>
       <div className={ui.part}>
         {requirements.map((requirement, index) => (
           <RequirementRow
@@ -45,14 +45,16 @@ export function RequirementsCard({ resultView, figures }: Props) {
           />
         ))}
         {!readOnly && requirements.length < MOST && (
-          <Finder
-            label={requirements.length === 0 ? "Hold a metric to a limit" : "Add a requirement"}
-            placeholder="Name of a metric…"
-            nothingFoundMessage="No metric of that name"
-            maw={420}
-            data={optionsOf(figures)}
-            onPick={(metric) => set([...requirements, { metric, max: opening(resultView, metric) }])}
-          />
+          <div data-unprinted>
+            <Finder
+              label={requirements.length === 0 ? "Hold a metric to a limit" : "Add a requirement"}
+              placeholder="Name of a metric…"
+              nothingFoundMessage="No metric of that name"
+              maw={420}
+              data={optionsOf(figures)}
+              onPick={(metric) => set([...requirements, { metric, max: opening(resultView, metric) }])}
+            />
+          </div>
         )}
         {requirements.length > 0 && (
           <Text size="xs" c="dimmed" m={0}>
