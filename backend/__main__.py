@@ -177,7 +177,7 @@ def _verify(data_dir: str | None, *, as_json: bool) -> int:
         return _refuse(str(error))
     except SQLAlchemyError as error:
         why = f"The database cannot be read: {reason(error) if isinstance(error, DBAPIError) else error}"
-        _say(why, {"sound": False, "structure": [why]}, as_json=as_json)
+        _say(why, {"sound": False, "rows": {}, "unchecked": {}, "damaged": {}, "structure": [why]}, as_json=as_json)
         return 1
     end = "Everything is as it was written" if verdict.sound else "Something is damaged (docs/how-to/operations.md)"
     _say("\n".join([*verdict.lines(), end]), {"sound": verdict.sound, **asdict(verdict)}, as_json=as_json)

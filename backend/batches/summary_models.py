@@ -14,7 +14,11 @@ Cell = Annotated[
                 {"type": "number"},
                 {"type": "string"},
                 {"type": "boolean"},
-                {"items": {"type": "number"}, "type": "array"},
+                {
+                    "items": {"anyOf": [{"type": "number"}, {"items": {"type": "number"}, "type": "array"}]},
+                    "type": "array",  # three weights, a curve's points
+                },
+                {"type": "object", "additionalProperties": {"type": "string"}},  # a law's file and digest
                 {"type": "null"},
             ]
         }

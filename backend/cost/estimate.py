@@ -144,7 +144,11 @@ def memory(scenario: Scenario, strategy: type[Controller], time: float) -> float
 
 
 def expected_time(scenario: Scenario, strategy: type[Controller]) -> float:
-    """Expected time from x = 0 to the road's end [s], braking with the maximum deceleration."""
+    """Expected time from x = 0 to the road's end [s].
+
+    The car brakes with the maximum deceleration, slows down by its resistances until its rear axle has left the last
+    bump, then holds its speed.
+    """
     speed, road, brake = scenario.speed, scenario.road, scenario.brake
     initial = speed.initial
     if resolve_speed_plan(strategy, speed.policy) == "constant":
@@ -159,24 +163,24 @@ def expected_time(scenario: Scenario, strategy: type[Controller]) -> float:
 
 
 def _slowing(
-    chain: BrakeChain, speed: float, least: float, distance: float, braking: float = 0.0
+    chain: BrakeChain, speed: float, floor: float, distance: float, braking: float = 0.0
 ) -> tuple[float, float]:
-    """Time [s] over a distance [m] on which a car slows down to a least speed [m/s], and its speed then.
+    """Time [s] over a distance [m] on which a car slows down to a floor [m/s], and its speed at the end [m/s].
 
     Args:
         chain: Whose resistances slow it down.
         speed: That it begins with [m/s].
-        least: That it holds [m/s].
+        floor: The least, which it then holds [m/s].
         distance: [m].
         braking: Deceleration by the brakes [m/s^2].
     """
     constant = max(braking + chain.resistance(0.0), 1e-6)
     air = max(chain.resistance(1.0) - chain.resistance(0.0), 1e-6)  # of the speed's square [1/m]
-    alike = sqrt(constant / air)  # the speed at which both are the same
-    slowing = min(distance, log((speed**2 + alike**2) / (least**2 + alike**2)) / (2 * air))
-    slower = sqrt((speed**2 + alike**2) * exp(-2 * air * slowing) - alike**2)
-    time = (atan(speed / alike) - atan(slower / alike)) / sqrt(constant * air)
-    return time + (distance - slowing) / slower, slower
+    equal = sqrt(constant / air)  # the speed at which air drag equals all else [m/s]
+    slowing = min(distance, log((speed**2 + equal**2) / (floor**2 + equal**2)) / (2 * air))
+    end = sqrt((speed**2 + equal**2) * exp(-2 * air * slowing) - equal**2)
+    time = (atan(speed / equal) - atan(end / equal)) / sqrt(constant * air)
+    return time + (distance - slowing) / end, end
 
 
 def work(scenario: Scenario, strategy: type[Controller], time: float, expected: LimitShares) -> dict[str, float]:

@@ -103,7 +103,7 @@ EXAMPLES: dict[str, JsonObject] = {  # of bodies, by their schema
     },
     "LoginRequest": {"token": "0d1c7a4be8f2915c3366a0f4c1be7fd20a93b1c5de44f708"},
 }
-_MAKING = threading.Lock()  # it takes half a second of a core: many who ask at once wait for one
+_MAKING = threading.Lock()  # making it takes seconds of a core: whoever asks meanwhile waits for that one
 LINKS = {  # operations that take the id, by the operation that answers with it
     "createRun": ("200", "$response.body#/id", ["getRun", "getRunFigures", "getRunReport"]),
     "solve": ("200", "$response.body#/run_id", ["getRun", "getRunFigures", "getRunReport"]),
@@ -130,7 +130,7 @@ def describe(app: FastAPI) -> JsonObject:
 
 
 def encoded(app: FastAPI) -> bytes:
-    """The same as JSON."""
+    """The OpenAPI description as JSON, made once for all who ask at the same time."""
     with _MAKING:
         return _described(app, tuple(strategies()))[1]
 

@@ -51,12 +51,14 @@ class Drive:
         return max(int(starts.searchsorted(asked + near, side="right")) - 1, 0)
 
     def seen(self, step: int, *, answered: bool = False) -> Seen:
-        """What the controller was told in that step; with the force that it `answered` before, if arrived or not."""
+        """What the controller saw in that step; `answered`: its previous force is its last answer, arrived or not."""
         row, car, trajectory = step * self.run.steps.short, self.recording.car, self.recording.trajectory
         now = read_only(trajectory.loop[row])
         previous = now[car.size :]
         if answered:
-            previous = trajectory.asked[step - 1] if step else np.zeros(FORCES)
+            answers = trajectory.asked[:step]
+            answers = answers[~np.isnan(answers).any(axis=1)]
+            previous = read_only(answers[-1]) if len(answers) else np.zeros(FORCES)
         return Seen(self.inputs, car, step, row, now[: car.size], previous)
 
     def sample(self, step: int) -> FloatArray:

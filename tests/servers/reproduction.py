@@ -62,7 +62,9 @@ def in_order(by_strategy: Mapping[str, Sequence[JobRun]]) -> list[JobRun]:
 def rows() -> dict[str, Any]:
     """By key what a service stores for the page."""
     if os.environ.get("UPDATE_DOCS"):
-        FILE.write_bytes(gzip.compress(orjson.dumps([computed(row) for row in distinct()]), mtime=0))
+        written = FILE.with_suffix(f".{os.getpid()}")  # another process may read the file
+        written.write_bytes(gzip.compress(orjson.dumps([computed(row) for row in distinct()]), mtime=0))
+        written.replace(FILE)
     stored: list[Any] = orjson.loads(gzip.decompress(FILE.read_bytes()))
     return {row.key: summary for row, summary in zip(distinct(), stored, strict=True)}
 

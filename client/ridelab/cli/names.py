@@ -32,7 +32,7 @@ class Names:
 
     @classmethod
     def of(cls, ridelab: Ridelab) -> Self:
-        """The names of a service, saved for the shell's completion."""
+        """The names of a service, saved for the shell's completion; vehicles are this version's."""
         schema, catalogue = ridelab.get("/schema"), ridelab.get("/catalogue")
         names = cls(
             fields=units_of(schema),
@@ -44,11 +44,8 @@ class Names:
             metrics=ridelab.units,
         )
         before = remembered()
-        listed = {
-            **before,
-            **{key: list(getattr(names, key)) for key in ("fields", "strategies", "presets", "metrics")},
-        }
-        if listed != before:
+        listed = {key: list(getattr(names, key)) for key in ("fields", "strategies", "presets", "metrics")}
+        if {**before, **listed} != before:
             with contextlib.suppress(OSError):  # completion is a convenience
                 _remembered_in().parent.mkdir(parents=True, exist_ok=True)
                 save([json.dumps(listed).encode()], _remembered_in())

@@ -26,9 +26,7 @@ Which = Annotated[
 
 def vehicle(
     services: Services,
-    which: Annotated[
-        str | None, typer.Argument(metavar="VEHICLE", help=_WHICH, autocompletion=options.completes("vehicles"))
-    ] = None,
+    which: Which = None,
     sheet: Annotated[Path | None, options.option("FILE", _SHEET, exists=True, dir_okay=False)] = None,
     out: Annotated[str | None, options.option("FILE", _OUT, "--out", "-o")] = None,
     as_json: options.AsJson = False,

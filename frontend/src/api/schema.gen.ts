@@ -336,7 +336,9 @@ export interface components {
         readonly BatchTable: {
             readonly batch: string;
             readonly columns: {
-                readonly [key: string]: readonly (number | string | boolean | readonly number[] | null)[];
+                readonly [key: string]: readonly (number | string | boolean | readonly (number | readonly number[])[] | {
+                    readonly [key: string]: string;
+                } | null)[];
             };
             /** @enum {string} */
             readonly state: "queued" | "running" | "done" | "cancelled" | "failed";
@@ -703,7 +705,9 @@ export interface components {
         };
         readonly FirstFailure: {
             readonly at: {
-                readonly [key: string]: number | string | boolean | readonly number[] | null;
+                readonly [key: string]: number | string | boolean | readonly (number | readonly number[])[] | {
+                    readonly [key: string]: string;
+                } | null;
             };
             readonly run: number;
             readonly value: number | null;
@@ -1075,7 +1079,9 @@ export interface components {
         };
         readonly Place: {
             readonly at: {
-                readonly [key: string]: number | string | boolean | readonly number[] | null;
+                readonly [key: string]: number | string | boolean | readonly (number | readonly number[])[] | {
+                    readonly [key: string]: string;
+                } | null;
             };
             readonly run: number;
             readonly value: number;

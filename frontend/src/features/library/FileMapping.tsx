@@ -29,7 +29,9 @@ export function FileMapping() {
     return wrong;
   };
   if ("file" in file)
-    return <GridDialog name={file.name} onDrive={(wheels) => driveRoad(file.file, wheels)} onClose={next} />;
+    return (
+      <GridDialog key={file.name} name={file.name} onDrive={(wheels) => driveRoad(file.file, wheels)} onClose={next} />
+    );
   const road: MappedKind = {
     ...ROAD,
     action: "Drive this road",

@@ -66,7 +66,13 @@ export function useOpenGalleryEntry(): () => Promise<void> {
     galleryEntry.set(null);
     const answer = await fetch(`${MANUAL}gallery/${encodeURIComponent(name)}.json`).catch(() => null);
     if (answer?.ok) await openFiles([new File([await answer.blob()], `${name}.json`)], { inLibrary: false });
-    else notice.set({ lines: [`The manual’s gallery has no “${name}”`], isWrong: true, scenario: edit.newest() });
+    else {
+      const line =
+        answer?.status === 404
+          ? `The manual’s gallery has no “${name}”`
+          : "The gallery’s scenario could not be fetched: open the link again";
+      notice.set({ lines: [line], isWrong: true, scenario: edit.newest() });
+    }
   };
 }
 
