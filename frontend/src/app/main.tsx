@@ -61,7 +61,8 @@ const queries = createQueryClient();
 
 // The lab lives as long as the tab: other pages come and go beside it.
 const pages = createAppRouter(queries);
-galleryEntry.set(new URLSearchParams(window.location.search).get("gallery") || null);
+const named = new URLSearchParams(window.location.search).get("gallery");
+galleryEntry.set(named === "" ? null : named);
 // An address that names a result opens that, and nothing is behind it.
 const restored = startsAnew(pages) ? restoreSession() : null;
 const labAddress = createLabAddress(pages, restored?.view);

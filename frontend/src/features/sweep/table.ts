@@ -13,6 +13,12 @@ export type Columns = BatchTable["columns"];
 
 export const cell = (columns: Columns, name: string, row: number): Cell => columns[name]?.[row];
 
+/** A cell of a column of texts; empty where there is none. */
+export function textCell(columns: Columns, name: string, row: number): string {
+  const value = cell(columns, name, row);
+  return typeof value === "string" ? value : "";
+}
+
 export function rowsOf(columns: Columns, keep: (row: number) => boolean): readonly number[] {
   return (columns.run ?? []).flatMap((_, row) => (keep(row) ? [row] : []));
 }

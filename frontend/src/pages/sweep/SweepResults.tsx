@@ -9,6 +9,7 @@ import {
   axesOf,
   batchRequirementsQuery,
   cell,
+  textCell,
   lowest,
   REQUIRED,
   rowsOf,
@@ -77,7 +78,7 @@ export function BatchResults({ batch: stored, form, catalogue, strategies, marke
     const ids = visible.map(({ id }) => id);
     return lowest(
       columns,
-      rowsOf(columns, (row) => ids.includes(String(columns.strategy?.[row]))),
+      rowsOf(columns, (row) => ids.includes(textCell(columns, "strategy", row))),
       y.key,
     );
   }, [columns, visible, y]);

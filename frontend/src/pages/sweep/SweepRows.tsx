@@ -6,7 +6,16 @@ import { IconExternalLink } from "../../ui/icons";
 import { count, prettyUnit } from "../../units/format";
 import classes from "./sweep.module.css";
 import { MarkerKey } from "./PlotTools";
-import { cell, REQUIRED, rowsOf, showCell, showFigure, type Cell, type Columns } from "../../features/sweep/table";
+import {
+  cell,
+  REQUIRED,
+  rowsOf,
+  showCell,
+  showFigure,
+  textCell,
+  type Cell,
+  type Columns,
+} from "../../features/sweep/table";
 import { ResultMark } from "../../features/requirements/RequirementMarks";
 import { caveatsOfRow } from "./describeRow";
 import { Card } from "../../ui/Card";
@@ -87,7 +96,7 @@ export function BatchRows(props: Props) {
 const BY_RUN = { column: "run", descending: false };
 
 const runOf = (columns: Columns, row: number) => Number(cell(columns, "run", row));
-const statusOf = (columns: Columns, row: number) => String(cell(columns, "status", row));
+const statusOf = (columns: Columns, row: number) => textCell(columns, "status", row);
 
 function columnsOf(props: Props): readonly Column<number>[] {
   const { batch, columns, strategies, figures } = props;
@@ -168,7 +177,7 @@ function Driven({ columns, catalogue, strategies, markers, row }: CellProps) {
   return (
     <span className={ui.named}>
       {strategy && <MarkerKey strategy={strategy} symbol={markers[strategy.id]} />}
-      {strategy?.label ?? String(cell(columns, "strategy", row))}
+      {strategy?.label ?? textCell(columns, "strategy", row)}
       <CaveatMark caveats={caveatsOfRow(columns, row, catalogue)} short />
     </span>
   );
