@@ -49,7 +49,9 @@ def test_what_was_written_is_said_to_machines(cli: Cli, prepared: Prepared) -> N
 def test_what_becomes_of_jobs_is_said_to_machines(cli: Cli, prepared: Prepared) -> None:
     batch = prepared.job("batch")
     path = f"/batches/{batch}"
-    prepared.answers[f"PATCH {path}"] = {**prepared.answers[f"GET {path}"], "label": "mine"}  # type: ignore[dict-item]
+    job = prepared.answers[f"GET {path}"]
+    assert isinstance(job, dict)
+    prepared.answers[f"PATCH {path}"] = {**job, "label": "mine"}
     prepared.answers[f"DELETE {path}"] = httpx.Response(204)
     assert json.loads(cli("jobs", "label", batch, "mine", "--json"))["label"] == "mine"
     assert json.loads(cli("jobs", "delete", batch, "--json")) == [{"kind": "batch", "id": batch}]
