@@ -24,6 +24,16 @@ it("A module's styles are of its own classes alone", () => {
   expect(unscoped).toEqual([]);
 });
 
+// Else any element that comes or goes has all of the page styled anew: 20 ms.
+it("no style of an element depends on what is in another one around it", () => {
+  const around = Object.entries(sheets).flatMap(([file, text]) =>
+    selectorsOf(text)
+      .filter((selector) => /:has\(.*\)[^,]*[\s>+~]/.test(selector))
+      .map((selector) => `${file}: ${selector}`),
+  );
+  expect(around).toEqual([]);
+});
+
 it("there are five sizes of type, the theme's", () => {
   const others = Object.entries(sheets).flatMap(([file, text]) =>
     [...text.matchAll(/font-size: (.*);/g)]

@@ -1,7 +1,7 @@
 /** A panel beside the plots, which make room for it; Escape closes it. */
 
 import { CloseButton, Group } from "@mantine/core";
-import { useEffect, useEffectEvent, type ReactNode } from "react";
+import { useEffect, useEffectEvent, useLayoutEffect, useRef, type ReactNode } from "react";
 import { Card } from "./Card";
 import classes from "./sidePanel.module.css";
 
@@ -15,6 +15,12 @@ interface Props {
 }
 
 export function SidePanel({ title, tools, onClose, children, ...rest }: Props) {
+  const ref = useRef<HTMLElement>(null);
+  useLayoutEffect(() => {
+    const main = ref.current?.closest("main");
+    main?.toggleAttribute("data-beside", true);
+    return () => main?.removeAttribute("data-beside");
+  }, []);
   const closeByKey = useEffectEvent((event: KeyboardEvent) => {
     if (event.key === "Escape" && !event.defaultPrevented) onClose();
   });
@@ -24,7 +30,7 @@ export function SidePanel({ title, tools, onClose, children, ...rest }: Props) {
     return () => document.removeEventListener("keydown", listen);
   }, []);
   return (
-    <Card className={classes.panel} aria-label={title} {...rest}>
+    <Card ref={ref} className={classes.panel} aria-label={title} {...rest}>
       <Group component="header" gap="0.4rem" wrap="nowrap" className={classes.head ?? ""}>
         <h2 className={classes.title}>{title}</h2>
         {tools}

@@ -42,6 +42,7 @@ export function Tables({ resultView, catalogue, figures }: Props) {
   const others = catalogue.metric_signals.filter((signal) => !catalogue.paper_signals.includes(signal));
   const narrow = useMediaQuery(NARROW, false, { getInitialValueInEffect: false });
   const [grouping, setGrouping] = useState<ComparisonProps["grouping"]>("variant");
+  const hasIntervals = [resultView, ...resultView.pins].some(({ shown }) => shown.over !== null);
   const compare = (signals: readonly SignalKey[], caption: string, of = "") =>
     narrow ? (
       VIEWS.map((view) => (
@@ -55,7 +56,7 @@ export function Tables({ resultView, catalogue, figures }: Props) {
       <ComparisonTable {...{ resultView, catalogue, figures, signals, caption, grouping }} />
     );
   return (
-    <Card className={classes.comparison ?? ""} aria-label="Comparison">
+    <Card className={classes.comparison ?? ""} aria-label="Comparison" data-intervals={hasIntervals || undefined}>
       <CompareBar resultView={resultView} />
       {!narrow && resultView.pins.length > 0 && (
         <Checkbox

@@ -5,6 +5,7 @@ import { useEffect, useState } from "react";
 import type { Strategy } from "../../api/types";
 import { useLabContext, useLab } from "../../lab/context";
 import { lawsText } from "../../lab/laws";
+import type { Result } from "../../lab/result";
 import ui from "../../ui/ui.module.css";
 
 const SLOW_AFTER_MS = 1200;
@@ -21,7 +22,7 @@ export function Notices({ strategies }: { readonly strategies: readonly Strategy
   const laws = lawsText(strategies, busy || !shown ? {} : shown.summaries);
   return (
     <>
-      {busy && <SlowNotice />}
+      {busy && <SlowNotice shown={shown} />}
       {refused && shown && (
         <div className={ui.notice} role="status">
           <Text>The plots show the last scenario that could be run; the value to change is marked in the form.</Text>
@@ -63,14 +64,14 @@ export function Notices({ strategies }: { readonly strategies: readonly Strategy
   );
 }
 
-/** Mounted with a request; speaks up only where that takes long. */
-function SlowNotice() {
-  const [slow, setSlow] = useState(false);
+/** Mounted with a request; speaks up only where nothing new is shown for long. */
+function SlowNotice({ shown }: { readonly shown: Result | null }) {
+  const [slow, setSlow] = useState<Result | null>();
   useEffect(() => {
-    const timer = setTimeout(() => setSlow(true), SLOW_AFTER_MS);
+    const timer = setTimeout(() => setSlow(shown), SLOW_AFTER_MS);
     return () => clearTimeout(timer);
-  }, []);
-  if (!slow) return null;
+  }, [shown]);
+  if (slow !== shown) return null;
   return (
     <div className={ui.notice} role="status">
       <Loader size={14} />
