@@ -2,6 +2,8 @@
 
 from sim_core.result import StrategyResult
 
+SAME = 1e-7  # relative: two processors' BLAS differed by 8.7e-9 at most (docs/decisions/0018-c-beneath-numpy.md)
+
 
 def event(result: StrategyResult, name: str) -> float:
     """The event's value of a strategy that has it."""

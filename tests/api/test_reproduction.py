@@ -2,9 +2,8 @@
 
 import numpy as np
 
+from tests.results import SAME
 from tests.servers.reproduction import computed, distinct, rows
-
-SAME = 1e-9  # relative, as in tests/validation/test_golden.py
 
 
 def numbers(part: object) -> list[float]:

@@ -18,6 +18,7 @@ from sim_core.errors import RidelabError
 from sim_core.kernel import build
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES
+from tests.results import SAME
 from tests.servers.process import ROOT
 from tests.unit.random_runs import CHEAP, numbers, to_its_limits
 
@@ -76,7 +77,7 @@ def compare(what: str, ours: Numbers, theirs: Numbers) -> FloatArray:
     sizes = np.array(list(differences.values()))
     print(
         f"\n{what}: {len(sizes)} runs of seed {SEED}, {np.mean(sizes == 0):.0%} with the same bits, "
-        f"{np.mean(sizes < 1e-9):.1%} within 1e-9, most {sizes.max():.2g}: {most}"
+        f"most {sizes.max():.2g}: {most}"
     )
     return sizes
 
@@ -94,7 +95,7 @@ def test_two_compilers_make_the_same_bits(tmp_path: Path) -> None:
 
 
 @pytest.mark.timeout(3600)
-def test_two_kernels_of_the_blas_make_nearly_the_same_numbers() -> None:
+def test_two_kernels_of_the_blas_make_the_same_numbers_within_the_bound() -> None:
     first, second = (elsewhere(build.FOLDER, OPENBLAS_CORETYPE=kernel) for kernel in KERNELS)
     differences = compare(" and ".join(KERNELS), first, second)
-    assert np.mean(differences < 1e-9) > 0.95
+    assert differences.max() < SAME

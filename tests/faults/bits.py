@@ -121,34 +121,35 @@ def _keys(database: Database, table: str) -> list[str]:
 def flip(path: Path, *, seed: int, count: int) -> tuple[Counter[str], list[str]]:
     """Flip so many bits of the file, one at a time: what came of them, and which told nobody and changed an answer.
 
-    Each time a service's start is followed: the whole file is read and checked, then everything is answered.
+    Each time a service's start is followed, with new connections: the whole file is read and checked, then everything
+    is answered.
     """
     content = path.read_bytes()
-    with closing(Store(f"sqlite:///{path}")) as store:
-        whole = _plain(read(store))
     rng, fates, silent = np.random.default_rng(seed), Counter[str](), list[str]()
-    for bit in rng.integers(8 * len(content), size=count).tolist():
-        damaged = bytearray(content)
-        damaged[bit // 8] ^= 1 << bit % 8
-        path.write_bytes(damaged)
-        fate = _fate(path, whole)
-        fates[fate] += 1
-        if fate == "silent":
-            silent.append(f"byte {bit // 8} of page {bit // 8 // 4096 + 1}, bit {bit % 8}")
+    with closing(Store(f"sqlite:///{path}")) as store:  # one for all: it remembers how its queries are written
+        whole = _plain(read(store))
+        for bit in rng.integers(8 * len(content), size=count).tolist():
+            store.engine.dispose()
+            damaged = bytearray(content)
+            damaged[bit // 8] ^= 1 << bit % 8
+            path.write_bytes(damaged)
+            fate = _fate(store, whole)
+            fates[fate] += 1
+            if fate == "silent":
+                silent.append(f"byte {bit // 8} of page {bit // 8 // 4096 + 1}, bit {bit % 8}")
     path.write_bytes(content)
     return fates, silent
 
 
-def _fate(path: Path, whole: dict[str, Any]) -> str:
-    with closing(Store(f"sqlite:///{path}")) as store:
-        try:
-            store.migrate()
-            if not verify(store).sound:
-                return "told"
-            answers = _plain(read(store))
-        except (SQLAlchemyError, UnusableDatabaseError):
+def _fate(store: Store, whole: dict[str, Any]) -> str:
+    try:
+        store.migrate()
+        if not verify(store).sound:
             return "told"
-        return "without effect" if answers == whole else "silent"
+        answers = _plain(read(store))
+    except (SQLAlchemyError, UnusableDatabaseError):
+        return "told"
+    return "without effect" if answers == whole else "silent"
 
 
 def _plain(answers: dict[str, Any]) -> dict[str, Any]:

@@ -16,12 +16,11 @@ import pytest
 import sim_core
 from sim_core.scenario import Actuator, Bump, Estimation, Hil, Mismatch, Mpc, Road, Scenario, Vehicle
 from sim_core.strategies import STRATEGIES
-from tests.results import metrics
+from tests.results import SAME, metrics
 from tests.validation.strategies import some
 
 FILE = Path(__file__).with_name("golden.json")
 ROOT = Path(__file__).parents[2]
-SAME = 1e-9  # relative: another processor's BLAS differs by 1.2e-13 at most (docs/decisions/0018-c-beneath-numpy.md)
 SHORT = Road(length=60, bump=Bump(start=40))
 SCENARIOS = {
     "paper": Scenario(),
