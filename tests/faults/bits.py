@@ -22,6 +22,7 @@ from backend.store.trials import StoredTrial
 from backend.store.verify import verify
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.measured import MeasuredRoad
+from sim_core.scenario.recorded import RecordedDrive
 
 RUNS, STRATEGIES, POINTS = 25, ("lv", "lqr", "passive"), 12
 # When something was stored decides what retention removes, and what a list begins with; no number comes from it.
@@ -29,11 +30,12 @@ TIMES = {"created_at", "started_at", "finished_at", "ended_at", "damaged_at"}
 
 
 def fill(path: Path) -> None:
-    """Make a database with runs, links, a measured road, a batch that is done and a tuning."""
+    """Make a database with runs, links, a measured road, a recording, a batch that is done and a tuning."""
     rng = np.random.default_rng(1)
     with closing(Store(f"sqlite:///{path}")) as store:
         store.migrate()
         store.roads.save(MeasuredRoad.of(rng.normal(0, 0.01, 2000)))
+        store.recordings.save(RecordedDrive.of({"time": np.arange(900.0), "body_acceleration": rng.normal(0, 1, 900)}))
         for number in range(RUNS):
             scenario = Scenario.model_validate({"road": {"seed": number + 1}})
             run = stored_run(scenario, rng)
@@ -104,7 +106,8 @@ def read(store: Store) -> dict[str, Any]:
     for slug in ids["links"]:
         answers[f"link {slug}"] = store.links.load(slug)
     answers["pins"] = store.links.load_pins(ids["pinned_series"])
-    answers["roads"] = {key: asdict(road) for key, road in store.roads.load(ids["roads"]).items()}
+    answers["roads"] = [asdict(road) for road in store.roads.load(ids["roads"]).values()]
+    answers["recordings"] = [asdict(drive) for drive in store.recordings.load(ids["recordings"]).values()]
     for job_id in ids["jobs"]:
         answers[f"job {job_id}"] = store.jobs.load(job_id)
         answers[f"rows {job_id}"] = store.job_runs.rows(job_id, -1, 1000)
