@@ -16,6 +16,8 @@ logger = logging.getLogger(__name__)
 
 INTERVAL = 600.0  # between two looks [s]
 YOUNGEST = timedelta(hours=1)  # what is younger stays, however large the database
+JUMP = timedelta(hours=1)  # by which the database's clock goes ahead of this machine's, which nobody sets
+BELIEVED_AFTER = 86400.0  # such a jump makes nothing old before then [s]
 
 
 class Retention:
@@ -33,6 +35,8 @@ class Retention:
         self._days = settings.retention_days
         self._bytes = settings.retention_bytes
         self._due = time.monotonic()
+        self._clock: tuple[datetime, float] | None = None  # the database's, and this machine's [s]
+        self._ahead_since: float | None = None  # [s]
         self._task: asyncio.Task[None] | None = None
 
     def begin_if_due(self) -> None:
@@ -41,6 +45,23 @@ class Retention:
             return
         self._due = time.monotonic() + INTERVAL
         self._task = asyncio.create_task(self._apply_safely())
+
+    async def now(self) -> datetime:
+        """The time by which rows are old: the database's, and for a day after its clock has jumped ahead, as before."""
+        now, seconds = await self._store.read(self._store.now), time.monotonic()
+        before, since = self._clock or (now, seconds)
+        expected = before + timedelta(seconds=seconds - since)
+        if now <= expected + JUMP:
+            self._ahead_since = None
+        elif self._ahead_since is None:
+            self._ahead_since = seconds
+            logger.warning(
+                "The database's clock has jumped ahead by %s: nothing is removed for it today", now - expected
+            )
+        if self._ahead_since is not None and seconds < self._ahead_since + BELIEVED_AFTER:
+            return expected
+        self._clock, self._ahead_since = (now, seconds), None
+        return now
 
     def cancel(self) -> None:
         """Stop: another service is the leader and removes from now on."""
@@ -60,7 +81,7 @@ class Retention:
         await self._purge()
         if self._days is None and self._bytes is None:
             return
-        now = await self._store.read(self._store.now)
+        now = await self.now()
         if self._days is not None:
             await self._remove_before(now - timedelta(days=self._days))
         size = await self._store.read(self._store.retention.size)

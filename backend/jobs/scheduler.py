@@ -93,6 +93,9 @@ class Scheduler:
         while not self._closed:  # an error while leaving takes the place of a cancellation
             try:
                 try:
+                    await (
+                        self._retention.now()
+                    )  # before it leads: another leader may seem to hang by a clock that jumps
                     async with self._leadership.held():
                         with self._store.commits.following() as changes:
                             await self._lead(changes)

@@ -10,7 +10,7 @@ from datetime import datetime
 from itertools import islice
 from typing import Any
 
-from sqlalchemy import Connection, Row, Select, and_, delete, func, insert, or_, select, update
+from sqlalchemy import ColumnElement, Connection, Row, Select, and_, case, delete, func, insert, or_, select, update
 from sqlalchemy.exc import IntegrityError
 
 from backend.db.checksum import check, update_row
@@ -140,7 +140,7 @@ class JobStore(RowStore):
 
     def start(self, job_id: str) -> None:
         """Set a queued job to running."""
-        self._change_state(job_id, ("queued",), "running", started_at=Now())
+        self._change_state(job_id, ("queued",), "running", started_at=_now_or(jobs.c.created_at))
 
     def finish(self, job_id: str) -> bool:
         """Set a job to done; False, and no change, while one of its runs waits."""
@@ -310,8 +310,13 @@ def change_state(connection: Connection, job_id: str, before: Sequence[str], sta
 def _times(state: State) -> dict[str, Any]:
     """The columns that change with a job's state, by the database's clock."""
     if state == "running":
-        return {"started_at": func.coalesce(jobs.c.started_at, Now())}
-    return {"finished_at": Now() if state in FINAL else None}
+        return {"started_at": func.coalesce(jobs.c.started_at, _now_or(jobs.c.created_at))}
+    return {"finished_at": _now_or(func.coalesce(jobs.c.started_at, jobs.c.created_at)) if state in FINAL else None}
+
+
+def _now_or(earlier: ColumnElement[datetime]) -> ColumnElement[datetime]:
+    """The database's time; the earlier one where its clock was set back behind that."""
+    return case((earlier > Now(), earlier), else_=Now())
 
 
 def _job(row: Row[Any]) -> StoredJob:

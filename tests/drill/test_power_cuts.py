@@ -52,6 +52,15 @@ def test_a_service_answers_as_before_after_a_power_cut(tmp_path: Path) -> None:
 
 
 @pytest.mark.timeout(3600)
+def test_power_cuts_show_that_nothing_was_synced(tmp_path: Path) -> None:
+    """Else they would prove nothing."""
+    recorded = service.record(tmp_path, seed=SEED, pieces=6, kind=service.Unsynced)
+    broken, asked = service.cut(recorded, tmp_path / "data", seed=SEED, count=2)
+    print(f"\n2 power cuts where nothing is synced, seed {SEED}: of {asked} answers {len(broken)} wrong: {broken[:1]}")
+    assert broken
+
+
+@pytest.mark.timeout(3600)
 def test_what_postgresql_committed_is_there_after_it_was_killed() -> None:
     """With fsync; each time all its processes are killed at a random moment of the work."""
     server, rng, pieces = Postgres(fsync="on", full_page_writes="on"), np.random.default_rng(SEED), 0

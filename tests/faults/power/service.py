@@ -18,35 +18,45 @@ PROGRESS = {"state", "position", "done", "failed", "core_version", "started_at",
 ROAD = {"length": 60, "bump": {"start": 40}}
 
 
+class Unsynced(Api):
+    """A service whose database syncs nothing: the fault that power cuts have to show."""
+
+    PROGRAM = (
+        "-c",
+        "import inspect, sys; from backend.db import sqlite; from backend.__main__ import main; "
+        "exec(inspect.getsource(sqlite._set_up).replace('=EXTRA', '=OFF'), vars(sqlite)); sys.exit(main())",
+    )
+
+
 @contextmanager
-def started(folder: Path, **environment: str) -> Iterator[Api]:
-    """A service with one process of each kind, ready."""
-    api = Api(folder, RIDELAB_WORKERS="1", RIDELAB_BATCH_WORKERS="1", **environment)
+def started(folder: Path, kind: type[Api] = Api, **environment: str) -> Iterator[Api]:
+    """A service with one process of each kind: ready, or one that has ended or says that its database is damaged."""
+    api = kind(folder, RIDELAB_WORKERS="1", RIDELAB_BATCH_WORKERS="1", **environment)
     try:
-        api.wait_until_ready()
+        wait_until(lambda: api.ready or api.starts > 1 or "damaged" in api.log, "it is ready")
         yield api
     finally:
         api.end()
 
 
-def record(folder: Path, *, seed: int, pieces: int) -> list[Record]:
+def record(folder: Path, *, seed: int, pieces: int, kind: type[Api] = Api) -> list[Record]:
     """What a service writes while a client works; after each answer a note of what to ask for it, and of the answer."""
     log, rng, runs = folder / "log", np.random.default_rng(seed), list[str]()
-    with log.open("ab", buffering=0) as notes, started(folder, **recording(log, folder / "data")) as api:
+    with log.open("ab", buffering=0) as notes, started(folder, kind, **recording(log, folder / "data")) as api:
         for number in range(pieces):
-            kind = str(rng.choice(["runs", "runs", "links", "roads", "batches"])) if runs else "runs"
+            what = str(rng.choice(["runs", "runs", "links", "roads", "batches"])) if runs else "runs"
             scenario = {"road": ROAD | {"seed": 100 * seed + number}}
             options: dict[str, Any] = {"json": {"scenario": scenario, "strategies": ["lqr", "passive"]}}
-            if kind == "links":
+            if what == "links":
                 options = {"json": {"run_id": str(rng.choice(runs)), "view": {}}}
-            elif kind == "roads":
+            elif what == "roads":
                 heights = "".join(f"{0.1 * at:.1f},{height:.2f}\n" for at, height in enumerate(rng.normal(0, 9, 900)))
                 options = {"content": f"distance [m],height [mm]\n{heights}", "headers": {"Content-Type": "text/csv"}}
-            elif kind == "batches":
+            elif what == "batches":
                 options["json"]["sweep"] = {"grid": {"road.bump.height": rng.uniform(0.05, 0.1, 8).tolist()}}
-            answer = ask(api.url, "POST", f"/{kind}", **options)
-            path = f"/{kind}/{answer['slug' if kind == 'links' else 'id']}"
-            runs += [answer["id"]] if kind == "runs" else []
+            answer = ask(api.url, "POST", f"/{what}", **options)
+            path = f"/{what}/{answer['slug' if what == 'links' else 'id']}"
+            runs += [answer["id"]] if what == "runs" else []
             note(notes, json.dumps([path, _lasting(ask(api.url, "GET", path))]))
     return list(read(log))
 
@@ -84,12 +94,17 @@ def cut(records: list[Record], folder: Path, *, seed: int, count: int) -> tuple[
 
 def _faults(folder: Path, acknowledged: dict[str, Any]) -> Iterator[str]:
     with started(folder) as api:
-        for path, answer in acknowledged.items():
-            if path.startswith("/batches"):
-                wait_until(partial(_is_done, api, path), "the batch ends")
-            if (now := _lasting(ask(api.url, "GET", path))) != answer:
+        for path, answer in acknowledged.items() if api.ready else ():
+            try:
+                if path.startswith("/batches"):
+                    wait_until(partial(_is_done, api, path), "the batch ends")
+                now = _lasting(ask(api.url, "GET", path))
+            except AssertionError as error:  # the answer's status
+                yield f"{path}: {error}"
+                continue
+            if now != answer:
                 yield f"{path} was {answer} and is {now}"
-        if "damaged" in api.log:
+        if not api.ready or "damaged" in api.log:
             yield api.log[-2000:]
 
 
