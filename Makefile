@@ -48,7 +48,7 @@ frontend/node_modules/.checked: frontend/node_modules/.installed $(CHECKED)
 	touch $@
 
 audit: development ## known vulnerabilities of what is locked; asks PyPI and npm, so it needs the internet
-	$(BIN)/pip-audit --require-hashes --disable-pip -r requirements-cluster.lock
+	$(BIN)/pip-audit --strict --require-hashes --disable-pip -r requirements-cluster.lock
 	cd frontend && $(NODE) npm audit --omit=dev
 
 bench: development ## speed, as ratios in one run
