@@ -43,7 +43,15 @@ export const api = {
     return { ...link, run: link.run && readRun(link.run) };
   },
   live: async (body: Omit<LiveRequest, "encoding">, signal?: AbortSignal) =>
-    decodeLive(await (await askFile("post", "/live", { body: { ...body, encoding: "binary" } }, signal)).arrayBuffer()),
+    decodeLive(
+      await askFile(
+        "post",
+        "/live",
+        { body: { ...body, encoding: "binary" } },
+        (response) => response.arrayBuffer(),
+        signal,
+      ),
+    ),
 
   series: async (
     id: string,

@@ -72,14 +72,15 @@ export async function ask<M extends Method, P extends Path<M>, const Q extends Q
 export const query = <P extends Path<"get">, Q extends Question<Operation<"get", P>> & Sent>(path: P, question: Q) =>
   queryOptions({ queryKey: [path, question], queryFn: ({ signal }) => ask("get", path, question, signal) });
 
-/** A file in place of JSON. */
-export const askFile = async <M extends Method, P extends Path<M>>(
+/** A file in place of JSON, in the form in which it is used. */
+export const askFile = async <M extends Method, P extends Path<M>, Content>(
   method: M,
   path: P,
   question: Question<Operation<M, P>> & Sent,
+  contentOf: (response: Response) => Promise<Content>,
   signal?: AbortSignal,
-): Promise<Blob> => {
-  const content = await read((await send(method, path, question, signal)).blob());
+): Promise<Content> => {
+  const content = await read(contentOf(await send(method, path, question, signal)));
   connection.ok();
   return content;
 };

@@ -27,7 +27,9 @@ export function FmuDialog({ strategies, first, scenario, onClose }: Props) {
   const file = useMutation({
     mutationFn: () => {
       const of = what === VEHICLE ? { of: VEHICLE } : { strategy: what };
-      return askFile("post", "/fmus", { body: { scenario: scenario(), version, ...of } });
+      return askFile("post", "/fmus", { body: { scenario: scenario(), version, ...of } }, (response) =>
+        response.blob(),
+      );
     },
     onSuccess: (fmu) => saveAs(fmu, `ridelab-${what}.fmu`),
   });

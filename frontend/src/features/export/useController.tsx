@@ -18,7 +18,8 @@ export function saveAs(blob: Blob, name: string): void {
 
 export function useController() {
   const { mutate, isPending, error, reset } = useMutation({
-    mutationFn: (scenario: Scenario) => askFile("post", "/controller", { body: { scenario } }),
+    mutationFn: (scenario: Scenario) =>
+      askFile("post", "/controller", { body: { scenario } }, (response) => response.blob()),
     onSuccess: (zip) => saveAs(zip, "ridelab-controller.zip"),
   });
   return { save: mutate, saving: isPending, error, reset };

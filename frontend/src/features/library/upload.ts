@@ -210,7 +210,9 @@ export async function saveItem(item: Exported, queries: QueryClient): Promise<vo
   const { version } = await queries.query({ ...schemaQuery, staleTime: "static" });
   const id = roadOf(item);
   const road =
-    id === null ? null : await (await askFile("get", "/roads/{id}", { path: { id }, query: { format: "csv" } })).text();
+    id === null
+      ? null
+      : await askFile("get", "/roads/{id}", { path: { id }, query: { format: "csv" } }, (response) => response.text());
   const { name, type, text } = fileOf(item, version, road);
   const address = URL.createObjectURL(new Blob([text], { type }));
   download(address, name);

@@ -6,7 +6,7 @@ import { DropFiles, EditorPane, LabActions, LabTools } from "./afterCurves";
 import { Notices } from "./Notices";
 import { ShellSlot } from "../../ui/Page";
 import classes from "../../ui/shell.module.css";
-import { useFromScenario, useLab } from "../../lab/context";
+import { useLab, useLabContext } from "../../lab/context";
 import { useSavedLaws, useWithGone } from "../../lab/laws";
 import { useLabStrategies } from "../../lab/recordings";
 import { useSchemeColours, useStrategies } from "../../server/useCatalogues";
@@ -74,7 +74,9 @@ function PrintedTitle() {
     ({ shown }) =>
       shown && `core ${shown.coreVersion}${shown.runId === null ? ", a live preview" : `, run ${shown.runId}`}`,
   );
-  const title = useFromScenario(pageTitle);
+  // Not of each step of a slider: the browser itself shows it.
+  const { paperScenario } = useLabContext();
+  const title = useLab(({ history }) => pageTitle(history?.present ?? paperScenario));
   useDocumentTitle(title);
   if (source === null) return null;
   return (

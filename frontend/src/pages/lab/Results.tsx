@@ -1,7 +1,8 @@
 /** The results: the car and the ride on the bump first, then the numbers, then every other signal. */
 
-import { memo, useMemo } from "react";
+import { memo, useMemo, useState } from "react";
 import { Button, Skeleton, Text } from "@mantine/core";
+import { useIntersection } from "@mantine/hooks";
 import type { Catalogue, FigureTemplate, Strategy } from "../../api/types";
 import { PlotGrid, RoadStrip, useShownCurves } from "../../plots/PlotGrid";
 import { useLabContext, useLab } from "../../lab/context";
@@ -134,6 +135,15 @@ const Responses = memo(function Responses({ resultView, catalogue }: Omit<PartPr
   );
 });
 
+/** What an element shows of a result: under a moving slider as it was, until it is in sight. */
+function useInSight(newest: ResultView) {
+  const { ref, entry } = useIntersection<HTMLDivElement>();
+  const [shown, setShown] = useState(newest);
+  const follows = newest.shown.source === "exact" || (entry?.isIntersecting ?? true);
+  if (follows && shown !== newest) setShown(newest);
+  return [ref, shown] as const;
+}
+
 interface HistoriesProps extends PartProps {
   readonly calm: ResultView;
 }
@@ -145,13 +155,19 @@ function Histories({ resultView, calm, catalogue, figures }: HistoriesProps) {
     return [drawn.filter(isRide), drawn.filter((template) => !isRide(template))];
   }, [catalogue, figures]);
   const curves = useShownCurves(resultView);
+  const [numbersRef, numbers] = useInSight(calm);
+  const [responsesRef, responses] = useInSight(calm);
   return (
     <>
       <CarOnRoad resultView={calm} figures={figures} />
       <PlotGrid templates={ride} curves={curves} />
-      <Numbers resultView={calm} catalogue={catalogue} figures={figures} />
+      <div ref={numbersRef} className={classes.results}>
+        <Numbers resultView={numbers} catalogue={catalogue} figures={figures} />
+      </div>
       <PlotGrid templates={rest} curves={curves} />
-      <Responses resultView={calm} catalogue={catalogue} />
+      <div ref={responsesRef}>
+        <Responses resultView={responses} catalogue={catalogue} />
+      </div>
     </>
   );
 }

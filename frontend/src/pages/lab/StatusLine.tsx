@@ -1,6 +1,5 @@
 /** Whether the shown answer was stored or computed, and what it cost. */
 
-import { Text } from "@mantine/core";
 import { useLab } from "../../lab/context";
 import type { Result } from "../../lab/result";
 import classes from "../../ui/shell.module.css";
@@ -26,13 +25,13 @@ export function StatusLine({ position }: Props) {
   const shown = useLab((state) => state.shown);
   const behind = useLab((state) => state.stale && !state.busy);
   return (
-    <Text
+    <p
       className={classes.status}
       data-position={position}
       data-testid={`status-${position}`}
       title={shown ? `Computed by core ${shown.coreVersion}` : ""}
     >
       {shown ? (behind ? "The last result: the form has changed since" : describe(shown)) : "\u00a0"}
-    </Text>
+    </p>
   );
 }
