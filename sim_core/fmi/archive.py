@@ -37,9 +37,11 @@ def unpack(content: bytes) -> tuple[Description, Path, Path]:
             description = read_description(archive.read("modelDescription.xml"))
             library = _library(description, archive.namelist())
             folder = _store() / sha256(content).hexdigest()
-            if not folder.is_dir():
+            if not _is_whole(folder, archive):
                 with TemporaryDirectory(dir=folder.parent) as beside:
                     archive.extractall(Path(beside) / "fmu")
+                    with suppress(OSError):  # there is none
+                        folder.rename(Path(beside) / "damaged")
                     with suppress(OSError):  # another process was first
                         (Path(beside) / "fmu").rename(folder)
     except KeyError:
@@ -59,6 +61,18 @@ def _check(archive: zipfile.ZipFile) -> None:
         path = PurePosixPath(entry.filename)
         if path.is_absolute() or ".." in path.parts or "\\" in entry.orig_filename or ":" in entry.filename:
             raise RidelabError("A file in its zip has a path that leads out of it")
+
+
+def _is_whole(folder: Path, archive: zipfile.ZipFile) -> bool:
+    """Whether all files are there as they were packed; code that the disk changed would compute other numbers."""
+    try:
+        return all(
+            zlib.crc32((folder / entry.filename).read_bytes()) == entry.CRC
+            for entry in archive.infolist()
+            if not entry.is_dir()
+        )
+    except OSError:
+        return False
 
 
 def _library(description: Description, names: list[str]) -> str:

@@ -186,6 +186,13 @@ def test_one_that_would_fill_the_disk_is_not_unpacked(
         load_controllers(rewritten(exported, tmp_path / "bomb.fmu"))
 
 
+def test_an_unpacked_library_that_the_disk_changed_is_unpacked_again(exported: Path) -> None:
+    library = archive.unpack(exported.read_bytes())[2]
+    whole = library.read_bytes()
+    library.write_bytes(whole[:-9] + bytes([whole[-9] ^ 1]) + whole[-8:])
+    assert archive.unpack(exported.read_bytes())[2].read_bytes() == whole
+
+
 def test_what_is_no_zip_is_told(tmp_path: Path) -> None:
     file = tmp_path / "law.fmu"
     file.write_bytes(b"no zip")
