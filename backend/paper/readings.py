@@ -19,7 +19,7 @@ OURS = "ours"
 Intervals = tuple[tuple[float, float], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Choice:
     """One way to read it.
 
@@ -80,7 +80,10 @@ def _half_car() -> dict[str, Any]:
 
 def _by_value(field: str, unit: str, values: Mapping[str, float]) -> tuple[Choice, ...]:
     """Choices of a field's values, all ours: each value by its number in a unit."""
-    return tuple(Choice(number, f"{number} {unit}", OURS, {field: value}) for number, value in values.items())
+    return tuple(
+        Choice(id=number, label=f"{number} {unit}", source=OURS, changes={field: value})
+        for number, value in values.items()
+    )
 
 
 READINGS: dict[str, Reading] = {
@@ -93,20 +96,25 @@ READINGS: dict[str, Reading] = {
             "the road ahead decides most of the paper's claims.",
             choices=(
                 Choice(
-                    "lookahead",
-                    "Road ahead",
-                    "Section 3.1: sensors identify the bump and its distance; that they see all of the road "
+                    id="lookahead",
+                    label="Road ahead",
+                    source="Section 3.1: sensors identify the bump and its distance; that they see all of the road "
                     "ahead is ours",
-                    {"mpc.preview": "lookahead"},
+                    changes={"mpc.preview": "lookahead"},
                 ),
                 Choice(
-                    "obstacle",
-                    "Bump",
-                    "Section 3.1: sensors identify the bump and its distance",
-                    {"mpc.preview": "obstacle"},
+                    id="obstacle",
+                    label="Bump",
+                    source="Section 3.1: sensors identify the bump and its distance",
+                    changes={"mpc.preview": "obstacle"},
                 ),
-                Choice("wheelbase", "Front axle's", OURS, {"mpc.preview": "wheelbase"}),
-                Choice("none", "None", "Eq. 9 has no road input", {"mpc.preview": "none"}),
+                Choice(id="wheelbase", label="Front axle's", source=OURS, changes={"mpc.preview": "wheelbase"}),
+                Choice(
+                    id="none",
+                    label="None",
+                    source="Eq. 9 has no road input",
+                    changes={"mpc.preview": "none"},
+                ),
             ),
         ),
         Reading(
@@ -114,10 +122,15 @@ READINGS: dict[str, Reading] = {
             title="Preview for LQR too",
             description="The paper's LQR has none. With the same preview it is the fairer opponent.",
             choices=(
-                Choice("none", "None", "Section 4.2.2 names its objective and no preview", {"lqr.preview": "none"}),
-                Choice("obstacle", "Bump", OURS, {"lqr.preview": "obstacle"}),
-                Choice("wheelbase", "Front axle's", OURS, {"lqr.preview": "wheelbase"}),
-                Choice("lookahead", "Road ahead", OURS, {"lqr.preview": "lookahead"}),
+                Choice(
+                    id="none",
+                    label="None",
+                    source="Section 4.2.2 names its objective and no preview",
+                    changes={"lqr.preview": "none"},
+                ),
+                Choice(id="obstacle", label="Bump", source=OURS, changes={"lqr.preview": "obstacle"}),
+                Choice(id="wheelbase", label="Front axle's", source=OURS, changes={"lqr.preview": "wheelbase"}),
+                Choice(id="lookahead", label="Road ahead", source=OURS, changes={"lqr.preview": "lookahead"}),
             ),
         ),
         Reading(
@@ -126,20 +139,20 @@ READINGS: dict[str, Reading] = {
             description="Section 4.1.1 takes the RMS on the graded road surface, section 4.2.2 over the full course.",
             choices=(
                 Choice(
-                    "to_bump",
-                    "0 to 100 m",
-                    "Section 4.1.1: driving on a graded road surface; that it ends at the bump is ours",
+                    id="to_bump",
+                    label="0 to 100 m",
+                    source="Section 4.1.1: driving on a graded road surface; that it ends at the bump is ours",
                 ),
                 Choice(
-                    "class_b",
-                    "Class B parts",
-                    "Eq. 3: class B from 0 to 100 m and from 104 to 110 m",
+                    id="class_b",
+                    label="Class B parts",
+                    source="Eq. 3: class B from 0 to 100 m and from 104 to 110 m",
                     intervals=((0, 100), (104, 110)),
                 ),
                 Choice(
-                    "full_course",
-                    "0 to 110 m",
-                    "Section 4.2.2: RMS for the full course, which by Eq. 3 ends at 110 m",
+                    id="full_course",
+                    label="0 to 110 m",
+                    source="Section 4.2.2: RMS for the full course, which by Eq. 3 ends at 110 m",
                     intervals=((0, 110),),
                 ),
             ),
@@ -149,12 +162,17 @@ READINGS: dict[str, Reading] = {
             title="Travel weight q4",
             description="A weight on suspension travel is ours. Without it an LQR uses far more travel than a car has.",
             choices=(
-                Choice("3", "3", OURS, {"mpc.deflection_weight": 3, "lqr.deflection_weight": 3}),
                 Choice(
-                    "0",
-                    "0",
-                    "Eq. 16 and section 4.2.2 name three weights",
-                    {"mpc.deflection_weight": 0, "lqr.deflection_weight": 0},
+                    id="3",
+                    label="3",
+                    source=OURS,
+                    changes={"mpc.deflection_weight": 3, "lqr.deflection_weight": 3},
+                ),
+                Choice(
+                    id="0",
+                    label="0",
+                    source="Eq. 16 and section 4.2.2 name three weights",
+                    changes={"mpc.deflection_weight": 0, "lqr.deflection_weight": 0},
                 ),
             ),
         ),
@@ -164,12 +182,12 @@ READINGS: dict[str, Reading] = {
             description="Eq. 7 has no such term, though the brake stage exists to hold the pitch it causes.",
             choices=(
                 Choice(
-                    "on",
-                    "Yes",
-                    "Section 3.3: braking changes the body's attitude; the term is ours",
-                    {"vehicle.cg_height": Scenario().vehicle.cg_height},
+                    id="on",
+                    label="Yes",
+                    source="Section 3.3: braking changes the body's attitude; the term is ours",
+                    changes={"vehicle.cg_height": Scenario().vehicle.cg_height},
                 ),
-                Choice("off", "No", "Eq. 7 as printed", {"vehicle.cg_height": 0}),
+                Choice(id="off", label="No", source="Eq. 7 as printed", changes={"vehicle.cg_height": 0}),
             ),
         ),
         Reading(
@@ -177,8 +195,8 @@ READINGS: dict[str, Reading] = {
             title="Table 2's car",
             description="Its masses look like a whole car's, its stiffnesses like one wheel's.",
             choices=(
-                Choice("printed", "As printed", "Table 2"),
-                Choice("half", "Half the masses", OURS, _half_car()),
+                Choice(id="printed", label="As printed", source="Table 2"),
+                Choice(id="half", label="Half the masses", source=OURS, changes=_half_car()),
             ),
         ),
         Reading(
@@ -186,8 +204,8 @@ READINGS: dict[str, Reading] = {
             title="End of the road",
             description="Eq. 3 ends the road at 110 m; ours goes on to 150 m so that the car settles.",
             choices=(
-                Choice("150", "150 m", OURS, {"road.length": 150}),
-                Choice("110", "110 m", "Eq. 3", {"road.length": 110}),
+                Choice(id="150", label="150 m", source=OURS, changes={"road.length": 150}),
+                Choice(id="110", label="110 m", source="Eq. 3", changes={"road.length": 110}),
             ),
         ),
         Reading(
