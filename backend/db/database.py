@@ -43,7 +43,7 @@ T = TypeVar("T")
 
 READERS = 4  # threads
 SERVER_WRITERS = 2  # PostgreSQL locks rows, not the database: a batch of 100,000 runs keeps no other writer waiting
-VERSION = text("SELECT version_num FROM alembic_version")
+STORED_REVISION = text("SELECT version_num FROM alembic_version")
 START_TIMEOUT = 30.0  # a start waits so long for another one's migration, or for a backup [s]
 DAMAGED = (
     "The database is damaged: stop the service, put a backup in its place and start again "
@@ -219,7 +219,7 @@ class Database:
             if not self._is_sqlite:
                 connection.exec_driver_sql("SELECT pg_advisory_xact_lock(7236543)")
             tables = inspect(connection).get_table_names()
-            stored = connection.execute(VERSION).scalar() if "alembic_version" in tables else None
+            stored = connection.execute(STORED_REVISION).scalar() if "alembic_version" in tables else None
             self._check_origin(tables, stored)
             if (revision if revision != "head" else REVISIONS[-1]) != stored:
                 upgrade(connection, revision)
