@@ -128,28 +128,29 @@ class Dispatch:
     async def _commit(self, running: RunningJob, computed: Sequence[Outcome], failures: Mapping[int, str]) -> None:
         """Store a chunk's results, and wait for the database as long as it is away."""
         try:
-            await self._save(running.job.id, computed, failures)
+            new, failed = await self._save(running.job.id, computed, failures)
         finally:
             self._end(running)
-        refused = sum(run.status == "failed" for run in computed)
-        fallbacks = sum(run.fallbacks for run in computed)
-        metrics.count_runs("batch", "ok", len(computed) - refused, fallbacks)
-        metrics.count_runs("batch", "failed", refused + len(failures))
+        stored = [run for run in computed if run.key in new]  # not what was sent again while it waited for the database
+        refused = sum(run.status == "failed" for run in stored)
+        metrics.count_runs("batch", "ok", len(stored) - refused, sum(run.fallbacks for run in stored))
+        metrics.count_runs("batch", "failed", refused + failed)
 
-    async def _save(self, job_id: str, computed: Sequence[Outcome], failures: Mapping[int, str]) -> None:
+    async def _save(
+        self, job_id: str, computed: Sequence[Outcome], failures: Mapping[int, str]
+    ) -> tuple[set[str], int]:
+        """As `JobRunStore.save`."""
         while True:
             try:
-                await self._store.write(self._store.job_runs.save, job_id, computed, CORE_VERSION, failures)
+                return await self._store.write(self._store.job_runs.save, job_id, computed, CORE_VERSION, failures)
             except PERMANENT as error:
                 logger.exception("The database takes no results of job %s", job_id)
                 reason = f"The result could not be stored: {type(error).__name__}; it is in the service's log"
                 await self._store.write(self._store.jobs.give_up, job_id, reason)
-                return
+                return set(), 0
             except SQLAlchemyError as error:
                 logger.warning("A chunk waits for the database: %s", type(error).__name__)
                 await asyncio.sleep(PAUSE_AFTER_FAILURE)
-            else:
-                return
 
     def _end(self, running: RunningJob) -> None:
         running.open_chunks -= 1

@@ -52,14 +52,19 @@ class JobRunStore(RowStore):
         computed: Sequence[Outcome],
         core_version: str,
         failures: Mapping[int, str] | None = None,
-    ) -> None:
-        """Commit results of a job, and for runs (by position) without one the reason."""
+    ) -> tuple[set[str], int]:
+        """Commit results of a job, and for runs (by position) without one the reason.
+
+        Returns:
+            The keys of the results that were not stored yet, and how many runs got a reason.
+        """
         with self._database.writing() as connection:
             lock(connection, job_id)
-            insert_results(connection, computed, core_version)
-            _fail(connection, job_id, failures or {})
+            new = insert_results(connection, computed, core_version)
+            failed = _fail(connection, job_id, failures or {})
             _settle(connection, job_id, {item.key: item.status for item in computed})
         self._database.changed(job_id)
+        return new, failed
 
     def rekey(self, job_id: str, keys: Mapping[int, tuple[str | None, str | None]]) -> None:
         """Give waiting runs (by position) the keys of another core version, or the reason why they have none."""
@@ -137,13 +142,14 @@ def _settle(connection: Connection, job_id: str, statuses: Mapping[str, str]) ->
     _count(connection, job_id, done=counts["ok"], failed=counts["failed"])
 
 
-def _fail(connection: Connection, job_id: str, reasons: Mapping[int, str]) -> None:
-    """Set waiting runs (by position) to failed, with the reason."""
+def _fail(connection: Connection, job_id: str, reasons: Mapping[int, str]) -> int:
+    """Set waiting runs (by position) to failed, with the reason; returns how many did wait."""
     failed = 0
     for position, reason in reasons.items():
         at = _update_waiting(job_id).where(job_runs.c.position == position)
         failed += connection.execute(at.values(status="failed", reason=reason)).rowcount
     _count(connection, job_id, done=0, failed=failed)
+    return failed
 
 
 def _count(connection: Connection, job_id: str, *, done: int, failed: int) -> None:

@@ -133,8 +133,8 @@ class RunStore(RowStore):
             update_row(connection, runs, run_id, {"core_version": core_version})
 
 
-def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_version: str) -> None:
-    """Insert the results that are missing or have expired; in the key's order, as `insert_new`."""
+def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_version: str) -> set[str]:
+    """Insert the results that are missing or have expired, in the key's order, as `insert_new`; returns their keys."""
     rows = [
         {
             "key": item.key,
@@ -147,7 +147,7 @@ def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_ver
         for item in sorted(outcomes, key=lambda item: item.key)
     ]
     if not rows:
-        return
+        return set()
     new = dialect_insert(connection, results)
     columns = ("core_version", "status", "summary", "compute_ms", "created_at", "checksum")
     replacing = new.on_conflict_do_update(
@@ -155,7 +155,7 @@ def insert_results(connection: Connection, outcomes: Iterable[Outcome], core_ver
         set_={name: new.excluded[name] for name in columns},
         where=results.c.status == EXPIRED,
     )
-    connection.execute(replacing, rows)
+    return set(connection.execute(replacing.returning(results.c.key), rows).scalars())
 
 
 def _load_run(connection: Connection, run_id: str) -> tuple[StoredRun | None, list[str]]:

@@ -106,8 +106,8 @@ def test_what_is_saved_twice_counts_once(store: Store, batch: StoredJob) -> None
         jobs = [
             threads.submit(store.job_runs.save, batch.id, computed("key-0", "key-1", "key-2"), "1") for _ in range(8)
         ]
-        for job in jobs:
-            job.result()
+        saved = sorted(job.result() for job in jobs)
+    assert saved == [*[(set(), 0)] * 7, ({"key-0", "key-1", "key-2"}, 0)], "the one that stored them may count them"
     now = store.jobs.load(batch.id)
     assert now is not None
     assert (now.done, now.failed) == (5, 0)
