@@ -5,11 +5,19 @@ from math import sin
 from pathlib import Path
 
 import pytest
+from playwright.sync_api import Page
 
 from tests.browser.dashboard import Dashboard, expect_new_address
 from tests.browser.looks import expect
 
-ROADS = Path(__file__).parents[2] / "docs" / "roads"
+
+def open_with_road(dashboard: Dashboard, file: Path) -> tuple[Page, str]:
+    """Opens the first run and a road's file in its form; the page, and its address before."""
+    dashboard.open()
+    page, address = dashboard.page, dashboard.page.url
+    page.get_by_role("button", name="Road", exact=True).click()
+    page.get_by_label("Road file").set_input_files(file)
+    return page, address
 
 
 def test_dragging_is_live_the_release_exact_and_both_are_compared_with_before(dashboard: Dashboard) -> None:
@@ -240,13 +248,10 @@ def test_a_table_of_ones_own_is_mapped_looked_at_and_driven_over_the_bump_one_ch
     dashboard: Dashboard, tmp_path: Path
 ) -> None:
     """No header, semicolons, decimal commas, centimetres, two tracks, two humps; then the road as OpenCRG again."""
-    dashboard.open()
-    page, address = dashboard.page, dashboard.page.url
-    page.get_by_role("button", name="Road", exact=True).click()
     heights = [(x, 6 * (20 < x < 24) + 9 * (80 < x < 85) + 0.2 * sin(x)) for x in (0.2 * step for step in range(601))]
     rows = [f"{x:.1f};ok;{z:.2f};{z:.2f}".replace(".", ",") for x, z in heights]
     (tmp_path / "mine.txt").write_text("\n".join(rows), encoding="utf-8")
-    page.get_by_label("Road file").set_input_files(tmp_path / "mine.txt")
+    page, address = open_with_road(dashboard, tmp_path / "mine.txt")
     mapping = page.get_by_role("dialog", name="Columns of mine.txt")
     mapping.get_by_label("Column 2 is").select_option("left out")
     expect(mapping.get_by_role("alert")).to_contain_text("One column is the distance")

@@ -9,6 +9,7 @@ import pytest
 from tests.browser.dashboard import Dashboard, expect_new_address
 from tests.browser.looks import expect
 from tests.browser.server import Server
+from tests.browser.test_editing import open_with_road
 from tests.browser.test_roads import PEAK
 from tests.browser.test_tuner import expect_state, stored, submit
 from tests.servers.process import ROOT
@@ -60,10 +61,7 @@ def test_a_stored_run_opens_with_its_statistics(dashboard: Dashboard, server: Se
 def test_a_measured_road_is_driven_taken_off_chosen_saved_and_taken_to_another_server(
     dashboard: Dashboard, tmp_path: Path
 ) -> None:
-    dashboard.open()
-    page, address = dashboard.page, dashboard.page.url
-    page.get_by_role("button", name="Road", exact=True).click()
-    page.get_by_label("Road file").set_input_files(ROADS / "street.csv")
+    page, address = open_with_road(dashboard, ROADS / "street.csv")
     expect(page.get_by_text("Bumps in it: 71 mm at 100.1 m over 3.6 m.")).to_be_visible()
     expect(page.get_by_text("The mean of left and right track is taken")).to_be_visible()
     expect(dashboard.entry("Length")).to_have_value("180")
