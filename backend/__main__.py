@@ -47,34 +47,30 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--json", action="store_true", help=argparse.SUPPRESS)
     parser.epilog = "Further settings are environment variables RIDELAB_*; see docs/how-to/operations.md."
     options = parser.parse_args(arguments)
-    if options.drive is not None:
-        return _drive(options.drive, as_json=options.json)
-    if options.back_up is not None:
-        return _back_up(options.data_dir, options.back_up, overwrite=options.force, as_json=options.json)
-    if options.verify:
-        return _verify(options.data_dir, as_json=options.json)
-    if options.explain_limits:
-        return _explain_limits(as_json=options.json)
-    if options.until_input_ends:
-        threading.Thread(target=_end_with_the_input, daemon=True).start()
 
-    ending = _Ending()
-    signal.signal(signal.SIGTERM, ending)
+    from backend.command_error import CommandError
 
-    from backend import logs
-    from backend.settings import Settings, SettingsError
-
+    commands = {"drive": _drive, "back_up": _back_up, "verify": _verify, "explain_limits": _explain_limits}
+    command = next((each for name, each in commands.items() if getattr(options, name)), None)
     try:
-        settings = Settings.from_environment(os.environ, data_dir=options.data_dir)
+        if command is not None:
+            return command(options)
+        if options.until_input_ends:
+            threading.Thread(target=_end_with_the_input, daemon=True).start()
+        ending = _Ending()
+        signal.signal(signal.SIGTERM, ending)
+        settings = _settings(options)
         settings.data_dir.mkdir(parents=True, exist_ok=True)
         listener = listen(options.host, options.port)
         app = _application(settings)
-    except OSError as error:
-        return _refuse(f"Ridelab does not start: {_named(error)}")
-    except SettingsError as error:
-        return _refuse(f"Ridelab does not start: {error}")
+    except (CommandError, OSError) as error:
+        print(("" if command else "Ridelab does not start: ") + _reason(error), file=sys.stderr)
+        return 2
     except KeyboardInterrupt:  # a start may wait for a lock on the database
         return INTERRUPTED
+
+    from backend import logs
+
     logs.configure(settings.log_format, settings.log_level)
     return _serve(app, settings, listener, options, ending)
 
@@ -101,13 +97,14 @@ def _say(text: str, value: Any, *, as_json: bool) -> None:
     print(json.dumps(value, indent=1, default=str) if as_json else text, flush=True)
 
 
-def _refuse(why: str) -> int:
-    print(why, file=sys.stderr)
-    return 2
+def _reason(error: Exception) -> str:
+    return f"{error.filename}: {error.strerror}" if isinstance(error, OSError) and error.filename else str(error)
 
 
-def _named(error: OSError) -> str:
-    return f"{error.filename}: {error.strerror}" if error.filename else str(error)
+def _settings(options: argparse.Namespace) -> "Settings":
+    from backend.settings import Settings
+
+    return Settings.from_environment(os.environ, data_dir=options.data_dir)
 
 
 def _end_with_the_input() -> None:
@@ -117,93 +114,78 @@ def _end_with_the_input() -> None:
     os.kill(os.getpid(), signal.SIGTERM)
 
 
-def _explain_limits(*, as_json: bool) -> int:
+def _explain_limits(options: argparse.Namespace) -> int:
     from dataclasses import asdict
 
     from backend.gate.quotas import explained, quotas
-    from backend.settings import Settings, SettingsError
 
-    try:
-        table = quotas(Settings.from_environment(os.environ))
-    except SettingsError as error:
-        return _refuse(str(error))
+    table = quotas(_settings(options))
     numbers = {
         name: {key: None if value == math.inf else value for key, value in asdict(quota).items()}
         for name, quota in table.items()
     }
-    _say(explained(table), numbers, as_json=as_json)
+    _say(explained(table), numbers, as_json=options.json)
     return 0
 
 
-def _back_up(data_dir: str | None, file: Path, *, overwrite: bool, as_json: bool) -> int:
+def _back_up(options: argparse.Namespace) -> int:
     from dataclasses import asdict
 
-    from backend.db.backup import BackupError, back_up
-    from backend.settings import Settings, SettingsError
+    from backend.db.backup import back_up
 
-    try:
-        copy = back_up(Settings.from_environment(os.environ, data_dir=data_dir), file, overwrite=overwrite)
-    except (SettingsError, BackupError) as error:
-        return _refuse(str(error))
-    except OSError as error:
-        return _refuse(_named(error))
+    file = options.back_up
+    copy = back_up(_settings(options), file, overwrite=options.force)
     waited = f"writes waited {copy.seconds:.2f} s at most"
     text = f"{file}: {copy.size / 1e6:.1f} MB, a copy of {copy.database}; {waited}"
-    _say(text, {"file": file, **asdict(copy)}, as_json=as_json)
+    _say(text, {"file": file, **asdict(copy)}, as_json=options.json)
     return 0
 
 
-def _verify(data_dir: str | None, *, as_json: bool) -> int:
+def _verify(options: argparse.Namespace) -> int:
     """Read the whole database; 1 where something in it is damaged."""
     from contextlib import closing
     from dataclasses import asdict
 
     from sqlalchemy.exc import DBAPIError, SQLAlchemyError
 
-    from backend.db.sqlite import UnusableDatabaseError, database_file, reason
-    from backend.settings import Settings, SettingsError
+    from backend.command_error import CommandError
+    from backend.db.sqlite import database_file, reason
     from backend.store import Store
     from backend.store.verify import verify
 
     try:
-        settings = Settings.from_environment(os.environ, data_dir=data_dir)
-        with closing(Store(settings.store_url)) as store:
+        with closing(Store(_settings(options).store_url)) as store:
             file = database_file(store.engine.url)
             if file is not None and not file.path.exists():
-                return _refuse(f"There is no database at {file.path}")
+                raise CommandError(f"There is no database at {file.path}")
             store.migrate()
             verdict = verify(store)
-    except (SettingsError, UnusableDatabaseError) as error:
-        return _refuse(str(error))
     except SQLAlchemyError as error:
         why = f"The database cannot be read: {reason(error) if isinstance(error, DBAPIError) else error}"
-        _say(why, {"sound": False, "rows": {}, "unchecked": {}, "damaged": {}, "structure": [why]}, as_json=as_json)
+        answer = {"sound": False, "rows": {}, "unchecked": {}, "damaged": {}, "structure": [why]}
+        _say(why, answer, as_json=options.json)
         return 1
     end = "Everything is as it was written" if verdict.sound else "Something is damaged (docs/how-to/operations.md)"
-    _say("\n".join([*verdict.lines(), end]), {"sound": verdict.sound, **asdict(verdict)}, as_json=as_json)
+    _say("\n".join([*verdict.lines(), end]), {"sound": verdict.sound, **asdict(verdict)}, as_json=options.json)
     return 0 if verdict.sound else 1
 
 
-def _drive(program: Path, *, as_json: bool) -> int:
+def _drive(options: argparse.Namespace) -> int:
     """A built ECU program drives the scenario on standard input."""
     from dataclasses import asdict
 
     from pydantic import ValidationError
 
-    from backend.controller.build import EcuError
+    from backend.command_error import CommandError
     from backend.controller.program import driven
     from sim_core.errors import RidelabError
     from sim_core.scenario import Scenario
 
     try:
-        drive = driven(Scenario.model_validate_json(sys.stdin.buffer.read()), program)
-    except (EcuError, RidelabError) as error:
-        return _refuse(error.message)
-    except OSError as error:
-        return _refuse(_named(error))
-    except ValidationError as error:
-        return _refuse(str(error))
-    _say("\n".join(drive.lines()), asdict(drive), as_json=as_json)
+        drive = driven(Scenario.model_validate_json(sys.stdin.buffer.read()), options.drive)
+    except (RidelabError, ValidationError) as error:
+        raise CommandError(str(error)) from None
+    _say("\n".join(drive.lines()), asdict(drive), as_json=options.json)
     return 0
 
 
@@ -211,11 +193,10 @@ def _application(settings: "Settings") -> "FastAPI":
     """The application; its workers import the core while this process imports the web stack and opens the database.
 
     Raises:
-        SettingsError: The database cannot be used.
+        CommandError: The database cannot be used.
     """
     from backend.compute.workers import RESERVED, Workers
     from backend.runs import WARM_UP
-    from backend.settings import SettingsError
 
     workers = Workers(settings.workers, timeout=settings.run_timeout, warm_up=WARM_UP, reserved=RESERVED)
     workers.begin()
@@ -224,15 +205,15 @@ def _application(settings: "Settings") -> "FastAPI":
     from sqlalchemy.exc import SQLAlchemyError
 
     from backend.app import create_app
+    from backend.command_error import CommandError
     from backend.compute import processes
-    from backend.db.sqlite import UnusableDatabaseError
 
     processes.return_freed_memory()
     try:
         app = create_app(settings, workers)
         app.state.services.store.migrate()
-    except (UnusableDatabaseError, SQLAlchemyError, ImportError) as error:
-        raise SettingsError(str(error)) from None
+    except (SQLAlchemyError, ImportError) as error:
+        raise CommandError(str(error)) from None
     finally:
         gc.freeze()
         gc.enable()

@@ -18,6 +18,7 @@ from pydantic import (
     model_validator,
 )
 
+from backend.command_error import CommandError
 from backend.setting_types import Hosts, NewFolder, Proxies, SchedulerAddress, TokensFile, items
 
 PREFIX = "RIDELAB_"
@@ -29,10 +30,6 @@ BUILT_PAGE, BUILT_MANUAL = (
     _PACKAGE / name if (_PACKAGE / name).is_dir() else _PACKAGE.parent / checkout
     for name, checkout in (("page", "frontend/dist"), ("manual", "build/manual"))
 )
-
-
-class SettingsError(ValueError):
-    """A setting has an unusable value; the message names the variable and the limit."""
 
 
 def _default_workers() -> int:
@@ -134,7 +131,8 @@ class Settings(BaseModel):
         """Settings from `RIDELAB_*` variables; `overrides` that are not None win.
 
         Raises:
-            SettingsError: A variable's value does not fit, or no setting has its name.
+            CommandError: A variable's value does not fit, or no setting has its name; the message names the variable
+                and the limit.
         """
         values: dict[str, object] = {
             name.removeprefix(PREFIX).lower(): value
@@ -149,7 +147,7 @@ class Settings(BaseModel):
                 _reason(item["loc"], _unknown(item["loc"][0]) if item["type"] == "extra_forbidden" else item["msg"])
                 for item in error.errors(include_url=False)
             ]
-            raise SettingsError("; ".join(reasons)) from None
+            raise CommandError("; ".join(reasons)) from None
 
     @field_validator("*", mode="before")
     @classmethod

@@ -14,6 +14,7 @@ from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
+from backend.command_error import CommandError
 from sim_core.ecu.sources import CONTROLLER, SOURCES
 
 # C99, every number a float32 rounded after each operation: all compilers then give the same bits.
@@ -27,12 +28,8 @@ TOO_LONG = "the compiler took too long"
 NO_CROSS_COMPILER = f"There is no compiler for the control unit's processor, a Cortex-M3: run “{REMEDY}”"
 
 
-class EcuError(Exception):
-    """The ECU's program cannot be built or does not work; the message says why."""
-
-    def __init__(self, message: str) -> None:
-        super().__init__(message)
-        self.message = message
+class EcuError(CommandError):
+    """The ECU's program cannot be built or does not work."""
 
 
 def folder() -> Path:

@@ -85,7 +85,7 @@ def drive_by_clock(scenario: Scenario) -> RealtimeReport:
     try:
         measured = simulate(scenario, LvHil(connect=paced))
     except EcuError as error:
-        raise EcuUnavailableError(error.message) from None
+        raise EcuUnavailableError(str(error)) from None
     return RealtimeReport(
         steps=len(timing.lateness),
         deadline=scenario.mpc.sample_time,

@@ -73,7 +73,7 @@ def report(scenario: Scenario) -> ControllerReport:
             try:
                 rows.append(_row(changed, variant.checked, part, simulated))
             except EcuError as error:
-                raise EcuUnavailableError(error.message) from None
+                raise EcuUnavailableError(str(error)) from None
     return ControllerReport(
         part=part,
         sample_time=scenario.mpc.sample_time,

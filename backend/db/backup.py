@@ -11,14 +11,11 @@ from pathlib import Path
 
 from sqlalchemy import make_url
 
+from backend.command_error import CommandError
 from backend.db.sqlite import database_file, reason
 from backend.settings import Settings
 
 LOCK_TIMEOUT = 30.0  # [s]
-
-
-class BackupError(Exception):
-    """The backup failed; the message says why, in one sentence."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -47,16 +44,16 @@ def back_up(settings: Settings, target: Path, *, overwrite: bool) -> Backup:
         overwrite: Whether it may take an older file's place.
 
     Raises:
-        BackupError: No copy was made.
+        CommandError: No copy was made.
         OSError: The file cannot be written.
     """
     file = database_file(make_url(settings.store_url))
     if file is None:
-        raise BackupError("PostgreSQL is copied with pg_dump -Fc (docs/how-to/operations.md, Backup and restore)")
+        raise CommandError("PostgreSQL is copied with pg_dump -Fc (docs/how-to/operations.md, Backup and restore)")
     if not file.path.exists():
-        raise BackupError(f"There is no database at {file.path}")
+        raise CommandError(f"There is no database at {file.path}")
     if file.path.stat().st_size == 0:  # SQLite takes it for a database without tables
-        raise BackupError(f"{file.path} is empty, so there is nothing to copy")
+        raise CommandError(f"{file.path} is empty, so there is nothing to copy")
     _check_target(file.path, target, overwrite=overwrite)
     handle, name = tempfile.mkstemp(prefix=f".{target.name}.", dir=target.parent)
     temporary = Path(name)
@@ -66,7 +63,7 @@ def back_up(settings: Settings, target: Path, *, overwrite: bool) -> Backup:
         os.fsync(handle)
         _put_in_place(temporary, target, overwrite=overwrite)
     except sqlite3.Error as error:
-        raise BackupError(f"No copy of {file.path} was made: {reason(error)}") from error
+        raise CommandError(f"No copy of {file.path} was made: {reason(error)}") from error
     finally:
         os.close(handle)
         temporary.unlink(missing_ok=True)
@@ -76,11 +73,11 @@ def back_up(settings: Settings, target: Path, *, overwrite: bool) -> Backup:
 
 def _check_target(database: Path, target: Path, *, overwrite: bool) -> None:
     if not target.parent.is_dir():
-        raise BackupError(f"There is no folder {target.parent}")
+        raise CommandError(f"There is no folder {target.parent}")
     if target.is_dir():
-        raise BackupError(f"{target} is a folder; name a file")
+        raise CommandError(f"{target} is a folder; name a file")
     if target.exists() and target.samefile(database):
-        raise BackupError(f"{target} is the database itself")
+        raise CommandError(f"{target} is the database itself")
     if target.exists() and not overwrite:
         raise _taken(target)
 
@@ -100,8 +97,8 @@ def _put_in_place(temporary: Path, target: Path, *, overwrite: bool) -> None:
     temporary.replace(target)
 
 
-def _taken(target: Path) -> BackupError:
-    return BackupError(f"{target} is there already; --force replaces it")
+def _taken(target: Path) -> CommandError:
+    return CommandError(f"{target} is there already; --force replaces it")
 
 
 def _copy(database: Path, copy: Path) -> float:
@@ -114,7 +111,7 @@ def _copy(database: Path, copy: Path) -> float:
     with closing(sqlite3.connect(copy)) as target:
         (verdict,) = target.execute("PRAGMA quick_check(1)").fetchone()
     if verdict != "ok":
-        raise BackupError(f"The copy of {database} is damaged, so it was not kept: {verdict}")
+        raise CommandError(f"The copy of {database} is damaged, so it was not kept: {verdict}")
     return seconds
 
 

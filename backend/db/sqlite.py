@@ -11,6 +11,7 @@ from typing import Any
 from sqlalchemy import URL, Connection, Engine, create_engine, event
 from sqlalchemy.exc import DBAPIError, OperationalError
 
+from backend.command_error import CommandError
 from backend.db.clock import SQLITE_FUNCTION
 
 LOCK_TIMEOUT = 1.0  # a lock of another program is waited for so long, then it is an error [s]
@@ -33,8 +34,8 @@ REASONS = {
 }
 
 
-class UnusableDatabaseError(Exception):
-    """A service cannot start on this database; the message says why, in one sentence for its operator."""
+class UnusableDatabaseError(CommandError):
+    """A service cannot start on this database."""
 
 
 class DatabaseLockedError(OperationalError):

@@ -65,6 +65,6 @@ def _built(compiler: Sequence[str] | None, files: Sequence[Path], output: Path, 
     try:
         reason = compiled(command, compiler_cache(), max(1.0, end - monotonic()))
     except EcuError as error:
-        return error.message
+        return str(error)
     # It begins by building the other system's C library, and keeps what it has built of it.
     return f"{reason}; the first time it needs a minute or more, so ask again" if reason == TOO_LONG else reason

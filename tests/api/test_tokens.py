@@ -15,10 +15,11 @@ from sqlalchemy import update
 from sqlalchemy.exc import OperationalError
 
 from backend.app import create_app
+from backend.command_error import CommandError
 from backend.db.tables import jobs
 from backend.http.logins import COOKIE, LIFETIME, MAX_CHECKED, RECHECK_AFTER, Logins
 from backend.http.tokens import Caller, Tokens, cookie_key
-from backend.settings import Settings, SettingsError
+from backend.settings import Settings
 from backend.store import Store
 from backend.token_file import read_tokens
 from tests.api import tuning
@@ -209,9 +210,9 @@ def test_a_file_that_cannot_be_meant_ends_the_start_and_is_not_repeated(file: Pa
     with pytest.raises(ValueError, match=r"line \d|it has no token") as caught:
         read_tokens(file)
     assert ANN not in str(caught.value)
-    with pytest.raises(SettingsError, match="RIDELAB_TOKENS_FILE: "):
+    with pytest.raises(CommandError, match="RIDELAB_TOKENS_FILE: "):
         Settings.from_environment({"RIDELAB_TOKENS_FILE": str(file)})
-    with pytest.raises(SettingsError, match="cannot be read"):
+    with pytest.raises(CommandError, match="cannot be read"):
         Settings.from_environment({"RIDELAB_TOKENS_FILE": str(file.with_name("absent"))})
 
 

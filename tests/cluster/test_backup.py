@@ -19,7 +19,8 @@ from typing import Any
 import pytest
 from sqlalchemy import make_url
 
-from backend.db.backup import BackupError, back_up
+from backend.command_error import CommandError
+from backend.db.backup import back_up
 from backend.outcome import Outcome
 from backend.settings import Settings
 from backend.store import Store, StoredRun
@@ -105,7 +106,7 @@ def test_a_copy_of_sqlite_under_writes_is_a_whole_database(sqlite_store: Store, 
 
 def refusal(**settings: Any) -> str:
     """Why no copy of what these settings name takes the place of copy.sqlite."""
-    with pytest.raises(BackupError) as refused:
+    with pytest.raises(CommandError) as refused:
         back_up(Settings.model_validate(settings), Path("copy.sqlite"), overwrite=True)
     return str(refused.value)
 

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from backend.settings import Settings, SettingsError
+from backend.command_error import CommandError
+from backend.settings import Settings
 from tests.servers.process import ROOT
 from tests.servers.programs import find
 
@@ -57,7 +58,7 @@ def test_the_password_of_the_database_comes_from_a_file(tmp_path: Path) -> None:
     ],
 )
 def test_what_no_setting_can_be_is_one_sentence(name: str, value: str, said: str) -> None:
-    with pytest.raises(SettingsError, match=said) as caught:
+    with pytest.raises(CommandError, match=said) as caught:
         Settings.from_environment({f"RIDELAB_{name}": value})
     assert "secret" not in str(caught.value)
     assert "\n" not in str(caught.value)
@@ -69,13 +70,13 @@ def test_nothing_is_no_value_but_where_it_is_the_default() -> None:
             assert Settings.from_environment({f"RIDELAB_{name.upper()}": ""}) == Settings()
             continue
         for variables, overrides in (({f"RIDELAB_{name.upper()}": ""}, {}), ({}, {name: ""})):
-            with pytest.raises(SettingsError, match=f"^RIDELAB_{name.upper()}: it is empty"):
+            with pytest.raises(CommandError, match=f"^RIDELAB_{name.upper()}: it is empty"):
                 Settings.from_environment(variables, **overrides)
 
 
 @pytest.mark.parametrize("password", ["/absent", sys.executable])
 def test_a_password_that_cannot_be_read_ends_the_start(password: str) -> None:
-    with pytest.raises(SettingsError, match="RIDELAB_DATABASE_PASSWORD_FILE names a file that cannot be read"):
+    with pytest.raises(CommandError, match="RIDELAB_DATABASE_PASSWORD_FILE names a file that cannot be read"):
         Settings.from_environment({"RIDELAB_DATABASE_URL": URL, "RIDELAB_DATABASE_PASSWORD_FILE": password})
 
 
@@ -92,7 +93,7 @@ def test_tls_takes_three_readable_files_and_an_address_that_says_so(tmp_path: Pa
             (files | {name: "/absent.pem"}, f"{name} names a file that cannot be read"),
             (files | {name: __file__}, "in PEM that belong together"),
         ):
-            with pytest.raises(SettingsError, match=said):
+            with pytest.raises(CommandError, match=said):
                 Settings.from_environment(scheduler | wrong)
-    with pytest.raises(SettingsError, match="RIDELAB_DASK_SCHEDULER has to start with tls://"):
+    with pytest.raises(CommandError, match="RIDELAB_DASK_SCHEDULER has to start with tls://"):
         Settings.from_environment({"RIDELAB_DASK_SCHEDULER": "tcp://scheduler:8786"} | files)
