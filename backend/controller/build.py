@@ -10,7 +10,6 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Sequence
-from contextlib import suppress
 from functools import cache
 from pathlib import Path
 
@@ -20,7 +19,6 @@ from sim_core.ecu.sources import CONTROLLER, SOURCES
 # C99, every number a float32 rounded after each operation: all compilers then give the same bits.
 FLAGS = ("-std=c99", "-O2", "-ffp-contract=off", "-DRIDELAB_COUNTED")
 COMPILER_TIMEOUT = 80.0  # for the compiler; the first time ziglang builds its own runtime [s]
-MOST_CACHED = 240_000_000  # what the compiler keeps: runtimes for other systems 90 MB, each controller one [bytes]
 FOLDER = "RIDELAB_ECU_DIR"
 REMEDY = "make compiler"  # installs the package ziglang, a C compiler that builds for the control unit too
 NO_COMPILER = f"There is no C compiler to build the ECU's program: install one (gcc, clang) or run “{REMEDY}”"
@@ -50,17 +48,13 @@ def folder() -> Path:
 
 
 def compiler_cache() -> Path:
-    """The folder of the compiler's own cache, inside that of the programs if it can be written; emptied when large.
+    """The folder of the compiler's own cache, inside that of the programs if it can be written.
 
     Raises:
         EcuError: There is no such folder.
     """
     programs = folder()
-    cache = (programs if os.access(programs, os.W_OK) else _own_folder()) / "zig"
-    with suppress(OSError):  # somebody else empties it
-        if sum(path.lstat().st_size for path in cache.rglob("*")) > MOST_CACHED:
-            shutil.rmtree(cache, ignore_errors=True)
-    return cache
+    return (programs if os.access(programs, os.W_OK) else _own_folder()) / "zig"
 
 
 def _own_folder() -> Path:
@@ -134,18 +128,21 @@ def built(sources: Sequence[Path], include: Sequence[Path]) -> Path:
 
 
 def compiled(command: Sequence[str], cache: Path, timeout: float = COMPILER_TIMEOUT) -> str | None:
-    """Run a compiler for so many seconds at most; None, or why it failed."""
-    environment = os.environ | {"ZIG_GLOBAL_CACHE_DIR": str(cache), "ZIG_LOCAL_CACHE_DIR": str(cache)}
+    """Run a compiler for so many seconds at most; None, or why it failed.
+
+    Its cache has the runtimes of systems and so does not grow; what it makes of each controller is removed.
+    """
     try:
-        run = subprocess.run(  # noqa: S603  # our own command, no shell
-            command,
-            cwd=cache.parent,  # from elsewhere ziglang would build its runtimes again: it names its files from there
-            env=environment,
-            capture_output=True,
-            text=True,
-            timeout=timeout,
-            check=False,
-        )
+        with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as objects:
+            run = subprocess.run(  # noqa: S603  # our own command, no shell
+                command,
+                cwd=cache.parent,  # from elsewhere ziglang would build its runtimes again: it names files from there
+                env=os.environ | {"ZIG_GLOBAL_CACHE_DIR": str(cache), "ZIG_LOCAL_CACHE_DIR": objects},
+                capture_output=True,
+                text=True,
+                timeout=timeout,
+                check=False,
+            )
     except subprocess.TimeoutExpired:
         return TOO_LONG
     except OSError as error:
