@@ -3,7 +3,7 @@
 FROM node:24-slim AS frontend
 WORKDIR /build
 COPY frontend/.npmrc frontend/package.json frontend/package-lock.json ./
-RUN npm ci --no-audit --no-fund
+RUN npm ci --omit=dev --no-audit --no-fund
 COPY frontend/ ./
 COPY examples/paper-claims.json /examples/
 RUN npm run build

@@ -9,7 +9,9 @@ DATA ?= data
 # A file's tests share what they start; in the folders' order the last files are short, so both processes end together.
 PROCESSES := $(if $(filter-out 1 2 3,$(shell nproc 2>/dev/null || echo 2)),4,2)
 PYTEST ?= --numprocesses $(PROCESSES) --dist loadfile --no-loadscope-reorder --durations 25
-INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --require-hashes -r
+# What is imported is compiled then, and by nobody else: half of the time that pip takes.
+INSTALL := $(BIN)/python -m pip install --disable-pip-version-check --progress-bar off --no-compile --require-hashes -r
+unexport PYTHONDONTWRITEBYTECODE
 MAKEFLAGS += --jobs=2  # packages and page, and both halves of the checks, side by side
 
 .PHONY: run test suite drill mutate check check-python check-frontend audit bench margins ecu paper screenshots robust figures manual setup development compiler lock pin dist clean
@@ -43,7 +45,7 @@ check-python: development
 check-frontend: frontend/node_modules/.checked
 # A minute of a core, on nothing but these files: what passed is not looked at again.
 CHECKED := $(wildcard frontend/*.html frontend/*.js frontend/*.json frontend/*.ts) $(shell find frontend/src frontend/scripts frontend/public -type f)
-frontend/node_modules/.checked: frontend/node_modules/.installed $(CHECKED)
+frontend/node_modules/.checked: frontend/node_modules/.development $(CHECKED)
 	cd frontend && $(NODE) npm run check
 	touch $@
 
@@ -84,9 +86,9 @@ figures: development ## the figures of the manual again, from the lines below th
 manual: build/manual/index.html ## the manual as pages in build/manual; the service has them at /manual/
 
 setup: $(VENV)/.runtime $(BIN)/ridelab frontend/dist/index.html build/manual/index.html ## all that running needs
-	$(BIN)/python -m compileall -q sim_core backend client/ridelab  # a start may write none, by PYTHONDONTWRITEBYTECODE
 
-development: setup $(VENV)/.development ## and what tests need
+development: OMIT :=
+development: setup $(VENV)/.development frontend/node_modules/.development ## and what tests need
 
 compiler: $(VENV)/.ecu ## a C compiler (400 MB), for drives by the clock where the machine has none and for the ECU's own processor
 
@@ -124,8 +126,13 @@ $(BIN)/ridelab: pyproject.toml setup.py client/pyproject.toml sim_core/pyproject
 	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index -e sim_core -e client -e .
 	touch $@
 
+OMIT := --omit=dev  # what only tests and checks of the page need
 frontend/node_modules/.installed: frontend/package-lock.json $(VENV)/.build
-	cd frontend && $(NODE) npm ci --no-audit --no-fund
+	cd frontend && $(NODE) npm ci $(OMIT) --no-audit --no-fund
+	touch $@
+
+frontend/node_modules/.development: frontend/node_modules/.installed
+	test -d frontend/node_modules/vitest || (cd frontend && $(NODE) npm ci --no-audit --no-fund && touch node_modules/.installed)
 	touch $@
 
 frontend/dist/index.html: frontend/node_modules/.installed $(shell find frontend/src frontend/index.html frontend/scripts frontend/vite.config.ts -type f 2>/dev/null)
