@@ -298,6 +298,10 @@ def test_files_that_are_no_scenario(content: str | bytes, said: str, tmp_path: P
         (["export", "paper", "--out", "-"], "--format: The file's format has to be"),
         (["export", "paper", "--metrics", "--out", "x.parquet"], "--metrics: The file's format has to be json or csv"),
         (["compare", "-", "-"], "Only one of A and B"),
+        (["export", "paper", "--format", "csv", "--json", "--out", "-"], "--json: the file itself would go"),
+        (["fmu", "--json", "--out", "-"], "--json: the file itself would go"),
+        (["controller", "--json", "--out", "-"], "--json: the file itself would go"),
+        (["controller", "--out", "none/x.zip"], "--out: there is no folder none"),
     ],
 )
 def test_bad_input_is_a_line_and_code_2(

@@ -9,7 +9,7 @@ import typer
 
 from ridelab.cli import fields, options
 from ridelab.cli.names import Names
-from ridelab.cli.reporting import InputError, deliver, note, print_json
+from ridelab.cli.reporting import InputError, check_out, deliver, note, print_json
 from ridelab.cli.service import Services, end_as_server
 from ridelab.cli.tables import show_table
 
@@ -32,6 +32,8 @@ def controller(
     """
     if sum((out is not None, report, program is not None)) != 1:
         raise InputError("controller takes one of --out FILE, --report and --program FILE")
+    if out is not None:
+        check_out(out, as_json=as_json)
     design = fields.scenario_of(scenario, changes, services)
     ridelab = services.at()
     if out is not None:

@@ -34,7 +34,7 @@ def export(
 
     The name's end or --format says how. A whole file replaces an older one; a broken one never does.
     """
-    kind = output_format(out, file_format)
+    kind = output_format(out, file_format, as_json=as_json)
     if metrics and kind == "parquet":
         raise InputError("--metrics: The file's format has to be json or csv")
     source = targets.find(target, services)

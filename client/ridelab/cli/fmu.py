@@ -5,7 +5,7 @@ import zipfile
 from typing import Annotated
 
 from ridelab.cli import fields, options
-from ridelab.cli.reporting import InputError, deliver, note
+from ridelab.cli.reporting import InputError, check_out, deliver, note
 from ridelab.cli.service import Services
 
 _OUT = "Write it there; - is stdout."
@@ -29,6 +29,7 @@ def fmu(
     """Export a controller, or the vehicle, as an FMU for co-simulation, with its C and what could be compiled of it."""
     if fmi not in ("2.0", "3.0"):
         raise InputError("--fmi is 2.0 or 3.0")
+    check_out(out, as_json=as_json)
     wanted = options.listed(platform, "--platform") or _PLATFORMS
     design = fields.scenario_of(scenario, changes, services)
     content = services.at().fmu(

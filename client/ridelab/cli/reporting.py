@@ -149,9 +149,16 @@ def folder_of(out: str, option: str) -> None:
         raise InputError(f"{option}: there is no folder {Path(out).parent}")
 
 
-def output_format(out: str, file_format: str | None) -> str:
-    """The format named, else that of the file's ending; refused here, before anything is computed."""
+def check_out(out: str, *, as_json: bool = False) -> None:
+    """Refuse, before anything is computed, what could not be written at the end."""
     folder_of(out, "--out")
+    if as_json and out == "-":
+        raise InputError("--json: the file itself would go to standard output; name another one")
+
+
+def output_format(out: str, file_format: str | None, *, as_json: bool = False) -> str:
+    """The format named, else that of the file's ending; refused here, before anything is computed."""
+    check_out(out, as_json=as_json)
     try:
         return format_of(out, file_format)
     except ValueError as error:
@@ -161,12 +168,10 @@ def output_format(out: str, file_format: str | None) -> str:
 def deliver(content: Iterable[bytes], out: str, *, as_json: bool = False, **about: Any) -> None:
     """Write the pieces there, `-` is standard output; a file is whole or not touched.
 
-    For machines, its name, its size [bytes] and what else is said about it are printed then.
+    For machines, its name, its size [bytes] and what else is said about it are printed then; see `check_out`.
     """
     if out != "-":
         save(content, out)
-    elif as_json:
-        raise InputError("--json: the file itself would go to standard output; name another one")
     else:
         sys.stdout.buffer.writelines(content)
     if as_json:

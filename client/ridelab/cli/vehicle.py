@@ -10,7 +10,7 @@ import typer
 from ridelab.cli import options
 from ridelab.cli.fields import VEHICLE, vehicle_of
 from ridelab.cli.lists import vehicles
-from ridelab.cli.reporting import InputError, deliver, print_json
+from ridelab.cli.reporting import InputError, check_out, deliver, print_json
 from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table, with_unit
 from ridelab.cli.targets import document
@@ -42,6 +42,8 @@ def vehicle(
             raise InputError("--out needs a VEHICLE or --sheet FILE")
         vehicles(services, as_json=as_json)
         return
+    if out is not None:
+        check_out(out, as_json=as_json)
     content = _of_sheet(sheet, services) if sheet is not None else _named(str(which), services)
     if out is not None:
         deliver([json.dumps(content, indent=1).encode() + b"\n"], out, as_json=as_json)
