@@ -8,10 +8,11 @@ from typing import Any
 
 import numpy as np
 import orjson
-from sqlalchemy import select
-from sqlalchemy.exc import SQLAlchemyError
+from sqlalchemy import LargeBinary, select
+from sqlalchemy.exc import DBAPIError, SQLAlchemyError
 
 from backend import digest
+from backend.db.checksum import covered
 from backend.db.database import Database
 from backend.db.sqlite import UnusableDatabaseError
 from backend.db.tables import metadata
@@ -19,7 +20,7 @@ from backend.job_run import JobRun
 from backend.outcome import Outcome
 from backend.store import Store, StoredJob, StoredLink, StoredRun
 from backend.store.trials import StoredTrial
-from backend.store.verify import verify
+from backend.store.verify import SEALED, verify
 from sim_core.scenario import SCHEMA_VERSION, Scenario
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.scenario.recorded import RecordedDrive
@@ -29,10 +30,10 @@ RUNS, STRATEGIES, POINTS = 25, ("lv", "lqr", "passive"), 12
 TIMES = {"created_at", "started_at", "finished_at", "ended_at", "damaged_at"}
 
 
-def fill(path: Path) -> None:
+def fill(url: str) -> None:
     """Make a database with runs, links, a measured road, a recording, a batch that is done and a tuning."""
     rng = np.random.default_rng(1)
-    with closing(Store(f"sqlite:///{path}")) as store:
+    with closing(Store(url)) as store:
         store.migrate()
         store.roads.save(MeasuredRoad.of(rng.normal(0, 0.01, 2000)))
         store.recordings.save(RecordedDrive.of({"time": np.arange(900.0), "body_acceleration": rng.normal(0, 1, 900)}))
@@ -153,6 +154,48 @@ def _fate(store: Store, whole: dict[str, Any]) -> str:
     except (SQLAlchemyError, UnusableDatabaseError):
         return "told"
     return "without effect" if answers == whole else "silent"
+
+
+def flip_on_server(store: Store, *, seed: int, count: int) -> tuple[Counter[str], list[str]]:
+    """Flip so many bits of stored values on PostgreSQL, one at a time: what came of them, and which told nobody.
+
+    It refuses those that leave no value of their type. Keys and the pages' own bytes are left alone.
+    """
+    rng, fates, silent = np.random.default_rng(seed), Counter[str](), list[str]()
+    columns = [
+        (table, table.c[name])
+        for table in SEALED
+        for name in covered(table)
+        if not table.c[name].primary_key and not table.c[name].foreign_keys
+    ]
+    while fates.total() < count:
+        table, column = columns[rng.integers(len(columns))]
+        binary = isinstance(column.type, LargeBinary)
+        read = f"encode({column.name}, 'hex')" if binary else f"{column.name}::text"
+        with store.reading() as connection:
+            query = f"SELECT pg_typeof({column.name})::text, {read} FROM {table.name}"  # noqa: S608  # our own
+            rows = [row for row in connection.exec_driver_sql(query).all() if row[1]]
+        if not rows:
+            continue
+        kind, value = rows[rng.integers(len(rows))]
+        at = int(rng.integers(len(value)))
+        changed = format(int(value[at], 16) ^ 1 << int(rng.integers(4)), "x") if binary else chr(ord(value[at]) ^ 1)
+        new = "decode(%s, 'hex')" if binary else f"%s::{kind}"
+        write = f"UPDATE {table.name} SET {column.name} = {new} WHERE {read} = %s"  # noqa: S608
+        flipped = value[:at] + changed + value[at + 1 :]
+        try:
+            with store.writing() as connection:
+                connection.exec_driver_sql(write, (flipped, value))
+        except DBAPIError:
+            fates["refused"] += 1
+            continue
+        told = bool(verify(store).damaged[table.name])
+        fates["told" if told else "silent"] += 1
+        if not told:
+            silent.append(f"{table.name}.{column.name}: {value[:80]} -> {flipped[:80]}")
+        with store.writing() as connection:
+            connection.exec_driver_sql(write, (value, flipped))
+    return fates, silent
 
 
 def _plain(answers: dict[str, Any]) -> dict[str, Any]:

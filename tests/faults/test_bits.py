@@ -14,7 +14,7 @@ from tests.faults import bits
 
 
 def test_no_flipped_bit_changes_an_answer_without_a_word(tmp_path: Path) -> None:
-    bits.fill(tmp_path / "ridelab.sqlite")
+    bits.fill(f"sqlite:///{tmp_path / 'ridelab.sqlite'}")
     fates, silent = bits.flip(tmp_path / "ridelab.sqlite", seed=1, count=40)
     assert not silent
     assert fates["told"] > 10, "else nothing was tried"
@@ -23,7 +23,7 @@ def test_no_flipped_bit_changes_an_answer_without_a_word(tmp_path: Path) -> None
 def test_a_text_whose_type_became_bytes_is_damaged_and_its_run_is_computed_again(tmp_path: Path) -> None:
     """SQLite keeps the type with each value: one bit decides it."""
     file = tmp_path / "ridelab.sqlite"
-    bits.fill(file)
+    bits.fill(f"sqlite:///{file}")
     with closing(sqlite3.connect(file)) as connection:
         connection.execute("UPDATE results SET summary = CAST(summary AS BLOB) WHERE strategy = 'lv'")
         connection.commit()
@@ -37,7 +37,7 @@ def test_a_text_whose_type_became_bytes_is_damaged_and_its_run_is_computed_again
 
 def test_verify_names_what_is_damaged(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file, arguments = tmp_path / "ridelab.sqlite", ["--data-dir", str(tmp_path), "--verify"]
-    bits.fill(file)
+    bits.fill(f"sqlite:///{file}")
     assert main(arguments) == 0
     assert capsys.readouterr().out.endswith("Everything is as it was written\n")
     content = bytearray(file.read_bytes())
