@@ -99,15 +99,11 @@ $(VENV)/.build: requirements-build.lock
 	$(INSTALL) requirements-build.lock
 	touch $@
 
-$(VENV)/.runtime: requirements.lock $(VENV)/.build
-	$(INSTALL) $<
+$(VENV)/.runtime: requirements.lock requirements-manual.lock $(VENV)/.build
+	$(INSTALL) $< -r requirements-manual.lock
 	touch $@
 
-$(VENV)/.manual: requirements-manual.lock $(VENV)/.runtime
-	$(INSTALL) $<
-	touch $@
-
-$(VENV)/.development: requirements-dev.lock $(VENV)/.manual
+$(VENV)/.development: requirements-dev.lock $(VENV)/.runtime
 	@echo "Setting up what tests need"
 	$(INSTALL) $<
 	touch $@
@@ -139,7 +135,7 @@ frontend/dist/index.html: frontend/node_modules/.installed $(shell find frontend
 	cd frontend && $(NODE) npm run build
 
 # A broken link ends it. There is no page of its own for unknown addresses: the dashboard answers them.
-build/manual/index.html: zensical.toml $(VENV)/.manual $(shell find docs -type f)
+build/manual/index.html: zensical.toml $(VENV)/.runtime $(shell find docs -type f)
 	$(BIN)/zensical build --clean --strict
 	rm -f build/manual/404.html build/manual/sitemap.xml
 	touch $@
