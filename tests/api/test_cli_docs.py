@@ -157,15 +157,13 @@ HOW_TO = [
     for name in (
         "own-vehicle",
         "fuzzy-controller",
-        "own-controller",
         "measured-road",
         "share-and-export",
         "check-in-ci",
         "fmu",
     )
 ]
-PAGES = ["../README.md", "reference/cli.md", "reference/api.md", "tutorials/sweep-from-a-script.md"]
-PAGES += ["tutorials/validate.md", *HOW_TO]
+PAGES = ["../README.md", "reference/api.md", "tutorials/sweep-from-a-script.md", *HOW_TO]
 
 
 @pytest.mark.usefixtures("reproduced")

@@ -205,14 +205,15 @@ class Dashboard:
         expect(menu).to_be_hidden()
         return download.value.path().read_bytes()
 
-    def expect_accessible(self, part: Locator | None = None) -> None:
-        """Axe-core finds no serious violation of WCAG 2.1 A and AA, of a whole page in either scheme.
+    def expect_accessible(self, part: Locator | None = None, *, in_the_dark: bool = THOROUGH) -> None:
+        """Axe-core finds no serious violation of WCAG 2.1 A and AA.
 
         Args:
-            part: Of the page, where another test looks at the rest of it; in the dark by `make drill`.
+            part: Of the page, where another test looks at the rest of it.
+            in_the_dark: There too; where colours are the same variables as elsewhere, by `make drill`.
         """
         for scheme, rules in RULES.items():
-            if scheme == "dark" and part is not None and not THOROUGH:
+            if scheme == "dark" and not in_the_dark:
                 continue
             self.page.emulate_media(color_scheme=scheme)
             expect(self.page.locator("html")).to_have_attribute("data-mantine-color-scheme", scheme)

@@ -58,7 +58,7 @@ def test_no_serious_accessibility_violation(dashboard: Dashboard) -> None:
     page.get_by_role("button", name="Travel, forces, comfort, time and events").click()
     dashboard.row("passive").get_by_role("button", name="airborne").hover()
     expect(page.get_by_role("tooltip")).to_be_visible()
-    dashboard.expect_accessible()
+    dashboard.expect_accessible(in_the_dark=True)
 
 
 def test_opens_on_the_bump_every_plot_has_the_same_part_and_one_cursor_reads_them_all(dashboard: Dashboard) -> None:

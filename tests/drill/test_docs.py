@@ -13,15 +13,26 @@ from tests.api.conftest import serve
 from tests.api.test_cli_docs import check
 from tests.api.test_paper_docs import PAGE, with_blocks
 from tests.docs import causes
+from tests.servers.reproduction import store_in
 
 
 @pytest.fixture
 def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
     for service in serve(Settings(data_dir=tmp_path_factory.mktemp("data"), workers=2)):
+        store_in(service.app.state.services.store)
         yield service.client
 
 
-@pytest.mark.parametrize("name", ["explanation/robustness.md", "how-to/which-hump.md"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "explanation/robustness.md",
+        "how-to/own-controller.md",
+        "how-to/which-hump.md",
+        "reference/cli.md",
+        "tutorials/validate.md",
+    ],
+)
 def test_a_page_shows_what_its_commands_print(
     name: str, client: httpx.Client, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -20,7 +20,7 @@ from tests.servers.accepted import Accepted, database
 from tests.servers.api import Api, ask
 from tests.servers.process import HANG_TIMEOUT, request, wait_until
 
-RUNS = 160  # of each batch: some seconds of one core, so that it is under way when the service ends
+RUNS = 60  # of each batch: some seconds of one core, so that it is under way when the service ends
 SHORT = {"road": {"length": 131.7}}
 # Some minutes of a core: an end that waited for it would be taken for one that hangs.
 ENDLESS = {
@@ -33,7 +33,7 @@ TUNING = {
     "objectives": [{"kind": "peaks"}, {"kind": "figure", "figure": "rough_road.front_tyre_load.rms"}],
     "seeds": [1, 2],
     "fresh_seeds": [11, 12],
-    "trials": 40,
+    "trials": 24,
     "population": 8,
 }
 
@@ -65,7 +65,7 @@ def test_what_was_accepted_outlives_a_kill_and_an_ordered_end(api: Api, accepted
     series = series_of(api, run)
     slug = ask(api.url, "POST", "/links", json={"run_id": run["id"], "view": {"zoom": [1, 2]}})["slug"]
     tuning = ask(api.url, "POST", "/tunings", json=TUNING)["id"]
-    wait_until(lambda: tuning_of(api, tuning)["generation"] >= 2, "the tuning begins")
+    wait_until(lambda: tuning_of(api, tuning)["generation"] >= 1, "the tuning begins")
     accepted.submit()
     accepted.await_work()
 
@@ -89,7 +89,7 @@ def test_what_was_accepted_outlives_a_kill_and_an_ordered_end(api: Api, accepted
     assert link["run"]["strategies"]["lv"]["metrics"] == run["strategies"]["lv"]["metrics"]
     assert series_of(api, run) == series
     ended, trials = finished_tuning(api, tuning)
-    assert (ended["state"], ended["trials"]["done"], ended["generation"]) == ("done", 40, 5)
+    assert (ended["state"], ended["trials"]["done"], ended["generation"]) == ("done", 24, 3)
     whole, its_trials = finished_tuning(api, ask(api.url, "POST", "/tunings", json=TUNING)["id"])
     assert trials == its_trials, "those it would have had"
     assert (ended["history"], ended["comparison"]["points"]) == (whole["history"], whole["comparison"]["points"])
