@@ -25,7 +25,13 @@ export function chartLayout(
   palette: Palette,
   { xaxis, yaxis, ...rest }: { readonly xaxis: object; readonly yaxis: object; readonly [name: string]: unknown },
 ): PlotLayout {
-  const axis = { color: palette.text, gridcolor: palette.grid, zeroline: false, automargin: true };
+  const axis = {
+    color: palette.text,
+    gridcolor: palette.grid,
+    zeroline: false,
+    automargin: true,
+    ticklabeloverflow: "allow", // else each label is measured, which takes a quarter of a drawing
+  };
   return {
     font: { family: "inherit", color: palette.text, size: 12 },
     margin: { l: 56, r: 16, t: 10, b: 48 },

@@ -168,7 +168,8 @@ const bundle = () => import("./charts") as unknown as Promise<{ readonly default
 /** Loads it once; after a failure the next call tries again. */
 export function loadPlotly(load = bundle): Promise<Plotly> {
   loading ??= load().then(
-    ({ default: plotly }) => {
+    async ({ default: plotly }) => {
+      await new Promise((resolve) => setTimeout(resolve)); // evaluated in one task, it draws in the next
       state.set({ plotly, failed: false });
       return plotly;
     },

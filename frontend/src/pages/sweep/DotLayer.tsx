@@ -43,7 +43,7 @@ export function DotLayer({ host, drawing, dots, width, height, textOf, onOpen, o
     }
     const located = locate(dots, axes);
     drawn.current = { located, axes };
-    drawDots(canvas.current, located, axes, width, height);
+    drawDots(canvas.current, located, axes, { width, height }, () => drawn.current?.located === located);
   });
   useEffect(() => {
     const element = host.current as PlotElement | null;

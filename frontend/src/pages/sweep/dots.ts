@@ -92,12 +92,16 @@ export function clearDots(canvas: HTMLCanvasElement): void {
   canvas.getContext("2d")?.clearRect(0, 0, canvas.width, canvas.height);
 }
 
+/** In one task, of some milliseconds. */
+const AT_ONCE = 2500;
+
+/** In pieces, until they are no longer wanted. */
 export function drawDots(
   canvas: HTMLCanvasElement,
   located: readonly LocatedDots[],
   { xaxis, yaxis }: Axes,
-  width: number,
-  height: number,
+  { width, height }: { readonly width: number; readonly height: number },
+  areWanted: () => boolean,
 ): void {
   const ratio = window.devicePixelRatio;
   canvas.width = Math.round(width * ratio);
@@ -107,15 +111,23 @@ export function drawDots(
   context.beginPath();
   context.rect(xaxis._offset * ratio, yaxis._offset * ratio, xaxis._length * ratio, yaxis._length * ratio);
   context.clip();
-  for (const { dots, x, y } of located) {
+  const pieces = located.flatMap(({ dots, x, y }) => {
     const [full, hollow] = [stamp(dots, false, ratio), stamp(dots, true, ratio)];
     const shift = full.width / 2;
-    for (let index = 0; index < x.length; index++) {
-      context.drawImage(
-        dots.hollow[index] === true ? hollow : full,
-        (x[index] ?? 0) * ratio - shift,
-        (y[index] ?? 0) * ratio - shift,
-      );
-    }
-  }
+    return Array.from({ length: Math.ceil(x.length / AT_ONCE) }, (_, piece) => () => {
+      for (let index = AT_ONCE * piece; index < Math.min(AT_ONCE * (piece + 1), x.length); index++) {
+        context.drawImage(
+          dots.hollow[index] === true ? hollow : full,
+          (x[index] ?? 0) * ratio - shift,
+          (y[index] ?? 0) * ratio - shift,
+        );
+      }
+    });
+  });
+  const draw = (piece: number) => {
+    if (!areWanted()) return;
+    pieces[piece]?.();
+    if (piece + 1 < pieces.length) setTimeout(() => draw(piece + 1));
+  };
+  draw(0);
 }
