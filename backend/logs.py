@@ -1,11 +1,10 @@
-"""Structured logs: one line for each event on standard error, JSON or coloured text; every library's events too."""
+"""Structured logs: one line for each event on standard error, JSON or text; every library's events too."""
 
+import json
 import logging
 import sys
+from datetime import UTC, datetime
 from typing import Literal
-
-import structlog
-from structlog.typing import EventDict, Processor, WrappedLogger
 
 Format = Literal["json", "console"]
 Level = Literal["debug", "info", "warning", "error"]
@@ -14,54 +13,46 @@ Level = Literal["debug", "info", "warning", "error"]
 CONTROL = {code: f"\\x{code:02x}" for code in (*range(0x20), *range(0x7F, 0xA0))} | {
     code: f"\\u{code:04x}" for code in (0x2028, 0x2029)
 }
+# What every record has, and uvicorn's second copy of the text, with a terminal's colours; the rest is the event's own.
+USUAL = {*vars(logging.makeLogRecord({})), "message", "asctime", "taskName", "color_message"}
+
+
+class Lines(logging.Formatter):
+    """An event as a line: its text, what it was told with, the request it belongs to, an exception's traceback."""
+
+    def __init__(self, form: Format) -> None:
+        super().__init__()
+        self._form = form
+
+    def format(self, record: logging.LogRecord) -> str:
+        """A line; a traceback follows it in text."""
+        from backend.http.request_log import request_id  # the web stack, which a start imports last
+
+        time = datetime.fromtimestamp(record.created, UTC).isoformat(timespec="microseconds").replace("+00:00", "Z")
+        more = {name: value for name, value in vars(record).items() if name not in USUAL}
+        if request := request_id():
+            more["request_id"] = request
+        trace = self.formatException(record.exc_info) if record.exc_info else ""
+        level, event = record.levelname.lower(), record.getMessage()
+        if self._form == "json":
+            # Everything but ASCII is escaped: whatever a text holds, it stays within its string and its line.
+            line = {"event": event, "level": level, "logger": record.name, "timestamp": time, **more}
+            return json.dumps(line | ({"exception": trace} if trace else {}), default=repr)
+        words = [
+            f"{time} [{level}] {event}",
+            f"[{record.name}]",
+            *(f"{name}={value!r}" for name, value in more.items()),
+        ]
+        lines = [" ".join(words), *trace.splitlines()]
+        # Escaped, so that it cannot begin another line or move the cursor.
+        return "\n".join(line.translate(CONTROL) for line in lines)
 
 
 def configure(form: Format | None, level: Level) -> None:
     """Send the whole process's logs to standard error in this form; None is text on a terminal, else JSON."""
-    form = form or ("console" if sys.stderr.isatty() else "json")
-    shared: list[Processor] = [
-        structlog.contextvars.merge_contextvars,
-        structlog.stdlib.add_log_level,
-        structlog.stdlib.add_logger_name,
-        structlog.processors.TimeStamper(fmt="iso", utc=True),
-    ]
-    structlog.configure(
-        processors=[*shared, structlog.stdlib.ProcessorFormatter.wrap_for_formatter],
-        logger_factory=structlog.stdlib.LoggerFactory(),
-        wrapper_class=structlog.stdlib.BoundLogger,
-    )
     handler = logging.StreamHandler(sys.stderr)
-    handler.setFormatter(
-        structlog.stdlib.ProcessorFormatter(
-            foreign_pre_chain=[*shared, structlog.stdlib.ExtraAdder(), _without_colours],
-            processors=[structlog.stdlib.ProcessorFormatter.remove_processors_meta, *_rendering(form)],
-        )
-    )
+    handler.setFormatter(Lines(form or ("console" if sys.stderr.isatty() else "json")))
     root = logging.getLogger()
     root.handlers = [handler]
     root.setLevel(level.upper())
     logging.captureWarnings(True)
-
-
-def _rendering(form: Format) -> list[Processor]:
-    if form == "json":
-        # Everything but ASCII is escaped: whatever a text holds, it stays within its string and its line.
-        return [structlog.processors.format_exc_info, structlog.processors.JSONRenderer(ensure_ascii=True)]
-    return [
-        _one_line,
-        structlog.dev.ConsoleRenderer(
-            colors=sys.stderr.isatty(), exception_formatter=structlog.dev.plain_traceback, repr_native_str=True
-        ),
-    ]
-
-
-def _one_line(_: WrappedLogger, __: str, event: EventDict) -> EventDict:
-    """Escape an event's text, so that it cannot begin another line or move the cursor."""
-    event["event"] = str(event["event"]).translate(CONTROL)
-    return event
-
-
-def _without_colours(_: WrappedLogger, __: str, event: EventDict) -> EventDict:
-    """Drop uvicorn's second copy of the text, which has a terminal's colours."""
-    event.pop("color_message", None)
-    return event

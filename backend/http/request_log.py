@@ -6,7 +6,6 @@ import time
 from contextvars import ContextVar
 from uuid import uuid4
 
-import structlog
 from starlette.datastructures import Headers, MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
@@ -43,8 +42,6 @@ class RequestLogMiddleware:
         if not SANE.fullmatch(name):
             name = uuid4().hex
         _current.set(name)
-        structlog.contextvars.clear_contextvars()
-        structlog.contextvars.bind_contextvars(request_id=name)
         begin = time.perf_counter()
         status, first = GONE, 0.0
 

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from backend import csv_lines
 from backend.csv_lines import CsvError
-from ridelab.units import quantity
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import METRIC_SIGNALS, SIGNALS
 from sim_core.scenario.recorded import LONGEST, RecordedDrive
@@ -100,6 +99,8 @@ def _column(index: int, name: str, mapped: str | None, line: int) -> Column:
         if mapped:
             raise CsvError(f"Column {index + 1}, {name}: there is no signal {title}; {_known()}", line)
         return Column(index=index, name=name, signal=None, unit=unit)
+    from ridelab.units import quantity  # with the client and httpx, which a start need not wait for
+
     expected = SIGNALS[signal].unit
     try:
         if not unit:

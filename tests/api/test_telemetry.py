@@ -10,7 +10,6 @@ from typing import Any
 
 import httpx
 import pytest
-import structlog
 from prometheus_client.parser import text_string_to_metric_families
 
 from backend.http.request_log import SANE
@@ -161,7 +160,6 @@ def logged(monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
     yield start
     root.handlers, root.level = handlers, level
     logging.captureWarnings(False)
-    structlog.reset_defaults()
 
 
 def lines(text: io.StringIO) -> list[dict[str, Any]]:
@@ -228,7 +226,7 @@ FORGED = 'x\n{"event": "forged", "level": "error"}\r\x1b[2J\x00\u2028\u0085y'
 def test_no_text_makes_a_line_of_its_own_or_a_colour(logged: Any, form: str) -> None:
     text = logged(form, "error")  # what the service says of its work meanwhile is none
     logging.getLogger("some.library").error("it said %s", FORGED, extra={"more": FORGED})
-    structlog.stdlib.get_logger("backend.some").error(FORGED, value=FORGED, nested={"deep": [FORGED]})
+    logging.getLogger("backend.some").error(FORGED, extra={"value": FORGED, "nested": {"deep": [FORGED]}})
     coloured = "Started server process [\x1b[36m%d\x1b[0m]"  # as uvicorn says it
     logging.getLogger("uvicorn.error").error("Started server process [%d]", 7, extra={"color_message": coloured})
     content = text.getvalue()
