@@ -4,7 +4,7 @@ import { Button, Group, Kbd, Modal } from "@mantine/core";
 import { ACTION_IDS, ACTIONS, isOffered, useActionButton } from "../lab/actions";
 import { DataTable } from "../ui/DataTable";
 import { IconExternalLink } from "../ui/icons";
-import { MANUAL } from "../ui/ManualLink";
+import { MANUAL } from "../ui/manual";
 import { keyNames } from "./keys";
 
 const EVERYWHERE = [

@@ -4,7 +4,7 @@ import { Link, linkOptions, useNavigate, useRouterState, useSearch } from "@tans
 import { lazy } from "react";
 import { firstCurves } from "../lib/firstCurves";
 import { LazyPart } from "../ui/LazyPart";
-import { MANUAL } from "../ui/ManualLink";
+import { MANUAL } from "../ui/manual";
 import type { Address } from "../lab/address";
 import { usePaletteEntries } from "../lab/actions";
 import { useLabContext, useLab } from "../lab/context";

@@ -8,7 +8,7 @@ import { sameValue } from "../../scenario/path";
 import { useEdit, useLabContext, useReadOnly } from "../../lab/context";
 import { useForm } from "../../server/useCatalogues";
 import { createAtom } from "@tanstack/react-store";
-import { MANUAL } from "../../ui/ManualLink";
+import { MANUAL } from "../../ui/manual";
 import type { Exported, OpenOptions, Unclear } from "./files";
 import { requirementsIn } from "../../lab/requirements";
 import { dialog, galleryEntry, kindWord } from "../../scenario/library";

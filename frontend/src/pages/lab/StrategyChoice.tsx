@@ -4,7 +4,7 @@ import { Button, Menu, Text, Tooltip } from "@mantine/core";
 import { memo, useState } from "react";
 import type { Strategy, StrategyId } from "../../api/types";
 import { IconChevronDown, IconExternalLink } from "../../ui/icons";
-import { STRATEGIES } from "../../ui/ManualLink";
+import { STRATEGIES } from "../../ui/manual";
 import { useLab, useLabContext } from "../../lab/context";
 import { isolateWhilePointed } from "../../lab/isolated";
 import { StrategyKey } from "../../ui/StrategyKey";
