@@ -11,16 +11,16 @@ from sim_core.scenario import Actuator, Bump, Estimation, Hil, Mismatch, Road, S
 from sim_core.simulate import prepare, simulate
 from tests.results import event
 from tests.validation.nonlinear_loops import PEAK, RMS, errors, loop, worst
-from tests.validation.strategies import examples, some
+from tests.validation.strategies import some
 
 LINKED = Vehicle(anti_dive=0.6, anti_lift=0.4)
 
 
-@pytest.mark.parametrize("seed", range(1, 1 + examples(9)))
+@pytest.mark.parametrize("seed", some(1, [2, 1, *range(3, 10)]))
 def test_metrics_are_an_adaptive_solvers(seed: int) -> None:
     """RMS within 0.1 %, peaks within 0.3 %: random cars on roads of class B to D with a bump, with and without lag.
 
-    Of the first three two lift off, three meet their stops, and the second one's actuators lag.
+    Of seeds 1 to 3 two lift off and all meet their stops; the actuators of seed 2 lag.
     """
     scenario = Scenario(
         vehicle=loop(seed).vehicle,

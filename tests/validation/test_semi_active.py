@@ -15,7 +15,7 @@ from sim_core.result import StrategyResult
 from sim_core.scenario import Actuator, Bump, Estimation, Hook, Mismatch, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
 from tests.validation.nonlinear_loops import errors, worst
-from tests.validation.strategies import between, examples
+from tests.validation.strategies import between, examples, some
 
 LAWS = ("skyhook", "groundhook", "hybrid")
 SHORT = Road(length=30, roughness=256e-6, bump=Bump(start=15))
@@ -147,15 +147,19 @@ UNEQUAL = Vehicle(rebound_ratio=2.5, bump_stop_clearance=0.06)
 
 @pytest.mark.parametrize(
     ("scenario", "law"),
-    [
-        (constant_speed(LIMITED, vehicle=UNEQUAL), "groundhook"),
-        (constant_speed(LIMITED, vehicle=UNEQUAL, actuator=Actuator(bandwidth=10)), "skyhook"),
-        (
-            constant_speed(Hook(semi_active=True, skyhook_damping=10_000), vehicle=UNEQUAL, mpc=Mpc(force_limit=1500)),
-            "skyhook",
-        ),
-    ],
-    ids=["unequal dampers", "lagging actuators", "limited forces"],
+    some(
+        1,
+        [
+            (constant_speed(LIMITED, vehicle=UNEQUAL, actuator=Actuator(bandwidth=10)), "skyhook"),
+            (constant_speed(LIMITED, vehicle=UNEQUAL), "groundhook"),
+            (
+                constant_speed(
+                    Hook(semi_active=True, skyhook_damping=10_000), vehicle=UNEQUAL, mpc=Mpc(force_limit=1500)
+                ),
+                "skyhook",
+            ),
+        ],
+    ),
 )
 def test_metrics_are_an_adaptive_solvers(scenario: Scenario, law: str) -> None:
     rms, peak = worst(errors(scenario, law))
