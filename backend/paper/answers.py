@@ -148,8 +148,18 @@ def _counted(judged: Sequence[Judged]) -> dict[str, Any]:
         "counts": counts,
         "simulated": models.Part(reached=claims.count(simulated)["reached"], total=len(simulated)),
         "ecu": models.Part(reached=claims.count(in_ecu)["reached"], total=len(in_ecu)),
-        "agreement": claims.agreement(judged),
+        "agreement": agreement(judged),
     }
+
+
+def agreement(judged: Sequence[Judged]) -> models.Agreement:
+    """Of the changes we simulate; a misprint is taken as its absolutes have it."""
+    simulated, _ = claims.split(judged)
+    return models.Agreement(
+        cells=len(simulated),
+        within=sum(abs(item.change.value - item.cell.claim) <= claims.AGREEMENT for item in simulated),
+        in_interval=sum(item.change.low <= item.cell.claim <= item.change.high for item in simulated),
+    )
 
 
 def _means(values: Mapping[Any, Sequence[float]], passive: Mapping[Any, Sequence[float]]) -> dict[str, Any]:

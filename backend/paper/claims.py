@@ -116,25 +116,6 @@ def split(judged: Sequence[Judged]) -> tuple[list[Judged], list[Judged]]:
     return [item for item in judged if item.cell.strategy != IN_ECU], in_ecu
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Agreement:
-    """How near simulated changes come to the paper's: how many of `cells` lie within AGREEMENT, and in our interval."""
-
-    cells: int
-    within: int
-    in_interval: int
-
-
-def agreement(judged: Sequence[Judged]) -> Agreement:
-    """Of the changes we simulate; a misprint is taken as its absolutes have it."""
-    simulated, _ = split(judged)
-    return Agreement(
-        cells=len(simulated),
-        within=sum(abs(item.change.value - item.cell.claim) <= AGREEMENT for item in simulated),
-        in_interval=sum(item.change.low <= item.cell.claim <= item.change.high for item in simulated),
-    )
-
-
 def scenario_for(choices: Mapping[str, str], seed: int) -> Scenario:
     """The paper's scenario under these readings (reading -> choice; others take their default) on one road.
 

@@ -3,19 +3,9 @@
 Those that a reader may choose are in `backend.paper.interpretations`.
 """
 
-from dataclasses import dataclass
+from backend.paper.models import Erratum
 
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Erratum:
-    """One place of the paper; `printed` and `here` are short Markdown."""
-
-    place: str
-    printed: str
-    here: str
-
-
-ERRATA = (
+ERRATA = [
     Erratum(
         place="Eq. 1",
         printed="noise with a mean of one, f0 not given",
@@ -116,7 +106,7 @@ ERRATA = (
         printed="pitch acceleration falls with speed",
         here="Table 5 and the model say it rises",
     ),
-)
+]
 
 _HEAD = """# Errata and readings of the paper
 

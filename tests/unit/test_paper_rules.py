@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from backend.paper import claims
+from backend.paper import answers, claims
 from backend.paper.attribution import FACTORS, VARIANTS, shares
 from backend.paper.claims import FIGURES, Verdict, judge, scenario_for, verdict
 from backend.paper.interpretations import DEFAULT, FAVOURABLE, INTERPRETATIONS, interpretation_of
@@ -169,7 +169,7 @@ def test_a_count_is_split_and_agreement_counts_what_we_simulate() -> None:
     assert {item.cell.strategy for item in in_ecu} == {"lv_hil"}
     assert {item.verdict for item in in_ecu} == {Verdict.REACHED}
     # Near 0 %: -7.54, +8.45 and -2.77; near -50 %: -47.9, -43.6 and -44.7, but not -39.9; none is just that.
-    agreement = claims.agreement(judged)
+    agreement = answers.agreement(judged)
     assert (agreement.cells, agreement.within, agreement.in_interval) == (40, 6, 0)
 
 
