@@ -39,8 +39,8 @@ def keep_freed_memory() -> None:
 def return_freed_memory() -> None:
     """Have glibc give large blocks back to the system, and all threads share two heaps.
 
-    In the service, whose answers of 40 MB pass through many threads: by itself glibc keeps what was freed in each one's
-    heap, and takes larger and larger blocks from there.
+    In the service, whose answers of some MB pass through many threads: by itself glibc keeps what was freed in each
+    one's heap, and takes larger and larger blocks from there (test_live_answers_leave_little_memory_behind).
     """
     _set_allocator((_M_MMAP_THRESHOLD, 128 * 1024), (_M_TRIM_THRESHOLD, 1024 * 1024), (_M_ARENA_MAX, 2))
 
