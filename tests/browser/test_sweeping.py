@@ -76,6 +76,11 @@ def test_a_sweep_from_the_dialog_to_its_files(dashboard: Dashboard, tmp_path: Pa
     page.reload()
     expect(page.get_by_label("Line at")).to_have_value("0.9")
 
+    page.get_by_role("button", name="New sweep").click()
+    expect(dialog.get_by_text(re.compile("variants of this sweep.s scenario"))).to_be_visible()
+    expect(dialog.get_by_role("checkbox", name="LQR")).not_to_be_checked()
+    dialog.get_by_role("button", name="Cancel").click()
+
     menu = page.get_by_role("dialog", name="Save figure")
     for suffix, button in (("csv", "CSV"), ("png", "PNG, 300 dpi")):
         page.get_by_role("button", name="Save figure").click()

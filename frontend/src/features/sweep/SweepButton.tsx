@@ -1,8 +1,9 @@
-/** Opens the sweep dialog over the form's scenario; its code is fetched when somebody first does. */
+/** Opens the sweep dialog over the form's scenario or another sweep's; its code is fetched when somebody first does. */
 
 import { Button, Tooltip } from "@mantine/core";
 import { useDisclosure } from "@mantine/hooks";
-import { IconGridDots } from "../../ui/icons";
+import type { Batch } from "../../api/types";
+import { IconGridDots, IconPlus } from "../../ui/icons";
 import { lazy } from "react";
 import { useAction, useActionButton } from "../../lab/actions";
 import { useForm, useStrategies } from "../../server/useCatalogues";
@@ -11,21 +12,22 @@ import { LazyPart } from "../../ui/LazyPart";
 
 const SweepDialog = lazy(() => import("./SweepDialog").then((module) => ({ default: module.SweepDialog })));
 
-export function SweepButton() {
+export function SweepButton({ batch }: { readonly batch?: Batch }) {
   const [opened, { open, close }] = useDisclosure(false);
   const [form, strategies] = [useForm(), useStrategies()];
   useAction("sweep", open);
-  const { label, ...button } = useActionButton("sweep");
+  const { label: title, ...button } = useActionButton("sweep");
+  const [label, Icon] = batch ? ["New sweep", IconPlus] : [title, IconGridDots];
   return (
     <>
-      <Tooltip label="Run many variants of this scenario">
-        <Button aria-label={label} leftSection={<IconGridDots size={15} />} classNames={compact} {...button}>
+      <Tooltip label={`Run many variants of ${batch ? "its" : "this"} scenario`}>
+        <Button aria-label={label} leftSection={<Icon size={15} />} classNames={compact} {...button}>
           {label}
         </Button>
       </Tooltip>
       {opened && (
         <LazyPart onClose={close}>
-          <SweepDialog form={form} strategies={strategies} onClose={close} />
+          <SweepDialog batch={batch} form={form} strategies={strategies} onClose={close} />
         </LazyPart>
       )}
     </>

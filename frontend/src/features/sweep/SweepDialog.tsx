@@ -3,7 +3,7 @@
 import { Button, Group, Modal, SegmentedControl, Stack, Text } from "@mantine/core";
 import { useMediaQuery } from "@mantine/hooks";
 import { useMemo } from "react";
-import type { Strategy } from "../../api/types";
+import type { Batch, Strategy } from "../../api/types";
 import type { Group as Form } from "../../scenario/schema";
 import { SweepList } from "./SweepList";
 import { draftField, restoreSweep, type FieldDraft, type Method, type SweepDraft } from "./draft";
@@ -23,6 +23,8 @@ import { count, prettyUnit } from "../../units/format";
 import ui from "../../ui/ui.module.css";
 
 interface Props {
+  /** Whose scenario it is over; without one the form's. */
+  readonly batch: Batch | undefined;
   readonly form: Form;
   readonly strategies: readonly Strategy[];
   readonly onClose: () => void;
@@ -30,9 +32,10 @@ interface Props {
 
 const FIRST_FIELD = "road.bump.height";
 
-export function SweepDialog({ form: schema, strategies, onClose }: Props) {
-  const scenario = useScenario();
-  const switchedOn = useLab((state) => state.strategies);
+export function SweepDialog({ batch, form: schema, strategies, onClose }: Props) {
+  const edited = useScenario();
+  const scenario = batch?.scenario ?? edited;
+  const switchedOn = useLab((state) => batch?.strategies ?? state.strategies);
   const fields = useMemo(() => sweepFields(schema), [schema]);
   const narrow = useMediaQuery("(max-width: 47.99em)", false, { getInitialValueInEffect: false });
   const form = useDraft<SweepDraft>({
@@ -67,8 +70,8 @@ export function SweepDialog({ form: schema, strategies, onClose }: Props) {
       classNames={{ title: classes.title ?? "", body: classes.body ?? "" }}
     >
       <Text c="dimmed">
-        Runs many variants of the scenario in the form, each with every strategy selected here. Fields that are not
-        swept keep their values.
+        Runs many variants of {batch ? "this sweep’s scenario" : "the scenario in the form"}, each with every strategy
+        selected here. Fields that are not swept keep their values.
       </Text>
       <Group gap="sm">
         <SegmentedControl

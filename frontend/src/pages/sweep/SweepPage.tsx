@@ -11,6 +11,7 @@ import { useCatalogues, useStrategies } from "../../server/useCatalogues";
 import { BatchResults } from "./SweepResults";
 import { BatchState } from "../../features/sweep/SweepState";
 import { SharedNote } from "../../features/share/SharedBanner";
+import { SweepButton } from "../../features/sweep/SweepButton";
 import { SweepList } from "../../features/sweep/SweepList";
 import { titleOf } from "../../features/sweep/table";
 import { useBatchView, useSharedView, type BatchView } from "./view";
@@ -78,6 +79,7 @@ interface SweepActionsProps {
 function BatchActions({ batch, view }: SweepActionsProps) {
   return (
     <>
+      {batch && <SweepButton batch={batch} />}
       <ShareLink
         make={() =>
           batch
