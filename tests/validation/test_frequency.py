@@ -1,10 +1,12 @@
 """Frequency responses: against sine roads that are driven, against python-control, and against what margins promise."""
 
 from math import pi
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
+from scipy.signal import cont2discrete, zpk2ss
 
 from sim_core.frequency.margins import margins, transfer
 from sim_core.frequency.responses import BANDS, RESPONSES, frequency_response
@@ -196,6 +198,21 @@ def test_the_disk_margin_is_where_a_worst_change_of_both_loops_meets_instability
                 for share in (0.999, 1.001)
             )
             assert within < 1 < beyond
+
+
+def test_of_two_smaller_gains_that_meet_instability_the_nearer_one_is_the_margin() -> None:
+    """A front loop that is stable with a ten thousandth of its gain too, and not in between."""
+    continuous = zpk2ss([-10, -10], [-0.01, -1, -1, -300, -300], 1e7)
+    A, B, C, _, step = cont2discrete(continuous, 1e-3)
+    nothing = np.zeros((5, 1))
+    loop: Any = SimpleNamespace(
+        A=A, B=np.hstack([B, nothing]), C=np.zeros((5, 2)), K=-np.vstack([C, nothing.T]), step=step
+    )
+    bound = margins(loop).front.gain_reduction
+    assert bound is not None
+    assert [largest(loop, on_axle(0, factor)) < 1 for factor in (1, bound * 1.001, bound / 1.001, 1e-4)] == [
+        *(True, True, False, True),
+    ]
 
 
 def on_axle(axle: int, factor: complex) -> Any:
