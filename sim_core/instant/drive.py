@@ -15,7 +15,7 @@ from sim_core.scenario import Scenario
 from sim_core.simulate import prepare
 from sim_core.vehicle.half_car import FORCES
 
-_NEAR = 1e-9  # of a step, for rounding
+_NEAR = 1e-9  # of the drive, for rounding
 
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)

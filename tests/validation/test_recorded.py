@@ -36,6 +36,18 @@ def test_start_and_drift_of_the_clock_are_found(start: float, drift: float) -> N
     assert found.scale == pytest.approx(1 + drift, abs=1e-5)
 
 
+def test_a_clock_that_is_far_off_is_found_on_a_long_road() -> None:
+    """A first search that took no scale between none and the largest would see nothing alike at both ends."""
+    position = np.arange(0, 400, 0.1)
+    road = np.convolve(np.random.default_rng(1).normal(size=len(position)), np.hanning(11), "same")
+    distance = np.arange(0, 380, 0.1)
+    recorded = np.interp(20 + 0.985 * distance, position, road)
+    found = place(distance, recorded[None], position, road[None])
+    assert found is not None
+    assert found.offset == pytest.approx(20, abs=0.001)
+    assert found.scale == pytest.approx(0.985, abs=1e-5)
+
+
 def test_another_car_and_noise_do_not_move_it_far() -> None:
     """Softer dampers delay the motion: half a wheel's oscillation, 35 ms or half a metre, would be a wrong place."""
     softer = Vehicle(front_damping=0.8 * 6000, rear_damping=0.8 * 6000)
@@ -66,9 +78,12 @@ def test_what_was_not_recorded_has_no_metric() -> None:
     """A gap takes its windows, a missing signal its own metrics, and a part of the road all that reaches beyond."""
     series = simulate(SCENARIO, "passive").series
     acceleration = np.where(np.abs(series["position"] - 30) < 1, np.nan, series["body_acceleration"])
-    late = series["position"] > 20
     signals = {"time": series["time"], "position": series["position"], "body_acceleration": acceleration}
-    result = recorded_result(SCENARIO, RecordedDrive.of({key: each[late] for key, each in signals.items()}))
+    early, result = (
+        recorded_result(SCENARIO, RecordedDrive.of({key: each[part] for key, each in signals.items()}))
+        for part in (series["position"] < SCENARIO.road.bump.start, series["position"] > 20)
+    )
+    assert (early.events["bump_complete"], result.events["bump_complete"]) == (False, True)
     assert np.isnan(result.metrics["rough_road"]["body_acceleration"]["rms"])
     assert np.isfinite(result.metrics["bump"]["body_acceleration"]["rms"])
     assert np.isnan(result.metrics["bump"]["front_force"]["rms"])
