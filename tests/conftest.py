@@ -1,5 +1,6 @@
 """Settings all tests share."""
 
+import gc
 import os
 import shutil
 import signal
@@ -11,6 +12,9 @@ from hypothesis import HealthCheck, Phase, settings
 from xdist.scheduler import LoadFileScheduling
 
 pytest_plugins = ["tests.servers.fixtures", "tests.browser.fixtures"]
+
+# What is imported and collected stays: to look for garbage in it, then and in every test, takes a third of collecting.
+gc.disable()
 
 # One core is enough for 8 states, and threads only make timings and other test processes worse.
 for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):
@@ -67,3 +71,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         return FIRST.index(folder) if folder in FIRST else len(FIRST)
 
     items.sort(key=place)
+
+
+def pytest_collection_finish() -> None:
+    gc.freeze()
+    gc.enable()
