@@ -92,6 +92,14 @@ def test_what_was_not_recorded_has_no_metric() -> None:
     assert set(result.recording.missing) == set(METRIC_SIGNALS) - {"body_acceleration"}
 
 
+def test_a_drive_without_time_and_speed_has_no_travel_time() -> None:
+    """It is placed and judged as if at the initial speed, which says nothing of how long it took."""
+    series = simulate(SCENARIO, "passive").series
+    result = recorded_result(SCENARIO, RecordedDrive.of({key: series[key] for key in ("position", *PLACED)}))
+    assert np.isfinite(result.metrics["bump"]["body_acceleration"]["rms"])
+    assert np.isnan([result.travel_time, result.arrival_speed_kmh]).all()
+
+
 def test_a_drive_somewhere_else_is_not_placed() -> None:
     x, signal = np.arange(0, 150, 0.1), np.random.default_rng(2).normal(size=(1, 1500))
     series = simulate(SCENARIO, "passive").series
