@@ -185,7 +185,7 @@ function Head<Row>({
 }: HeadProps<Row>) {
   const look = { "data-text": text, "data-first": first, "data-unprinted": unprinted, title: help, ...headAttributes };
   if (head === "") return <td {...look} />;
-  const under = detail !== undefined && detail !== "" && <span className={classes.detail}>{detail}</span>;
+  const under = detail !== undefined && detail !== "" && <span className={ui.under}>{detail}</span>;
   // A button stands in no other.
   const hasButton = typeof detail === "object";
   if (!sort) {

@@ -36,7 +36,7 @@ export function SidePanel({ title, tools, onClose, children, ...rest }: Props) {
         {tools}
         <CloseButton aria-label="Close" onClick={onClose} />
       </Group>
-      {children}
+      <div className={classes.body}>{children}</div>
     </Card>
   );
 }

@@ -9,7 +9,6 @@ import { PALETTES } from "../../plots/palettes";
 import { sameValue } from "../../scenario/path";
 import { Fault } from "../../ui/Fault";
 import { SidePanel } from "../../ui/SidePanel";
-import classes from "./fuzzy.module.css";
 import {
   ruleBaseOf,
   TITLES,
@@ -53,9 +52,7 @@ export function FuzzyPanel({ resultView, onClose }: Props) {
         )
       }
     >
-      <div className={classes.body}>
-        {inference ? <Parts {...{ inference, resultView }} /> : <Skeleton height={420} />}
-      </div>
+      {inference ? <Parts {...{ inference, resultView }} /> : <Skeleton height={420} />}
     </SidePanel>
   );
 }

@@ -54,7 +54,7 @@ export function InstantPanel({ resultView, strategy, placeAt }: Props) {
         </>
       }
     >
-      {fault !== null && <Fault className={classes.note ?? ""}>{fault}</Fault>}
+      {fault !== null && <Fault>{fault}</Fault>}
       {shown.runId === null && <Text size="xs">While a value is dragged this is the instant before.</Text>}
       {answer && drawn && <Seen answer={answer} colour={drawn.colour} seed={shown.over !== null} />}
     </SidePanel>
@@ -90,7 +90,7 @@ function Seen({ answer, colour, seed }: SeenProps) {
   const { position, time, speed, stage, why } = answer;
   const place = `${formatFixed(position, 2)} m, ${formatFixed(time, 2)} s, ${formatFixed(3.6 * speed, 1)} km/h, stage ${stage}`;
   return (
-    <div className={classes.body}>
+    <>
       <Text size="xs" c="dimmed" data-testid="instant-place">
         {place}
         {seed && ", first road"}
@@ -119,7 +119,7 @@ function Seen({ answer, colour, seed }: SeenProps) {
       <Forces answer={answer} />
       <Limits answer={answer} />
       <Cost answer={answer} />
-    </div>
+    </>
   );
 }
 

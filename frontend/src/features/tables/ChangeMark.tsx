@@ -7,6 +7,7 @@ import type { Interval } from "../../api/types";
 import { formatHalf, formatResult, isNothing, NO_VALUE } from "../../units/format";
 import { IconAlertTriangle } from "../../ui/icons";
 import type { Caveat } from "./caveats";
+import ui from "../../ui/ui.module.css";
 
 const ARROW = { better: "▼", worse: "▲", same: "", luck: "", none: "" } as const;
 
@@ -50,7 +51,7 @@ export function Estimated({ value, interval, scale, isBest = false }: EstimatedP
   return (
     <span className={classes.value} data-best={isBest || undefined}>
       {shown}
-      {!isNothing(half) && <span className={classes.half}>{`\u2009±\u2009${formatHalf(half, shown)}`}</span>}
+      {!isNothing(half) && <span className={ui.dim}>{`\u2009±\u2009${formatHalf(half, shown)}`}</span>}
     </span>
   );
 }

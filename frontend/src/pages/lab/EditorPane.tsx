@@ -58,6 +58,7 @@ export function EditorPane() {
         trapFocus={false}
         closeOnClickOutside={false}
         classNames={{ content: classes.sheet ?? "", header: classes.sheetHeader ?? "", body: classes.sheetBody ?? "" }}
+        attributes={{ header: { role: "none" } }} // the page's own is the banner
         closeButtonProps={{ "aria-label": "Close the form" }}
       >
         {content}

@@ -2,6 +2,7 @@
 
 import { useEffect, useEffectEvent, useRef, useState, type RefObject } from "react";
 import type { PlotElement } from "../../plots/plotly";
+import plots from "../../plots/plots.module.css";
 import classes from "./sweep.module.css";
 import { clearDots, drawDots, drawnAxes, nearest, locate, type Axes, type Hit, type LocatedDots } from "./dots";
 import type { Dots } from "./scatter";
@@ -92,7 +93,7 @@ export function DotLayer({ host, drawing, dots, width, height, textOf, onOpen, o
   const row = hit?.dots.rows[hit.index];
   return (
     <>
-      <canvas ref={canvas} className={classes.dots} aria-hidden />
+      <canvas ref={canvas} className={plots.canvas} aria-hidden />
       {hit && row !== undefined && (
         <div
           className={classes.tip}
