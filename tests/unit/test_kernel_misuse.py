@@ -147,7 +147,7 @@ MISUSES = {
     "a state of nine": "states=9",
     "an estimator that knows nothing": "estimator=np.zeros(112)",
     "half an estimator": "estimator=np.zeros(100), estimator_input=np.zeros((STEPS, 8))",
-    "a road without heights": "road=road(samples=np.zeros(0))",
+    "a road of one height": "road=road(samples=np.zeros(1))",
     "a road shorter than the drive": "road=road(position=np.zeros((2, STEPS * FINE)))",
     "chords of half the road": "road=road(within=np.zeros((STEPS, 4)))",
     "a road of singles": "road=road(samples=np.zeros(50, dtype=np.float32))",

@@ -9,7 +9,7 @@ import pytest
 from scipy.signal import cont2discrete, zpk2ss
 
 from sim_core.frequency.margins import margins, transfer
-from sim_core.frequency.responses import BANDS, RESPONSES, frequency_response
+from sim_core.frequency.responses import BANDS, RESPONSES, _modes, frequency_response
 from sim_core.frequency.sampled_loop import SampledLoop, sampled_loop, stage_law
 from sim_core.frequency.stability import least_damping
 from sim_core.scenario import Scenario
@@ -198,6 +198,11 @@ def test_the_disk_margin_is_where_a_worst_change_of_both_loops_meets_instability
                 for share in (0.999, 1.001)
             )
             assert within < 1 < beyond
+
+
+def test_a_slow_pair_of_poles_is_a_mode_and_an_integrator_is_none() -> None:
+    (mode,) = _modes(np.array([0, -0.3 + 0.4j, -0.3 - 0.4j]))
+    assert (mode.natural_frequency, mode.damping_ratio) == pytest.approx((0.5 / (2 * pi), 0.6))
 
 
 def test_of_two_smaller_gains_that_meet_instability_the_nearer_one_is_the_margin() -> None:
