@@ -42,7 +42,7 @@ function columnsOf(paper: Paper, onShow: (id: string) => void): readonly Column<
       head: "Interpretation",
       text: true,
       cell: ({ title, description }) => (
-        <Box miw="11rem" maw="30rem">
+        <Box miw="7rem" maw="30rem">
           <b>{title}</b>
           <span className={ui.under}>{typeset(description)}</span>
         </Box>
