@@ -200,6 +200,16 @@ def test_the_disk_margin_is_where_a_worst_change_of_both_loops_meets_instability
             assert within < 1 < beyond
 
 
+@pytest.mark.parametrize(
+    ("policy", "stage", "expected"), [("planned", "bump", 5), ("planned", "cruise", 15), ("constant", "bump", 15)]
+)
+def test_who_brakes_for_the_bump_meets_it_at_the_target_speed(policy: Any, stage: Any, expected: float) -> None:
+    scenario = Scenario.model_validate(
+        {"speed": {"initial_speed_kmh": 3.6 * 15, "target_speed_kmh": 3.6 * 5, "policy": policy}}
+    )
+    assert frequency_response(scenario, "lqr", [1.0], stage=stage).speed == pytest.approx(expected)
+
+
 def test_a_slow_pair_of_poles_is_a_mode_and_an_integrator_is_none() -> None:
     (mode,) = _modes(np.array([0, -0.3 + 0.4j, -0.3 - 0.4j]))
     assert (mode.natural_frequency, mode.damping_ratio) == pytest.approx((0.5 / (2 * pi), 0.6))

@@ -299,3 +299,8 @@ def test_the_believed_car_is_told_not_the_real_one() -> None:
     ready.start(prepare(scenario, ready).setup())
     assert ready.setup.vehicle == scenario.vehicle
     assert half_car(ready.setup.vehicle) is half_car(Vehicle())
+
+
+def test_options_are_read_of_a_law_that_has_some() -> None:
+    assert reads(Skyhook)[-1] == "own.my_skyhook"
+    assert not any(name.startswith("own") for name in reads(Watcher))
