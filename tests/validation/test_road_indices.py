@@ -108,6 +108,12 @@ def test_intervals_hold_what_the_road_was_made_from(waviness: float, length: flo
     assert abs(errors.mean()) < 4 * errors.std() / np.sqrt(len(fits)) + 0.01, "no bias"
 
 
+def test_bands_are_two_octaves_then_thirds() -> None:
+    """Around 1/64, 1/32 and, from 0.0496 on, a third further each up to 1/4; the standard rounds 1/32 to 0.0312."""
+    centres = smoothed_psd([np.random.default_rng(1).normal(size=40_000)], 0.05)[0]
+    np.testing.assert_allclose(centres[:10], [1 / 64, 1 / 32, *2 ** (np.arange(-13, -5) / 3)], rtol=0.003)
+
+
 def test_a_bands_mean_scatters_as_its_independent_ordinates() -> None:
     """By the variance of 1,000 white tracks: the mean over all bands to three of its own standard deviations of 1 %."""
     tracks = np.random.default_rng(1).standard_normal((1000, 2000))
