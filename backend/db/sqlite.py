@@ -123,11 +123,9 @@ class DatabaseFile:
 
 
 def database_file(url: URL) -> DatabaseFile | None:
-    """The file of a database at that URL; None where it is in memory, or on a server."""
-    name = url.database
-    if url.get_backend_name() != "sqlite" or not name or name == ":memory:" or name.startswith("file:"):
-        return None
-    return DatabaseFile(Path(name))
+    """The file of a database at that URL; None where SQLite itself is told more of it, by `file:`, or on a server."""
+    name = str(url.database)
+    return None if url.get_backend_name() != "sqlite" or name.startswith("file:") else DatabaseFile(Path(name))
 
 
 def sqlite_engine(url: URL, file: DatabaseFile | None) -> Engine:

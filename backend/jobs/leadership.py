@@ -68,10 +68,8 @@ class Leadership:
         if self._on_server:
             async with self._session_lock():
                 yield
-        elif url.database in (None, "", ":memory:"):
-            yield
         else:
-            lock = FileLock(Path(str(url.database) + ".driver-lock"), thread_local=False)
+            lock = FileLock(Path(f"{url.database}.driver-lock"), thread_local=False)
             while True:
                 try:
                     lock.acquire(timeout=0)
