@@ -57,7 +57,7 @@ export const PlotPanel = memo(function PlotPanel({ template, curves, palette, on
   return (
     <Card ref={viewRef} className={classes.panel ?? ""} aria-label={`${meta.title}, curves`} data-figure={meta.signal}>
       <Group component="header" gap="0.5rem" wrap="nowrap" mih="2rem" p="0 0.7rem 0 0.8rem">
-        <Box component="h2" flex="1 0 auto" m={0} fz="sm" fw={600} lh="1.3" className={classes.title ?? ""}>
+        <Box component="h2" flex="1 0 auto" maw="calc(100% - 7.2rem)" m={0} fz="sm" fw={600} lh="1.3">
           {meta.title}{" "}
           <Box component="span" fw={400} c="dimmed">
             {meta.unit}
