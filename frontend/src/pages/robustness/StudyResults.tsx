@@ -74,8 +74,8 @@ export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
     >
       {finished < summary.points && (
         <Text className={ui.warning} role="status">
-          {ended ? "At" : "So far at"} least {formatWhole(finished)} of {formatWhole(summary.points)} points have run
-          under each strategy; the figures below are of those.
+          {ended && !query.isPlaceholderData ? "At" : "So far at"} least {formatWhole(finished)} of{" "}
+          {formatWhole(summary.points)} points have run under each strategy; the figures below are of those.
         </Text>
       )}
       {opening.error !== null && <Fault size="md">This run could not be opened: {opening.error}</Fault>}
