@@ -67,7 +67,7 @@ def _driven(controller: type[Controller] | Controller, scenario: Scenario) -> li
         has_both = kind.linear_law is not Controller.linear_law and kind.force is not Controller.force
         by_force = simulate(scenario, _ByForce(instance)) if has_both and not instance.delayed else first
     except (Exception, SystemExit) as error:  # noqa: BLE001 - of anybody's code
-        return [_raised(error, controller)]
+        return [failure(error, controller)]
     if first.summary() != other.summary():
         return [
             "Two runs of new objects differ: it uses something that changes outside the object, such as a list of the "
@@ -110,6 +110,15 @@ def declaration_faults(kind: type[Controller]) -> list[str]:
     return wrong
 
 
+def failure(error: BaseException, controller: type[Controller] | Controller) -> str:
+    """An error of a run in a sentence, with the last line of the controller's own file, if it came from there."""
+    if isinstance(error, RidelabError):
+        return error.message
+    kind = controller if isinstance(controller, type) else type(controller)
+    said = said_by(error, inspect.getfile(kind))
+    return f"{said} (it changes what it was given: copy it first)" if "read-only" in str(error) else said
+
+
 class _ByForce(Controller):
     """Another controller, asked in each step although it has a law."""
 
@@ -139,12 +148,3 @@ def _close(first: StrategyResult, second: StrategyResult) -> bool:
     of_signals = [metric for metric in METRICS.values() if metric.path[0] == "metrics"]
     ours, theirs = ([metric.of(each.summary()) for metric in of_signals] for each in (first, second))
     return np.allclose(ours, theirs, rtol=_SAME_LAW, atol=_NEGLIGIBLE)
-
-
-def _raised(error: BaseException, controller: type[Controller] | Controller) -> str:
-    """An error of a run in a sentence, with the last line of the controller's own file, if it came from there."""
-    if isinstance(error, RidelabError):
-        return error.message
-    kind = controller if isinstance(controller, type) else type(controller)
-    said = said_by(error, inspect.getfile(kind))
-    return f"{said} (it changes what it was given: copy it first)" if "read-only" in str(error) else said

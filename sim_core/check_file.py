@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from sim_core.arrays import FloatArray
-from sim_core.check_controller import check_controller
+from sim_core.check_controller import check_controller, failure
 from sim_core.control.controller import Controller
 from sim_core.controller_files import ControllerFileError, load_controllers
 from sim_core.scenario import Scenario
@@ -71,8 +71,13 @@ def _check(controller: type[Controller], file: Path) -> Check:
     """Check it, and draw its forces beside the file where nothing is wrong."""
     faults, picture = check_controller(controller), None
     if not faults:
-        picture = file.with_name(f"{controller.id}-forces.svg")
-        picture.write_text(_picture(controller), encoding="utf-8")
+        try:
+            drawing = _picture(controller)
+        except (Exception, SystemExit) as error:  # noqa: BLE001 - the paper's road is longer than the check's
+            faults = [failure(error, controller)]
+        else:
+            picture = file.with_name(f"{controller.id}-forces.svg")
+            picture.write_text(drawing, encoding="utf-8")
     return Check(id=controller.id, label=str(controller.label), faults=faults, picture=picture)
 
 
