@@ -1,5 +1,6 @@
 """Options of controllers of one's own are fields like ours: in runs, sweeps, searches and tunings."""
 
+import json
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -96,6 +97,28 @@ def test_a_stored_scenario_whose_law_is_gone_still_opens(service: Service, folde
     link = service.client.get(f"/api/v1/links/{slug}").json()
     assert link["run"]["scenario"]["own"] == {"leaving": {"damping": 4000}}
     assert link["run"]["strategies"]["leaving"]["metrics"] == run["strategies"]["leaving"]["metrics"]
+
+
+def test_what_was_held_to_requirements_of_a_law_that_is_gone_still_opens(service: Service, folder: Path) -> None:
+    client, file = service.client, folder / "held.py"
+    file.write_text(LAW.replace("mine", "held"))
+    requirements = [{"metric": "bump.body_acceleration.peak", "max": 1, "strategies": ["held"]}]
+    asked = {"scenario": SCENARIO, "strategies": ["held", "passive"], "requirements": requirements}
+    run = client.post("/api/v1/runs", json=asked).json()
+    sweep = {"grid": {"road.bump.height": [0.05, 0.1]}}
+    batch = client.post("/api/v1/batches", json={**asked, "sweep": sweep}).json()["id"]
+    path = f"/api/v1/batches/{batch}"
+    wait_until(lambda: client.get(path).json()["state"] == "done", "the sweep")
+    targets = {"run_id": run["id"]}, {"batch_id": batch}
+    links = [client.post("/api/v1/links", json={**each, "requirements": requirements}).json() for each in targets]
+    addresses = [*("/api/v1/batches", path, f"{path}/requirements", f"{path}/results", f"{path}/summary")]
+    addresses += [f"/api/v1/links/{link['slug']}" for link in links]
+    before = [client.get(address).json() for address in addresses]
+    file.unlink()
+    assert "held" not in own(service)
+    assert [client.get(address).json() for address in addresses] == before
+    held = client.get(f"/api/v1/runs/{run['id']}", params={"requirements": json.dumps(requirements)}).json()
+    assert held["requirement_results"] == run["requirement_results"]
 
 
 def test_sweeps_and_searches_take_options(service: Service) -> None:
