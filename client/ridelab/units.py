@@ -14,7 +14,7 @@ UNITS: Mapping[str, Mapping[str, float]] = {
     "area": {"m^2": 1.0, "mm^2": 1e-6, "cm^2": 1e-4},
     "volume": {"m^3": 1.0, "cm^3": 1e-6},
     "time": {"s": 1.0, "ms": 1e-3, "µs": 1e-6, "min": 60.0},
-    "speed": {"m/s": 1.0, "km/h": 1 / 3.6, "mph": 0.44704},
+    "speed": {"m/s": 1.0, "km/h": 1 / 3.6, "mph": 0.44704, "cm/s": 1e-2, "mm/s": 1e-3},
     "acceleration": {"m/s^2": 1.0, "g": 9.80665},
     "mass": {"kg": 1.0, "t": 1e3, "lb": 0.45359237},
     "inertia": {"kg·m^2": 1.0},

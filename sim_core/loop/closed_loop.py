@@ -85,7 +85,7 @@ class ClosedLoop:
         state, previous = loop[k, :n], loop[k, n:]
         seen = Seen(self._inputs, self._car, k, k, read_only(state), read_only(previous))
         counted = self._controller.report.limited_steps
-        asked[k] = checked_force(self._controller, self._controller.force(seen), k)
+        asked[k] = checked_force(self._controller, self._controller.force(seen), seen)
         limited = limit_force(self._force_limits, asked[k], previous, loop[k + 1, n:])
         self._car.advance(k, loop)
         return limited or self._controller.report.limited_steps > counted
@@ -125,8 +125,8 @@ def law_arrays(
     )
 
 
-def checked_force(controller: Controller, force: object, step: int) -> FloatArray:
-    """A controller's forces (2,) [N].
+def checked_force(controller: Controller, force: object, seen: Seen) -> FloatArray:
+    """A controller's forces (2,) [N] for what it saw.
 
     Raises:
         ForceError: They are not two finite numbers.
@@ -138,7 +138,8 @@ def checked_force(controller: Controller, force: object, step: int) -> FloatArra
     numbers = forces.dtype.kind in "biuf"
     if numbers and forces.shape == (FORCES,):
         if not all(map(isfinite, forces.tolist())):
-            said = f"{controller.label}: force gave a value that is not finite in control step {step}"
+            where = f"in control step {seen.step}, at {seen.position:.1f} m"
+            said = f"{controller.label}: force gave a value that is not finite {where}"
             raise ForceError(said, controller=controller.id)
         return forces.astype(np.float64)
     if force is None:
@@ -147,7 +148,7 @@ def checked_force(controller: Controller, force: object, step: int) -> FloatArra
         came = f"an array of the shape {forces.shape}"
     else:
         came = f"an object of type {type(force).__name__} that does not hold real numbers"
-    said = f"{controller.label}: force gives two numbers, front and rear; in step {step} it gave {came}"
+    said = f"{controller.label}: force gives two numbers, front and rear; in step {seen.step} it gave {came}"
     raise ForceError(said, controller=controller.id)
 
 

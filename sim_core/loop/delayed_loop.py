@@ -43,7 +43,7 @@ class DelayedLoop:
             force = self._controller.force(seen)
             shaped = self._controller.report.limited_steps > counted
             if force is not None:
-                asked[k] = checked_force(self._controller, force, k)
+                asked[k] = checked_force(self._controller, force, seen)
                 if arrivals[k] < steps * n:
                     newest[arrivals[k]] = k
             for i in range(k * n, k * n + n):

@@ -198,7 +198,8 @@ def test_a_law_that_fails_costs_its_own_column_and_is_told_with_its_line(service
     reasons = {name: outcomes[name]["reason"] for name in BROKEN}
     assert reasons == {
         "raises": f"broken.py, line {line['raises']}: ZeroDivisionError: division by zero",
-        "nan": f"broken.py, line {line['nan'] - 1}: Nan: force gave a value that is not finite in control step 0",
+        "nan": f"broken.py, line {line['nan'] - 1}: Nan: force gave a value that is not finite in control step 0, "
+        "at -20.0 m",
         "shape": f"broken.py, line {line['shape'] - 1}: Shape: force gives two numbers, front and rear; "
         "in step 0 it gave an array of the shape (1,)",
         "ends": f"broken.py, line {line['ends']}: It ends the program: leave out sys.exit",

@@ -23,6 +23,8 @@ PAGE = Path(__file__).parents[2] / "frontend/src/units/units.gen.json"
         ("8.5 m/s", "km/h", 30.6),
         ("30 km/h", "km/h", 30),
         ("30kmh", "m/s", 8.33333333333),
+        ("25 cm/s", "m/s", 0.25),
+        ("250mm/s", "m/s", 0.25),
         ("1.2 kN", "N", 1200),
         ("22 N/mm", "N/m", 22000),
         ("1.5kN*s/m", "N·s/m", 1500),
@@ -46,7 +48,7 @@ def test_a_number_with_a_unit_is_converted(text: str, unit: str, value: float) -
     ("text", "unit", "message"),
     [
         ("12 kg", "m", "12 kg is not understood: it takes m, mm, cm, km, in or ft"),
-        ("3 furlongs", "km/h", "3 furlongs is not understood: it takes m/s, km/h or mph"),
+        ("3 furlongs", "km/h", "3 furlongs is not understood: it takes m/s, km/h, mph, cm/s or mm/s"),
         ("2 m", "1/N^2", "2 m is not understood: it takes 1/N^2"),
         ("high", "m", "high is not a number"),
     ],
