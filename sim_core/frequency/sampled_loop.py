@@ -90,14 +90,16 @@ def stage_law(run: Run, stage: str) -> LinearLaw:
             raise NotLinearError("With jitter or lost packets the delay changes from command to command")
         return controller.designs(run.setup())[stage].law
     if controller.delayed:
-        raise NotLinearError("When its commands take effect is its own: it says no law")
+        raise NotLinearError("The controller decides itself when its commands take effect: it has no linear law")
     controller.start(run.setup())
     try:
         law = controller.linear_law(stage)
     finally:
         controller.end()
     if law is None:
-        raise NotLinearError("The controller says no linear law")
+        raise NotLinearError(
+            f"The controller gives no linear law in stage {stage}: its method linear_law has to return one"
+        )
     return law
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy.signal import cont2discrete, zpk2ss
 
+from sim_core import Controller, FloatArray, Seen
 from sim_core.frequency.margins import margins, transfer
 from sim_core.frequency.responses import BANDS, RESPONSES, _modes, frequency_response
 from sim_core.frequency.sampled_loop import SampledLoop, sampled_loop, stage_law
@@ -240,9 +241,19 @@ def largest(loop: SampledLoop, change: Any) -> float:
     return float(np.abs(np.linalg.eigvals(loop.A + (loop.C + loop.B * change) @ loop.K)).max())
 
 
+class Reacts(Controller):
+    """Has a force and no linear law."""
+
+    id, label = "reacts", "Reacts"
+
+    def force(self, seen: Seen) -> FloatArray:
+        return np.zeros(2)
+
+
 @pytest.mark.parametrize(
     ("strategy", "parts", "why"),
     [
+        (Reacts, {}, "no linear law in stage cruise: its method linear_law has to return one"),
         ("skyhook", {"hook": {"semi_active": True}}, "semi-active"),
         ("lqr", {"mismatch": {"rebound_ratio": 2}}, "unequal dampers"),
         ("passive", {"vehicle": {"bump_stop_clearance": 0.05}}, "bump stops"),
@@ -250,7 +261,9 @@ def largest(loop: SampledLoop, change: Any) -> float:
         ("lqr", {"mismatch": {"damping": 0.1}, "actuator": {"bandwidth": 2}}, "unstable"),
     ],
 )
-def test_what_is_not_linear_has_no_response_and_says_why(strategy: str, parts: dict[str, Any], why: str) -> None:
+def test_what_is_not_linear_has_no_response_and_says_why(
+    strategy: str | type[Controller], parts: dict[str, Any], why: str
+) -> None:
     result = frequency_response(at_one_speed(**parts), strategy)
     assert result.responses is None
     assert result.margins is None
