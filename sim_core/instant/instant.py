@@ -175,6 +175,7 @@ def _instant(drive: Drive, seen: Seen, law: LinearLaw | None, plan: Plan | None)
             acting=None if run.controller.dampers() is None else acting,
             limits=planned if run.controller.delayed else limits,
             parts=parts,
+            state=seen.state,
         ),
     )
 

@@ -32,6 +32,7 @@ def why(
     acting: FloatArray | None,
     limits: tuple[Limit, ...],
     parts: dict[str, FloatArray] | None,
+    state: FloatArray,
 ) -> str:
     """The sentence.
 
@@ -42,6 +43,7 @@ def why(
         acting: Of semi-active dampers, what they give (2,) [N]; None of actuators.
         limits: With the forces without each.
         parts: Of a linear law, what each part of its inputs adds (2,) [N]; None of another.
+        state: What the controller has for the car's state (8,), as `Seen.state` orders it.
     """
     if not actuated:
         return "There are no actuators, so there is no force."
@@ -62,14 +64,22 @@ def why(
             f"The {where} {_LIMITS[kind]} shapes it: without that limit the {_AXLES[axle]} force would be "
             f"{_newtons(limit.force_without[axle])} and not {_newtons(command[axle])}."
         )
-    if parts is None or np.abs(command).max() <= _NOTICED:
+    if parts is None:
+        front, rear = 1000 * state[:2]
+        return (
+            f"No limit holds it back: for deflections of front {front:+z.1f} mm and rear {rear:+z.1f} mm, "
+            f"{state[4]:+z.3f} m/s of the body and a pitch rate of {state[5]:+z.3f} rad/s "
+            f"the controller asks for {forces}."
+        )
+    if np.abs(command).max() <= _NOTICED:
         return f"No limit holds it back: {forces} are what the controller asks for."
     axle = int(np.abs(command).argmax())
-    first, second = sorted(parts, key=lambda name: -abs(float(parts[name][axle])))[:2]
-    return (
-        f"No limit holds it back: of the {_newtons(command[axle])} at the {_AXLES[axle]}, "
-        f"{_newtons(parts[first][axle])} answer {_PARTS[first]} and {_newtons(parts[second][axle])} {_PARTS[second]}."
-    )
+    largest = sorted(parts, key=lambda name: -abs(float(parts[name][axle])))[:2]
+    terms = {_PARTS[name]: float(parts[name][axle]) for name in largest}
+    terms["everything else"] = float(command[axle]) - sum(terms.values())
+    *others, last = [f"{name} ({_newtons(force)})" for name, force in terms.items() if abs(force) > _NOTICED]
+    answered = f"{', '.join(others)} and {last}" if others else last
+    return f"No limit holds it back: the {_newtons(command[axle])} at the {_AXLES[axle]} answer {answered}."
 
 
 def _holding(limits: tuple[Limit, ...], command: FloatArray) -> tuple[Limit, int] | None:
@@ -84,4 +94,4 @@ def _holding(limits: tuple[Limit, ...], command: FloatArray) -> tuple[Limit, int
 
 
 def _newtons(force: float) -> str:
-    return f"{force:+.0f} N"
+    return f"{force:+z.0f} N"

@@ -1,5 +1,6 @@
 """Instants: what a controller planned against what is then driven, and the price of limits against optimality."""
 
+import re
 from typing import Any
 
 import numpy as np
@@ -187,6 +188,19 @@ def test_an_ecus_plan_begins_with_the_command_that_its_program_gives(compensatio
         np.testing.assert_allclose(at.plan.states[0, :2], begins.state[:2], atol=3 * 0.15 / codes)
         assert begins.step - at.step == (compensation == "predict")
     assert "limit shapes it" in instant(scenario, "lv_hil", position=AT_BUMP).why
+
+
+def test_the_sentence_accounts_for_the_whole_force() -> None:
+    """To the newton that each number is rounded to; a law without parts says what it saw, and none says minus zero."""
+    linear = instant(Scenario(), "lv", position=99.5).why
+    whole, *terms = (float(number) for number in re.findall(r"([-+]\d+) N", linear))
+    assert len(terms) == 3
+    assert whole == pytest.approx(sum(terms), abs=2)
+    assert instant(Scenario(), "skyhook", position=60).why.endswith("answer the body's motion (-149 N).")
+    follows = instant(Scenario(), Follows(forces=np.full((5000, 2), -0.1)), position=60)
+    front, rear = 1000 * follows.state[:2]
+    assert f"deflections of front {front:+.1f} mm and rear {rear:+.1f} mm" in follows.why
+    assert follows.why.endswith("the controller asks for front +0 N and rear +0 N.")
 
 
 def test_a_moving_cursor_drives_the_run_once(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -73,4 +73,4 @@ def _limit(limit: dict[str, Any]) -> list[str]:
 
 
 def _newtons(force: float | None) -> str:
-    return "-" if force is None else f"{force:.0f}"
+    return "-" if force is None else f"{force:z.0f}"
