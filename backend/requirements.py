@@ -155,8 +155,8 @@ def judged(requirement: Requirement, strategy: str, driven: Mapping[str, Driven]
         return RequirementResult(**head, result="fail", value=None, low=None, high=None, reason=held)
     low, high = _ends(held)
     worst, best = (low, high) if requirement.min is not None else (high, low)
-    result: Result = "pass" if _excess(requirement, worst) <= 0 else "uncertain"
-    if _excess(requirement, best) > 0:
+    result: Result = "pass" if excess(requirement, worst) <= 0 else "uncertain"
+    if excess(requirement, best) > 0:
         result = "fail"
     ends = {"low": low, "high": high} if len(own) > 1 else {"low": None, "high": None}
     return RequirementResult(**head, result=result, value=held.value, **ends, reason=None)
@@ -171,10 +171,10 @@ def used(requirement: Requirement, own: Driven, base: Driven) -> float:
     if isinstance(held, str):
         return inf
     low, high = _ends(held)
-    return 1 + _excess(requirement, low if requirement.min is not None else high) / (abs(requirement.limit) or 1)
+    return 1 + excess(requirement, low if requirement.min is not None else high) / (abs(requirement.limit) or 1)
 
 
-def _excess(requirement: Requirement, value: float) -> float:
+def excess(requirement: Requirement, value: float) -> float:
     """By how much a value is beyond the limit, in the limit's unit; not above 0 where it keeps it."""
     return requirement.limit - value if requirement.min is not None else value - requirement.limit
 

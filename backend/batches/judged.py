@@ -5,12 +5,13 @@ from collections.abc import Sequence
 
 import orjson
 
-from backend.batches.models import BatchRequirementResult, BatchRequirements, FirstFailure
+from backend.batches.models import BatchRequirementResult, BatchRequirements, FailingRun
 from backend.job_run import JobRow
-from backend.requirements import LIMITS, Driven, Requirement, Result, baseline_of, judged
+from backend.requirements import LIMITS, Driven, Requirement, Result, baseline_of, excess, judged
 from backend.store import StoredJob
 
 ENDED = ("ok", "failed")
+COUNTS = ("pass", "fail", "not_computed", "unfinished")
 
 
 class JudgedRuns:
@@ -21,11 +22,13 @@ class JudgedRuns:
         self._baseline: str | None = batch.request.get("baseline")
         self._requirements = [Requirement.model_validate(each) for each in batch.request.get("requirements", [])]
         self._counts: dict[tuple[int, str], Counter[str]] = {
-            (index, name): Counter(**{"pass": 0, "fail": 0, "unfinished": 0})
+            (index, name): Counter(dict.fromkeys(COUNTS, 0))
             for index, each in enumerate(self._requirements)
             for name in each.strategies_judged(self._names, self._baseline)
         }
-        self._first: dict[tuple[int, str], FirstFailure] = {}
+        self._first: dict[tuple[int, str], FailingRun] = {}
+        self._worst: dict[tuple[int, str], FailingRun] = {}
+        self._reasons: dict[tuple[int, str], str | None] = {}
         self._runs: list[Result | None] = []
         self._pending: list[JobRow] = []  # of a point whose other rows are on the next page
 
@@ -43,7 +46,8 @@ class JudgedRuns:
         for row in point:
             worst: Result | None = None
             for index, requirement in enumerate(self._requirements):
-                counts = self._counts.get((index, row.strategy))
+                key = index, row.strategy
+                counts = self._counts.get(key)
                 if counts is None:
                     continue
                 waits = requirement.max_change is not None and base not in driven
@@ -51,29 +55,37 @@ class JudgedRuns:
                     counts["unfinished"] += 1
                     continue
                 result = judged(requirement, row.strategy, driven, base)
-                counts[result.result] += 1
                 worst = "fail" if "fail" in (worst, result.result) else result.result
+                if result.value is None:
+                    counts["not_computed"] += 1
+                    self._reasons.setdefault(key, result.reason)
+                    continue
+                counts[result.result] += 1
                 if result.result == "fail":
-                    place = FirstFailure(run=row.position, value=result.value, at=orjson.loads(row.changes))
-                    self._first.setdefault((index, row.strategy), place)
+                    run = FailingRun(run=row.position, value=result.value, at=orjson.loads(row.changes))
+                    self._first.setdefault(key, run)
+                    if excess(requirement, run.value) > excess(requirement, self._worst.setdefault(key, run).value):
+                        self._worst[key] = run
             self._runs.append(worst)
 
     def answer(self, batch: StoredJob) -> BatchRequirements:
         """Of the rows taken in."""
         base = baseline_of(self._names, self._baseline)
         results = []
-        for (index, name), counts in self._counts.items():
-            requirement = self._requirements[index]
+        for key, counts in self._counts.items():
+            requirement = self._requirements[key[0]]
             result: Result = "uncertain" if counts["unfinished"] else "pass"
             results.append(
                 BatchRequirementResult(
                     metric=requirement.metric,
-                    strategy=name,
+                    strategy=key[1],
                     baseline=None if requirement.max_change is None else base,
                     **{limit: getattr(requirement, limit) for limit in LIMITS},
-                    result="fail" if counts["fail"] else result,
+                    result="fail" if counts["fail"] or counts["not_computed"] else result,
                     counts=dict(counts),
-                    first_failure=self._first.get((index, name)),
+                    first_failure=self._first.get(key),
+                    worst_failure=self._worst.get(key),
+                    reason=self._reasons.get(key),
                 )
             )
         return BatchRequirements(batch=batch.id, state=batch.state, requirement_results=results, runs=self._runs)

@@ -102,11 +102,11 @@ class Batches(Answer):
     next: str | None = Field(description="Cursor of the next page; null on the last one")
 
 
-class FirstFailure(Answer):
+class FailingRun(Answer):
     """A run that fails a requirement."""
 
     run: int
-    value: float | None = Field(description="What is held to the limit; null where the run has none")
+    value: float = Field(description="What is held to the limit")
     at: dict[str, Cell] = Field(description="The swept fields' values there, by dotted name")
 
 
@@ -120,8 +120,12 @@ class BatchRequirementResult(Answer):
     min: float | None = Field(description="Likewise")
     max_change: float | None = Field(description="Likewise [%]")
     result: Result = Field(description="`pass` where all runs do, `uncertain` while none fails and some have not ended")
-    counts: dict[str, int] = Field(description="How many runs `pass`, `fail` and are `unfinished`")
-    first_failure: FirstFailure | None = Field(description="The first run that fails, in order; null without any")
+    counts: dict[str, int] = Field(
+        description="How many runs `pass`, `fail`, are `not_computed`, which is no pass either, and are `unfinished`"
+    )
+    first_failure: FailingRun | None = Field(description="The first run that fails, in order; null without any")
+    worst_failure: FailingRun | None = Field(description="The one furthest beyond the limit; likewise")
+    reason: str | None = Field(description="Why the first run that is not computed has no value; null without any")
 
 
 class BatchRequirements(Answer):

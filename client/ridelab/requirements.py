@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, Self
 
 Requirement = Mapping[str, Any]  # its JSON
+FailingRun = Mapping[str, Any]  # of a batch: `run`, `value`, and the swept values `at`
 PASS, FAIL, UNCERTAIN = "pass", "fail", "uncertain"
 
 
@@ -23,9 +24,10 @@ class RequirementResult:
         value: What is held to the limit; over several roads the mean; None where there is none.
         low: Of its 95 % interval over roads; None on one road.
         high: Likewise.
-        reason: Why there is no value, and so it fails.
-        counts: Of a batch how many of its runs have each result, and `unfinished`; empty of a run.
+        reason: Why there is no value, and so it fails; of a batch why its first run without a value has none.
+        counts: Of a batch how many of its runs `pass`, `fail`, are `not_computed` and are `unfinished`; empty of a run.
         first_failure: Of a batch the first of its runs that fails: `run`, `value`, and the swept values `at`.
+        worst_failure: Of a batch the one furthest beyond the limit, likewise.
     """
 
     metric: str
@@ -40,7 +42,18 @@ class RequirementResult:
     high: float | None = None
     reason: str | None = None
     counts: Mapping[str, int] = field(default_factory=dict)
-    first_failure: Mapping[str, Any] | None = None
+    first_failure: FailingRun | None = None
+    worst_failure: FailingRun | None = None
+
+    @property
+    def total(self) -> int:
+        """Of a batch how many of its runs are held to the limit; 0 of a run."""
+        return sum(self.counts.values())
+
+    @property
+    def not_computed(self) -> int:
+        """Of a batch how many of these have no value; older services count them among those that fail."""
+        return self.counts.get("not_computed", 0)
 
     @classmethod
     def of(cls, answer: Mapping[str, Any]) -> Self:

@@ -164,18 +164,45 @@ def test_the_runs_of_a_batch_are_held_point_by_point(client: httpx.Client, run: 
         held = own if result["max"] is not None else [100 * (a / b - 1) for a, b in zip(own, base, strict=True)]
         limit = result["max"] if result["max"] is not None else result["max_change"]
         fails = [value > limit for value in held]
-        assert result["counts"] == {"pass": 3 - sum(fails), "fail": sum(fails), "unfinished": 0}
+        counts = {"pass": 3 - sum(fails), "fail": sum(fails), "not_computed": 0, "unfinished": 0}
+        assert (result["counts"], result["reason"]) == (counts, None)
         assert result["result"] == ("fail" if any(fails) else "pass")
         first = result["first_failure"]
         if any(fails):
             place = fails.index(True)
             assert first["at"] == {"road.bump.height": heights[place]}
             assert first["value"] == pytest.approx(held[place])
+            assert result["worst_failure"]["value"] == pytest.approx(max(held))
     assert [(each["strategy"], each["result"]) for each in answer["requirement_results"]][1] == ("lqr", "fail")
     assert answer["runs"][1] in ("pass", "fail")
     assert answer["runs"][2::3] == [None] * 3, "nothing is required of the baseline"
     again = client.post("/api/v1/batches", json={**body, "requirements": []}).json()
     assert client.get(f"/api/v1/batches/{again['id']}/requirements").json()["requirement_results"] == []
+
+
+def test_a_run_of_a_batch_that_could_not_be_computed_is_no_failure_of_its_limit(
+    client: httpx.Client, lqr_fails: int
+) -> None:
+    """Nor is the change of one whose baseline could not: both say why, and neither passes."""
+    body = {
+        "scenario": SCENARIO,
+        "strategies": ["lqr", "passive"],
+        "baseline": "lqr",
+        "sweep": {"grid": {"road.seed": [lqr_fails, lqr_fails + 1]}},
+        "requirements": [
+            {"metric": PEAK, "max": 99, "strategies": ["lqr"]},
+            {"metric": PEAK, "max_change": 999, "strategies": ["passive"]},
+        ],
+    }
+    path = f"/api/v1/batches/{client.post('/api/v1/batches', json=body).json()['id']}"
+    wait_until(lambda: client.get(path).json()["state"] == "done", "the batch")
+    answer = client.get(f"{path}/requirements").json()
+    for result, reason in zip(
+        answer["requirement_results"], ["no controller", "The baseline: no controller"], strict=True
+    ):
+        assert result["counts"] == {"pass": 1, "fail": 0, "not_computed": 1, "unfinished": 0}
+        assert (result["result"], result["first_failure"], result["reason"]) == ("fail", None, reason)
+    assert answer["runs"] == ["fail", "fail", "pass", "pass"]
 
 
 def test_a_report_says_how_the_requirements_are_kept(client: httpx.Client, run: dict[str, Any]) -> None:

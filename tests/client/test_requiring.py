@@ -81,6 +81,45 @@ def test_the_exit_code_is_1_where_one_fails_and_uncertain_fails_with_strict(
     assert cli.error.startswith("--junit writes what becomes of requirements")
 
 
+def test_runs_of_a_sweep_that_could_not_be_computed_are_errors_beside_its_failures(
+    cli: Cli, prepared: Prepared, tmp_path: Path
+) -> None:
+    file, batch = tmp_path / "junit.xml", prepared.job("batch", total=5, fields=[])
+    prepared.answers[f"GET /batches/{batch}/results"] = {"rows": []}
+    first, worst = ({"run": run, "value": 2.0 + run, "at": {"road.bump.height": run / 10}} for run in (1, 2))
+    none = {"first_failure": None, "worst_failure": None, "reason": None}
+    held = {"metric": PEAK, "max": 2.0, "min": None, "max_change": None, "baseline": None, "result": "fail", **none}
+    counts = {"pass": 1, "fail": 0, "not_computed": 4, "unfinished": 0}
+    failing = {"first_failure": first, "worst_failure": worst}
+    prepared.answers[f"GET /batches/{batch}/requirements"] = {
+        "requirement_results": [
+            {**held, "strategy": "mine", "counts": counts, "reason": "No force"},
+            {**held, "strategy": "lqr", "counts": {**counts, "fail": 2, "not_computed": 2}, **failing, "reason": "X"},
+            {**held, "strategy": "lv", "counts": {**counts, "fail": 4, "not_computed": 0}, **failing},
+            {**held, "strategy": "passive", "counts": {**counts, "fail": 4, "not_computed": 0}, **failing}
+            | {"worst_failure": first},
+        ]
+    }
+    sweep = ("sweep", "--grid", "road.bump.height=0:0.4:5", "--require", f"{PEAK}<2", "--junit", file)
+    lines = cli(*sweep, code=1).splitlines()[-4:]
+    places = "the first at road.bump.height=0.1 with 3 m/s^2", ", the worst at road.bump.height=0.2 with 4 m/s^2"
+    said = [
+        "1 of 5 runs pass; 4 not computed",
+        f"2 of 5 runs fail, {''.join(places)}; 2 not computed",
+        f"4 of 5 runs fail, {''.join(places)}",
+        f"4 of 5 runs fail, {places[0]}",
+    ]
+    assert [line.rpartition("  ")[2] for line in lines] == said
+    suite = ElementTree.parse(file).getroot()  # noqa: S314  # written here
+    assert {name: suite.get(name) for name in ("failures", "errors")} == {"failures": "3", "errors": "2"}
+    assert [[(child.tag, child.get("message")) for child in case] for case in suite] == [
+        [("error", "4 of 5 runs not computed: No force")],
+        [("failure", said[1].partition(";")[0]), ("error", "2 of 5 runs not computed: X")],
+        [("failure", said[2])],
+        [("failure", said[3])],
+    ]
+
+
 def test_the_second_of_two_results_is_held_to_limits(
     cli: Cli, outcomes: dict[str, dict[str, Any]], tmp_path: Path
 ) -> None:

@@ -1,6 +1,7 @@
 """`--require`: limits that metrics have to keep, as they are typed, shown, and written for a CI system."""
 
 import re
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,7 +15,7 @@ from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table
 from ridelab.cli.targets import document
 from ridelab.files import save
-from ridelab.requirements import FAIL, PASS, UNCERTAIN, Requirement, RequirementResult
+from ridelab.requirements import FAIL, PASS, UNCERTAIN, FailingRun, Requirement, RequirementResult
 from ridelab.results import RunResult
 from ridelab.units import quantity
 
@@ -71,25 +72,39 @@ def show(results: Sequence[RequirementResult], services: Services) -> None:
 
 
 def _line(each: RequirementResult, unit: str, strategy: str) -> list[Any]:
-    return [each.metric, each.limit(unit), strategy, _held(each, unit), each.result, explained(each)]
+    said = _of_runs(each, unit) if each.counts else each.reason or ""
+    return [each.metric, each.limit(unit), strategy, _held(each, unit), each.result, said]
 
 
 def _held(each: RequirementResult, unit: str) -> str:
     """What is held to the limit, with its unit, and over several roads its interval."""
-    shown_unit = "%" if each.max_change is not None else unit
-    value = "" if each.value is None else f"{each.value:.4g}{'' if shown_unit == '1' else f' {shown_unit}'}"
+    value = "" if each.value is None else _with_unit(each, each.value, unit)
     return value if each.low is None else f"{value} ({each.low:.4g} to {each.high:.4g})"
 
 
-def explained(each: RequirementResult) -> str:
-    """Why there is no value; of a batch how many of its runs fail, and where the first one stands."""
-    if not each.counts:
-        return each.reason or ""
-    failed, total = each.counts[FAIL], sum(each.counts.values())
-    if each.first_failure is None:
-        return f"{each.counts[PASS]} of {total} runs pass"
-    at = ", ".join(f"{name}={value}" for name, value in each.first_failure["at"].items())
-    return f"{failed} of {total} runs fail, the first at {at}"
+def _with_unit(each: RequirementResult, value: float, unit: str) -> str:
+    shown_unit = "%" if each.max_change is not None else unit
+    return f"{value:.4g}{'' if shown_unit == '1' else f' {shown_unit}'}"
+
+
+def _of_runs(each: RequirementResult, unit: str) -> str:
+    """Of a batch how many of its runs pass or fail, which fail first and worst, and how many have no value."""
+    said = _failing(each, unit) or f"{each.counts[PASS]} of {each.total} runs pass"
+    return f"{said}; {each.not_computed} not computed" if each.not_computed else said
+
+
+def _failing(each: RequirementResult, unit: str) -> str:
+    """Of a batch how many of its runs fail, and which first and worst; nothing where none does."""
+    first, worst = each.first_failure, each.worst_failure
+    if first is None:
+        return ""
+    said = f"{each.counts[FAIL]} of {each.total} runs fail, the first {_place(each, first, unit)}"
+    return said if worst in (None, first) else f"{said}, the worst {_place(each, worst, unit)}"
+
+
+def _place(each: RequirementResult, run: FailingRun, unit: str) -> str:
+    at = ", ".join(f"{name}={value}" for name, value in run["at"].items())
+    return f"at {at}" if run["value"] is None else f"at {at} with {_with_unit(each, run['value'], unit)}"
 
 
 def check_file(junit: str | None, requirements: Sequence[Any]) -> None:
@@ -102,42 +117,54 @@ def check_file(junit: str | None, requirements: Sequence[Any]) -> None:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Case:
-    """A test case for a CI system: what a strategy is held to, what became of it, and why it does not pass."""
+    """A test case for a CI system.
+
+    Attributes:
+        strategy: Which is held to something.
+        name: What it is held to.
+        result: What became of it.
+        message: Why it does not pass; empty where nothing fails.
+        error: What could not be computed; empty where all was.
+    """
 
     strategy: str
     name: str
     result: str
     message: str
+    error: str = ""
 
 
 def cases(results: Sequence[RequirementResult], services: Services) -> list[Case]:
     """One for each requirement and strategy."""
     units = services.names.metrics if results else {}
-    return [
-        Case(
-            strategy=each.strategy,
-            name=f"{each.metric} {each.limit(units.get(each.metric, '1'))}",
-            result=each.result,
-            message=" ".join(filter(None, [each.result, _held(each, units.get(each.metric, "1")), explained(each)])),
-        )
-        for each in results
-    ]
+    return [_case(each, units.get(each.metric, "1")) for each in results]
+
+
+def _case(each: RequirementResult, unit: str) -> Case:
+    if each.counts:
+        message = _failing(each, unit) or (_of_runs(each, unit) if each.result == UNCERTAIN else "")
+        error = f"{each.not_computed} of {each.total} runs not computed: {each.reason}" if each.not_computed else ""
+    else:
+        error = each.reason or ""
+        message = "" if error else f"{each.result} {_held(each, unit)}"
+    name = f"{each.metric} {each.limit(unit)}"
+    return Case(strategy=each.strategy, name=name, result=each.result, message=message, error=error)
 
 
 def write_junit(cases: Sequence[Case], path: str, suite: str, *, strict: bool) -> None:
     """The cases as JUnit XML; what is uncertain is skipped, or fails where it is strict."""
     failures = {FAIL, UNCERTAIN} if strict else {FAIL}
-    counts = {
-        "tests": len(cases),
-        "failures": sum(each.result in failures for each in cases),
-        "skipped": sum(each.result == UNCERTAIN and not strict for each in cases),
-    }
-    root = ElementTree.Element("testsuite", {"name": suite, **{name: str(count) for name, count in counts.items()}})
+    root = ElementTree.Element("testsuite")
     for each in cases:
         case = ElementTree.SubElement(root, "testcase", {"classname": f"ridelab.{each.strategy}", "name": each.name})
-        if each.result != PASS:
+        if each.result != PASS and each.message:
             kind = "failure" if each.result in failures else "skipped"
             ElementTree.SubElement(case, kind, {"message": each.message})
+        if each.error:
+            ElementTree.SubElement(case, "error", {"message": each.error})
+    kinds = Counter(child.tag for case in root for child in case)
+    counts = {"failures": kinds["failure"], "errors": kinds["error"], "skipped": kinds["skipped"]}
+    root.attrib.update({"name": suite, "tests": str(len(cases)), **{name: str(each) for name, each in counts.items()}})
     ElementTree.indent(root)
     save([ElementTree.tostring(root, encoding="utf-8", xml_declaration=True), b"\n"], path)
 

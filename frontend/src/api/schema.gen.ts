@@ -283,14 +283,16 @@ export interface components {
             readonly counts: {
                 readonly [key: string]: number;
             };
-            readonly first_failure: components["schemas"]["FirstFailure"] | null;
+            readonly first_failure: components["schemas"]["FailingRun"] | null;
             readonly max: number | null;
             readonly max_change: number | null;
             readonly metric: string;
             readonly min: number | null;
+            readonly reason: string | null;
             /** @enum {string} */
             readonly result: "pass" | "fail" | "uncertain";
             readonly strategy: string;
+            readonly worst_failure: components["schemas"]["FailingRun"] | null;
         };
         readonly BatchRequirements: {
             readonly batch: string;
@@ -678,6 +680,15 @@ export interface components {
             readonly low: number;
             readonly value: number;
         };
+        readonly FailingRun: {
+            readonly at: {
+                readonly [key: string]: number | string | boolean | readonly (number | readonly number[])[] | {
+                    readonly [key: string]: string;
+                } | null;
+            };
+            readonly run: number;
+            readonly value: number;
+        };
         readonly Figure8: {
             readonly change_vs_passive: number;
             readonly high: number;
@@ -702,15 +713,6 @@ export interface components {
             readonly nominal: number | null;
             readonly quantiles: readonly number[] | null;
             readonly sensitivity: readonly components["schemas"]["Sensitivity"][];
-        };
-        readonly FirstFailure: {
-            readonly at: {
-                readonly [key: string]: number | string | boolean | readonly (number | readonly number[])[] | {
-                    readonly [key: string]: string;
-                } | null;
-            };
-            readonly run: number;
-            readonly value: number | null;
         };
         readonly FmuRequest: {
             /** @enum {string} */
@@ -1749,10 +1751,10 @@ export type EqualSpeed = components['schemas']['EqualSpeed'];
 export type Erratum = components['schemas']['Erratum'];
 export type Estimate = components['schemas']['Estimate'];
 export type EstimateAnswer = components['schemas']['EstimateAnswer'];
+export type FailingRun = components['schemas']['FailingRun'];
 export type Figure8 = components['schemas']['Figure8'];
 export type Figures = components['schemas']['Figures'];
 export type FigureSummary = components['schemas']['FigureSummary'];
-export type FirstFailure = components['schemas']['FirstFailure'];
 export type FmuRequest = components['schemas']['FmuRequest'];
 export type FoundBumpAnswer = components['schemas']['FoundBumpAnswer'];
 export type FrequencyAnswer = components['schemas']['FrequencyAnswer'];

@@ -32,6 +32,7 @@ export function BatchRequirements({ results, columns, fields, strategies, figure
     { key: "strategy", head: "Strategy", text: true, cell: ({ strategy }) => labelOf(strategy) },
     { key: "result", head: "Result", text: true, cell: ({ result }) => <ResultMark result={result} /> },
     { key: "fail", head: "Runs that fail", cell: ({ counts }) => counts.fail },
+    { key: "not_computed", head: "Not computed", cell: ({ counts }) => counts.not_computed },
     { key: "unfinished", head: "Unfinished", cell: ({ counts }) => counts.unfinished },
     {
       key: "first",
