@@ -53,6 +53,9 @@ def main(file: Path, *, as_json: bool = False) -> int:
     except ControllerFileError as error:
         sys.stdout.write(f"{error.message}\n")
         return UNUSABLE
+    except OSError as error:  # of the picture: whatever the law raises is a fault
+        sys.stdout.write(f"{error.filename}: it cannot be written: {error.strerror}\n")
+        return UNUSABLE
     text = "\n".join(line for each in checks for line in each.lines())
     if as_json:
         text = json.dumps([asdict(each) for each in checks], indent=1, default=str)

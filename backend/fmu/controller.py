@@ -156,13 +156,13 @@ def _law_model(controller: Controller, setup: Setup) -> Model:
     laws = [law for law in (different if len(different) == 1 else by_stage) if law is not None]
     reason = None
     if len(laws) < len(different) or controller.delayed:
-        reason = "its forces follow no linear law: a controller of one's own needs linear_law for that"
+        reason = "its forces follow no linear law; a controller of one's own needs linear_law for that"
     elif controller.dampers() is not None:
         reason = "it sets the coefficients of semi-active dampers, not forces"
     elif any(law.limits is not None for law in laws):
         reason = "a QP decides where one of its limits binds (of lv the ECU's program is exported)"
     elif type(controller).force is not Controller.force:
-        reason = "its own force decides beyond the force limit: leave force out, and its law is clipped to the limit"
+        reason = "its own force decides beyond the force limit; leave force out, and its law is clipped to the limit"
     if reason is not None:
         raise RidelabError(f"{controller.label} cannot be exported as an FMU: {reason}", field="strategy")
     prefixes = [""] if len(laws) == 1 else [f"{stage}_" for stage in setup.stages]
