@@ -14,8 +14,12 @@ import yaml
 from backend.batches.robustness import UNCERTAINTIES
 from backend.http.kinds import KINDS
 from backend.http.openapi import EXAMPLES
+from backend.runs.instants import as_answer
 from backend.runs.reports import inputs
+from ridelab import Ridelab
+from ridelab.cli.service import Services
 from sim_core.catalogue import METRICS
+from sim_core.instant import instant
 from sim_core.scenario import SCHEMA_VERSION, Scenario, dotted
 from sim_core.scenario.vehicles import VEHICLES
 from tests.client.cli import ROOT, Cli
@@ -119,6 +123,19 @@ def test_a_sweep_shows_its_first_rows_and_failed_runs_in_the_exit_code(
     assert cli.error == f"batch {batch}: done, 20 of 21 done, 1 failed\n"
     whole = json.loads(cli("sweep", scenario, "--grid", "road.seed=0:20:21", "--json", code=1))
     assert (whole["total"], whole["rows"][-1]["reason"]) == (21, "too steep")
+
+
+def test_an_instant_of_a_stored_run_has_the_address_that_shows_it(
+    cli: Cli, prepared: Prepared, monkeypatch: pytest.MonkeyPatch, ridelab: Ridelab
+) -> None:
+    seen = instant(Scenario.model_validate(SHORT), "lv", position=45.0)
+    answer = prepared.answers[f"GET /runs/{RUN}/instant"] = as_answer("lv", seen).model_dump_json().encode()
+    asked = ("instant", RUN, "-s", "lv", "--position", "45")
+    *_, blank, address = cli(*asked).splitlines()
+    assert (blank, address) == ("", f"{ADDRESS}/r/{RUN}?instant=lv~{round(seen.position, 2):g}")
+    assert json.loads(cli(*asked, "--json")) == {"run_id": RUN, **json.loads(answer)}
+    monkeypatch.setattr(Services, "at", lambda services, *_: services.opened.setdefault(None, ridelab))
+    assert ADDRESS not in cli(*asked), "a private service ends with the command"
 
 
 def test_a_sweep_left_alone_is_exported_later(

@@ -35,7 +35,7 @@ def instant(
         run = ridelab.run(fields.changed(source.scenario, changes or [], services), [strategy])
     answer = ridelab.instant(run, strategy, position=position, time=time)
     if as_json:
-        print_json(answer)
+        print_json({"run_id": run.id, **answer})
         return
     label = services.names.label(strategy)
     where = f"{answer['position']:.2f} m, {answer['time']:.3f} s, {3.6 * answer['speed']:.1f} km/h"
@@ -56,6 +56,9 @@ def instant(
         shares = {name: value / total for name, value in answer["cost"].items() if value > _LEAST_SHARE * total}
         typer.echo()
         show_table(["cost", "share"], [[name, f"{share:.1%}"] for name, share in shares.items()])
+    if ridelab is not services.opened.get(None):  # a private service ends before anybody opens a page of it
+        place = f"{strategy}~{round(answer['position'], 2):g}"
+        typer.echo(f"\n{ridelab.address}/r/{run.id}?instant={place}")
 
 
 def _limit(limit: dict[str, Any]) -> list[str]:
