@@ -90,7 +90,7 @@ class MeasuredRoads:
     async def _stored(self, road_id: str) -> MeasuredRoad:
         road = (await self.store.read(self.store.roads.load, [road_id])).get(road_id)
         if road is None:
-            raise NotFoundError("There is no measured road of this id.")
+            raise NotFoundError(_missing(road_id))
         return road
 
     async def with_length(self, scenario: Scenario) -> Scenario:
@@ -128,9 +128,16 @@ class MeasuredRoads:
         """
         wanted = set(ids)
         roads: dict[str, MeasuredRoad] = await self.store.read(self.store.roads.load, wanted) if wanted else {}
-        if wanted - roads.keys():
-            raise InvalidError("There is no measured road of this id.", kind="unknown", pointer=pointer)
+        if missing := sorted(wanted - roads.keys()):
+            raise InvalidError(_missing(missing[0]), kind="unknown", pointer=pointer)
         return roads
+
+
+def _missing(road_id: str) -> str:
+    return (
+        f"There is no measured road {road_id} here: send this service its file, in the lab or with `ridelab road FILE` "
+        "and the same --server or --data-dir."
+    )
 
 
 def drawn(road: MeasuredRoad, points: int) -> tuple[list[float], list[float], list[DetectedBump]]:

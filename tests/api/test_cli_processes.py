@@ -22,6 +22,7 @@ from ridelab.cli.service import Services
 from ridelab.client import Ridelab
 from ridelab.jobs import Batch
 from tests.api.conftest import Service
+from tests.api.own_laws import LAW
 from tests.client.cli import Cli, command, environment
 from tests.servers.process import HANG_TIMEOUT, request, wait_until
 
@@ -61,6 +62,14 @@ def private_services(among: Iterable[psutil.Process] | None = None) -> list[int]
             if "--until-input-ends" in process.cmdline():
                 pids.append(process.pid)
     return pids
+
+
+@pytest.mark.usefixtures("no_service_left")
+def test_fields_and_strategies_of_a_law_of_ones_own_are_listed(alone: Cli, elsewhere: Path) -> None:
+    file = elsewhere / "law.py"
+    file.write_text(LAW)
+    for listed, name in (("fields", "own.mine.damping"), ("strategies", "mine")):
+        assert [each["name"] for each in json.loads(alone(listed, name, "--controller", file, "--json"))] == [name]
 
 
 @pytest.mark.usefixtures("no_service_left")

@@ -153,7 +153,11 @@ def test_a_scenario_without_a_length_ends_with_its_road(service: Service, client
 @pytest.mark.parametrize(
     ("road", "pointer", "said"),
     [
-        ({"profile": MISSING}, "/scenario/road/profile", "There is no measured road of this id"),
+        (
+            {"profile": MISSING},
+            "/scenario/road/profile",
+            f"There is no measured road {MISSING} here: send this service its file",
+        ),
         ({"length": 145}, "/scenario/road/length", "The measured road is 139.9 m long"),
         ({"profile": "nonsense"}, "/scenario/road/profile", "String should match pattern"),
     ],

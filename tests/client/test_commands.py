@@ -294,6 +294,21 @@ def test_what_cannot_be_used_is_named(cli: Cli, words: str, said: str) -> None:
     assert said in cli.error
 
 
+def test_a_recording_whose_columns_are_not_understood_leads_to_the_option(
+    cli: Cli, prepared: Prepared, tmp_path: Path
+) -> None:
+    file = tmp_path / "drive.csv"
+    file.write_text("t,acc\n0,1\n")
+    problem = {"status": 422, "detail": "x", "errors": [{"pointer": "", "message": "Line 1: No column is a signal."}]}
+    prepared.answers["POST /recordings"] = httpx.Response(422, json=problem)
+    hint = f"--column says what a column of {file} is: 'acc_z=body_acceleration [g]'\n"
+    compare = ("compare", "paper", file, "-s", "passive")
+    cli(*compare, code=2)
+    assert cli.error == f"Line 1: No column is a signal.\n{hint}"
+    cli(*compare, "--column", "acc=body_acceleration [g]", code=2)
+    assert cli.error == "Line 1: No column is a signal.\n"
+
+
 def test_a_vehicle_file_goes_round(cli: Cli, tmp_path: Path) -> None:
     van, own, run = tmp_path / "van.json", tmp_path / "own.json", tmp_path / "run.json"
     cli("vehicle", "van", "--out", van)

@@ -68,7 +68,9 @@ def test_a_picture_that_cannot_be_written_is_told_in_a_line(cli: Cli, file: Path
     assert cli.error == f"{file.parent}/my_law-forces.svg: it cannot be written: Is a directory\n"
 
 
-@pytest.mark.parametrize("command", [["run"], ["compare", "paper", "paper"], ["robustness"], ["tune"], ["frequency"]])
+@pytest.mark.parametrize(
+    "command", [["run"], ["compare", "paper", "paper"], ["robustness"], ["tune"], ["frequency"], ["fields"]]
+)
 def test_a_service_elsewhere_is_brought_no_file(cli: Cli, file: Path, command: list[str]) -> None:
     cli(*command, "--controller", file, "--server", "http://127.0.0.1:9", code=2)
     assert "--controller: a service runs only the files that its operator named" in cli.error

@@ -18,7 +18,7 @@ from ridelab.cli.export import export
 from ridelab.cli.fmu import fmu
 from ridelab.cli.frequency import frequency
 from ridelab.cli.instant import instant
-from ridelab.cli.lists import LISTS
+from ridelab.cli.lists import LISTS, fields, strategies
 from ridelab.cli.options import option
 from ridelab.cli.own import NEW, check
 from ridelab.cli.paper import paper
@@ -99,7 +99,7 @@ COMMANDS = (
     cite,
     *LISTS,
 )
-DRIVING = (run_, compare, sweep, robustness, solve, tune, frequency, instant, fmu)
+DRIVING = (run_, compare, sweep, robustness, solve, tune, frequency, instant, fmu, fields, strategies)
 JOBS = typer.Typer(help="Batches and tunings: list, show, follow, label, cancel, resume, delete.", no_args_is_help=True)
 app.add_typer(JOBS, name="jobs")
 app.add_typer(NEW, name="new")

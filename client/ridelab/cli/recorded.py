@@ -2,14 +2,17 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from http import HTTPStatus
 from typing import Any
 
 from ridelab.cli.reporting import InputError
 from ridelab.cli.service import Services
 from ridelab.cli.targets import Target
+from ridelab.errors import RidelabAPIError
 from ridelab.results import RunResult
 
 ENDING = ".csv"
+_EXAMPLE = "'acc_z=body_acceleration [g]'"
 SIGNAL = "signal."  # before a signal's name, of the difference of its curves
 
 
@@ -40,7 +43,7 @@ def mapping(columns: Sequence[str]) -> dict[str, str]:
     """`--column NAME=SIGNAL [UNIT]` as the service takes it."""
     pairs = [text.partition("=") for text in columns]
     if wrong := next((name for name, sign, _ in pairs if not sign), None):
-        raise InputError(f"--column: {wrong} is not NAME=SIGNAL [UNIT], as in 'acc_z=body_acceleration [g]'")
+        raise InputError(f"--column: {wrong} is not NAME=SIGNAL [UNIT], as in {_EXAMPLE}")
     return {name: signal.strip() for name, _, signal in pairs}
 
 
@@ -50,7 +53,8 @@ def beside(
     """Send a recording and run it beside one strategy of the target.
 
     Raises:
-        InputError: The target has several strategies and none is named, or several are.
+        InputError: The target has several strategies and none is named, or several are; or the file cannot be used
+            as it is.
     """
     names = list(named) or target.strategies
     if len(names) != 1:
@@ -59,7 +63,12 @@ def beside(
     if target.batch is not None or (target.run is not None and target.run.roads > 1):
         raise InputError(f"{target.name}: a recording is compared with a run over one road")
     ridelab = services.at()
-    drive = ridelab.upload_recording(file, columns)
+    try:
+        drive = ridelab.upload_recording(file, columns)
+    except RidelabAPIError as error:
+        if columns or error.status != HTTPStatus.UNPROCESSABLE_ENTITY:
+            raise
+        raise InputError(*error.lines, f"--column says what a column of {file} is: {_EXAMPLE}") from None
     (strategy,), name = names, drive["strategy"]
     run = ridelab.run(target.scenario, [strategy, name])
     for each in (run[strategy], run[name]):
