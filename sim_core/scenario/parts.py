@@ -50,8 +50,8 @@ class Speed(Part):
     )
     policy: Annotated[Literal["by_strategy", "planned", "constant"], ADDED] = field(
         "by_strategy",
-        "Who slows down",
-        "by_strategy: those that have a speed control, as in the paper. At equal speed what is left of a "
+        "Speed over the bump",
+        "by_strategy: those that have a speed control slow down, as in the paper. At equal speed what is left of a "
         "gain is the suspension's: planned slows all of them down for the bump, constant none.",
     )
 

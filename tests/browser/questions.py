@@ -84,7 +84,7 @@ def my_van(dashboard: Dashboard) -> None:
         edited(dashboard, "Height", "12 cm")
         edited(dashboard, "Width", "600mm")
         edited(dashboard, "Initial speed", "30 km/h")
-    comparison(page).get_by_label("Who slows down").select_option("Nobody")
+    comparison(page).get_by_label("Speed over the bump").select_option("Constant")
     dashboard.expect_curves()
     vehicle = dashboard.stored_run()["scenario"]
     assert (vehicle["road"]["bump"]["height"], vehicle["road"]["bump"]["width"]) == (0.12, 0.6)

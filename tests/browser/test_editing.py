@@ -59,7 +59,7 @@ def test_dragging_is_live_the_release_exact_and_both_are_compared_with_before(da
     comparison.get_by_label("Change against").select_option("Passive")
     expect(dashboard.row("passive")).to_have_attribute("data-baseline", "true")
 
-    comparison.get_by_label("Who slows down").select_option("All")  # what of it is braking?
+    comparison.get_by_label("Speed over the bump").select_option("Planned")  # what of it is braking?
     expect(dashboard.row("passive")).to_contain_text("22.5\u00a0km/h")
     assert dashboard.stored_run()["scenario"]["speed"]["policy"] == "planned"
     slowed = dashboard.shown_values()

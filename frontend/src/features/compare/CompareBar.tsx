@@ -13,6 +13,7 @@ import { defaultName, MOST_PINS } from "../../lab/pins";
 import { useSelector } from "@tanstack/react-store";
 import { ownPins } from "./useCompared";
 import { getAt, setAt } from "../../scenario/path";
+import { findMember, optionOf, optionTitle } from "../../scenario/schema";
 
 const STRATEGY = "strategy:";
 
@@ -130,30 +131,26 @@ function PinButton() {
 
 const POLICY = "/speed/policy";
 
-const CHOICES = [
-  { value: "by_strategy", label: "By strategy" },
-  { value: "planned", label: "All" },
-  { value: "constant", label: "Nobody" },
-];
-
-/** Who slows down for the bump: each strategy as it controls, or all alike, so that only the suspensions differ. */
+/** Each strategy's as it controls it, or all alike, so that only the suspensions differ: the form's field, at the table. */
 function SpeedSelect() {
   const edit = useEdit();
   const readOnly = useReadOnly();
   const policy = useFromScenario((scenario) => getAt(scenario, POLICY));
+  const field = findMember(useForm(), POLICY);
+  if (field?.kind !== "choice") return null;
   return (
     <Tooltip
-      label="At equal speed, the remaining difference comes from the suspension"
+      label="Planned: all slow down for the bump. Constant: none does. At equal speed, the remaining difference comes from the suspension"
       multiline
       w={240}
       openDelay={500}
     >
       <label className={classes.choice}>
-        Who slows down
+        {field.title}
         <NativeSelect
           disabled={readOnly}
-          value={typeof policy === "string" ? policy : "by_strategy"}
-          data={CHOICES}
+          value={optionOf(policy)}
+          data={field.options.map((value) => ({ value, label: optionTitle(value) }))}
           onChange={({ currentTarget: { value } }) => edit.commit(setAt(edit.newest(), POLICY, value))}
         />
       </label>
