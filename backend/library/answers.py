@@ -32,10 +32,10 @@ def schema() -> bytes:
         for each in source.descriptions
         if each.options
     }
-    options = {"properties": {each.id: {"$ref": f"#/$defs/{name}"} for name, each in parts.items()}}
-    of_each = {
-        name: {"title": each.label, "description": each.text, **_options(each.options)} for name, each in parts.items()
+    options = {
+        "properties": {each.id: {"$ref": f"#/$defs/{name}", "title": each.label} for name, each in parts.items()}
     }
+    of_each = {name: {"description": each.text, **_options(each.options)} for name, each in parts.items()}
     definitions = {**plain["$defs"], **of_each, "Own": {**plain["$defs"]["Own"], **options}}
     return orjson.dumps({**plain, "$defs": definitions, "schema_version": SCHEMA_VERSION})
 

@@ -49,7 +49,7 @@ def with_options(**options: Any) -> dict[str, Any]:
 
 def test_options_are_fields_that_only_their_law_reads(service: Service) -> None:
     schema = service.client.get("/api/v1/schema").json()
-    assert schema["$defs"]["Own"]["properties"]["mine"] == {"$ref": "#/$defs/own.mine"}
+    assert schema["$defs"]["Own"]["properties"]["mine"] == {"$ref": "#/$defs/own.mine", "title": "Mine"}
     field = schema["$defs"]["own.mine"]["properties"]["damping"]
     assert (field["unit"], field["soft_range"], field["default"]) == ("N·s/m", [0, 20_000], 2000.0)
     assert own(service)["mine"]["reads"][-1] == "own.mine"
