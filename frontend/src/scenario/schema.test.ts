@@ -104,6 +104,16 @@ describe("a search over all fields", () => {
     expect(pointers("cm")).toContain("/road/bump/height");
     expect(pointers("banana")).toEqual([]);
   });
+
+  it("finds a section by what it offers", () => {
+    const keys = (text: string) =>
+      foundIn(sections(FORM), text, { "/road/bump": ["Watts hump, long"] }).map(({ key, members }) => [
+        key,
+        members.length,
+      ]);
+    expect(keys("long hump")).toEqual([["/road/bump", 0]]);
+    expect(keys("hump banana")).toEqual([]);
+  });
 });
 
 describe("difference from the paper", () => {

@@ -10,12 +10,12 @@ import { useSelector } from "@tanstack/react-store";
 import { Members } from "./Members";
 import { OWN } from "../../scenario/ownOptions";
 import type { Pointer } from "../../scenario/path";
-import { type Group, findMember, humanise, optionTitle, type Member } from "../../scenario/schema";
+import { type Group, findMember, optionTitle, type Member } from "../../scenario/schema";
 import { IconSearch } from "../../ui/icons";
 import { Fault } from "../../ui/Fault";
 import { prettyUnit } from "../../units/format";
 import { BumpDrawing } from "./BumpDrawing";
-import { VehicleChoice } from "./VehicleChoice";
+import { useVehicles, VehicleChoice } from "./VehicleChoice";
 
 /** The options of controllers of one's own; each has a section of its own, there while the controller is chosen. */
 const isLaw = (pointer: Pointer) => pointer.startsWith(OWN);
@@ -36,7 +36,9 @@ export function Editor({ form }: { readonly form: Group }) {
 
   const [search, setSearch] = useState("");
   const searching = search.trim() !== "";
-  const shownSections = useMemo(() => (searching ? foundIn(all, search) : all), [all, search, searching]);
+  const { sourced, own } = useVehicles();
+  const vehicles = [...sourced, ...own].map(({ label }) => label);
+  const shownSections = searching ? foundIn(all, search, { [VEHICLE]: vehicles }) : all;
   const sought = useSelector(revealed);
   const itsSection = sought && all.find((section) => contains(section, [sought]))?.key;
   if (itsSection && !opened.includes(itsSection)) setOpened([...opened, itsSection]);
@@ -160,9 +162,7 @@ const SectionItem = memo(function SectionItem({ section, isOpen }: ItemProps) {
         )}
       </Accordion.Control>
       <Accordion.Panel>
-        {isOpen && section.key === VEHICLE && (
-          <VehicleChoice group={{ ...section, kind: "group", pointer: section.key }} />
-        )}
+        {isOpen && section.key === VEHICLE && <VehicleChoice group={section.whole} />}
         {isOpen && section.key === BUMP && <BumpDrawing members={section.members} />}
         {isOpen && <Members members={section.members} />}
       </Accordion.Panel>
@@ -177,14 +177,15 @@ const ESSENTIALS: readonly Pointer[] = ["/road/bump", "/speed", "/mpc/stage_weig
 export interface Section {
   readonly key: Pointer;
   readonly title: string;
-  readonly description: string;
   readonly essential: boolean;
+  /** Those that are shown: not all of them where the form is searched. */
   readonly members: readonly Member[];
+  readonly whole: Group;
 }
 
 function section(group: Group, essential: boolean): Section {
-  const { pointer, title, description, members } = group;
-  return { key: pointer, title, description, essential, members };
+  const { pointer, title, members } = group;
+  return { key: pointer, title, essential, members, whole: group };
 }
 
 function without(group: Group, pointers: readonly Pointer[]): Group {
@@ -210,23 +211,33 @@ export function sections(form: Group): readonly Section[] {
     ...groups.filter(({ pointer }) => isLaw(pointer)).map((group) => section(group, true)),
     ...groups.filter(({ pointer }) => !isLaw(pointer)).map((group) => section(group, false)),
     ...(loose.length > 0
-      ? [{ key: "/" as const, title: humanise("other"), description: "", essential: false, members: loose }]
+      ? [section({ kind: "group", pointer: "/", title: "Other", description: "", members: loose }, false)]
       : []),
   ];
 }
 
-/** Fields by name; where none has the words, by options, units and help texts. */
-export function foundIn(all: readonly Section[], text: string): readonly Section[] {
-  const named = all.flatMap((section) => matching(section, text) ?? []);
+/** What a section offers as a whole, by name: vehicles. */
+type Offers = Readonly<Record<Pointer, readonly string[]>>;
+
+/** Fields and what a section offers by name; where none has the words, fields by options, units and help texts. */
+export function foundIn(all: readonly Section[], text: string, offers: Offers = {}): readonly Section[] {
+  const words = wordsOf(text);
+  const isOffered = ({ key }: Section) => offers[key]?.some((name) => hasWords(name, words));
+  const named = all.flatMap(
+    (section) => matching(section, text) ?? (isOffered(section) ? [{ ...section, members: [] }] : []),
+  );
   return named.length > 0 ? named : all.flatMap((section) => matching(section, text, textsOf) ?? []);
 }
 
 /** What is left of a section where every word has to stand in a field's name, in the names of the parts it lies in, or in what else it says. */
 export function matching(section: Section, text: string, more: (leaf: Leaf) => string = () => ""): Section | null {
-  const words = text.toLowerCase().split(/\s+/).filter(Boolean);
-  const members = withWords(section.members, section.title, words, more);
+  const members = withWords(section.members, section.title, wordsOf(text), more);
   return members.length === 0 ? null : { ...section, members };
 }
+
+const wordsOf = (text: string): readonly string[] => text.toLowerCase().split(/\s+/).filter(Boolean);
+
+const hasWords = (text: string, words: readonly string[]) => words.every((word) => text.toLowerCase().includes(word));
 
 /** A field's options, unit and help text. */
 function textsOf(leaf: Leaf): string {
@@ -249,7 +260,7 @@ function withWords(
     }
     const entries = member.kind === "vector" ? member.items.map(({ title }) => title).join(" ") : "";
     const texts = `${member.kind === "vector" ? member.description : ""} ${leavesOf(member).map(more).join(" ")}`;
-    const names = `${inside} ${entries} ${member.pointer.slice(1).replace(/\//g, ".")} ${texts}`.toLowerCase();
-    return words.every((word) => names.includes(word)) ? [member] : [];
+    const names = `${inside} ${entries} ${member.pointer.slice(1).replace(/\//g, ".")} ${texts}`;
+    return hasWords(names, words) ? [member] : [];
   });
 }

@@ -14,6 +14,13 @@ import classes from "./editor.module.css";
 import { getAt, sameValue, setAt, type Pointer } from "../../scenario/path";
 import type { Group } from "../../scenario/schema";
 
+/** Those with sources, and those of the library. */
+export function useVehicles() {
+  const sourced = useQuery(vehiclesQuery).data ?? [];
+  const own = useItems("vehicle").map(({ name, value }) => ({ id: `own ${name}`, label: name, vehicle: value }));
+  return { sourced, own };
+}
+
 const PAPER = { id: "paper", label: "The paper\u2019s", vehicle: {} };
 const OTHER = "";
 
@@ -22,8 +29,7 @@ export function VehicleChoice({ group }: { readonly group: Group }) {
   const exportItem = useExportItem();
   const readOnly = useReadOnly();
   const vehicle = useFromScenario((scenario) => getAt(scenario, group.pointer));
-  const sourced = useQuery(vehiclesQuery).data ?? [];
-  const own = useItems("vehicle").map(({ name, value }) => ({ id: `own ${name}`, label: name, vehicle: value }));
+  const { sourced, own } = useVehicles();
   const whole = (values: JsonObject) => getAt(completed(group, { vehicle: values }), group.pointer);
   const choices = [PAPER, ...sourced, ...own];
   const current = choices.find((each) => sameValue(whole(each.vehicle), vehicle));
