@@ -50,6 +50,11 @@ def test_a_click_says_why_the_panel_follows_the_cursor_and_a_link_leads_there(da
     expect(place).to_contain_text("stage bump")
     dashboard.open(address)
     expect(place).to_have_text(shown)
+    dashboard.open(re.sub(r"~[\d.]+", "~20", address))  # far from the bump: the plots' window goes there
+    expect(place).to_contain_text("20.00 m")
+    expect(page).to_have_url(re.compile("zoom="))
+    low, high = map(float, re.findall(r"[\d.]+", page.url.split("zoom=")[1].split("&")[0]))
+    assert low < 20 < high
 
 
 def test_responses_bands_and_margins_follow_a_dragged_value(dashboard: Dashboard) -> None:

@@ -127,9 +127,11 @@ function drawLabels(
   context.fillStyle = xaxis.color;
   context.textBaseline = "alphabetic";
   context.textAlign = "center";
-  xaxis.tickvals.forEach((x, index) =>
-    context.fillText(xaxis.ticktext[index] ?? "", frame.toX(x), frame.height + TICK_PX + 1),
-  );
+  xaxis.tickvals.forEach((x, index) => {
+    const text = xaxis.ticktext[index] ?? "";
+    const last = frame.width + MARGIN.r - context.measureText(text).width / 2; // or the canvas would cut it
+    context.fillText(text, Math.min(frame.toX(x), last), frame.height + TICK_PX + 1);
+  });
   context.textAlign = "right";
   yaxis.tickvals.forEach((y, index) =>
     context.fillText(yaxis.ticktext[index] ?? "", -2, frame.toY(y) + 0.36 * TICK_PX),

@@ -136,16 +136,19 @@ describe("a figure over several roads", () => {
     expect(shapes).toContainEqual(expect.objectContaining({ x0: 1, x1: 3, opacity: expect.any(Number) as number }));
   });
 
-  it("is filled by the canvas between the two edges, in that colour, and no edge is drawn", () => {
+  it("is filled by the canvas between the two edges, in that colour, no edge is drawn, no label cut", () => {
     let path: (readonly [number, number])[] = [];
     const filled: unknown[] = [];
     const stroked: unknown[] = [];
+    const ends: number[] = [];
     const context = new Proxy<Record<string, unknown>>(
       {
         beginPath: () => (path = []),
         lineTo: (x: number, y: number) => path.push([x, y]),
         fill: () => filled.push([context.fillStyle, path]),
         stroke: () => stroked.push(context.strokeStyle),
+        measureText: () => ({ width: 40 }),
+        fillText: (_text: string, x: number) => ends.push(context.textAlign === "center" ? x + 20 : x),
       },
       { get: (target, name: string) => target[name] ?? (() => undefined) },
     );
@@ -164,6 +167,7 @@ describe("a figure over several roads", () => {
       ],
     ]);
     expect(stroked.filter((colour) => colour === "#123456")).toHaveLength(1);
+    expect(Math.max(...ends)).toBe(400 + MARGIN.r);
   });
 });
 

@@ -2,7 +2,7 @@
 
 import { lazy, useEffect } from "react";
 import { useAction } from "../../lab/actions";
-import type { Axis, InstantPlace } from "../../lab/address";
+import type { Axis, InstantPlace, Zoom } from "../../lab/address";
 import { useLabContext, useView } from "../../lab/context";
 import { cursor } from "../../lab/cursor";
 import { axisKey, type ResultView } from "../../lab/resultView";
@@ -15,6 +15,12 @@ const InstantPanel = lazy(() => import("./InstantPanel").then((module) => ({ def
 export function converted({ series }: ResultView, strategy: string, x: number, from: Axis, to: Axis): number | null {
   const [of, into] = [series[strategy]?.[axisKey(from)], series[strategy]?.[axisKey(to)]];
   return of && into ? valueAt(of, into, x) : null;
+}
+
+/** A range so wide, within the whole, with a place in its middle where there is room. */
+function around(at: number, width: number, [first, last]: Zoom): Zoom {
+  const low = Math.max(first, Math.min(at - width / 2, last - width));
+  return [low, low + width];
 }
 
 export function InstantPart({ resultView }: { readonly resultView: ResultView }) {
@@ -38,11 +44,14 @@ export function InstantPart({ resultView }: { readonly resultView: ResultView })
           labAddress.setView({ instant: placeAt(at) });
         },
   );
-  // A link's instant is where the cursor stands.
+  // A link's instant is where the cursor stands, and the plots show it.
   useEffect(() => {
     if (instant === null || strategy === undefined || cursor.get(axis) !== null) return;
-    cursor.set(axis, converted(resultView, strategy, instant.position, "distance", axis));
-  }, [instant, strategy, axis, resultView]);
+    const at = converted(resultView, strategy, instant.position, "distance", axis);
+    cursor.set(axis, at);
+    const [low, high] = resultView.range;
+    if (at !== null && (at < low || at > high)) labAddress.setView({ zoom: around(at, high - low, resultView.whole) });
+  }, [instant, strategy, axis, resultView, labAddress]);
   if (!opened || strategy === undefined) return null;
   return (
     <LazyPart onClose={() => labAddress.setView({ instant: null })}>
