@@ -16,10 +16,11 @@ import { restoreBefore, restoreTab, storeTab, storeSession, restoreSession } fro
 import { watchPrinting } from "../lib/printing";
 import { createLabAddress, startsAnew } from "../lab/labAddress";
 
+// The darkest is text, the third what is under it where it is pointed at: more than the 4.5 times as bright that are needed.
 const petrol: MantineColorsTuple = [
   "#e3f5f5",
   "#cde9e9",
-  "#9dd3d3",
+  "#c0e3e3",
   "#6abcbd",
   "#42a9aa",
   "#289d9e",
