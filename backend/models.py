@@ -103,6 +103,8 @@ def _check_shown(name: str) -> str:
     return name if re.fullmatch(NAME_PATTERN, name) else _check_strategy(name)
 
 
+# Of what is stored: its law's file may have gone since.
+StrategyId = Annotated[str, Field(pattern=STRATEGY_PATTERN)]
 # One of a run's: simulated, or a recording, which nothing else takes.
 ShownStrategy = Annotated[
     str, AfterValidator(_check_shown), WithJsonSchema({"type": "string", "pattern": STRATEGY_PATTERN})

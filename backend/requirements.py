@@ -6,12 +6,11 @@ from typing import Annotated, Literal, Self
 
 from pydantic import AfterValidator, Field, TypeAdapter, ValidationError, ValidationInfo, model_validator
 
-from backend.digest import STRATEGY_PATTERN
 from backend.errors import InvalidError
 from backend.intervals import Interval, change_with_interval, mean_with_interval
 from backend.json_types import Summary
 from backend.means_over_roads import default_baseline
-from backend.models import Answer, MetricName, RequestModel, inconsistent
+from backend.models import Answer, MetricName, RequestModel, StrategyId, inconsistent
 from sim_core.catalogue import METRICS
 
 MOST_REQUIREMENTS = 64
@@ -19,7 +18,6 @@ LIMITS = ("max", "min", "max_change")
 _NOT_RUN = "It did not run"
 
 Limit = Annotated[float, Field(ge=-1e12, le=1e12)]
-StrategyId = Annotated[str, Field(pattern=STRATEGY_PATTERN)]
 Result = Literal["pass", "fail", "uncertain"]
 # A strategy's summaries on each road, or why it has none.
 Driven = Sequence[Summary] | str

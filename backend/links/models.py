@@ -15,7 +15,7 @@ from pydantic import (
 from pydantic_core import PydanticCustomError
 
 from backend.batches.models import Batch
-from backend.models import Answer, RequestModel, ShownStrategy, StrategyName, inconsistent
+from backend.models import Answer, RequestModel, StrategyId, inconsistent
 from backend.plain_text import PlainText
 from backend.requirements import Requirement, Requirements
 from backend.runs.models import Run
@@ -28,7 +28,7 @@ SLUG_PATTERN = "^[A-Za-z0-9_-]{22}$"
 MAX_PINS = 8
 
 Finite = Annotated[float, Field(allow_inf_nan=False)]
-Names = Annotated[list[ShownStrategy], Field(max_length=32)]  # as many as a run may have
+Names = Annotated[list[StrategyId], Field(max_length=32)]  # as many as a run may have
 Id = Annotated[str, Field(pattern=SLUG_PATTERN)]
 
 
@@ -67,7 +67,7 @@ class LinkPin(RequestModel):
 class LinkInstant(RequestModel):
     """The control step at which the page says why the force is what it is."""
 
-    strategy: ShownStrategy
+    strategy: StrategyId
     position: Finite = Field(description="Place of the front axle [m].")
 
 
@@ -84,7 +84,7 @@ class LinkView(RequestModel):
 
     strategies: Names | None = Field(None, description="Shown, in this order.")
     hidden: Names | None = Field(None, description="Of those shown, the ones switched off in the plots.")
-    baseline: ShownStrategy | None = Field(None, description="What changes in % are against.")
+    baseline: StrategyId | None = Field(None, description="What changes in % are against.")
     axis: Literal["distance", "time"] | None = Field(None, description="What is on the x axis.")
     # strict=False on the tuple alone: JSON has arrays only. The numbers inside stay strict.
     zoom: Annotated[tuple[Finite, Finite], Field(strict=False), AfterValidator(_ascending)] | None = Field(
@@ -108,9 +108,9 @@ class LinkView(RequestModel):
     plot: Literal["points", "map", "trade_off"] | None = Field(
         None, description="Of a batch only: runs over a field, a metric over two fields, or one metric over another."
     )
-    strategy: StrategyName | None = Field(None, description="Of a batch only: whose map it is.")
-    against: StrategyName | Literal["none"] | None = Field(
-        None, description="Of a batch only: the strategy that map is compared with."
+    strategy: StrategyId | None = Field(None, description="Of a batch only: whose map it is.")
+    against: StrategyId | None = Field(
+        None, description="Of a batch only: the strategy that map is compared with, or `none`."
     )
     threshold: Annotated[Finite | Literal["none"], WrapValidator(_number_or_none)] | None = Field(
         None, description="Of a batch only: where the map has a line, in the unit shown; `none` for no line."

@@ -117,6 +117,8 @@ def test_what_was_held_to_requirements_of_a_law_that_is_gone_still_opens(service
     file.unlink()
     assert "held" not in own(service)
     assert [client.get(address).json() for address in addresses] == before
+    shared = {"run_id": run["id"], "view": {"strategies": ["held"], "baseline": "held"}}
+    assert client.post("/api/v1/links", json=shared).status_code == 201
     held = client.get(f"/api/v1/runs/{run['id']}", params={"requirements": json.dumps(requirements)}).json()
     assert held["requirement_results"] == run["requirement_results"]
 

@@ -895,7 +895,7 @@ export interface components {
             readonly view?: components["schemas"]["LinkView"];
         };
         readonly LinkView: {
-            readonly against?: string | "none" | null;
+            readonly against?: string | null;
             readonly axis?: ("distance" | "time") | null;
             readonly baseline?: string | null;
             readonly cursor?: number | null;
