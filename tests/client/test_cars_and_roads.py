@@ -1,0 +1,63 @@
+"""Vehicle files, measured roads and the library's files, by the command."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from backend.http.openapi import EXAMPLES
+from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.scenario.vehicles import VEHICLES
+from tests.client.cli import Cli
+from tests.client.conftest import RUN, Prepared
+
+
+def test_a_vehicle_file_goes_round(cli: Cli, tmp_path: Path) -> None:
+    van, own, run = tmp_path / "van.json", tmp_path / "own.json", tmp_path / "run.json"
+    cli("vehicle", "van", "--out", van)
+    assert json.loads(van.read_text())["sources"] == list(VEHICLES["van"].sources)
+    by_name, by_file = (json.loads(cli("run", "--set", f"vehicle={which}", "--json")) for which in ("van", van))
+    assert by_name["scenario"] == by_file["scenario"]
+    assert by_name["scenario"]["vehicle"] == VEHICLES["van"].vehicle.model_dump()
+    run.write_text(json.dumps(by_name))
+    changed = cli("run", "--set", "vehicle.cg_height=1", "--set", f"vehicle={run}", "--json")
+    assert json.loads(changed)["scenario"]["vehicle"] == {**VEHICLES["van"].vehicle.model_dump(), "cg_height": 1}
+    (tmp_path / "sheet.json").write_text(json.dumps(EXAMPLES["DataSheet"]))
+    cli("vehicle", "--sheet", tmp_path / "sheet.json", "--out", own)
+    assert json.loads(own.read_text())["data_sheet"] == EXAMPLES["DataSheet"]
+
+
+@pytest.mark.parametrize(
+    ("length", "bump", "driven"),
+    [
+        (50, None, {"start": 46, "width": 4}),
+        (200, None, {"start": 100, "width": 4}),
+        (5, None, {"start": 1, "width": 4}),
+        (2500, {"start": 2300.004, "width": 3.1, "height": 0.08}, {"start": 2300, "width": 3.1}),
+        (60, {"start": 59, "width": 3, "height": 0.08}, {"start": 59, "width": 1}),
+    ],
+)
+def test_the_scenario_of_a_road_can_be_driven(
+    cli: Cli, prepared: Prepared, length: float, bump: dict[str, float] | None, driven: dict[str, float]
+) -> None:
+    prepared.answers[f"GET /roads/{RUN}"] = {"id": RUN, "length": length, "bumps": [bump] if bump else []}
+    scenario = json.loads(cli("road", RUN, "--out", "-"))
+    assert scenario == {"road": {"profile": RUN, "length": length, "bump": {"height": 0, **driven}}}
+    Scenario.model_validate(scenario)
+
+
+def test_a_librarys_file_is_driven_with_its_road(cli: Cli, prepared: Prepared, tmp_path: Path) -> None:
+    """Where the scenario names a road that the service does not have, the file's own is sent to it."""
+    prepared.answers["POST /roads"] = {"id": RUN}
+    file = tmp_path / "street.json"
+    there = {"road": {"profile": "A" * 22}, "estimation": {"kind": "kalman"}}
+    file.write_text(json.dumps({"schema_version": 1, "label": "Street", "scenario": there, "measured_road": "a,b"}))
+    cli("run", file, "-s", "passive")
+    assert prepared.bodies("POST /roads") == [b"a,b"]
+    (sent,) = prepared.bodies("POST /runs")
+    assert sent["scenario"]["road"]["profile"] == RUN
+    assert sent["scenario"]["estimation"] == {"kind": "kalman", "knows_preview": False}, "a file of core 0.3.0"
+    file.write_text(json.dumps({"schema_version": 99, "scenario": there}))
+    cli("run", file, "-s", "passive", code=2)
+    newest = f"this service reads up to {SCHEMA_VERSION}: update Ridelab"
+    assert f"street.json: its schema version is 99, and {newest}" in cli.error
