@@ -2,7 +2,7 @@
 
 import asyncio
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Literal
 
@@ -26,8 +26,10 @@ from backend.runs.histories import changed_laws
 from backend.runs.series import SAMPLE_BYTES, most_samples
 from backend.runs.service import Runs, upgraded_scenario
 from backend.store import Store, StoredJob, StoredLink, StoredRun
+from backend.unknown_names import unknown_name
 from sim_core import __version__ as CORE_VERSION
 from sim_core.scenario import SCHEMA_VERSION, Scenario
+from sim_core.strategies import strategies
 
 _REQUIREMENTS = "requirements"  # their place in a stored view
 MOST_PINNED = 32 * 1024 * 1024  # of one run, before they are compressed: 75 strategies on the paper's road [bytes]
@@ -65,6 +67,7 @@ class Links:
         """
         places = [(run_id, "run_id"), *((pin.run, f"view/pins/{n}/run") for n, pin in enumerate(view.pins or []))]
         shared = [await self._shared(run, place, client) for run, place in places]
+        _check_names(view, {item.strategy for each in shared for item in each.stored.results})
         missing = {key for each in shared for key in each.missing.values()}
         self.gate.linking(client, links=len(shared), pinned=len(missing))
         series = [await self._pin(each, client) for each in shared]
@@ -98,6 +101,7 @@ class Links:
             raise _unknown("batch_id", "There is no batch of this id")
         if view.x not in (None, *stored.request["fields"]):
             raise _unknown("view/x", f"This batch sweeps {', '.join(stored.request['fields'])}")
+        _check_names(view, stored.request["strategies"])
         self.gate.linking(client)
         slug = await self._save("batch", batch_id, _sent(view, requirements), {})
         if slug is None:
@@ -205,6 +209,14 @@ def url(slug: str) -> str:
 def _histories(stored: StoredRun) -> dict[str, str]:
     """Result keys of the strategies that have time histories."""
     return {item.strategy: item.key for item in stored.shown}
+
+
+def _check_names(view: LinkView, stored: Iterable[str]) -> None:
+    """Refuse a strategy that the result does not have and that there is not now either."""
+    known = [*strategies(), *stored]
+    for place, name in view.names():
+        if name not in known:
+            raise _unknown(f"view/{place}", unknown_name("strategy", name, known))
 
 
 def _sent(view: LinkView, requirements: Sequence[Requirement]) -> JsonObject:
