@@ -14,6 +14,8 @@ export interface ResultView {
   /** Strategies that are on and have a result, in the catalogue's order. */
   readonly strategies: readonly Strategy[];
   readonly ids: readonly StrategyId[];
+  /** Why others that are on have no result. */
+  readonly faults: Readonly<Record<StrategyId, string>>;
   readonly summaries: Readonly<Record<StrategyId, Summary>>;
   readonly series: SeriesByStrategy;
   readonly baseline: StrategyId | null;
@@ -66,8 +68,12 @@ export function partShown(
   const ids = strategies.map(({ id }) => id);
   const whole = wholeRange(shown.series, ids, axis);
   const { summaries, series } = shown;
+  const faults = Object.fromEntries(
+    shown.failed.flatMap(({ strategy, message }) => (selected.includes(strategy) ? [[strategy, message]] : [])),
+  );
   const bump = bumpRange(summaries, ids, axis, whole);
-  return { shown, catalogue, strategies, ids, summaries, series, axis, whole, bump, range: rangeOf(zoom, bump, whole) };
+  const range = rangeOf(zoom, bump, whole);
+  return { shown, catalogue, strategies, ids, faults, summaries, series, axis, whole, bump, range };
 }
 
 /** Where the one chosen is not of the run, the last that is on. */

@@ -23,7 +23,7 @@ import { ManualLink } from "../../ui/ManualLink";
 import { ChangeText, Estimated, CaveatMark } from "./ChangeMark";
 import { useLabContext } from "../../lab/context";
 import { caveatsOf } from "./caveats";
-import { StrategyKey } from "../../ui/StrategyKey";
+import { StrategyKey, StrategyName } from "../../ui/StrategyKey";
 import { RequirementMarks } from "../requirements/RequirementMarks";
 import { requiredOf } from "../requirements/judged";
 
@@ -51,7 +51,7 @@ export const labelOf = (signal: string, catalogue: Catalogue) =>
 export function ComparisonTable({ caption, ...props }: Props) {
   const { resultView, grouping } = props;
   const variants = entryGroups(resultView);
-  const groups = grouping === "strategy" ? byStrategy(variants, resultView.strategies) : variants;
+  const groups = grouping === "strategy" ? byStrategy(variants) : variants;
   return (
     <DataTable
       label={caption}
@@ -166,13 +166,24 @@ interface EntryHeadProps {
 
 /** Who a row or column is: the strategy, at which speed it met the bump, and the caveats of its result. */
 export function EntryHead({
-  entry: { strategy, variant, summary, isBaseline },
+  entry: { strategy, variant, summary, fault, isBaseline },
   catalogue,
   upright = false,
   byVariant = false,
 }: EntryHeadProps) {
   const { labAddress } = useLabContext();
   const speed = summary?.arrival_speed_kmh;
+  if (fault !== undefined)
+    return (
+      <span className={classes.entryHead} data-upright={upright || undefined}>
+        <strong>
+          <StrategyName strategy={strategy} />
+        </strong>
+        <span role="alert" className={classes.fault}>
+          {fault}
+        </span>
+      </span>
+    );
   return (
     <span className={classes.entryHead} data-upright={upright || undefined}>
       <button

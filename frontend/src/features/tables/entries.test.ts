@@ -25,6 +25,7 @@ const shown = (runId: string, lv: number, passive: number, more: Partial<Result>
     runId,
     source: "exact",
     summaries: { lv: summary(lv), passive: summary(passive) },
+    failed: [],
     series: {},
     over: null,
     ...more,
@@ -121,7 +122,7 @@ describe("the change of each strategy of each variant", () => {
 
 it("The same rows stand by variant or by strategy, and one of them has the lowest value", () => {
   const variants = entryGroups(makeResultView(NOW, STRATEGIES, ["lv", "passive"], DEFAULT_VIEW, compared));
-  const strategies = byStrategy(variants, STRATEGIES);
+  const strategies = byStrategy(variants);
   expect(strategies.map(({ name, entries }) => [name, ...entries.map(({ variant }) => variant)])).toEqual([
     ["lv", null, "Soft"],
     ["passive", null, "Soft"],

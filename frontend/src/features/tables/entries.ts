@@ -14,6 +14,8 @@ export interface Entry {
   readonly variant: string | null;
   readonly shown: Result;
   readonly summary: Summary | undefined;
+  /** Why it has none. */
+  readonly fault: string | undefined;
   /** Whether changes are against this one: it has none. */
   readonly isBaseline: boolean;
 }
@@ -27,17 +29,26 @@ export interface EntryGroup {
 /** The shown result's name beside those of variants. */
 export const CURRENT = "Current scenario";
 
-export function entryGroups({ shown, strategies, pins, reference, baseline }: ResultView): readonly EntryGroup[] {
+export function entryGroups({
+  shown,
+  catalogue,
+  ids,
+  faults,
+  pins,
+  reference,
+  baseline,
+}: ResultView): readonly EntryGroup[] {
   const group = (name: string | null, of: Result): EntryGroup => ({
     name,
-    entries: strategies
-      .filter(({ id }) => name === null || id in of.summaries)
+    entries: catalogue
+      .filter(({ id }) => (ids.includes(id) || id in faults) && (name === null || id in of.summaries))
       .map((strategy) => ({
         key: `${name === null ? "" : (of.runId ?? "")} ${strategy.id}`,
         strategy,
         variant: name,
         shown: of,
         summary: of.summaries[strategy.id],
+        fault: name === null ? faults[strategy.id] : undefined,
         isBaseline:
           reference === null ? strategy.id === baseline : of.runId !== null && of.runId === reference.shown.runId,
       })),
@@ -47,8 +58,8 @@ export function entryGroups({ shown, strategies, pins, reference, baseline }: Re
 }
 
 /** The same entries, those of each strategy together. */
-export const byStrategy = (groups: readonly EntryGroup[], strategies: readonly Strategy[]): readonly EntryGroup[] =>
-  strategies.map(({ id, label }) => ({
+export const byStrategy = (groups: readonly EntryGroup[]): readonly EntryGroup[] =>
+  (groups[0]?.entries ?? []).map(({ strategy: { id, label } }) => ({
     name: label,
     entries: groups.flatMap(({ entries }) => entries.filter(({ strategy }) => strategy.id === id)),
   }));

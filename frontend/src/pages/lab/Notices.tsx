@@ -17,6 +17,8 @@ export function Notices({ strategies }: { readonly strategies: readonly Strategy
     (state) => Object.keys(state.serverErrors.fields).length + state.serverErrors.general.length > 0,
   );
   const shown = useLab((state) => state.shown);
+  // There is no table to say why.
+  const none = useLab(({ strategies: on }) => shown !== null && !on.some((id) => id in shown.summaries));
   const { lab } = useLabContext();
   const isShared = useLab((state) => state.shared !== null);
   const laws = lawsText(strategies, busy || !shown ? {} : shown.summaries);
@@ -53,13 +55,14 @@ export function Notices({ strategies }: { readonly strategies: readonly Strategy
           <Text>{laws.gone.join(", ")}: there is no such controller here any more. These are the stored numbers.</Text>
         </div>
       )}
-      {shown?.failed.map(({ strategy, message }) => (
-        <div key={strategy} className={ui.notice} role="alert">
-          <Text>
-            {strategies.find(({ id }) => id === strategy)?.label ?? strategy} could not be computed: {message}
-          </Text>
-        </div>
-      ))}
+      {none &&
+        shown?.failed.map(({ strategy, message }) => (
+          <div key={strategy} className={ui.notice} role="alert">
+            <Text>
+              {strategies.find(({ id }) => id === strategy)?.label ?? strategy} could not be computed: {message}
+            </Text>
+          </div>
+        ))}
     </>
   );
 }
