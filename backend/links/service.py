@@ -213,10 +213,10 @@ def _histories(stored: StoredRun) -> dict[str, str]:
 
 def _check_names(view: LinkView, stored: Iterable[str]) -> None:
     """Refuse a strategy that the result does not have and that there is not now either."""
-    known = [*strategies(), *stored]
+    allowed = [*strategies(), *stored]
     for place, name in view.names():
-        if name not in known:
-            raise _unknown(f"view/{place}", unknown_name("strategy", name, known))
+        if name not in allowed:
+            raise _unknown(f"view/{place}", unknown_name("strategy", name, allowed))
 
 
 def _sent(view: LinkView, requirements: Sequence[Requirement]) -> JsonObject:
