@@ -127,7 +127,8 @@ frontend/node_modules/.installed: frontend/package-lock.json $(VENV)/.build
 	cd frontend && $(NODE) npm ci $(OMIT) --no-audit --no-fund
 	touch $@
 
-frontend/node_modules/.development: frontend/node_modules/.installed
+# After the page, which is built from the same folder.
+frontend/node_modules/.development: frontend/node_modules/.installed | frontend/dist/index.html
 	test -d frontend/node_modules/vitest || (cd frontend && $(NODE) npm ci --no-audit --no-fund && touch node_modules/.installed)
 	touch $@
 
