@@ -9,7 +9,8 @@ from sim_core.catalogue import METRICS
 from sim_core.control.controller import Controller, Force, Option, checked_value, scenario_value
 from sim_core.control.seen import Seen, Setup
 from sim_core.controller_files import said_by
-from sim_core.errors import RidelabError
+from sim_core.errors import ForceError, RidelabError
+from sim_core.loop.closed_loop import checked_force
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Road, Scenario
 from sim_core.simulate import simulate
@@ -111,12 +112,10 @@ def declaration_faults(kind: type[Controller]) -> list[str]:
 
 
 def failure(error: BaseException, controller: type[Controller] | Controller) -> str:
-    """An error of a run in a sentence, with the last line of the controller's own file, if it came from there."""
-    if isinstance(error, RidelabError):
+    """An error of a run in a sentence, with the line of the controller's own file that led to it."""
+    if isinstance(error, RidelabError) and not isinstance(error, ForceError):
         return error.message
-    kind = controller if isinstance(controller, type) else type(controller)
-    said = said_by(error, inspect.getfile(kind))
-    return f"{said} (it changes what it was given: copy it first)" if "read-only" in str(error) else said
+    return said_by(error, inspect.getfile(controller if isinstance(controller, type) else type(controller)))
 
 
 class _ByForce(Controller):
@@ -138,7 +137,7 @@ class _ByForce(Controller):
         self._other.start(setup)
 
     def force(self, seen: Seen) -> Force | None:
-        return self._other.force(seen)
+        return checked_force(self._other, self._other.force(seen), seen)
 
     def end(self) -> None:
         self._other.end()

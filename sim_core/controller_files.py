@@ -18,7 +18,7 @@ from pathlib import Path
 from types import ModuleType
 
 from sim_core.control.controller import Controller
-from sim_core.errors import RidelabError
+from sim_core.errors import ForceError, RidelabError
 from sim_core.fmi.controller import controllers_of_fmu
 
 VARIABLE = "RIDELAB_CONTROLLERS"
@@ -242,6 +242,8 @@ def _controllers(path: Path, module: ModuleType) -> Controllers:
 
 def said_by(error: BaseException, path: Path | str) -> str:
     """What an error of somebody's controller says, with the last line of their file that led to it."""
+    if isinstance(error, ForceError):
+        return f"{path}{'' if error.line is None else f', line {error.line}'}: {error.message}"
     kind, detail = type(error).__name__, str(error)
     if isinstance(error, SystemExit):
         kind, detail = "It ends the program", "leave out sys.exit"
@@ -249,7 +251,8 @@ def said_by(error: BaseException, path: Path | str) -> str:
     if isinstance(error, SyntaxError) and error.filename == str(path):
         lines, detail = [error.lineno], error.msg
     place = f"{path}, line {lines[-1]}" if lines else str(path)
-    return f"{place}: {kind}{f': {detail}' if detail else ''}"
+    hint = " (it changes what it was given: copy it first)" if "read-only" in detail else ""
+    return f"{place}: {kind}{f': {detail}' if detail else ''}{hint}"
 
 
 def _read(path: Path) -> bytes:

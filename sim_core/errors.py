@@ -36,12 +36,12 @@ class ForceError(RidelabError):
 
     Args:
         message: What it gave.
-        controller: Its id.
+        line: Of its file, where its `force` begins; None where that is no Python function.
     """
 
-    def __init__(self, message: str, *, controller: str = "") -> None:
+    def __init__(self, message: str, *, line: int | None) -> None:
         super().__init__(message)
-        self.controller = controller
+        self.line = line
 
 
 class UnstableVehicleError(RidelabError):

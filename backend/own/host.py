@@ -21,7 +21,6 @@ from typing import Any, TypeVar
 from sim_core import controller_files
 from sim_core.controller_files import ControllerFileError, said_by
 from sim_core.errors import ForceError, RidelabError
-from sim_core.strategies import strategy_named
 
 T = TypeVar("T")
 MEMORY = 4 * 1024**3  # of address space, so that a law that takes ever more is told so [bytes]
@@ -74,11 +73,11 @@ class Host:
         """
         try:
             if not self._started:
-                self._receive(STARTING)
+                self._receive(STARTING, f"its process did not start within {STARTING:g} s")
                 self._started = True
             with suppress(BrokenPipeError):  # it has ended, which the answer says
                 self._tasks.send_bytes(pickle.dumps((function, args, limit)))
-            answer = self._receive(limit + GRACE)
+            answer = self._receive(limit + GRACE, _unended(limit))
         except BaseException:  # also whoever calls this off
             self.close()
             raise
@@ -87,13 +86,13 @@ class Host:
         result: T = answer
         return result
 
-    def _receive(self, limit: float) -> Any:
+    def _receive(self, limit: float, late: str) -> Any:
         try:
             if self._answers.poll(limit):
                 return pickle.loads(self._answers.recv_bytes())  # noqa: S301 - from a file that its operator trusts
         except (EOFError, OSError):
             raise ControllerFileError(f"{self._name}: {self._end()}") from None
-        raise ControllerFileError(f"{self._name}: {_unended(limit - GRACE)}, and was ended")
+        raise ControllerFileError(f"{self._name}: {late}, and was ended")
 
     def _end(self) -> str:
         code = self._process.wait()
@@ -156,17 +155,5 @@ def _answer(source: str, task: bytes) -> bytes:
         if isinstance(error, RidelabError) and not isinstance(error, ControllerFileError | ForceError):
             return pickle.dumps(error)
         folder = f"{Path(file).parent}{os.sep}"  # which is no business of whoever asked
-        return pickle.dumps(ControllerFileError(_said(error, file, limit).replace(folder, "")))
-
-
-def _said(error: BaseException, file: str, limit: float) -> str:
-    """What it says, with the last line of the file that led to it."""
-    if isinstance(error, ControllerFileError):
-        return error.message
-    if isinstance(error, ForceError):
-        code = getattr(strategy_named(error.controller).force, "__code__", None)
-        return f"{file}{'' if code is None else f', line {code.co_firstlineno}'}: {error.message}"
-    text = said_by(error, file)
-    if isinstance(error, _OutOfTime):
-        return text.replace(_OutOfTime.__name__, _unended(limit))
-    return f"{text} (it changes what it was given: copy it first)" if "read-only" in str(error) else text
+        said = error.message if isinstance(error, ControllerFileError) else said_by(error, file)
+        return pickle.dumps(ControllerFileError(said.replace(_OutOfTime.__name__, _unended(limit)).replace(folder, "")))

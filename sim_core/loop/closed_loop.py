@@ -139,8 +139,7 @@ def checked_force(controller: Controller, force: object, seen: Seen) -> FloatArr
     if numbers and forces.shape == (FORCES,):
         if not all(map(isfinite, forces.tolist())):
             where = f"in control step {seen.step}, at {seen.position:.1f} m"
-            said = f"{controller.label}: force gave a value that is not finite {where}"
-            raise ForceError(said, controller=controller.id)
+            raise _force_error(controller, f"gave a value that is not finite {where}")
         return forces.astype(np.float64)
     if force is None:
         came = "None"
@@ -148,8 +147,12 @@ def checked_force(controller: Controller, force: object, seen: Seen) -> FloatArr
         came = f"an array of the shape {forces.shape}"
     else:
         came = f"an object of type {type(force).__name__} that does not hold real numbers"
-    said = f"{controller.label}: force gives two numbers, front and rear; in step {seen.step} it gave {came}"
-    raise ForceError(said, controller=controller.id)
+    raise _force_error(controller, f"gives two numbers, front and rear; in step {seen.step} it gave {came}")
+
+
+def _force_error(controller: Controller, said: str) -> ForceError:
+    code = getattr(controller.force, "__code__", None)
+    return ForceError(f"{controller.label}: force {said}", line=None if code is None else code.co_firstlineno)
 
 
 def read_only(array: FloatArray) -> FloatArray:
