@@ -43,8 +43,8 @@ check-python: development
 	cd client && ../$(BIN)/lint-imports
 
 check-frontend: frontend/node_modules/.checked
-# A minute of a core, on nothing but these files: what passed is not looked at again.
-CHECKED := $(wildcard frontend/*.html frontend/*.js frontend/*.json frontend/*.ts) $(shell find frontend/src frontend/scripts frontend/public -type f)
+# On nothing but these files: what passed is not looked at again.
+CHECKED := $(wildcard frontend/*.html frontend/*.js frontend/*.json frontend/.ox*.json frontend/*.ts) $(shell find frontend/src frontend/scripts frontend/public -type f)
 frontend/node_modules/.checked: frontend/node_modules/.development $(CHECKED)
 	cd frontend && $(NODE) npm run check
 	touch $@

@@ -22,7 +22,12 @@ import {
 
 export interface ChartFigure {
   readonly data: readonly (
-    (PlotTrace & { readonly name: string }) | PointTrace | LineTrace | BarTrace | GridTrace | MadeTrace
+    | (PlotTrace & { readonly name: string })
+    | PointTrace
+    | LineTrace
+    | BarTrace
+    | GridTrace
+    | MadeTrace
   )[];
   readonly layout: PlotLayout;
 }

@@ -94,13 +94,17 @@ export function EditableCurves(props: Props) {
           {ticks(xRange).map((value) => (
             <g key={value} transform={`translate(${x(value)})`}>
               <path d={`M 0 ${top} V ${bottom}`} />
-              <text y={height - 4} textAnchor="middle" children={formatExact(value, "1")} />
+              <text y={height - 4} textAnchor="middle">
+                {formatExact(value, "1")}
+              </text>
             </g>
           ))}
           {ticks(yRange).map((value) => (
             <g key={value} transform={`translate(0 ${y(value)})`}>
               <path d={`M ${left} 0 H ${right}`} />
-              <text x={left - 5} textAnchor="end" dominantBaseline="middle" children={formatExact(value, "1")} />
+              <text x={left - 5} textAnchor="end" dominantBaseline="middle">
+                {formatExact(value, "1")}
+              </text>
             </g>
           ))}
           {curves.map((curve, index) => (

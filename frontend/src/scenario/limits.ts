@@ -6,7 +6,8 @@ import { parseQuantity } from "../units/quantity";
 import type { NumberField } from "./schema";
 
 export type ParsedValue =
-  { readonly ok: true; readonly value: number } | { readonly ok: false; readonly message: string };
+  | { readonly ok: true; readonly value: number }
+  | { readonly ok: false; readonly message: string };
 
 /** Reads and checks a typed value against the field's own limits; the server checks what involves other fields. */
 export function parseTyped(field: NumberField, text: string): ParsedValue {

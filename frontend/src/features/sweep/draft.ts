@@ -34,7 +34,8 @@ export interface SweepDraft {
 
 /** Errors by dotted name, or by `samples`, `seed`, `strategies`, `fields`. */
 export type ParsedDraft =
-  { readonly ok: true; readonly sweep: Sweep } | { readonly ok: false; readonly errors: DraftErrors };
+  | { readonly ok: true; readonly sweep: Sweep }
+  | { readonly ok: false; readonly errors: DraftErrors };
 
 const DEFAULT_COUNT = 5;
 const MOST_VALUES = 10_000;

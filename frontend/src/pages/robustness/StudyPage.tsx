@@ -26,10 +26,8 @@ export function StudyPage() {
   const [changing, { toggle }] = useDisclosure(false);
 
   const { strategies } = catalogues;
-  const studied = useMemo(
-    () => strategies.filter(({ id }) => batch?.strategies.some((each) => each === id) ?? false),
-    [strategies, batch?.strategies],
-  );
+  const ids = batch?.strategies;
+  const studied = useMemo(() => strategies.filter((each) => ids?.some((id) => id === each.id)), [strategies, ids]);
   const tools = (
     <>
       {batch && defaults.data && (

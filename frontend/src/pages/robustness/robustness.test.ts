@@ -126,7 +126,7 @@ describe("the summary", () => {
 
   it("ranks fields by the figure that follows them most", () => {
     const cells = ranked({ x: [sensitivities("a", 0.3), sensitivities("b", 0.1)], y: [sensitivities("b", 0.6)] });
-    expect(cells.map(({ field, most, cells: cells }) => [field, most, Object.keys(cells)])).toEqual([
+    expect(cells.map(({ field, most, cells }) => [field, most, Object.keys(cells)])).toEqual([
       ["b", 0.6, ["x", "y"]],
       ["a", 0.3, ["x"]],
     ]);

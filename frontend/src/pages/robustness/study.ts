@@ -35,7 +35,8 @@ export interface Sweeps {
 }
 
 export type ParsedDraft =
-  { readonly ok: true; readonly sweeps: Sweeps } | { readonly ok: false; readonly errors: DraftErrors };
+  | { readonly ok: true; readonly sweeps: Sweeps }
+  | { readonly ok: false; readonly errors: DraftErrors };
 
 /** As it was sent: the server takes nothing else. */
 export const sweepOf = ({ sweep }: Pick<Batch, "sweep">) => sweep as Sweep;

@@ -41,12 +41,10 @@ interface Props {
 function Sweep({ id, view, onView, link }: Props) {
   const { job: batch, error, connected, left } = useJob(BATCH, id);
   const catalogues = useCatalogues();
-  const title = batch && (batch.label ?? `Sweep of ${titleOf(batch.fields)}`);
+  const title = batch?.label ?? (batch && `Sweep of ${titleOf(batch.fields)}`);
   const { strategies } = catalogues;
-  const swept = useMemo(
-    () => strategies.filter(({ id: strategy }) => batch?.strategies.some((each) => each === strategy) ?? false),
-    [strategies, batch?.strategies],
-  );
+  const ids = batch?.strategies;
+  const swept = useMemo(() => strategies.filter((each) => ids?.some((id) => id === each.id)), [strategies, ids]);
   const markers = useMemo(() => markersOf(strategies), [strategies]);
   return (
     <Page

@@ -56,7 +56,8 @@ export interface TuningDraft {
 
 /** Errors by field: `objectives.0`, `limits.1`, `search.mpc.stage_weights.bump.0`, `seeds`, `trials`, … */
 export type ParsedDraft =
-  { readonly ok: true; readonly body: TuningChoice } | { readonly ok: false; readonly errors: DraftErrors };
+  | { readonly ok: true; readonly body: TuningChoice }
+  | { readonly ok: false; readonly errors: DraftErrors };
 
 const PLAIN = ["previews", "quantile", "seeds", "fresh_seeds", "trials", "population", "seed", "strategy"];
 

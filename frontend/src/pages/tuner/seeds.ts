@@ -1,7 +1,8 @@
 /** Road seeds as somebody types them: `1-4, 7`. */
 
 export type Seeds =
-  { readonly ok: true; readonly seeds: readonly number[] } | { readonly ok: false; readonly message: string };
+  | { readonly ok: true; readonly seeds: readonly number[] }
+  | { readonly ok: false; readonly message: string };
 
 const MOST = 2 ** 32 - 1;
 
