@@ -20,7 +20,7 @@ def checksum_column(*covered: str) -> Column[str]:
     """A table's column `checksum`, filled when a row is inserted; it covers the columns of these names."""
 
     def of_inserted(context: Any) -> str:
-        return _digest(context.get_current_parameters()[name] for name in covered)
+        return digest_of(context.get_current_parameters()[name] for name in covered)
 
     return Column("checksum", String(LENGTH), nullable=True, default=of_inserted, info={"covered": covered})
 
@@ -43,7 +43,7 @@ def update_row(connection: Connection, table: Table, key: str, values: Mapping[s
         row = connection.execute(select(table).where(column == key)).one()
         check(table, row, "row")
         if row.checksum is not None:
-            changed["checksum"] = _digest({**row._mapping, **values}[name] for name in covered(table))
+            changed["checksum"] = digest_of({**row._mapping, **values}[name] for name in covered(table))
     if changed:
         connection.execute(update(table).where(column == key).values(**changed))
 
@@ -63,7 +63,7 @@ def is_intact(table: Table, row: Row[Any], prefix: str = "") -> bool:
         isinstance(value, bytes) and not isinstance(table.c[name].type, LargeBinary) for name, value in values.items()
     ):
         return False
-    return stored is None or stored == _digest(values.values())
+    return stored is None or stored == digest_of(values.values())
 
 
 def check(table: Table, row: Row[Any], what: str) -> None:
@@ -76,7 +76,8 @@ def check(table: Table, row: Row[Any], what: str) -> None:
         raise DamagedError(what)
 
 
-def _digest(values: Iterable[Any]) -> str:
+def digest_of(values: Iterable[Any]) -> str:
+    """The checksum of these values in this order."""
     digest = hashlib.blake2b(digest_size=LENGTH // 2)
     for value in values:
         part = _bytes(value)

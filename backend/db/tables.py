@@ -144,8 +144,8 @@ jobs = Table(
     Column("started_at", Utc, nullable=True),
     Column("finished_at", Utc, nullable=True),
     checksum_column(
-        *("id", "label", "owner", "schema_version", "request", "sweep", "answer", "estimated_cost", "total"),
-        "request_hash",
+        *("id", "kind", "parent_id", "label", "owner", "reason", "core_version", "schema_version", "request", "sweep"),
+        *("answer", "estimated_cost", "total", "request_hash"),
     ),
     UniqueConstraint("kind", "idempotency_key"),
     Index("ix_jobs_parent_id_finished_at", "parent_id", "finished_at"),

@@ -5,12 +5,13 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Any
 
-from sqlalchemy import Connection, bindparam, delete, insert, select
+from sqlalchemy import Connection, Select, bindparam, delete, insert, select
 
 from backend.db.checksum import check, update_row
 from backend.db.clock import UNSTORED
 from backend.db.database import RowStore, dialect_insert, insert_new
 from backend.db.tables import EXPIRED, results, run_recordings, run_results, run_roads, runs
+from backend.errors import DamagedError
 from backend.json_types import JsonObject
 from backend.outcome import Outcome
 from backend.store.damage import drop_results, is_intact_result
@@ -66,8 +67,8 @@ _STORED_NAMES = [column.name for column in runs.c if column.name not in ("create
 # Made once: to make them takes as long as to run them.
 _HEAD = select(runs).where(runs.c.id == bindparam("run"))
 _STORED = select(runs.c.id).where(runs.c.id == bindparam("run"))
-_MEMBERS = (
-    select(*results.c)
+_MEMBERS: Select[Any] = (
+    select(*results.c, run_results.c.position)
     .join(run_results, run_results.c.result_key == results.c.key)
     .where(run_results.c.run_id == bindparam("run"))
     .order_by(run_results.c.position)
@@ -165,6 +166,8 @@ def _load_run(connection: Connection, run_id: str) -> tuple[StoredRun | None, li
         return None, []
     check(runs, head, "run")
     members = connection.execute(_MEMBERS, {"run": run_id}).all()
+    if [row.position for row in members] != list(range(len(members))):
+        raise DamagedError("run")
     damaged = [row.key for row in members if not is_intact_result(row)]
     outcomes = (_result(row, lost=row.key in damaged) for row in members)
     values = {name: getattr(head, name) for name in (*_STORED_NAMES, "created_at")}

@@ -8,12 +8,25 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from sqlalchemy import Column, Connection, Row, Select, Table, case, func, or_, select, true, tuple_
+import orjson
+from sqlalchemy import Column, Connection, Row, Select, Table, Text, case, func, or_, select, true, tuple_, type_coerce
 from sqlalchemy.exc import SQLAlchemyError
 
 from backend.db.checksum import is_intact
 from backend.db.database import DAMAGED, Database
-from backend.db.tables import REMOVED, job_runs, jobs, links, pinned_series, recordings, results, roads, runs, trials
+from backend.db.tables import (
+    REMOVED,
+    job_events,
+    job_runs,
+    jobs,
+    links,
+    pinned_series,
+    recordings,
+    results,
+    roads,
+    runs,
+    trials,
+)
 from backend.errors import DamagedError
 from backend.store.damage import drop_pins, drop_results, is_intact_result
 
@@ -75,6 +88,7 @@ def verify(database: Database) -> Verdict:
             if row is None or not (is_intact_result(row) if table is results else is_intact(table, row)):
                 damaged.append(" ".join(map(str, key)))
     with database.reading() as connection:
+        verdict.damaged[jobs.name].extend(_unlike_their_last_event(connection))
         verdict.structure.extend(_counts(connection))
     return verdict
 
@@ -141,6 +155,36 @@ def _row(
         return connection.execute(whole.where(tuple_(*columns) == tuple_(*key))).one()
     except UNREADABLE:
         return None
+
+
+def _unlike_their_last_event(connection: Connection) -> Iterator[str]:
+    """Jobs that are not where their last event says: what changes as they go on has no checksum.
+
+    The counts of a sweep are those of its runs (`_counts`); a tuning's batch changes without an event.
+    """
+    last = select(job_events.c.job_id, func.max(job_events.c.number).label("number")).group_by(job_events.c.job_id)
+    numbers = last.subquery()
+    rows = (
+        select(
+            jobs.c.id, jobs.c.state, jobs.c.done, jobs.c.failed, type_coerce(jobs.c.progress, Text), job_events.c.data
+        )
+        .join(numbers, numbers.c.job_id == jobs.c.id)
+        .join(job_events, (job_events.c.job_id == jobs.c.id) & (job_events.c.number == numbers.c.number))
+        .where(jobs.c.kind != REMOVED, jobs.c.checksum.is_not(None))
+        .order_by(jobs.c.id)
+    )
+    for job_id, state, done, failed, progress, data in connection.execute(rows).all():
+        try:
+            now, event = orjson.loads(progress), orjson.loads(data)
+        except ValueError:
+            yield job_id
+            continue
+        if now:
+            now |= {"done": done, "failed": failed}
+            now.pop("batch", None)
+        now["state"] = state
+        if {name: event.get(name) for name in now} != now:
+            yield job_id
 
 
 def _counts(connection: Connection) -> Iterator[str]:

@@ -14,16 +14,19 @@ import pytest
 from alembic.autogenerate import compare_metadata
 from alembic.migration import MigrationContext
 from alembic.script import ScriptDirectory
-from sqlalchemy import func, select
+from sqlalchemy import func, select, text, update
 from sqlalchemy.exc import IntegrityError, SQLAlchemyError
 
 from backend.db import migrations
+from backend.db.checksum import digest_of
 from backend.db.database import DAMAGED
 from backend.db.migrations import REVISIONS
 from backend.db.sqlite import DamagedDatabaseError, wal_is_safe
-from backend.db.tables import metadata, results
+from backend.db.tables import jobs, metadata, results
 from backend.outcome import Outcome
 from backend.store import Store, StoredLink, StoredRun
+from backend.store.verify import verify
+from tests.api.test_job_store import BATCH
 from tests.data import release
 from tests.servers.postgres import Postgres
 from tests.servers.process import HANG_TIMEOUT
@@ -114,6 +117,27 @@ def test_a_database_of_a_release_keeps_every_row(open_store: OpenStore, version:
         for row in release.rows(version, table):
             same = {name: value for name, value in row.items() if name in there[0]}
             assert any(same.items() <= each.items() for each in there), (table, row)
+
+
+def test_checksums_of_jobs_cover_more_from_revision_0013(open_store: OpenStore) -> None:
+    store = open_store()
+    store.migrate("0012")
+    before = ("id", "label", "owner", "schema_version", "request", "sweep", "answer", "estimated_cost", "total")
+    for job_id in ("whole", "damaged", "unreadable", "older"):
+        store.jobs.create(replace(BATCH, id=job_id))
+        job = store.jobs.load(job_id)
+        checksum = digest_of(getattr(job, name) for name in (*before, "request_hash"))
+        with store.writing() as connection:
+            connection.execute(update(jobs).where(jobs.c.id == job_id).values(checksum=checksum))
+    with store.writing() as connection:
+        connection.execute(update(jobs).where(jobs.c.id == "damaged").values(label="another"))
+        connection.execute(update(jobs).where(jobs.c.id == "unreadable").values(request=text("'{'")))
+        connection.execute(update(jobs).where(jobs.c.id == "older").values(checksum=None))
+    store.migrate()
+    assert verify(store).damaged["jobs"] == ["damaged", "unreadable"]
+    with store.writing() as connection:
+        connection.execute(update(jobs).where(jobs.c.id == "whole").values(core_version="0.0.1"))
+    assert verify(store).damaged["jobs"] == ["damaged", "unreadable", "whole"]
 
 
 def test_migrating_again_and_from_many_processes_changes_nothing(open_store: OpenStore) -> None:

@@ -35,6 +35,17 @@ def test_a_text_whose_type_became_bytes_is_damaged_and_its_run_is_computed_again
     assert run.expired
 
 
+@pytest.mark.parametrize("change", ["state = 'failed'", "done = done - 1", "progress = '{\"attempt\":2}'"])
+def test_a_job_that_is_not_where_its_last_event_says_is_damaged(tmp_path: Path, change: str) -> None:
+    file = tmp_path / "ridelab.sqlite"
+    bits.fill(f"sqlite:///{file}")
+    with closing(sqlite3.connect(file)) as connection:
+        connection.execute(f"UPDATE jobs SET {change} WHERE kind = 'tuning'")  # noqa: S608
+        connection.commit()
+    with closing(Store(f"sqlite:///{file}")) as store:
+        assert len(verify(store).damaged["jobs"]) == 1
+
+
 def test_verify_names_what_is_damaged(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file, arguments = tmp_path / "ridelab.sqlite", ["--data-dir", str(tmp_path), "--verify"]
     bits.fill(f"sqlite:///{file}")
