@@ -75,6 +75,7 @@ struct car {
     struct mode mode;                  /* of that side */
     const struct linear_step *present; /* the step in that mode, NULL where it has to be looked up */
     double held[NUMBERS];              /* what command and stops make of rest in it */
+    double signals[NUMBERS + 1][SIGNALS]; /* what each number of a linear car's state, and braking, make of a sample */
     int linear_steps;                  /* that were made */
     struct linear_step *kept;          /* LINEAR_STEPS; a linear car's, which is never another */
 };
@@ -280,17 +281,17 @@ static inline void add_columns(const double (*restrict columns)[NUMBERS], const 
     }
 }
 
-/* A linear step: what road and braking `met` make, and the state, and what is held; without a lag, the forces are. */
-static inline void add_causes(const struct car *me, const struct linear_step *step, const double *met,
-                              const double *restrict x, double *restrict next)
+/* A linear step: what road and braking `met` make, and the state, of so many numbers, and what is held. */
+static inline void add_causes(const struct car *me, const struct linear_step *step, const double *restrict met,
+                              const double *restrict x, double *restrict next, int states)
 {
-    memcpy(next, me->held, sizeof me->held);
-    if (me->states == STATE) {
-        add_columns(step->effects, met, DISTURBANCES, next, STATE);
-        add_columns(step->effects + NOW, x, STATE, next, STATE);
-    } else {
-        add_columns(step->effects, met, DISTURBANCES, next, NUMBERS);
-        add_columns(step->effects + NOW, x, NUMBERS, next, NUMBERS);
+    for (int i = 0; i < states; i++) {
+        double all = me->held[i];
+        for (int cause = 0; cause < DISTURBANCES; cause++)
+            all += step->effects[cause][i] * met[cause];
+        for (int cause = 0; cause < states; cause++)
+            all += step->effects[NOW + cause][i] * x[cause];
+        next[i] = all;
     }
 }
 
@@ -317,7 +318,11 @@ static inline void advance_linearly(struct car *me, double h, const double *comm
         curve[axle] = v1 + 2 * time * v2;
         curve[AXLES + axle] = v2;
     }
-    add_causes(me, step, met, x->at, next->at);
+    memcpy(next->at, me->held, sizeof me->held);
+    if (me->states == STATE)
+        add_causes(me, step, met, x->at, next->at, STATE);
+    else
+        add_causes(me, step, met, x->at, next->at, NUMBERS);
     if (me->road.samples)
         add_columns(step->effects + CURVE, curve, 2 * AXLES, next->at, NUMBERS);
 }
@@ -495,23 +500,41 @@ static int cells(const struct car *me, int step)
     return length <= cell ? 1 : (int)ceil(length / cell);
 }
 
-/* One control step of the linear car, whose first fine step is given; its samples, those at the ends of its fine steps,
-   unless they are NULL. */
-static void hold_linear(struct car *me, int first, const double *command, struct state *x, double (*samples)[SIGNALS])
+/* A linear car's sample. */
+static inline void sample_linearly(const struct car *me, const double *restrict held, const double *restrict x,
+                                   double braking, double *restrict signals, int states)
+{
+    for (int i = 0; i < SIGNALS; i++) {
+        double all = held[i] + me->signals[NUMBERS][i] * braking;
+        for (int cause = 0; cause < states; cause++)
+            all += me->signals[cause][i] * x[cause];
+        signals[i] = all;
+    }
+}
+
+/* One control step of the linear car of so many numbers, whose first fine step is given; its samples, those at the ends
+   of its fine steps, unless they are NULL. */
+static inline void hold_linear(struct car *me, int first, const double *command, double *x, double (*samples)[SIGNALS],
+                               int states)
 {
     enter(me, 0);
+    const struct car *const car = me;
     const struct linear_step *step = present_step(me, me->time, command);
+    double at[2][NUMBERS], held[SIGNALS] = {0}; /* at both ends of a fine step; what forces that do not lag make of a sample */
+    memcpy(at[0], x, sizeof at[0]);
+    memcpy(at[1], x, sizeof at[1]);
+    add_columns(car->signals + FORCE, x + FORCE, NUMBERS - states, held, SIGNALS);
     for (int j = 0; j < me->fine; j++) {
+        const double *now = at[j % 2];
         double met[DISTURBANCES];
-        struct state next;
         meet(me, first + j, met);
         if (samples)
-            sample(me, x, met[BRAKING], samples[j]);
-        add_causes(me, step, met, x->at, next.at);
-        *x = next;
+            sample_linearly(me, held, now, met[BRAKING], samples[j], states);
+        add_causes(me, step, met, now, at[(j + 1) % 2], states);
     }
     if (samples)
-        sample(me, x, me->braking[first + me->fine - 1], samples[me->fine]);
+        sample_linearly(me, held, at[me->fine % 2], me->braking[first + me->fine - 1], samples[me->fine], states);
+    memcpy(x, at[me->fine % 2], sizeof at[0]);
 }
 
 /* The same of another car. */
@@ -586,8 +609,10 @@ static void advance(struct car *me, int step, const double *now, const double *c
 {
     int first = step * me->fine;
     struct state x = state_of(me, now, command);
-    if (me->linear)
-        hold_linear(me, first, command, &x, samples);
+    if (me->linear && me->states == STATE)
+        hold_linear(me, first, command, x.at, samples, STATE);
+    else if (me->linear)
+        hold_linear(me, first, command, x.at, samples, NUMBERS);
     else
         hold(me, first, command, &x, samples);
     memcpy(next + me->size - me->states, x.at, (size_t)me->states * sizeof(double));
@@ -644,4 +669,11 @@ void ridelab_prepare_car(struct car *me, const struct vehicle *vehicle, int stat
                        .estimator_input = estimator_input, .road = ridelab_road(roughness, samples, layout),
                        .position = position, .within = within, .height = height, .braking = braking, .steps = steps,
                        .fine = fine, .substeps = substeps, .time = time, .per_time = 1 / time, .recorder = recorder};
+    enter(me, 0);
+    for (int cause = 0; linear && cause <= NUMBERS; cause++) {
+        struct state x = {{0}};
+        if (cause < NUMBERS)
+            x.at[cause] = 1;
+        sample(me, &x, cause == NUMBERS, me->signals[cause]);
+    }
 }

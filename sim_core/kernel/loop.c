@@ -46,35 +46,38 @@ static void gather_inputs(const struct law *law, int step, const double *now, co
                horizon * sizeof(double));
 }
 
-/* The most that a row with such norms comes to, by Cauchy and Schwarz. */
-static inline double most(const double *norms, const double *size)
-{
-    return (norms[0] * size[0] + norms[1] * size[1]) + (norms[2] * size[2] + norms[3] * size[3]) + norms[4] * size[4];
-}
-
-/* Whether every row is within its limit. Most groups of rows need no closer look, and most rows none beyond their first
-   part. */
+/* Whether every row is within its limit. Most groups of rows need no closer look, by Cauchy and Schwarz, and most rows
+   none beyond their gains on state and force. */
 static int is_unconstrained(const struct law *law, int step)
 {
     const struct law_design *design = law->design;
-    const double *inputs = law->inputs, *norms = design->norms, *of_group = norms + NORMS * design->rows;
+    const double *inputs = law->inputs;
     double size[NORMS], scaled[INPUTS];
     for (int i = 0; i < INPUTS; i++)
         scaled[i] = design->scale[i] * inputs[i];
     size[0] = sqrt(dot(scaled, scaled, INPUTS));
     for (int i = 1; i < NORMS; i++)
         size[i] = law->sizes[(ptrdiff_t)law->numbers->steps * (i - 1) + step];
-    for (int first = 0; first < design->rows; first += GROUP, of_group += NORMS) {
-        if (most(of_group, size) <= WITHIN)
+    for (int first = 0; first < design->rows; first += GROUP) {
+        const struct screen *screen = design->screens + first / GROUP;
+        if (screen->most[0] * size[0] + (screen->most[1] * size[1] + screen->most[2] * size[2]) +
+                (screen->most[3] * size[3] + screen->most[4] * size[4]) <=
+            WITHIN)
             continue;
-        for (int i = first; i < first + GROUP && i < design->rows; i++) {
-            const double *row = design->limits + (ptrdiff_t)design->columns * i;
-            double at_most = most(norms + NORMS * i, size);
-            if (at_most <= WITHIN)
-                continue;
-            double first_part = dot(row, inputs, INPUTS);
-            if (!(at_most + (fabs(first_part) - norms[NORMS * i] * size[0]) <= WITHIN) &&
-                !(fabs(first_part + dot(row + INPUTS, inputs + INPUTS, design->columns - INPUTS)) <= WITHIN))
+        double own[GROUP], others[GROUP];
+        for (int j = 0; j < GROUP; j++) {
+            double sum = 0, most = 0;
+            for (int i = 0; i < INPUTS; i++)
+                sum += screen->own[i][j] * inputs[i];
+            for (int i = 1; i < NORMS; i++)
+                most += screen->norms[i - 1][j] * size[i];
+            own[j] = sum;
+            others[j] = most;
+        }
+        for (int j = 0; j < GROUP && first + j < design->rows; j++) {
+            const double *of_preview = design->limits + (ptrdiff_t)design->columns * (first + j) + INPUTS;
+            if (!(fabs(own[j]) + others[j] <= WITHIN) &&
+                !(fabs(own[j] + dot(of_preview, inputs + INPUTS, design->columns - INPUTS)) <= WITHIN))
                 return 0;
         }
     }
@@ -122,10 +125,10 @@ void ridelab_advance(struct car *car, double *loop, int step)
 }
 
 void ridelab_prepare_law_design(struct law_design *me, int rows, int horizon, const double *gain, const double *limits,
-                                const double *scale, const double *norms)
+                                const double *scale, const struct screen *screens)
 {
     _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a law is prepared in memory of that size");
-    *me = (struct law_design){rows, horizon, INPUTS + DISTURBANCES * horizon, gain, limits, scale, norms};
+    *me = (struct law_design){rows, horizon, INPUTS + DISTURBANCES * horizon, gain, limits, scale, screens};
 }
 
 void ridelab_prepare_law(struct law *me, const struct law_design *design, const struct law_numbers *numbers,

@@ -13,13 +13,19 @@ struct law_numbers {
     double force_limits[3];          /* of the law, of the actuators' change in a step, of the actuators [N] */
 };
 
+/* What bounds some rows of the limits: of each the gains on state and force, and the norms of its other parts on what
+   `sizes` measures; then the largest of all norms. */
+struct screen {
+    double own[INPUTS][GROUP], norms[NORMS - 1][GROUP], most[NORMS];
+};
+
 /* u = gain [state; previous force; preview], where each of the limits' rows is between -1 and 1. */
 struct law_design {
     int rows, horizon, columns; /* of the limits; steps previewed; INPUTS + 3 horizon */
     const double *gain;         /* 2 x columns */
     const double *limits;       /* rows x columns */
-    const double *scale;        /* INPUTS: of the state and the previous force, where `norms` have them together */
-    const double *norms;        /* rows x NORMS: of a row's parts on what `sizes` measures; then each group's largest */
+    const double *scale;        /* INPUTS: of the state and the previous force, where `screens` have them together */
+    const struct screen *screens; /* of each GROUP rows */
 };
 
 /* It in a run. */

@@ -2,7 +2,7 @@
 #ifndef RIDELAB_NUMBERS_H
 #define RIDELAB_NUMBERS_H
 
-enum { STATE = 8, AXLES = 2, FORCES = 2, INPUTS = STATE + FORCES, DISTURBANCES = 3, NORMS = 5, GROUP = 10 };
+enum { STATE = 8, AXLES = 2, FORCES = 2, INPUTS = STATE + FORCES, DISTURBANCES = 3, NORMS = 5, GROUP = 8 };
 
 /* Before a short loop over numbers that do not depend on each other: gcc would unroll it before it sees that. */
 #define TWO_AT_ONCE _Pragma("GCC unroll 1")
@@ -28,6 +28,6 @@ static inline double dot(const double *a, const double *b, int count)
 }
 
 /* Bytes that are enough for a law or a car of any kind. */
-enum { RIDELAB_PREPARED = 1024 };
+enum { RIDELAB_PREPARED = 2048 };
 
 #endif

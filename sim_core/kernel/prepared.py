@@ -16,7 +16,7 @@ from sim_core.kernel.record import LAYOUT, SIGNALS, Recorder
 
 CAR, ESTIMATOR = 119, 112  # numbers of `struct vehicle` and `struct estimator` of car.c
 _LAW_NUMBERS, _SIZES = 7, 4  # of `struct law_numbers` in loop.h; magnitudes of what is previewed
-_GROUP = 10  # rows of limits that loop.h looks at together
+_GROUP = 8  # rows of limits that loop.h looks at together
 CAUSES, NUMBERS, KEPT_STEPS = 20, 10, 16  # of `struct linear_step` in car.c, and how many are kept
 _STATES, _LAGGING, _FORCES, _LAW_INPUTS, _DISTURBANCES, _MEASURED = 8, 10, 2, 10, 3, 4
 _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
@@ -74,26 +74,30 @@ class LawDesign:
         (rows, inputs), horizon = self.limits.shape, self.horizon
         require(inputs == _LAW_INPUTS + _DISTURBANCES * horizon and horizon >= 0, "Limits on everything the law knows")
         require(self.gain.shape == (_FORCES, inputs), "A gain for everything the law knows")
-        norms = self._norms(horizon) if rows else (np.zeros(_LAW_INPUTS), np.zeros((0, 1 + _SIZES)))
-        for each in norms:
+        screens = self._screens(horizon)
+        for each in screens:
             each.flags.writeable = False  # a law is shared by runs
-        arrays = self.gain, self.limits, *norms
+        arrays = self.gain, self.limits, *screens
         object.__setattr__(self, "prepared", _prepare_law_design.prepare(rows, horizon, *arrays))
 
-    def _norms(self, horizon: int) -> tuple[FloatArray, FloatArray]:
-        """`scale` (10,) and `norms` (rows and groups, 5) of loop.h.
+    def _screens(self, horizon: int) -> tuple[FloatArray, FloatArray]:
+        """`scale` (10,) and `screens` (groups, 117) of loop.h.
 
         The norms of each row's parts are of that on state and force in units that make their largest gain 1, on the
         mean deceleration, on both road velocities, and on the deceleration's difference from its mean.
         """
-        on_state, by_disturbance = self.limits[:, :_LAW_INPUTS], self.limits[:, _LAW_INPUTS:]
-        by_disturbance = by_disturbance.reshape(len(self.limits), _DISTURBANCES, horizon)
-        scale = np.abs(on_state).max(axis=0, initial=0.0)
-        state = np.linalg.norm(on_state / np.where(scale > 0, scale, 1.0), axis=1)
-        mean = np.abs(by_disturbance[:, 2].sum(axis=1))
-        norms = np.column_stack([state, mean, np.linalg.norm(by_disturbance, axis=2)])
-        groups = [norms[first : first + _GROUP].max(axis=0) for first in range(0, len(norms), _GROUP)]
-        return scale, np.vstack([norms, *groups])
+        groups = -(-len(self.limits) // _GROUP)
+        rows = np.zeros((groups, _GROUP, self.inputs))
+        rows.reshape(-1, self.inputs)[: len(self.limits)] = self.limits
+        on_state = rows[:, :, :_LAW_INPUTS]
+        by_disturbance = rows[:, :, _LAW_INPUTS:].reshape(groups, _GROUP, _DISTURBANCES, horizon)
+        scale = np.abs(on_state).max(axis=(0, 1), initial=0.0)
+        state = np.linalg.norm(on_state / np.where(scale > 0, scale, 1.0), axis=2)
+        mean = np.abs(by_disturbance[:, :, 2].sum(axis=2))
+        others = np.dstack([mean, np.linalg.norm(by_disturbance, axis=3)])
+        most = np.column_stack([state.max(axis=1), others.max(axis=1)])
+        by_number = [part.transpose(0, 2, 1).reshape(groups, _GROUP * part.shape[2]) for part in (on_state, others)]
+        return scale, np.hstack([*by_number, most])
 
     @property
     def inputs(self) -> int:

@@ -88,13 +88,18 @@ static void under_part(double (*sample)[SIGNALS], double first, double last, dou
 /* The integral of a value by trapezoids up to one of the command's fine steps, and its peak. */
 static double trapezoids(const double *value, double last, double *peak)
 {
-    double sum = 0;
-    *peak = larger(*peak, value[0]);
-    for (int step = 0; step < last; step++) {
-        double high = last - step < 1 ? last - step : 1, end = (1 - high) * value[step] + high * value[step + 1];
-        sum += high * (0.5 * (value[step] + value[step + 1]));
-        *peak = larger(*peak, end);
+    int whole = (int)last;
+    double sum = 0, most = larger(*peak, value[0]), part = last - whole;
+    for (int step = 0; step < whole; step++) {
+        sum += 0.5 * (value[step] + value[step + 1]);
+        most = larger(most, value[step + 1]);
     }
+    if (part > 0) {
+        double end = (1 - part) * value[whole] + part * value[whole + 1];
+        sum += part * (0.5 * (value[whole] + value[whole + 1]));
+        most = larger(most, end);
+    }
+    *peak = most;
     return sum;
 }
 
@@ -136,13 +141,17 @@ static void weigh(const struct weighting *restrict by, double a, double b, doubl
 /* So many of its samples through the weighting. */
 static void add_weighted(struct recorder *me, int samples)
 {
-    double *re = me->found->modes[0], *im = me->found->modes[1];
+    double re[MODES], im[MODES];
+    memcpy(re, me->found->modes[0], sizeof re);
+    memcpy(im, me->found->modes[1], sizeof im);
     for (int step = 0; step < samples; step++) {
         double weighted = 2 * ((re[0] + re[1]) + (re[2] + re[3])), square = weighted * weighted;
         me->found->weighted_squares += square;
         me->found->weighted_fourths += square * square;
         weigh(me->weighting, me->samples[step][ACCELERATION], me->samples[step + 1][ACCELERATION], re, im);
     }
+    memcpy(me->found->modes[0], re, sizeof re);
+    memcpy(me->found->modes[1], im, sizeof im);
 }
 
 /* The largest magnitude of a tyre's load, if that is above `peak`, where the axle meets kinks of the road in a fine step,
