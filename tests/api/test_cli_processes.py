@@ -9,6 +9,8 @@ import re
 import signal
 import sqlite3
 import subprocess
+import sys
+import tempfile
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
@@ -17,9 +19,11 @@ import httpx
 import psutil
 import pytest
 
+from ridelab.cli import service
 from ridelab.cli.following import submit_job
 from ridelab.cli.service import Services
 from ridelab.client import Ridelab
+from ridelab.errors import RidelabAPIError
 from ridelab.jobs import Batch
 from tests.api.conftest import Service
 from tests.api.own_laws import LAW
@@ -106,6 +110,21 @@ def test_a_private_service_that_does_not_start_says_why(alone: Cli) -> None:
     assert alone("run", "--data-dir", "/dev/null/data", code=3) == ""
     assert alone.error.startswith("Ridelab does not start: ")
     assert "Traceback" not in alone.error
+
+
+def test_the_log_of_a_private_service_that_fails_stays(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    serves = "import sys; print('Ridelab is at http://127.0.0.1:9', flush=True); sys.stdin.read()"
+    monkeypatch.setattr(service, "server_command", lambda *_, **__: [sys.executable, "-c", serves])
+    monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
+    for status in (422, 500):
+        assert list(tmp_path.iterdir()) == []
+        with pytest.raises(RidelabAPIError), service.private(None):
+            raise RidelabAPIError(status, "Something went wrong")
+    (log,) = tmp_path.iterdir()
+    assert log.read_text() == "Ridelab is at http://127.0.0.1:9\n"
+    assert str(log) in capsys.readouterr().err
 
 
 def stopped(client: httpx.Client, how: signal.Signals, seeds: str, folder: Path, *more: str) -> tuple[str, int, str]:

@@ -129,7 +129,7 @@ def test_an_instant_of_a_stored_run_has_the_address_that_shows_it(
 ) -> None:
     seen = instant(Scenario.model_validate(SHORT), "lv", position=45.0)
     answer = prepared.answers[f"GET /runs/{RUN}/instant"] = as_answer("lv", seen).model_dump_json().encode()
-    asked = ("instant", RUN, "-s", "lv", "--position", "45")
+    asked = ("instant", RUN, "--position", "45")  # of the run's first strategy
     *_, blank, address = cli(*asked).splitlines()
     assert (blank, address) == ("", f"{ADDRESS}/r/{RUN}?instant=lv~{round(seen.position, 2):g}")
     assert json.loads(cli(*asked, "--json")) == {"run_id": RUN, **json.loads(answer)}

@@ -1,5 +1,7 @@
 """`ridelab frequency`: at which frequency a strategy wins, and how close it is to instability."""
 
+from collections.abc import Sequence
+from itertools import pairwise, zip_longest
 from math import degrees
 from typing import Annotated, Any
 
@@ -25,17 +27,20 @@ def frequency(
     strategy: options.Strategies = None,
     stage: Annotated[str, options.option("STAGE", _STAGE)] = "cruise",
     signal: Annotated[str, options.option("KEY", _SIGNAL)] = _WEIGHTED,
+    baseline: options.Baseline = None,
     as_json: options.AsJson = False,
 ) -> None:
     """Show responses to the road by frequency, modes and stability margins of strategies in one driving stage.
 
-    All of it while no limit binds; held forces, actuator lag, estimator, ECU delay and preview are inside.
+    All of it while no limit binds; held forces, actuator lag, estimator, ECU delay and preview are inside. Changes are
+    against passive, or against --baseline, which also shows at which frequencies the signal is below the baseline's.
     """
     if stage not in _STAGES:
         raise InputError(f"--stage is one of {', '.join(_STAGES)}")
     start = fields.scenario_of(scenario, changes, services)
     names = options.listed(strategy) or list(services.names.strategies)
-    asked = names if "passive" in names or as_json else [*names, "passive"]
+    against = baseline or "passive"
+    asked = names if against in names or (as_json and baseline is None) else [*names, against]
     answer = services.at().frequency(start, asked, stage=stage)
     if as_json:
         print_json(answer)
@@ -46,12 +51,16 @@ def frequency(
         raise InputError(f"--signal is one of {', '.join(keys)}")
     weighted = signal == _WEIGHTED
     words = "body acceleration as ISO 2631-1 weighs it" if weighted else services.names.signal(signal)
-    typer.echo(f"Stage {stage}, while no limit binds; {words}, against passive\n")
-    heads = [f"{low:g}-{high:g} Hz" for low, high in answer["bands"]]
-    passive = answer["strategies"]["passive"]["bands"] if "passive" in answer["strategies"] else None
-    rows = [[label, *_bands(each, passive, signal)] for label, each in of_bands.items()]
+    typer.echo(f"Stage {stage}, while no limit binds; {words}, against {services.names.label(against)}\n")
+    heads = ["RMS [m/s^2]" if weighted else "RMS", *(f"{low:g}-{high:g} Hz" for low, high in answer["bands"])]
+    base, frequencies = answer["strategies"][against], answer["frequency"]
+    rows = [[label, *_bands(each, base["bands"], signal)] for label, each in of_bands.items()]
+    if baseline is not None:
+        heads.append(f"below {services.names.label(baseline)} [Hz]")
+        for row, label in zip(rows, of_bands, strict=True):
+            row.append(_below(results[label]["psd"], base["psd"], signal, frequencies))
     if rows:
-        show_table(["RMS [m/s^2]" if weighted else "RMS", *heads], rows)
+        show_table(heads, rows)
         typer.echo()
     judged = [[label, *_margins(each)] for label, each in results.items() if each["modes"] is not None]
     if judged:
@@ -63,9 +72,24 @@ def frequency(
             typer.echo(f"{label}  {each['reason']}")
 
 
-def _bands(bands: dict[str, list[float]], passive: dict[str, list[float]] | None, signal: str) -> list[str]:
+def _below(
+    psd: dict[str, list[float]], of_baseline: dict[str, list[float]] | None, signal: str, frequency: Sequence[float]
+) -> str:
+    """The frequencies at which a signal is less than the baseline's: `0.3-2.31, 4.1-30`."""
+    if of_baseline is None or psd is of_baseline:
+        return "-"
+    differences = [value - base for value, base in zip(psd[signal], of_baseline[signal], strict=True)]
+    edges = [frequency[0]] if differences[0] < 0 else []
+    for (low, before), (high, after) in pairwise(zip(frequency, differences, strict=True)):
+        if (before < 0) != (after < 0):
+            edges.append(low + (high - low) * before / (before - after))
+    spans = zip_longest(edges[::2], edges[1::2], fillvalue=frequency[-1])
+    return ", ".join(f"{low:.4g}-{high:.4g}" for low, high in spans) or "none"
+
+
+def _bands(bands: dict[str, list[float]], of_baseline: dict[str, list[float]] | None, signal: str) -> list[str]:
     values = bands[signal]
-    base = passive[signal] if passive is not None and passive is not bands else [0.0] * len(values)
+    base = of_baseline[signal] if of_baseline is not None and of_baseline is not bands else [0.0] * len(values)
     return [
         f"{value:.3g}{f' ({100 * (value / reference - 1):+.0f} %)' if reference else ''}"
         for value, reference in zip(values, base, strict=True)

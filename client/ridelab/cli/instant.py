@@ -10,13 +10,14 @@ from ridelab.cli.service import Services
 from ridelab.cli.tables import show_table
 
 _RUN = "Id or address of a run or link; or a scenario, which is run first."
+_WHOSE = "Whose controller [default: the run's first; of a scenario lv]."
 _LEAST_SHARE = 0.005  # of the cost, that is shown
 
 
 def instant(
     services: Services,
     target: Annotated[str, typer.Argument(metavar="RUN", help=_RUN, autocompletion=options.completes("presets"))],
-    strategy: Annotated[str, options.option("ID", "Whose controller.", "--strategy", "-s", completes="strategies")],
+    strategy: Annotated[str | None, options.option("ID", _WHOSE, "--strategy", "-s", completes="strategies")] = None,
     changes: options.Changes = None,
     position: Annotated[float | None, options.option("M", "Of the front axle [m].", "--position")] = None,
     time: Annotated[float | None, options.option("S", "In its place [s].", "--time")] = None,
@@ -31,6 +32,7 @@ def instant(
     source = targets.find(target, services)
     ridelab = source.ridelab or services.at()
     run = source.run
+    strategy = strategy or next(iter(services.names.strategies if run is None else run.strategies))
     if run is None or changes:
         run = ridelab.run(fields.changed(source.scenario, changes or [], services), [strategy])
     answer = ridelab.instant(run, strategy, position=position, time=time)

@@ -1,5 +1,6 @@
 """`ridelab run`: strategies over one scenario."""
 
+import shlex
 from typing import Annotated, Any
 
 import typer
@@ -70,7 +71,9 @@ def run(
 def _place(run: RunResult, services: Services) -> str:
     if run.id is None:
         return "not stored (--data-dir DIR stores it)"
-    return f"run {run.id}" if services.private else f"{services.at().address}/r/{run.id}"
+    if not services.private:
+        return f"{services.at().address}/r/{run.id}"
+    return f"run {run.id}; {shlex.join(['ridelab', 'open', run.id, *services.options])} shows it"
 
 
 def with_units(run: RunResult) -> dict[str, Any]:

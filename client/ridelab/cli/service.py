@@ -19,8 +19,9 @@ import typer
 from ridelab.cli.in_process import InProcess
 from ridelab.cli.names import Names
 from ridelab.cli.options import Controllers, DataDir, Server
-from ridelab.cli.reporting import InputError, UnavailableError, waiting
+from ridelab.cli.reporting import InputError, UnavailableError, note, waiting
 from ridelab.client import Ridelab
+from ridelab.errors import RidelabAPIError
 from ridelab.http import without_login
 
 START = 90.0  # the private service gets so long to start [s]; it takes one or two
@@ -189,6 +190,12 @@ def private(data_dir: Path | None, controllers: Sequence[Path] = ()) -> Iterator
         )
         try:
             yield _wait(process, log)
+        except RidelabAPIError as error:
+            if error.status >= 500:  # the log says more
+                with tempfile.NamedTemporaryFile(prefix="ridelab-", suffix=".log", delete=False) as saved:
+                    saved.write(_read(log))
+                note(f"The private service's log is in {saved.name}")
+            raise
         finally:
             if process.stdin is not None:
                 process.stdin.close()
@@ -205,7 +212,7 @@ def _wait(process: subprocess.Popen[bytes], log: IO[bytes]) -> str:
     with waiting("Starting a private service"):
         while time.monotonic() < end:
             ended = process.poll() is not None
-            text = os.pread(log.fileno(), 1 << 20, 0).decode(errors="replace")
+            text = _read(log).decode(errors="replace")
             address = _ADDRESS.search(text)
             if address is not None:
                 return address[1]
@@ -215,3 +222,8 @@ def _wait(process: subprocess.Popen[bytes], log: IO[bytes]) -> str:
                 raise UnavailableError("\n".join(plain or lines[-1:]) or "The private service ended without a word")
             time.sleep(0.02)  # the log is a file, which nothing can wait on
     raise UnavailableError(f"The private service did not start within {START:.0f} s")
+
+
+def _read(log: IO[bytes]) -> bytes:
+    """All of it, whatever the process that writes it has its place at."""
+    return os.pread(log.fileno(), os.fstat(log.fileno()).st_size, 0)
