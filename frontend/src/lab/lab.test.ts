@@ -1,5 +1,5 @@
 import { QueryClient } from "@tanstack/react-query";
-import { describe, expect, it } from "vitest";
+import { describe, expect, it, vi } from "vitest";
 import type { LiveAnswer, Run, Scenario, SeriesByStrategy, StrategyId, Summary } from "../api/types";
 import { DEFAULT_VIEW, type Address } from "./address";
 import type { LabApi } from "./labState";
@@ -168,6 +168,22 @@ it("Undo takes back a text that is no value before it takes back an edit", async
   expect(lab.get()).toMatchObject({ invalidInput: {}, busy: false, history: { present: LOW } });
   lab.undo();
   expect(lab.get()).toMatchObject({ busy: true, history: { present: PAPER } });
+});
+
+it("under a moving slider curves follow each answer, what is read a few times a second", async () => {
+  const { lab, answer, start } = harness();
+  await start();
+  const [shown, newest] = [() => lab.get().shown?.scenario, () => lab.newest.get()?.scenario];
+  expect([shown(), newest()]).toEqual([PAPER, PAPER]);
+  lab.drag(LOW);
+  await answer("live");
+  expect([shown(), newest()]).toEqual([LOW, LOW]);
+  for (const height of [3, 4]) {
+    lab.drag({ height });
+    await answer("live");
+    expect([shown(), newest()]).toEqual([LOW, { height }]);
+  }
+  await vi.waitFor(() => expect(lab.get()).toMatchObject({ shown: { scenario: { height: 4 } }, busy: false }));
 });
 
 describe("the state before the last edit", () => {

@@ -60,6 +60,7 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
   return {
     get: store.get,
     subscribe: store.subscribe,
+    newest: requests.newest,
     open,
     navigate: (address) => {
       open(address);

@@ -8,7 +8,7 @@ import type { Group } from "../scenario/schema";
 import type { Address } from "./address";
 import type { History } from "./history";
 import type { Result } from "./result";
-import type { Atom } from "@tanstack/react-store";
+import type { Atom, ReadonlyAtom } from "@tanstack/react-store";
 import type { Api } from "../api/client";
 import type { LabAddress } from "./labAddress";
 
@@ -32,6 +32,7 @@ export interface LabState {
   readonly strategies: readonly StrategyId[];
   /** How many roads an exact run drives. */
   readonly roads: number;
+  /** What is read: under a moving slider it changes a few times a second. */
   readonly shown: Result | null;
   /** The newest exact result: under a moving slider it is no longer what is shown. */
   readonly latestResult: Result | null;
@@ -48,6 +49,8 @@ export interface LabState {
 export const hasInvalidInput = ({ invalidInput }: LabState): boolean => Object.keys(invalidInput).length > 0;
 
 export interface Lab extends Pick<Atom<LabState>, "get" | "subscribe"> {
+  /** What is drawn: `shown`, under a moving slider the newest answer. */
+  readonly newest: ReadonlyAtom<Result | null>;
   readonly open: (address: Address) => void;
   /** Opens where Back or Forward led to. */
   readonly navigate: (address: Address) => void;

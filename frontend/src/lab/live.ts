@@ -10,11 +10,14 @@ import { ALL_POINTS } from "../server/queries";
 import { axisKey } from "./resultView";
 import { fromLive, type Result } from "./result";
 import { withoutGone } from "../scenario/ownOptions";
-import type { Atom } from "@tanstack/react-store";
-import type { Timer } from "../lib/timer";
+import { createAtom, type Atom } from "@tanstack/react-store";
+import { createTimer, type Timer } from "../lib/timer";
 
 const POINTS = 700;
 const POINTS_MOST = 2500;
+
+/** So often what is read follows [ms]: curves alone follow each answer. */
+const READ_MS = 200;
 
 /** No recording is asked for while somebody drags: it stays as it was. */
 const simulated = (ids: readonly StrategyId[]) => ids.filter((id) => !isRecording(id));
@@ -54,7 +57,24 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
     return Math.round(Math.min(POINTS_MOST, POINTS / Math.max(part, 0.01)));
   };
 
-  const { request, cancel } = createLatest<LiveRequest, LiveAnswer>({
+  const answered = createAtom<Result | null>(null);
+  const newest = createAtom(() => {
+    const { shown } = store.get();
+    return shown?.source === "live" ? answered.get() : shown;
+  });
+
+  let asked: Scenario | null = null;
+  const isNewest = () => store.get().drag === asked;
+  const show = () =>
+    patch({
+      shown: answered.get(),
+      serverErrors: NO_ERRORS,
+      failure: null,
+      ...(isNewest() ? { busy: false, stale: false } : {}),
+    });
+  const reading = createTimer(READ_MS, show);
+
+  const latest = createLatest<LiveRequest, LiveAnswer>({
     run: ({ scenario }, signal) => {
       grace.start();
       const { group } = form();
@@ -65,15 +85,18 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
       );
     },
     onAnswer: (answer, { scenario, startedAt }) => {
-      const isNewest = store.get().drag === scenario;
-      if (isNewest) grace.stop();
+      const { shown, stale, latestResult } = store.get();
+      asked = scenario;
+      if (isNewest()) grace.stop();
       else grace.start();
-      const shown = withRecorded(fromLive(answer, performance.now() - startedAt), store.get().latestResult);
-      patch({ shown, serverErrors: NO_ERRORS, failure: null, ...(isNewest ? { busy: false, stale: false } : {}) });
+      answered.set(withRecorded(fromLive(answer, performance.now() - startedAt), latestResult));
+      if (shown?.source !== "live" || stale) show();
+      else if (!reading.isRunning()) reading.start();
     },
     onError: (error) => {
       // While dragging, an overloaded or silent server only means no new curves; the release asks again.
       grace.stop();
+      reading.stop();
       patch({
         busy: false,
         stale: true,
@@ -82,5 +105,12 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
     },
     most: 2,
   });
-  return { request: (scenario: Scenario) => request({ scenario, startedAt: performance.now() }), cancel };
+  return {
+    newest,
+    request: (scenario: Scenario) => latest.request({ scenario, startedAt: performance.now() }),
+    cancel: () => {
+      reading.stop();
+      latest.cancel();
+    },
+  };
 }

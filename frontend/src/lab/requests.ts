@@ -7,7 +7,7 @@ import { cursor } from "./cursor";
 import { createExactRequests } from "./exactRequest";
 import { historiesOf } from "./histories";
 import { begin, record } from "./history";
-import type { LabState, LabForm, Services } from "./labState";
+import type { Lab, LabState, LabForm, Services } from "./labState";
 import { createLive } from "./live";
 import { NO_ERRORS, problemOf } from "./problems";
 import { fromCache, linkKey, runKey } from "../server/queries";
@@ -20,7 +20,7 @@ import { createTimer } from "../lib/timer";
 
 const STALE_AFTER_MS = 200;
 
-export interface Requests {
+export interface Requests extends Pick<Lab, "newest"> {
   /** Runs what the form says. */
   readonly submit: (mode: "push" | "replace") => void;
   readonly load: (id: string, hidden: readonly StrategyId[]) => void;
@@ -159,6 +159,7 @@ export function createRequests(
   };
 
   return {
+    newest: live.newest,
     submit,
     load,
     openLink,

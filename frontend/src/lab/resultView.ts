@@ -29,6 +29,7 @@ export interface ResultView {
   readonly differences: boolean;
   readonly judged: Judged;
   readonly axis: Axis;
+  readonly zoom: ViewZoom;
   readonly whole: Zoom;
   /** The bump with some road around it; `null` where there is none. */
   readonly bump: Zoom | null;
@@ -73,7 +74,7 @@ export function partShown(
   );
   const bump = bumpRange(summaries, ids, axis, whole);
   const range = rangeOf(zoom, bump, whole);
-  return { shown, catalogue, strategies, ids, faults, summaries, series, axis, whole, bump, range };
+  return { shown, catalogue, strategies, ids, faults, summaries, series, axis, zoom, whole, bump, range };
 }
 
 /** Where the one chosen is not of the run, the last that is on. */

@@ -5,6 +5,7 @@ export interface Timer {
   readonly stop: () => void;
   /** Acts now if it would have acted later. */
   readonly flush: () => void;
+  readonly isRunning: () => boolean;
 }
 
 export function createTimer(delayMs: number, action: () => void): Timer {
@@ -23,6 +24,7 @@ export function createTimer(delayMs: number, action: () => void): Timer {
       handle = setTimeout(act, delayMs);
     },
     stop,
+    isRunning: () => handle !== null,
     flush: () => {
       if (handle === null) return;
       stop();

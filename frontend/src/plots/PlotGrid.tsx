@@ -7,54 +7,57 @@ import type { FigureTemplate } from "../api/types";
 import type { Zoom } from "../lab/address";
 import { useLabContext } from "../lab/context";
 import { useIsolated } from "../lab/isolated";
-import type { ResultView } from "../lab/resultView";
-import { layersOf, type Curves } from "./curves";
+import { partShown, type ResultView } from "../lab/resultView";
+import { layersOf, sameCurves, type Curves } from "./curves";
 import { PALETTES } from "./palettes";
 import { EnlargeButton } from "./FigureButton";
 import { PlotPanel } from "./PlotPanel";
 import classes from "./plots.module.css";
-import { drawnOf, subtrahend } from "./differences";
+import { curvesOf, subtrahend } from "./differences";
 import { useCurves, useDetail, useLayered } from "./useDetail";
 import { Card } from "../ui/Card";
 import { buildFigure, MARGIN } from "./figure";
 import { Overlay } from "./Overlay";
 import { Surface, type CurvesSource } from "./Surface";
 
-/** What all panels draw of a result: one for all of them, which follows a slider without rendering any of them anew. */
+/** What all panels draw of a result: one for all of them, which follows a slider without rendering anything anew. */
 export function useShownCurves(resultView: ResultView): CurvesSource {
+  const { lab } = useLabContext();
   const { roads, ...pair } = useCurves(resultView);
   const own = useDetail(pair.own);
   const other = useDetail(pair.other);
   const layered = useLayered(resultView);
-  const { strategies, axis, range, shown, differences, baseline, ids, summaries } = resultView;
-  // What changes are against is drawn only in plots of the differences.
-  const [base, reference] = differences ? [baseline, resultView.reference] : [null, null];
-  const drawn = useMemo(
-    () => drawnOf({ differences, reference, baseline: base, ids, axis, range, summaries }, own, other),
-    [differences, reference, base, ids, axis, range, summaries, own, other],
-  );
+  const { shown, differences, ids } = resultView;
   const standsOut = useIsolated();
-  const one = standsOut !== null && ids.includes(standsOut) ? standsOut : null;
+  const isolated = standsOut !== null && ids.includes(standsOut) ? standsOut : null;
   const minus = differences ? subtrahend(resultView) : undefined;
-  const layers = useMemo(() => (differences ? [] : layersOf(layered)), [differences, layered]);
-  return useCurvesSource(
-    useMemo(
-      () => ({
-        ...drawn,
-        layers,
-        strategies,
-        axis,
-        range,
-        isolated: one,
-        live: shown.source === "live",
-        runId: shown.runId,
-        coreVersion: shown.coreVersion,
-        ...(roads !== undefined && { roads }),
-        ...(minus !== undefined && { minus }),
-      }),
-      [drawn, layers, strategies, axis, range, one, shown.source, shown.runId, shown.coreVersion, roads, minus],
-    ),
+  const layers = useMemo(
+    () => (differences ? [] : layersOf(layered, shown.runId)),
+    [differences, layered, shown.runId],
   );
+  const beside = useMemo(
+    () => ({ layers, isolated, ...(minus !== undefined && { minus }) }),
+    [layers, isolated, minus],
+  );
+  const still = useMemo(
+    () => ({ ...curvesOf(resultView, own, other), ...beside, ...(roads !== undefined && { roads }) }),
+    [resultView, own, other, beside, roads],
+  );
+  const [source] = useState(() => createAtom<Curves>(still, { compare: sameCurves }));
+  useLayoutEffect(() => {
+    const follow = () => {
+      const newest = lab.newest.get();
+      if (newest?.source !== "live") source.set(still);
+      else {
+        const part = partShown(newest, resultView.strategies, ids, resultView);
+        source.set({ ...curvesOf({ ...resultView, ...part }, part.series, other), ...beside });
+      }
+    };
+    follow();
+    const following = lab.newest.subscribe(follow);
+    return () => following.unsubscribe();
+  }, [lab, source, still, resultView, ids, other, beside]);
+  return source;
 }
 
 interface Props {

@@ -8,7 +8,7 @@ import type { Zoom, Axis } from "../lab/address";
 import { printing } from "../lib/printing";
 import { shallow, useSelector } from "@tanstack/react-store";
 import { axisUnit, buildFigure } from "./figure";
-import { fileOf, type Curves } from "./curves";
+import { fileOf, sameCurves, type Curves } from "./curves";
 import type { Palette } from "./palettes";
 import { EnlargeButton, FigureButton } from "./FigureButton";
 import { Overlay } from "./Overlay";
@@ -37,10 +37,6 @@ const sourceOf = (template: FigureTemplate, curves: CurvesSource, file: string):
 
 /** What a panel says beside its curves: most answers under a moving slider leave it as it is. */
 const headOf = ({ strategies, axis, range, runId, minus }: Curves) => ({ strategies, axis, range, runId, minus });
-type Head = ReturnType<typeof headOf>;
-
-const flat = ({ strategies, range, ...rest }: Head) => [...strategies, ...range, ...Object.values(rest)];
-const sameHead = (one: Head, other: Head) => shallow(flat(one), flat(other));
 
 /** Panels this close to the window are drawn too, so that scrolling meets no blank ones. */
 const NEAR = "40px 0px";
@@ -50,7 +46,7 @@ export const PlotPanel = memo(function PlotPanel({ template, curves, palette, on
   const printed = useSelector(printing);
   const inViewport = printed || (entry?.isIntersecting ?? false);
   const { meta } = template.layout;
-  const { strategies, axis, range, runId, minus } = useSelector(curves, headOf, { compare: sameHead });
+  const { strategies, axis, range, runId, minus } = useSelector(curves, headOf, { compare: sameCurves });
   const build = useCallback((drawn: Curves) => buildFigure({ template, palette, ...drawn }), [template, palette]);
   const drawn = strategies.map(({ label }) => label).join(", ");
   const part = `${axis} from ${formatFixed(range[0], 1)} to ${formatFixed(range[1], 1)} ${axisUnit(axis)}`;

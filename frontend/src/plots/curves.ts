@@ -1,5 +1,6 @@
 /** What panels draw: the shown curves, and under them those of the state before the last edit (thin) and of pins (each with a dash). */
 
+import { shallow } from "@tanstack/react-store";
 import type { FigureTemplate, SeriesByStrategy, Strategy, StrategyId, Summary } from "../api/types";
 import type { Axis, Zoom } from "../lab/address";
 import type { ResultView } from "../lab/resultView";
@@ -24,12 +25,15 @@ export const PIN_WIDTH = 1.2;
 
 export const pinDash = (index: number): string => PIN_DASHES[index % PIN_DASHES.length] ?? "2,2";
 
-export function layersOf({ shown, before, pins }: Pick<ResultView, "shown" | "before" | "pins">): readonly Layer[] {
+export function layersOf(
+  { before, pins }: Pick<ResultView, "before" | "pins">,
+  runId: string | null,
+): readonly Layer[] {
   const ghost = before
     ? [{ name: before.name, series: before.shown.series, line: { width: BEFORE_WIDTH }, grey: true, opacity: 0.65 }]
     : [];
   // A pinned result that is what is shown has no curves beside those.
-  const others = pins.filter((pin) => pin.shown.runId === null || pin.shown.runId !== shown.runId);
+  const others = pins.filter((pin) => pin.shown.runId === null || pin.shown.runId !== runId);
   const pinned = others.map(({ name, shown: { series }, index = 0 }) => ({
     name,
     series,
@@ -80,6 +84,16 @@ export interface Curves {
   /** What the curves are differences to. */
   readonly minus?: string;
 }
+
+type Compared = Pick<Curves, "strategies" | "range" | "layers">;
+
+const flat = ({ strategies, range, layers = [], ...rest }: Compared) => [
+  ...[...strategies, ...range, ...layers],
+  ...Object.values(rest),
+];
+
+/** Whether nothing is to be drawn anew. */
+export const sameCurves = <Part extends Compared>(one: Part, other: Part) => shallow(flat(one), flat(other));
 
 /** Of each controller of one's own its id, its file and that one's digest. */
 export const ownLaws = ({ strategies, summaries }: Pick<Curves, "strategies" | "summaries">): readonly string[] =>

@@ -3,8 +3,8 @@
 import { isExtreme, type Series } from "../api/decode";
 import type { SeriesByStrategy, StrategyId, Summary } from "../api/types";
 import type { Axis, Zoom } from "../lab/address";
-import { axisKey, type ResultView } from "../lab/resultView";
-import type { FigureInput } from "./curves";
+import { axisKey, type PartShown, type ResultView } from "../lab/resultView";
+import type { Curves, FigureInput } from "./curves";
 import type { Numbers } from "../lib/samples";
 import { covering } from "../lib/samples";
 
@@ -143,6 +143,20 @@ export function drawnOf(
   if (!resultView.differences) return { series: own, sourceSeries: own, summaries: resultView.summaries };
   const series = differencesOf(own, seriesAgainst(resultView, own, ofAgainst), resultView.axis, resultView.range);
   return { series, sourceSeries: own, summaries: withoutReferences(resultView.summaries) };
+}
+
+/** What of a result view is drawn; the series are its own, or finer. */
+export function curvesOf(
+  resultView: Omit<PartShown, "whole"> & Pick<ResultView, "differences" | "reference" | "baseline">,
+  own: SeriesByStrategy,
+  ofAgainst: SeriesByStrategy,
+): Curves {
+  const { strategies, axis, range, shown } = resultView;
+  const { source, runId, coreVersion } = shown;
+  return {
+    ...drawnOf(resultView, own, ofAgainst),
+    ...{ strategies, axis, range, live: source === "live", runId, coreVersion },
+  };
 }
 
 /** What is taken away, in words. */

@@ -84,29 +84,31 @@ function cachedMeans(client: QueryClient, shown: Result): SeriesByStrategy | und
   return client.getQueryData(meansQuery(shown, client.getQueryData(figuresQuery.queryKey)).queryKey);
 }
 
-type OtherCurves = Pick<ResultView, "shown" | "before" | "pins">;
+type OtherCurves = Pick<ResultView, "before" | "pins">;
+type BesideShown = Pick<ResultView, "shown" | "before" | "pins">;
 
 /** What else is drawn beside means is means too; beside one road's curves it is one road's. */
 function withMeans(
-  { shown, before, pins }: OtherCurves,
+  over: Result["over"],
+  { before, pins }: OtherCurves,
   meansOf: (shown: Result) => SeriesByStrategy | undefined,
 ): OtherCurves {
   const averaged = (result: Result): Result => ({
     ...result,
-    series: (shown.over && meansOf(result)) ?? result.series,
+    series: (over && meansOf(result)) ?? result.series,
   });
   return {
-    shown,
     before: before && { ...before, shown: averaged(before.shown) },
     pins: pins.map((pin) => ({ ...pin, shown: averaged(pin.shown) })),
   };
 }
 
-export function useLayered({ shown, before, pins }: OtherCurves): OtherCurves {
+export function useLayered({ shown, before, pins }: BesideShown): OtherCurves {
   const figures = useFigures();
+  const { over } = shown;
   const others = useMemo(
-    () => (shown.over ? [...(before ? [before] : []), ...pins].map((variant) => variant.shown).filter(hasMeans) : []),
-    [shown.over, before, pins],
+    () => (over ? [...(before ? [before] : []), ...pins].map((variant) => variant.shown).filter(hasMeans) : []),
+    [over, before, pins],
   );
   const means = useQueries({
     queries: others.map((other) => meansQuery(other, figures)),
@@ -116,14 +118,14 @@ export function useLayered({ shown, before, pins }: OtherCurves): OtherCurves {
     ),
   });
   return useMemo(
-    () => withMeans({ shown, before, pins }, (result) => means[others.indexOf(result)]),
-    [shown, before, pins, means, others],
+    () => withMeans(over, { before, pins }, (result) => means[others.indexOf(result)]),
+    [over, before, pins, means, others],
   );
 }
 
 /** The same for a file: what is on the screen. */
-export const layeredFrom = (client: QueryClient, resultView: OtherCurves): OtherCurves =>
-  withMeans(resultView, (result) => cachedMeans(client, result));
+export const layeredFrom = (client: QueryClient, resultView: BesideShown): OtherCurves =>
+  withMeans(resultView.shown.over, resultView, (result) => cachedMeans(client, result));
 
 interface Curves {
   /** What the curves are of. */

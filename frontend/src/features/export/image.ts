@@ -27,7 +27,7 @@ function stackFigures(
 ): PlotFigure & { readonly height: number } {
   const templates = Object.values(figures);
   const { differences, axis } = resultView;
-  const layers = differences ? [] : layersOf(resultView);
+  const layers = differences ? [] : layersOf(resultView, resultView.shown.runId);
   const drawn = drawnOf(resultView, own, other);
   const row = 1 / templates.length;
   const built = templates.map((template) =>

@@ -1,7 +1,7 @@
 /** What the lab shows of a run: the only part of the page that is rendered anew with each answer. */
 
 import { Anchor, Button, Group, Text } from "@mantine/core";
-import { useMemo } from "react";
+import { useDeferredValue, useMemo } from "react";
 import { useQuery } from "@tanstack/react-query";
 import { Link } from "@tanstack/react-router";
 import type { Strategy } from "../../api/types";
@@ -24,12 +24,22 @@ import { BATCH, jobQuery } from "../../jobs/useJob";
 import { parseSearch } from "../../lab/address";
 import { useSelector } from "@tanstack/react-store";
 
+/** Under a moving slider curves are drawn between the parts of what follows from this. */
+function useDeferredWhile<Value>(isLive: boolean, newest: Value): Value {
+  const deferred = useDeferredValue(newest);
+  return isLive ? deferred : newest;
+}
+
 export function LabMain({ strategies }: { readonly strategies: readonly Strategy[] }) {
   const [catalogue, figures] = [useCatalogue(), useLabFigures(strategies)];
-  const shown = useLab((state) => state.shown);
+  const isLive = useLab((state) => state.shown?.source === "live");
+  const shown = useDeferredWhile(
+    isLive,
+    useLab((state) => state.shown),
+  );
   const selected = useLab((state) => state.strategies);
   const { axis, zoom, baseline, reference, differences, requirements } = useView();
-  const compared = useCompared();
+  const compared = useDeferredWhile(isLive, useCompared());
   // Apart: another baseline leaves what is drawn as it is.
   const part = useMemo(
     () => (shown ? partShown(shown, strategies, selected, { axis, zoom }) : null),

@@ -24,7 +24,6 @@ import {
 } from "./afterCurves";
 import { metricsOf } from "../../server/metrics";
 import { getAt } from "../../scenario/path";
-import { useCalm } from "../../lib/useCalm";
 import { useCurves } from "../../plots/useDetail";
 
 type Figures = Readonly<Record<string, FigureTemplate>>;
@@ -45,14 +44,12 @@ export function Results({ strategies, catalogue, figures, resultView }: Props) {
   );
   const { lab } = useLabContext();
   const stale = useLab((state) => state.stale);
-  // Under a moving slider curves alone follow each answer.
-  const calm = useCalm(resultView, resultView?.shown.source === "live") ?? resultView;
   if (failure?.kind === "notFound") return <NotFound />;
   if (none) return <NothingChosen suggestion={strategies.map(({ id }) => id)} />;
   if (failure?.kind === "failed" && !shown) return <CouldNotLoad message={failure.message} onRetry={lab.openPaper} />;
   if (refused && !shown)
     return <CouldNotLoad what="scenario" message={refused} onRetry={lab.openPaper} retry="Open the paper’s scenario" />;
-  if (!resultView || !calm || resultView.ids.length === 0) return <Loading />;
+  if (!resultView || resultView.ids.length === 0) return <Loading />;
   return (
     <div
       className={classes.results}
@@ -61,9 +58,9 @@ export function Results({ strategies, catalogue, figures, resultView }: Props) {
       data-source={resultView.shown.source}
       data-run={resultView.shown.runId ?? undefined}
     >
-      <Conclusion resultView={calm} catalogue={catalogue} />
+      <Conclusion resultView={resultView} catalogue={catalogue} />
       {resultView.shown.missing === null ? (
-        <Histories {...{ resultView, calm, catalogue, figures }} />
+        <Histories {...{ resultView, catalogue, figures }} />
       ) : (
         <>
           <LazyPart>
@@ -144,22 +141,18 @@ function useInSight(newest: ResultView) {
   return [ref, shown] as const;
 }
 
-interface HistoriesProps extends PartProps {
-  readonly calm: ResultView;
-}
-
-function Histories({ resultView, calm, catalogue, figures }: HistoriesProps) {
+function Histories({ resultView, catalogue, figures }: PartProps) {
   const [ride, rest] = useMemo(() => {
     const drawn = Object.entries(figures).flatMap(([name, template]) => (name === "road" ? [] : [template]));
     const isRide = ({ layout }: FigureTemplate) => catalogue.paper_signals.includes(layout.meta.signal);
     return [drawn.filter(isRide), drawn.filter((template) => !isRide(template))];
   }, [catalogue, figures]);
   const curves = useShownCurves(resultView);
-  const [numbersRef, numbers] = useInSight(calm);
-  const [responsesRef, responses] = useInSight(calm);
+  const [numbersRef, numbers] = useInSight(resultView);
+  const [responsesRef, responses] = useInSight(resultView);
   return (
     <>
-      <CarOnRoad resultView={calm} figures={figures} />
+      <CarOnRoad resultView={resultView} figures={figures} />
       <PlotGrid templates={ride} curves={curves} />
       <div ref={numbersRef} className={classes.results}>
         <Numbers resultView={numbers} catalogue={catalogue} figures={figures} />

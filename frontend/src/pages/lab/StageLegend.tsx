@@ -24,7 +24,7 @@ export function StageLegend({ resultView, catalogue, meta }: Props) {
   const airborne = resultView.ids.some((id) => Number(resultView.summaries[id]?.events.airborne_ms ?? 0) > 0);
   const hasBand = useCurves(resultView).roads !== undefined && !resultView.differences;
   const held = useIsolated();
-  const layers = resultView.differences ? [] : layersOf(resultView);
+  const layers = resultView.differences ? [] : layersOf(resultView, resultView.shown.runId);
   const several = resultView.axis === "time" && resultView.ids.length > 1;
   return (
     <div className={classes.legend}>
