@@ -1,6 +1,6 @@
 """What a sweep's runs do not depend on, in words: fields a strategy does not read, speeds it does not reach."""
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from backend.job_run import JobRun
 from backend.json_types import JsonObject
@@ -24,7 +24,12 @@ def notes(
     """
     policies = {point.get(POLICY, dotted.value(base, POLICY)) for point in points}
     names = list(dict.fromkeys(run.strategy for run in runs))
-    return [*_unread(names, policies, axes, runs), *_overruled(base, axes), *_clamped(base, points, names, policies)]
+    return [
+        *_unread(names, policies, axes, runs),
+        *_without_choice(base, points, axes),
+        *_overruled(base, axes),
+        *_clamped(base, points, names, policies),
+    ]
 
 
 def _unread(
@@ -41,6 +46,16 @@ def _unread(
             counted = f"its {len(keys)} runs give {results} result{'s' if results > 1 else ''}"
             said.append(f"{strategy_named(name).label} does not use {fields}: {counted}")
     return said
+
+
+def _without_choice(base: JsonObject, points: Sequence[JsonObject], axes: Mapping[str, Sequence[str]]) -> Iterator[str]:
+    """Fields that are read with another one's value alone, such as a filter's, which no point has."""
+    for field in map(dotted.field, axes):
+        if field.read_with is None:
+            continue
+        choice, needed = field.read_with
+        if all(point.get(choice, dotted.value(base, choice)) != needed for point in points):
+            yield f"{field.title} is read with {choice} = {needed} alone, which no point has"
 
 
 def _overruled(base: JsonObject, axes: Mapping[str, Sequence[str]]) -> list[str]:

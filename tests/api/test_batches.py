@@ -289,6 +289,12 @@ def test_what_a_sweeps_runs_do_not_depend_on_is_said(client: httpx.Client) -> No
     ]
     alike["scenario"]["speed"]["policy"] = "planned"
     assert submit(client, targets, dry_run=True, **alike).json()["notes"] == []
+    noise = {"grid": {"estimation.acceleration_noise": [0.1, 0.2]}}
+    assert submit(client, noise, dry_run=True, strategies=["lv"]).json()["notes"] == [
+        "Acceleration noise is read with estimation.kind = kalman alone, which no point has"
+    ]
+    filtered: dict[str, Any] = {"scenario": {"estimation": {"kind": "kalman"}}, "strategies": ["lv"]}
+    assert submit(client, noise, dry_run=True, **filtered).json()["notes"] == []
 
 
 def test_a_small_batch_does_not_wait_for_a_large_one_which_is_cancelled_and_goes_on(client: httpx.Client) -> None:

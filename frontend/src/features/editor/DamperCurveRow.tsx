@@ -23,7 +23,7 @@ const PARTS = [
 
 export function DamperCurveRow({ field }: { readonly field: DataField }) {
   const id = useId();
-  const [edit, leaf] = [useEdit(), useLeaf(field.pointer, field.paperValue)];
+  const [edit, leaf] = [useEdit(), useLeaf(field)];
   const damping = useFromScenario((scenario) =>
     numberAt(scenario, field.pointer.replace("damper_curve", "damping") as typeof field.pointer, 0),
   );

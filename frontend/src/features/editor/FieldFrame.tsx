@@ -22,7 +22,7 @@ interface Props {
   readonly children?: ReactNode;
 }
 
-export function FieldFrame({ id, field, leaf: { changed, error }, standard, aside, children }: Props) {
+export function FieldFrame({ id, field, leaf: { changed, error, unread }, standard, aside, children }: Props) {
   const { pointer, title } = field;
   return (
     <div
@@ -32,7 +32,12 @@ export function FieldFrame({ id, field, leaf: { changed, error }, standard, asid
       data-error={error !== undefined || undefined}
     >
       <Group gap="0.25rem" wrap={aside === undefined ? "nowrap" : "wrap"} mih={30}>
-        <label className={classes.label} htmlFor={id} id={`${id}-label`}>
+        <label
+          className={classes.label}
+          data-unread={unread !== undefined || undefined}
+          htmlFor={id}
+          id={`${id}-label`}
+        >
           {title}
         </label>
         <Help field={field} />
@@ -41,6 +46,7 @@ export function FieldFrame({ id, field, leaf: { changed, error }, standard, asid
         {aside}
       </Group>
       {children}
+      {unread !== undefined && <Text className={classes.note}>{unread}</Text>}
       <FieldError id={id} error={error} />
     </div>
   );

@@ -49,7 +49,7 @@ function MemberControl({ member }: { readonly member: Member }) {
 }
 
 function Leaf({ field }: { readonly field: NumberField | ChoiceField }) {
-  const leaf = useLeaf(field.pointer, field.paperValue);
+  const leaf = useLeaf(field);
   if (field.kind === "choice") return <ChoiceFieldRow {...{ field, leaf }} />;
   return field.pointer === ROUGHNESS ? <RoadClassRow {...{ field, leaf }} /> : <NumberFieldRow {...{ field, leaf }} />;
 }
@@ -123,7 +123,7 @@ function nearestClass(roughness: number): RoadClass | undefined {
 
 /** A part of the fuzzy speed controller's rule base: whether it is the paper's, a way back to it, and one to its panel. */
 function DataRow({ field }: { readonly field: DataField }) {
-  const leaf = useLeaf(field.pointer, field.paperValue);
+  const leaf = useLeaf(field);
   const name = `data-${field.pointer}`;
   const { label, ...button } = useActionButton("fuzzy");
   return (

@@ -20,7 +20,7 @@ import { useLeaf } from "./useLeaf";
 const NONE = { value: "", label: "None" };
 
 export function RoadProfileRow({ field }: { readonly field: TextField }) {
-  const leaf = useLeaf(field.pointer, field.paperValue);
+  const leaf = useLeaf(field);
   const edit = useEdit();
   const openItem = useOpenItem();
   const own = useItems("road");

@@ -67,7 +67,7 @@ function MatrixRow({ vector }: { readonly vector: VectorField }) {
 
 function MatrixCell({ field, rowTitle }: { readonly field: NumberField; readonly rowTitle: string }) {
   const id = useId();
-  const leaf = useLeaf(field.pointer, field.paperValue);
+  const leaf = useLeaf(field);
   const label = `${rowTitle}, ${field.title}`;
   return (
     <div className={classes.cell} data-changed={leaf.changed || undefined}>

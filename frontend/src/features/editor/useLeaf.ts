@@ -3,12 +3,15 @@
 import type { JsonValue, Scenario } from "../../api/types";
 import { useEdit, useFromScenario, useLab, useReadOnly } from "../../lab/context";
 import type { InvalidInput } from "../../lab/labState";
-import { valueAt } from "../../scenario/differences";
+import { valueAt, type Leaf } from "../../scenario/differences";
 import { sameValue, setAt, type Pointer } from "../../scenario/path";
+import { optionTitle } from "../../scenario/schema";
 
 export interface LeafState {
   readonly value: JsonValue | undefined;
   readonly readOnly: boolean;
+  /** Why the field is not read at the moment. */
+  readonly unread?: string;
   readonly changed: boolean;
   readonly rejected: InvalidInput | undefined;
   readonly error: string | undefined;
@@ -19,10 +22,16 @@ export interface LeafState {
   readonly accept: () => void;
 }
 
-export function useLeaf(pointer: Pointer, standard: JsonValue): LeafState {
-  const value = useFromScenario((scenario) => valueAt(scenario, { pointer, paperValue: standard }));
+export function useLeaf({ pointer, paperValue, readWith }: Leaf): LeafState {
+  const value = useFromScenario((scenario) => valueAt(scenario, { pointer, paperValue }));
+  const isRead = useFromScenario(
+    (scenario) => readWith === undefined || valueAt(scenario, { ...readWith, paperValue: null }) === readWith.value,
+  );
   const leaf = useValue(pointer, value, (scenario, next) => setAt(scenario, pointer, next));
-  return { ...leaf, changed: !sameValue(value, standard) };
+  const changed = !sameValue(value, paperValue);
+  if (readWith === undefined || isRead) return { ...leaf, changed };
+  const unread = `Read only with ${readWith.title}: ${optionTitle(readWith.value)}`;
+  return { ...leaf, changed, readOnly: true, unread };
 }
 
 type Written = (scenario: Scenario, next: JsonValue) => Scenario;
