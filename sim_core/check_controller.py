@@ -115,7 +115,11 @@ def failure(error: BaseException, controller: type[Controller] | Controller) -> 
     """An error of a run in a sentence, with the line of the controller's own file that led to it."""
     if isinstance(error, RidelabError) and not isinstance(error, ForceError):
         return error.message
-    return said_by(error, inspect.getfile(controller if isinstance(controller, type) else type(controller)))
+    try:
+        file = inspect.getfile(controller if isinstance(controller, type) else type(controller))
+    except (TypeError, OSError):  # a class of a notebook or a prompt is in none
+        return error.message if isinstance(error, RidelabError) else f"{type(error).__name__}: {error}"
+    return said_by(error, file)
 
 
 class _ByForce(Controller):

@@ -116,3 +116,18 @@ def test_the_check_takes_an_id_and_refuses_what_is_no_controller() -> None:
     assert "derived from sim_core.Controller" in check_controller(nothing)[0]
     with pytest.raises(RidelabError, match=r"derived from sim_core\.Controller"):
         simulate(SHORT, nothing)
+
+
+@pytest.mark.parametrize(
+    ("law", "said"),
+    [
+        ("[0.0]", "Law: force gives two numbers, front and rear; in step 0 it gave an array of the shape (1,)"),
+        ("1 / 0", "ZeroDivisionError: division by zero"),
+    ],
+)
+def test_a_class_that_is_in_no_file_is_checked_like_others(law: str, said: str) -> None:
+    """As one typed in a notebook or at a prompt is."""
+    names: dict[str, Any] = {"__name__": "nowhere", "Controller": Controller}
+    source = f"class Law(Controller):\n 'Law.'\n id, label = 'law', 'Law'\n def force(self, seen):\n  return {law}\n"
+    exec(source, names)  # noqa: S102  # what a notebook does
+    assert check_controller(names["Law"]) == [said]
