@@ -105,15 +105,15 @@ def _last_motion(loop: SampledLoop) -> float:
         estimator = replace(estimator, input=np.zeros((_BLOCK, STATES)))
     car = make_vehicle(loop.vehicle, loop.run.actuator, step, 1, *_STILL, estimator=estimator)
     motion = np.ones((_BLOCK + 1, len(loop.closed)))
-    free = law_arrays(LinearLaw(gain=loop.law.gain), _NO_PREVIEW, np.full(3, inf), clips=True)
-    follow = car.follow_law(free, motion)
+    law = LinearLaw(gain=loop.law.gain).design
+    follow = car.follow_law(law_arrays(_NO_PREVIEW, np.full(3, inf), clips=True), motion)
     eigenvalues, vectors = np.linalg.eig(loop.closed)
     to_modes = np.linalg.pinv(vectors)[np.abs(eigenvalues) > NEGLIGIBLE].T
     blocks = ceil(_SETTLED / (step * _BLOCK))
     grown = 0.0
     logarithms, changes = [], []
     for block in range(2 * blocks):
-        follow(0, _BLOCK)
+        follow(law, None, 0, _BLOCK)
         x = motion @ to_modes
         size = np.linalg.norm(x, axis=1)
         if block >= blocks:

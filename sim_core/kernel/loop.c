@@ -34,30 +34,28 @@ int ridelab_limit_force(const double *limits, const double *wanted, const double
     return shaped;
 }
 
-/* What the law multiplies in a control step: the car's state, the previous force, the preview, one kind after another. */
-static void gather_inputs(const struct law *law, int step, const double *now, const double *previous)
+/* What a law multiplies in a control step: the car's state, the previous force, the preview, one kind after another. */
+static void gather_inputs(const struct run_inputs *run, size_t horizon, int step, const double *now, const double *previous)
 {
-    const double *preview = law->preview + (ptrdiff_t)law->numbers->step_stride * step;
-    size_t horizon = (size_t)law->design->horizon;
-    memcpy(law->inputs, now, STATE * sizeof(double));
-    memcpy(law->inputs + STATE, previous, FORCES * sizeof(double));
+    const double *preview = run->preview + (ptrdiff_t)run->numbers->step_stride * step;
+    memcpy(run->inputs, now, STATE * sizeof(double));
+    memcpy(run->inputs + STATE, previous, FORCES * sizeof(double));
     for (size_t kind = 0; kind < DISTURBANCES; kind++)
-        memcpy(law->inputs + INPUTS + kind * horizon, preview + (ptrdiff_t)law->numbers->kind_stride * (ptrdiff_t)kind,
+        memcpy(run->inputs + INPUTS + kind * horizon, preview + (ptrdiff_t)run->numbers->kind_stride * (ptrdiff_t)kind,
                horizon * sizeof(double));
 }
 
 /* Whether every row is within its limit. Most groups of rows need no closer look, by Cauchy and Schwarz, and most rows
    none beyond their gains on state and force. */
-static int is_unconstrained(const struct law *law, int step)
+static int is_unconstrained(const struct law_design *design, const struct run_inputs *run, int step)
 {
-    const struct law_design *design = law->design;
-    const double *inputs = law->inputs;
+    const double *inputs = run->inputs;
     double size[NORMS], scaled[INPUTS];
     for (int i = 0; i < INPUTS; i++)
         scaled[i] = design->scale[i] * inputs[i];
     size[0] = sqrt(dot(scaled, scaled, INPUTS));
     for (int i = 1; i < NORMS; i++)
-        size[i] = law->sizes[(ptrdiff_t)law->numbers->steps * (i - 1) + step];
+        size[i] = run->sizes[(ptrdiff_t)run->numbers->steps * (i - 1) + step];
     for (int first = 0; first < design->rows; first += GROUP) {
         const struct screen *screen = design->screens + first / GROUP;
         if (screen->most[0] * size[0] + (screen->most[1] * size[1] + screen->most[2] * size[2]) +
@@ -85,27 +83,27 @@ static int is_unconstrained(const struct law *law, int step)
 }
 
 /* Control steps from `first` to before `last`, in rows of `loop`, [car; previous command], of which the first is given.
-   Returns the first step that neither the law nor its QP decides, or `last`; `limited` counts those in which a limit
-   shaped the command. */
-int ridelab_follow_law(struct car *car, const struct law *law, double *loop, int *limited, int first, int last)
+   `qp`, NULL for none, solves those in which a limit of the law binds. Returns the first step that neither decides, or
+   `last`; `limited` counts those in which a limit shaped the command. */
+int ridelab_follow_law(struct car *car, const struct run_inputs *run, double *loop, int *limited,
+                       const struct law_design *law, const struct qp *qp, struct qp_run *qp_run, int first, int last)
 {
-    const struct law_numbers *numbers = law->numbers;
-    const struct law_design *design = law->design;
-    int size = ridelab_car_size(car), width = size + FORCES;
+    const struct law_numbers *numbers = run->numbers;
+    const double *inputs = run->inputs;
+    int size = ridelab_car_size(car), width = size + FORCES, previewed = law->columns - INPUTS;
     for (int step = first; step < last; step++) {
         double *now = loop + (ptrdiff_t)width * step, *next = now + width, wanted[FORCES], command[FORCES];
         const double *previous = now + size;
         int beyond = 0, lost = 0, by_qp = 0;
-        gather_inputs(law, step, now, previous);
+        gather_inputs(run, (size_t)law->horizon, step, now, previous);
         for (int axle = 0; axle < FORCES; axle++) {
-            const double *gain = design->gain + design->columns * axle;
-            wanted[axle] = dot(gain, law->inputs, INPUTS) + dot(gain + INPUTS, law->inputs + INPUTS, design->columns - INPUTS);
+            const double *gain = law->gain + law->columns * axle;
+            wanted[axle] = dot(gain, inputs, INPUTS) + dot(gain + INPUTS, inputs + INPUTS, previewed);
             beyond |= !(fabs(wanted[axle]) <= numbers->force_limits[0] * WITHIN);
             lost |= isnan(wanted[axle]);
         }
-        if (lost || (beyond && !numbers->clips) || !is_unconstrained(law, step)) {
-            by_qp = law->qp && ridelab_may_solve(law->qp_run) &&
-                    ridelab_solve_qp(law->qp, law->qp_run, law->inputs, wanted);
+        if (lost || (beyond && !numbers->clips) || !is_unconstrained(law, run, step)) {
+            by_qp = qp && ridelab_may_solve(qp_run) && ridelab_solve_qp(qp, qp_run, inputs, wanted);
             if (!by_qp)
                 return step;
         }
@@ -131,15 +129,14 @@ void ridelab_prepare_law_design(struct law_design *me, int rows, int horizon, co
     *me = (struct law_design){rows, horizon, INPUTS + DISTURBANCES * horizon, gain, limits, scale, screens};
 }
 
-void ridelab_prepare_law(struct law *me, const struct law_design *design, const struct law_numbers *numbers,
-                         const double *preview, const double *sizes, double *inputs, const struct qp *qp,
-                         struct qp_run *qp_run)
+void ridelab_prepare_run_inputs(struct run_inputs *me, const struct law_numbers *numbers, const double *preview,
+                                const double *sizes, double *inputs)
 {
-    _Static_assert(sizeof *me <= RIDELAB_PREPARED, "a law is prepared in memory of that size");
-    *me = (struct law){design, numbers, preview, sizes, inputs, qp, qp_run};
+    _Static_assert(sizeof *me <= RIDELAB_PREPARED, "what laws share is prepared in memory of that size");
+    *me = (struct run_inputs){numbers, preview, sizes, inputs};
 }
 
-/* What `law.sizes` has of each window that slides over what is previewed (3 x count): sums of `horizon` numbers and of their
+/* What `run_inputs.sizes` has of each window that slides over what is previewed (3 x count): sums of `horizon` numbers and of their
    squares, from one window to the next. */
 void ridelab_window_sizes(const double *ahead, int count, int horizon, double *sizes)
 {

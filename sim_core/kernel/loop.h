@@ -28,15 +28,12 @@ struct law_design {
     const struct screen *screens; /* of each GROUP rows */
 };
 
-/* It in a run. */
-struct law {
-    const struct law_design *design;
+/* What all laws of a run share. */
+struct run_inputs {
     const struct law_numbers *numbers;
-    const double *preview;      /* both road velocities and the deceleration in each coming step */
-    const double *sizes;        /* 4 x steps: of the mean deceleration previewed, both velocities, its difference */
-    double *inputs;             /* that it multiplies in the present step */
-    const struct qp *qp;        /* NULL: C solves none */
-    struct qp_run *qp_run;
+    const double *preview; /* both road velocities and the deceleration in each coming step */
+    const double *sizes;   /* 4 x steps: of the mean deceleration previewed, both velocities, its difference */
+    double *inputs;        /* that a law multiplies in the present step */
 };
 
 /* A half-car on its road (car.c). */

@@ -11,7 +11,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.kernel.library import DOUBLE, INT, Array, Function, Optional, Prepared, require
-from sim_core.kernel.qp import QpDesign, QpMemory
+from sim_core.kernel.qp import Qp
 from sim_core.kernel.record import LAYOUT, SIGNALS, Recorder
 
 CAR, ESTIMATOR = 119, 112  # numbers of `struct vehicle` and `struct estimator` of car.c
@@ -23,7 +23,7 @@ _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
 _LINE_OUT, _TABLE_OUT, _LINES_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2, 3))
 
 _prepare_law_design = Function("prepare_law_design", INT, INT, _TABLE, _TABLE, Array(_LAW_INPUTS), _TABLE)
-_prepare_law = Function("prepare_law", Prepared, Array(_LAW_NUMBERS), Array(), _TABLE, _LINE_OUT, Optional, Optional)
+_prepare_run_inputs = Function("prepare_run_inputs", Array(_LAW_NUMBERS), Array(), _TABLE, _LINE_OUT)
 _prepare_car = Function(
     "prepare_car",
     *(Array(CAR), INT, INT, _TABLE_OUT, INT, Array(ESTIMATOR), _TABLE),
@@ -31,7 +31,10 @@ _prepare_car = Function(
 )
 _sample = Function("sample", Prepared, _TABLE, INT, INT, _LINES_OUT)
 _follow_law = Function(
-    "follow_law", Prepared, Prepared, _TABLE_OUT, Array(1, dtype=np.intc, written=True), INT, INT, result=INT
+    "follow_law",
+    *(Prepared, Prepared, _TABLE_OUT, Array(1, dtype=np.intc, written=True)),
+    *(Prepared, Optional, Optional, INT, INT),
+    result=INT,
 )
 _limit_force = Function(
     "limit_force", Array(3), Array(_FORCES), Array(_FORCES), Array(_FORCES, written=True), result=INT
@@ -112,25 +115,23 @@ class LawDesign:
 
 @dataclass(frozen=True, slots=True, eq=False, kw_only=True)
 class LawArrays:
-    """A law of control in one run, as loop.h has it.
+    """What the laws of control of one run share, as loop.h has it.
 
     Attributes:
-        design: The law.
+        horizon: Control steps that are previewed.
         preview: An array with all that is previewed.
         strides: How many numbers further the next kind of disturbance and the next control step are in it.
         sizes: Magnitudes of what is previewed in each step, for the last four of the norms (4, steps).
         force_limits: As `limit_force` has them (3,).
-        clips: Whether a force beyond the limit is clipped, or not decided by the law.
-        qp: What decides the steps in which a limit binds, and its memory in this run; None where C does not.
+        clips: Whether a force beyond the limit is clipped, or not decided by a law.
     """
 
-    design: LawDesign
+    horizon: int
     preview: FloatArray
     strides: tuple[int, int]
     sizes: FloatArray
     force_limits: FloatArray
     clips: bool
-    qp: tuple[QpDesign, QpMemory] | None = None
 
     def prepared(self) -> Prepared:
         """What C gets.
@@ -138,17 +139,14 @@ class LawArrays:
         Raises:
             ValueError: Sizes disagree.
         """
-        inputs, steps, (kind, step) = self.design.inputs, self.sizes.shape[1], self.strides
-        horizon = self.design.horizon
+        steps, (kind, step), horizon = self.sizes.shape[1], self.strides, self.horizon
         beyond = (_DISTURBANCES - 1) * kind + (steps - 1) * step + horizon
         require(len(self.sizes) == _SIZES, "Four magnitudes in each step")
-        require(
-            min(kind, step) >= 0 and (beyond <= self.preview.size or not horizon), "What is previewed in every step"
-        )
+        fits = min(kind, step, horizon) >= 0 and (beyond <= self.preview.size or not horizon)
+        require(fits, "What is previewed in every step")
         numbers = np.array([kind, step, steps, self.clips, *self.force_limits], dtype=np.float64)
-        design, memory = self.qp or (None, None)
-        qp = memory.both(design, inputs) if memory and design else (None, None)
-        return _prepare_law.prepare(self.design.prepared, numbers, self.preview, self.sizes, np.empty(inputs), *qp)
+        inputs = np.empty(_LAW_INPUTS + _DISTURBANCES * horizon)
+        return _prepare_run_inputs.prepare(numbers, self.preview, self.sizes, inputs)
 
     @property
     def steps(self) -> int:
@@ -156,7 +154,7 @@ class LawArrays:
         return len(self.sizes[0])
 
 
-FollowLaw = Callable[[int, int], tuple[int, int]]
+FollowLaw = Callable[[LawDesign, Qp | None, int, int], tuple[int, int]]
 
 
 class DrivenCar:
@@ -227,29 +225,33 @@ class DrivenCar:
         )
         self.size, self._steps, self.fine = states + (_STATES if estimates else 0), steps, fine
 
-    def follow_law(self, law: LawArrays, loop: FloatArray) -> FollowLaw:
-        """Drive it by a law.
+    def follow_law(self, shared: LawArrays, loop: FloatArray) -> FollowLaw:
+        """Drive it by laws.
 
         Args:
-            law: Of control.
+            shared: By all of them.
             loop: [p; previous command] before each step and after the last (steps + 1, size + 2).
 
         Returns:
-            From which step on, and before which one, it is to be driven -> the first step that the law does not decide,
-            and in how many before it a limit shaped the command.
+            A law, what decides the steps in which one of its limits binds (None where C does not), from which step on
+            and before which one it is to be driven -> the first step that the law does not decide, and in how many
+            before it a limit shaped the command.
 
         Raises:
             ValueError: Sizes disagree.
         """
-        require(law.steps == self._steps, "What is previewed in every step")
+        require(shared.steps == self._steps, "What is previewed in every step")
         self._check(loop)
         limited = np.zeros(1, dtype=np.intc)
-        follow = _follow_law.bind(self._prepared, law.prepared(), loop, limited)
+        follow = _follow_law.bind(self._prepared, shared.prepared(), loop, limited)
 
-        def follow_from(first: int, last: int) -> tuple[int, int]:
+        def follow_from(law: LawDesign, qp: Qp | None, first: int, last: int) -> tuple[int, int]:
             require(0 <= first <= last <= self._steps, "No steps beyond the drive")
+            require(law.horizon in (0, shared.horizon), "A law of what is previewed")
+            design, memory = qp or (None, None)
+            of_qp = memory.both(design, law.inputs) if memory and design else (None, None)
             limited[0] = 0
-            driven: int = follow(first, last)
+            driven: int = follow(law.prepared, *of_qp, first, last)
             return driven, int(limited[0])
 
         return follow_from

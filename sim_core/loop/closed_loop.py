@@ -16,7 +16,6 @@ from sim_core.control.law import LinearLaw
 from sim_core.control.seen import RunInputs, Seen
 from sim_core.errors import ForceError, RidelabError
 from sim_core.kernel.prepared import DrivenCar, FollowLaw, LawArrays, limit_force
-from sim_core.kernel.qp import Qp
 from sim_core.loop.preview import Forecast
 from sim_core.speed.stages import Segment
 from sim_core.vehicle.half_car import FORCES
@@ -57,22 +56,21 @@ class ClosedLoop:
         loop = np.zeros((segments[-1].last + 1, n + FORCES))  # [car; previous command] at every control instant
         asked = np.full((segments[-1].last, FORCES), np.nan)
         limited = 0
-        prepared: dict[LinearLaw, FollowLaw] = {}
+        follow: FollowLaw | None = None
         clips = type(self._controller).force is Controller.force
         for segment in segments:
-            law = self._controller.linear_law(segment.stage)
+            law, k = self._controller.linear_law(segment.stage), segment.first
             if law is None:
                 limited += sum(self._step(k, loop, asked) for k in range(segment.first, segment.last))
                 continue
             if not isinstance(law, LinearLaw):
                 raise RidelabError(f"{self._controller.label}: linear_law gives a LinearLaw or None")
-            if law not in prepared:
-                qp = self._controller.qp(segment.stage)
-                arrays = law_arrays(law, self._forecast, self._force_limits, clips=clips, qp=qp)
-                prepared[law] = self._car.follow_law(arrays, loop)
-            follow, k = prepared[law], segment.first
+            if law.design.horizon not in (0, self._forecast.disturbances.shape[2]):
+                raise RidelabError("A linear law has three columns for each control step that is previewed")
+            follow = follow or self._car.follow_law(law_arrays(self._forecast, self._force_limits, clips=clips), loop)
+            qp = self._controller.qp(segment.stage)
             while k < segment.last:
-                k, shaped = follow(k, segment.last)
+                k, shaped = follow(law.design, qp, k, segment.last)
                 limited += shaped
                 if k < segment.last:
                     self._step(k, loop, asked)
@@ -91,37 +89,22 @@ class ClosedLoop:
         return limited or self._controller.report.limited_steps > counted
 
 
-def law_arrays(
-    law: LinearLaw,
-    forecast: Forecast,
-    force_limits: FloatArray,
-    *,
-    clips: bool,
-    qp: Qp | None = None,
-) -> LawArrays:
-    """A law with all that decides where it holds.
+def law_arrays(forecast: Forecast, force_limits: FloatArray, *, clips: bool) -> LawArrays:
+    """What a run's laws share.
 
     Args:
-        law: Of control.
         forecast: What its controller previews.
         force_limits: As `limit_force` has them.
         clips: Whether a force beyond the limit is clipped, or not decided by the law.
-        qp: What decides where a limit binds.
-
-    Raises:
-        RidelabError: It is a law for another horizon.
     """
-    if law.design.horizon not in (0, forecast.disturbances.shape[2]):
-        raise RidelabError("A linear law has three columns for each control step that is previewed")
     kind, step, _ = (stride // forecast.disturbances.itemsize for stride in forecast.disturbances.strides)
     return LawArrays(
-        design=law.design,
+        horizon=forecast.disturbances.shape[2],
         preview=forecast.source,
         strides=(kind, step),
         sizes=forecast.sizes,
         force_limits=force_limits,
         clips=clips,
-        qp=qp,
     )
 
 

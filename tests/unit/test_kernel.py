@@ -151,12 +151,12 @@ def test_a_law_is_followed_up_to_the_first_step_in_which_a_limit_binds(seed: int
     force, change, actuator = (float(each) for each in rng.choice([0.5, 2.0, np.inf], size=3))
     limits_of_forces = np.array([force, change, actuator])
     sees_nothing = Forecast(disturbances=windows, source=ahead, sizes=forecast.sizes, height_now=forecast.height_now)
-    arrays = law_arrays(law, forecast if horizon else sees_nothing, limits_of_forces, clips=clips)
+    arrays = law_arrays(forecast if horizon else sees_nothing, limits_of_forces, clips=clips)
     loop = np.zeros((steps + 1, n + 2))
     expected, stopped, limited = loop.copy(), steps, 0
     for k in range(steps):
         z = np.concatenate([expected[k, :8], expected[k, n:], windows[:, k].ravel()])
-        wanted = arrays.design.gain @ z
+        wanted = law.design.gain @ z
         if np.abs(limits @ z).max(initial=0) > 1 or (np.abs(wanted).max() > force and not clips):
             stopped = k
             break
@@ -166,9 +166,9 @@ def test_a_law_is_followed_up_to_the_first_step_in_which_a_limit_binds(seed: int
         limited += int(np.abs(command - wanted).max() > 1e-6)
         expected[k + 1] = np.concatenate([car_step(k, expected[k, :n], command), command])
     follow = car.follow_law(arrays, loop)
-    assert follow(0, steps) == (stopped, limited)
+    assert follow(law.design, None, 0, steps) == (stopped, limited)
     np.testing.assert_allclose(loop[: stopped + 1], expected[: stopped + 1], rtol=1e-9, atol=1e-12)
-    assert follow(0, min(stopped, 7))[0] == min(stopped, 7)
+    assert follow(law.design, None, 0, min(stopped, 7))[0] == min(stopped, 7)
 
 
 @pytest.mark.parametrize(
@@ -177,13 +177,13 @@ def test_a_law_is_followed_up_to_the_first_step_in_which_a_limit_binds(seed: int
     ids=["front road", "rear road", "mean braking", "braking about its mean"],
 )
 def test_a_limit_on_one_kind_of_preview_binds_where_all_of_it_is_seen(kind: int, seen: list[float]) -> None:
-    steps, ahead, limits = 20, np.zeros((3, 23)), np.zeros((11, 22))  # looked at in tens
+    steps, ahead, limits = 20, np.zeros((3, 23)), np.zeros((11, 22))  # looked at in eights
     ahead[kind, 10:14] = seen
     limits[0, 10 + 4 * kind : 14 + 4 * kind] = 0.3 * np.array(seen)  # 1.2 in step 10, 0.9 before it
     law = LinearLaw(gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 12)), limits=limits)
-    arrays = law_arrays(law, sliding_forecast(ahead, 4, np.zeros((2, steps))), np.full(3, np.inf), clips=True)
+    arrays = law_arrays(sliding_forecast(ahead, 4, np.zeros((2, steps))), np.full(3, np.inf), clips=True)
     car = still_car(steps=steps)
-    assert car.follow_law(arrays, np.zeros((steps + 1, 10)))(0, steps)[0] == 10
+    assert car.follow_law(arrays, np.zeros((steps + 1, 10)))(law.design, None, 0, steps)[0] == 10
 
 
 def test_a_residual_is_the_largest_violation() -> None:

@@ -100,7 +100,7 @@ RIGHT = dict(
 )
 DESIGN = dict(gain=np.zeros((2, 19)), limits=np.zeros((14, 19)))
 LAW = dict(
-    preview=np.zeros((3, STEPS + 2)), strides=(STEPS + 2, 1), sizes=np.zeros((4, STEPS)),
+    horizon=3, preview=np.zeros((3, STEPS + 2)), strides=(STEPS + 2, 1), sizes=np.zeros((4, STEPS)),
     force_limits=np.full(3, inf), clips=True,
 )
 RUN = dict(first=0, last=STEPS, loop=np.zeros((STEPS + 1, 10)))
@@ -110,9 +110,9 @@ def drive(**changed):
     built = DrivenCar(**{name: changed.get(name, value) for name, value in RIGHT.items()})
     run = {name: changed.get(name, value) for name, value in RUN.items()}
     design = LawDesign(**{name: changed.get(name, value) for name, value in DESIGN.items()})
-    law = LawArrays(design=design, **{name: changed.get(name, value) for name, value in LAW.items()})
+    law = LawArrays(**{name: changed.get(name, value) for name, value in LAW.items()})
     one = {name: changed.get(name, value) for name, value in ONE.items()}
-    built.follow_law(law, run["loop"])(run["first"], run["last"])
+    built.follow_law(law, run["loop"])(design, None, run["first"], run["last"])
     built.advance(one["step"], run["loop"])
     built.measure(one["measured"], one["state"], one["command"])
     built.sample(*one["sampled"], run["loop"])
@@ -261,15 +261,14 @@ def fuzzy(**changed: Any) -> None:
 def linear_drive(qp: tuple[QpDesign, QpMemory] | None = None, **changed: Any) -> None:
     design = prepared.LawDesign(gain=np.zeros((2, 19)), limits=np.zeros((4, 19)))
     law = prepared.LawArrays(
-        design=design,
+        horizon=3,
         preview=np.zeros((3, 8)),
         strides=(8, 1),
         sizes=np.zeros((4, 6)),
         force_limits=np.full(3, np.inf),
         clips=True,
-        qp=qp,
     )
-    still_car(**changed).follow_law(law, np.zeros((7, 10)))
+    still_car(**changed).follow_law(law, np.zeros((7, 10)))(design, qp, 0, 1)
 
 
 @pytest.mark.parametrize("misuse", DISAGREEING)

@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import ode
 
-from sim_core.kernel.prepared import FollowLaw, LawArrays
+from sim_core.kernel.prepared import FollowLaw, LawArrays, LawDesign
+from sim_core.kernel.qp import Qp
 from sim_core.kernel.record import Recorder
 from sim_core.loop.excitation import longest_fine_step
 from sim_core.result import StrategyResult
@@ -81,19 +82,19 @@ class SolvedCar:
         rates = ode(lambda time, x: self._rates(time, x.tolist()))
         self._solver = rates.set_integrator("dopri5", nsteps=5000, first_step=self._h, rtol=1e-7, atol=1e-9)
 
-    def follow_law(self, law: LawArrays, loop: Array) -> FollowLaw:
+    def follow_law(self, shared: LawArrays, loop: Array) -> FollowLaw:
         """As DrivenCar says; where a law has limits beside its forces' the controller decides each step."""
 
-        def follow_from(first: int, last: int) -> tuple[int, int]:
-            if len(law.design.limits):
+        def follow_from(law: LawDesign, qp: Qp | None, first: int, last: int) -> tuple[int, int]:
+            if len(law.limits):
                 return first, 0
-            horizon, limited = (law.design.inputs - 10) // 3, 0
+            limited = 0
             for k in range(first, last):
-                kind, step = law.strides
-                seen = [law.preview.ravel()[i * kind + k * step :][:horizon] for i in range(3)]
+                kind, step = shared.strides
+                seen = [shared.preview.ravel()[i * kind + k * step :][: law.horizon] for i in range(3)]
                 state, previous = loop[k, :8], loop[k, self.size :]
-                wanted = law.design.gain @ np.concatenate([state, previous, *seen])
-                force, change, actuator = law.force_limits
+                wanted = law.gain @ np.concatenate([state, previous, *seen])
+                force, change, actuator = shared.force_limits
                 command = previous + np.clip(np.clip(wanted, -force, force) - previous, -change, change)
                 command = np.clip(command, -actuator, actuator)
                 limited += bool(np.abs(command - wanted).max() > 1e-6)
