@@ -281,9 +281,11 @@ static inline void add_columns(const double (*restrict columns)[NUMBERS], const 
     }
 }
 
-/* A linear step: what road and braking `met` make, and the state, of so many numbers, and what is held. */
+/* A linear step of so many numbers: what is held makes, road and braking `met`, the state, and the road's `curve`, of
+   which so many numbers count. All three counts have to be constants. */
 static inline void add_causes(const struct car *me, const struct linear_step *step, const double *restrict met,
-                              const double *restrict x, double *restrict next, int states)
+                              const double *restrict x, const double *restrict curve, int curves, double *restrict next,
+                              int states)
 {
     for (int i = 0; i < states; i++) {
         double all = me->held[i];
@@ -291,6 +293,8 @@ static inline void add_causes(const struct car *me, const struct linear_step *st
             all += step->effects[cause][i] * met[cause];
         for (int cause = 0; cause < states; cause++)
             all += step->effects[NOW + cause][i] * x[cause];
+        for (int cause = 0; cause < curves; cause++)
+            all += step->effects[CURVE + cause][i] * curve[cause];
         next[i] = all;
     }
 }
@@ -318,13 +322,11 @@ static inline void advance_linearly(struct car *me, double h, const double *comm
         curve[axle] = v1 + 2 * time * v2;
         curve[AXLES + axle] = v2;
     }
-    memcpy(next->at, me->held, sizeof me->held);
+    memcpy(next->at + FORCE, me->held + FORCE, FORCES * sizeof(double));
     if (me->states == STATE)
-        add_causes(me, step, met, x->at, next->at, STATE);
+        add_causes(me, step, met, x->at, curve, 2 * AXLES, next->at, STATE);
     else
-        add_causes(me, step, met, x->at, next->at, NUMBERS);
-    if (me->road.samples)
-        add_columns(step->effects + CURVE, curve, 2 * AXLES, next->at, NUMBERS);
+        add_causes(me, step, met, x->at, curve, 2 * AXLES, next->at, NUMBERS);
 }
 
 /* The share of a step at which a number crosses zero, if that is before `share`. */
@@ -394,18 +396,15 @@ static void sample(struct car *me, const struct state *x, double braking, double
 
 /* Its road is the chord and the polynomial of third degree 6 mean s (1 - s) - 60 moment s (1 - s) (1 - 2 s) above it, s
    from 0 to 1. */
-static struct piece piece(const double *chord, const double *mean, const double *moment, double braking, double time,
-                          double per)
+static inline void shape(struct piece *w, const double *chord, const double *mean, const double *moment, double per)
 {
-    struct piece w = {.braking = braking, .time = time};
     for (int axle = 0; axle < AXLES; axle++) {
         double bow = mean[axle] * (6 * per), bend = moment[axle] * (60 * per);
-        w.velocity[0][axle] = chord[axle] + bow - bend;
-        w.velocity[1][axle] = (6 * bend - 2 * bow) * per;
-        w.velocity[2][axle] = bend * (-6 * per * per);
-        w.beside[axle] = 3 * fabs(mean[axle]) + 12 * fabs(moment[axle]);
+        w->velocity[0][axle] = chord[axle] + bow - bend;
+        w->velocity[1][axle] = (6 * bend - 2 * bow) * per;
+        w->velocity[2][axle] = bend * (-6 * per * per);
+        w->beside[axle] = 3 * fabs(mean[axle]) + 12 * fabs(moment[axle]);
     }
-    return w;
 }
 
 /* What the car meets in a fine step, where the road is straight within it. */
@@ -417,14 +416,15 @@ static inline void meet(const struct car *me, int step, double *met)
     met[BRAKING] = me->braking[step];
 }
 
-static struct piece fine_step(const struct car *me, int step)
+static inline void fine_step(const struct car *me, int step, struct piece *w)
 {
-    double w[DISTURBANCES];
-    meet(me, step, w);
-    const double *within = me->within + (ptrdiff_t)2 * AXLES * step;
-    if (!me->road.samples)
-        return (struct piece){.velocity = {{w[ROAD], w[ROAD + 1]}}, .braking = w[BRAKING], .time = me->time};
-    return piece(w + ROAD, within, within + AXLES, w[BRAKING], me->time, me->per_time);
+    static const double straight[2 * AXLES] = {0};
+    const double *within = me->road.samples ? me->within + (ptrdiff_t)2 * AXLES * step : straight;
+    double met[DISTURBANCES];
+    meet(me, step, met);
+    w->braking = met[BRAKING];
+    w->time = me->time;
+    shape(w, met + ROAD, within, within + AXLES, me->per_time);
 }
 
 static void enter(struct car *me, int where)
@@ -487,7 +487,8 @@ static void cross_parts(struct car *me, int step, int parts, const double *comma
             begin[axle] = end;
             low[axle] = high;
         }
-        struct piece w = piece(chord, mean, moment, braking, time, 1 / time);
+        struct piece w = {.braking = braking, .time = time};
+        shape(&w, chord, mean, moment, 1 / time);
         cross(me, substeps, command, &w, x);
     }
 }
@@ -530,7 +531,7 @@ static inline void hold_linear(struct car *me, int first, const double *command,
         meet(me, first + j, met);
         if (samples)
             sample_linearly(me, held, now, met[BRAKING], samples[j], states);
-        add_causes(me, step, met, now, at[(j + 1) % 2], states);
+        add_causes(me, step, met, now, NULL, 0, at[(j + 1) % 2], states);
     }
     if (samples)
         sample_linearly(me, held, at[me->fine % 2], me->braking[first + me->fine - 1], samples[me->fine], states);
@@ -540,10 +541,10 @@ static inline void hold_linear(struct car *me, int first, const double *command,
 /* The same of another car. */
 static void hold(struct car *me, int first, const double *command, struct state *x, double (*samples)[SIGNALS])
 {
-    struct piece w = {.time = 0};
+    struct piece w;
     enter(me, side(me->vehicle, x));
     for (int j = 0; j < me->fine; j++) {
-        w = fine_step(me, first + j);
+        fine_step(me, first + j, &w);
         if (samples)
             sample(me, x, w.braking, samples[j]);
         if (!me->road.samples) {
@@ -563,7 +564,7 @@ static void hold(struct car *me, int first, const double *command, struct state 
         }
     }
     if (samples)
-        sample(me, x, w.braking, samples[me->fine]);
+        sample(me, x, me->braking[first + me->fine - 1], samples[me->fine]);
 }
 
 struct estimator {
