@@ -13,12 +13,12 @@ from playwright.sync_api import Browser, Page, Route, sync_playwright
 from benchmarks.api_latency import server
 from benchmarks.timing import table
 from tests.browser.chromium import launch
-from tests.browser.dashboard import LAPTOP
+from tests.browser.dashboard import LAPTOP, thumb
 
 REPEATS = 5
 MOVES = 180  # of the pointer
 PERIOD = 1 / 60  # from one to the next [s]
-STRIDE = 0.4  # [px]
+STRIDE, TURN = 2, 90  # from one to the next, further than a step of the slider [px]; moves until it goes back
 FIRST_LOAD, FIRST_PLOT = 250.0, 700.0  # goals [kB], [ms]
 REDRAW, FRAMES = 50.0, 60.0  # goals: 95th percentile [ms], frames a second
 CURVES = "[data-drawn] >> nth=0"
@@ -121,16 +121,13 @@ def drag(browser: Browser, address: str) -> tuple[list[float], float]:
         page.goto(address)
         page.locator(CURVES).wait_for()
         page.wait_for_load_state("networkidle")
-        box = page.get_by_role("slider", name="Height", exact=True).bounding_box()
-        if box is None:
-            raise RuntimeError("The page shows no slider for the bump's height")
-        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        x, y = thumb(page.get_by_role("slider", name="Height", exact=True))
         page.mouse.move(x, y)
         page.mouse.down()
         page.evaluate(PRESSED)
         due = perf_counter()
         for step in range(MOVES):
-            page.mouse.move(x + STRIDE * step, y)
+            page.mouse.move(x - STRIDE * abs((step + TURN) % (2 * TURN) - TURN), y)
             due += PERIOD
             sleep(max(0.0, due - perf_counter()))
         seen: dict[str, list[Any]] = page.evaluate("seen")

@@ -227,9 +227,7 @@ class Dashboard:
     def drag(self, slider: Locator, steps: tuple[int, ...]) -> list[Response]:
         """Drags a slider's thumb through offsets [px], waiting for live curves at each; returns the live answers."""
         answers: list[Response] = []
-        box = slider.bounding_box()
-        assert box is not None
-        x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        x, y = thumb(slider)
         mouse = self.page.mouse
         mouse.move(x, y)
         mouse.down()
@@ -240,6 +238,18 @@ class Dashboard:
         expect(self.results).to_have_attribute("data-source", "live")
         mouse.up()
         return answers
+
+
+def thumb(slider: Locator) -> tuple[float, float]:
+    """The middle of a slider's thumb in the window [px]; the thumb is as wide as the slider is high."""
+    middle: tuple[float, float] = slider.evaluate(
+        """slider => {
+          const {x, y, width, height} = slider.getBoundingClientRect();
+          const part = (slider.value - slider.min) / (slider.max - slider.min);
+          return [x + height / 2 + part * (width - height), y + height / 2];
+        }"""
+    )
+    return middle
 
 
 def expect_new_address(page: Page, address: str) -> None:

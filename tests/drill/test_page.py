@@ -5,7 +5,7 @@ import re
 import pytest
 from playwright.sync_api import Route
 
-from tests.browser.dashboard import Dashboard, expect_new_address
+from tests.browser.dashboard import Dashboard, expect_new_address, thumb
 from tests.browser.looks import expect
 from tests.browser.server import Server
 from tests.browser.test_opening import expect_steady
@@ -23,9 +23,7 @@ def test_the_last_value_of_a_drag_is_the_exact_runs_on_a_slow_processor(dashboar
     try:
         for stride in (1, -1):  # up and down again
             address = dashboard.address()
-            box = dashboard.slider("Height").bounding_box()
-            assert box is not None
-            x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+            x, y = thumb(dashboard.slider("Height"))
             page.mouse.move(x, y)
             page.mouse.down()
             for step in range(1, 41):  # nothing is waited for

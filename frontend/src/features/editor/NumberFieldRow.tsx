@@ -1,7 +1,7 @@
 /** A number with its slider and its typed value; switched off where it may be null. */
 
-import { Box, Switch, TextInput, Slider } from "@mantine/core";
-import { useId, useState, useRef } from "react";
+import { Box, Switch, TextInput } from "@mantine/core";
+import { useId, useState, useRef, type CSSProperties } from "react";
 import { FieldFrame } from "./FieldFrame";
 import {
   typicalValue,
@@ -153,33 +153,33 @@ export function NumberSlider({ field, leaf, label }: NumberSliderProps) {
   const marked = standard !== null && standard >= scale.minimum && standard <= scale.maximum;
   const spoken =
     typeof leaf.value === "number" ? formatWithUnit(inShownUnit(field, leaf.value), field.shown.unit, 4) : "";
+  const part = (position: number) => (position - scale.minimum) / (scale.maximum - scale.minimum);
+  const [from, to] = [marked ? standard : scale.minimum, value].map(part).sort((one, other) => one - other);
+  const release = () => {
+    rest.stop();
+    leaf.release();
+  };
 
   return (
-    <div onKeyDownCapture={() => (byKey.current = true)} onPointerDownCapture={() => (byKey.current = false)}>
-      <Slider
-        className={classes.slider ?? ""}
-        classNames={{ thumb: classes.thumb ?? "", mark: classes.mark ?? "", bar: classes.bar ?? "" }}
-        size={4}
-        label={null}
-        min={scale.minimum}
-        max={scale.maximum}
-        step={1}
-        precision={0}
-        value={value}
-        disabled={leaf.readOnly}
-        thumbLabel={label}
-        thumbValueText={spoken}
-        {...(marked ? { marks: [{ value: standard }], startPointValue: standard } : {})}
-        onChange={(position) => {
-          const next = scale.fromSlider(position);
-          if (next !== leaf.value) leaf.drag(next);
-        }}
-        onChangeEnd={() => {
-          rest.stop();
-          if (byKey.current) rest.begin();
-          else leaf.release();
-        }}
-      />
-    </div>
+    <input
+      type="range"
+      className={classes.slider}
+      style={{ "--from": from, "--to": to, "--standard": marked ? part(standard) : -1 } as CSSProperties}
+      min={scale.minimum}
+      max={scale.maximum}
+      value={value}
+      disabled={leaf.readOnly}
+      aria-label={label}
+      aria-valuetext={spoken}
+      onChange={(event) => {
+        const next = scale.fromSlider(event.currentTarget.valueAsNumber);
+        if (next !== leaf.value) leaf.drag(next);
+        if (byKey.current) rest.begin();
+      }}
+      onKeyDown={() => (byKey.current = true)}
+      onPointerDown={() => (byKey.current = false)}
+      onPointerUp={release}
+      onPointerCancel={release}
+    />
   );
 }
