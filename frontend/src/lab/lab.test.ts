@@ -171,7 +171,7 @@ it("Undo takes back a text that is no value before it takes back an edit", async
 });
 
 it("under a moving slider curves follow each answer, what is read a few times a second", async () => {
-  const { lab, answer, start } = harness();
+  const { lab, answer, held, start } = harness();
   await start();
   const [shown, newest] = [() => lab.get().shown?.scenario, () => lab.newest.get()?.scenario];
   expect([shown(), newest()]).toEqual([PAPER, PAPER]);
@@ -183,7 +183,9 @@ it("under a moving slider curves follow each answer, what is read a few times a 
     await answer("live");
     expect([shown(), newest()]).toEqual([LOW, { height }]);
   }
-  await vi.waitFor(() => expect(lab.get()).toMatchObject({ shown: { scenario: { height: 4 } }, busy: false }));
+  await vi.waitFor(() => expect(held.live).toHaveLength(4)); // once the slider rests
+  await answer("live");
+  expect(lab.get()).toMatchObject({ shown: { scenario: { height: 4 } }, busy: false });
 });
 
 describe("the state before the last edit", () => {

@@ -61,6 +61,7 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
     get: store.get,
     subscribe: store.subscribe,
     newest: requests.newest,
+    draw: requests.draw,
     open,
     navigate: (address) => {
       open(address);

@@ -51,6 +51,8 @@ export const hasInvalidInput = ({ invalidInput }: LabState): boolean => Object.k
 export interface Lab extends Pick<Atom<LabState>, "get" | "subscribe"> {
   /** What is drawn: `shown`, under a moving slider the newest answer. */
   readonly newest: ReadonlyAtom<Result | null>;
+  /** A panel of this signal is in sight; the end of that is returned. */
+  readonly draw: (signal: string) => () => void;
   readonly open: (address: Address) => void;
   /** Opens where Back or Forward led to. */
   readonly navigate: (address: Address) => void;

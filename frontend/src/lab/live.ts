@@ -16,8 +16,11 @@ import { createTimer, type Timer } from "../lib/timer";
 const POINTS = 700;
 const POINTS_MOST = 2500;
 
-/** So often what is read follows [ms]: curves alone follow each answer. */
+/** So often what is read follows [ms]: curves alone follow each answer, of the signals in sight. */
 const READ_MS = 200;
+
+/** Shades the stages of every panel. */
+const ALWAYS_DRAWN = ["brake_pressure"];
 
 /** No recording is asked for while somebody drags: it stays as it was. */
 const simulated = (ids: readonly StrategyId[]) => ids.filter((id) => !isRecording(id));
@@ -63,8 +66,10 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
     return shown?.source === "live" ? answered.get() : shown;
   });
 
+  const inSight = new Set(ALWAYS_DRAWN);
   let asked: Scenario | null = null;
   const isNewest = () => store.get().drag === asked;
+  let isReadNext = true;
   const show = () =>
     patch({
       shown: answered.get(),
@@ -72,31 +77,44 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
       failure: null,
       ...(isNewest() ? { busy: false, stale: false } : {}),
     });
-  const reading = createTimer(READ_MS, show);
+  /** A slider that rests is not followed by a request of its own. */
+  const readRest = () => {
+    const { drag, shown } = store.get();
+    if (drag && isReadNext && isNewest() && shown !== answered.get()) request(drag);
+  };
+  const reading = createTimer(READ_MS, () => {
+    isReadNext = true;
+    readRest();
+  });
 
-  const latest = createLatest<LiveRequest, LiveAnswer>({
-    run: ({ scenario }, signal) => {
+  const latest = createLatest<LiveRequest, { readonly answer: LiveAnswer; readonly isRead: boolean }>({
+    run: async ({ scenario }, signal) => {
       grace.start();
-      const { group } = form();
-      const sent = withoutGone(group, scenario);
-      return api.live(
-        { scenario: sent, strategies: simulated(store.get().strategies), signals: form().signals, points: points() },
-        signal,
-      );
+      const { group, signals } = form();
+      const { strategies, stale } = store.get();
+      const isRead = isReadNext || stale;
+      const body = {
+        scenario: withoutGone(group, scenario),
+        strategies: simulated(strategies),
+        signals: isRead ? signals : [...inSight],
+        points: points(),
+      };
+      return { answer: await api.live(body, signal), isRead };
     },
-    onAnswer: (answer, { scenario, startedAt }) => {
-      const { shown, stale, latestResult } = store.get();
+    onAnswer: ({ answer, isRead }, { scenario, startedAt }) => {
       asked = scenario;
       if (isNewest()) grace.stop();
       else grace.start();
-      answered.set(withRecorded(fromLive(answer, performance.now() - startedAt), latestResult));
-      if (shown?.source !== "live" || stale) show();
-      else if (!reading.isRunning()) reading.start();
+      answered.set(withRecorded(fromLive(answer, performance.now() - startedAt), store.get().latestResult));
+      if (isRead) {
+        isReadNext = false;
+        reading.start();
+        show();
+      } else readRest();
     },
     onError: (error) => {
       // While dragging, an overloaded or silent server only means no new curves; the release asks again.
       grace.stop();
-      reading.stop();
       patch({
         busy: false,
         stale: true,
@@ -105,12 +123,20 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
     },
     most: 2,
   });
+  const request = (scenario: Scenario) => latest.request({ scenario, startedAt: performance.now() });
   return {
     newest,
-    request: (scenario: Scenario) => latest.request({ scenario, startedAt: performance.now() }),
+    request,
     cancel: () => {
       reading.stop();
+      isReadNext = true;
       latest.cancel();
+    },
+    draw: (signal: string) => {
+      inSight.add(signal);
+      const { drag } = store.get();
+      if (drag) request(drag);
+      return () => void inSight.delete(signal);
     },
   };
 }

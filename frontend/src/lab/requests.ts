@@ -20,7 +20,7 @@ import { createTimer } from "../lib/timer";
 
 const STALE_AFTER_MS = 200;
 
-export interface Requests extends Pick<Lab, "newest"> {
+export interface Requests extends Pick<Lab, "newest" | "draw"> {
   /** Runs what the form says. */
   readonly submit: (mode: "push" | "replace") => void;
   readonly load: (id: string, hidden: readonly StrategyId[]) => void;
@@ -160,6 +160,7 @@ export function createRequests(
 
   return {
     newest: live.newest,
+    draw: live.draw,
     submit,
     load,
     openLink,

@@ -5,7 +5,6 @@ export interface Timer {
   readonly stop: () => void;
   /** Acts now if it would have acted later. */
   readonly flush: () => void;
-  readonly isRunning: () => boolean;
 }
 
 export function createTimer(delayMs: number, action: () => void): Timer {
@@ -24,7 +23,6 @@ export function createTimer(delayMs: number, action: () => void): Timer {
       handle = setTimeout(act, delayMs);
     },
     stop,
-    isRunning: () => handle !== null,
     flush: () => {
       if (handle === null) return;
       stop();

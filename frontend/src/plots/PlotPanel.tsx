@@ -2,7 +2,8 @@
 
 import { Box, Group } from "@mantine/core";
 import { useIntersection } from "@mantine/hooks";
-import { memo, useCallback } from "react";
+import { memo, useCallback, useEffect } from "react";
+import { useLabContext } from "../lab/context";
 import type { FigureTemplate, FigureMeta, SeriesByStrategy, Strategy } from "../api/types";
 import type { Zoom, Axis } from "../lab/address";
 import { printing } from "../lib/printing";
@@ -46,6 +47,8 @@ export const PlotPanel = memo(function PlotPanel({ template, curves, palette, on
   const printed = useSelector(printing);
   const inViewport = printed || (entry?.isIntersecting ?? false);
   const { meta } = template.layout;
+  const { lab } = useLabContext();
+  useEffect(() => (inViewport ? lab.draw(meta.signal) : undefined), [lab, inViewport, meta.signal]);
   const { strategies, axis, range, runId, minus } = useSelector(curves, headOf, { compare: sameCurves });
   const build = useCallback((drawn: Curves) => buildFigure({ template, palette, ...drawn }), [template, palette]);
   const drawn = strategies.map(({ label }) => label).join(", ");
