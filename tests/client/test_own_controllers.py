@@ -4,9 +4,11 @@ import json
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from ridelab.cli import own
+from sim_core import Scenario, check_controller, load_controllers, simulate
 from tests.client.cli import Cli
 
 
@@ -25,6 +27,20 @@ def test_a_new_controller_runs_and_its_forces_are_drawn(cli: Cli, file: Path) ->
     picture = ElementTree.parse(file.with_name("my_law-forces.svg")).getroot()  # noqa: S314 - our own
     front, rear = picture.iter("{http://www.w3.org/2000/svg}polyline")
     assert front.get("points") != rear.get("points")
+
+
+def test_the_linear_law_in_a_new_file_is_the_same_law(file: Path) -> None:
+    text = file.read_text()
+    (by_force,) = load_controllers(file).values()
+    head, _, law = text.partition("    def force")
+    comment = law.partition("In place of force:\n")[2]
+    file.write_text(
+        head.replace("import Controller", "import Controller, LinearLaw") + comment.replace("    # ", "    ")
+    )
+    (by_law,) = load_controllers(file).values()
+    assert check_controller(by_law) == []
+    forces = [simulate(Scenario(), each).series["front_force"] for each in (by_force, by_law)]
+    np.testing.assert_allclose(*forces, atol=1e-6)  # [N]
 
 
 def test_no_file_is_written_over_and_a_name_is_an_id(cli: Cli, file: Path) -> None:
@@ -55,7 +71,7 @@ def test_a_broken_law_is_told_in_words(
 ) -> None:
     if "while" in law:  # which no time is enough for
         monkeypatch.setattr(own, "LIMIT", 3.0)
-    before, _, _ = file.read_text().rpartition("return")
+    before, _, _ = file.read_text().partition("return")
     file.write_text(f"{before}{law}\n")
     printed = cli("check", file, code=code)
     assert said in printed + cli.error
