@@ -39,8 +39,8 @@ def test_the_linear_law_in_a_new_file_is_the_same_law(file: Path) -> None:
     )
     (by_law,) = load_controllers(file).values()
     assert check_controller(by_law) == []
-    forces = [simulate(Scenario(), each).series["front_force"] for each in (by_force, by_law)]
-    np.testing.assert_allclose(*forces, atol=1e-6)  # [N]
+    first, second = (simulate(Scenario(), each).series["front_force"] for each in (by_force, by_law))
+    np.testing.assert_allclose(first, second, atol=1e-6)  # [N]
 
 
 def test_no_file_is_written_over_and_a_name_is_an_id(cli: Cli, file: Path) -> None:

@@ -26,7 +26,8 @@ _OBJECTIVE = (
 _LIMIT = "On every training road, such as events.travel_exceeded_mm=1."
 _SEARCH = (
     "Only these weights, options, horizons or times, such as mpc.stage_weights.bump.2=0.1:20 or "
-    "own.mine.damping=1kNs/m:9kNs/m [default: all weights, 0.05:50; of a law of your own all options with bounds]."
+    "own.mine.damping=1kNs/m:9kNs/m [default: all weights, 0.05:50; of a law of your own all numbers with bounds: its "
+    "switches and choices stay, and a sweep tries them]."
 )
 _STRATEGY = "lv, suspension_only, lqr, or a law of your own."
 _PREVIEW = "Kinds of preview to try too, such as obstacle,lookahead."

@@ -1,6 +1,6 @@
 /** Puts a tuning together: of which scenario, for what, within what, on which roads; says what it costs first. */
 
-import { Input, MultiSelect, SegmentedControl, Switch } from "@mantine/core";
+import { Input, MultiSelect, SegmentedControl, Switch, Text } from "@mantine/core";
 import { useMemo } from "react";
 import type { Catalogue, Strategy, Scenario } from "../../api/types";
 import type { Metric } from "../../server/metrics";
@@ -115,6 +115,11 @@ export function NewTuning({ form, catalogue, strategies, figures, source }: Prop
             if (range) patch({ ranges: { ...draft.ranges, [name]: { ...range, ...change } } });
           }}
         />
+        {tunable.untuned.length > 0 && (
+          <Text fz="xs" c="dimmed">
+            Not tuned: {tunable.untuned.join(", ")}. Switches and choices stay as they are; a sweep tries them.
+          </Text>
+        )}
         {preview && (
           <MultiSelect
             maw="24rem"

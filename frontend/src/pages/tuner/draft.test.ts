@@ -151,7 +151,9 @@ describe("a law of one's own", () => {
       "own.mine.gain": { on: false, from: "-2", to: "2" },
     });
     const searched = { ...ranges, "own.mine.gain": { on: true, from: "-1", to: "1" } };
-    const numbers = numberFields(tunableOf(form, "mine"));
+    const tunable = tunableOf(form, "mine");
+    expect(tunable.untuned).toEqual(["Hard"]);
+    const numbers = numberFields(tunable);
     expect(numbers.map((each) => ownText({ own: { mine: { gain: 2 } } }, each))).toEqual(["2000\u00a0N·s/m", "2"]);
     const parsed = readDraft({ ...DRAFT, strategy: "mine", limits: [], ranges: searched }, numbers, []);
     expect(parsed.ok && parsed.body.search).toEqual({ "own.mine.damping": [0, 20000], "own.mine.gain": [-1, 1] });

@@ -57,12 +57,15 @@ export interface Tunable {
   readonly triples: readonly VectorField[];
   readonly others: readonly NumberField[];
   readonly preview: ChoiceField | null;
+  /** Titles of a controller's own options that are no numbers. */
+  readonly untuned: readonly string[];
 }
 
 export function tunableOf(form: Group, strategy: StrategyId): Tunable {
   const space = spaceOf(form, strategy);
   const member = (pointer: Pointer) => findMember(form, pointer);
   const preview = space && member(space.preview);
+  const law = member(`${OWN}${strategy}`);
   return {
     triples: (space?.triples ?? []).flatMap((pointer) => {
       const vector = member(pointer);
@@ -73,6 +76,7 @@ export function tunableOf(form: Group, strategy: StrategyId): Tunable {
       return field?.kind === "number" ? [field] : [];
     }),
     preview: preview?.kind === "choice" ? preview : null,
+    untuned: law?.kind === "group" ? law.members.flatMap(({ kind, title }) => (kind === "choice" ? [title] : [])) : [],
   };
 }
 
