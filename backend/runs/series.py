@@ -116,13 +116,15 @@ def decimate(series: Sequence[SeriesArray] | SeriesArray, points: int | None, st
     windows = list(itertools.pairwise(sorted({0, *cuts, count})))
     keep = {0, count - 1}
     for signal in series:
-        row = np.nan_to_num(signal) if np.isnan(signal).any() else signal
+        row, span = signal, np.ptp(signal)
+        if np.isnan(span):
+            row = np.nan_to_num(signal)
+            span = np.ptp(row)
         for start, end in windows:
             window = row[start:end]
             keep.update((start + int(window.argmin()), start + int(window.argmax())))
-        span = np.ptp(row) or np.float32(1)
         for part in parts:
-            part.add(row, span)
+            part.add(row, span or np.float32(1))
     indices = np.unique(np.concatenate([np.array(sorted(keep)), *(part.indices() for part in parts)]))
     return np.stack([row[indices] for row in series])
 
@@ -152,10 +154,13 @@ class _ChordErrors:
         if self._every:
             return
         stride, part = 2 * self._half, row[self._start : self._start + self._count]
-        nodes = part[: self._gaps * stride + 1 : stride]
-        lines = nodes[:-1, None] + np.diff(nodes)[:, None] * self._fraction
-        away = np.abs(part[: self._gaps * stride].reshape(self._gaps, stride) - lines)
-        np.maximum(self._largest, away / span, out=self._largest)
+        nodes = part[: self._gaps * stride + 1 : stride, None]
+        away = (nodes[1:] - nodes[:-1]) * self._fraction  # the one array, in place: it is as large as the signal
+        away += nodes[:-1]
+        np.subtract(part[: self._gaps * stride].reshape(self._gaps, stride), away, out=away)
+        np.abs(away, out=away)
+        away /= span
+        np.maximum(self._largest, away, out=self._largest)
 
     def indices(self) -> NDArray[np.int64]:
         """Indices into the whole series, once every signal was added."""
