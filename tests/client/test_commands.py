@@ -16,6 +16,7 @@ from backend.http.kinds import KINDS
 from backend.runs.instants import as_answer
 from backend.runs.reports import inputs
 from ridelab import Ridelab
+from ridelab.cli import options
 from ridelab.cli.service import Services
 from sim_core.catalogue import METRICS
 from sim_core.instant import instant
@@ -325,10 +326,18 @@ def test_the_shell_completes_names_that_a_service_gave(cli: Cli, monkeypatch: py
         ("run --set road.bump.he", "road.bump.height="),
         ("sweep -s lv,lq", "lv,lqr"),
         ("compare a b --metric comfort.vib", "comfort.vibration_dose"),
+        ("run --set vehicle = va", "van_loaded"),  # as bash splits it
+        ("run --set vehicle =", "van_loaded"),
+        ("run --set = vehicle = va", "van_loaded"),
+        ("run --set road.seed = 3 -s lq", "lqr"),
     ):
-        monkeypatch.setenv("COMP_WORDS", f"ridelab {words}")
+        monkeypatch.setenv("COMP_WORDS", "\n".join(["ridelab", *words.split()]))
         monkeypatch.setenv("COMP_CWORD", str(len(words.split())))
+        monkeypatch.setattr(options, "_field_before", "")
         assert completed in cli().split(), words
+    monkeypatch.setenv("COMP_WORDS", "ridelab\nrun\n--set\nroad.seed\n=\nva")
+    monkeypatch.setenv("COMP_CWORD", "5")
+    assert cli().split() == [], "only vehicles have names"
 
 
 def test_names_are_listed_with_what_a_script_needs(cli: Cli) -> None:

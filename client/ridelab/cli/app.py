@@ -19,7 +19,7 @@ from ridelab.cli.fmu import fmu
 from ridelab.cli.frequency import frequency
 from ridelab.cli.instant import instant
 from ridelab.cli.lists import LISTS, fields, strategies
-from ridelab.cli.options import option
+from ridelab.cli.options import option, split_as_bash
 from ridelab.cli.own import NEW, check
 from ridelab.cli.paper import paper
 from ridelab.cli.reporting import BROKEN_PIPE, InputError, ReportingGroup, abandon_output
@@ -135,6 +135,7 @@ def _options(
 
 def run(arguments: list[str] | None = None) -> int:
     """Run the command line; returns the exit code."""
+    split_as_bash()
     try:
         app(arguments, prog_name="ridelab")
     except SystemExit as end:
