@@ -4,11 +4,11 @@ The loop is broken where the command leaves the controller for the actuators. Di
 An Introduction to Disk Margins, IEEE Control Systems Magazine 40 (2020), with skew 0.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from math import asin, atan, inf, pi
 
 import numpy as np
+from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
 from sim_core.frequency.sampled_loop import ComplexArray, SampledLoop
@@ -62,9 +62,20 @@ def margins(loop: SampledLoop) -> Margins:
     sensitivity = np.asarray(np.linalg.inv(np.eye(2) - M), dtype=np.complex128)
     largest = float(_structured(sensitivity - np.eye(2) / 2).max())
     disk = 1 / largest
+    curve, crossing = _crossings(loop, grid, M)
+    ends = _single(np.concatenate([transfer(loop, np.zeros(1)), M[-1:]])).real  # real at both ends
+    at_crossing = _single(transfer(loop, crossing))
+    front, rear = (
+        _margin(
+            np.append(at_crossing[axle, curve == 2 * axle].real, ends[axle]),
+            at_crossing[axle, curve == 2 * axle + 1],
+            crossing[curve == 2 * axle + 1],
+        )
+        for axle in (0, 1)
+    )
     return Margins(
-        front=_one(loop, grid, M, 0),
-        rear=_one(loop, grid, M, 1),
+        front=front,
+        rear=rear,
         disk=disk,
         disk_gain=(2 + disk) / (2 - disk) if disk < 2 else inf,
         disk_phase=2 * atan(disk / 2),
@@ -78,22 +89,18 @@ def transfer(loop: SampledLoop, omega: FloatArray) -> ComplexArray:
     return np.asarray(loop.K @ np.linalg.solve(z[:, None, None] * np.eye(len(inner)) - inner, loop.B.astype(complex)))
 
 
-def _single(M: ComplexArray, axle: int) -> ComplexArray:
-    """Negative loop gain of one axle, the other one's loop closed."""
-    other = 1 - axle
-    around = M[:, axle, other] * M[:, other, axle] / (1 - M[:, other, other])
-    return np.asarray(-(M[:, axle, axle] + around))
+def _single(M: ComplexArray) -> ComplexArray:
+    """Negative loop gain of each axle, the other one's loop closed (2, frequencies)."""
+    around = M[:, 0, 1] * M[:, 1, 0]
+    front, rear = M[:, 0, 0], M[:, 1, 1]
+    return np.asarray([-(front + around / (1 - rear)), -(rear + around / (1 - front))])
 
 
-def _one(loop: SampledLoop, grid: FloatArray, M: ComplexArray, axle: int) -> LoopMargin:
-    L = _single(M, axle)
-    real_axis = _roots(loop, grid, L.imag, axle, lambda each: each.imag)
-    at = _single(transfer(loop, real_axis), axle).real if len(real_axis) else np.zeros(0)
-    at = np.append(at, [_single(transfer(loop, np.zeros(1)), axle)[0].real, L[-1].real])  # real at both ends
-    factors = -1 / at[at < 0]
-    unit = _roots(loop, grid, np.abs(L) - 1, axle, lambda each: np.abs(each) - 1)
-    phases = 2 * np.abs(np.array([asin(min(abs(1 + each) / 2, 1)) for each in _single(transfer(loop, unit), axle)]))
-    lags = np.mod(np.angle(_single(transfer(loop, unit), axle)) + pi, 2 * pi)
+def _margin(at_real: FloatArray, at_unit: ComplexArray, unit: FloatArray) -> LoopMargin:
+    """By a loop's gains where they are real (m,), and where their magnitude is 1 (n,), at those angular frequencies."""
+    factors = -1 / at_real[at_real < 0]
+    phases = 2 * np.abs(np.array([asin(min(abs(1 + each) / 2, 1)) for each in at_unit]))
+    lags = np.mod(np.angle(at_unit) + pi, 2 * pi)
     return LoopMargin(
         gain=float(factors[factors > 1].min()) if (factors > 1).any() else None,
         gain_reduction=float(factors[factors < 1].max()) if (factors < 1).any() else None,
@@ -102,22 +109,27 @@ def _one(loop: SampledLoop, grid: FloatArray, M: ComplexArray, axle: int) -> Loo
     )
 
 
-def _roots(
-    loop: SampledLoop, grid: FloatArray, values: FloatArray, axle: int, of: Callable[[ComplexArray], FloatArray]
-) -> FloatArray:
-    """Where a function of the loop gain changes its sign, all searched for together by the Illinois method.
+def _crossings(loop: SampledLoop, grid: FloatArray, M: ComplexArray) -> tuple[NDArray[np.intp], FloatArray]:
+    """Where the curves of `_curves` change their signs: of which curve (n,), at which angular frequency (n,).
 
-    It is regula falsi whose end that stays counts half (Dowell and Jarratt, BIT 11, 168-174, 1971).
+    All are searched for together by the Illinois method, regula falsi whose end that stays counts half (Dowell and
+    Jarratt, BIT 11, 168-174, 1971).
     """
-    changes = np.flatnonzero(np.sign(values[1:]) * np.sign(values[:-1]) < 0)
-    low, high, at_low, at_high = grid[changes], grid[changes + 1], values[changes], values[changes + 1]
+    values = _curves(M)
+    curve, change = np.nonzero(np.sign(values[:, 1:]) * np.sign(values[:, :-1]) < 0)
+    low, high, at_low, at_high = grid[change], grid[change + 1], values[curve, change], values[curve, change + 1]
     for _ in range(_STEPS if len(low) else 0):
         between = high - at_high * (high - low) / (at_high - at_low)
-        value = of(_single(transfer(loop, between), axle))
+        value = _curves(transfer(loop, between))[curve, np.arange(len(curve))]
         stays = np.sign(value) == np.sign(at_high)
         low, at_low = np.where(stays, low, high), np.where(stays, at_low / 2, at_high)
         high, at_high = between, value
-    return np.asarray(high)
+    return curve, high
+
+
+def _curves(M: ComplexArray) -> FloatArray:
+    """Imaginary part and magnitude - 1 of the front axle's loop gain, then of the rear one's (4, frequencies)."""
+    return np.asarray([curve for gain in _single(M) for curve in (gain.imag, np.abs(gain) - 1)])
 
 
 def _structured(M: ComplexArray) -> FloatArray:

@@ -173,7 +173,9 @@ def _responses(loop: SampledLoop, omega: FloatArray) -> ComplexArray:
     velocity = s[:, None] * np.stack([np.ones_like(s), np.exp(-s * wheelbase / loop.speed)], 1)
     resolvent = s[:, None, None] * np.eye(car.size) - car.A
     road = velocity @ car.E[:, :2].T
-    of_road: ComplexArray = np.asarray(np.linalg.solve(resolvent, road[..., None])[..., 0], np.complex128)
+    causes = np.concatenate([road[..., None], np.broadcast_to(car.B, (len(s), *car.B.shape))], axis=2)
+    solved: ComplexArray = np.asarray(np.linalg.solve(resolvent, causes), np.complex128)
+    of_road, of_command = solved[..., 0], solved[..., 1:]
     feed = preview_command(loop, omega)
     forcing = np.zeros((len(omega), len(loop.A)), dtype=np.complex128)
     forcing[:, :size] = _road_in_step(loop, omega, of_road)
@@ -181,7 +183,7 @@ def _responses(loop: SampledLoop, omega: FloatArray) -> ComplexArray:
     z = np.linalg.solve(np.exp(s * h)[:, None, None] * np.eye(len(loop.A)) - loop.closed, forcing[..., None])[..., 0]
     command = z[:, size : size + 2] if loop.run.controller.delayed else z @ loop.K.T + feed
     held = command * ((1 - np.exp(-s * h)) / (s * h))[:, None]
-    x = of_road + np.linalg.solve(resolvent, (held @ car.B.T)[..., None])[..., 0]
+    x = of_road + (of_command @ held[..., None])[..., 0]
     forces = x[:, STATES:] if car.size > STATES else held
     return np.asarray(x[:, :STATES] @ outputs.C.T + forces @ outputs.D.T)
 

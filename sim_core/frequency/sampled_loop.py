@@ -1,6 +1,6 @@
 """The linear closed loop of one stage: what is held and sampled, as a run drives it while no limit binds."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -82,16 +82,16 @@ def stage_law(run: Run, stage: str) -> LinearLaw:
     Raises:
         NotLinearError: It has none.
     """
-    controller = run.controller
+    controller, setup = run.controller, replace(run.setup(), stages=(stage,))  # the others' laws are not asked for
     if controller.dampers() is not None:
         raise NotLinearError("A semi-active damper is not linear: its force is a product of coefficient and velocity")
     if isinstance(controller, EcuController):
         if controller.hil.jitter or controller.hil.packet_loss:
             raise NotLinearError("With jitter or lost packets the delay changes from command to command")
-        return controller.designs(run.setup())[stage].law
+        return controller.designs(setup)[stage].law
     if controller.delayed:
         raise NotLinearError("The controller decides itself when its commands take effect: it has no linear law")
-    controller.start(run.setup())
+    controller.start(setup)
     try:
         law = controller.linear_law(stage)
     finally:
