@@ -24,10 +24,10 @@ def test_one_that_is_done_goes_on_with_more_trials(client: httpx.Client) -> None
     assert client.post(path).status_code == 409
     refused = client.post(path, params={"trials": 7})
     assert (refused.status_code, refused.json()["errors"][0]["parameter"]) == (422, "trials")
-    assert client.post(path, params={"trials": 24}).json()["comparison"] is None
+    assert client.post(path, params={"trials": 16}).json()["comparison"] is None
     longer = wait_for(client, short["id"])
-    assert (longer["state"], longer["trials"]["done"]) == ("done", 24)
-    whole = wait_for(client, begin(client, "as-asked-at-once")["id"])
+    assert (longer["state"], longer["trials"]["done"]) == ("done", 16)
+    whole = wait_for(client, begin(client, "as-asked-at-once", trials=16)["id"])
     assert trials(client, short["id"]) == trials(client, whole["id"]), "as if it had been asked for at once"
     assert longer["comparison"]["points"] == whole["comparison"]["points"]
 
@@ -118,7 +118,7 @@ def test_where_nothing_can_run_the_tuning_fails_with_the_reason(
     client: httpx.Client, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     failing(monkeypatch, *range(16))
-    tuning = wait_for(client, begin(client, trials=24)["id"])
+    tuning = wait_for(client, begin(client, trials=16)["id"])
     reason = "No set of weights could be run. Road 1: The computation ended unexpectedly, twice"
     assert (tuning["state"], tuning["reason"], tuning["generation"]) == ("failed", reason, 0)
 

@@ -67,21 +67,6 @@ def test_dragging_is_live_the_release_exact_and_both_are_compared_with_before(da
     assert slowed[key] < values[key]
 
 
-def test_back_and_forward_walk_through_the_runs(dashboard: Dashboard) -> None:
-    dashboard.open()
-    page, first, paper = dashboard.page, dashboard.address(), dashboard.shown_values()
-    dashboard.type_into("Height", "0.06 m")
-    expect_new_address(page, first)
-    second, low = dashboard.address(), dashboard.shown_values()
-
-    page.go_back()
-    expect(page).to_have_url(first)
-    assert (dashboard.entry("Height").input_value(), dashboard.shown_values()) == ("10", paper)
-    page.go_forward()
-    expect(page).to_have_url(second)
-    assert (dashboard.entry("Height").input_value(), dashboard.shown_values()) == ("6", low)
-
-
 def test_a_wrong_value_is_told_at_its_field_and_kept(dashboard: Dashboard) -> None:
     dashboard.open()
     page, address = dashboard.page, dashboard.page.url

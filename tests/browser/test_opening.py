@@ -1,22 +1,11 @@
-"""How the page opens: in the system's colours, and without a jump; `make drill` has other windows."""
+"""How the page opens: without a jump, with a token, and where nothing is; `make drill` has other windows."""
 
 from playwright.sync_api import Route
 
 from tests.browser.dashboard import Dashboard
 from tests.browser.looks import expect
 
-
-def test_colour_scheme_follows_the_system_and_the_toggle_keeps(dashboard: Dashboard) -> None:
-    page = dashboard.page
-    scheme = page.locator("html[data-mantine-color-scheme]")
-    page.emulate_media(color_scheme="dark")
-    dashboard.open()
-    expect(scheme).to_have_attribute("data-mantine-color-scheme", "dark")
-    page.get_by_role("button", name="Use light colours").click()
-    expect(scheme).to_have_attribute("data-mantine-color-scheme", "light")
-    page.reload()
-    dashboard.expect_curves()
-    expect(scheme).to_have_attribute("data-mantine-color-scheme", "light")
+UNKNOWN = "A" * 22
 
 
 def expect_steady(dashboard: Dashboard, width: int, height: int) -> None:
@@ -70,3 +59,19 @@ def test_a_token_is_asked_for_until_one_is_taken(dashboard: Dashboard) -> None:
     page.get_by_label("Token").fill("the one")
     page.get_by_role("button", name="Log in").click()
     dashboard.expect_curves()
+
+
+def test_what_is_not_there_is_said_beside_the_navigation(dashboard: Dashboard) -> None:
+    """The statuses are the API's tests'."""
+    page = dashboard.page
+    for path, said in (
+        ("/manual/nothing-here/", "There is no page at this address"),
+        (f"/r/{UNKNOWN}", "There is no run at this address"),
+        (f"/s/{UNKNOWN}", "There is no shared result at this address"),
+        (f"/b/{UNKNOWN}", "There is no sweep at this address"),
+        (f"/tuner/{UNKNOWN}", "There is no tuning at this address"),
+        ("/paper?preview=sideways", "does not know"),
+    ):
+        page.goto(path)
+        expect(page.get_by_text(said)).to_be_visible()
+        expect(page.get_by_role("navigation", name="Pages").get_by_role("link", name="Lab")).to_be_visible()

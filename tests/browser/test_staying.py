@@ -3,7 +3,7 @@
 import re
 from collections.abc import Callable
 
-from playwright.sync_api import Route
+from playwright.sync_api import Page, Route
 
 from tests.browser.dashboard import Dashboard, expect_new_address
 from tests.browser.looks import expect
@@ -42,11 +42,20 @@ def expect_edited(dashboard: Dashboard) -> None:
     expect(page.get_by_role("button", name="Redo")).to_be_disabled()
 
 
-def test_a_reload_keeps_undo_redo_and_what_changes_are_against(dashboard: Dashboard) -> None:
-    """On the lab's page and on another one; a lab that opens as it was left still offers the paper's scenario."""
+def go(page: Page, name: str) -> None:
+    page.get_by_role("navigation", name="Pages").get_by_role("link", name=name).click()
+
+
+def test_edits_outlive_other_pages_and_a_reload(dashboard: Dashboard) -> None:
+    """Undo, redo, what changes are against, and the colours somebody chose; from page to page nothing is loaded."""
+    page, scheme = dashboard.page, "data-mantine-color-scheme"
+    page.emulate_media(color_scheme="dark")
     dashboard.open()
+    expect(page.locator("html")).to_have_attribute(scheme, "dark")
+    page.get_by_role("button", name="Use light colours").click()
+    expect(page.locator("html")).to_have_attribute(scheme, "light")
+    page.evaluate("window.unloaded = false")
     edited(dashboard)
-    page = dashboard.page
     curves, before = dashboard.panel("body_acceleration"), page.get_by_role("checkbox", name="Before the undo")
     expect(page.locator("[data-layer]")).to_have_text([re.compile("before the undo")])
     expect(curves).to_have_attribute("data-drawn", "6")
@@ -54,15 +63,59 @@ def test_a_reload_keeps_undo_redo_and_what_changes_are_against(dashboard: Dashbo
     expect(curves).to_have_attribute("data-drawn", "3")
     before.check()
     page.get_by_label("Change against").select_option("Before the undo")
+    address = dashboard.address()
+    go(page, "Sweeps")
+    expect(page.get_by_role("region", name="Sweeps")).to_be_visible()
+    go(page, "Lab")
+    expect(page).to_have_url(address)
+    dashboard.expect_curves()
+    assert page.evaluate("window.unloaded") is False
     page.reload()
     dashboard.expect_curves()
+    expect(page.locator("html")).to_have_attribute(scheme, "light")
     expect_edited(dashboard)
+
+
+def test_a_closed_tab_comes_back_and_the_paper_is_a_click_away(dashboard: Dashboard) -> None:
+    """Whichever page it comes back on; what is computed meanwhile is there then, and Back and Forward go by runs."""
+    dashboard.open()
+    page, paper, first = dashboard.page, dashboard.address(), dashboard.shown_values()
+    dashboard.type_into("Height", "6")
+    expect_new_address(page, paper)
+    low, values = dashboard.address(), dashboard.shown_values()
+    page.go_back()
+    expect(page).to_have_url(paper)
+    assert (dashboard.entry("Height").input_value(), dashboard.shown_values()) == ("10", first)
+    page.go_forward()
+    expect(page).to_have_url(low)
     page.goto("/tuner")
-    page.get_by_role("navigation", name="Pages").get_by_role("link", name="Lab").click()
+    go(page, "Lab")
     dashboard.expect_curves()
     expect(page.get_by_text("Your last scenario.")).to_be_visible()
-    page.get_by_role("button", name="Undo").click()
-    expect(dashboard.entry("Width")).to_have_value("4")
+    assert (dashboard.address(), dashboard.shown_values()) == (low, values)
+    with page.expect_response("**/series?*"), dashboard.held("**/series?*"):
+        with page.expect_request("**/series?*"):
+            dashboard.type_into("Height", "7")
+        go(page, "Tuner")
+        expect(page).to_have_url(re.compile(r"/tuner\?run="))
+    page.go_back()
+    dashboard.expect_curves()
+    assert dashboard.entry("Height").input_value() == "7"
+    expect(page.get_by_text("Your last scenario.")).to_have_count(0)
+    dashboard.expect_table_to_be_the_stored_run()
+    dashboard.chip("LQR").click()
+    expect(dashboard.row("lqr")).to_have_count(0)
+    page.get_by_text("Time", exact=True).click()
+    expect(page).to_have_url(re.compile("axis=time"))
+    dashboard.open("/")
+    assert dashboard.entry("Height").input_value() == "7"
+    expect(dashboard.row("lqr")).to_have_count(0)
+    expect(page.get_by_role("radio", name="Time")).to_be_checked()
+    expect(page.get_by_text("Your last scenario.")).to_be_visible()
+    page.get_by_role("button", name="Open the paper’s scenario").click()
+    expect(dashboard.row("lqr")).to_be_visible()
+    assert dashboard.entry("Height").input_value() == "10"
+    assert dashboard.address().split("?")[0] == paper
     expect(page.get_by_text("Your last scenario.")).to_have_count(0)
 
 

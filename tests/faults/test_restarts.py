@@ -33,7 +33,7 @@ TUNING = {
     "objectives": [{"kind": "peaks"}, {"kind": "figure", "figure": "rough_road.front_tyre_load.rms"}],
     "seeds": [1, 2],
     "fresh_seeds": [11, 12],
-    "trials": 24,
+    "trials": 16,
     "population": 8,
 }
 
@@ -89,7 +89,7 @@ def test_what_was_accepted_outlives_a_kill_and_an_ordered_end(api: Api, accepted
     assert link["run"]["strategies"]["lv"]["metrics"] == run["strategies"]["lv"]["metrics"]
     assert series_of(api, run) == series
     ended, trials = finished_tuning(api, tuning)
-    assert (ended["state"], ended["trials"]["done"], ended["generation"]) == ("done", 24, 3)
+    assert (ended["state"], ended["trials"]["done"], ended["generation"]) == ("done", 16, 2)
     whole, its_trials = finished_tuning(api, ask(api.url, "POST", "/tunings", json=TUNING)["id"])
     assert trials == its_trials, "those it would have had"
     assert (ended["history"], ended["comparison"]["points"]) == (whole["history"], whole["comparison"]["points"])

@@ -1,5 +1,6 @@
 """FMUs that leave Ridelab: FMPy validates and runs them, and they give what our own runs give."""
 
+import io
 import subprocess
 import zipfile
 from copy import copy
@@ -188,7 +189,8 @@ def differences_of(
 def test_the_functions_are_the_standards_own_by_its_headers(version: Version, tmp_path: Path) -> None:
     """The headers come with FMPy; another signature would be an error. And without them there is no warning either."""
     headers = Path(fmpy.__file__).parent / "c-code"
-    with zipfile.ZipFile(exported(tmp_path, Scenario.model_validate(SMALL), version, of="vehicle")) as archive:
+    without_binaries = fmu(Scenario.model_validate(SMALL), "lqr", "vehicle", version, [])
+    with zipfile.ZipFile(io.BytesIO(without_binaries)) as archive:
         archive.extractall(tmp_path)
     strict = ["-std=c11", "-Wall", "-Wextra", "-Werror", "-Wno-unused-parameter", "-fsyntax-only"]
     files = [str(file) for file in (tmp_path / "sources").glob("*.c")]

@@ -179,7 +179,7 @@ def test_an_ecus_plan_begins_with_the_command_that_its_program_gives(compensatio
     hil = {"compensation": compensation, "iterations": 60}
     scenario = Scenario.model_validate({**BOUND.model_dump(), "hil": hil})
     codes = 2 ** (scenario.hil.bits - 1) - 1
-    for position in np.arange(38, 44, 0.1):
+    for position in np.arange(38, 44, 0.2):
         at = instant(scenario, "lv_hil", position=float(position))
         assert at.plan is not None
         assert at.asked is not None
