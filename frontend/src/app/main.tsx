@@ -55,6 +55,8 @@ const theme = createTheme({
     // The placeholder would be a child that a menu may not have.
     Modal: { defaultProps: { closeButtonProps: { "aria-label": "Close" } } },
     Menu: { defaultProps: { withInitialFocusPlaceholder: false } },
+    // What pulses is drawn 60 times a second while the page has enough to do.
+    Skeleton: { defaultProps: { animate: false } },
     // The choices of a closed list take a tenth of the page.
     Combobox: { defaultProps: { keepMounted: false } },
   },
