@@ -214,28 +214,6 @@ def test_a_row_opens_its_run_which_leads_back(dashboard: Dashboard, server: Serv
     expect(page.get_by_role("button", name="Open run 3 in the dashboard")).to_be_enabled()
 
 
-def test_a_shared_sweep_opens_with_its_plot(dashboard: Dashboard, server: Server) -> None:
-    page = dashboard.page
-    grid = {"grid": {"road.bump.height": [0.05, 0.1], "road.bump.width": [3, 5]}}
-    page.goto(f"{server.submit(grid, ['lv', 'passive'])}?plot=points")
-    expect_done(page)
-    page.get_by_label("Over", exact=True).select_option("road.bump.width")
-    page.get_by_role("combobox", name="Metric").fill("travel time")
-    page.get_by_role("listbox").get_by_role("option", name="Travel time").click()
-    page.get_by_role("group", name="Strategies").get_by_role("button", name="Passive").click()
-    expect(page).to_have_url(re.compile(r"plot=points&x=road.bump.width&y=travel_time&hide=passive"))
-    link = share(page)
-
-    page.goto(link)
-    expect(page.get_by_role("region", name="Shared result")).to_contain_text("Shared sweep, computed on")
-    expect(page.get_by_label("Over", exact=True)).to_have_value("road.bump.width")
-    expect(page.get_by_role("combobox", name="Metric")).to_have_value("Travel time")
-    passive = page.get_by_role("group", name="Strategies").get_by_role("button", name="Passive")
-    expect(passive).to_have_attribute("aria-pressed", "false")
-    expect(page.locator("tbody tr[data-status=ok]")).to_have_count(8)
-    assert page.url == link
-
-
 def test_a_sweep_is_cancelled_resumed_named_and_another_one_deleted(dashboard: Dashboard, server: Server) -> None:
     """It is far longer than any click takes: nothing here waits for its end."""
     page = dashboard.page
@@ -271,7 +249,9 @@ def test_a_sweep_is_cancelled_resumed_named_and_another_one_deleted(dashboard: D
     expect(page.get_by_role("heading", name="There is no sweep at this address")).to_be_visible()
 
 
-def test_a_point_of_a_grid_says_where_it_is_and_whether_to_believe_it(dashboard: Dashboard, server: Server) -> None:
+def test_a_point_says_where_it_is_and_whether_to_believe_it_and_a_shared_sweep_opens_with_its_plot(
+    dashboard: Dashboard, server: Server
+) -> None:
     page = dashboard.page
     grid = {"grid": {"road.bump.height": [0.05, 0.1], "road.bump.width": [3, 4]}}
     path = server.submit(grid, ["lv", "passive"])
@@ -291,3 +271,19 @@ def test_a_point_of_a_grid_says_where_it_is_and_whether_to_believe_it(dashboard:
 
     page.locator(".scatterlayer .trace").nth(3).locator(".point").last.hover(force=True)
     expect(page.locator(".hoverlayer")).to_contain_text(re.compile(r"Passive.*Height 10\scm.*Width [34]\sm.*airborne"))
+
+    page.get_by_label("Over", exact=True).select_option("road.bump.width")
+    page.get_by_role("combobox", name="Metric").fill("travel time")
+    page.get_by_role("listbox").get_by_role("option", name="Travel time").click()
+    page.get_by_role("group", name="Strategies").get_by_role("button", name="Passive").click()
+    expect(page).to_have_url(re.compile(r"plot=points&x=road.bump.width&y=travel_time&hide=passive"))
+    link = share(page)
+
+    page.goto(link)
+    expect(page.get_by_role("region", name="Shared result")).to_contain_text("Shared sweep, computed on")
+    expect(page.get_by_label("Over", exact=True)).to_have_value("road.bump.width")
+    expect(page.get_by_role("combobox", name="Metric")).to_have_value("Travel time")
+    passive = page.get_by_role("group", name="Strategies").get_by_role("button", name="Passive")
+    expect(passive).to_have_attribute("aria-pressed", "false")
+    expect(page.locator("tbody tr[data-status=ok]")).to_have_count(8)
+    assert page.url == link

@@ -6,28 +6,8 @@ from tests.browser.dashboard import Dashboard, expect_new_address
 from tests.browser.looks import expect
 
 
-def test_says_who_won_at_which_speed_and_what_an_edit_changed(dashboard: Dashboard) -> None:
-    page = dashboard.page
-    dashboard.open()
-    verdict = page.get_by_test_id("verdict")
-    told = verdict.get_by_role("status")
-    expect(told).to_contain_text(re.compile(r"LV control is best in \d of 8 metrics"))
-    expect(told).to_contain_text("at 22.5 instead of 50.0 km/h")
-    address = dashboard.address()
-    page.get_by_role("button", name="Compare at equal speed").click()
-    expect_new_address(page, address)
-    expect(told).to_contain_text("all at 22.5 km/h")
-    expect(page.get_by_role("button", name="Compare at equal speed")).to_have_count(0)
-    changes = page.get_by_role("group", name="Changes against the state before the last edit")
-    expect(changes.get_by_label("Changes of")).to_have_value("passive")  # the one that slows down by it
-    expect(changes.get_by_role("button", name=re.compile("better"))).to_have_count(6)
-    expect(changes.get_by_role("button", name=re.compile("one road’s luck"))).to_have_count(2)
-    changes.get_by_role("button", name=re.compile("^Rear tyre dynamic load")).first.click()
-    expect(page.get_by_role("button", name="Whole run")).to_have_attribute("aria-pressed", "true")
-    expect(page.get_by_role("region", name=re.compile("^Rear tyre dynamic load"))).to_be_in_viewport()
-
-
-def test_a_strategy_stands_out_and_the_table_is_sorted_and_grouped(dashboard: Dashboard) -> None:
+def test_says_who_won_which_curve_is_whose_and_what_an_edit_changed(dashboard: Dashboard) -> None:
+    """The table is sorted by a metric, and with pins grouped by strategy."""
     page = dashboard.page
     dashboard.open()
     panel = dashboard.panel("body_acceleration")
@@ -56,6 +36,23 @@ def test_a_strategy_stands_out_and_the_table_is_sorted_and_grouped(dashboard: Da
     sizes = [float(value) for value in values.evaluate_all("cells => cells.map(cell => cell.dataset.value)")]
     assert sizes == sorted(sizes)
     expect(values.first.locator("[data-best]")).to_have_count(1)
+
+    verdict = page.get_by_test_id("verdict")
+    told = verdict.get_by_role("status")
+    expect(told).to_contain_text(re.compile(r"LV control is best in \d of 8 metrics"))
+    expect(told).to_contain_text("at 22.5 instead of 50.0 km/h")
+    address = dashboard.address()
+    page.get_by_role("button", name="Compare at equal speed").click()
+    expect_new_address(page, address)
+    expect(told).to_contain_text("all at 22.5 km/h")
+    expect(page.get_by_role("button", name="Compare at equal speed")).to_have_count(0)
+    changes = page.get_by_role("group", name="Changes against the state before the last edit")
+    expect(changes.get_by_label("Changes of")).to_have_value("passive")  # the one that slows down by it
+    expect(changes.get_by_role("button", name=re.compile("better"))).to_have_count(6)
+    expect(changes.get_by_role("button", name=re.compile("one road’s luck"))).to_have_count(2)
+    changes.get_by_role("button", name=re.compile("^Rear tyre dynamic load")).first.click()
+    expect(page.get_by_role("button", name="Whole run")).to_have_attribute("aria-pressed", "true")
+    expect(page.get_by_role("region", name=re.compile("^Rear tyre dynamic load"))).to_be_in_viewport()
 
     address = dashboard.address()
     dashboard.type_into("Height", "12 cm")
