@@ -18,6 +18,7 @@ T = TypeVar("T")
 
 MEBIBYTE = 1024 * 1024
 MAX_BYTES = 28 * MEBIBYTE  # of a process: a scenario that somebody edits, under every strategy, several times over
+_PLAIN = {float, int, str}  # which hold no array
 _ENTRY_OVERHEAD = 1024  # so that the number of small entries is bounded too [bytes]
 
 
@@ -41,7 +42,8 @@ def arrays(value: Any) -> list[NDArray[Any]]:
         elif isinstance(part, tuple):
             parts += part
         else:
-            parts += [getattr(part, name) for name in _fields(part.__class__)]
+            values = [getattr(part, name) for name in _fields(part.__class__)]
+            parts += [each for each in values if each.__class__ not in _PLAIN]
     return collected
 
 

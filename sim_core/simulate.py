@@ -11,7 +11,7 @@ from sim_core.metrics.windows import windows_of
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Road, Scenario
 from sim_core.speed.profile import make_speed_profile
-from sim_core.speed.stages import spans
+from sim_core.speed.stages import segments, spans
 from sim_core.strategies import make_controller, resolve_speed_plan
 
 _ANY_ROAD = Road(length=30, bump=Bump(height=0, start=20))
@@ -65,13 +65,15 @@ def prepare(scenario: Scenario, strategy: str | type[Controller] | Controller) -
     controller = make_controller(strategy).for_scenario(scenario)
     plan = resolve_speed_plan(type(controller), scenario.speed.policy)
     speed_profile = make_speed_profile(scenario, plan)
-    steps = step_sizes(scenario, controller, plan)
+    steps, stages = step_sizes(scenario, controller, plan), spans(scenario, plan, speed_profile)
+    excitation = excite(scenario.road, scenario.vehicle.wheelbase, speed_profile, steps.control, steps.fine)
     return Run(
         scenario=scenario,
         controller=controller,
         plan=plan,
         speed_profile=speed_profile,
         steps=steps,
-        excitation=excite(scenario.road, scenario.vehicle.wheelbase, speed_profile, steps.control, steps.fine),
-        stages=spans(scenario, plan, speed_profile),
+        excitation=excitation,
+        stages=stages,
+        segments=segments(stages, excitation.grid.position),
     )

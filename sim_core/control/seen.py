@@ -1,6 +1,6 @@
 """What a controller is told: of the run at its start, and of each control step."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,6 +9,7 @@ from sim_core.arrays import FloatArray
 from sim_core.control.cost import CostTerms
 from sim_core.kernel.prepared import DrivenCar
 from sim_core.scenario import Vehicle, Weights
+from sim_core.speed.stages import Segment
 from sim_core.vehicle.half_car import STATES
 
 
@@ -83,7 +84,7 @@ class RunInputs:
         time: Control instants (steps,) [s].
         position: Of the front axle (steps,) [m].
         speed: Of the car (steps,) [m/s].
-        stage: Driving stage of each control step.
+        segments: The control steps of each driving stage.
         disturbances: `Seen.disturbances` of each control step (3, steps, preview_steps).
         road_height: Of the road under both axles as the preview has it (2, steps) [m].
         noise: Function that gives the noise of the car's own sensors (steps, 4), in the units of what they measure.
@@ -93,7 +94,7 @@ class RunInputs:
     time: FloatArray
     position: FloatArray
     speed: FloatArray
-    stage: list[str]
+    segments: Sequence[Segment]
     disturbances: FloatArray
     road_height: FloatArray
     noise: Callable[[], FloatArray]
@@ -155,12 +156,12 @@ class Seen:
     @property
     def stage(self) -> str:
         """The driving stage: cruise, brake or bump."""
-        return self._inputs.stage[self.step]
+        return self._stage(self.step)
 
     @property
     def next_stage(self) -> str:
         """The driving stage of the next control step, of the last one again at the end."""
-        return self._inputs.stage[min(self.step + 1, len(self._inputs.stage) - 1)]
+        return self._stage(min(self.step + 1, len(self._inputs.time) - 1))
 
     @property
     def measurement(self) -> FloatArray:
@@ -190,3 +191,6 @@ class Seen:
         inputs = self._inputs
         rise = np.cumsum(inputs.disturbances[:2, self.step], axis=1) * inputs.sample_time
         return (inputs.road_height[:, self.step, np.newaxis] + rise).T
+
+    def _stage(self, step: int) -> str:
+        return next(stage for stage, _, last in self._inputs.segments if step < last)

@@ -53,7 +53,8 @@ class ClosedLoop:
     def run(self, segments: Sequence[Segment]) -> Trajectory:
         """Drive the driving stages from rest, without a command before the first step."""
         n = self._car.size
-        loop = np.zeros((segments[-1].last + 1, n + FORCES))  # [car; previous command] at every control instant
+        loop = np.empty((segments[-1].last + 1, n + FORCES))  # [car; previous command] at every control instant
+        loop[0] = 0
         asked = np.full((segments[-1].last, FORCES), np.nan)
         limited = 0
         follow: FollowLaw | None = None

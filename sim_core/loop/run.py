@@ -1,7 +1,7 @@
 """One run: what the controller is told, the car it meets, the loop of both, and the recording."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import chain
 from math import inf
 from typing import get_args
 
@@ -21,7 +21,7 @@ from sim_core.loop.preview import Forecast, preview
 from sim_core.result import Span
 from sim_core.scenario import Actuator, Preview, Scenario
 from sim_core.speed.profile import SpeedPlan, SpeedProfile
-from sim_core.speed.stages import Segment, segments
+from sim_core.speed.stages import Segment
 from sim_core.vehicle.estimator import make_estimator, sensor_noise
 from sim_core.vehicle.make import is_linear, make_vehicle
 from sim_core.vehicle.model import Estimator, SemiActiveDampers
@@ -76,6 +76,7 @@ class Run:
         steps: How finely it is stepped; the car in short steps.
         excitation: The road under the axles and the braking.
         stages: The driving stages.
+        segments: The control steps of each.
     """
 
     scenario: Scenario
@@ -85,6 +86,7 @@ class Run:
     steps: StepSizes
     excitation: Excitation
     stages: tuple[Span, ...]
+    segments: Sequence[Segment]
 
     @property
     def actuator(self) -> Actuator:
@@ -95,10 +97,6 @@ class Run:
     def filter_preview(self) -> Preview:
         """What of the road the controller's filter is told: what it previews itself, where the scenario says so."""
         return self.controller.preview if self.scenario.estimation.knows_preview else "none"
-
-    def segments(self) -> list[Segment]:
-        """The control steps of each driving stage."""
-        return segments(self.stages, self.excitation.grid.position)
 
     def setup(self) -> Setup:
         """What the controller is told before it.
@@ -143,7 +141,7 @@ class Run:
                 trajectory = DelayedLoop(controller, car, inputs, setup, force_limits).run()
             else:
                 loop = ClosedLoop(controller, car, inputs, forecast, force_limits)
-                trajectory = loop.run(self.segments())
+                trajectory = loop.run(self.segments)
         finally:
             controller.end()
         return Recording(car=car, trajectory=trajectory, first=self.excitation.grid.before * self.steps.short)
@@ -188,7 +186,7 @@ class Run:
             time=grid.time[:-1],
             position=grid.position,
             speed=grid.speed,
-            stage=list(chain.from_iterable([stage] * (last - first) for stage, first, last in self.segments())),
+            segments=self.segments,
             disturbances=forecast.disturbances,
             road_height=forecast.height_now,
             noise=lambda: sensor_noise(self.scenario, steps, short)[::short],

@@ -16,6 +16,7 @@ from sim_core.ecu.program import in_process
 from sim_core.loop.preview import sliding_forecast
 from sim_core.scenario import Hil, Mpc, Scenario
 from sim_core.simulate import prepare, simulate
+from sim_core.speed.stages import Segment
 from sim_core.strategies.calibration import ecu_calibration
 from sim_core.strategies.lv_hil import LvHil
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES
@@ -51,7 +52,7 @@ def test_the_ecus_optimum_is_the_qps() -> None:
         lv = run.controller.for_scenario(scenario)
         lv.start(run.setup())
         forecast = sliding_forecast(preview, horizon, np.zeros((2, 1)))
-        inputs = replace(run.inputs(forecast), stage=[STAGES[i % 3]])
+        inputs = replace(run.inputs(forecast), segments=[Segment(STAGES[i % 3], 0, 1)])
         force = lv.force(Seen(inputs, car, 0, 0, state, previous * 1000))
         assert force is not None
         lv.end()
