@@ -117,7 +117,12 @@ $(VENV)/clients/.installed: requirements-clients.lock $(VENV)/.build
 	$(@D)/bin/python -m pip install --disable-pip-version-check --progress-bar off --require-hashes -r $<
 	touch $@
 
-$(BIN)/ridelab: pyproject.toml setup.py client/pyproject.toml sim_core/pyproject.toml sim_core/setup.py $(wildcard sim_core/kernel/*.[ch] sim_core/ecu/source/*.[ch]) sim_core/kernel/build.py $(VENV)/.runtime  # the three distributions, from their folders
+# Beside the first packages, which take one core; where there is no compiler, or it fails, the next target's pip compiles.
+KERNEL := sim_core/kernel/libridelab.so.1
+$(KERNEL): $(wildcard sim_core/kernel/*.[ch] sim_core/ecu/source/*.[ch]) sim_core/kernel/build.py
+	-@if command -v cc || command -v gcc || command -v clang; then $(PYTHON) sim_core/kernel/build.py $(@D); fi
+
+$(BIN)/ridelab: pyproject.toml setup.py client/pyproject.toml sim_core/pyproject.toml sim_core/setup.py $(KERNEL) $(VENV)/.runtime  # the three distributions, from their folders
 	@command -v cc || command -v gcc || command -v clang || $(MAKE) $(VENV)/.ecu
 	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --no-index -e sim_core -e client -e .
 	touch $@

@@ -17,10 +17,14 @@ class BuildLibrary(build_ext):
         return str(Path(*fullname.split(".")).with_suffix(".so.1"))
 
     def build_extension(self, ext: Extension) -> None:
-        """Compile it."""
+        """Compile it; an editable installation takes the one beside the sources, where that is of these sources."""
         library = Path(self.get_ext_fullpath(ext.name))
         library.parent.mkdir(parents=True, exist_ok=True)
-        self.spawn(BUILD["command"](COMPILER, library, *LIBRARIES[library.name]))
+        present = BUILD["FOLDER"] / library.name
+        if self.editable_mode and BUILD["is_current"](present):
+            self.copy_file(str(present), str(library))
+        else:
+            self.spawn(BUILD["command"](COMPILER, library, *LIBRARIES[library.name]))
 
 
 class BuildPackage(build_py):

@@ -34,6 +34,11 @@ def digest() -> str:
     return content.hexdigest()
 
 
+def is_current(library: Path) -> bool:
+    """Whether a library is compiled from these sources with these flags."""
+    return library.exists() and digest().encode() in library.read_bytes()
+
+
 def default_compiler() -> list[str]:
     """What CC names, else the machine's compiler, else that of the package ziglang.
 
