@@ -7,7 +7,7 @@ from typing import Any
 
 from playwright.sync_api import Page
 
-from tests.browser.dashboard import WINDOWS, Dashboard
+from tests.browser.dashboard import LAPTOP, WINDOWS, Dashboard
 from tests.browser.looks import expect
 from tests.browser.server import Server
 
@@ -44,8 +44,27 @@ def expect_rule(page: Page, answer: dict[str, Any]) -> None:
     assert marks == [str(each).lower() for each in within]
 
 
-def test_the_loop_is_held_to_the_rule_and_its_switches_matter(dashboard: Dashboard, server: Server) -> None:
+def made_up_report() -> dict[str, Any]:
+    """Two controllers, so that the page needs no compiler for ten seconds; tests/api checks the real report's shape."""
+    row = {
+        "prediction_horizon": 30, "control_horizon": 20, "checked": "all", "checked_rows": 100, "iterations": 30,
+        "code": 9572, "constants": 241080, "variables": 9348, "operations": {"least": 10306, "most": 10518},
+        "time": {"least": 0.0295, "most": 0.0301}, "most_iterations": 1, "unfinished": 0, "fits": False,
+        "reasons": ["the longest step takes about 30.1 ms of 10 ms"],
+        "changes": {window: dict.fromkeys(SIGNALS, 1.0) for window in WINDOWS},
+    }  # fmt: skip
+    small = row | {"prediction_horizon": 10, "control_horizon": 5, "fits": True, "reasons": [], "unfinished": 5}
+    return {
+        "part": {"name": "STM32F103xE", "clock": 72e6, "flash": 524288, "ram": 65536, "stack": 1024},
+        "sample_time": 0.01, "cycles_per_operation": 206.0, "spread": 0.17, "rows": [row, small],
+    }  # fmt: skip
+
+
+def test_the_loop_is_held_to_the_rule_the_report_says_what_fits_and_the_controller_is_taken_along(
+    dashboard: Dashboard, server: Server, tmp_path: Path
+) -> None:
     page = dashboard.page
+    page.route("**/controller/report", lambda route: route.fulfill(json=made_up_report()))
     page.goto("/ecu")
     expect(page.get_by_text("This is software in the loop with the ECU’s code, not a bench")).to_be_visible()
     expect_rule(page, run(server, {}))
@@ -71,8 +90,29 @@ def test_the_loop_is_held_to_the_rule_and_its_switches_matter(dashboard: Dashboa
     page.reload()
     expect(bits).to_have_value("6")
     expect_rule(page, rough)
+
+    card = page.get_by_role("region", name="Build report")
+    card.get_by_role("button", name="Build and measure").click()
+    expect(card.get_by_test_id("fits")).to_contain_text(
+        "The scenario’s own controller does not fit: the longest step takes about 30.1 ms of 10 ms. "
+        "Of the smaller ones one fits; the least loss has Np 10, Nc 5, 100 limits checked."
+    )
+    expect(card.locator("tr[data-fits=true]")).to_contain_text("5 unfinished")
+    expect(card.locator("tr[data-fits=false] td")).to_have_count(9)
+    card.get_by_role("switch", name="All eight metrics").check()
+    expect(card.locator("tr[data-fits=false] td")).to_have_count(15)
     dashboard.expect_accessible()
     dashboard.expect_no_wider(820, 400)
+    page.set_viewport_size(LAPTOP)
+
+    page.get_by_role("button", name="Export", exact=True).click()
+    with page.expect_download() as download:
+        page.get_by_role("menuitem", name="Controller (C)").click()
+    download.value.save_as(tmp_path / "here.zip")
+    assert download.value.suggested_filename == "ridelab-controller.zip"
+    with zipfile.ZipFile(tmp_path / "here.zip") as archive:
+        assert archive.testzip() is None
+        assert {"ridelab-controller/Makefile", "ridelab-controller/ridelab_controller.c"} <= set(archive.namelist())
 
 
 def test_a_drive_by_the_clock(dashboard: Dashboard, server: Server) -> None:
@@ -93,45 +133,3 @@ def test_a_drive_by_the_clock(dashboard: Dashboard, server: Server) -> None:
     expect(card.get_by_role("img", name="Histogram of computing")).to_be_visible()
     page.get_by_label("Scenario", exact=True).select_option("preset paper")
     expect(card).to_contain_text("The scenario has changed since")
-
-
-def made_up_report() -> dict[str, Any]:
-    """Two controllers, so that the page needs no compiler for ten seconds; tests/api checks the real report's shape."""
-    row = {
-        "prediction_horizon": 30, "control_horizon": 20, "checked": "all", "checked_rows": 100, "iterations": 30,
-        "code": 9572, "constants": 241080, "variables": 9348, "operations": {"least": 10306, "most": 10518},
-        "time": {"least": 0.0295, "most": 0.0301}, "most_iterations": 1, "unfinished": 0, "fits": False,
-        "reasons": ["the longest step takes about 30.1 ms of 10 ms"],
-        "changes": {window: dict.fromkeys(SIGNALS, 1.0) for window in WINDOWS},
-    }  # fmt: skip
-    small = row | {"prediction_horizon": 10, "control_horizon": 5, "fits": True, "reasons": [], "unfinished": 5}
-    return {
-        "part": {"name": "STM32F103xE", "clock": 72e6, "flash": 524288, "ram": 65536, "stack": 1024},
-        "sample_time": 0.01, "cycles_per_operation": 206.0, "spread": 0.17, "rows": [row, small],
-    }  # fmt: skip
-
-
-def test_the_report_says_what_fits_and_the_controller_is_taken_along(dashboard: Dashboard, tmp_path: Path) -> None:
-    page = dashboard.page
-    page.route("**/controller/report", lambda route: route.fulfill(json=made_up_report()))
-    page.goto("/ecu")
-    card = page.get_by_role("region", name="Build report")
-    card.get_by_role("button", name="Build and measure").click()
-    expect(card.get_by_test_id("fits")).to_contain_text(
-        "The scenario’s own controller does not fit: the longest step takes about 30.1 ms of 10 ms. "
-        "Of the smaller ones one fits; the least loss has Np 10, Nc 5, 100 limits checked."
-    )
-    expect(card.locator("tr[data-fits=true]")).to_contain_text("5 unfinished")
-    expect(card.locator("tr[data-fits=false] td")).to_have_count(9)
-    card.get_by_role("switch", name="All eight metrics").check()
-    expect(card.locator("tr[data-fits=false] td")).to_have_count(15)
-    dashboard.expect_accessible(card)
-
-    page.get_by_role("button", name="Export", exact=True).click()
-    with page.expect_download() as download:
-        page.get_by_role("menuitem", name="Controller (C)").click()
-    download.value.save_as(tmp_path / "here.zip")
-    assert download.value.suggested_filename == "ridelab-controller.zip"
-    with zipfile.ZipFile(tmp_path / "here.zip") as archive:
-        assert archive.testzip() is None
-        assert {"ridelab-controller/Makefile", "ridelab-controller/ridelab_controller.c"} <= set(archive.namelist())

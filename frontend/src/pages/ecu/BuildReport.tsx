@@ -93,8 +93,8 @@ function Report({ report, catalogue }: { readonly report: ControllerReport; read
       />
       <Switch
         size="xs"
-        px="0.9rem"
-        py="xs"
+        mx="0.9rem"
+        my="xs"
         label="All eight metrics"
         checked={all}
         onChange={(event) => setAll(event.currentTarget.checked)}
