@@ -14,9 +14,12 @@ from sim_core import Controller, load_controllers
 from sim_core.catalogue import PAPER_SIGNALS
 from sim_core.frequency.responses import frequency_response
 from sim_core.instant import instant
+from sim_core.metrics.recorder import make_recorder
+from sim_core.metrics.windows import windows_of
+from sim_core.road.profile import grid_samples
 from sim_core.scenario import Scenario
 from sim_core.scenario.presets import preset
-from sim_core.simulate import simulate
+from sim_core.simulate import prepare, simulate
 
 TOGETHER = ("lv", "lqr", "passive")
 PAPER = preset("paper")
@@ -25,7 +28,7 @@ _COLD = """
 from time import process_time
 t0 = process_time()
 from sim_core.scenario.presets import preset
-from sim_core.simulate import simulate
+from sim_core.simulate import prepare, simulate
 t1 = process_time()
 for name in {names!r}:
     simulate(preset("paper"), name)
@@ -39,6 +42,9 @@ _COLD_BEFORE = 0.86
 def changed(scenario: Scenario, part: str, **fields: object) -> Scenario:
     """The scenario with fields of one part replaced."""
     return scenario.model_copy(update={part: getattr(scenario, part).model_copy(update=fields)})
+
+
+NONLINEAR = changed(PAPER, "vehicle", rebound_ratio=2.5, bump_stop_clearance=0.06, tyre_lift_off=True)
 
 
 def new_roads(scenario: Scenario, count: int, first_seed: int) -> list[Scenario]:
@@ -86,6 +92,31 @@ def against_plain_loop() -> None:
     print(f"  outputs differ by at most {max(gaps):.2%} of their peak; steps OSQP left unsolved: {loop.unsolved}")
 
 
+def by_part() -> None:
+    """Where an LV run on a new road spends its time: all but the rest is arithmetic that each new road needs."""
+    rows: list[list[str | float]] = []
+    for seed, (label, car) in enumerate((("linear", PAPER), ("nonlinear", NONLINEAR))):
+        times = []
+        for scenario, other in zip(*(new_roads(car, 31, first) for first in (6000 + seed, 6500 + seed)), strict=True):
+            run = prepare(other, "lv")
+            samples, grid, surface = grid_samples(other.road.length), run.excitation.grid, run.excitation.surface
+            recorder = make_recorder(run, windows_of(run))
+            begins = [process_time()]
+            simulate(scenario, "lv")
+            begins.append(process_time())
+            np.random.default_rng(other.road.seed).standard_normal(samples)
+            begins.append(process_time())
+            surface.height(grid.axles)
+            begins.append(process_time())
+            run.drive(recorder)
+            begins.append(process_time())
+            times.append(np.diff(begins) * 1000)
+        whole, *parts = np.median(times, axis=0).tolist()
+        rows.append([label, whole, *parts, whole - sum(parts)])
+    head = ["", "all", "random numbers", "heights under the axles", "driving", "the rest"]
+    table("Milliseconds of an LV run on a new road", head, rows)
+
+
 def by_strategy() -> None:
     """Each strategy alone and three together: first in a process, all of it new, on a new road, the same again."""
     rows, imports, seed = [], [], 2000
@@ -110,7 +141,7 @@ def by_strategy() -> None:
 
 def by_linearity() -> None:
     """The paper's car against one with unequal dampers, stops and tyres that lift off, in turn on new roads."""
-    cars = PAPER, changed(PAPER, "vehicle", rebound_ratio=2.5, bump_stop_clearance=0.06, tyre_lift_off=True)
+    cars = PAPER, NONLINEAR
     rows: list[list[str | float]] = []
     for seed, name in enumerate(("passive", "lqr", "lv")):
         times: list[list[float]] = [[], []]
@@ -195,6 +226,7 @@ def run() -> None:
     print(f"The core's imports take {peak_memory_mb():.0f} MB")
     keep_freed_memory()  # as a worker does
     against_plain_loop()
+    by_part()
     by_strategy()
     over_roads()
     by_linearity()

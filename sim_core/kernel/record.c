@@ -141,17 +141,13 @@ static void weigh(const struct weighting *restrict by, double a, double b, doubl
 /* So many of its samples through the weighting. */
 static void add_weighted(struct recorder *me, int samples)
 {
-    double re[MODES], im[MODES];
-    memcpy(re, me->found->modes[0], sizeof re);
-    memcpy(im, me->found->modes[1], sizeof im);
+    double *re = me->found->modes[0], *im = me->found->modes[1];
     for (int step = 0; step < samples; step++) {
         double weighted = 2 * ((re[0] + re[1]) + (re[2] + re[3])), square = weighted * weighted;
         me->found->weighted_squares += square;
         me->found->weighted_fourths += square * square;
         weigh(me->weighting, me->samples[step][ACCELERATION], me->samples[step + 1][ACCELERATION], re, im);
     }
-    memcpy(me->found->modes[0], re, sizeof re);
-    memcpy(me->found->modes[1], im, sizeof im);
 }
 
 /* The largest magnitude of a tyre's load, if that is above `peak`, where the axle meets kinks of the road in a fine step,
