@@ -1,6 +1,5 @@
 """`ridelab run`: strategies over one scenario."""
 
-import shlex
 from typing import Annotated, Any
 
 import typer
@@ -60,20 +59,13 @@ def run(
         if judged:
             typer.echo()
             requirements.show(judged, services)
-        typer.echo(f"\n{_place(result, services)}")
+        stored = "not stored (--data-dir DIR stores it)" if result.id is None else services.place_of(result.id)
+        typer.echo(f"\n{stored}")
     if any(outcome.status != "ok" for outcome in result):
         note("Not every strategy could run")
         raise typer.Exit(DIFFERENT)
     if failing(judged, strict=strict):
         raise typer.Exit(DIFFERENT)
-
-
-def _place(run: RunResult, services: Services) -> str:
-    if run.id is None:
-        return "not stored (--data-dir DIR stores it)"
-    if not services.private:
-        return f"{services.at().address}/r/{run.id}"
-    return f"run {run.id}; {shlex.join(['ridelab', 'open', run.id, *services.options])} shows it"
 
 
 def with_units(run: RunResult) -> dict[str, Any]:

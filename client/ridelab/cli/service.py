@@ -4,6 +4,7 @@ import importlib.util
 import inspect
 import os
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -128,6 +129,12 @@ class Services(ExitStack):
         if self.server is not None:
             return ["--server", without_login(self.server)]
         return [] if self.data_dir is None else ["--data-dir", str(self.data_dir)]
+
+    def place_of(self, run_id: str) -> str:
+        """A run's address; of a private service, which ends with the command, what shows it."""
+        if self.private:
+            return f"run {run_id}; {shlex.join(['ridelab', 'open', run_id, *self.options])} shows it"
+        return f"{self.at().address}/r/{run_id}"
 
     def at(self, server: str | None = None) -> Ridelab:
         """The client of the service there; None is the one the command works with."""

@@ -67,7 +67,7 @@ def solve(
     _show(solution, name, metric, roads)
     if solution.requirement_results:
         requirements.show(solution.requirement_results, services)
-    typer.echo(f"\nrun {solution.run_id}" if services.private else f"\n{ridelab.address}/r/{solution.run_id}")
+    typer.echo(f"\n{services.place_of(solution.run_id)}")
 
 
 def _show(solution: Solution, name: str, metric: str | None, roads: int) -> None:
