@@ -67,9 +67,29 @@ def test_dragging_is_live_the_release_exact_and_both_are_compared_with_before(da
     assert slowed[key] < values[key]
 
 
-def test_a_wrong_value_is_told_at_its_field_and_kept(dashboard: Dashboard) -> None:
+def test_fields_are_switched_mistyped_and_set_by_a_vehicle(dashboard: Dashboard, tmp_path: Path) -> None:
+    """A class shows its number; what is wrong is told at its field and kept."""
     dashboard.open()
     page, address = dashboard.page, dashboard.page.url
+    page.get_by_role("button", name="Actuator", exact=True).click()
+    switch = page.get_by_role("switch", name="Bandwidth: limited")
+    expect(switch).not_to_be_checked()
+    switch.press("Space")
+    expect(dashboard.entry("Bandwidth")).to_have_value("10")
+    expect_new_address(page, address)
+    assert dashboard.stored_run()["scenario"]["actuator"]["bandwidth"] == 10
+    switch.press("Space")
+    expect(page).to_have_url(address)
+
+    page.get_by_role("button", name="Road", exact=True).click()
+    expect(page.get_by_text("Class B · Gd = 64×10⁻⁶ m³")).to_be_visible()
+    page.get_by_role("radiogroup", name="Road class").get_by_text("C", exact=True).click()
+    expect(page.get_by_text("Class C · Gd = 256×10⁻⁶ m³")).to_be_visible()
+    expect_new_address(page, address)
+    assert dashboard.stored_run()["scenario"]["road"]["roughness"] == 256e-6
+
+    dashboard.expect_curves()
+    address = page.url
     dashboard.type_into("Height", "3 kg")
     expect(page.get_by_role("alert")).to_have_text("Takes cm (also without a unit), m, mm, km, in or ft")
     dashboard.type_into("Height", "3 m")
@@ -92,6 +112,27 @@ def test_a_wrong_value_is_told_at_its_field_and_kept(dashboard: Dashboard) -> No
         "start": 100,
     }
 
+    # A vehicle is chosen, saved and opened again.
+    dashboard.expect_curves()
+    address = page.url
+    page.get_by_role("button", name="Vehicle", exact=True).click()
+    choice = page.get_by_role("combobox", name="Vehicle")
+    choice.select_option("van_loaded")
+    expect(dashboard.entry("Body mass")).to_have_value("1101.5")
+    expect(page.get_by_text("The same van with 887 kg")).to_be_visible()
+    expect_new_address(page, address)
+    with page.expect_download() as saved:
+        page.get_by_role("button", name="Save file").click()
+    file = tmp_path / saved.value.suggested_filename
+    saved.value.save_as(file)
+    page.get_by_role("button", name="Undo").click()
+    expect(choice).to_have_value("paper")
+    expect(page).to_have_url(address)
+    page.get_by_label("Vehicle file").set_input_files(file)
+    expect(choice).to_have_value("van_loaded")
+    expect_new_address(page, address)
+    dashboard.expect_curves()
+
     # A limit between two fields, which only the server knows; its section opens even after being closed.
     address = page.url
     section = page.get_by_role("button", name="MPC")
@@ -110,46 +151,6 @@ def test_a_wrong_value_is_told_at_its_field_and_kept(dashboard: Dashboard) -> No
     mpc = dashboard.stored_run()["scenario"]["mpc"]
     assert (mpc["control_horizon"], mpc["prediction_horizon"]) == (80, 90)
 
-
-def test_a_field_may_be_off_a_class_shows_its_number_and_a_vehicle_is_chosen(
-    dashboard: Dashboard, tmp_path: Path
-) -> None:
-    dashboard.open()
-    page, address = dashboard.page, dashboard.page.url
-    page.get_by_role("button", name="Actuator", exact=True).click()
-    switch = page.get_by_role("switch", name="Bandwidth: limited")
-    expect(switch).not_to_be_checked()
-    switch.press("Space")
-    expect(dashboard.entry("Bandwidth")).to_have_value("10")
-    expect_new_address(page, address)
-    assert dashboard.stored_run()["scenario"]["actuator"]["bandwidth"] == 10
-    switch.press("Space")
-    expect(page).to_have_url(address)
-
-    page.get_by_role("button", name="Road", exact=True).click()
-    expect(page.get_by_text("Class B · Gd = 64×10⁻⁶ m³")).to_be_visible()
-    page.get_by_role("radiogroup", name="Road class").get_by_text("C", exact=True).click()
-    expect(page.get_by_text("Class C · Gd = 256×10⁻⁶ m³")).to_be_visible()
-    expect_new_address(page, address)
-    assert dashboard.stored_run()["scenario"]["road"]["roughness"] == 256e-6
-
-    # A vehicle is chosen, saved and opened again.
-    dashboard.expect_curves()
-    address = page.url
-    page.get_by_role("button", name="Vehicle", exact=True).click()
-    choice = page.get_by_role("combobox", name="Vehicle")
-    choice.select_option("van_loaded")
-    expect(dashboard.entry("Body mass")).to_have_value("1101.5")
-    expect(page.get_by_text("The same van with 887 kg")).to_be_visible()
-    expect_new_address(page, address)
-    with page.expect_download() as saved:
-        page.get_by_role("button", name="Save file").click()
-    file = tmp_path / saved.value.suggested_filename
-    saved.value.save_as(file)
-    page.get_by_role("button", name="Undo").click()
-    expect(choice).to_have_value("paper")
-    page.get_by_label("Vehicle file").set_input_files(file)
-    expect(choice).to_have_value("van_loaded")
     file.write_text("no vehicle", encoding="utf-8")
     page.get_by_label("Vehicle file").set_input_files(file)
     expect(page.get_by_role("alert").filter(has_text=f"{file.name}: This file is not JSON")).to_be_visible()
