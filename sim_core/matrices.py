@@ -41,6 +41,17 @@ def exponential(matrix: FloatArray) -> FloatArray:
     return result
 
 
+def gauss_legendre(points: int) -> tuple[FloatArray, FloatArray]:
+    """Nodes (points,) between -1 and 1 and their weights, of sum 2 (Golub and Welsch 1969, Math. Comp. 23).
+
+    NumPy's own are in a package that nothing else here needs, and that would be imported with the core.
+    """
+    k = np.arange(1, points)
+    beside = k / np.sqrt(4.0 * k * k - 1)
+    nodes, vectors = np.linalg.eigh(np.diag(beside, 1) + np.diag(beside, -1))
+    return nodes, 2 * vectors[0] ** 2
+
+
 def lyapunov(A: FloatArray, Q: FloatArray) -> FloatArray:
     """The X (n, n) of A X + X Aᵀ = Q, as one linear system: for matrices of a few rows."""
     identity = np.eye(len(A))

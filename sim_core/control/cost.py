@@ -13,7 +13,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.errors import UnstableVehicleError
-from sim_core.matrices import exponential, lyapunov
+from sim_core.matrices import exponential, gauss_legendre, lyapunov
 from sim_core.road.profile import CUTOFF_FREQUENCY, REFERENCE_FREQUENCY
 from sim_core.scenario import Vehicle
 from sim_core.scenario.fields import Weights
@@ -21,7 +21,7 @@ from sim_core.vehicle.half_car import DISTURBANCES, FORCES, OUTPUTS, STATES, hal
 
 KILO = 1000.0  # controllers compute with forces in kN: in N the problem is badly scaled
 REFERENCE_ROUGHNESS = 64e-6  # class B, whatever the road: so weights mean the same everywhere [m^3]
-_NODES, _NODE_WEIGHTS = np.polynomial.legendre.leggauss(16)
+_NODES, _NODE_WEIGHTS = gauss_legendre(16)
 
 
 @lru_cache(maxsize=256)

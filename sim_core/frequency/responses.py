@@ -26,6 +26,7 @@ from sim_core.frequency.sampled_loop import (
     sampled_loop,
     stage_law,
 )
+from sim_core.matrices import gauss_legendre
 from sim_core.metrics.comfort import wk_gain
 from sim_core.road.profile import CUTOFF_FREQUENCY, REFERENCE_FREQUENCY
 from sim_core.scenario import Scenario
@@ -36,7 +37,7 @@ from sim_core.vehicle.plant import continuous, plant
 RESPONSES = OUTPUTS
 BANDS = ((1.0, 2.0), (4.0, 8.0), (10.0, 12.0))  # body, the passengers' most sensitive range, wheels [Hz]
 DEFAULT_FREQUENCIES = tuple(np.geomspace(0.3, 30, 200).tolist())
-_NODES, _NODE_WEIGHTS = np.polynomial.legendre.leggauss(24)  # in each band
+_NODES, _NODE_WEIGHTS = gauss_legendre(24)  # in each band
 NEGLIGIBLE = 1e-6  # a mode with a smaller eigenvalue has died out after one control step
 
 

@@ -9,7 +9,6 @@ import os
 import platform
 import shlex
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
@@ -83,6 +82,8 @@ def command(compiler: list[str], library: Path, *options: str) -> list[str]:
 
 
 if __name__ == "__main__":
+    import subprocess  # here: whoever imports the core needs the digest alone
+
     compiler = default_compiler()
     for name, options in libraries(compiler).items():
         subprocess.run(command(compiler, Path(sys.argv[1], name), *options), check=True)  # noqa: S603  # no shell

@@ -5,7 +5,7 @@ import pytest
 from scipy import linalg
 
 from sim_core.errors import RidelabError
-from sim_core.matrices import exponential, lyapunov, solve
+from sim_core.matrices import exponential, gauss_legendre, lyapunov, solve
 from sim_core.scenario import Vehicle
 from sim_core.vehicle.half_car import half_car
 
@@ -35,3 +35,9 @@ def test_lyapunov_equations_are_solved_as_by_scipy() -> None:
 def test_a_singular_system_is_an_error_of_the_core() -> None:
     with pytest.raises(RidelabError):
         solve(np.zeros((2, 2)), np.ones((2, 1)))
+
+
+@pytest.mark.parametrize("points", [1, 2, 16, 24])
+def test_nodes_and_weights_are_numpys(points: int) -> None:
+    for ours, theirs in zip(gauss_legendre(points), np.polynomial.legendre.leggauss(points), strict=True):
+        np.testing.assert_allclose(ours, theirs, rtol=0, atol=1e-14)
