@@ -5,6 +5,7 @@ import { useMutation, useQuery } from "@tanstack/react-query";
 import { Link, type LinkOptions } from "@tanstack/react-router";
 import { ask, query } from "../api/http";
 import { useActionButton } from "../lab/actions";
+import { Hints } from "../ui/Hints";
 import { IconButton } from "../ui/IconButton";
 import { IconChevronDown, IconHelp, IconLogout, IconMoon, IconSun } from "../ui/icons";
 import classes from "./nav.module.css";
@@ -51,7 +52,7 @@ export function PagesMenu({ entries, section }: PagesProps) {
   );
 }
 
-/** What every header ends with: help, dark or light, whatever the system says, and logging out where there is a login. */
+/** What every header ends with: help, dark or light, whatever the system says, logging out where there is a login, and all hints. */
 export function HeaderEnd() {
   const { setColorScheme } = useMantineColorScheme();
   const isDark = useComputedColorScheme("light") === "dark";
@@ -80,6 +81,7 @@ export function HeaderEnd() {
           <IconLogout size={18} stroke={1.7} />
         </IconButton>
       )}
+      <Hints />
     </>
   );
 }

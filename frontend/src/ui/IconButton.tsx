@@ -1,6 +1,6 @@
 /** A button that is only a picture: its name is its label and its tooltip. */
 
-import { ActionIcon, Tooltip } from "@mantine/core";
+import { ActionIcon } from "@mantine/core";
 import type { ReactNode } from "react";
 
 interface Props {
@@ -12,10 +12,8 @@ interface Props {
 
 export function IconButton({ label, disabled = false, onClick, children }: Props) {
   return (
-    <Tooltip label={label}>
-      <ActionIcon variant="subtle" size={32} aria-label={label} disabled={disabled} onClick={onClick}>
-        {children}
-      </ActionIcon>
-    </Tooltip>
+    <ActionIcon data-hint={label} variant="subtle" size={32} aria-label={label} disabled={disabled} onClick={onClick}>
+      {children}
+    </ActionIcon>
   );
 }

@@ -1,12 +1,10 @@
 /** Question marks that open the manual, in a tab of its own, where it says what a name means. */
 
-import { ActionIcon, Tooltip } from "@mantine/core";
+import { ActionIcon } from "@mantine/core";
 import { memo } from "react";
 import { IconHelp } from "./icons";
 import { placeOf } from "./manual";
 import ui from "./ui.module.css";
-
-const BY_POINTER_OR_KEY = { hover: true, focus: true, touch: false }; // a tap opens the manual
 
 interface Props {
   /** As of `placeOf`. */
@@ -18,19 +16,18 @@ interface Props {
 
 export const ManualLink = memo(function ManualLink({ name, label, text = "" }: Props) {
   return (
-    <Tooltip label={text === "" ? "What it is" : text} multiline maw={240} withArrow events={BY_POINTER_OR_KEY}>
-      <ActionIcon
-        component="a"
-        href={placeOf(name)}
-        target="_blank"
-        className={ui.manualLink ?? ""}
-        variant="transparent"
-        size={24}
-        data-unprinted
-        aria-label={`About ${label}, in the manual${text === "" ? "" : `: ${text}`}`}
-      >
-        <IconHelp size={14} stroke={1.6} />
-      </ActionIcon>
-    </Tooltip>
+    <ActionIcon
+      data-hint={text === "" ? "What it is" : text}
+      component="a"
+      href={placeOf(name)}
+      target="_blank"
+      className={ui.manualLink ?? ""}
+      variant="transparent"
+      size={24}
+      data-unprinted
+      aria-label={`About ${label}, in the manual${text === "" ? "" : `: ${text}`}`}
+    >
+      <IconHelp size={14} stroke={1.6} />
+    </ActionIcon>
   );
 });

@@ -1,6 +1,6 @@
 /** The moving car: one or two strategies on their road, driven by the shared cursor, with playback. */
 
-import { ActionIcon, Button, NativeSelect, Tooltip, Group, Popover, Stack } from "@mantine/core";
+import { ActionIcon, Button, NativeSelect, Group, Popover, Stack } from "@mantine/core";
 import { useElementSize, useMediaQuery } from "@mantine/hooks";
 import { useEffect, useEffectEvent, useState, type ReactNode } from "react";
 import { IconPlayerPauseFilled, IconPlayerPlayFilled, IconAdjustmentsHorizontal } from "../../ui/icons";
@@ -70,16 +70,15 @@ export function CarView({ resultView }: { readonly resultView: ResultView }) {
         {width > 0 && <Key resultView={resultView} width={width} exaggeration={Number(exaggeration)} />}
       </div>
       <div className={classes.controls}>
-        <Tooltip label={playing ? "Pause (Space)" : "Play (Space)"}>
-          <ActionIcon
-            variant="light"
-            size={30}
-            aria-label={playing ? "Pause" : "Play"}
-            onClick={() => runAction("play")}
-          >
-            {playing ? <IconPlayerPauseFilled size={15} /> : <IconPlayerPlayFilled size={15} />}
-          </ActionIcon>
-        </Tooltip>
+        <ActionIcon
+          data-hint={playing ? "Pause (Space)" : "Play (Space)"}
+          variant="light"
+          size={30}
+          aria-label={playing ? "Pause" : "Play"}
+          onClick={() => runAction("play")}
+        >
+          {playing ? <IconPlayerPauseFilled size={15} /> : <IconPlayerPlayFilled size={15} />}
+        </ActionIcon>
         <Scrubber resultView={resultView} />
         <Options>
           <NativeSelect

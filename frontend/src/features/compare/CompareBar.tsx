@@ -1,6 +1,6 @@
 /** What is compared with what: the choice, and in words what differs. */
 
-import { Box, Checkbox, Group, NativeSelect, Button, Tooltip } from "@mantine/core";
+import { Box, Checkbox, Group, NativeSelect, Button } from "@mantine/core";
 import { changedFields, changesText, nameByChanges } from "../../scenario/differences";
 import { referenceTo, whyNotCompared, type Reference } from "../../lab/compare";
 import { useLabContext, useLab, useEdit, useFromScenario, useReadOnly } from "../../lab/context";
@@ -121,11 +121,14 @@ function PinButton() {
       ? `At most ${MOST_PINS} results are pinned`
       : "Keeps this result here, to compare others with it";
   return (
-    <Tooltip label={why} multiline w={240} openDelay={500}>
-      <Button leftSection={<IconPin size={15} />} disabled={run === null || isPinned || isFull || !form} onClick={pin}>
-        Pin
-      </Button>
-    </Tooltip>
+    <Button
+      data-hint={why}
+      leftSection={<IconPin size={15} />}
+      disabled={run === null || isPinned || isFull || !form}
+      onClick={pin}
+    >
+      Pin
+    </Button>
   );
 }
 
@@ -139,21 +142,17 @@ function SpeedSelect() {
   const field = findMember(useForm(), POLICY);
   if (field?.kind !== "choice") return null;
   return (
-    <Tooltip
-      label="Planned: all slow down for the bump. Constant: none does. At equal speed, the remaining difference comes from the suspension"
-      multiline
-      w={240}
-      openDelay={500}
+    <label
+      data-hint="Planned: all slow down for the bump. Constant: none does. At equal speed, the remaining difference comes from the suspension"
+      className={classes.choice}
     >
-      <label className={classes.choice}>
-        {field.title}
-        <NativeSelect
-          disabled={readOnly}
-          value={optionOf(policy)}
-          data={field.options.map((value) => ({ value, label: optionTitle(value) }))}
-          onChange={({ currentTarget: { value } }) => edit.commit(setAt(edit.newest(), POLICY, value))}
-        />
-      </label>
-    </Tooltip>
+      {field.title}
+      <NativeSelect
+        disabled={readOnly}
+        value={optionOf(policy)}
+        data={field.options.map((value) => ({ value, label: optionTitle(value) }))}
+        onChange={({ currentTarget: { value } }) => edit.commit(setAt(edit.newest(), POLICY, value))}
+      />
+    </label>
   );
 }

@@ -1,6 +1,6 @@
 /** Label, help, mark of a change and error: the same around every field. */
 
-import { ActionIcon, Box, Group, Text, Tooltip, NativeSelect } from "@mantine/core";
+import { ActionIcon, Box, Group, Text, NativeSelect } from "@mantine/core";
 import { memo, useEffect, useRef, type ReactNode, useId } from "react";
 import { IconArrowBackUp } from "../../ui/icons";
 import { ManualLink } from "../../ui/ManualLink";
@@ -74,19 +74,18 @@ export const ResetButton = memo(function ResetButton({ field, standard, changed 
     edit.commit(setAt(edit.newest(), field.pointer, field.paperValue));
   };
   return (
-    <Tooltip label={`Differs from the paper (${standard}). Reset`} withArrow>
-      <ActionIcon
-        className={classes.reset}
-        data-hidden={disabled || undefined}
-        variant="subtle"
-        size={24}
-        aria-label={`Reset ${field.title} to the paper's ${standard}`}
-        disabled={disabled}
-        onClick={reset}
-      >
-        <IconArrowBackUp size={15} stroke={1.8} />
-      </ActionIcon>
-    </Tooltip>
+    <ActionIcon
+      data-hint={`Differs from the paper (${standard}). Reset`}
+      className={classes.reset}
+      data-hidden={disabled || undefined}
+      variant="subtle"
+      size={24}
+      aria-label={`Reset ${field.title} to the paper's ${standard}`}
+      disabled={disabled}
+      onClick={reset}
+    >
+      <IconArrowBackUp size={15} stroke={1.8} />
+    </ActionIcon>
   );
 });
 

@@ -1,6 +1,6 @@
 /** One click makes a link, copies it and shows it; where copying is refused, the address stands there to be copied. */
 
-import { Button, Popover, Text, Tooltip, ActionIcon, TextInput } from "@mantine/core";
+import { Button, Popover, Text, ActionIcon, TextInput } from "@mantine/core";
 import { useRef, useState, useEffect } from "react";
 import { IconLink, IconCheck, IconCopy } from "../../ui/icons";
 import { explain } from "../../api/problem";
@@ -57,21 +57,20 @@ export function ShareLink({ make, obstacle, opens }: Props) {
       withRoles={false}
     >
       <Popover.Target>
-        <Tooltip label={obstacle ?? "Makes a link that opens exactly this"} disabled={opened}>
-          <Button
-            variant="light"
-            aria-label={label}
-            classNames={{ ...compact, root: `${compact.root} ${classes.button}` }}
-            leftSection={<IconLink size={15} />}
-            loading={outcome?.kind === "making"}
-            {...(obstacle === null ? {} : { "data-disabled": true })}
-            aria-disabled={obstacle !== null}
-            {...(obstacle === null ? {} : { "aria-description": obstacle })}
-            onClick={onClick}
-          >
-            {label}
-          </Button>
-        </Tooltip>
+        <Button
+          data-hint={opened ? undefined : (obstacle ?? "Makes a link that opens exactly this")}
+          variant="light"
+          aria-label={label}
+          classNames={{ ...compact, root: `${compact.root} ${classes.button}` }}
+          leftSection={<IconLink size={15} />}
+          loading={outcome?.kind === "making"}
+          {...(obstacle === null ? {} : { "data-disabled": true })}
+          aria-disabled={obstacle !== null}
+          {...(obstacle === null ? {} : { "aria-description": obstacle })}
+          onClick={onClick}
+        >
+          {label}
+        </Button>
       </Popover.Target>
       <Popover.Dropdown role="dialog" aria-label="Share" className={classes.dropdown ?? ""}>
         {outcome?.kind === "created" && (
@@ -117,16 +116,15 @@ function LinkField({ url }: { readonly url: string }) {
       value={url}
       onFocus={(event) => event.currentTarget.select()}
       rightSection={
-        <Tooltip label={copied ? "Copied" : "Copy"}>
-          <ActionIcon
-            size={24}
-            variant="subtle"
-            aria-label={copied ? "Copied" : "Copy the address"}
-            onClick={() => copy(url)}
-          >
-            {copied ? <IconCheck size={15} /> : <IconCopy size={15} />}
-          </ActionIcon>
-        </Tooltip>
+        <ActionIcon
+          data-hint={copied ? "Copied" : "Copy"}
+          size={24}
+          variant="subtle"
+          aria-label={copied ? "Copied" : "Copy the address"}
+          onClick={() => copy(url)}
+        >
+          {copied ? <IconCheck size={15} /> : <IconCopy size={15} />}
+        </ActionIcon>
       }
     />
   );

@@ -1,6 +1,6 @@
 /** Opens the dialog that finds how large a field may be; its code is fetched when somebody first does. */
 
-import { ActionIcon, Tooltip } from "@mantine/core";
+import { ActionIcon } from "@mantine/core";
 import { useDisclosure } from "@mantine/hooks";
 import { lazy, memo } from "react";
 import { IconGauge } from "../../ui/icons";
@@ -22,17 +22,16 @@ export const SolveButton = memo(function SolveButton({ metric, label }: Props) {
   const catalogues = useCatalogues();
   return (
     <>
-      <Tooltip label="How fast may it go so that this stays below a limit?" withArrow>
-        <ActionIcon
-          className={classes.button}
-          size={24}
-          variant="subtle"
-          aria-label={`How fast may it go: ${label}`}
-          onClick={open}
-        >
-          <IconGauge size={14} stroke={1.7} />
-        </ActionIcon>
-      </Tooltip>
+      <ActionIcon
+        data-hint="How fast may it go so that this stays below a limit?"
+        className={classes.button}
+        size={24}
+        variant="subtle"
+        aria-label={`How fast may it go: ${label}`}
+        onClick={open}
+      >
+        <IconGauge size={14} stroke={1.7} />
+      </ActionIcon>
       {opened && (
         <LazyPart onClose={close}>
           <SolveDialog {...{ catalogues, metric }} onClose={close} />

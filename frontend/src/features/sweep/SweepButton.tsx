@@ -1,6 +1,6 @@
 /** Opens the sweep dialog over the form's scenario or another sweep's; its code is fetched when somebody first does. */
 
-import { Button, Tooltip } from "@mantine/core";
+import { Button } from "@mantine/core";
 import { useDisclosure } from "@mantine/hooks";
 import type { Batch } from "../../api/types";
 import { IconGridDots, IconPlus } from "../../ui/icons";
@@ -20,11 +20,15 @@ export function SweepButton({ batch }: { readonly batch?: Batch }) {
   const [label, Icon] = batch ? ["New sweep", IconPlus] : [title, IconGridDots];
   return (
     <>
-      <Tooltip label={`Run many variants of ${batch ? "its" : "this"} scenario`}>
-        <Button aria-label={label} leftSection={<Icon size={15} />} classNames={compact} {...button}>
-          {label}
-        </Button>
-      </Tooltip>
+      <Button
+        data-hint={`Run many variants of ${batch ? "its" : "this"} scenario`}
+        aria-label={label}
+        leftSection={<Icon size={15} />}
+        classNames={compact}
+        {...button}
+      >
+        {label}
+      </Button>
       {opened && (
         <LazyPart onClose={close}>
           <SweepDialog batch={batch} form={form} strategies={strategies} onClose={close} />

@@ -1,6 +1,5 @@
 /** A change in percent: sign and arrow say better or worse, colour only repeats it. */
 
-import { Box, Tooltip } from "@mantine/core";
 import { changeAgainst, formatPercent, type Change } from "./change";
 import classes from "./tables.module.css";
 import type { Interval } from "../../api/types";
@@ -66,17 +65,17 @@ export function CaveatMark({
 }) {
   if (caveats.length === 0) return null;
   const text = caveats.map((caveat) => caveat.text).join(", ");
-  const meaning = caveats.map((caveat) => (
-    <Box component="span" key={caveat.event} display="block">
-      <strong>{caveat.text}</strong> {caveat.description}
-    </Box>
-  ));
+  const meaning = caveats.map((caveat) => `${caveat.text}: ${caveat.description}`).join("\n");
   return (
-    <Tooltip label={meaning} multiline w={280} withinPortal events={{ hover: true, focus: true, touch: true }}>
-      <button type="button" className={classes.caveat} data-caveat={caveats.map(({ event }) => event).join(" ")}>
-        <IconAlertTriangle size={short ? 14 : 12} stroke={2} aria-hidden />
-        <span className={short ? "visually-hidden" : ""}>{text}</span>
-      </button>
-    </Tooltip>
+    <button
+      data-hint={meaning}
+      data-hint-only
+      type="button"
+      className={classes.caveat}
+      data-caveat={caveats.map(({ event }) => event).join(" ")}
+    >
+      <IconAlertTriangle size={short ? 14 : 12} stroke={2} aria-hidden />
+      <span className={short ? "visually-hidden" : ""}>{text}</span>
+    </button>
   );
 }

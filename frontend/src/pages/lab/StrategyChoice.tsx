@@ -1,6 +1,6 @@
 /** Which strategies are shown: a chip for each in use, a menu with all of them. */
 
-import { Button, Menu, Text, Tooltip } from "@mantine/core";
+import { Button, Menu, Text } from "@mantine/core";
 import { memo, useState } from "react";
 import type { Strategy, StrategyId } from "../../api/types";
 import { IconChevronDown, IconExternalLink } from "../../ui/icons";
@@ -25,19 +25,19 @@ export const StrategyChoice = memo(function StrategyChoice({
         {strategies
           .filter(({ id }) => chips.includes(id))
           .map((strategy) => (
-            <Tooltip key={strategy.id} label={strategy.description} multiline w={240} openDelay={500}>
-              <button
-                type="button"
-                className={bar.chip}
-                disabled={summaries !== undefined && !(strategy.id in summaries)}
-                aria-pressed={selected.includes(strategy.id)}
-                onClick={() => toggle(strategy.id)}
-                {...isolateWhilePointed(strategy.id)}
-              >
-                <StrategyKey strategy={strategy} />
-                {strategy.label}
-              </button>
-            </Tooltip>
+            <button
+              key={strategy.id}
+              data-hint={strategy.description}
+              type="button"
+              className={bar.chip}
+              disabled={summaries !== undefined && !(strategy.id in summaries)}
+              aria-pressed={selected.includes(strategy.id)}
+              onClick={() => toggle(strategy.id)}
+              {...isolateWhilePointed(strategy.id)}
+            >
+              <StrategyKey strategy={strategy} />
+              {strategy.label}
+            </button>
           ))}
       </div>
       <Menu position="bottom-start" width={300}>

@@ -1,6 +1,6 @@
 /** Which strategies are shown, over what, and which part of the run. */
 
-import { Button, SegmentedControl, Tooltip, NativeSelect } from "@mantine/core";
+import { Button, SegmentedControl, NativeSelect } from "@mantine/core";
 import { memo, useLayoutEffect, useRef } from "react";
 import type { Strategy } from "../../api/types";
 import type { ViewZoom, Axis } from "../../lab/address";
@@ -76,16 +76,15 @@ interface ZoomProps {
 function ZoomButton({ label, tip, zoom, shown, disabled }: ZoomProps) {
   const { labAddress } = useLabContext();
   return (
-    <Tooltip label={tip} openDelay={500}>
-      <Button
-        variant={shown ? "light" : "default"}
-        aria-pressed={shown}
-        disabled={disabled}
-        onClick={() => labAddress.setView({ zoom })}
-      >
-        {label}
-      </Button>
-    </Tooltip>
+    <Button
+      data-hint={tip}
+      variant={shown ? "light" : "default"}
+      aria-pressed={shown}
+      disabled={disabled}
+      onClick={() => labAddress.setView({ zoom })}
+    >
+      {label}
+    </Button>
   );
 }
 
@@ -118,19 +117,13 @@ function RoadsSelect() {
   const readOnly = useReadOnly();
   const choices = CHOICES.includes(roads) ? CHOICES : [...CHOICES, roads].sort((a, b) => a - b);
   return (
-    <Tooltip
-      label="Peaks on one road are partly random; several roads give a mean with a 95 % interval"
-      multiline
-      w={240}
-      openDelay={500}
-    >
-      <NativeSelect
-        aria-label="Roads"
-        disabled={readOnly}
-        value={String(roads)}
-        data={choices.map((count) => ({ value: String(count), label: count === 1 ? "1 road" : `${count} roads` }))}
-        onChange={(event) => lab.setRoads(Number(event.currentTarget.value))}
-      />
-    </Tooltip>
+    <NativeSelect
+      data-hint="Peaks on one road are partly random; several roads give a mean with a 95 % interval"
+      aria-label="Roads"
+      disabled={readOnly}
+      value={String(roads)}
+      data={choices.map((count) => ({ value: String(count), label: count === 1 ? "1 road" : `${count} roads` }))}
+      onChange={(event) => lab.setRoads(Number(event.currentTarget.value))}
+    />
   );
 }

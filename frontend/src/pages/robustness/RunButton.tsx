@@ -1,6 +1,6 @@
 /** A value whose run opens in the lab; the fields there are in the tooltip. */
 
-import { Button, Tooltip } from "@mantine/core";
+import { Button } from "@mantine/core";
 import { IconExternalLink } from "../../ui/icons";
 import classes from "./robustness.module.css";
 import { nameOf, useFieldText } from "./names";
@@ -20,18 +20,17 @@ export function RunButton({ run, text, what, opening }: Props) {
   if (run === null) return <>–</>;
   const fields = Object.entries(run.at).map(([name, value]) => `${nameOf(name)} ${fieldText(name, value)}`);
   return (
-    <Tooltip label={`Open run ${run.run} in the lab: ${fields.join(", ")}`} multiline w={320} openDelay={300}>
-      <Button
-        size="compact-xs"
-        variant="subtle"
-        className={classes.runButton ?? ""}
-        loading={opening.opening?.run === run.run}
-        rightSection={<IconExternalLink size={13} aria-hidden />}
-        aria-label={`${what} ${text}: open run ${run.run} in the lab`}
-        onClick={() => opening.open(run)}
-      >
-        {text}
-      </Button>
-    </Tooltip>
+    <Button
+      data-hint={`Open run ${run.run} in the lab: ${fields.join(", ")}`}
+      size="compact-xs"
+      variant="subtle"
+      className={classes.runButton ?? ""}
+      loading={opening.opening?.run === run.run}
+      rightSection={<IconExternalLink size={13} aria-hidden />}
+      aria-label={`${what} ${text}: open run ${run.run} in the lab`}
+      onClick={() => opening.open(run)}
+    >
+      {text}
+    </Button>
   );
 }

@@ -1,6 +1,6 @@
 /** Every run as a row, a page of them at a time, sorted by any column. */
 
-import { ActionIcon, Box, Checkbox, Group, Pagination, Text, Tooltip } from "@mantine/core";
+import { ActionIcon, Box, Checkbox, Group, Pagination, Text } from "@mantine/core";
 import { useMemo, useState } from "react";
 import { IconExternalLink } from "../../ui/icons";
 import { count, prettyUnit } from "../../units/format";
@@ -152,22 +152,19 @@ function Run({ columns, row, best, opening, onOpen }: CellProps) {
   return (
     <span className={ui.named}>
       {row === best && (
-        <Tooltip label="Lowest value of the plotted metric">
-          <span className={classes.ring} role="img" aria-label="lowest" />
-        </Tooltip>
+        <span data-hint="Lowest value of the plotted metric" className={classes.ring} role="img" aria-label="lowest" />
       )}
       {run}
-      <Tooltip label="Open in the dashboard" openDelay={400}>
-        <ActionIcon
-          size={24}
-          variant="subtle"
-          loading={row === opening}
-          aria-label={`Open run ${run} in the dashboard`}
-          onClick={() => onOpen(row)}
-        >
-          <IconExternalLink size={14} />
-        </ActionIcon>
-      </Tooltip>
+      <ActionIcon
+        data-hint="Open in the dashboard"
+        size={24}
+        variant="subtle"
+        loading={row === opening}
+        aria-label={`Open run ${run} in the dashboard`}
+        onClick={() => onOpen(row)}
+      >
+        <IconExternalLink size={14} />
+      </ActionIcon>
     </span>
   );
 }
