@@ -93,8 +93,8 @@ def on_slider(info: FieldInfo, rng: np.random.Generator) -> Any:
     choices = get_args(info.annotation)
     if choices and all(isinstance(choice, str) for choice in choices):
         return str(rng.choice(choices))
-    if not isinstance(info.json_schema_extra, dict):  # no slider: a measured road
-        return info.default
+    if not isinstance(info.json_schema_extra, dict) or "soft_range" not in info.json_schema_extra:
+        return info.default  # no slider: a measured road, a damper's curve
     low, high = cast(list[float], info.json_schema_extra["soft_range"])
     if "item_titles" in info.json_schema_extra:
         return tuple(rng.uniform(low, high, 3).tolist())
