@@ -16,7 +16,7 @@ from sqlalchemy import (
     text,
 )
 
-from backend.db.checksum import checksum_column
+from backend.db.checksum import UNCHECKED, checksum_column
 from backend.db.clock import Now
 from backend.db.types import Json, Utc
 
@@ -30,7 +30,7 @@ metadata = MetaData(
 )
 
 EXPIRED = "expired"  # the status of a result whose summary is gone; runs keep which strategies they have
-EXPIRED_RESULT = {"status": EXPIRED, "summary": "{}", "compute_ms": 0, "checksum": None}
+EXPIRED_RESULT = {"status": EXPIRED, "summary": "{}", "compute_ms": 0, "checksum": UNCHECKED}
 UNEXPIRED = text(f"status <> '{EXPIRED}'")
 
 results = Table(

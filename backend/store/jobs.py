@@ -13,7 +13,7 @@ from typing import Any
 from sqlalchemy import ColumnElement, Connection, Row, Select, and_, case, delete, func, insert, or_, select, update
 from sqlalchemy.exc import IntegrityError
 
-from backend.db.checksum import check, update_row
+from backend.db.checksum import UNCHECKED, check, update_row
 from backend.db.clock import UNSTORED, Now
 from backend.db.database import RowStore, insert_new
 from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, trials
@@ -293,7 +293,7 @@ def lock(connection: Connection, job_id: str) -> None:
 
 def mark_removed(connection: Connection, ids: Sequence[str]) -> None:
     """Make these jobs ones that nobody finds, to be purged."""
-    nobodys = {"kind": REMOVED, "parent_id": None, "idempotency_key": None, "label": None, "checksum": None}
+    nobodys = {"kind": REMOVED, "parent_id": None, "idempotency_key": None, "label": None, "checksum": UNCHECKED}
     connection.execute(update(jobs).where(jobs.c.id.in_(ids)).values(**nobodys))
 
 

@@ -12,7 +12,7 @@ import orjson
 from sqlalchemy import Column, Connection, Row, Select, Table, Text, case, func, or_, select, true, tuple_, type_coerce
 from sqlalchemy.exc import SQLAlchemyError
 
-from backend.db.checksum import is_intact
+from backend.db.checksum import UNCHECKED, is_intact
 from backend.db.database import DAMAGED, Database
 from backend.db.tables import (
     REMOVED,
@@ -84,7 +84,7 @@ def verify(database: Database) -> Verdict:
         damaged = verdict.damaged[table.name] = []
         for key, row in _rows(database, table):
             verdict.rows[table.name] += 1
-            verdict.unchecked[table.name] += row is not None and row.checksum is None
+            verdict.unchecked[table.name] += row is not None and row.checksum == UNCHECKED
             if row is None or not (is_intact_result(row) if table is results else is_intact(table, row)):
                 damaged.append(" ".join(map(str, key)))
     with database.reading() as connection:
@@ -170,7 +170,7 @@ def _unlike_their_last_event(connection: Connection) -> Iterator[str]:
         )
         .join(numbers, numbers.c.job_id == jobs.c.id)
         .join(job_events, (job_events.c.job_id == jobs.c.id) & (job_events.c.number == numbers.c.number))
-        .where(jobs.c.kind != REMOVED, jobs.c.checksum.is_not(None))
+        .where(jobs.c.kind != REMOVED, jobs.c.checksum != UNCHECKED)
         .order_by(jobs.c.id)
     )
     for job_id, state, done, failed, progress, data in connection.execute(rows).all():

@@ -8,6 +8,7 @@ import httpx
 import pytest
 from sqlalchemy import Connection, select, update
 
+from backend.db.checksum import UNCHECKED
 from backend.db.tables import job_runs, pinned_series, results, run_results
 from backend.metrics import DAMAGED_RESULTS
 from backend.store import Store
@@ -127,7 +128,7 @@ def test_both_databases_drop_what_is_damaged_and_keep_what_has_no_checksum(store
     for key in ("a", "b"):
         damage(store, key)
     with store.writing() as connection:
-        connection.execute(update(results).where(results.c.key == "b").values(checksum=None))  # as until 0.3.0
+        connection.execute(update(results).where(results.c.key == "b").values(checksum=UNCHECKED))  # as until 0.3.0
     assert store.runs.load_results(["a", "b", "c"]).keys() == {"b", "c"}
     run = store.runs.load("run")
     assert run is not None

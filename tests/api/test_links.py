@@ -9,6 +9,7 @@ import httpx
 import pytest
 from sqlalchemy import delete, select, update
 
+from backend.db.checksum import UNCHECKED
 from backend.db.tables import links, pinned_series, results, run_results, runs
 from backend.gate import Gate
 from backend.links.models import CreatedLink, Link
@@ -51,7 +52,7 @@ def keys(store: Store, run_id: str) -> list[str]:
 def of_another_core(store: Store, run_id: str) -> None:
     """Make a run and its results those of another core version, as after an upgrade."""
     with store.writing() as connection:
-        older = {"core_version": "0.0.8", "checksum": None}
+        older = {"core_version": "0.0.8", "checksum": UNCHECKED}
         connection.execute(update(results).where(results.c.key.in_(keys(store, run_id))).values(**older))
         connection.execute(update(runs).where(runs.c.id == run_id).values(**older))
 
@@ -259,7 +260,7 @@ def test_a_run_stored_by_a_newer_version_is_refused_for_now(
 ) -> None:
     link = share(client, fresh["id"])
     with service.app.state.services.store.writing() as connection:
-        newer = {"schema_version": SCHEMA_VERSION + 1, "checksum": None}
+        newer = {"schema_version": SCHEMA_VERSION + 1, "checksum": UNCHECKED}
         connection.execute(update(runs).where(runs.c.id == fresh["id"]).values(**newer))
     for path in (f"runs/{fresh['id']}", f"runs/{fresh['id']}/figures", f"links/{link['slug']}"):
         answer = client.get(f"/api/v1/{path}")

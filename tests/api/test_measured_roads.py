@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from sqlalchemy import delete, update
 
+from backend.db.checksum import UNCHECKED
 from backend.db.tables import results, roads, run_roads
 from backend.roads.samples import HUMP as HUMP_OF_STREET
 from backend.roads.samples import POTHOLE, SAMPLES
@@ -336,7 +337,7 @@ def test_a_road_of_an_older_version_has_no_indices_until_its_file_comes_again(
     content = FILE + "140.0,56\n"
     road = send(client, content).json()
     with service.app.state.services.store.writing() as connection:
-        connection.execute(update(roads).where(roads.c.id == road["id"]).values(analysis=None, checksum=None))
+        connection.execute(update(roads).where(roads.c.id == road["id"]).values(analysis=None, checksum=UNCHECKED))
     address = f"/api/v1/roads/{road['id']}"
     got = client.get(address).json()
     assert [got[name] for name in ("iri", "iso_class", "roughness", "waviness", "spectrum")] == [None] * 5

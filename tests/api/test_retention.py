@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from sqlalchemy import event, update
 
+from backend.db.checksum import UNCHECKED
 from backend.db.tables import REMOVED, jobs, results, roads
 from backend.jobs.retention import Retention
 from backend.runs.result_cache import ResultCache
@@ -243,7 +244,7 @@ def count_calls(store: Store, monkeypatch: pytest.MonkeyPatch) -> Callable[[], i
 def test_the_oldest_goes_first_where_all_is_too_large(store: Store, monkeypatch: pytest.MonkeyPatch) -> None:
     with store.writing() as connection:
         for key, size, when in (("plain-3", 3_000_000, LONG_AGO), ("labelled-3", 100_000, datetime.now(UTC))):
-            changed = {"summary": f'{{"text": "{size * "x"}"}}', "created_at": when, "checksum": None}
+            changed = {"summary": f'{{"text": "{size * "x"}"}}', "created_at": when, "checksum": UNCHECKED}
             connection.execute(update(results).where(results.c.key == key).values(**changed))
     measured = count_calls(store, monkeypatch)
     apply(store, retention_bytes=2 * 1024 * 1024)

@@ -9,12 +9,13 @@ import threading
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 from alembic.autogenerate import compare_metadata
 from alembic.migration import MigrationContext
 from alembic.script import ScriptDirectory
-from sqlalchemy import func, select, text, update
+from sqlalchemy import Column, func, select, text, update
 from sqlalchemy.exc import IntegrityError, SQLAlchemyError
 
 from backend.db import migrations
@@ -95,8 +96,15 @@ def test_the_migrations_make_the_tables_the_code_uses(open_store: OpenStore) -> 
     store = open_store()
     store.migrate()
     with store.engine.connect() as connection:
-        context = MigrationContext.configure(connection, opts={"compare_type": True, "compare_server_default": True})
+        context = MigrationContext.configure(
+            connection, opts={"compare_type": True, "compare_server_default": default_differs}
+        )
         assert compare_metadata(context, metadata) == []
+
+
+def default_differs(context: object, inspected: object, column: Column[Any], *texts: object) -> bool | None:
+    """On PostgreSQL an older replica's rows say that they have no checksum; else as Alembic compares."""
+    return False if column.name == "checksum" else None
 
 
 def test_migrations_are_one_line_from_release_0_2_0() -> None:
@@ -134,10 +142,12 @@ def test_checksums_of_jobs_cover_more_from_revision_0013(open_store: OpenStore) 
         connection.execute(update(jobs).where(jobs.c.id == "unreadable").values(request=text("'{'")))
         connection.execute(update(jobs).where(jobs.c.id == "older").values(checksum=None))
     store.migrate()
-    assert verify(store).damaged["jobs"] == ["damaged", "unreadable"]
+    verdict = verify(store)
+    assert (verdict.damaged["jobs"], verdict.unchecked["jobs"]) == (["damaged", "unreadable"], 1)
     with store.writing() as connection:
         connection.execute(update(jobs).where(jobs.c.id == "whole").values(core_version="0.0.1"))
-    assert verify(store).damaged["jobs"] == ["damaged", "unreadable", "whole"]
+        connection.execute(update(jobs).where(jobs.c.id == "older").values(checksum=None))
+    assert verify(store).damaged["jobs"] == ["damaged", "older", "unreadable", "whole"]
 
 
 def test_migrating_again_and_from_many_processes_changes_nothing(open_store: OpenStore) -> None:

@@ -16,6 +16,7 @@ from sqlalchemy.exc import OperationalError
 
 from backend.app import create_app
 from backend.command_error import CommandError
+from backend.db.checksum import UNCHECKED
 from backend.db.tables import jobs
 from backend.http.logins import COOKIE, LIFETIME, MAX_CHECKED, RECHECK_AFTER, Logins
 from backend.http.tokens import Caller, Tokens, cookie_key
@@ -261,7 +262,7 @@ def test_what_came_without_a_token_is_everybodys(
     ann, ben = guarded
     job = ann.post("/api/v1/batches", json=SUBMITTED["batches"]).json()["id"]
     with with_tokens.app.state.services.store.writing() as connection:
-        connection.execute(update(jobs).where(jobs.c.id == job).values(owner=None, checksum=None))
+        connection.execute(update(jobs).where(jobs.c.id == job).values(owner=None, checksum=UNCHECKED))
     assert ben.patch(f"/api/v1/batches/{job}", json={"label": "ours"}).json()["label"] == "ours"
 
 

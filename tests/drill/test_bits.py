@@ -15,6 +15,7 @@ FLIPS = int(os.environ.get("DRILL_FLIPS", "10000"))
 SEED = int(os.environ.get("DRILL_SEED", "1"))
 
 
+@pytest.mark.timeout(7200)
 def test_no_flipped_bit_changes_an_answer_without_a_word(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
     caplog.set_level(logging.CRITICAL)
     bits.fill(f"sqlite:///{tmp_path / 'ridelab.sqlite'}")
