@@ -5,6 +5,7 @@ import sqlite3
 import tempfile
 from contextlib import closing
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -145,6 +146,8 @@ def _set_up(connection: sqlite3.Connection, _: object) -> None:
     for pragma in (f"journal_mode={mode}", "synchronous=EXTRA", "foreign_keys=ON"):
         connection.execute(f"PRAGMA {pragma}").close()
     connection.create_function(SQLITE_FUNCTION, 0, _now)
+    # Of text that a flipped bit has made invalid the other bytes are read too: then its checksum tells.
+    connection.text_factory = partial(str, encoding="utf-8", errors="surrogateescape")
 
 
 def _now() -> str:

@@ -17,6 +17,7 @@ from backend.db.checksum import UNCHECKED, check, update_row
 from backend.db.clock import UNSTORED, Now
 from backend.db.database import RowStore, insert_new
 from backend.db.tables import REMOVED, job_events, job_roads, job_runs, jobs, links, trials
+from backend.errors import DamagedError
 from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from backend.store.job import FINAL, UNFINISHED, State, StoredJob
@@ -273,6 +274,8 @@ class JobStore(RowStore):
         if row is None:
             return None
         check(jobs, row, "job")
+        if row.state not in (*UNFINISHED, *FINAL):
+            raise DamagedError("job")
         return _job(row)
 
     def _change_state(self, job_id: str, before: Sequence[str], state: State, **values: Any) -> None:
@@ -302,7 +305,10 @@ def change_state(connection: Connection, job_id: str, before: Sequence[str], sta
     matching = update(jobs).where(jobs.c.id == job_id, jobs.c.state.in_(before))
     if not connection.execute(matching.values(state=state, **_times(state))).rowcount:
         return False
-    update_row(connection, jobs, job_id, values)
+    try:
+        update_row(connection, jobs, job_id, values)
+    except DamagedError:  # it stays damaged, and ends all the same
+        connection.execute(update(jobs).where(jobs.c.id == job_id).values(**values))
     add_event(connection, job_id, "state")
     return True
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import orjson
-from sqlalchemy import Column, Connection, Row, Select, Table, Text, case, func, or_, select, true, tuple_, type_coerce
+from sqlalchemy import Column, Connection, Row, Select, Table, case, func, or_, select, true, tuple_
 from sqlalchemy.exc import SQLAlchemyError
 
 from backend.db.checksum import UNCHECKED, is_intact
@@ -86,9 +86,10 @@ def verify(database: Database) -> Verdict:
             verdict.rows[table.name] += 1
             verdict.unchecked[table.name] += row is not None and row.checksum == UNCHECKED
             if row is None or not (is_intact_result(row) if table is results else is_intact(table, row)):
-                damaged.append(" ".join(map(str, key)))
+                damaged.append(" ".join(map(str, key)).encode(errors="backslashreplace").decode())
     with database.reading() as connection:
-        verdict.damaged[jobs.name].extend(_unlike_their_last_event(connection))
+        damaged = verdict.damaged[jobs.name]
+        damaged += [job_id for job_id in _unlike_their_last_event(connection) if job_id not in damaged]
         verdict.structure.extend(_counts(connection))
     return verdict
 
@@ -162,27 +163,26 @@ def _unlike_their_last_event(connection: Connection) -> Iterator[str]:
 
     The counts of a sweep are those of its runs (`_counts`); a tuning's batch changes without an event.
     """
-    last = select(job_events.c.job_id, func.max(job_events.c.number).label("number")).group_by(job_events.c.job_id)
-    numbers = last.subquery()
-    rows = (
-        select(
-            jobs.c.id, jobs.c.state, jobs.c.done, jobs.c.failed, type_coerce(jobs.c.progress, Text), job_events.c.data
-        )
-        .join(numbers, numbers.c.job_id == jobs.c.id)
-        .join(job_events, (job_events.c.job_id == jobs.c.id) & (job_events.c.number == numbers.c.number))
-        .where(jobs.c.kind != REMOVED, jobs.c.checksum != UNCHECKED)
-        .order_by(jobs.c.id)
+    ids = select(jobs.c.id).where(jobs.c.kind != REMOVED, jobs.c.checksum != UNCHECKED).order_by(jobs.c.id)
+    last = (
+        select(jobs.c.state, jobs.c.done, jobs.c.failed, jobs.c.progress, job_events.c.data)
+        .join(job_events, job_events.c.job_id == jobs.c.id)
+        .order_by(job_events.c.number.desc())
+        .limit(1)
     )
-    for job_id, state, done, failed, progress, data in connection.execute(rows).all():
+    for job_id in connection.execute(ids).scalars().all():
         try:
-            now, event = orjson.loads(progress), orjson.loads(data)
-        except ValueError:
+            row = connection.execute(last.where(jobs.c.id == job_id)).one_or_none()
+            event = {} if row is None else orjson.loads(row.data)
+        except UNREADABLE:
             yield job_id
             continue
+        if row is None:
+            continue
+        now = {name: value for name, value in row.progress.items() if name != "batch"}
         if now:
-            now |= {"done": done, "failed": failed}
-            now.pop("batch", None)
-        now["state"] = state
+            now |= {"done": row.done, "failed": row.failed}
+        now["state"] = row.state
         if {name: event.get(name) for name in now} != now:
             yield job_id
 

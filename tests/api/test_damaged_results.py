@@ -7,11 +7,13 @@ from typing import Any
 import httpx
 import pytest
 from sqlalchemy import Connection, select, update
+from sqlalchemy import text as sql
 
 from backend.db.checksum import UNCHECKED
-from backend.db.tables import job_runs, pinned_series, results, run_results
+from backend.db.tables import job_runs, jobs, pinned_series, results, run_results
 from backend.metrics import DAMAGED_RESULTS
 from backend.store import Store
+from backend.store.verify import verify
 from tests.api.conftest import HEIGHTS
 from tests.api.test_job_store import BATCH, computed, rows
 from tests.api.test_links import opened, share
@@ -166,3 +168,15 @@ def test_jobs_count_what_they_have_lost_and_a_cancelled_one_waits_for_nothing(st
         assert (job.state, job.done, job.failed) == (state, 10, 0)
         assert [run_statuses[3], run_statuses[11]] == [status] * 2
         assert run_statuses.count("ok") == 10
+
+
+def test_a_damaged_job_that_is_given_up_has_failed_and_stays_damaged(store: Store) -> None:
+    for job_id, change in (("label", {"label": "another"}), ("request", {"request": sql("'{'")})):
+        store.jobs.create(replace(BATCH, id=job_id))
+        with store.writing() as connection:
+            connection.execute(update(jobs).where(jobs.c.id == job_id).values(**change))
+        store.jobs.give_up(job_id, "It is damaged")
+        with store.reading() as connection:
+            columns = select(jobs.c.state, jobs.c.reason).where(jobs.c.id == job_id)
+            assert connection.execute(columns).one() == ("failed", "It is damaged")
+    assert verify(store).damaged["jobs"] == ["label", "request"]

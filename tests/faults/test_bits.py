@@ -6,8 +6,10 @@ from contextlib import closing
 from pathlib import Path
 
 import pytest
+from sqlalchemy import select
 
 from backend.__main__ import main
+from backend.db.tables import runs
 from backend.store import Store
 from backend.store.verify import verify
 from tests.faults import bits
@@ -35,7 +37,9 @@ def test_a_text_whose_type_became_bytes_is_damaged_and_its_run_is_computed_again
     assert run.expired
 
 
-@pytest.mark.parametrize("change", ["state = 'failed'", "done = done - 1", "progress = '{\"attempt\":2}'"])
+@pytest.mark.parametrize(
+    "change", ["state = 'failed'", "done = done - 1", "progress = '{\"attempt\":2}'", "progress = '{'"]
+)
 def test_a_job_that_is_not_where_its_last_event_says_is_damaged(tmp_path: Path, change: str) -> None:
     file = tmp_path / "ridelab.sqlite"
     bits.fill(f"sqlite:///{file}")
@@ -44,6 +48,31 @@ def test_a_job_that_is_not_where_its_last_event_says_is_damaged(tmp_path: Path, 
         connection.commit()
     with closing(Store(f"sqlite:///{file}")) as store:
         assert len(verify(store).damaged["jobs"]) == 1
+
+
+def test_a_text_that_is_none_costs_the_row_it_stands_in_alone(tmp_path: Path) -> None:
+    file = tmp_path / "ridelab.sqlite"
+    bits.fill(f"sqlite:///{file}")
+    with closing(sqlite3.connect(file)) as connection:
+        connection.execute("UPDATE job_events SET data = CAST(x'ff' AS TEXT)")
+        connection.commit()
+    with closing(Store(f"sqlite:///{file}")) as store:
+        verdict = verify(store)
+    assert len(verdict.damaged["jobs"]) == verdict.rows["jobs"] == 2
+
+
+def test_a_result_whose_text_is_none_is_computed_again(tmp_path: Path) -> None:
+    """The highest bit of a byte makes text that is not UTF-8."""
+    file = tmp_path / "ridelab.sqlite"
+    bits.fill(f"sqlite:///{file}")
+    content = bytearray(file.read_bytes())
+    content[content.index(b"metric_5")] ^= 128
+    file.write_bytes(content)
+    with closing(Store(f"sqlite:///{file}")) as store:
+        assert sum(map(len, verify(store).damaged.values())) == 1
+        with store.reading() as connection:
+            ids = connection.execute(select(runs.c.id)).scalars().all()
+        assert sum(run.expired for each in ids if (run := store.runs.load(each)) is not None) == 1
 
 
 def test_verify_names_what_is_damaged(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -35,7 +35,7 @@ def upgrade() -> None:
     for job_id in connection.execute(select(jobs.c.id).where(jobs.c.checksum != UNCHECKED)).scalars().all():
         try:
             row = connection.execute(select(jobs).where(jobs.c.id == job_id)).one()._mapping
-        except DamagedError:
+        except (DamagedError, ValueError):  # JSON or text that is none
             continue
         if row["checksum"] == digest_of(row[name] for name in (*BEFORE, LAST)):
             new = digest_of(row[name] for name in (*NOW, LAST))
