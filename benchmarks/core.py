@@ -28,7 +28,7 @@ _COLD = """
 from time import process_time
 t0 = process_time()
 from sim_core.scenario.presets import preset
-from sim_core.simulate import prepare, simulate
+from sim_core.simulate import simulate
 t1 = process_time()
 for name in {names!r}:
     simulate(preset("paper"), name)

@@ -5,7 +5,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from backend.job_run import JobRun
 from backend.json_types import JsonObject
 from sim_core.scenario import dotted
-from sim_core.strategies import reads, resolve_speed_plan, strategy_named
+from sim_core.strategies import STRATEGIES, reads, resolve_speed_plan, strategy_named
 
 POLICY = "speed.policy"
 INITIAL, TARGET = "speed.initial_speed_kmh", "speed.target_speed_kmh"
@@ -24,10 +24,11 @@ def notes(
     """
     policies = {point.get(POLICY, dotted.value(base, POLICY)) for point in points}
     names = list(dict.fromkeys(run.strategy for run in runs))
+    swept = [name for axis, linked in axes.items() for name in (axis, *linked)]
     return [
         *_unread(names, policies, axes, runs),
-        *_without_choice(base, points, axes),
-        *_overruled(base, axes),
+        *(_without_choice(base, points, swept) if STRATEGIES.keys() >= set(names) else ()),
+        *_overruled(base, swept),
         *_clamped(base, points, names, policies),
     ]
 
@@ -48,9 +49,9 @@ def _unread(
     return said
 
 
-def _without_choice(base: JsonObject, points: Sequence[JsonObject], axes: Mapping[str, Sequence[str]]) -> Iterator[str]:
-    """Fields that are read with another one's value alone, such as a filter's, which no point has."""
-    for field in map(dotted.field, axes):
+def _without_choice(base: JsonObject, points: Sequence[JsonObject], swept: Sequence[str]) -> Iterator[str]:
+    """Fields that our strategies read with another one's value alone, such as a filter's, which no point has."""
+    for field in map(dotted.field, swept):
         if field.read_with is None:
             continue
         choice, needed = field.read_with
@@ -58,9 +59,8 @@ def _without_choice(base: JsonObject, points: Sequence[JsonObject], axes: Mappin
             yield f"{field.title} is read with {choice} = {needed} alone, which no point has"
 
 
-def _overruled(base: JsonObject, axes: Mapping[str, Sequence[str]]) -> list[str]:
+def _overruled(base: JsonObject, swept: Sequence[str]) -> list[str]:
     """The car is driven with a damper's curve, not with its coefficient."""
-    swept = [name for axis, linked in axes.items() for name in (axis, *linked)]
     return [
         f"The {axle} damper has a curve, which the car is driven with: {axle} damping is what controllers believe alone"
         for axle in ("front", "rear")

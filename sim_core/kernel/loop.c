@@ -136,8 +136,8 @@ void ridelab_prepare_run_inputs(struct run_inputs *me, const struct law_numbers 
     *me = (struct run_inputs){numbers, preview, sizes, inputs};
 }
 
-/* What `run_inputs.sizes` has of each window that slides over what is previewed (3 x count): sums of `horizon` numbers and of their
-   squares, from one window to the next. */
+/* What `run_inputs.sizes` has of each window of `horizon` numbers over what is previewed (3 x count): its sum and its sum
+   of squares follow from those of the window before. */
 void ridelab_window_sizes(const double *ahead, int count, int horizon, double *sizes)
 {
     int windows = count - horizon + 1;

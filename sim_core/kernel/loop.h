@@ -13,8 +13,8 @@ struct law_numbers {
     double force_limits[3];          /* of the law, of the actuators' change in a step, of the actuators [N] */
 };
 
-/* What bounds some rows of the limits: of each the gains on state and force, and the norms of its other parts on what
-   `sizes` measures; then the largest of all norms. */
+/* What bounds GROUP rows of the limits: of each the gains on state and force, and the norms of its other parts on what
+   `sizes` measures; then the largest of these rows' norms. */
 struct screen {
     double own[INPUTS][GROUP], norms[NORMS - 1][GROUP], most[NORMS];
 };

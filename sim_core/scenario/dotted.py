@@ -34,7 +34,7 @@ class DottedField:
     kind: Kind
     adapter: TypeAdapter[Any]
     default: Any = None  # of an option, which a scenario may lack
-    read_with: tuple[str, str] | None = None  # a choice's dotted name, and its value with which alone this is read
+    read_with: tuple[str, str] | None = None  # a choice's dotted name, and its value with which alone ours read this
 
     def checked(self, value: Any) -> Any:
         """The value as the scenario holds it, in plain JSON types.

@@ -21,7 +21,7 @@ def quantity(unit: str, *, soft: tuple[float, float], ge: float, le: float, show
 def field(default: Any, title: str, description: str, *, read_with: tuple[str, str] | None = None) -> Any:
     """A field of a part; `...` has no default.
 
-    `read_with` is a choice beside it, and the value with which alone it is read.
+    `read_with` is a choice beside it, and the value with which alone our strategies read it.
     """
     extra: JsonDict = {} if read_with is None else {"read_with": list(read_with)}
     return Field(default, title=title, description=description, json_schema_extra=extra)

@@ -289,9 +289,13 @@ def test_what_a_sweeps_runs_do_not_depend_on_is_said(client: httpx.Client) -> No
     ]
     alike["scenario"]["speed"]["policy"] = "planned"
     assert submit(client, targets, dry_run=True, **alike).json()["notes"] == []
-    noise = {"grid": {"estimation.acceleration_noise": [0.1, 0.2]}}
+    noise: dict[str, Any] = {
+        "grid": {"estimation.acceleration_noise": [0.1, 0.2], "road.bump.height": [0.04, 0.06]},
+        "linked": {"road.bump.height": ["estimation.deflection_noise"]},
+    }
     assert submit(client, noise, dry_run=True, strategies=["lv"]).json()["notes"] == [
-        "Acceleration noise is read with estimation.kind = kalman alone, which no point has"
+        f"{title} is read with estimation.kind = kalman alone, which no point has"
+        for title in ("Acceleration noise", "Deflection noise")
     ]
     filtered: dict[str, Any] = {"scenario": {"estimation": {"kind": "kalman"}}, "strategies": ["lv"]}
     assert submit(client, noise, dry_run=True, **filtered).json()["notes"] == []

@@ -14,7 +14,12 @@ def test_a_saved_law_is_compared_with_before_and_a_broken_one_says_its_line(
     try:
         dashboard.open()
         first = page.url
+        search, unread = page.get_by_label("Find a field"), page.get_by_text("Read only with State")
+        search.fill("Deflection noise")
+        expect(unread).to_be_visible()
         dashboard.toggle("Mine")
+        expect(unread).to_have_count(0)
+        search.fill("")
         expect_new_address(page, first)
         dashboard.expect_curves()
         dashboard.type_into("Damping", "4000")

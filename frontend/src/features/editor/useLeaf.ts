@@ -3,6 +3,7 @@
 import type { JsonValue, Scenario } from "../../api/types";
 import { useEdit, useFromScenario, useLab, useReadOnly } from "../../lab/context";
 import type { InvalidInput } from "../../lab/labState";
+import { useStrategies } from "../../server/useCatalogues";
 import { valueAt, type Leaf } from "../../scenario/differences";
 import { sameValue, setAt, type Pointer } from "../../scenario/path";
 import { optionTitle } from "../../scenario/schema";
@@ -10,7 +11,7 @@ import { optionTitle } from "../../scenario/schema";
 export interface LeafState {
   readonly value: JsonValue | undefined;
   readonly readOnly: boolean;
-  /** Why the field is not read at the moment. */
+  /** Why the field is not read at the moment; a law of one's own may read any. */
   readonly unread?: string;
   readonly changed: boolean;
   readonly rejected: InvalidInput | undefined;
@@ -27,9 +28,11 @@ export function useLeaf({ pointer, paperValue, readWith }: Leaf): LeafState {
   const isRead = useFromScenario(
     (scenario) => readWith === undefined || valueAt(scenario, { ...readWith, paperValue: null }) === readWith.value,
   );
+  const strategies = useStrategies();
+  const hasOwnLaw = useLab((state) => strategies.some(({ id, own }) => own && state.strategies.includes(id)));
   const leaf = useValue(pointer, value, (scenario, next) => setAt(scenario, pointer, next));
   const changed = !sameValue(value, paperValue);
-  if (readWith === undefined || isRead) return { ...leaf, changed };
+  if (readWith === undefined || isRead || hasOwnLaw) return { ...leaf, changed };
   const unread = `Read only with ${readWith.title}: ${optionTitle(readWith.value)}`;
   return { ...leaf, changed, readOnly: true, unread };
 }
