@@ -1,11 +1,11 @@
-/** The end of changes that are made with keys. */
+/** The end of changes that no release of a pointer ends. */
 
 import { useEffect, useEffectEvent, useRef } from "react";
 import { createTimer } from "./timer";
 
 const KEY_PAUSE_MS = 350;
 
-/** Changes made with keys, which have no release of their own: a pause ends them, and so does leaving the control. */
+/** Changes made with keys or by assistive technology: a pause ends them, and so does leaving the control. */
 export function useReleaseAfterKeys(release: () => void) {
   const timer = useRef<ReturnType<typeof createTimer>>(null);
   const end = useEffectEvent(() => release());

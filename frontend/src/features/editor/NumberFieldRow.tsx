@@ -144,7 +144,7 @@ interface NumberSliderProps {
 /** The dragged side of a number: live while it moves, exact once it rests. */
 export function NumberSlider({ field, leaf, label }: NumberSliderProps) {
   const scale = sliderScale(field);
-  const byKey = useRef(false);
+  const isPressed = useRef(false);
   const rest = useReleaseAfterKeys(leaf.release);
 
   const clamp = (value: number) => Math.min(scale.maximum, Math.max(scale.minimum, scale.toSlider(value)));
@@ -156,6 +156,8 @@ export function NumberSlider({ field, leaf, label }: NumberSliderProps) {
   const part = (position: number) => (position - scale.minimum) / (scale.maximum - scale.minimum);
   const [from, to] = [marked ? standard : scale.minimum, value].map(part).sort((one, other) => one - other);
   const release = () => {
+    if (!isPressed.current) return;
+    isPressed.current = false;
     rest.stop();
     leaf.release();
   };
@@ -174,12 +176,12 @@ export function NumberSlider({ field, leaf, label }: NumberSliderProps) {
       onChange={(event) => {
         const next = scale.fromSlider(event.currentTarget.valueAsNumber);
         if (next !== leaf.value) leaf.drag(next);
-        if (byKey.current) rest.begin();
+        if (!isPressed.current) rest.begin();
       }}
-      onKeyDown={() => (byKey.current = true)}
-      onPointerDown={() => (byKey.current = false)}
+      onPointerDown={({ button }) => (isPressed.current = button === 0 && !leaf.readOnly)}
       onPointerUp={release}
       onPointerCancel={release}
+      onLostPointerCapture={release}
     />
   );
 }
