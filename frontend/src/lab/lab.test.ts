@@ -5,6 +5,7 @@ import { DEFAULT_VIEW, type Address } from "./address";
 import type { LabApi } from "./labState";
 import { createLab } from "./lab";
 import type { LabAddress } from "./labAddress";
+import { FORM } from "../scenario/form.fixture";
 import { createAtom } from "@tanstack/react-store";
 
 const PAPER: Scenario = { height: 0.1 };
@@ -57,14 +58,16 @@ function harness() {
       signal?.addEventListener("abort", () => reject(new DOMException("aborted", "AbortError")));
       held[kind].push({ answer: () => resolve(value), signal });
     });
+  const liveSignals: (readonly string[] | null | undefined)[] = [];
   const api: LabApi = {
     createRun: (scenario, ids, signal, over) =>
       hold("runs", runOf("height" in scenario ? scenario : PAPER, ids, over?.roads ?? 1), signal),
     run: (id, signal) => hold("runs", runOf(id === "low" ? LOW : PAPER, OPENING), signal),
     series: (_id, ids, _points, signal) => hold<SeriesByStrategy>("series", byStrategy(ids, {}), signal),
     link: () => Promise.reject(new Error("no link here")),
-    live: ({ scenario = {}, strategies }, signal) =>
-      hold<LiveAnswer>(
+    live: ({ scenario = {}, strategies, signals }, signal) => {
+      liveSignals.push(signals);
+      return hold<LiveAnswer>(
         "live",
         {
           core_version: "1",
@@ -78,7 +81,8 @@ function harness() {
           series: byStrategy(strategies, {}),
         },
         signal,
-      ),
+      );
+    },
   };
   const labAddress = fakeRouter();
   const lab = createLab({ api, labAddress, queries: new QueryClient() });
@@ -105,7 +109,7 @@ function harness() {
     lab.open(labAddress.get());
     await respond();
   };
-  return { lab, labAddress, held, answer, respond, tick, agree, start };
+  return { lab, labAddress, held, liveSignals, answer, respond, tick, agree, start };
 }
 
 describe("the lab's address and page", () => {
@@ -186,6 +190,52 @@ it("under a moving slider curves follow each answer, what is read a few times a 
   await vi.waitFor(() => expect(held.live).toHaveLength(4)); // once the slider rests
   await answer("live");
   expect(lab.get()).toMatchObject({ shown: { scenario: { height: 4 } }, busy: false });
+});
+
+it("of what is not read only the curves in sight are asked for, and a curve that comes into sight at once", async () => {
+  const { lab, answer, liveSignals, start } = harness();
+  await start();
+  lab.configure(FORM, ["brake_pressure", "speed", "pitch", "heave"]);
+  const leave = lab.draw("speed");
+  expect(liveSignals).toEqual([]); // no slider moves
+  lab.drag(LOW);
+  await answer("live");
+  lab.drag({ height: 3 });
+  await answer("live");
+  lab.draw("pitch");
+  leave();
+  lab.drag({ height: 4 });
+  expect(liveSignals).toEqual([
+    ["brake_pressure", "speed", "pitch", "heave"],
+    ["brake_pressure", "speed"],
+    ["brake_pressure", "speed", "pitch"],
+    ["brake_pressure", "pitch"],
+  ]);
+});
+
+it("a curve that comes into sight asks for nothing while an exact run is under way or nothing is simulated", async () => {
+  const { lab, held, respond, start } = harness();
+  await start();
+  lab.drag(LOW);
+  lab.setStrategies(["lv", "speed_only"]);
+  lab.draw("pitch");
+  expect(held.live).toHaveLength(1);
+  await respond();
+  lab.setStrategies(["recording:one"]);
+  await respond();
+  lab.drag(LOW);
+  lab.draw("speed");
+  expect(held.live).toHaveLength(1);
+});
+
+it("a live answer that comes after the slider was left is dropped", async () => {
+  const { lab, answer, start } = harness();
+  await start();
+  lab.drag(LOW);
+  lab.setStrategies([]);
+  lab.commit(LOW);
+  await answer("live");
+  expect(lab.get().shown?.scenario).toEqual(PAPER);
 });
 
 describe("the state before the last edit", () => {

@@ -82,7 +82,7 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
     drag: (scenario) => {
       if (store.get().shared) return;
       patch({ drag: scenario });
-      requests.preview(scenario);
+      requests.preview();
     },
     commit: (scenario) => {
       const { history, shared } = store.get();

@@ -67,8 +67,16 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
   });
 
   const inSight = new Set(ALWAYS_DRAWN);
-  let asked: Scenario | null = null;
-  const isNewest = () => store.get().drag === asked;
+  /** Whether what changes is asked for: from a slider's movement until an exact request begins. */
+  let isFollowing = false;
+  const request = () => {
+    const { drag, strategies } = store.get();
+    const asks = isFollowing && drag !== null && simulated(strategies).length > 0;
+    if (asks) latest.request({ scenario: drag, startedAt: performance.now() });
+    return asks;
+  };
+  let answeredScenario: Scenario | null = null;
+  const isNewest = () => store.get().drag === answeredScenario;
   let isReadNext = true;
   const show = () =>
     patch({
@@ -77,10 +85,9 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
       failure: null,
       ...(isNewest() ? { busy: false, stale: false } : {}),
     });
-  /** A slider that rests is not followed by a request of its own. */
+  /** Asks again once the slider rests: no event would. */
   const readRest = () => {
-    const { drag, shown } = store.get();
-    if (drag && isReadNext && isNewest() && shown !== answered.get()) request(drag);
+    if (isReadNext && isNewest() && store.get().shown !== answered.get()) request();
   };
   const reading = createTimer(READ_MS, () => {
     isReadNext = true;
@@ -102,9 +109,10 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
       return { answer: await api.live(body, signal), isRead };
     },
     onAnswer: ({ answer, isRead }, { scenario, startedAt }) => {
-      asked = scenario;
-      if (isNewest()) grace.stop();
+      answeredScenario = scenario;
+      if (store.get().drag === null || isNewest()) grace.stop();
       else grace.start();
+      if (store.get().drag === null) return;
       answered.set(withRecorded(fromLive(answer, performance.now() - startedAt), store.get().latestResult));
       if (isRead) {
         isReadNext = false;
@@ -123,19 +131,22 @@ export function createLive({ store, grace, api, labAddress, form }: Parts) {
     },
     most: 2,
   });
-  const request = (scenario: Scenario) => latest.request({ scenario, startedAt: performance.now() });
   return {
     newest,
-    request,
+    /** Asks for the scenario under the moving slider; whether there is anything to simulate. */
+    follow: () => {
+      isFollowing = true;
+      return request();
+    },
     cancel: () => {
+      isFollowing = false;
       reading.stop();
       isReadNext = true;
       latest.cancel();
     },
     draw: (signal: string) => {
       inSight.add(signal);
-      const { drag } = store.get();
-      if (drag) request(drag);
+      request();
       return () => void inSight.delete(signal);
     },
   };

@@ -1,7 +1,7 @@
 /** What the lab asks of the server, and how an answer changes what is shown. */
 
 import { isTransient } from "../api/problem";
-import type { Scenario, StrategyId } from "../api/types";
+import type { StrategyId } from "../api/types";
 import { DEFAULT_VIEW } from "./address";
 import { cursor } from "./cursor";
 import { createExactRequests } from "./exactRequest";
@@ -25,8 +25,8 @@ export interface Requests extends Pick<Lab, "newest" | "draw"> {
   readonly submit: (mode: "push" | "replace") => void;
   readonly load: (id: string, hidden: readonly StrategyId[]) => void;
   readonly openLink: (slug: string) => void;
-  /** Figures and curves of a scenario under a moving slider. */
-  readonly preview: (scenario: Scenario) => void;
+  /** Figures and curves of the scenario under a moving slider. */
+  readonly preview: () => void;
   /** Nobody waits for the exact answer any more: what is shown answers what is asked. */
   readonly cancel: () => void;
   /** Asks again for what could not be had. */
@@ -164,13 +164,11 @@ export function createRequests(
     submit,
     load,
     openLink,
-    preview: (scenario) => {
+    preview: () => {
       exact.cancel();
       labAddress.cancelNavigation();
-      const { strategies, busy } = store.get();
-      const some = strategies.some((id) => !isRecording(id));
-      if (busy !== some) patch({ busy: some }); // each change asks every part of the page whether it is concerned
-      if (some) live.request(scenario);
+      const busy = live.follow();
+      if (store.get().busy !== busy) patch({ busy }); // each change asks every part of the page whether it is concerned
     },
     cancel: () => {
       live.cancel();
