@@ -1,4 +1,7 @@
-/** Says of what is pointed at, or reached by key, what its `data-hint` says: one for the page, as each tooltip of its own makes an opening longer. */
+/**
+ * The page's one tooltip: it shows the `data-hint` of the element that is pointed at or reached by key.
+ * A tooltip for each element would make the page slower to open.
+ */
 
 import { Tooltip } from "@mantine/core";
 import { useEffect, useState } from "react";
@@ -8,11 +11,7 @@ import ui from "./ui.module.css";
 /** Pointed at for so long [ms]. */
 const DELAY_MS = 300;
 
-/** A tap does what an element is for; one that has `data-hint-only` is there for its hint. */
-const isHinting = (element: Element, event: Event) =>
-  event instanceof PointerEvent
-    ? event.pointerType === "mouse" || element.hasAttribute("data-hint-only")
-    : element.matches(":focus-visible");
+const hintedAt = ({ target }: Event) => (target instanceof Element ? target.closest<HTMLElement>("[data-hint]") : null);
 
 export function Hints() {
   const [shown, setShown] = useState<HTMLElement | null>(null);
@@ -20,7 +19,7 @@ export function Hints() {
   useEffect(() => {
     let next: HTMLElement | null = null;
     const timer = createTimer(DELAY_MS, () => {
-      setShown(next);
+      setShown(next?.isConnected ? next : null);
       setText(next?.dataset.hint);
     });
     const turnTo = (element: HTMLElement | null) => {
@@ -30,29 +29,44 @@ export function Hints() {
       if (element) timer.start();
       else timer.stop();
     };
-    const point = (event: Event) => {
-      const hinted = event.target instanceof Element ? event.target.closest<HTMLElement>("[data-hint]") : null;
-      turnTo(hinted && isHinting(hinted, event) ? hinted : null);
+    const listening = new AbortController();
+    const { signal } = listening;
+    // A tap does what an element is for; one that has `data-hint-only` is there for its hint.
+    const point = (event: PointerEvent) => {
+      const hinted = hintedAt(event);
+      turnTo(event.pointerType === "mouse" || hinted?.hasAttribute("data-hint-only") ? hinted : null);
+    };
+    const focus = (event: FocusEvent) => {
+      const hinted = hintedAt(event);
+      if (hinted !== next) turnTo(hinted?.matches(":focus-visible") ? hinted : null);
+    };
+    const blur = (event: FocusEvent) => {
+      if (hintedAt(event) === next) turnTo(null);
+    };
+    // A finger leaves the page whenever it is lifted.
+    const leave = (event: PointerEvent) => {
+      if (event.pointerType === "mouse") turnTo(null);
     };
     const end = (event: KeyboardEvent) => {
       if (event.key === "Escape") turnTo(null);
     };
-    document.addEventListener("pointerover", point);
-    document.addEventListener("focusin", point);
-    document.addEventListener("keydown", end, { capture: true });
+    document.addEventListener("pointerover", point, { signal });
+    document.addEventListener("focusin", focus, { signal });
+    document.addEventListener("focusout", blur, { signal });
+    document.documentElement.addEventListener("pointerleave", leave, { signal });
+    document.addEventListener("keydown", end, { signal, capture: true });
     return () => {
       timer.stop();
-      document.removeEventListener("pointerover", point);
-      document.removeEventListener("focusin", point);
-      document.removeEventListener("keydown", end, { capture: true });
+      listening.abort();
     };
   }, []);
   useEffect(() => {
     if (!shown) return undefined;
     const isSaid = shown.hasAttribute("aria-description") || shown.ariaLabel === shown.dataset.hint;
     if (!isSaid) shown.setAttribute("aria-description", shown.dataset.hint ?? "");
-    const changes = new MutationObserver(() => setText(shown.dataset.hint));
+    const changes = new MutationObserver(() => (shown.isConnected ? setText(shown.dataset.hint) : setShown(null)));
     changes.observe(shown, { attributeFilter: ["data-hint"] });
+    changes.observe(document.body, { childList: true, subtree: true });
     return () => {
       changes.disconnect();
       if (!isSaid) shown.removeAttribute("aria-description");
