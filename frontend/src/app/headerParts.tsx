@@ -52,7 +52,7 @@ export function PagesMenu({ entries, section }: PagesProps) {
   );
 }
 
-/** What every header ends with: help, dark or light, whatever the system says, logging out where there is a login, and all hints. */
+/** The end of every header: help, the switch between light and dark colours, the log-out where there is a login; the page's hints too. */
 export function HeaderEnd() {
   const { setColorScheme } = useMantineColorScheme();
   const isDark = useComputedColorScheme("light") === "dark";

@@ -85,15 +85,15 @@ export interface Curves {
   readonly minus?: string;
 }
 
-type Compared = Pick<Curves, "strategies" | "range" | "layers">;
+type DrawnParts = Pick<Curves, "strategies" | "range" | "layers">;
 
-const flat = ({ strategies, range, layers = [], ...rest }: Compared) => [
+const flat = ({ strategies, range, layers = [], ...rest }: DrawnParts) => [
   ...[...strategies, ...range, ...layers],
   ...Object.values(rest),
 ];
 
 /** Whether nothing is to be drawn anew. */
-export const sameCurves = <Part extends Compared>(one: Part, other: Part) => shallow(flat(one), flat(other));
+export const sameCurves = <Part extends DrawnParts>(one: Part, other: Part) => shallow(flat(one), flat(other));
 
 /** Of each controller of one's own its id, its file and that one's digest. */
 export const ownLaws = ({ strategies, summaries }: Pick<Curves, "strategies" | "summaries">): readonly string[] =>
