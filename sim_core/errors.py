@@ -39,7 +39,7 @@ class ForceError(RidelabError):
         line: Of its file, where its `force` begins; None where that is no Python function.
     """
 
-    def __init__(self, message: str, *, line: int | None) -> None:
+    def __init__(self, message: str, *, line: int | None = None) -> None:
         super().__init__(message)
         self.line = line
 

@@ -13,6 +13,7 @@ from sim_core.errors import RidelabError
 from sim_core.loop.run import Run
 from sim_core.road.sensed import expected_errors, trust
 from sim_core.scenario import Preview, Vehicle
+from sim_core.strategies import STRATEGIES
 from sim_core.vehicle.estimator import make_estimator
 from sim_core.vehicle.half_car import DISTURBANCES, FORCES, STATES, discrete, measurement
 from sim_core.vehicle.model import Estimator
@@ -82,7 +83,9 @@ def stage_law(run: Run, stage: str) -> LinearLaw:
     Raises:
         NotLinearError: It has none.
     """
-    controller, setup = run.controller, replace(run.setup(), stages=(stage,))  # the others' laws are not asked for
+    controller, setup = run.controller, run.setup()
+    if STRATEGIES.get(controller.id) is type(controller):
+        setup = replace(setup, stages=(stage,))  # ours design a stage by itself, and the others are not asked for
     if controller.dampers() is not None:
         raise NotLinearError("A semi-active damper is not linear: its force is a product of coefficient and velocity")
     if isinstance(controller, EcuController):

@@ -23,7 +23,7 @@ from ridelab.cli import service
 from ridelab.cli.following import submit_job
 from ridelab.cli.service import Services
 from ridelab.client import Ridelab
-from ridelab.errors import RidelabAPIError
+from ridelab.errors import JobEndedError, RidelabAPIError, RidelabConnectionError
 from ridelab.jobs import Batch
 from tests.api.conftest import Service
 from tests.api.own_laws import LAW
@@ -118,13 +118,21 @@ def test_the_log_of_a_private_service_that_fails_stays(
     serves = "import sys; print('Ridelab is at http://127.0.0.1:9', flush=True); sys.stdin.read()"
     monkeypatch.setattr(service, "server_command", lambda *_, **__: [sys.executable, "-c", serves])
     monkeypatch.setattr(tempfile, "tempdir", str(tmp_path))
-    for status in (422, 500):
-        assert list(tmp_path.iterdir()) == []
-        with pytest.raises(RidelabAPIError), service.private(None):
-            raise RidelabAPIError(status, "Something went wrong")
-    (log,) = tmp_path.iterdir()
-    assert log.read_text() == "Ridelab is at http://127.0.0.1:9\n"
-    assert str(log) in capsys.readouterr().err
+    silent = [RidelabAPIError(422, "Something is wrong"), JobEndedError("The batch 1 was cancelled")]
+    logged = [
+        RidelabAPIError(500, "Something went wrong"),
+        RidelabConnectionError("No service answers there"),
+        JobEndedError("The tuning 1 failed: it is in the service's log"),
+    ]
+    for error in (*silent, *logged):
+        with pytest.raises(type(error)), service.private(None):
+            raise error
+        logs = list(tmp_path.iterdir())
+        assert [log.read_text() for log in logs] == ["Ridelab is at http://127.0.0.1:9\n"] * (error in logged)
+        said = capsys.readouterr().err
+        for log in logs:
+            assert str(log) in said
+            log.unlink()
 
 
 def stopped(client: httpx.Client, how: signal.Signals, seeds: str, folder: Path, *more: str) -> tuple[str, int, str]:

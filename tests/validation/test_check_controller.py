@@ -1,5 +1,6 @@
 """`check_controller` says in a sentence what is wrong with a controller of one's own."""
 
+import pickle
 from pathlib import Path
 from typing import Any
 
@@ -7,7 +8,7 @@ import numpy as np
 import pytest
 
 from sim_core import Bump, Controller, Road, Scenario, Seen, Setup, check_controller, option, scenario_field, simulate
-from sim_core.errors import RidelabError
+from sim_core.errors import ForceError, RidelabError
 
 SHORT = Scenario(road=Road(length=60, bump=Bump(start=30)))
 
@@ -44,6 +45,12 @@ class Faulty(Controller):
             "not repeatable": (Faulty.calls % 100, 0.0),
         }
         return forces.get(self.fault, (0.0, 0.0))
+
+
+def test_a_forces_error_survives_the_way_from_a_worker() -> None:
+    error = ForceError("It gave None", line=7)
+    sent = pickle.loads(pickle.dumps(error))  # noqa: S301 - our own, as between processes
+    assert (sent.message, sent.line) == ("It gave None", 7)
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.signal import cont2discrete, zpk2ss
 
-from sim_core import Controller, FloatArray, Seen
+from sim_core import Controller, FloatArray, LinearLaw, Seen, Setup
 from sim_core.frequency.margins import margins, transfer
 from sim_core.frequency.responses import BANDS, RESPONSES, _modes, frequency_response
 from sim_core.frequency.sampled_loop import SampledLoop, sampled_loop, stage_law
@@ -248,6 +248,22 @@ class Reacts(Controller):
 
     def force(self, seen: Seen) -> FloatArray:
         return np.zeros(2)
+
+
+class Designs(Controller):
+    """Designs every stage before the run, and drives all with one's law."""
+
+    id, label = "designs", "Designs"
+
+    def start(self, setup: Setup) -> None:
+        self._laws = {stage: LinearLaw(gain=np.zeros((2, 10))) for stage in setup.stages}
+
+    def linear_law(self, stage: str) -> LinearLaw:
+        return self._laws["cruise"]
+
+
+def test_a_law_of_ones_own_is_given_every_stage_whichever_is_asked() -> None:
+    assert frequency_response(at_one_speed(), Designs, stage="bump").responses is not None
 
 
 @pytest.mark.parametrize(

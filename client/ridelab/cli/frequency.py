@@ -33,7 +33,8 @@ def frequency(
     """Show responses to the road by frequency, modes and stability margins of strategies in one driving stage.
 
     All of it while no limit binds; held forces, actuator lag, estimator, ECU delay and preview are inside. Changes are
-    against passive, or against --baseline, which also shows at which frequencies the signal is below the baseline's.
+    against passive, or against --baseline, which also shows at which frequencies the signal is below the baseline's:
+    none of them, or - where there is nothing to compare.
     """
     if stage not in _STAGES:
         raise InputError(f"--stage is one of {', '.join(_STAGES)}")
@@ -67,7 +68,7 @@ def frequency(
         show_table(
             ["margins", "gain front", "gain rear", "phase front", "phase rear", "disk of both", "least damping"], judged
         )
-    for label, each in results.items():
+    for label, each in (results | {services.names.label(against): base}).items():
         if each["reason"] is not None:
             typer.echo(f"{label}  {each['reason']}")
 

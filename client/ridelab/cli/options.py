@@ -32,19 +32,19 @@ def flag(help: str, *names: str) -> Any:  # noqa: A002  # typer's name for it
 
 
 _WORD = re.compile(r"(?:(--[a-z-]+)=)?(?:([\w.]+)=)?(.*)", re.DOTALL)  # option, field, and what is typed of its value
-_field_before = ""  # in bash, the word whose value is completed
+completed_field = ""  # bash hands over only what follows the =
 
 
 def split_as_bash() -> None:
     """Take the words of `FIELD=VALUE` together but for the last one's, of which bash completes what follows the `=`."""
-    global _field_before
+    global completed_field
     if os.environ.get("_RIDELAB_COMPLETE") != "complete_bash":
         return
     before = os.environ["COMP_WORDS"].split("\n")[: int(os.environ["COMP_CWORD"]) + 1]
     *words, last = re.sub("\n=(\n|$)", "=", "\n".join(before)).split("\n")
     if match := _WORD.fullmatch(last):
         option_before, field, typed = match.groups(default="")
-        _field_before = field
+        completed_field = field
         words += [option_before] * bool(option_before) + [typed]
     os.environ |= {"COMP_WORDS": "\n".join(words), "COMP_CWORD": str(len(words) - 1)}
 
@@ -54,8 +54,8 @@ def completes(kind: str, end: str = "") -> Callable[[str], list[str]]:
 
     def complete(incomplete: str) -> list[str]:
         field, sign, vehicle = incomplete.rpartition("=")
-        if sign or _field_before:  # of --set, which takes a vehicle by its name
-            vehicles = remembered()["vehicles"] if (field or _field_before) == "vehicle" else []
+        if sign or completed_field:  # of --set, which takes a vehicle by its name
+            vehicles = remembered()["vehicles"] if (field or completed_field) == "vehicle" else []
             return [f"{field}{sign}{name}" for name in vehicles if name.startswith(vehicle)]
         before, comma, last = incomplete.rpartition(",")
         return [f"{before}{comma}{name}{end}" for name in remembered().get(kind, []) if name.startswith(last)]

@@ -22,7 +22,7 @@ from ridelab.cli.names import Names
 from ridelab.cli.options import Controllers, DataDir, Server
 from ridelab.cli.reporting import InputError, UnavailableError, note, waiting
 from ridelab.client import Ridelab
-from ridelab.errors import RidelabAPIError
+from ridelab.errors import RidelabAPIError, RidelabClientError, RidelabConnectionError
 from ridelab.http import without_login
 
 START = 90.0  # the private service gets so long to start [s]; it takes one or two
@@ -197,8 +197,8 @@ def private(data_dir: Path | None, controllers: Sequence[Path] = ()) -> Iterator
         )
         try:
             yield _wait(process, log)
-        except RidelabAPIError as error:
-            if error.status >= 500:  # the log says more
+        except RidelabClientError as error:
+            if _is_in_log(error):
                 with tempfile.NamedTemporaryFile(prefix="ridelab-", suffix=".log", delete=False) as saved:
                     saved.write(_read(log))
                 note(f"The private service's log is in {saved.name}")
@@ -211,6 +211,12 @@ def private(data_dir: Path | None, controllers: Sequence[Path] = ()) -> Iterator
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.wait()
+
+
+def _is_in_log(error: RidelabClientError) -> bool:
+    """Whether the service's log says more."""
+    failed = isinstance(error, RidelabAPIError) and error.status >= 500
+    return failed or isinstance(error, RidelabConnectionError) or "service's log" in str(error)
 
 
 def _wait(process: subprocess.Popen[bytes], log: IO[bytes]) -> str:
