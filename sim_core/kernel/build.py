@@ -34,8 +34,9 @@ def digest() -> str:
 
 
 def is_current(library: Path) -> bool:
-    """Whether a library is compiled from these sources with these flags."""
-    return library.exists() and digest().encode() in library.read_bytes()
+    """Whether a library is compiled from these sources with these flags, for the machine that asks."""
+    content = library.read_bytes() if library.exists() else b""
+    return digest().encode() in content and f"{_target([])}\0".encode() in content
 
 
 def default_compiler() -> list[str]:
@@ -63,10 +64,16 @@ def best() -> Path:
 
 def libraries(compiler: list[str]) -> dict[str, tuple[str, ...]]:
     """The libraries that a compiler makes: name -> options of its own."""
-    target = compiler[compiler.index("-target") + 1] if "-target" in compiler else platform.machine()
+    target = _target(compiler)
     own = ("-s",) if "windows" in target else ("-fPIC",)
     wide = {WIDE_NAME: (*own, "-mavx2")} if target.startswith(X86_64) else {}
     return {NAME: own, **wide}
+
+
+def _target(compiler: list[str]) -> str:
+    """The machine it compiles for."""
+    own = f"{platform.machine()}-{platform.system()}"
+    return compiler[compiler.index("-target") + 1] if "-target" in compiler else own
 
 
 def command(compiler: list[str], library: Path, *options: str) -> list[str]:
@@ -77,8 +84,8 @@ def command(compiler: list[str], library: Path, *options: str) -> list[str]:
         library: The file to write.
         options: Beside FLAGS.
     """
-    identity = f'-DRIDELAB_DIGEST="{digest()}"'
-    return [*compiler, *FLAGS, identity, *options, "-shared", "-o", str(library), *map(str, SOURCES), "-lm"]
+    identity = [f'-DRIDELAB_DIGEST="{digest()}"', f'-DRIDELAB_MACHINE="{_target(compiler)}"']
+    return [*compiler, *FLAGS, *identity, *options, "-shared", "-o", str(library), *map(str, SOURCES), "-lm"]
 
 
 if __name__ == "__main__":

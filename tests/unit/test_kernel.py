@@ -47,6 +47,16 @@ def test_the_digest_is_of_every_source_and_the_flags(monkeypatch: pytest.MonkeyP
     assert build.digest() not in digests
 
 
+def test_a_library_is_current_on_the_machine_it_is_made_for_alone(monkeypatch: pytest.MonkeyPatch) -> None:
+    built = Path(library.__file__).with_name(build.NAME)
+    assert build.is_current(built)
+    for name in ("machine", "system"):
+        with monkeypatch.context() as patch:
+            patch.setattr(f"platform.{name}", lambda: "another")
+            assert not build.is_current(built)
+            assert build.digest() == library.DIGEST
+
+
 def test_it_is_plain_c11_to_the_machines_compiler(tmp_path: Path) -> None:
     """To zig's and for other systems in tests/drill/test_cross_build.py, which builds their C libraries."""
     compiler = build.default_compiler()

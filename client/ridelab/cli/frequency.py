@@ -33,8 +33,8 @@ def frequency(
     """Show responses to the road by frequency, modes and stability margins of strategies in one driving stage.
 
     All of it while no limit binds; held forces, actuator lag, estimator, ECU delay and preview are inside. Changes are
-    against passive, or against --baseline, which also shows at which frequencies the signal is below the baseline's:
-    none of them, or - where there is nothing to compare.
+    against passive, or against --baseline, which also shows at which frequencies the signal is below the baseline's;
+    none is at no frequency, and - stands where there is nothing to compare.
     """
     if stage not in _STAGES:
         raise InputError(f"--stage is one of {', '.join(_STAGES)}")
