@@ -333,7 +333,7 @@ def test_the_shell_completes_names_that_a_service_gave(cli: Cli, monkeypatch: py
     ):
         monkeypatch.setenv("COMP_WORDS", "\n".join(["ridelab", *words.split()]))
         monkeypatch.setenv("COMP_CWORD", str(len(words.split())))
-        monkeypatch.setattr(options, "_field_before", "")
+        monkeypatch.setattr(options, "completed_field", "")
         assert completed in cli().split(), words
     monkeypatch.setenv("COMP_WORDS", "ridelab\nrun\n--set\nroad.seed\n=\nva")
     monkeypatch.setenv("COMP_CWORD", "5")
