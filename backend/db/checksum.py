@@ -68,11 +68,6 @@ def is_intact(table: Table, row: Row[Any], prefix: str = "") -> bool:
     return stored in (UNCHECKED, digest_of(values.values()))
 
 
-def is_text(value: str | None) -> bool:
-    """Whether what was read as text is text: of SQLite a flipped bit may have made it invalid."""
-    return value is None or value.isascii() or value.encode(errors="replace").decode() == value
-
-
 def check(table: Table, row: Row[Any], what: str) -> None:
     """Raise where a row is not as it was written.
 
@@ -95,7 +90,7 @@ def digest_of(values: Iterable[Any]) -> str:
 
 def _bytes(value: Any) -> bytes:
     if isinstance(value, str):
-        return value.encode(errors="surrogateescape")
+        return value.encode()
     if isinstance(value, bytes | memoryview):
         return bytes(value)
     if isinstance(value, int) and not isinstance(value, bool):

@@ -146,8 +146,8 @@ def _set_up(connection: sqlite3.Connection, _: object) -> None:
     for pragma in (f"journal_mode={mode}", "synchronous=EXTRA", "foreign_keys=ON"):
         connection.execute(f"PRAGMA {pragma}").close()
     connection.create_function(SQLITE_FUNCTION, 0, _now)
-    # Of text that a flipped bit has made invalid the other bytes are read too: then its checksum tells.
-    connection.text_factory = partial(str, encoding="utf-8", errors="surrogateescape")
+    # Text that a flipped bit has made invalid is read with another character there: then its checksum tells.
+    connection.text_factory = partial(str, encoding="utf-8", errors="replace")
 
 
 def _now() -> str:

@@ -5,7 +5,7 @@ from typing import Any
 
 from sqlalchemy import Connection, Row, Select, Update, bindparam, select, update
 
-from backend.db.checksum import check, is_intact, is_text
+from backend.db.checksum import check, is_intact
 from backend.db.database import RowStore
 from backend.db.tables import EXPIRED, job_runs, jobs, results
 from backend.errors import DamagedError
@@ -102,8 +102,6 @@ class JobRunStore(RowStore):
 def _row(row: Row[Any], *, lost: bool) -> JobRow:
     if row.status == "ok" and row.result_status is None:
         raise DamagedError("batch")  # its key is of no result
-    if not is_text(row.reason):
-        raise DamagedError("batch")
     return JobRow(
         position=row.position,
         changes=row.changes,

@@ -86,7 +86,7 @@ def verify(database: Database) -> Verdict:
             verdict.rows[table.name] += 1
             verdict.unchecked[table.name] += row is not None and row.checksum == UNCHECKED
             if row is None or not (is_intact_result(row) if table is results else is_intact(table, row)):
-                damaged.append(" ".join(map(str, key)).encode(errors="backslashreplace").decode())
+                damaged.append(" ".join(map(str, key)))
     with database.reading() as connection:
         damaged = verdict.damaged[jobs.name]
         damaged += [job_id for job_id in _unlike_their_last_event(connection) if job_id not in damaged]
@@ -139,7 +139,7 @@ def _rows(database: Database, table: Table) -> Iterator[tuple[Sequence[Any], Row
         behind = true() if after is None else tuple_(*columns) > tuple_(*after)
         with database.reading() as connection:
             page = [tuple(key) for key in connection.execute(keys.where(behind)).all()]
-            if not page:
+            if not page or page[-1] == after:  # a key that is no text is read as another one
                 return
             try:
                 rows: list[Row[Any] | None] = [*connection.execute(whole.where(behind).limit(PAGE)).all()]
