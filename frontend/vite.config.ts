@@ -27,6 +27,7 @@ export default defineConfig({
     // An inlined asset would be a data: address, which the page's content security policy forbids.
     assetsInlineLimit: 0,
     reportCompressedSize: false, // nobody reads it there
+    license: { fileName: "licenses.md" }, // of all that is bundled; copy-docs-assets.mjs adds the icons
     // What the first view needs is one file, and so is what several others need: in fifty the browser's six connections
     // take turns. plotly.js stays apart.
     rolldownOptions: {
