@@ -193,6 +193,15 @@ def test_presets_and_own_scenarios_are_opened_saved_and_imported(dashboard: Dash
     expect(dashboard.entry("Height")).to_have_value("-6")
     page.keyboard.press("Control+z")
     expect(dashboard.entry("Height")).to_have_value("12")
+    dashboard.expect_curves()
+    address = page.url
+    slider = dashboard.slider("Height")
+    slider.press("Home")
+    expect_new_address(page, address)
+    lowest = float(dashboard.entry("Height").input_value())
+    assert lowest < -6
+    assert slider.input_value() == slider.get_attribute("min")
+    assert dashboard.stored_run()["scenario"]["road"]["bump"]["height"] == pytest.approx(lowest / 100)
 
 
 def test_baseline_and_strategies_are_chosen_by_clicks(dashboard: Dashboard) -> None:
