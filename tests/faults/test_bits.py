@@ -44,7 +44,7 @@ def test_a_job_that_is_not_where_its_last_event_says_is_damaged(tmp_path: Path, 
     file = tmp_path / "ridelab.sqlite"
     bits.fill(f"sqlite:///{file}")
     with closing(sqlite3.connect(file)) as connection:
-        connection.execute(f"UPDATE jobs SET {change} WHERE kind = 'tuning'")  # noqa: S608
+        connection.execute(f"UPDATE jobs SET {change} WHERE kind = 'tuning'")  # noqa: S608  # our own
         connection.commit()
     with closing(Store(f"sqlite:///{file}")) as store:
         assert len(verify(store).damaged["jobs"]) == 1
