@@ -38,7 +38,14 @@ def test_a_text_whose_type_became_bytes_is_damaged_and_its_run_is_computed_again
 
 
 @pytest.mark.parametrize(
-    "change", ["state = 'failed'", "done = done - 1", "progress = '{\"attempt\":2}'", "progress = '{'"]
+    "change",
+    [
+        "state = 'failed'",
+        "state = CAST(x'ff' AS TEXT)",
+        "done = done - 1",
+        "progress = '{\"attempt\":2}'",
+        "progress = '{'",
+    ],
 )
 def test_a_job_that_is_not_where_its_last_event_says_is_damaged(tmp_path: Path, change: str) -> None:
     file = tmp_path / "ridelab.sqlite"
