@@ -129,7 +129,11 @@ def _shift(scenario: Scenario, strategy: str) -> float:
     slowest, fastest = (speed * KMH * step / GRID for speed in (5, 200))  # that the field takes
     speed = min(max(round(scenario.speed.initial * step / GRID), ceil(slowest)), floor(fastest)) * GRID / step
     road, detection = scenario.road, min(scenario.speed.detection_distance, scenario.road.bump.start)
+    # The car starts before it sees the bump or its own braking: one that is under way has seen them already.
+    unseen = max(scenario.mpc.prediction_horizon, scenario.lqr.preview_horizon) * step * speed
     here = {
+        "road.bump.start": road.bump.start + unseen,
+        "road.length": road.length + unseen,
         "road.roughness": 0.0,
         "mismatch.preview_noise": 0.0,
         "mpc.sample_time": step,
@@ -137,7 +141,7 @@ def _shift(scenario: Scenario, strategy: str) -> float:
         "speed.detection_distance": detection,
     }
     away = 100 * step * speed
-    there = {"road.bump.start": road.bump.start + away, "road.length": road.length + away}
+    there = {"road.bump.start": road.bump.start + unseen + away, "road.length": road.length + unseen + away}
     one, other = response(changed(scenario, here), strategy), response(changed(scenario, here | there), strategy)
     later = other[:, other.shape[1] - one.shape[1] :]
     return _apart(later, one, one)
