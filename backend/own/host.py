@@ -18,16 +18,22 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import Any, TypeVar
 
+from backend.stopwatch import Stopwatch
 from sim_core import controller_files
 from sim_core.controller_files import ControllerFileError, said_by
 from sim_core.errors import ForceError, RidelabError
 
 T = TypeVar("T")
 MEMORY = 4 * 1024**3  # of address space, so that a law that takes ever more is told so [bytes]
-STARTING = 30.0  # Python and the core may take to be imported on a busy machine [s]
+STARTING = 30.0  # Python and the core may take to be imported [s]
 GRACE = 2.0  # beyond its limit: a law that catches everything does not end by itself [s]
+SHORTEST = 1e-3  # that a timer is set to; 0 would switch it off [s]
 _MAIN = "import sys; from backend.own.host import main; main(sys.argv[1])"
 _PARENT_DEATH_SIGNAL = 1  # prctl(2)
+
+
+class SlowFileError(ControllerFileError):
+    """It did not end within its time, which another time may be enough."""
 
 
 class _OutOfTime(BaseException):
@@ -65,10 +71,11 @@ class Host:
         Args:
             function: Of a module.
             *args: Its arguments.
-            limit: It may take so long [s].
+            limit: It may take so long [s], as a `Stopwatch` counts.
 
         Raises:
-            ControllerFileError: The file's code failed, ended its process or did not end.
+            SlowFileError: It did not end within that time.
+            ControllerFileError: The file's code failed or ended its process.
             RidelabError: As the function raises.
         """
         try:
@@ -87,12 +94,14 @@ class Host:
         return result
 
     def _receive(self, limit: float, late: str) -> Any:
+        stopwatch = Stopwatch(self._process.pid)
         try:
-            if self._answers.poll(limit):
-                return pickle.loads(self._answers.recv_bytes())  # noqa: S301 - from a file that its operator trusts
+            while (left := limit - stopwatch.seconds) > 0:
+                if self._answers.poll(left):
+                    return pickle.loads(self._answers.recv_bytes())  # noqa: S301 - from a file that its operator trusts
         except (EOFError, OSError):
             raise ControllerFileError(f"{self._name}: {self._end()}") from None
-        raise ControllerFileError(f"{self._name}: {late}, and was ended")
+        raise SlowFileError(f"{self._name}: {late}, and was ended")
 
     def _end(self) -> str:
         code = self._process.wait()
@@ -126,7 +135,6 @@ def main(source: str) -> None:
         ctypes.CDLL(None).prctl(_PARENT_DEATH_SIGNAL, signal.SIGKILL)
     with suppress(ValueError, OSError):  # less is allowed already
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, resource.getrlimit(resource.RLIMIT_AS)[1]))
-    signal.signal(signal.SIGALRM, _stop)
     os._exit = sys.exit  # type: ignore[assignment]  # with a traceback, so that its line can be told
     answers.send_bytes(pickle.dumps(None))
     with suppress(EOFError):
@@ -134,15 +142,19 @@ def main(source: str) -> None:
             answers.send_bytes(_answer(source, tasks.recv_bytes()))
 
 
-def _stop(*_: object) -> None:
-    raise _OutOfTime
-
-
 def _answer(source: str, task: bytes) -> bytes:
     """The pickled result of a task, or the error to raise in its place."""
     function, args, limit = pickle.loads(task)  # noqa: S301 - from our own service
     file = source
+    stopwatch = Stopwatch(os.getpid())
+
+    def stop(*_: object) -> None:
+        if (left := limit - stopwatch.seconds) <= 0:
+            raise _OutOfTime
+        signal.setitimer(signal.ITIMER_REAL, max(left, SHORTEST))
+
     try:
+        signal.signal(signal.SIGALRM, stop)
         signal.setitimer(signal.ITIMER_REAL, limit)
         try:
             controllers = controller_files.load(source)
@@ -156,4 +168,6 @@ def _answer(source: str, task: bytes) -> bytes:
             return pickle.dumps(error)
         folder = f"{Path(file).parent}{os.sep}"  # which is no business of whoever asked
         said = error.message if isinstance(error, ControllerFileError) else said_by(error, file)
-        return pickle.dumps(ControllerFileError(said.replace(_OutOfTime.__name__, _unended(limit)).replace(folder, "")))
+        late = _OutOfTime.__name__ in said
+        said = said.replace(_OutOfTime.__name__, _unended(limit)).replace(folder, "")
+        return pickle.dumps(SlowFileError(said) if late else ControllerFileError(said))

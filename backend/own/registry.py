@@ -2,8 +2,10 @@
 
 import hashlib
 import logging
+import math
 import re
 import threading
+import time
 from collections import OrderedDict
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -12,7 +14,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from backend.own.description import Description, described, stand_in
-from backend.own.host import Host
+from backend.own.host import Host, SlowFileError
 from sim_core import Controller, controller_files
 from sim_core.controller_files import INSTALLED, ControllerFileError, Signature
 from sim_core.errors import RidelabError
@@ -22,6 +24,7 @@ logger = logging.getLogger(__name__)
 
 T = TypeVar("T")
 LOADING = 5.0  # a file may take to be loaded [s]
+TRY_AGAIN = 60.0  # after a file took longer: a disk or network may have been slow [s]
 HOSTS = 2  # that a worker keeps, for the files driven last
 AT_ONCE = 4  # files described at once
 
@@ -36,6 +39,7 @@ class ControllerSource:
         descriptions: Of its controllers; of a broken file those it had, or one that stands for it.
         fault: Why none of them can be driven; None where they can.
         limit: A run may take so long [s].
+        slow_at: When a file took too long, by the monotonic clock [s].
     """
 
     source: str
@@ -43,6 +47,7 @@ class ControllerSource:
     descriptions: tuple[Description, ...]
     fault: str | None
     limit: float
+    slow_at: float = math.inf
 
     @property
     def name(self) -> str:
@@ -98,10 +103,8 @@ def faults() -> dict[str, str]:
 
 
 def stale() -> bool:
-    """Whether a file has come, gone or changed since `refresh`."""
-    return [each.source for each in _sources] != controller_files.sources() or any(
-        _signature(each.source, each.descriptions) != each.signature for each in _sources
-    )
+    """Whether a file has come, gone or changed since `refresh`, or may be no longer slow."""
+    return [each.source for each in _sources] != controller_files.sources() or not all(map(_current, _sources))
 
 
 def refresh(limit: float) -> None:
@@ -116,7 +119,8 @@ def refresh(limit: float) -> None:
             sources = pool.map(lambda each: _look(each, before.get(each), limit), controller_files.sources())
             adopt(_each_id_once(sources))
         for each in _sources:
-            if each.fault is not None and before.get(each.source) != each:
+            last = before.get(each.source)
+            if each.fault is not None and (last is None or last.fault != each.fault):
                 logger.warning("A controller file cannot be used: %s", each.fault)
 
 
@@ -174,10 +178,11 @@ def _descriptions() -> tuple[Description, ...]:
 
 
 def _look(source: str, last: ControllerSource | None, limit: float) -> ControllerSource:
+    if last is not None and _current(last):
+        return replace(last, limit=limit)
     before = () if last is None else last.descriptions
     signature = _signature(source, before)
-    if last is not None and signature == last.signature:
-        return replace(last, limit=limit)
+    slow_at = math.inf
     host = Host(source)
     _describing.add(host)
     try:
@@ -187,12 +192,25 @@ def _look(source: str, last: ControllerSource | None, limit: float) -> Controlle
         signature = after if signature is None or after is None or signature[0] == after[0] else signature
     except RidelabError as error:
         fault = error.message
+        if isinstance(error, SlowFileError):
+            slow_at = time.monotonic()
         digest = hashlib.sha256(repr((fault, signature)).encode()).hexdigest()  # it has no result of the law before
         descriptions = tuple(replace(each, digest=digest) for each in before or [_unknown(source, digest)])
     finally:
         _describing.discard(host)
         host.close()
-    return ControllerSource(source=source, signature=signature, descriptions=descriptions, fault=fault, limit=limit)
+    return ControllerSource(
+        source=source,
+        signature=signature,
+        descriptions=descriptions,
+        fault=fault,
+        limit=limit,
+        slow_at=slow_at,
+    )
+
+
+def _current(last: ControllerSource) -> bool:
+    return time.monotonic() < last.slow_at + TRY_AGAIN and _signature(last.source, last.descriptions) == last.signature
 
 
 def _signature(source: str, descriptions: tuple[Description, ...]) -> Signature | None:

@@ -243,9 +243,11 @@ def test_a_file_that_cannot_be_used_keeps_nothing_else_from_working(
     service: Service, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(registry, "LOADING", 2.0)
+    away = folder / "away.txt"
+    away.touch()
     texts = {
         "half.py": LAW[:-40],
-        "endless.py": "while True: pass",
+        "endless.py": f"import pathlib\nwhile pathlib.Path({str(away)!r}).exists(): pass\n{named('late')}",
         "lqr.py": LAW.replace('"mine"', '"lqr"'),
         "twice.py": LAW,
         "bad_default.py": LAW.replace("mine", "bad_default").replace("2000.0", "-1.0"),
@@ -258,7 +260,7 @@ def test_a_file_that_cannot_be_used_keeps_nothing_else_from_working(
         faults = service.client.get("/readyz").json()["controllers"]
     assert faults == {
         "half.py": "half.py, line 12: SyntaxError: invalid syntax",
-        "endless.py": "endless.py, line 1: it did not end within 2 s",
+        "endless.py": "endless.py, line 2: it did not end within 2 s",
         "lqr.py": faults["lqr.py"],
         "twice.py": "twice.py: mine.py has a controller of the id mine too",
         "bad_default.py": "bad_default.py, class Mine: damping: Input should be greater than or equal to 0",
@@ -273,3 +275,7 @@ def test_a_file_that_cannot_be_used_keeps_nothing_else_from_working(
     (folder / "half.py").unlink()
     assert "whole" not in own(service)
     assert service.run(["whole"], SCENARIO).status_code == 422
+    away.unlink()
+    assert own(service)["endless"]["fault"] == faults["endless.py"]
+    monkeypatch.setattr(registry, "TRY_AGAIN", 0.0)
+    assert own(service)["late"]["fault"] is None, "what took too long once is tried again, unchanged"
