@@ -14,8 +14,8 @@ class Series(Mapping[str, FloatArray]):
 
     Args:
         shared: Signals as they are returned, all of one length.
-        columns: Gives the others, each with a column for every held command (samples + 1, n): its last sample is the
-            value before the next command, which the histories leave out.
+        columns: Gives the others, each with a row for every held command (n, samples + 1): its last sample is the value
+            before the next command, which the histories leave out.
     """
 
     def __init__(self, shared: Mapping[str, FloatArray], columns: Callable[[], Mapping[str, FloatArray]]) -> None:
@@ -35,17 +35,17 @@ class Series(Mapping[str, FloatArray]):
         """A signal's samples from `start` up to before `end`."""
         if key in self._shared:
             return self._shared[key][start:end]
-        columns = self._columns[key]
-        each = len(columns) - 1
+        rows = self._columns[key]
+        each = rows.shape[1] - 1
         first = start // each
-        return columns[:-1, first : -(-end // each)].T.reshape(-1)[start - first * each : end - first * each]
+        return rows[first : -(-end // each), :-1].reshape(-1)[start - first * each : end - first * each]
 
     def __reduce__(self) -> tuple[Any, ...]:
         """As its histories, put together."""
         return type(self), ({key: self[key] for key in self}, dict)
 
     def columns(self, key: str) -> FloatArray:
-        """A signal with its values at both ends of every held command (samples + 1, n).
+        """A signal with its values at both ends of every held command (n, samples + 1).
 
         Raises:
             KeyError: It is none of those a suspension changes.

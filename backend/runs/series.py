@@ -4,7 +4,6 @@ A series array has shape (signals, samples), float32, rows in the catalogue's or
 """
 
 import base64
-import itertools
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -18,6 +17,7 @@ from backend.cost.estimate import duration, samples
 from backend.csv_lines import MAX_LINES
 from backend.json_types import JsonObject
 from sim_core.catalogue import BUMP, SIGNALS
+from sim_core.kernel.binding import judge_samples
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import recording_id
@@ -25,7 +25,6 @@ from sim_core.strategies import strategies, strategy_named
 
 SeriesArray = NDArray[np.float32]
 ROWS = {key: row for row, key in enumerate(SIGNALS)}
-MAX_COPIED_SAMPLES = 200_000  # a longer run is decimated signal by signal, without a copy of all its samples
 SAMPLE_BYTES = 4 * len(SIGNALS)  # of a series array
 ALWAYS = ("time", "position")
 BEFORE, AFTER = 0.6, 0.9  # parts of the bump's length that are shown around it, as the page does
@@ -41,12 +40,12 @@ def pack(result: StrategyResult, points: int | None = None) -> SeriesArray:
     """A result's time histories as one array; about `points` samples, or all."""
     rows = _Rows(result)
     stages = SamplingHints.of((span.stage, span.start_time, span.end_time) for span in result.stages)
-    if points is not None and len(rows[0]) > MAX_COPIED_SAMPLES:
+    if points is not None:
         return decimate(rows, points, stages)
     array = np.empty((len(rows), len(rows[0])), dtype=np.float32)
     for number, row in enumerate(rows):
         array[number] = row
-    return decimate(array, points, stages)
+    return array
 
 
 class _Rows(Sequence[SeriesArray]):
@@ -90,11 +89,12 @@ class SamplingHints:
 def decimate(series: Sequence[SeriesArray] | SeriesArray, points: int | None, stages: SamplingHints) -> SeriesArray:
     """About `points` samples of a series, the same ones for all signals, every peak among them.
 
-    Half of them are spent on the bump, where there is one. Added is each signal's largest and smallest value in each
-    stage.
+    Half of them are spent on the bump, where there is one. Half of each part's lie evenly. The others are those that
+    straight lines between these miss most (relative to the signal's span), at most one in each half of a gap, so that a
+    spike gets its flanks. Added is each signal's largest and smallest value in each stage.
 
     Args:
-        series: Signals (samples,), the first of them the time [s].
+        series: Signals (samples,), float32, the first of them the time [s].
         points: How many samples, or None for all.
         stages: Of the run.
     """
@@ -103,73 +103,37 @@ def decimate(series: Sequence[SeriesArray] | SeriesArray, points: int | None, st
     if points is None or points >= count:
         return np.asarray(series)
     first, last = np.searchsorted(time, stages.bump or ()).tolist() or (0, count)
-    if stages.bump is None or 2 * (last - first) >= count:
-        parts = [_ChordErrors(0, count, points)]
-    else:
-        around = count - (last - first)
+    around = count - (last - first)
+    parts = [(0, count, points)]
+    if around > last - first:
         parts = [
-            _ChordErrors(0, first, max(2, points * first // (2 * around))),
-            _ChordErrors(first, last, max(2, points // 2)),
-            _ChordErrors(last, count, max(2, points * (count - last) // (2 * around))),
+            (0, first, max(2, points * first // (2 * around))),
+            (first, last, max(2, points // 2)),
+            (last, count, max(2, points * (count - last) // (2 * around))),
         ]
+    shown = np.zeros(count, dtype=np.uint8)
+    shown[[0, -1]] = 1
+    gaps = []
+    for start, end, few in parts:
+        half = -(-(end - start) // few)
+        if half > 1:
+            gaps.append((start, 2 * half, (end - start - 1) // (2 * half)))
+        else:
+            shown[start:end] = 1
+    table = np.array(gaps, dtype=np.intc).reshape(-1, 3)
+    missed = np.zeros(table[:, 1] @ table[:, 2], dtype=np.float32)
     cuts = np.searchsorted(time, np.asarray(stages.breaks, dtype=np.float32)).tolist()
-    windows = list(itertools.pairwise(sorted({0, *cuts, count})))
-    keep = {0, count - 1}
+    windows = np.array(sorted({0, *cuts, count}), dtype=np.intc)
     for signal in series:
-        row, span = signal, np.ptp(signal)
-        if np.isnan(span):
-            row = np.nan_to_num(signal)
-            span = np.ptp(row)
-        for start, end in windows:
-            window = row[start:end]
-            keep.update((start + int(window.argmin()), start + int(window.argmax())))
-        for part in parts:
-            part.add(row, span or np.float32(1))
-    indices = np.unique(np.concatenate([np.array(sorted(keep)), *(part.indices() for part in parts)]))
+        judge_samples(np.nan_to_num(signal) if np.isnan(signal).any() else signal, windows, table, shown, missed)
+    for start, stride, number in gaps:
+        halves, missed = np.split(missed, [stride * number])
+        halves = halves.reshape(2 * number, stride // 2)
+        worst = np.arange(2 * number) * (stride // 2) + halves.argmax(axis=1)
+        shown[start + np.arange(number + 1) * stride] = 1
+        shown[start + worst[np.argsort(halves.max(axis=1))[number:]]] = 1
+    indices = np.flatnonzero(shown)
     return np.stack([row[indices] for row in series])
-
-
-class _ChordErrors:
-    """How far straight lines between even samples miss the others, of signals one after the other.
-
-    Half of about `points` indices lie evenly. The other half are those that the lines miss most (relative to the
-    signal's span), at most one in each half of a gap, so that a spike gets its flanks.
-
-    Args:
-        start: First sample.
-        end: One after the last.
-        points: About how many indices.
-    """
-
-    def __init__(self, start: int, end: int, points: int) -> None:
-        self._start, self._count = start, end - start
-        self._every = points >= self._count
-        self._half = max(1, -(-self._count // points))
-        self._gaps = (self._count - 1) // (2 * self._half)
-        self._fraction = np.arange(2 * self._half, dtype=np.float32) / np.float32(2 * self._half)
-        self._largest = np.zeros((0 if self._every else self._gaps, 2 * self._half), dtype=np.float32)
-
-    def add(self, row: SeriesArray, span: np.float32) -> None:
-        """Add a signal (samples,) of that span."""
-        if self._every:
-            return
-        stride, part = 2 * self._half, row[self._start : self._start + self._count]
-        nodes = part[: self._gaps * stride + 1 : stride, None]
-        away = (nodes[1:] - nodes[:-1]) * self._fraction  # the one array, in place: it is as large as the signal
-        away += nodes[:-1]
-        np.subtract(part[: self._gaps * stride].reshape(self._gaps, stride), away, out=away)
-        np.abs(away, out=away)
-        away /= span
-        np.maximum(self._largest, away, out=self._largest)
-
-    def indices(self) -> NDArray[np.int64]:
-        """Indices into the whole series, once every signal was added."""
-        if self._every:
-            return self._start + np.arange(self._count)
-        halves = self._largest.reshape(2 * self._gaps, self._half)
-        worst = np.arange(2 * self._gaps) * self._half + halves.argmax(axis=1)
-        most_missed = worst[np.argsort(halves.max(axis=1))[self._gaps :]]
-        return self._start + np.concatenate([np.arange(self._gaps + 1) * 2 * self._half, most_missed])
 
 
 def packed(values: NDArray[np.float32]) -> dict[str, str]:

@@ -64,7 +64,7 @@ class Drive:
     def sample(self, step: int) -> FloatArray:
         """The recorded signals just after that step's command has changed (10,), as kernel/record.h orders them."""
         row, loop = step * self.run.steps.short, self.recording.trajectory.loop
-        return np.asarray(self.recording.car.sample(row, row + 1, loop)[0, 0])
+        return np.asarray(self.recording.car.sample(row, row + 1, loop)[:, 0, 0])
 
 
 @cached

@@ -6,6 +6,7 @@ float64, or cannot be written into. Calls that are made at every step are in pre
 """
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +28,12 @@ _road_heights = Function("road_heights", *_ROAD, Array(), INT, Array(written=Tru
 _within_steps = Function("within_steps", *_ROAD, _TABLE, INT, _TABLE_OUT)
 _window_sizes = Function("window_sizes", _TABLE, INT, INT, _TABLE_OUT)
 _shape_number = Function("shape_number", NAME, result=INT)
+_WHOLE = Array(ndim=1, dtype=np.intc)
+_judge_samples = Function(
+    "judge_samples",
+    *(Array(ndim=1, dtype=np.float32), _WHOLE, INT, Array(ndim=2, dtype=np.intc), INT),
+    *(Array(ndim=1, dtype=np.uint8, written=True), Array(ndim=1, dtype=np.float32, written=True)),
+)
 
 
 def road_layout(first: float, grid: float, shape: str, bumps: Sequence[float]) -> FloatArray:
@@ -89,3 +96,29 @@ def window_sizes(previewed: FloatArray, horizon: int, sizes: FloatArray) -> None
     require(kinds == _DISTURBANCES and 0 < horizon <= count, "A window of both roads and braking")
     require(sizes.shape == (1 + _DISTURBANCES, count - horizon + 1), "Four sizes of each window")
     _window_sizes(previewed, count, horizon, sizes)
+
+
+def judge_samples(
+    values: NDArray[np.float32],
+    windows: NDArray[np.intc],
+    parts: NDArray[np.intc],
+    shown: NDArray[np.uint8],
+    missed: NDArray[np.float32],
+) -> None:
+    """Judge a signal's samples (n,) for `shown` (n,) and `missed` (m,).
+
+    Args:
+        values: Not NaN.
+        windows: First sample of each, and one after the last of all.
+        parts: First sample, samples from one node to the next and gaps of each (parts, 3).
+        shown: 1 where a sample is a window's smallest or largest.
+        missed: Of each sample of each gap by how much of a signal's span the line between its nodes missed it at most.
+    """
+    ends, table = windows.tolist(), parts.tolist()
+    require(len(shown) == len(values) and len(ends) > 1, "Every sample is judged, in a window at least")
+    require(ends[0] >= 0 and ends[-1] <= len(values), "Windows lie within the samples")
+    require(all(first < last for first, last in pairwise(ends)), "Windows ascend, and each has a sample")
+    require(parts.shape[1:] == (3,), "A part has a first sample, a stride and gaps")
+    require(all(min(part) >= 0 and part[0] + part[1] * part[2] < len(values) for part in table), "Parts lie within")
+    require(sum(gaps * stride for _, stride, gaps in table) == len(missed), "Every sample of a gap is missed by a line")
+    _judge_samples(values, windows, len(ends) - 1, parts, len(table), shown, missed)

@@ -637,14 +637,18 @@ void ridelab_drive(struct car *me, int step, const double *now, const double *co
         ridelab_record(me->recorder, step);
 }
 
-/* The samples of control steps that were driven, from `first` on: steps x (fine + 1), of the rows of a loop from the first
-   one's on. */
-void ridelab_sample(struct car *me, const double *loop, int first, int steps, double (*samples)[SIGNALS])
+/* The samples of control steps that were driven, from `first` on, in memory for those of one: signals x steps x (fine + 1);
+   from the rows of a loop from the first one's on. */
+void ridelab_sample(struct car *me, const double *loop, int first, int steps, double (*one)[SIGNALS], double *samples)
 {
-    int width = me->size + FORCES;
+    int width = me->size + FORCES, each = me->fine + 1;
     double next[STATE + NUMBERS];
-    for (int step = 0; step < steps; step++, loop += width, samples += me->fine + 1)
-        advance(me, first + step, loop, loop + width + me->size, next, samples);
+    for (int step = 0; step < steps; step++, loop += width) {
+        advance(me, first + step, loop, loop + width + me->size, next, one);
+        for (size_t signal = 0; signal < SIGNALS; signal++)
+            for (int i = 0; i < each; i++)
+                samples[(signal * (size_t)steps + (size_t)step) * (size_t)each + (size_t)i] = one[i][signal];
+    }
 }
 
 /* What its own sensors give at the beginning of a control step, from its state and the command held until then [N]. */

@@ -29,7 +29,7 @@ _prepare_car = Function(
     *(Array(CAR), INT, INT, _TABLE_OUT, INT, Array(ESTIMATOR), _TABLE),
     *(INT, _LINE, Array(LAYOUT), _TABLE, _TABLE, _TABLE, _LINE, INT, INT, INT, DOUBLE, Optional),
 )
-_sample = Function("sample", Prepared, _TABLE, INT, INT, _LINES_OUT)
+_sample = Function("sample", Prepared, _TABLE, INT, INT, _TABLE_OUT, _LINES_OUT)
 _follow_law = Function(
     "follow_law",
     *(Prepared, Prepared, _TABLE_OUT, Array(1, dtype=np.intc, written=True)),
@@ -287,7 +287,7 @@ class DrivenCar:
         return measured
 
     def sample(self, first: int, last: int, loop: FloatArray) -> FloatArray:
-        """The samples of the steps from `first` to before `last`, as they were driven (steps, fine + 1, 10).
+        """The samples of the steps from `first` to before `last`, as they were driven (10, steps, fine + 1).
 
         Args:
             first: Index of a step.
@@ -299,8 +299,9 @@ class DrivenCar:
         """
         require(0 <= first <= last <= self._steps, "No steps beyond the drive")
         self._check(loop)
-        samples = np.empty((last - first, self.fine + 1, SIGNALS))
-        _sample(self._prepared, loop[first:], first, len(samples), samples)
+        each = self.fine + 1
+        samples = np.empty((SIGNALS, last - first, each))
+        _sample(self._prepared, loop[first:], first, last - first, np.empty((each, SIGNALS)), samples)
         return samples
 
     def _check(self, loop: FloatArray) -> None:

@@ -13,7 +13,7 @@ from sim_core.control.controller import Controller
 from sim_core.control.seen import RunInputs, Setup
 from sim_core.errors import RidelabError
 from sim_core.kernel.prepared import DrivenCar
-from sim_core.kernel.record import SIGNALS, Recorder
+from sim_core.kernel.record import Recorder
 from sim_core.loop.closed_loop import ClosedLoop, Trajectory
 from sim_core.loop.delayed_loop import DelayedLoop
 from sim_core.loop.excitation import Excitation, StepSizes, under_axles
@@ -25,8 +25,6 @@ from sim_core.speed.stages import Segment
 from sim_core.vehicle.estimator import make_estimator, sensor_noise
 from sim_core.vehicle.make import is_linear, make_vehicle
 from sim_core.vehicle.model import Estimator, SemiActiveDampers
-
-_AT_ONCE = 1024  # commands whose samples are turned at once: all would take as much memory again
 
 
 def run_dampers(scenario: Scenario, controller: Controller) -> SemiActiveDampers | None:
@@ -52,16 +50,12 @@ class Recording:
     first: int
 
     def table(self) -> FloatArray:
-        """The samples of each signal that are on record, as record.h orders them (10, fine + 1, commands).
+        """The samples of each signal that are on record, as record.h orders them (10, commands, fine + 1).
 
-        A column has those of a held command, from the value after the command has changed to that before it does again.
+        A row has those of a held command, from the value after the command has changed to that before it does again.
         """
-        loop, end = self.trajectory.loop, len(self.trajectory.loop) - 1
-        table = np.empty((SIGNALS, self.car.fine + 1, end - self.first))
-        for first in range(self.first, end, _AT_ONCE):
-            last = min(first + _AT_ONCE, end)
-            table[:, :, first - self.first : last - self.first] = self.car.sample(first, last, loop).T
-        return table
+        loop = self.trajectory.loop
+        return self.car.sample(self.first, len(loop) - 1, loop)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

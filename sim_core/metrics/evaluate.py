@@ -119,7 +119,7 @@ def rms_between(
     times = [(speed_profile.time_at(first), speed_profile.time_at(last)) for first, last in intervals]
     ends = section_ends([(first / fine_step, last / fine_step) for first, last in times])
     durations = ends[:, 1] - ends[:, 0]
-    table = np.array([series.columns(signal).T for signal in METRIC_SIGNALS])
+    table = np.array([series.columns(signal) for signal in METRIC_SIGNALS])
     if (durations <= 0).any() or ends.min() < 0 or ends.max() > table[0, :, 1:].size:
         raise ValueError("An interval ends behind its beginning and lies on the road that was driven")
     a, b = (each.reshape(len(table), -1) for each in (table[:, :, :-1], table[:, :, 1:]))

@@ -222,6 +222,15 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     "qp, a column less": lambda: qp_design(columns=np.zeros((4, 8))),
     "qp, one limit of a deflection": lambda: qp_design(columns=np.zeros((5, 7))),
     "qp, slacks alone": lambda: qp_design(columns=np.zeros((2, 8)), H=np.eye(2), low=np.zeros(2), high=np.zeros(2)),
+    "samples, nowhere to show": lambda: judged(shown=np.zeros(9, dtype=np.uint8)),
+    "samples, no window": lambda: judged(windows=np.array([0], dtype=np.intc)),
+    "samples, before the first": lambda: judged(windows=np.array([-1, 10], dtype=np.intc)),
+    "samples, behind the last": lambda: judged(windows=np.array([0, 11], dtype=np.intc)),
+    "samples, an empty window": lambda: judged(windows=np.array([0, 5, 5], dtype=np.intc)),
+    "samples, a part's numbers": lambda: judged(parts=np.array([[0, 6]], dtype=np.intc)),
+    "samples, a part before the first": lambda: judged(parts=np.array([[-1, 2, 3]], dtype=np.intc)),
+    "samples, a part behind the last": lambda: judged(parts=np.array([[4, 2, 3]], dtype=np.intc)),
+    "samples, lines": lambda: judged(missed=np.zeros(5, dtype=np.float32)),
     "qp, too many moves": lambda: qp_design(columns=np.zeros((203, 8)), H=np.eye(203)),
     "qp, half a box": lambda: qp_design(low=np.zeros(4)),
     "qp, no slacks in the box": lambda: qp_design(high=np.zeros(3)),
@@ -258,6 +267,17 @@ def fuzzy(**changed: Any) -> None:
     binding.torque_shares(**(right | changed))
 
 
+def judged(**changed: Any) -> None:
+    right: dict[str, Any] = {
+        "values": np.zeros(10, dtype=np.float32),
+        "windows": np.array([0, 4, 10], dtype=np.intc),
+        "parts": np.array([[3, 2, 3]], dtype=np.intc),
+        "shown": np.zeros(10, dtype=np.uint8),
+        "missed": np.zeros(6, dtype=np.float32),
+    }
+    binding.judge_samples(**(right | changed))
+
+
 def linear_drive(qp: tuple[QpDesign, QpMemory] | None = None, **changed: Any) -> None:
     design = prepared.LawDesign(gain=np.zeros((2, 19)), limits=np.zeros((4, 19)))
     law = prepared.LawArrays(
@@ -280,10 +300,11 @@ def test_arrays_fit_each_other(misuse: str) -> None:
 def test_what_fits_is_taken() -> None:
     """The right arguments of the misuses above."""
     fuzzy()
+    judged()
     recorder(2, 4, ENDS).record(3)
     binding.window_sizes(np.zeros((3, 5)), 2, np.zeros((4, 4)))
     linear_drive(qp=(qp_design(), memory()))
-    assert still_car(steps=6).sample(2, 2, np.zeros((7, 10))).shape[0] == 0  # of no step
+    assert still_car(steps=6).sample(2, 2, np.zeros((7, 10))).shape[1] == 0  # of no step
     memory().pose(qp_design(), np.zeros(19))
     assert memory().solve_in_c(qp_design(), np.zeros(19)) is not None
     assert QpMemory(longer_qp(), 1.0).residual(longer_qp()) == 0

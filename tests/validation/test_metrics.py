@@ -122,20 +122,20 @@ def test_rms_over_intervals_of_the_road_is_by_definition(strategy: str, interval
     time = (np.arange(1_000_000) + 0.5) * result.travel_time / 1_000_000
     position = speed_profile.at(time)[0]
     time = time[np.any([(first <= position) & (position <= last) for first, last in intervals], axis=0)]
-    fine = len(result.series.columns("front_force")) - 1
+    fine = result.series.columns("front_force").shape[1] - 1
     step = time / result.series["time"][1]
     sample = step.astype(int)
     command, row = np.divmod(sample, fine)
     for signal, value in rms.items():
         power = 1 if signal.endswith("acceleration") else 2
         values = result.series.columns(signal) ** power
-        history = values[row, command] + (step - sample) * (values[row + 1, command] - values[row, command])
+        history = values[command, row] + (step - sample) * (values[command, row + 1] - values[command, row])
         assert value == pytest.approx(np.sqrt(np.mean(history ** (2 / power))), rel=1e-4), signal
 
 
 def test_rms_between_knows_jumps() -> None:
     """A sawtooth from 0 to 1 over each of ten held commands: its mean square is 1/3, to the middle of a tooth 1/12."""
-    teeth = np.tile(np.linspace(0, 1, 5), (10, 1)).T
+    teeth = np.tile(np.linspace(0, 1, 5), (10, 1))
     series = Series({"time": np.arange(41) / 40}, lambda: dict.fromkeys(METRIC_SIGNALS, teeth))
     two, none = np.array([0.0, 1.0]), np.zeros(2)
     speed_profile = SpeedProfile(

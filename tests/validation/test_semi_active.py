@@ -40,7 +40,7 @@ def recorded(scenario: Scenario, law: str) -> tuple[Recording, StrategyResult]:
 
 
 def damper(scenario: Scenario, law: str) -> tuple[FloatArray, FloatArray]:
-    """Speed of travel [m/s] and force of damper and control together [N], (2, samples of a command, commands)."""
+    """Speed of travel [m/s] and force of damper and control together [N], (2, commands, samples of each)."""
     table, car = recorded(scenario, law)[0].table(), scenario.real_vehicle
     speed, control = table[:2], table[-2:]
     ratio = car.rebound_ratio
