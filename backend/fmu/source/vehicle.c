@@ -17,7 +17,7 @@ void ridelab_prepare_car(struct car *me, const struct vehicle *vehicle, int stat
                          const double *roughness, const struct layout *layout, const double *position,
                          const double *within, const double *height, const double *braking, int steps, int fine,
                          int substeps, double time, struct recorder *recorder);
-void ridelab_sample(struct car *me, const double *loop, int first, int steps, double (*samples)[SIGNALS]);
+void ridelab_sample(struct car *me, const double *loop, int first, int steps, double (*one)[SIGNALS], double *samples);
 
 enum { LAGGING = STATE + FORCES, VEHICLE_NUMBERS = 119 };
 static const double MOST_SUBSTEPS = 1e6;
@@ -64,7 +64,7 @@ static void drive(const double *value, struct memory *me, const double *height, 
     static const struct layout level = {.grid = 1};
     int states = value[V_ACTUATOR_BANDWIDTH] > 0 ? LAGGING : STATE, width = states + FORCES;
     const double heights[2 * AXLES] = {me->height[0], height[0], me->height[1], height[1]};
-    double rows[2 * (LAGGING + FORCES)] = {0}, *second = rows + width;
+    double rows[2 * (LAGGING + FORCES)] = {0}, *second = rows + width, by_signal[2 * SIGNALS];
     struct car *car = (struct car *)me->car;
     memcpy(rows, me->now, (size_t)states * sizeof(double));
     memcpy(rows + states, me->command, sizeof me->command);
@@ -72,7 +72,7 @@ static void drive(const double *value, struct memory *me, const double *height, 
     ridelab_prepare_car(car, (const struct vehicle *)me->vehicle, states, 0, (struct linear_step *)me->kept, 0, NULL, NULL,
                         0, NULL, &level, NULL, NULL, heights, value + V_BRAKING, 1, 1, (int)substeps, step, NULL);
     ridelab_drive(car, 0, rows, second + states, second);
-    ridelab_sample(car, rows, 0, 1, samples);
+    ridelab_sample(car, rows, 0, 1, samples, by_signal);
     memcpy(next, second, (size_t)states * sizeof(double));
 }
 
