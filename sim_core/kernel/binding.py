@@ -12,17 +12,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from sim_core.arrays import FloatArray
-from sim_core.kernel.library import DOUBLE, INT, NAME, Array, Function, require
+from sim_core.kernel.library import DOUBLE, INT, NAME, Array, Function, Prepared, require
 from sim_core.kernel.record import LAYOUT
 
 _MOST_FUZZY_SETS, _DISTURBANCES = 20, 3
+_PLAN, _PLANNED_AT_ONCE = 20, 2048  # numbers of `struct plan` in speed.c; steps, of which most drives have fewer
 _LINE, _TABLE = Array(ndim=1), Array(ndim=2)
 _LINE_OUT, _TABLE_OUT = (Array(ndim=ndim, written=True) for ndim in (1, 2))
 _ROAD = _LINE, INT, Array(LAYOUT)
 
-_torque_shares = Function(
-    "torque_shares", _LINE, _TABLE, INT, Array(ndim=2, dtype=np.intc), INT, _TABLE, INT, INT, _LINE_OUT
+_VARIABLE = _TABLE, INT, INT, DOUBLE
+_prepare_rules = Function(
+    "prepare_rules",
+    *(*_VARIABLE, *_VARIABLE, Array(ndim=2, dtype=np.intc), INT, _TABLE, INT, INT, _TABLE_OUT, INT),
 )
+_torque_share = Function("torque_share", Prepared, DOUBLE, DOUBLE, result=DOUBLE)
+_plan_speed = Function("plan_speed", Prepared, Array(_PLAN), Array(3, written=True), _TABLE_OUT, INT, result=INT)
 _roughness = Function("roughness", _LINE_OUT, INT, DOUBLE, DOUBLE, DOUBLE, result=DOUBLE)
 _road_heights = Function("road_heights", *_ROAD, Array(), INT, Array(written=True))
 _within_steps = Function("within_steps", *_ROAD, _TABLE, INT, _TABLE_OUT)
@@ -43,25 +48,61 @@ def road_layout(first: float, grid: float, shape: str, bumps: Sequence[float]) -
     return np.array([first, grid, number, *bumps], dtype=np.float64)
 
 
-def torque_shares(
-    distance: FloatArray, errors: FloatArray, rules: NDArray[np.intc], memberships: FloatArray, shares: FloatArray
-) -> None:
-    """Fill `shares` (n,) by rules (m, 3): the set of the distance and of the error, -1 for any, and of the torque.
+def fuzzy_rules(
+    errors: FloatArray,
+    error_end: float,
+    distances: FloatArray,
+    distance_end: float,
+    rules: NDArray[np.intc],
+    torques: FloatArray,
+    *,
+    interpolates: bool,
+) -> Prepared:
+    """Rules (m, 3): the set of the distance and of the error, -1 for any, and of the torque.
 
     Args:
-        distance: Memberships of one distance in its sets (sets,).
-        errors: Of each error in its sets (sets, n).
+        errors: Memberships of even samples of the error, from 0 to its end, in its sets (samples, sets).
+        error_end: [km/h].
+        distances: Likewise.
+        distance_end: [m].
         rules: As above.
-        memberships: Of torque shares from 0 to 1 in their sets (sets, samples).
-        shares: The torque's.
+        torques: Memberships of torque shares from 0 to 1 in their sets (sets, samples).
+        interpolates: Whether shares lie between those at the samples of error and distance.
     """
-    sets, samples = memberships.shape
-    require(errors.shape[1] == len(shares) and samples > 1, "Every error has a share")
+    sets, samples = torques.shape
+    (error_samples, error_sets), (distance_samples, distance_sets) = errors.shape, distances.shape
+    require(min(samples, error_samples, distance_samples) > 1 and min(error_end, distance_end) > 0, "Universes")
     require(rules.shape[1:] == (3,), "A rule has three sets")
-    named = (rules >= (-1, -1, 0)).all() and (rules < (len(distance), len(errors), sets)).all()
+    named = (rules >= (-1, -1, 0)).all() and (rules < (distance_sets, error_sets, sets)).all()
     require(bool(named), "A rule asks for sets there are, and concludes one")
-    require(sets <= _MOST_FUZZY_SETS, "The torque has at most twenty sets")
-    _torque_shares(distance, errors, len(shares), rules, len(rules), memberships, sets, samples - 1, shares)
+    require(max(sets, error_sets, distance_sets) <= _MOST_FUZZY_SETS, "A variable has at most twenty sets")
+    surface = np.full((distance_samples, error_samples) if interpolates else (0, 0), np.nan)
+    return _prepare_rules.prepare(
+        *(errors, error_samples, error_sets, error_end, distances, distance_samples, distance_sets, distance_end),
+        *(rules, len(rules), torques, sets, samples - 1, surface, int(interpolates)),
+    )
+
+
+def torque_share(rules: Prepared, error: float, distance: float) -> float:
+    """Torque share 0 to 1 at a speed error [km/h] and distance [m], both clipped to their universes."""
+    share: float = _torque_share(rules, error, distance)
+    return share
+
+
+def plan_speed(rules: Prepared, plan: FloatArray, position: float, speed: float) -> FloatArray:
+    """Position [m], speed [m/s], line pressure [Pa] and deceleration by the brakes [m/s^2] at each step (n, 4).
+
+    Args:
+        rules: Of `fuzzy_rules`.
+        plan: `struct plan` of kernel/speed.c (20,).
+        position: At the first step [m].
+        speed: Likewise [m/s].
+    """
+    now, pieces = np.array([position, speed, 0.0]), []
+    while np.isfinite(now[0]):
+        rows = np.empty((_PLANNED_AT_ONCE, 4))
+        pieces.append(rows[: _plan_speed(rules, plan, now, rows, len(rows))])
+    return np.concatenate(pieces)
 
 
 def roughness(samples: FloatArray, deviation: float, keep: float, grid: float) -> float:

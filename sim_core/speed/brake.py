@@ -1,6 +1,6 @@
 """Brake chain and driving resistances: torque demand -> line pressure -> friction -> deceleration (Eq. 4-6)."""
 
-from math import exp, tanh
+from math import exp
 
 from sim_core.scenario import Brake
 from sim_core.scenario.vehicle import GRAVITY
@@ -14,27 +14,25 @@ class BrakeChain:
     k = 2 µ is the brake factor, so T = 2 µ P A r_b for one brake.
 
     Attributes:
-        pressure_per_torque: 1/(k r_b A) of one brake times its share of the torque [Pa/(N·m)].
-        maximum_deceleration: [m/s^2].
-        maximum_torque: [N·m].
-        lag: Time constant of the pressure [s].
+        numbers: Those that `struct plan` of kernel/speed.c begins with (8,).
     """
 
     def __init__(self, brake: Brake, mass: float) -> None:
         """The constants for a car of that mass [kg], wheels included."""
         torque_per_pressure = 2 * brake.friction_coefficient * brake.effective_radius * brake.piston_area
-        self.pressure_per_torque = 1 / (torque_per_pressure * brake.brakes)
-        self.maximum_deceleration = brake.maximum_deceleration
-        self.maximum_torque = brake.maximum_deceleration * brake.wheel_radius * mass
-        self.lag = brake.pressure_lag
-        self._deceleration_per_pressure = brake.brakes * torque_per_pressure / (brake.wheel_radius * mass)
-        self._friction_slope = 2 * brake.effective_radius / brake.wheel_radius / brake.threshold_speed  # [s/m]
+        self._lag = brake.pressure_lag
         self._rolling = brake.rolling_resistance * GRAVITY
         self._air = AIR_DENSITY * brake.drag_area / (2 * mass)
-
-    def deceleration(self, pressure: float, speed: float) -> float:
-        """Deceleration by the brakes alone [m/s^2] at a line pressure [Pa] and speed [m/s] (Eq. 4-5)."""
-        return self._deceleration_per_pressure * pressure * tanh(self._friction_slope * speed)
+        self.numbers = (
+            1 / (torque_per_pressure * brake.brakes),  # of one brake times its share of the torque [Pa/(N·m)]
+            brake.maximum_deceleration,
+            brake.maximum_deceleration * brake.wheel_radius * mass,  # greatest torque [N·m]
+            brake.pressure_lag,
+            brake.brakes * torque_per_pressure / (brake.wheel_radius * mass),  # deceleration of a pressure [m/s^2/Pa]
+            2 * brake.effective_radius / brake.wheel_radius / brake.threshold_speed,  # slope of the friction [s/m]
+            self._rolling,
+            self._air,
+        )
 
     def resistance(self, speed: float) -> float:
         """Deceleration by rolling and air drag [m/s^2]; not part of a_brake."""
@@ -42,4 +40,4 @@ class BrakeChain:
 
     def decay(self, duration: float) -> float:
         """Share of a pressure error that is left after a time [s]: first-order lag."""
-        return exp(-duration / self.lag) if self.lag > 0 else 0.0
+        return exp(-duration / self._lag) if self._lag > 0 else 0.0

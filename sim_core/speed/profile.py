@@ -12,6 +12,7 @@ import numpy as np
 
 from sim_core.arrays import FloatArray
 from sim_core.caching import cached
+from sim_core.kernel.binding import plan_speed
 from sim_core.road.profile import RUN_IN
 from sim_core.scenario import Brake, Fuzzy, Scenario, Speed
 from sim_core.scenario.parts import KMH
@@ -130,36 +131,14 @@ def _planned(
         bump_start: Where the front axle meets the bump [m].
         bump_end: Where it is when the rear one has left it [m].
     """
-    chain, rules, h = BrakeChain(brake, mass), torque_rules(fuzzy), SPEED_CONTROL_PERIOD
+    chain, h = BrakeChain(brake, mass), SPEED_CONTROL_PERIOD
     initial, target = speed.initial, min(speed.target, speed.initial)
-    floor = target - TARGET_BAND
-    keep_half, keep = chain.decay(h / 2), chain.decay(h)
-    x, v, pressure = detection, initial, 0.0
-    rows = []
-    while True:
-        coasting = x >= bump_start - REACHED
-        error = v - target
-        braking_wanted = not coasting and error > TARGET_BAND
-        demand = 0.0
-        if braking_wanted:
-            left = bump_start - x
-            share = rules.share(error / KMH, left)
-            if speed.controller == "guarded":
-                share = max(share, _needed(chain, v, target, left))
-            demand = share * chain.maximum_torque * chain.pressure_per_torque
-        reference = floor if coasting else target
-        push = 0.0 if braking_wanted else _push(chain, v, reference)
-        acceleration = push - chain.resistance(v) - chain.deceleration(pressure, v)
-        rows.append((x, v, pressure, chain.deceleration(pressure, v)))
-        if x >= bump_end - REACHED:
-            break
-        middle = v + h / 2 * acceleration
-        pressure_middle = demand + (pressure - demand) * keep_half
-        push = 0.0 if braking_wanted else _push(chain, middle, reference)
-        x += h * middle
-        v += h * (push - chain.resistance(middle) - chain.deceleration(pressure_middle, middle))
-        pressure = demand + (pressure - demand) * keep
-    table = np.array(rows).T
+    plan = (
+        *(*chain.numbers, target, TARGET_BAND, bump_start, bump_end, REACHED, h, chain.decay(h / 2), chain.decay(h)),
+        *(speed.controller == "guarded", KMH, ENGINE_TIME_CONSTANT, ENGINE_ACCELERATION),
+    )
+    rows = plan_speed(torque_rules(fuzzy).prepared, np.array(plan, dtype=np.float64), detection, initial)
+    table = np.ascontiguousarray(rows.T)
     table[2:, -1] = 0.0  # from here on the engine holds the speed, the brakes are off
     time = detection / initial + h * np.arange(table.shape[1], dtype=np.float64)
     return SpeedProfile(
@@ -170,14 +149,3 @@ def _planned(
         pressure=table[2],
         braking=table[3],
     )
-
-
-def _push(chain: BrakeChain, speed: float, reference: float) -> float:
-    """Acceleration the engine adds to reach and hold a reference speed [m/s^2]; it never brakes."""
-    return min(max(chain.resistance(speed) + (reference - speed) / ENGINE_TIME_CONSTANT, 0.0), ENGINE_ACCELERATION)
-
-
-def _needed(chain: BrakeChain, speed: float, target: float, distance: float) -> float:
-    """Share of the greatest deceleration that reaches the target in the distance left after the lag, 0 to 1."""
-    usable = max(distance - chain.lag * speed, 0.1)
-    return min((speed * speed - target * target) / (2 * usable * chain.maximum_deceleration), 1.0)

@@ -12,6 +12,7 @@ import pytest
 
 from sim_core.arrays import FloatArray
 from sim_core.kernel import binding, prepared
+from sim_core.kernel.library import Prepared
 from sim_core.kernel.qp import QpDesign, QpMemory
 from tests.unit.qp_design import qp_design
 from tests.unit.still_car import still_car
@@ -189,14 +190,16 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     "sizes, one axle": lambda: binding.window_sizes(np.zeros((2, 5)), 2, np.zeros((4, 4))),
     "sizes, no window": lambda: binding.window_sizes(np.zeros((3, 5)), 6, np.zeros((4, 0))),
     "sizes, windows": lambda: binding.window_sizes(np.zeros((3, 5)), 2, np.zeros((4, 5))),
-    "fuzzy, shares": lambda: fuzzy(shares=np.zeros(8)),
     "fuzzy, a rule's width": lambda: fuzzy(rules=np.zeros((25, 2), dtype=np.intc)),
-    "fuzzy, no such distance": lambda: fuzzy(distance=np.zeros(4), rules=np.array([[4, 0, 0]], dtype=np.intc)),
-    "fuzzy, no such error": lambda: fuzzy(errors=np.zeros((4, 7)), rules=np.array([[0, 4, 0]], dtype=np.intc)),
+    "fuzzy, no such distance": lambda: fuzzy(distances=np.zeros((8, 4)), rules=np.array([[4, 0, 0]], dtype=np.intc)),
+    "fuzzy, no such error": lambda: fuzzy(errors=np.zeros((7, 4)), rules=np.array([[0, 4, 0]], dtype=np.intc)),
     "fuzzy, no such torque": lambda: fuzzy(rules=np.array([[0, 0, 5]], dtype=np.intc)),
     "fuzzy, no torque": lambda: fuzzy(rules=np.array([[0, 0, -1]], dtype=np.intc)),
-    "fuzzy, too many torques": lambda: fuzzy(memberships=np.zeros((21, 9))),
-    "fuzzy, torques": lambda: fuzzy(memberships=np.zeros((5, 1))),
+    "fuzzy, too many torques": lambda: fuzzy(torques=np.zeros((21, 9))),
+    "fuzzy, too many errors": lambda: fuzzy(errors=np.zeros((7, 21))),
+    "fuzzy, torques": lambda: fuzzy(torques=np.zeros((5, 1))),
+    "fuzzy, one distance": lambda: fuzzy(distances=np.zeros((1, 5))),
+    "fuzzy, no distance": lambda: fuzzy(distance_end=0.0),
     "roughness, none": lambda: binding.roughness(np.zeros(0), 1.0, 0.5, 0.1),
     "bumps, shape": lambda: binding.road_layout(-1.0, 0.1, "hexagon", (1, 0.0, 0.1, 0.5, 3.0, 2.5)),
     "road, heights": lambda: binding.road_heights(*ROAD, np.zeros(4), np.zeros(3)),
@@ -256,15 +259,17 @@ def longer_qp() -> QpDesign:
     return qp_design(columns=np.zeros((5, 10)), **tables, **by_value)
 
 
-def fuzzy(**changed: Any) -> None:
+def fuzzy(**changed: Any) -> Prepared:
     right: dict[str, Any] = {
-        "distance": np.zeros(5),
-        "errors": np.zeros((5, 7)),
+        "errors": np.zeros((7, 5)),
+        "error_end": 30.0,
+        "distances": np.zeros((8, 5)),
+        "distance_end": 80.0,
         "rules": np.zeros((25, 3), dtype=np.intc),
-        "memberships": np.zeros((5, 9)),
-        "shares": np.zeros(7),
+        "torques": np.zeros((5, 9)),
+        "interpolates": True,
     }
-    binding.torque_shares(**(right | changed))
+    return binding.fuzzy_rules(**(right | changed))
 
 
 def judged(**changed: Any) -> None:
@@ -299,7 +304,7 @@ def test_arrays_fit_each_other(misuse: str) -> None:
 
 def test_what_fits_is_taken() -> None:
     """The right arguments of the misuses above."""
-    fuzzy()
+    assert binding.torque_share(fuzzy(), 30.0, 80.0) == 0
     judged()
     recorder(2, 4, ENDS).record(3)
     binding.window_sizes(np.zeros((3, 5)), 2, np.zeros((4, 4)))

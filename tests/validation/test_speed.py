@@ -10,7 +10,6 @@ from sim_core.loop.excitation import excite
 from sim_core.result import StrategyResult
 from sim_core.scenario import Brake, Bump, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
-from sim_core.speed.brake import BrakeChain
 from sim_core.speed.profile import make_speed_profile
 from sim_core.speed.stages import segments, spans
 from tests.validation.reference.driving import brake_to_bump
@@ -24,19 +23,14 @@ def plan(**speed: Any) -> Scenario:
 
 
 def test_chain_gives_back_the_torque_asked_for() -> None:
-    """Eq. 6 turned round by Eq. 4-5: 800 N·m in all → pressure → pad force → friction → deceleration."""
-    car, brake = Vehicle(), Brake()
-    chain = BrakeChain(brake, car.total_mass)
-    pressure = 800 * chain.pressure_per_torque
-    per_brake = 400.0
-    assert pressure == pytest.approx(per_brake / (2 * 0.38 * 0.13 * 0.0025))
-    pad = pressure * 0.0025
-    friction = 0.38 * pad * np.tanh(2 * (10 * 0.13 / 0.3) / 0.1)
+    """Eq. 6 turned round by Eq. 4-5: pressure → pad force → friction → deceleration; full torque is the greatest."""
+    drive = make_speed_profile(plan(), "planned")
+    pad = drive.pressure * 0.0025
+    friction = 0.38 * pad * np.tanh(2 * (drive.speed * 0.13 / 0.3) / 0.1)
     mass = 1270 + 2 * 66.3
-    assert chain.deceleration(pressure, 10.0) == pytest.approx(2 * (2 * friction * 0.13) / (0.3 * mass))
-    assert chain.deceleration(pressure, 10.0) == pytest.approx(800 / 0.3 / mass)
-    assert chain.maximum_torque / 0.3 / mass == pytest.approx(4)
-    assert chain.deceleration(pressure, 0.0) == 0  # friction vanishes with the sliding speed (Eq. 5)
+    np.testing.assert_allclose(drive.braking, 2 * (2 * friction * 0.13) / (0.3 * mass), rtol=1e-12)
+    late = make_speed_profile(plan(controller="guarded", detection_distance=20.0), "planned")  # brakes as it can
+    assert late.pressure.max() == pytest.approx(4 * 0.3 * mass / 2 / (2 * 0.38 * 0.13 * 0.0025), rel=1e-3)
 
 
 def test_braking_plus_drag_is_what_slows_the_car() -> None:
