@@ -39,6 +39,7 @@ def main(arguments: list[str] | None = None) -> int:
     # What `ridelab` asks for; people find it there.
     parser.add_argument("--say-where", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--open", action="store_true", help=argparse.SUPPRESS)
+    parser.add_argument("--or-free-port", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--until-input-ends", action="store_true", help=argparse.SUPPRESS)
     parser.add_argument("--back-up", type=Path, help=argparse.SUPPRESS)
     parser.add_argument("--verify", action="store_true", help=argparse.SUPPRESS)
@@ -61,7 +62,7 @@ def main(arguments: list[str] | None = None) -> int:
         signal.signal(signal.SIGTERM, ending)
         settings = _settings(options)
         settings.data_dir.mkdir(parents=True, exist_ok=True)
-        listener = listen(options.host, options.port)
+        listener = listen(options.host, options.port, or_free=options.or_free_port)
         app = _application(settings)
     except (CommandError, OSError) as error:
         print(("" if command else "Ridelab does not start: ") + _reason(error), file=sys.stderr)
@@ -220,16 +221,28 @@ def _application(settings: "Settings") -> "FastAPI":
     return app
 
 
-def listen(host: str, port: int) -> socket.socket:
-    """A bound socket: taken before anything else starts, so that a port in use is said at once."""
+def listen(host: str, port: int, *, or_free: bool = False) -> socket.socket:
+    """A listening socket: taken before anything else starts, so that a port in use is said at once.
+
+    Args:
+        host: Name or address.
+        port: 0 is a free one.
+        or_free: Take a free one where somebody has that port.
+
+    Raises:
+        OSError: The port cannot be had.
+    """
     family = socket.AF_INET6 if ":" in host else socket.AF_INET
     # IPPROTO_TCP, or asyncio does not recognise TCP, leaves Nagle's algorithm on, and each answer takes 40 ms more.
     listener = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)
     listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
         listener.bind((host, port))
+        listener.listen()  # two that are only bound may have one port
     except OSError as error:
         listener.close()
+        if error.errno == errno.EADDRINUSE and or_free:
+            return listen(host, 0)
         remedy = "; --port names another one, as does make run PORT=" if error.errno == errno.EADDRINUSE else ""
         raise OSError(f"{host} port {port}: {error.strerror}{remedy}") from None
     return listener

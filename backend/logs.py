@@ -50,9 +50,12 @@ class Lines(logging.Formatter):
 
 def configure(form: Format | None, level: Level) -> None:
     """Send the whole process's logs to standard error in this form; None is text on a terminal, else JSON."""
+    form = form or ("console" if sys.stderr.isatty() else "json")
     handler = logging.StreamHandler(sys.stderr)
-    handler.setFormatter(Lines(form or ("console" if sys.stderr.isatty() else "json")))
+    handler.setFormatter(Lines(form))
     root = logging.getLogger()
     root.handlers = [handler]
     root.setLevel(level.upper())
+    if form == "console" and level == "info":  # the steps of a start and an end say nothing to a person
+        logging.getLogger("uvicorn.error").setLevel(logging.WARNING)
     logging.captureWarnings(True)

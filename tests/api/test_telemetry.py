@@ -159,6 +159,7 @@ def logged(monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
 
     yield start
     root.handlers, root.level = handlers, level
+    logging.getLogger("uvicorn.error").setLevel(logging.NOTSET)
     logging.captureWarnings(False)
 
 
@@ -243,3 +244,14 @@ def test_without_a_terminal_logs_are_json_from_the_level_that_is_named(logged: A
     logging.getLogger("some").warning("quiet")
     logging.getLogger("some").error("loud")
     assert [line["event"] for line in lines(text)] == ["loud"]
+
+
+def test_a_terminal_is_told_of_requests_and_not_of_each_step_of_a_start(logged: Any) -> None:
+    text = logged("console")
+    logging.getLogger("uvicorn.error").info("Waiting for application startup.")
+    logging.getLogger("uvicorn.error").warning("Invalid HTTP request received.")
+    logging.getLogger("backend.access").info("request")
+    assert [line.split(" [info] ")[-1].split(" [warning] ")[-1] for line in text.getvalue().splitlines()] == [
+        "Invalid HTTP request received. [uvicorn.error]",
+        "request [backend.access]",
+    ]

@@ -1,6 +1,5 @@
 """Worker processes killed at bad moments: what was asked is answered or refused clearly, and others are served."""
 
-import socket
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -8,7 +7,7 @@ from typing import Any
 import httpx
 import pytest
 
-from backend.__main__ import main
+from backend.__main__ import listen, main
 from tests.faults.conftest import Process
 
 # A second or two of one core: long enough to kill a worker in the middle.
@@ -79,8 +78,11 @@ def test_a_start_that_cannot_work_says_why(
         with pytest.raises(SystemExit, match="2"):
             main(["--port", port])
         assert capsys.readouterr().err.endswith("error: argument --port: a number from 0 to 65535\n")
-    with socket.create_server(("127.0.0.1", 0)) as taken:
-        assert "in use; --port names another" in fails("--port", str(taken.getsockname()[1]))
+    with listen("127.0.0.1", 0) as taken:
+        port = taken.getsockname()[1]
+        assert "in use; --port names another" in fails("--port", str(port))
+        with listen("127.0.0.1", port, or_free=True) as other:
+            assert other.getsockname()[1] != port
     assert "RIDELAB_WORKERS" in fails("--port", "0", RIDELAB_WORKERS="many")
     assert "URL" in fails("--port", "0", RIDELAB_DATABASE_URL="no database")
     (tmp_path / "file").touch()

@@ -3,7 +3,6 @@
 import contextlib
 import os
 import signal
-import socket
 import subprocess
 import sys
 import webbrowser
@@ -16,7 +15,6 @@ from ridelab.cli import fields, options, targets
 from ridelab.cli.reporting import note, say
 from ridelab.cli.service import Services, check_core, end_as_server, server_command, server_environment
 
-PORT = 8000
 _WHERE = f"Where the database is [default: {options.DATA_FOLDER}]."
 _PORT = "Port to listen on, 0 for a free one [default: 8000, a free one where that is taken]."
 _RESULT = "Scenario, preset, run id, batch id, link, or address of one."
@@ -41,9 +39,8 @@ def serve(
     (docs/how-to/operations.md).
     """
     flags = ["--say-where"] + ["--explain-limits"] * explain_limits + ["--open"] * (open_page and _has_screen())
-    flags += ["--json"] * as_json
-    port = _free_port(host) if port is None else port
-    command = server_command("--host", host, "--port", str(port), *flags, data_dir=data_dir)
+    flags += ["--json"] * as_json + (["--or-free-port"] if port is None else ["--port", str(port)])
+    command = server_command("--host", host, *flags, data_dir=data_dir)
     # The service takes this process's place: signals reach it, and what it spawns never passes through this command.
     os.execve(sys.executable, command, server_environment())  # noqa: S606  # no shell is wanted
 
@@ -52,18 +49,6 @@ def _has_screen() -> bool:
     """Whether somebody looks at a terminal of a machine with a screen, whose browser can be opened."""
     screen = sys.platform in ("darwin", "win32") or any(map(os.environ.get, ("DISPLAY", "WAYLAND_DISPLAY")))
     return sys.stdout.isatty() and screen
-
-
-def _free_port(host: str) -> int:
-    """The usual port, or 0 for any free one where somebody has it."""
-    family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    with socket.socket(family) as tried:
-        tried.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        try:
-            tried.bind((host, PORT))
-        except OSError:
-            return 0
-    return PORT
 
 
 def demo(as_json: options.AsJson = False) -> None:
