@@ -12,7 +12,6 @@ from backend.errors import TooManyRequestsError
 from backend.job_run import JobRun
 from backend.paper import models
 from backend.paper.claims import FIGURES
-from backend.paper.interpretations import DEFAULT
 from backend.paper.rows import MAX_CLIENT_JOBS, PaperRows
 from backend.store import Store
 from sim_core import __version__ as CORE_VERSION
@@ -88,50 +87,44 @@ def test_a_single_switch_overrides_the_named_set(service: Service) -> None:
         assert (one["our_value"] == other["our_value"]) == (one["window"] == "bump")
 
 
-def test_other_roads_are_asked_for_by_their_first_seed(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Of the roads asked for, only the first few are driven here."""
-    paper, asked = service.app.state.services.paper, []
-    reproduction = paper.reproduction
-
-    def of_few(choices: Mapping[str, str], roads: range, client: str, **more: Any) -> Any:
-        asked.append(roads)
-        return reproduction(choices, roads[:FEW], client, **more)
-
-    monkeypatch.setattr(paper, "reproduction", of_few)
-    answer = service.client.get(PAPER, params={"first_seed": 31, "seeds": 30}).json()
-    assert asked == [range(31, 61)]
-    assert (answer["first_seed"], answer["seeds"]) == (31, FEW)
-    (base,) = {
-        cell["our_base"]
-        for cell in answer["cells"]
-        if cell["against"] == "passive" and cell["table"] == 5 and cell["signal"] == "rear_tyre_load"
-    }
-    runs = [service.run(["passive"], {"road": {"seed": seed}}).json() for seed in range(31, 31 + FEW)]
-    peaks = [run["strategies"]["passive"]["metrics"]["bump"]["rear_tyre_load"]["peak"] for run in runs]
-    assert base == pytest.approx(statistics.fmean(peaks), rel=1e-9)
-
-
 def test_what_was_computed_once_is_answered_from_the_store(client: httpx.Client, answer: dict[str, Any]) -> None:
     assert client.get(PAPER, params={"partial": True}).json() == answer, "at once"
     assert client.get(PAPER, params={"preview": "none", "partial": True}).json()["complete"]
 
 
-def test_cells_appear_as_they_come(service: Service) -> None:
-    """A partial answer comes at once, and asked again it has more until it is complete."""
-    answers: list[dict[str, Any]] = []
+def test_cells_of_other_roads_appear_as_they_come(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A partial answer comes at once, and asked again it has more until it is complete.
+
+    Of the roads asked for, only the first few are driven here.
+    """
+    paper, asked, answers = service.app.state.services.paper, set[range](), list[dict[str, Any]]()
+    reproduction = paper.reproduction
+
+    def of_few(choices: Mapping[str, str], roads: range, client: str, **more: Any) -> Any:
+        asked.add(roads)
+        return reproduction(choices, roads[:FEW], client, **more)
 
     def ask() -> bool:
-        roads = range(501, 501 + FEW)
-        answering = service.app.state.services.paper.reproduction(DEFAULT.choices, roads, "c", partial=True)
-        answers.append(service.inside(answering).model_dump())
+        query = {"first_seed": 31, "seeds": 30, "partial": True}
+        answers.append(service.client.get(PAPER, params=query).json())
         return bool(answers[-1]["complete"])
 
+    monkeypatch.setattr(paper, "reproduction", of_few)
     wait_until(ask, "the last cell comes", pause=0.5)
     first, last = answers[0], answers[-1]
+    assert asked == {range(31, 61)}
     assert {cell["verdict"] for cell in first["cells"]} == {"pending"}
     assert first["progress"]["done"] < first["progress"]["total"] == last["progress"]["done"]
-    assert last["total"] == 48
+    assert (last["first_seed"], last["seeds"], last["total"]) == (31, FEW, 48)
     assert service.client.get("/api/v1/batches", params={"limit": 500, "state": "running"}).json()["batches"] == []
+    (base,) = {
+        cell["our_base"]
+        for cell in last["cells"]
+        if cell["against"] == "passive" and cell["table"] == 5 and cell["signal"] == "rear_tyre_load"
+    }
+    runs = [service.run(["passive"], {"road": {"seed": seed}}).json() for seed in range(31, 31 + FEW)]
+    peaks = [run["strategies"]["passive"]["metrics"]["bump"]["rear_tyre_load"]["peak"] for run in runs]
+    assert base == pytest.approx(statistics.fmean(peaks), rel=1e-9)
 
 
 def test_what_each_part_contributes(client: httpx.Client) -> None:

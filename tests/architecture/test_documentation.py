@@ -33,7 +33,7 @@ _LESSONS = ("ten-cells", "own-controller", "read-a-result")
 PAGES = [
     "README.md",
     "sim_core/README.md",
-    "docs/gallery/index.md",
+    pytest.param("docs/gallery/index.md", marks=pytest.mark.thorough),  # it drives for 5 s
     *(f"docs/tutorials/{name}.md" for name in _LESSONS),
     *(f"docs/explanation/{name}.md" for name in _FORMULAS),
 ]

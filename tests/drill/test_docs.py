@@ -27,6 +27,9 @@ def client(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
     "name",
     [
         "explanation/robustness.md",
+        "how-to/fmu.md",
+        "how-to/fuzzy-controller.md",
+        "how-to/measured-road.md",
         "how-to/own-controller.md",
         "how-to/which-hump.md",
         "reference/cli.md",

@@ -55,6 +55,7 @@ def long_ago(store: Store) -> None:
             connection.exec_driver_sql(row.format(name, age))
 
 
+@pytest.mark.thorough
 def test_a_replica_that_is_ahead_dates_nothing_and_removes_nothing_of_today(ahead: Process) -> None:
     shown = parsedate_to_datetime(ahead.client.get("/healthz").headers["date"])
     assert shown > datetime.now(UTC) + timedelta(seconds=AHEAD / 2), "the replica's clock is ahead"

@@ -123,14 +123,14 @@ def test_a_leader_that_has_nothing_to_do_keeps_the_lead(
 ) -> None:
     monkeypatch.setattr(leadership, "BEAT", 0.1)
     monkeypatch.setattr(leadership, "RETRY", 0.1)
-    monkeypatch.setattr(leadership, "HUNG", 2.0)
+    monkeypatch.setattr(leadership, "HUNG", 1.0)
     first, second = stores
 
     async def work() -> None:
         old, new, got, end = Leadership(first), Leadership(second), asyncio.Event(), asyncio.Event()
         async with old.held():
             waiting = asyncio.create_task(led(new, end, got))
-            await asyncio.sleep(3)  # longer than one that hangs would keep it
+            await asyncio.sleep(1.5)  # longer than one that hangs would keep it
             assert not got.is_set()
             await old.confirm()
         async with asyncio.timeout(HANG_TIMEOUT):
@@ -141,6 +141,7 @@ def test_a_leader_that_has_nothing_to_do_keeps_the_lead(
     loops.run(work)
 
 
+@pytest.mark.thorough
 def test_a_batch_goes_on_when_its_leader_is_stopped_and_nothing_is_twice_when_it_wakes(
     replicas: list[Process], url: str
 ) -> None:

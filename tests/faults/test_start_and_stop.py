@@ -50,7 +50,10 @@ needs_root = pytest.mark.skipif(os.getuid() != 0, reason="only root makes a proc
 
 @pytest.mark.parametrize(
     ("before", "sent", "code"),
-    [((), signal.SIGINT, 130), pytest.param(FIRST, signal.SIGTERM, 143, marks=needs_root)],
+    [
+        pytest.param((), signal.SIGINT, 130, marks=pytest.mark.thorough),
+        pytest.param(FIRST, signal.SIGTERM, 143, marks=needs_root),
+    ],
     ids=["Ctrl-C", "process 1"],
 )
 def test_a_start_that_waits_is_ended(tmp_path: Path, before: tuple[str, ...], sent: signal.Signals, code: int) -> None:

@@ -90,7 +90,7 @@ def pytest_in(copy: Path, *arguments: str, limit: str = "unlimited", **environme
         process = subprocess.Popen(
             command,
             cwd=copy,
-            env={**os.environ, "PYTHONPATH": path, **environment},
+            env={**os.environ, "PYTHONPATH": path, "THOROUGH": "1", **environment},
             stdout=said,
             stderr=subprocess.STDOUT,
             start_new_session=True,

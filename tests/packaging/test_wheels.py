@@ -83,6 +83,7 @@ def test_the_servers_wheel_says_what_it_is_made_of(wheels: dict[str, Path]) -> N
     assert {purl.rsplit("@")[0] for purl in components} > {"pkg:npm/react", "pkg:pypi/fastapi"}
 
 
+@pytest.mark.thorough
 def test_the_core_alone_simulates(core: Environment) -> None:
     declared = {"numpy", "scipy", "osqp", "scikit-fuzzy", "pydantic", "cachetools", "threadpoolctl"}
     assert declared < core.packages
@@ -105,6 +106,7 @@ for scenario, names in (Scenario(), STRATEGIES), (osqp, ["lv"]):
     assert len(run.stdout.splitlines()) == len(STRATEGIES) + 1
 
 
+@pytest.mark.thorough
 def test_client_and_core_run_check_and_play_without_a_server(
     wheels: dict[str, Path], tmp_path_factory: pytest.TempPathFactory
 ) -> None:
@@ -177,6 +179,7 @@ def test_the_servers_wheel_has_the_ecus_sources_and_the_reports_templates(addres
     assert report.status_code == 200, report.text
 
 
+@pytest.mark.thorough
 def test_the_servers_command_line_starts_its_own_service(server: Environment) -> None:
     run = server.run("ridelab", "run", "bump_only", "--strategy", "passive", "--roads", "2")
     assert run.returncode == 0, run.stderr
@@ -186,6 +189,7 @@ def test_the_servers_command_line_starts_its_own_service(server: Environment) ->
     assert copy.stdout.startswith("copy.sqlite: "), copy.stderr
 
 
+@pytest.mark.thorough
 def test_without_its_extras_the_server_says_what_to_install(server: Environment, address: str) -> None:
     assert not {"distributed", "dask", "pyarrow"} & server.packages
     run = server.run("ridelab", "serve", "--port", "0", RIDELAB_DASK_SCHEDULER="tcp://127.0.0.1:8786")

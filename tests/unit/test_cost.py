@@ -235,7 +235,9 @@ def test_work_is_counted_in_whole_steps_and_an_ecu_has_none_at_a_limit() -> None
     assert (counts["exchanges"], counts["limited steps"]) == (2000, 0)
 
 
-@pytest.mark.parametrize(("solver", "effort"), [("osqp", 0.05), ("daqp", 0.002)])
+@pytest.mark.parametrize(
+    ("solver", "effort"), [pytest.param("osqp", 0.05, marks=pytest.mark.thorough), ("daqp", 0.002)]
+)
 def test_a_run_whose_qps_take_too_much_ends_at_the_same_qp_each_time(
     solver: str, effort: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -275,6 +277,7 @@ print(most() - before)
 """
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("strategy", "mpc", "more"),
     [

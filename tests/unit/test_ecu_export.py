@@ -119,6 +119,7 @@ class Noting(Ecu):
         return reply
 
 
+@pytest.mark.thorough
 def test_on_the_parts_processor_it_does_the_same_in_the_cycles_the_report_takes(
     calibration: Calibration, image: firmware.Image
 ) -> None:

@@ -156,7 +156,9 @@ def test_what_is_done_or_left_out_is_said() -> None:
 
 
 @pytest.mark.parametrize("write", [as_binary, as_text])
-@pytest.mark.parametrize(("samples", "scale"), [(1_991, 1.0), (300_001, 0.1), (1_000, 150.0)])
+@pytest.mark.parametrize(
+    ("samples", "scale"), [(1_991, 1.0), pytest.param(300_001, 0.1, marks=pytest.mark.thorough), (1_000, 150.0)]
+)
 def test_an_exported_road_is_the_same_road_for_us_and_for_asam(
     write: Callable[[MeasuredRoad], bytes], samples: int, scale: float, tmp_path: Path
 ) -> None:

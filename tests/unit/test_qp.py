@@ -35,7 +35,7 @@ def random_inputs(inputs: int, number: int) -> Iterator[FloatArray]:
         yield each * rng.standard_normal(inputs) * rng.uniform(0.3, 3)
 
 
-@pytest.mark.parametrize("scenario", [HARD, LONG], ids=["hard", "long"])
+@pytest.mark.parametrize("scenario", [HARD, pytest.param(LONG, marks=pytest.mark.thorough)], ids=["hard", "long"])
 def test_solvers_agree_with_each_other_and_with_daqp(scenario: Scenario) -> None:
     """All three are exact once they know which limits bind; measured 1e-10 N, and 4e-5 N between OSQP's and ours."""
     binding, answered = list[int](), 0
@@ -98,7 +98,7 @@ def test_c_answers_only_where_its_answer_is_that_of_the_qp(off: float, answers: 
         assert (Qps(other).solve(other, "daqp", inputs) is not None) == answers
 
 
-@pytest.mark.parametrize("scenario", [HARD, LONG], ids=["hard", "long"])
+@pytest.mark.parametrize("scenario", [HARD, pytest.param(LONG, marks=pytest.mark.thorough)], ids=["hard", "long"])
 def test_what_c_solves_in_the_loop_is_what_the_controller_solves(
     scenario: Scenario, monkeypatch: pytest.MonkeyPatch
 ) -> None:

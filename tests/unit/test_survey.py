@@ -61,7 +61,7 @@ def test_what_was_done_is_said() -> None:
     assert hilly.warnings[-1] == "IRI, roughness and waviness count its bumps too"
 
 
-@pytest.mark.parametrize(("samples", "scale"), [(1_991, 1.0), (300_001, 500.0)])
+@pytest.mark.parametrize(("samples", "scale"), [(1_991, 1.0), pytest.param(300_001, 500.0, marks=pytest.mark.thorough)])
 def test_an_exported_road_is_read_as_the_same_road(samples: int, scale: float) -> None:
     """The longest and highest one too: its file can be sent."""
     road = MeasuredRoad.of(-scale * (1 + 0.1 * np.random.default_rng(1).standard_normal(samples)))

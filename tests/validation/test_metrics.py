@@ -45,7 +45,7 @@ def test_wk_is_the_reference_at_every_frequency() -> None:
     np.testing.assert_allclose(wk_gain(frequency), np.abs(wk(frequency)), rtol=1e-9)
 
 
-@pytest.mark.parametrize("name", some(5, list(CASES)))
+@pytest.mark.parametrize("name", some(3, list(CASES)))
 def test_metrics_are_those_of_steps_of_a_fiftieth_of_a_millisecond(name: str) -> None:
     """RMS within 0.3 %, peaks within 1 %: what a road alone may be off by; tests/drill has the means over 20 roads."""
     scenario, strategies = CASES[name]
@@ -108,7 +108,7 @@ INTERVALS = [[(0, 100)], [(0, 100), (104, 110)], [(0, 110)], [(63.2, 63.3), (20,
 
 
 @pytest.mark.parametrize("intervals", INTERVALS, ids=str)
-@pytest.mark.parametrize("strategy", ["passive", "lv", "lqr"])
+@pytest.mark.parametrize("strategy", ["passive", "lv"])
 def test_rms_over_intervals_of_the_road_is_by_definition(strategy: str, intervals: list[tuple[float, float]]) -> None:
     """The RMS by a million instants, with the jump where a held command changes.
 

@@ -17,7 +17,7 @@ from sim_core.scenario.fields import Part
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES, reads, values_read
-from tests.validation.strategies import AT_LENGTH
+from tests.validation.strategies import AT_LENGTH, some
 
 ROOT = Path(__file__).parents[2]
 
@@ -39,6 +39,10 @@ OTHER = {
     "predict": "none",
     "exact": "kalman",
 }
+
+
+KINDS = ["lv", "lv_hil", "lqr", "hybrid", "passive", "skyhook", "groundhook", "suspension_only", "speed_only"]
+every_strategy = pytest.mark.parametrize("strategy", some(5, KINDS))  # the last four read what the others do, and less
 
 
 def leaves(value: Any, path: tuple[str, ...] = ()) -> list[tuple[str, ...]]:
@@ -114,7 +118,7 @@ def same(one: StrategyResult, two: StrategyResult) -> bool:
     )
 
 
-@pytest.mark.parametrize("strategy", STRATEGIES)
+@every_strategy
 def test_fields_not_read_change_nothing_at_all(strategy: str) -> None:
     base = simulate(BASE, strategy)
     unread = [path for path in LEAVES if not is_read(strategy, path)]
@@ -142,7 +146,7 @@ SILENT = {
 }
 
 
-@pytest.mark.parametrize("strategy", STRATEGIES)
+@every_strategy
 def test_fields_read_change_the_key_and_the_result(strategy: str) -> None:
     base = simulate(BASE, strategy)
     silent = []
@@ -161,7 +165,7 @@ def test_fields_read_change_the_key_and_the_result(strategy: str) -> None:
     assert set(silent) <= allowed
 
 
-@pytest.mark.parametrize("strategy", STRATEGIES)
+@every_strategy
 def test_whether_the_filter_knows_the_preview_is_read_by_those_who_look_ahead(strategy: str) -> None:
     told, untold = (
         BASE.model_copy(update={"estimation": Estimation(kind="kalman", knows_preview=each)}) for each in (True, False)
@@ -172,7 +176,7 @@ def test_whether_the_filter_knows_the_preview_is_read_by_those_who_look_ahead(st
     assert same(simulate(told, strategy), simulate(untold, strategy)) == (not looks_ahead)
 
 
-@pytest.mark.parametrize("strategy", STRATEGIES)
+@every_strategy
 def test_the_speed_policy_changes_the_key_exactly_where_it_changes_the_result(strategy: str) -> None:
     base, own = simulate(BASE, strategy), STRATEGIES[strategy].speed_plan
     for policy in ("planned", "constant"):
@@ -190,7 +194,7 @@ def test_the_speed_policy_changes_the_key_exactly_where_it_changes_the_result(st
         assert same(simulate(slower, strategy), result) == (policy == "constant")
 
 
-@pytest.mark.parametrize("strategy", STRATEGIES)
+@every_strategy
 def test_runs_leave_no_trace_in_each_other(strategy: str) -> None:
     """Results cached between runs change none of them, in any order and whatever a caller does with them."""
     first = simulate(BASE, strategy)
@@ -205,6 +209,7 @@ def test_runs_leave_no_trace_in_each_other(strategy: str) -> None:
     assert all(np.array_equal(again.series[name], copies[name]) for name in copies)
 
 
+@pytest.mark.thorough
 def test_a_fresh_process_gives_the_same_bits() -> None:
     """Nothing depends on what ran before, hash seeds or the order of strategies."""
     code = (
@@ -223,7 +228,7 @@ def test_a_fresh_process_gives_the_same_bits() -> None:
 
 
 @pytest.mark.parametrize("policy", ["by_strategy", "planned", "constant"])
-@pytest.mark.parametrize("strategy", STRATEGIES)
+@every_strategy
 def test_a_run_looks_at_no_field_that_its_strategy_does_not_declare(strategy: str, policy: Any) -> None:
     """Each access to a part of the scenario is recorded, with nothing cached."""
     scenario = BASE.model_copy(update={"speed": BASE.speed.model_copy(update={"policy": policy})})

@@ -15,7 +15,7 @@ from sim_core.result import StrategyResult
 from sim_core.scenario import Actuator, Bump, Estimation, Hook, Mismatch, Mpc, Road, Scenario, Speed, Vehicle
 from sim_core.simulate import simulate
 from tests.validation.nonlinear_loops import errors, worst
-from tests.validation.strategies import between, examples, some
+from tests.validation.strategies import between, examples
 
 LAWS = ("skyhook", "groundhook", "hybrid")
 SHORT = Road(length=30, roughness=256e-6, bump=Bump(start=15))
@@ -145,21 +145,17 @@ LIMITED = Hook(semi_active=True, min_damping=500, max_damping=15_000)
 UNEQUAL = Vehicle(rebound_ratio=2.5, bump_stop_clearance=0.06)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize(
     ("scenario", "law"),
-    some(
-        1,
-        [
-            (constant_speed(LIMITED, vehicle=UNEQUAL, actuator=Actuator(bandwidth=10)), "skyhook"),
-            (constant_speed(LIMITED, vehicle=UNEQUAL), "groundhook"),
-            (
-                constant_speed(
-                    Hook(semi_active=True, skyhook_damping=10_000), vehicle=UNEQUAL, mpc=Mpc(force_limit=1500)
-                ),
-                "skyhook",
-            ),
-        ],
-    ),
+    [
+        (constant_speed(LIMITED, vehicle=UNEQUAL, actuator=Actuator(bandwidth=10)), "skyhook"),
+        (constant_speed(LIMITED, vehicle=UNEQUAL), "groundhook"),
+        (
+            constant_speed(Hook(semi_active=True, skyhook_damping=10_000), vehicle=UNEQUAL, mpc=Mpc(force_limit=1500)),
+            "skyhook",
+        ),
+    ],
 )
 def test_metrics_are_an_adaptive_solvers(scenario: Scenario, law: str) -> None:
     rms, peak = worst(errors(scenario, law))
