@@ -2,10 +2,13 @@
 
 import re
 
+import pytest
+
 from tests.browser.dashboard import Dashboard
 from tests.browser.looks import expect
 
 
+@pytest.mark.thorough
 def test_a_dampers_curve_is_drawn_dragged_typed_and_refused(dashboard: Dashboard) -> None:
     dashboard.open()
     page = dashboard.page

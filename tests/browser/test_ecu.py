@@ -5,6 +5,7 @@ import zipfile
 from pathlib import Path
 from typing import Any
 
+import pytest
 from playwright.sync_api import Page
 
 from tests.browser.dashboard import LAPTOP, WINDOWS, Dashboard
@@ -115,6 +116,7 @@ def test_the_loop_is_held_to_the_rule_the_report_says_what_fits_and_the_controll
         assert {"ridelab-controller/Makefile", "ridelab-controller/ridelab_controller.c"} <= set(archive.namelist())
 
 
+@pytest.mark.thorough
 def test_a_drive_by_the_clock(dashboard: Dashboard, server: Server) -> None:
     page = dashboard.page
     page.goto(f"/ecu?run={run(server, SHORT)['id']}")

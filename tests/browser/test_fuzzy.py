@@ -2,10 +2,13 @@
 
 import re
 
+import pytest
+
 from tests.browser.dashboard import Dashboard
 from tests.browser.looks import expect
 
 
+@pytest.mark.thorough
 def test_sets_and_rules_are_edited_beside_the_drive(dashboard: Dashboard) -> None:
     dashboard.open()
     page = dashboard.page

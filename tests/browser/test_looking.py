@@ -3,10 +3,12 @@
 import re
 from collections.abc import Callable
 
+import pytest
 from playwright.sync_api import Locator
 
 from tests.browser.dashboard import Dashboard, expect_new_address
 from tests.browser.looks import expect
+from tests.browser.server import Server
 
 # Scrolled to where the car stands, whichever lies there is the comparison's.
 NOT_COVERED = """head => {
@@ -29,6 +31,7 @@ def middle_of(panel: Locator) -> tuple[float, float, float]:
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, box["width"]
 
 
+@pytest.mark.thorough
 def test_nothing_readable_is_cut_or_covered(dashboard: Dashboard) -> None:
     """Neither the comparison's head under the car, nor a sentence that ends in an ellipsis, nor a strategy's chip."""
     dashboard.open()
@@ -61,10 +64,17 @@ def test_no_serious_accessibility_violation(dashboard: Dashboard) -> None:
     dashboard.expect_accessible(in_the_dark=True)
 
 
-def test_opens_on_the_bump_every_plot_has_the_same_part_and_one_cursor_reads_them_all(dashboard: Dashboard) -> None:
-    """Dragging zooms; a double click shows the whole run, and so does its address."""
+def test_opens_on_the_papers_bump_which_every_plot_shows_and_one_cursor_reads(
+    dashboard: Dashboard, server: Server
+) -> None:
+    """With every figure and number. Dragging zooms; a double click shows the whole run, and so does its address."""
     dashboard.open()
     page = dashboard.page
+    expect(page).to_have_title("100 mm bump, 50 → 22.5 km/h · Ridelab")
+    expect(page.get_by_text("The paper’s scenario")).to_be_visible()
+    dashboard.expect_table_to_be_the_stored_run()
+    figures = page.locator("section[data-figure]").evaluate_all("panels => panels.map(panel => panel.dataset.figure)")
+    assert figures == [each["layout"]["meta"]["signal"] for each in server.get("/figures")["figures"].values()]
 
     def part(signal: str) -> str:
         """Of the run, as the panel's name says it."""
@@ -118,6 +128,7 @@ def test_opens_on_the_bump_every_plot_has_the_same_part_and_one_cursor_reads_the
         expect(page.get_by_role("button", name=button, exact=True)).to_be_visible()
 
 
+@pytest.mark.thorough
 def test_a_panel_opens_enlarged_in_plotly(dashboard: Dashboard) -> None:
     """Which is loaded for it, not before: with values under the pointer, a box to zoom into, and a picture."""
     loaded: list[str] = []
@@ -215,6 +226,7 @@ def test_everything_goes_by_keyboard_and_undo_is_the_scenarios_wherever_the_focu
     expect(page.get_by_role("slider", name="Cursor")).not_to_have_value(before)
 
 
+@pytest.mark.thorough
 def test_commands_and_fields_are_found_by_name(dashboard: Dashboard) -> None:
     """The search closes and gives the focus back; what is found is gone to."""
     dashboard.open()
@@ -252,6 +264,7 @@ def test_commands_and_fields_are_found_by_name(dashboard: Dashboard) -> None:
     expect(page).to_have_url(re.compile("/tuner"))
 
 
+@pytest.mark.thorough
 def test_opening_while_the_server_starts(dashboard: Dashboard) -> None:
     """Every request fails at first, as behind a proxy whose server is not up yet; then the page fills by itself."""
     page = dashboard.page

@@ -1,6 +1,4 @@
-"""How the page opens: without a jump, with a token, and where nothing is; `make drill` has other windows."""
-
-from playwright.sync_api import Route
+"""How the page opens: without a jump, and where nothing is; `make drill` has other windows and a login."""
 
 from tests.browser.dashboard import Dashboard
 from tests.browser.looks import expect
@@ -34,31 +32,6 @@ def test_on_a_phone_nothing_jumps_and_the_form_leaves_the_plots_in_sight(dashboa
     box = page.get_by_role("dialog").bounding_box()
     assert box is not None
     assert box["y"] > 0.4 * 844
-
-
-def test_a_token_is_asked_for_until_one_is_taken(dashboard: Dashboard) -> None:
-    """By a service that has one in `make drill`, where the page then works, until somebody logs out."""
-    page, right, taken = dashboard.page, {"token": "the one"}, list[dict[str, str]]()
-
-    def guard(route: Route) -> None:
-        if taken:
-            route.continue_()
-        elif route.request.method == "POST" and route.request.post_data_json == right:
-            taken.append(right)
-            route.fulfill(status=204)
-        else:
-            refusal = {"type": "urn:problem-type:ridelab:token-required", "title": "None of the tokens"}
-            route.fulfill(status=401, json=refusal)
-
-    page.route("**/api/v1/**", guard)
-    page.goto("/")
-    expect(page.get_by_role("heading", name="Ridelab asks for a token")).to_be_visible()
-    page.get_by_label("Token").fill("another one")
-    page.get_by_role("button", name="Log in").click()
-    expect(page.get_by_text("None of the tokens")).to_be_visible()
-    page.get_by_label("Token").fill("the one")
-    page.get_by_role("button", name="Log in").click()
-    dashboard.expect_curves()
 
 
 def test_what_is_not_there_is_said_beside_the_navigation(dashboard: Dashboard) -> None:

@@ -1,5 +1,7 @@
 """A recorded drive on the page: dropped on it, its columns mapped, then it is one more strategy."""
 
+import pytest
+
 from sim_core import Scenario, simulate
 from tests.browser.dashboard import Dashboard, expect_new_address
 from tests.browser.looks import expect
@@ -16,6 +18,7 @@ def recorded() -> str:
     return "\n".join(["t [s];v [m/s];acc_z;lights", *(row.replace(".", ",") for row in rows), ""])
 
 
+@pytest.mark.thorough
 def test_a_recorded_drive_stands_beside_the_simulated_ones(dashboard: Dashboard) -> None:
     """Also after an edit and after the page is loaded anew."""
     dashboard.open()

@@ -1,10 +1,11 @@
-"""Reports as somebody reads them who has the file and nothing else."""
+"""Paper, and reports as somebody reads them who has the file and nothing else."""
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Page, Request
+from playwright.sync_api import Browser, BrowserContext, ConsoleMessage, Download, Page, Request
 
 from backend.runs.figures import PANELS
 from tests.browser.dashboard import RULES, THOROUGH, Dashboard, Scheme, violations
@@ -45,29 +46,45 @@ def opened(context: BrowserContext, address: str, failures: list[str]) -> Page:
     return page
 
 
-def test_the_export_menu_gives_a_report_which_works_offline(
-    dashboard: Dashboard, alone: BrowserContext, tmp_path: Path
-) -> None:
-    """It draws its figures at any width, is light, dark and always light on paper, and accessible.
-
-    And the same opens by its address, under a policy of its own.
-    """
-    dashboard.open("/?baseline=lqr")
+def saved_report(dashboard: Dashboard) -> Download:
     dashboard.page.get_by_role("button", name="Export").click()
     with dashboard.page.expect_download() as download:
         dashboard.page.get_by_role("menuitem", name="HTML report").click()
-    assert download.value.suggested_filename == f"ridelab-{dashboard.run_id}.html"
-    failures: list[str] = []
-    report = opened(dashboard.page.context, download.value.url, failures)
-    assert [text for text in failures if "favicon" not in text] == []
-    expect(report.locator("header")).to_contain_text(dashboard.run_id)
-    expect(report.locator("tr.baseline").first).to_contain_text("LQR")
-    assert request("GET", download.value.url).content == download.value.path().read_bytes()
-    report.close()
+    return download.value
 
+
+def test_the_lab_is_printed_and_its_report_works_offline(
+    dashboard: Dashboard, alone: BrowserContext, tmp_path: Path
+) -> None:
+    """A report draws its figures at any width, is light, dark and always light on paper, and accessible.
+
+    The browser fires its events around printing: panels of the lab that nobody has scrolled to are drawn for them.
+    """
+    dashboard.open("/?baseline=lqr")
+    lab = dashboard.page
+    lab.evaluate(
+        """() => window.addEventListener('afterprint', () => {
+          window.printed = [...document.querySelectorAll('section[data-figure]')]
+            .map(panel => Number(panel.querySelector('canvas').dataset.drawn));
+        })"""
+    )
+    lab.pdf(path=tmp_path / "lab.pdf", prefer_css_page_size=True)
+    assert lab.evaluate("window.printed") == [3] * len(PANELS)
+    # The car and the road, the paper's four signals, the tables, what the other panels show: none is lost or torn.
+    assert len(re.findall(rb"/Type /Page\b", (tmp_path / "lab.pdf").read_bytes())) == 4
+    lab.emulate_media(media="print")
+    expect(lab.get_by_role("button", name="Share")).to_be_hidden()
+    expect(lab.get_by_text(dashboard.run_id)).to_be_visible()
+    lab.emulate_media(media="null")
+
+    download = saved_report(dashboard)
+    assert download.suggested_filename == f"ridelab-{dashboard.run_id}.html"
     file = tmp_path / "report.html"
-    download.value.save_as(file)
-    page = opened(alone, file.as_uri(), failures := [])
+    download.save_as(file)
+    failures: list[str] = []
+    page = opened(alone, file.as_uri(), failures)
+    expect(page.locator("header")).to_contain_text(dashboard.run_id)
+    expect(page.locator("tr.baseline").first).to_contain_text("LQR")
     expect(page.locator(DRAWN)).to_have_count(3 * len(PANELS))
     speed = page.locator("[data-figure=speed]")
     axis = speed.locator(".xtick text").first
@@ -98,3 +115,13 @@ def test_the_export_menu_gives_a_report_which_works_offline(
     assert page.evaluate("window.printed") == [f"paper 3 {TICKS['light']}"] * len(PANELS)
     expect(axis).to_have_css("fill", TICKS["dark"])
     assert failures == []
+
+
+@pytest.mark.thorough
+def test_the_same_report_opens_by_its_address_under_a_policy_of_its_own(dashboard: Dashboard) -> None:
+    dashboard.open()
+    download, failures = saved_report(dashboard), list[str]()
+    report = opened(dashboard.page.context, download.url, failures)
+    assert [text for text in failures if "favicon" not in text] == []
+    assert request("GET", download.url).content == download.path().read_bytes()
+    report.close()

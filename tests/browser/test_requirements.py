@@ -2,6 +2,8 @@
 
 import re
 
+import pytest
+
 from tests.browser.dashboard import Dashboard
 from tests.browser.looks import expect
 
@@ -9,6 +11,7 @@ PEAK = "bump.body_acceleration.peak"
 TITLE = "Body acceleration, peak, bump"
 
 
+@pytest.mark.thorough
 def test_a_limit_is_set_marked_and_kept(dashboard: Dashboard) -> None:
     dashboard.open()
     page = dashboard.page

@@ -2,6 +2,8 @@
 
 import re
 
+import pytest
+
 from tests.browser.dashboard import Dashboard, expect_new_address
 from tests.browser.looks import expect
 from tests.browser.server import Server
@@ -9,6 +11,7 @@ from tests.browser.server import Server
 PEAK = '[data-cell="bump.body_acceleration.peak"]'
 
 
+@pytest.mark.thorough
 def test_several_roads_are_chosen_and_changes_against_a_pin_and_the_state_before_are_paired_by_road(
     dashboard: Dashboard, server: Server
 ) -> None:

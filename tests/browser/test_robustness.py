@@ -3,6 +3,7 @@
 import re
 from typing import Any
 
+import pytest
 from playwright.sync_api import Locator, Page
 
 from tests.browser.dashboard import Dashboard
@@ -87,6 +88,7 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     assert abs(ours / worst["value"] - 1) < 1e-9
 
 
+@pytest.mark.thorough
 def test_unstable_loops_are_said_before_anything_else(dashboard: Dashboard, server: Server) -> None:
     sweep = {"latin_hypercube": {"ranges": {"mismatch.damping": [0.2, 0.6]}, "samples": 8}}
     body = {"scenario": SHORT, "strategies": ["lv", "passive"], "sweep": sweep}

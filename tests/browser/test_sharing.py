@@ -2,6 +2,7 @@
 
 import re
 
+import pytest
 from playwright.sync_api import Page
 
 from tests.browser.dashboard import REFUSE_COPYING, Dashboard, expect_new_address
@@ -52,25 +53,6 @@ def test_a_link_opens_the_same_numbers_the_same_view_and_the_pins(dashboard: Das
     expect(page.locator(pinned)).to_be_visible()
     name = page.locator(panel).get_attribute("aria-label") or ""
     link = share(page)
-    page.keyboard.press("Escape")
-    comparison.get_by_label("Change against").select_option("As printed")
-    page.get_by_label("Plot differences").check()
-    stored = re.compile("/api/v1/runs/" + first.split("/r/")[1].split("?")[0])
-    page.route(stored, lambda route: route.fulfill(status=500, json={"title": "Not now"}))
-    page.reload()
-    expect(page.get_by_role("list", name="Pinned results")).to_contain_text("As printed(could not be loaded: Not now)")
-    dashboard.expect_curves()  # a part of the page that comes later would ask for the run by itself
-    comparison.get_by_role("button", name="As printed").click()
-    again = page.get_by_role("menuitem", name="Try again")
-    expect(again).to_be_visible()
-    page.unroute(stored)
-    again.click()
-    expect(page.locator(pinned)).to_be_visible()
-    expect(page.get_by_label("Change against").locator("option:checked")).to_have_text("As printed")
-    expect(page.locator(head)).to_contain_text("change against As printed")
-    comparison.get_by_role("button", name="As printed").click()
-    page.get_by_role("menuitem", name="Unpin").click()
-    expect(page.locator(pinned)).to_have_count(0)
 
     # Somebody else opens it, whose colours are dark.
     dashboard.forget()
@@ -89,6 +71,7 @@ def test_a_link_opens_the_same_numbers_the_same_view_and_the_pins(dashboard: Das
     expect(page.locator("html")).to_have_attribute("data-mantine-color-scheme", "dark")  # the reader's own
 
 
+@pytest.mark.thorough
 def test_a_shared_result_is_read_only_and_a_copy_is_not(dashboard: Dashboard) -> None:
     """Its link is copied; where that is refused, it is shown to be copied by hand."""
     page = dashboard.page

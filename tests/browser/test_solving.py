@@ -2,10 +2,13 @@
 
 import re
 
+import pytest
+
 from tests.browser.dashboard import Dashboard
 from tests.browser.looks import expect
 
 
+@pytest.mark.thorough
 def test_a_limit_is_asked_answered_and_put_into_the_form(dashboard: Dashboard) -> None:
     dashboard.open()
     page = dashboard.page

@@ -3,6 +3,7 @@
 import re
 from collections.abc import Callable
 
+import pytest
 from playwright.sync_api import Page, Route
 
 from tests.browser.dashboard import Dashboard, expect_new_address
@@ -46,6 +47,7 @@ def go(page: Page, name: str) -> None:
     page.get_by_role("navigation", name="Pages").get_by_role("link", name=name).click()
 
 
+@pytest.mark.thorough
 def test_edits_outlive_other_pages_and_a_reload(dashboard: Dashboard) -> None:
     """Undo, redo, what changes are against, and the colours somebody chose; from page to page nothing is loaded."""
     page, scheme = dashboard.page, "data-mantine-color-scheme"
@@ -119,13 +121,28 @@ def test_a_closed_tab_comes_back_and_the_paper_is_a_click_away(dashboard: Dashbo
     expect(page.get_by_text("Your last scenario.")).to_have_count(0)
 
 
-def test_plots_that_cannot_be_saved_say_so_and_a_missing_part_leaves_the_lab(dashboard: Dashboard) -> None:
-    """As after an update of the server: it says so, and everything else goes on."""
+@pytest.mark.thorough
+def test_what_cannot_be_loaded_or_saved_says_so_and_leaves_the_lab(dashboard: Dashboard) -> None:
+    """A pin, plots, or parts of the page after an update of the server: everything else goes on."""
     dashboard.open()
-    page = dashboard.page
+    page, first = dashboard.page, dashboard.run_id
 
     def refuse(route: Route) -> None:
         route.fulfill(status=500, json={"title": "Not now"})
+
+    comparison, pins = page.get_by_role("region", name="Comparison"), page.get_by_role("list", name="Pinned results")
+    comparison.get_by_role("button", name="Pin").click()
+    comparison.get_by_label("Change against").select_option("Paper’s scenario")
+    dashboard.type_into("Height", "12")
+    expect(page.get_by_test_id("differences")).to_contain_text("Bump height 10 → 12\u00a0cm")
+    page.route(f"**/api/v1/runs/{first}*", refuse)
+    page.reload()
+    expect(pins).to_contain_text("Paper’s scenario(could not be loaded: Not now)")
+    dashboard.expect_curves()  # a part of the page that comes later would ask for the run by itself
+    page.unroute(f"**/api/v1/runs/{first}*", refuse)
+    comparison.get_by_role("button", name="Paper’s scenario").click()
+    page.get_by_role("menuitem", name="Try again").click()
+    expect(comparison.get_by_label("Change against").locator("option:checked")).to_have_text("Paper’s scenario")
 
     page.route("**/series?*", refuse)
     page.get_by_label("Plot differences").check()

@@ -1,7 +1,6 @@
-"""What somebody takes along: commands that give the same run elsewhere, files, paper."""
+"""What somebody takes along: files, figures, an FMU."""
 
 import re
-from pathlib import Path
 
 import pytest
 
@@ -9,31 +8,11 @@ from tests.browser.dashboard import Dashboard, expect_new_address
 from tests.browser.looks import expect
 
 
-def test_paper_files_of_every_kind_and_an_fmu(dashboard: Dashboard, tmp_path: Path) -> None:
-    """The browser fires its events around printing: panels nobody has scrolled to are drawn for them.
-
-    A pin's name is a text in a drawing, also one that looks like a link.
-    """
+@pytest.mark.thorough
+def test_files_of_every_kind_and_an_fmu(dashboard: Dashboard) -> None:
+    """A pin's name is a text in a drawing, also one that looks like a link."""
     dashboard.open()
     page = dashboard.page
-    page.evaluate(
-        """() => window.addEventListener('afterprint', () => {
-          window.printed = [...document.querySelectorAll('section[data-figure]')]
-            .map(panel => Number(panel.querySelector('canvas').dataset.drawn));
-        })"""
-    )
-    page.pdf(path=tmp_path / "page.pdf", prefer_css_page_size=True)
-    drawn = page.evaluate("window.printed")
-    assert len(drawn) > 6
-    assert min(drawn) == 3
-    # The car and the road, the paper's four signals, the tables, what the other panels show: none is lost or torn.
-    pages = re.findall(rb"/Type /Page\b", (tmp_path / "page.pdf").read_bytes())
-    assert len(pages) == 4
-    page.emulate_media(media="print")
-    expect(page.get_by_role("button", name="Share")).to_be_hidden()
-    expect(page.get_by_text(dashboard.run_id)).to_be_visible()
-    page.emulate_media(media="null")
-
     first = dashboard.address()
     page.get_by_role("region", name="Comparison").get_by_role("button", name="Pin", exact=True).click()
     page.get_by_role("button", name="Paper’s scenario").click()

@@ -2,12 +2,14 @@
 
 import re
 
+import pytest
+
 from tests.browser.dashboard import Dashboard, expect_new_address
 from tests.browser.looks import expect
 
 
+@pytest.mark.thorough
 def test_says_who_won_which_curve_is_whose_and_what_an_edit_changed(dashboard: Dashboard) -> None:
-    """The table is sorted by a metric, and with pins grouped by strategy."""
     page = dashboard.page
     dashboard.open()
     panel = dashboard.panel("body_acceleration")
@@ -29,14 +31,6 @@ def test_says_who_won_which_curve_is_whose_and_what_an_edit_changed(dashboard: D
     )
 
     comparison = page.get_by_role("region", name="Comparison", exact=True)
-    column = comparison.get_by_role("columnheader", name=re.compile("^Body acceleration")).last
-    column.get_by_role("button", name="Body acceleration", exact=True).click()
-    expect(column).to_have_attribute("aria-sort", "ascending")
-    values = comparison.locator("td[data-cell='bump.body_acceleration.peak']")
-    sizes = [float(value) for value in values.evaluate_all("cells => cells.map(cell => cell.dataset.value)")]
-    assert sizes == sorted(sizes)
-    expect(values.first.locator("[data-best]")).to_have_count(1)
-
     verdict = page.get_by_test_id("verdict")
     told = verdict.get_by_role("status")
     expect(told).to_contain_text(re.compile(r"LV control is best in \d of 8 metrics"))

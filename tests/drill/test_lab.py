@@ -91,6 +91,29 @@ def test_a_measured_road_is_driven_taken_off_chosen_saved_and_taken_to_another_s
     assert first.startswith(f"# Ridelab road {profile}: ")
     assert columns == "distance [m],height [m]"
 
+    row = page.locator("[data-pointer='/road/profile']")
+    with page.expect_download() as saved:
+        row.get_by_role("link", name="Save OpenCRG").click()
+    saved.value.save_as(tmp_path / "street.crg")
+    page.get_by_test_id("reset-all").click()
+    expect(row.get_by_role("img", name="The road that is driven")).to_have_count(0)
+    page.get_by_label("Road file").set_input_files(tmp_path / "street.crg")
+    expect(page.get_by_text("This is an exported road: its heights are taken as they are")).to_be_visible()
+    expect(choice).to_have_value(profile)
+    grid = (tmp_path / "street.crg").read_bytes().replace(b"# Ridelab road ", b"* Another road ")
+    (tmp_path / "other.crg").write_bytes(grid)
+    page.get_by_label("Road file").set_input_files(tmp_path / "other.crg")
+    wheels = page.get_by_role("dialog", name="Wheels on other.crg")
+    wheels.get_by_label("Left wheel").fill("60 cm")
+    wheels.get_by_label("Right wheel").fill("-3")
+    dashboard.expect_accessible(wheels)
+    wheels.get_by_role("button", name="Drive this road").click()
+    expect(wheels.get_by_role("alert")).to_contain_text("are within the road: v from -1.5 m right to 1.5 m left")
+    wheels.get_by_label("Right wheel").fill("−0.6")
+    wheels.get_by_role("button", name="Drive this road").click()
+    expect(page.get_by_text("Wheels run 0.6 m left of the reference line and 0.6 m right of it")).to_be_visible()
+    choice.select_option("street")
+
     page.get_by_role("button", name="Library").click()
     page.get_by_role("textbox", name="Name", exact=True).fill("On the street")
     with page.expect_download() as saved:
