@@ -41,14 +41,15 @@ def canonical(value: Any) -> bytes:
 
 def result_key(scenario: Scenario, strategy: str) -> str:
     """Key of one strategy's result: the program that computes it, strategy and the part of the scenario it reads."""
-    return _hash(_depends_on(scenario, strategy))
+    return _hash(_depends_on(scenario, strategy, scenario.identity()))
 
 
 def result_keys(roads: Sequence[Scenario], strategies: Iterable[str]) -> list[dict[str, str]]:
     """By strategy the `result_key` on each of several roads, which differ in their seed alone."""
     keys: list[dict[str, str]] = [{} for _ in roads]
+    identity = _plain(roads[0].identity())
     for strategy in strategies:
-        content = _plain(_depends_on(roads[0], strategy))
+        content = _depends_on(roads[0], strategy, identity)
         part = content["part"]
         holder, name = (part["road"], "seed") if "road" in part else (part, "road.seed")
         for road, of_road in zip(roads, keys, strict=True):
@@ -97,9 +98,9 @@ def _program(strategies: Iterable[str]) -> JsonObject:
     return {**common, "controllers": {name: each["controller"] for name, each in programs.items()}}
 
 
-def _depends_on(scenario: Scenario, strategy: str) -> JsonObject:
+def _depends_on(scenario: Scenario, strategy: str, identity: JsonObject) -> JsonObject:
     recorded = recording_id(strategy) is not None
-    part = scenario.identity() if recorded else values_read(scenario, strategy_named(strategy))
+    part = identity if recorded else values_read(scenario, strategy_named(strategy), identity)
     return {**_program([strategy]), "strategy": strategy, "part": part}
 
 

@@ -3,14 +3,13 @@
 import ctypes
 from contextlib import suppress
 
-from backend.cost.estimate import check_affordable, expected_time, memory
+from backend.cost.estimate import check_affordable
 from backend.own import isolated
 from sim_core.caching import SHARED
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import recording_id
 from sim_core.simulate import simulate as simulate_core
-from sim_core.strategies import strategy_named
 
 LARGE = 100e6  # a run's arrays, before which everything that can be spared makes room [bytes]
 
@@ -30,11 +29,9 @@ def simulate(scenario: Scenario, name: str) -> StrategyResult:
 
 
 def _simulate(scenario: Scenario, name: str) -> StrategyResult:
-    strategy = strategy_named(name)
-    if memory(scenario, strategy, expected_time(scenario, strategy)) > LARGE:
+    if check_affordable(scenario, name) > LARGE:
         make_room()
-    check_affordable(scenario, name)
-    return simulate_core(scenario, strategy)
+    return simulate_core(scenario, name)
 
 
 def make_room() -> None:

@@ -92,13 +92,18 @@ def estimate(scenario: Scenario, name: str) -> float:
     return sum(SECONDS[unit] * count for unit, count in counts.items())
 
 
+def costs_of(scenario: Scenario, strategies: Iterable[str]) -> dict[str, float]:
+    """Expected cost of each of these strategies [s of one core]."""
+    return {strategy: estimate(scenario, strategy) for strategy in strategies}
+
+
 def cost_of(scenario: Scenario, strategies: Iterable[str]) -> float:
-    """Expected cost of these strategies [s of one core]."""
-    return sum(estimate(scenario, strategy) for strategy in strategies)
+    """Expected cost of these strategies together [s of one core]."""
+    return sum(costs_of(scenario, strategies).values())
 
 
-def check_affordable(scenario: Scenario, name: str) -> None:
-    """Refuse a run whose steps alone are too many.
+def check_affordable(scenario: Scenario, name: str) -> float:
+    """About the most that a run's arrays take at once [bytes]; one whose steps alone are too many is refused.
 
     Raises:
         UnknownNameError: No such strategy.
@@ -110,8 +115,10 @@ def check_affordable(scenario: Scenario, name: str) -> None:
     )
     counts = work(scenario, strategy, time, LimitShares(limited=1.0))
     operations = sum(each * counts.get(unit, 0.0) for unit, each in OPERATIONS.items())
-    if operations > MAX_OPERATIONS or memory(scenario, strategy, time) > MAX_BYTES:
+    size = memory(scenario, strategy, time)
+    if operations > MAX_OPERATIONS or size > MAX_BYTES:
         raise TooExpensiveError("The run has too many steps", fields=_fields(scenario, strategy))
+    return size
 
 
 def samples(scenario: Scenario, strategy: type[Controller], time: float) -> tuple[float, int]:

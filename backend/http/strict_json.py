@@ -35,7 +35,8 @@ def parse(body: bytes, *, max_values: int = MAX_VALUES) -> Any:
             surrogate pairs.
     """
     # Before anything is built: these count too much where texts hold such characters, never too little.
-    if body.count(b",") + body.count(b"[") + body.count(b"{") > max_values:
+    opened = body.count(b"[") + body.count(b"{")
+    if opened + body.count(b",") > max_values:
         raise StrictJSONError(413, f"The body may hold {max_values} values")
     try:
         json.loads(body.decode("utf-8"), object_pairs_hook=_check_members, parse_constant=_refuse_constant)
@@ -53,7 +54,7 @@ def parse(body: bytes, *, max_values: int = MAX_VALUES) -> Any:
     except orjson.JSONDecodeError:
         message = "A number is larger than any double, or a text holds half of a surrogate pair, which is no character"
         raise StrictJSONError(422, message) from None
-    if _is_deeper(value, MAX_DEPTH):
+    if opened > MAX_DEPTH and _is_deeper(value, MAX_DEPTH):
         raise StrictJSONError(400, f"The body is nested deeper than {MAX_DEPTH}")
     return value
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from backend import digest, own
 from backend.compute.shared_computations import SharedComputations
 from backend.compute.workers import Workers
-from backend.cost.estimate import estimate
+from backend.cost.estimate import costs_of
 from backend.gate import Gate
 from backend.metrics import CACHE, count_runs
 from backend.outcome import Outcome
@@ -44,18 +44,34 @@ class ResultFinder:
         init=False, default_factory=SharedComputations
     )
 
-    async def get(self, scenario: Scenario, names: Sequence[str], client: str, *, points: int | None) -> Outcomes:
+    async def get(
+        self,
+        scenario: Scenario,
+        names: Sequence[str],
+        client: str,
+        *,
+        points: int | None,
+        costs: Mapping[str, float] | None = None,
+    ) -> Outcomes:
         """Each strategy's result, with about `points` samples of its time histories or (None) without them.
 
-        Without them the store may have it; with them only memory or a worker.
+        Without them the store may have it; with them only memory or a worker. `costs` are as for `on_roads`.
         """
-        (outcomes,) = await self.on_roads([scenario], names, client, points=points)
+        (outcomes,) = await self.on_roads([scenario], names, client, points=points, costs=costs)
         return outcomes
 
     async def on_roads(
-        self, roads: Sequence[Scenario], names: Sequence[str], client: str, *, points: int | None
+        self,
+        roads: Sequence[Scenario],
+        names: Sequence[str],
+        client: str,
+        *,
+        points: int | None,
+        costs: Mapping[str, float] | None = None,
     ) -> list[Outcomes]:
         """Each strategy's result on each of several roads, which differ in their seed alone; idle workers share them.
+
+        `costs` has each strategy's `estimate` on one of them, where that was made already.
 
         Raises:
             InvalidError: What is missing would be driven on a measured road that is not there, or too short, or is a
@@ -77,7 +93,7 @@ class ResultFinder:
         CACHE.labels("miss").inc(len(costly))
         if costly:
             roads = [await self.recordings.on(await self.roads.on(road), costly) for road in roads]
-            costs = {name: estimate(roads[0], name) for name in set(costly)}  # which no seed changes
+            costs = costs or costs_of(roads[0], set(costly))  # which no seed changes
             request = _Request(client=client, points=points, costs=costs)
             with self.gate.computing(client, sum(costs[name] for name in costly)):
                 computed = await self._compute_roads(roads, missing, request)

@@ -1,12 +1,12 @@
 """Runs: stored results are answered; missing ones are computed once, committed, then answered."""
 
 import asyncio
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
 from backend import digest
-from backend.cost.estimate import cost_of
+from backend.cost.estimate import costs_of
 from backend.errors import (
     InvalidError,
     NewerSchemaError,
@@ -87,8 +87,9 @@ class Runs:
         if stored is not None and not stored.expired:
             CACHE.labels("hit").inc(len(names) * roads)
             return stored, dict.fromkeys(names, True)
-        self.gate.check_cost(roads * cost_of(scenario, names))
-        outcomes = await self._computed(scenario, names, roads, client)
+        costs = costs_of(scenario, names)
+        self.gate.check_cost(roads * sum(costs.values()))
+        outcomes = await self._computed(scenario, names, roads, client, costs)
         if not all(item.cacheable for item in outcomes):  # asked again: tried again
             run_id = digest.random_id()
         run = StoredRun(
@@ -149,8 +150,9 @@ class Runs:
     ) -> bytes:
         """Figures and decimated time histories of that scenario, as JSON or `binary`; nothing is stored."""
         names, scenario = ordered(strategies), await self.roads.with_length(scenario)
-        self.gate.check_cost(cost_of(scenario, names))
-        outcomes = await self.results.get(scenario, names, client, points=points)
+        costs = costs_of(scenario, names)
+        self.gate.check_cost(sum(costs.values()))
+        outcomes = await self.results.get(scenario, names, client, points=points, costs=costs)
         render = live_binary if binary else live_json
         return render(scenario, outcomes, ordered_signals(signals))
 
@@ -186,9 +188,16 @@ class Runs:
         scenario = upgraded_scenario(stored.scenario, stored.schema_version)
         return replace(stored, scenario=scenario, schema_version=SCHEMA_VERSION)
 
-    async def _computed(self, scenario: Scenario, names: Sequence[str], roads: int, client: str) -> list[Outcome]:
+    async def _computed(
+        self,
+        scenario: Scenario,
+        names: Sequence[str],
+        roads: int,
+        client: str,
+        costs: Mapping[str, float] | None = None,
+    ) -> list[Outcome]:
         """Results road by road, as they are stored."""
-        results = await self.results.on_roads(seeded(scenario, roads), names, client, points=None)
+        results = await self.results.on_roads(seeded(scenario, roads), names, client, points=None, costs=costs)
         every = [each[name] for each in results for name in names]
         return [each if each.cacheable else replace(each, key=digest.uncacheable_key()) for each in every]
 

@@ -1,5 +1,6 @@
 """Kinds of scenario fields: a number with its unit, a whole number, three weights; each knows its limits and range."""
 
+from functools import cache
 from typing import Annotated, Any
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, JsonValue
@@ -54,12 +55,19 @@ class Part(BaseModel):
         return plain
 
     def _leave_out_unset(self, plain: dict[str, Any]) -> None:
-        for name, info in type(self).model_fields.items():
-            value = getattr(self, name)
-            if ADDED in info.metadata and value == info.default:
+        values = vars(self)
+        for name, default in _added(type(self)):
+            if values[name] == default:
                 del plain[name]
-            elif isinstance(value, Part) and name in plain:
+        for name, value in values.items():
+            if isinstance(value, Part) and name in plain:
                 value._leave_out_unset(plain[name])
+
+
+@cache
+def _added(part: type[Part]) -> tuple[tuple[str, Any], ...]:
+    """Names and defaults of its fields that are marked `ADDED`."""
+    return tuple((name, info.default) for name, info in part.model_fields.items() if ADDED in info.metadata)
 
 
 def _not_all_zero(weights: tuple[float, float, float]) -> tuple[float, float, float]:

@@ -99,12 +99,15 @@ def reads(strategy: type[Controller], policy: str = "by_strategy") -> tuple[str,
     return ("speed.policy", *dependencies(strategy, resolve_speed_plan(strategy, policy)))
 
 
-def values_read(scenario: Scenario, strategy: type[Controller]) -> dict[str, Any]:
-    """What a strategy reads of a scenario (`Part.identity`): dotted name -> plain JSON value, by name.
+def values_read(
+    scenario: Scenario, strategy: type[Controller], identity: dict[str, Any] | None = None
+) -> dict[str, Any]:
+    """What a strategy reads of a scenario: dotted name -> plain JSON value, by name.
 
     The speed policy counts by what is read under it: a strategy at its own speed has one key whatever the policy is.
+    `identity` is the scenario's (`Part.identity`), where it was made already.
     """
-    identity = scenario.identity()
+    identity = identity or scenario.identity()
     values: dict[str, Any] = {}
     for path in dependencies(strategy, resolve_speed_plan(strategy, scenario.speed.policy)):
         *parts, last = path.split(".")
