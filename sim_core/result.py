@@ -5,6 +5,9 @@ from dataclasses import asdict, dataclass
 from functools import cached_property
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from sim_core.arrays import FloatArray
 from sim_core.catalogue import SIGNALS
 
@@ -31,14 +34,14 @@ class Series(Mapping[str, FloatArray]):
         """The history of a signal (samples,), put together anew each time: long ones would take as much again."""
         return self.between(key, 0, self._length)
 
-    def between(self, key: str, start: int, end: int) -> FloatArray:
+    def between(self, key: str, start: int, end: int, dtype: type[np.floating[Any]] = np.float64) -> NDArray[Any]:
         """A signal's samples from `start` up to before `end`."""
         if key in self._shared:
-            return self._shared[key][start:end]
+            return self._shared[key][start:end].astype(dtype, copy=False)
         rows = self._columns[key]
         each = rows.shape[1] - 1
         first = start // each
-        return rows[first : -(-end // each), :-1].reshape(-1)[start - first * each : end - first * each]
+        return rows[first : -(-end // each), :-1].astype(dtype).reshape(-1)[start - first * each : end - first * each]
 
     def __reduce__(self) -> tuple[Any, ...]:
         """As its histories, put together."""

@@ -104,7 +104,7 @@ def _driven(scenario: Scenario, name: str, points: int | None) -> Columns:
     result = simulate(scenario, name)
     if points is None:
         series = result.series
-        return Columns(len(series["time"]), lambda key, *ends: series.between(key, *ends).astype(np.float32))
+        return Columns(len(series["time"]), lambda key, start, end: series.between(key, start, end, np.float32))
     array = pack(result, points)
     return Columns(array.shape[1], lambda key, start, end: array[ROWS[key], start:end])
 

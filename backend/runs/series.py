@@ -17,7 +17,7 @@ from backend.cost.estimate import duration, samples
 from backend.csv_lines import MAX_LINES
 from backend.json_types import JsonObject
 from sim_core.catalogue import BUMP, SIGNALS
-from sim_core.kernel.binding import judge_samples
+from sim_core.kernel.binding import sample_judge
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import recording_id
@@ -54,12 +54,13 @@ class _Rows(Sequence[SeriesArray]):
     def __init__(self, result: StrategyResult) -> None:
         self._series = result.series
         self._keys = list(SIGNALS)
+        self._samples = len(result.series["time"])
 
     def __len__(self) -> int:
         return len(self._keys)
 
     def __getitem__(self, row: Any) -> Any:
-        return self._series[self._keys[row]].astype(np.float32)
+        return self._series.between(self._keys[row], 0, self._samples, np.float32)
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,8 +125,9 @@ def decimate(series: Sequence[SeriesArray] | SeriesArray, points: int | None, st
     missed = np.zeros(table[:, 1] @ table[:, 2], dtype=np.float32)
     cuts = np.searchsorted(time, np.asarray(stages.breaks, dtype=np.float32)).tolist()
     windows = np.array(sorted({0, *cuts, count}), dtype=np.intc)
+    judge = sample_judge(windows, table, shown, missed)
     for signal in series:
-        judge_samples(np.nan_to_num(signal) if np.isnan(signal).any() else signal, windows, table, shown, missed)
+        judge(signal)
     for start, stride, number in gaps:
         halves, missed = np.split(missed, [stride * number])
         halves = halves.reshape(2 * number, stride // 2)

@@ -5,7 +5,7 @@ Each function raises ValueError where sizes disagree, and ctypes.ArgumentError w
 float64, or cannot be written into. Calls that are made at every step are in prepared.py.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -139,27 +139,26 @@ def window_sizes(previewed: FloatArray, horizon: int, sizes: FloatArray) -> None
     _window_sizes(previewed, count, horizon, sizes)
 
 
-def judge_samples(
-    values: NDArray[np.float32],
-    windows: NDArray[np.intc],
-    parts: NDArray[np.intc],
-    shown: NDArray[np.uint8],
-    missed: NDArray[np.float32],
-) -> None:
-    """Judge a signal's samples (n,) for `shown` (n,) and `missed` (m,).
+def sample_judge(
+    windows: NDArray[np.intc], parts: NDArray[np.intc], shown: NDArray[np.uint8], missed: NDArray[np.float32]
+) -> Callable[[NDArray[np.float32]], None]:
+    """What judges one signal's samples (n,) after the other for `shown` (n,) and `missed` (m,); NaN are passed over.
 
     Args:
-        values: Not NaN.
         windows: First sample of each, and one after the last of all.
         parts: First sample, samples from one node to the next and gaps of each (parts, 3).
         shown: 1 where a sample is a window's smallest or largest.
         missed: Of each sample of each gap by how much of a signal's span the line between its nodes missed it at most.
     """
-    ends, table = windows.tolist(), parts.tolist()
-    require(len(shown) == len(values) and len(ends) > 1, "Every sample is judged, in a window at least")
-    require(ends[0] >= 0 and ends[-1] <= len(values), "Windows lie within the samples")
+    ends, table, count = windows.tolist(), parts.tolist(), len(shown)
+    require(len(ends) > 1 and ends[0] >= 0 and ends[-1] <= count, "Windows lie within the samples")
     require(all(first < last for first, last in pairwise(ends)), "Windows ascend, and each has a sample")
     require(parts.shape[1:] == (3,), "A part has a first sample, a stride and gaps")
-    require(all(min(part) >= 0 and part[0] + part[1] * part[2] < len(values) for part in table), "Parts lie within")
+    require(all(min(part) >= 0 and part[0] + part[1] * part[2] < count for part in table), "Parts lie within them")
     require(sum(gaps * stride for _, stride, gaps in table) == len(missed), "Every sample of a gap is missed by a line")
-    _judge_samples(values, windows, len(ends) - 1, parts, len(table), shown, missed)
+
+    def judge(values: NDArray[np.float32]) -> None:
+        require(len(values) == count, "Every sample is judged")
+        _judge_samples(values, windows, len(ends) - 1, parts, len(table), shown, missed)
+
+    return judge

@@ -225,7 +225,7 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     "qp, a column less": lambda: qp_design(columns=np.zeros((4, 8))),
     "qp, one limit of a deflection": lambda: qp_design(columns=np.zeros((5, 7))),
     "qp, slacks alone": lambda: qp_design(columns=np.zeros((2, 8)), H=np.eye(2), low=np.zeros(2), high=np.zeros(2)),
-    "samples, nowhere to show": lambda: judged(shown=np.zeros(9, dtype=np.uint8)),
+    "samples, fewer": lambda: judged(9),
     "samples, no window": lambda: judged(windows=np.array([0], dtype=np.intc)),
     "samples, before the first": lambda: judged(windows=np.array([-1, 10], dtype=np.intc)),
     "samples, behind the last": lambda: judged(windows=np.array([0, 11], dtype=np.intc)),
@@ -272,15 +272,14 @@ def fuzzy(**changed: Any) -> Prepared:
     return binding.fuzzy_rules(**(right | changed))
 
 
-def judged(**changed: Any) -> None:
+def judged(values: int = 10, **changed: Any) -> None:
     right: dict[str, Any] = {
-        "values": np.zeros(10, dtype=np.float32),
         "windows": np.array([0, 4, 10], dtype=np.intc),
         "parts": np.array([[3, 2, 3]], dtype=np.intc),
         "shown": np.zeros(10, dtype=np.uint8),
         "missed": np.zeros(6, dtype=np.float32),
     }
-    binding.judge_samples(**(right | changed))
+    binding.sample_judge(**(right | changed))(np.zeros(values, dtype=np.float32))
 
 
 def linear_drive(qp: tuple[QpDesign, QpMemory] | None = None, **changed: Any) -> None:
