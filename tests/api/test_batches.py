@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 from pydantic import ValidationError
 
 from backend.batches import points as sweep_points
+from backend.jobs import dispatch
 from sim_core.scenario import Scenario, dotted
 from sim_core.simulate import simulate
 from tests.api.streams import read_events
@@ -301,8 +302,11 @@ def test_what_a_sweeps_runs_do_not_depend_on_is_said(client: httpx.Client) -> No
     assert submit(client, noise, dry_run=True, **filtered).json()["notes"] == []
 
 
-def test_a_small_batch_does_not_wait_for_a_large_one_which_is_cancelled_and_goes_on(client: httpx.Client) -> None:
+def test_a_small_batch_does_not_wait_for_a_large_one_which_is_cancelled_and_goes_on(
+    client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """`position` counts the runs before it; cancelling keeps what is finished."""
+    monkeypatch.setattr(dispatch, "CHUNK_BUDGET", 0.5)
     key = f"large-{uuid.uuid4()}"
     sweep = {"grid": {"road.seed": list(range(1, 41))}}
     large = submit(client, sweep, scenario=LONG, strategies=["passive", "lv"], key=key).json()

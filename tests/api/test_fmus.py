@@ -2,9 +2,6 @@
 
 import io
 import zipfile
-from typing import Any
-
-import pytest
 
 from ridelab import Ridelab
 from tests.api.conftest import Service
@@ -22,18 +19,3 @@ def test_the_client_gets_an_fmu_with_its_sources_and_its_scenario(service: Servi
     assert {"modelDescription.xml", "sources/car.c", "sources/buildDescription.xml", "resources/scenario.json"} <= {
         *names
     }
-
-
-@pytest.mark.parametrize(
-    ("body", "reason"),
-    [
-        ({"strategy": "suspension_only"}, "a QP decides where one of its limits binds"),
-        ({"strategy": "skyhook", "scenario": {"hook": {"semi_active": True}}}, "semi-active dampers"),
-    ],
-)
-def test_a_controller_that_cannot_be_one_is_refused_with_the_reason(
-    service: Service, body: dict[str, Any], reason: str
-) -> None:
-    answer = service.client.post("/api/v1/fmus", json=body)
-    assert answer.status_code == 422
-    assert reason in answer.json()["detail"]

@@ -126,6 +126,7 @@ def test_whatever_leaves_names_the_laws_file_and_digest(service: Service, folder
     assert [row["source"] and json.loads(row["source"]) for row in rows] == ["", source], "ours before theirs"
 
 
+@pytest.mark.thorough
 def test_a_law_of_ones_own_that_is_linear_leaves_as_an_fmu(service: Service, folder: Path, tmp_path: Path) -> None:
     """Its gains differ by stage, and count the force before, which the FMU remembers."""
     answer = service.client.post(

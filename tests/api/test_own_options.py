@@ -99,6 +99,7 @@ def test_a_stored_scenario_whose_law_is_gone_still_opens(service: Service, folde
     assert link["run"]["strategies"]["leaving"]["metrics"] == run["strategies"]["leaving"]["metrics"]
 
 
+@pytest.mark.thorough
 def test_what_was_held_to_requirements_of_a_law_that_is_gone_still_opens(service: Service, folder: Path) -> None:
     client, file = service.client, folder / "held.py"
     file.write_text(LAW.replace("mine", "held"))
@@ -152,6 +153,7 @@ def test_sweeps_and_searches_take_options(service: Service) -> None:
     assert solution["metric_value"] <= 500 < max(each["metric_value"] for each in solution["tried"])
 
 
+@pytest.mark.thorough
 def test_a_robustness_study_judges_the_law_that_it_drove(service: Service, folder: Path) -> None:
     file = folder / "steady.py"
     file.write_text(STEADY)
@@ -178,6 +180,7 @@ def test_a_robustness_study_judges_the_law_that_it_drove(service: Service, folde
     assert changed["stability"]["known"] == 0, "the new law did not drive these"
 
 
+@pytest.mark.thorough
 def test_the_tuner_searches_options_of_the_law_it_began_with(service: Service, folder: Path) -> None:
     file = folder / "tuned.py"
     file.write_text(LAW.replace("mine", "tuned"))

@@ -256,7 +256,14 @@ def tear(path: Path) -> None:
         file.truncate(path.stat().st_size // 2)
 
 
-@pytest.mark.parametrize("spoil", [damage_rows, damage_header, tear])
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        tear,
+        pytest.param(damage_rows, marks=pytest.mark.thorough),
+        pytest.param(damage_header, marks=pytest.mark.thorough),
+    ],
+)
 def test_a_damaged_page_is_said_once_it_is_met(
     tmp_path: Path, caplog: pytest.LogCaptureFixture, spoil: Callable[[Path], None]
 ) -> None:

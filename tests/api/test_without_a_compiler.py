@@ -22,6 +22,7 @@ from tests.servers.process import HANG_TIMEOUT
 from tests.servers.reproduction import store_without_ecu
 
 REASON = "Nobody drove there"
+pytestmark = pytest.mark.thorough  # a service of its own
 SCENARIO: dict[str, Any] = {
     "road": {"length": 20, "bump": {"start": 10, "width": 3, "height": 0.05}},
     "speed": {"initial_speed_kmh": 50, "target_speed_kmh": 50},

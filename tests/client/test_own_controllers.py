@@ -74,6 +74,7 @@ def test_a_broken_law_is_told_in_words(
     assert not file.with_name("my_law-forces.svg").exists()
 
 
+@pytest.mark.thorough
 def test_a_picture_that_cannot_be_written_is_told_in_a_line(cli: Cli, file: Path) -> None:
     file.with_name("my_law-forces.svg").mkdir()
     assert cli("check", file, code=2) == ""

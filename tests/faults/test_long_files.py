@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+import pytest
+
 from tests.faults.conftest import Process
 from tests.servers.downloads import Watch, download, opened, proportional_mb, spooled
 from tests.servers.process import wait_until
@@ -11,6 +13,7 @@ SCENARIO = {"road": {"length": 400}, "speed": {"initial_speed_kmh": 5, "target_s
 SIZE = 38.4
 
 
+@pytest.mark.thorough
 def test_a_table_takes_no_memory_and_a_killed_service_leaves_no_file(service: Process, database: Path) -> None:
     folder = database.parent.parent
     service.wait_until_warm()

@@ -20,7 +20,7 @@ from tests.servers.accepted import Accepted, database
 from tests.servers.api import Api, ask
 from tests.servers.process import HANG_TIMEOUT, request, wait_until
 
-RUNS = 40  # of each batch: some seconds of one core, so that it is under way when the service ends
+RUNS = 60  # of each batch: some seconds of one core, so that it is under way when the service ends
 SHORT = {"road": {"length": 131.7}}
 # Some minutes of a core: an end that waited for it would be taken for one that hangs.
 ENDLESS = {

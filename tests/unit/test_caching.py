@@ -38,6 +38,7 @@ def test_latest_results_are_cached_while_they_fit() -> None:
     assert calls[-2:] == [6, 6]
 
 
+@pytest.mark.thorough
 def test_runs_with_nothing_in_common_stay_within_the_limit() -> None:
     for number in range(4):
         longest = Mpc(prediction_horizon=200, control_horizon=100 - number)

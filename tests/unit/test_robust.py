@@ -28,11 +28,13 @@ def test_it_beats_the_papers_lqr_where_car_sensors_and_actuators_are_real_ones()
     assert min(better_than_the_papers_lqr(preset("robust"))) >= FEWEST
 
 
+@pytest.mark.thorough
 def test_with_an_estimated_state_it_does_so_on_the_rough_road() -> None:
     """The first four metrics; docs/explanation/robustness.md has 96 % and more of 400 points, and the bump's peaks."""
     assert min(better_than_the_papers_lqr(preset("robust"), **{"estimation.kind": "kalman"})[:4]) >= 0.9
 
 
+@pytest.mark.thorough
 def test_the_papers_weights_with_all_of_the_road_do_not() -> None:
     assert min(better_than_the_papers_lqr(Scenario())) < 0.5
 

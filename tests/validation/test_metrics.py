@@ -58,6 +58,7 @@ def test_metrics_are_those_of_steps_of_a_fiftieth_of_a_millisecond(name: str) ->
             assert abs(error) < (0.01 if key.endswith(("peak", "peak_power")) else 0.003), (strategy, key, error)
 
 
+@pytest.mark.thorough
 @settings(max_examples=examples(12))
 @given(vehicles, bumps | rows_of_bumps, between(10, 100))
 def test_a_passive_cars_metrics_over_any_bump_at_any_speed(car: Vehicle, bump: Bump, speed_kmh: float) -> None:

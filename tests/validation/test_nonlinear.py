@@ -36,6 +36,7 @@ def test_metrics_are_an_adaptive_solvers(seed: int) -> None:
 DIGRESSIVE = ((-0.52, -1250.0), (-0.13, -520.0), (0.13, 1250.0), (0.52, 2400.0))
 
 
+@pytest.mark.thorough
 def test_a_car_with_a_damper_curve_is_an_adaptive_solvers() -> None:
     """As above, beyond the curve's outer points too; the rear dampers are unequal, without a curve."""
     vehicle = loop(3).vehicle.model_copy(update={"front_damper_curve": DIGRESSIVE})

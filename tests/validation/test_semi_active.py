@@ -104,7 +104,7 @@ def test_damper_and_control_take_energy_out_in_every_substep(scenario: Scenario,
 
 
 @pytest.mark.parametrize("law", LAWS)
-@pytest.mark.parametrize("bandwidth", [None, 5.0])
+@pytest.mark.parametrize("bandwidth", [5.0, pytest.param(None, marks=pytest.mark.thorough)])
 def test_energy_is_taken_out_at_every_end_of_the_sliders(law: str, bandwidth: float | None) -> None:
     """With the lag on the force instead of the coefficient, as much as 43 % of it would come back at 5 Hz."""
     names = ("skyhook_damping", "groundhook_damping", "min_damping")
