@@ -15,7 +15,9 @@ COPY requirements-manual.lock ./
 RUN python -m pip install --no-cache-dir --disable-pip-version-check --require-hashes -r requirements-manual.lock
 COPY zensical.toml ./
 COPY docs/ docs/
-RUN python -m zensical build --strict && rm -f build/manual/404.html build/manual/sitemap.xml
+COPY examples/ examples/
+RUN python -m zensical build --strict && rm -f build/manual/404.html build/manual/sitemap.xml \
+    && python -m zipfile -c build/manual/examples.zip examples
 
 # The runtime's packages, each held to its hash.
 FROM python:3.11-slim AS packages

@@ -142,9 +142,10 @@ frontend/dist/index.html: frontend/node_modules/.installed $(shell find frontend
 	cd frontend && $(NODE) npm run build
 
 # A broken link ends it. There is no page of its own for unknown addresses: the dashboard answers them.
-build/manual/index.html: zensical.toml $(VENV)/.runtime $(shell find docs -type f)
+build/manual/index.html: zensical.toml $(VENV)/.runtime $(shell find docs examples -type f)
 	$(BIN)/zensical build --clean --strict
 	rm -f build/manual/404.html build/manual/sitemap.xml
+	$(BIN)/python -m zipfile -c build/manual/examples.zip examples
 	touch $@
 
 COMPILE_LOCK := uv pip compile --quiet --universal --python-version 3.11 --generate-hashes --no-emit-index-url --no-header \

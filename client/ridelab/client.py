@@ -74,8 +74,9 @@ class Ridelab(RunMethods, JobMethods, MeasurementMethods):
         """Run what is not stored yet.
 
         Args:
-            scenario: An omitted part takes the paper's value.
-            strategies: Ids.
+            scenario: Its parts, such as `{"road": {"bump": {"height": 0.12}}}`; an omitted one takes the paper's value,
+                so that `{}` is the paper's scenario. `scenario` makes one of dotted names and units.
+            strategies: Ids, such as `["lv", "lqr", "passive"]`; `get("/strategies")` has them all.
             roads: How many roads every strategy drives, seeds `road.seed`, `road.seed` + 1, ...; metrics are then
                 `Interval`s, means with their 95 % interval.
             baseline: The strategy that changes over several roads refer to; None is passive, or the first one where

@@ -36,6 +36,12 @@ def fuzzy(**parts: Any) -> dict[str, Any]:
         ("runs", {"scenario": {"road": {"length": int("9" * 308)}}}, "/scenario/road/length", "less"),
         ("runs", {"scenario": {"road": {"roughness": "I"}}}, "/scenario/road/roughness", "a road class of ISO 8608"),
         ("runs", {"scenario": {"road": {"bump": {"my colour": 1}}}}, "/scenario/road/bump", "Unknown field"),
+        (
+            "runs",
+            {"scenario": {"road.bump.height": 1}},
+            "/scenario/road.bump.height",
+            '{"road": {"bump": {"height": ...}}}',
+        ),
         ("runs", {"scenario": {"road": {"bump": {"start": 149}}}}, "/scenario/road/bump/start", "before the road"),
         ("runs", {"scenario": {"lqr": {"weights": [1, 1]}}}, "/scenario/lqr/weights/2", "required"),
         (

@@ -5,6 +5,7 @@ import tomllib
 from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
+from zipfile import ZipFile
 
 import pytest
 
@@ -32,7 +33,8 @@ class Page(HTMLParser):
 def built() -> Path:
     """The manual, as `make` has built it strictly from its sources."""
     manual = ROOT / "build/manual"
-    changed = max(path.stat().st_mtime for path in [ROOT / "zensical.toml", *(ROOT / "docs").rglob("*.*")])
+    sources = [file for folder in ("docs", "examples") for file in (ROOT / folder).rglob("*.*")]
+    changed = max(path.stat().st_mtime for path in [ROOT / "zensical.toml", *sources])
     assert (manual / "index.html").stat().st_mtime >= changed, "make manual"
     return manual
 
@@ -52,6 +54,16 @@ def test_no_link_is_broken_and_nothing_comes_from_elsewhere(built: Path) -> None
             assert target.is_file(), f"{path}: {address}"
             if target in pages:
                 assert unquote(parts.fragment) in pages[target].names, f"{path}: {address}"
+
+
+def test_the_examples_that_its_commands_name_are_in_it(built: Path) -> None:
+    named = {
+        name
+        for page in (ROOT / "docs").rglob("*.md")
+        for name in re.findall(r"examples/[\w/-]+\.\w+", page.read_text())
+    }
+    assert len(named) >= 3
+    assert named <= set(ZipFile(built / "examples.zip").namelist())
 
 
 def test_styles_load_nothing_from_elsewhere(built: Path) -> None:

@@ -15,17 +15,21 @@ _ENTRY = re.compile(r"^(\*{0,2}[\w.]+): (.*)$")
 
 def library() -> str:
     """The core's page."""
-    return _page(sim_core, "The library `sim_core`", "pip install ./sim_core")
+    lesson = "[Ten cells](../tutorials/ten-cells.md) lead through it; all starts with a `Scenario` and `simulate`."
+    return _page(sim_core, "The library `sim_core`", f"`pip install ./sim_core`. {lesson}")
 
 
 def client() -> str:
     """The client's page."""
-    return _page(ridelab, "The client `ridelab`", "pip install ./client")
+    lesson = (
+        "[A sweep from a script](../tutorials/sweep-from-a-script.md) leads through it; all starts with a `Ridelab`."
+    )
+    return _page(ridelab, "The client `ridelab`", f"`pip install ./client`. {lesson}", first="Ridelab")
 
 
-def _page(package: ModuleType, title: str, install: str) -> str:
-    lines = [f"# {title}", "", f"Written from its docstrings; a test keeps this page equal to them. `{install}`.", ""]
-    for name in package.__all__:
+def _page(package: ModuleType, title: str, introduction: str, first: str = "") -> str:
+    lines = [f"# {title}", "", introduction, "Written from its docstrings; a test keeps this page equal to them.", ""]
+    for name in sorted(package.__all__, key=lambda name: name != first):  # the others stay in their order
         public = getattr(package, name)
         if not (inspect.isclass(public) or inspect.isfunction(public)):
             continue  # constants and types
