@@ -67,7 +67,6 @@ def test_dragging_is_live_the_release_exact_and_both_are_compared_with_before(da
     assert slowed[key] < values[key]
 
 
-@pytest.mark.thorough
 def test_fields_are_switched_mistyped_and_set_by_a_vehicle(dashboard: Dashboard, tmp_path: Path) -> None:
     """A class shows its number; what is wrong is told at its field and kept."""
     dashboard.open()

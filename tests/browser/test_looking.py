@@ -226,7 +226,6 @@ def test_everything_goes_by_keyboard_and_undo_is_the_scenarios_wherever_the_focu
     expect(page.get_by_role("slider", name="Cursor")).not_to_have_value(before)
 
 
-@pytest.mark.thorough
 def test_commands_and_fields_are_found_by_name(dashboard: Dashboard) -> None:
     """The search closes and gives the focus back; what is found is gone to."""
     dashboard.open()

@@ -2,13 +2,10 @@
 
 import re
 
-import pytest
-
 from tests.browser.dashboard import Dashboard, expect_new_address
 from tests.browser.looks import expect
 
 
-@pytest.mark.thorough
 def test_says_who_won_which_curve_is_whose_and_what_an_edit_changed(dashboard: Dashboard) -> None:
     page = dashboard.page
     dashboard.open()
