@@ -1,14 +1,10 @@
 import { describe, expect, it } from "vitest";
+import { FULL_STORAGE, memoryStorage } from "../lib/storage.fixture";
 import { createPins, defaultName, MOST_PINS } from "./pins";
-
-function fakeStorage(content: string | null = null): Storage {
-  let text = content;
-  return { getItem: () => text, setItem: (_: string, value: string) => (text = value) } as unknown as Storage;
-}
 
 describe("pinned variants", () => {
   it("are there again when the tab was closed", () => {
-    const storage = fakeStorage();
+    const storage = memoryStorage();
     const pins = createPins(storage);
     pins.add({ name: "Soft", run: "a" });
     pins.add({ name: "the same once more", run: "a" });
@@ -24,7 +20,7 @@ describe("pinned variants", () => {
   });
 
   it("of another tab stay, and are shown once they are read again", () => {
-    const storage = fakeStorage();
+    const storage = memoryStorage();
     const [one, other] = [createPins(storage), createPins(storage)];
     one.add({ name: "Soft", run: "a" });
     other.add({ name: "Hard", run: "b" });
@@ -39,29 +35,22 @@ describe("pinned variants", () => {
   });
 
   it("stay until the tab is closed where the storage is full", () => {
-    const full = {
-      getItem: () => null,
-      setItem: () => {
-        throw new DOMException("full", "QuotaExceededError");
-      },
-    } as unknown as Storage;
-    const pins = createPins(full);
+    const pins = createPins(FULL_STORAGE);
     pins.add({ name: "Soft", run: "a" });
     pins.add({ name: "Hard", run: "b" });
     expect(pins.get()).toHaveLength(2);
   });
 
   it("are at most eight", () => {
-    const pins = createPins(fakeStorage());
+    const pins = createPins(memoryStorage());
     for (let run = 0; run < 12; run++) pins.add({ name: `n${run}`, run: String(run) });
     expect(pins.get()).toHaveLength(MOST_PINS);
   });
 
   it("ignore what cannot be read, and need no storage", () => {
-    expect(createPins(fakeStorage("{")).get()).toEqual([]);
-    expect(createPins(fakeStorage('[{"name": "x"}, {"name": "y", "run": "b"}]')).get()).toEqual([
-      { name: "y", run: "b" },
-    ]);
+    const read = (text: string) => createPins(memoryStorage({ "ridelab-pins": text })).get();
+    expect(read("{")).toEqual([]);
+    expect(read('[{"name": "x"}, {"name": "y", "run": "b"}]')).toEqual([{ name: "y", run: "b" }]);
     expect(createPins(null).get()).toEqual([]);
   });
 

@@ -1,6 +1,7 @@
 import { QueryClient } from "@tanstack/react-query";
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import type { Link, Scenario } from "../api/types";
+import { memoryStorage } from "../lib/storage.fixture";
 import { DEFAULT_VIEW } from "./address";
 import { begin, record, undo } from "./history";
 import { createLab } from "./lab";
@@ -13,16 +14,8 @@ const [PAPER, LOW, HIGH]: readonly Scenario[] = [{ height: 1 }, { height: 2 }, {
 const resultOf = (runId: string, scenario: Scenario | undefined) =>
   ({ source: "exact", runId, scenario, over: null }) as unknown as Result;
 
-beforeEach(() => {
-  const texts = new Map<string, string>();
-  vi.stubGlobal("sessionStorage", {
-    getItem: (name: string) => texts.get(name) ?? null,
-    setItem: (name: string, text: string) => texts.set(name, text),
-  });
-});
-afterEach(() => {
-  vi.unstubAllGlobals();
-});
+beforeEach(() => void vi.stubGlobal("sessionStorage", memoryStorage()));
+afterEach(() => void vi.unstubAllGlobals());
 
 const router = createAtom({ runId: null, slug: null, view: DEFAULT_VIEW });
 const labWith = (state: Partial<LabState>) =>

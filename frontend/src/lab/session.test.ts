@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import type { Link, Scenario } from "../api/types";
+import { memoryStorage } from "../lib/storage.fixture";
 import { DEFAULT_VIEW } from "./address";
 import { begin } from "./history";
 import { storeSession, restoreSession } from "./session";
@@ -15,16 +16,8 @@ const THEIRS: Scenario = { height: 0.2 };
 const exactOf = (scenario: Scenario, opened = false) =>
   ({ source: "exact", scenario, over: null, timing: { opened } }) as unknown as Result;
 
-beforeEach(() => {
-  const texts = new Map<string, string>();
-  vi.stubGlobal("localStorage", {
-    getItem: (name: string) => texts.get(name) ?? null,
-    setItem: (name: string, text: string) => texts.set(name, text),
-  });
-});
-afterEach(() => {
-  vi.unstubAllGlobals();
-});
+beforeEach(() => void vi.stubGlobal("localStorage", memoryStorage()));
+afterEach(() => void vi.unstubAllGlobals());
 
 function open() {
   const router = createAtom({ runId: null, slug: null, view: DEFAULT_VIEW });

@@ -6,6 +6,7 @@ import { draftStudy, restoreStudy } from "../pages/robustness/study";
 import { draftField, restoreSweep, type SweepDraft } from "../features/sweep/draft";
 import { sweepFields } from "../scenario/fields";
 import { firstDraft, limitOf, objectiveOf, restoreTuning } from "../pages/tuner/draft";
+import { memoryStorage } from "./storage.fixture";
 import { isLike, readStored, writeStored } from "./storage";
 import { restoreDraft, useDraft, type Draft } from "./useDraft";
 
@@ -14,29 +15,19 @@ const [first, second] = FIELDS.filter(({ leaf }) => leaf.kind === "number").map(
 const again = (value: unknown): unknown => JSON.parse(JSON.stringify(value));
 
 describe("what the browser stores", () => {
-  const texts = new Map<string, string>();
-  beforeEach(() => {
-    texts.clear();
-    vi.stubGlobal("localStorage", {
-      getItem: (name: string) => texts.get(name) ?? null,
-      setItem: (name: string, text: string) => texts.set(name, text),
-      removeItem: (name: string) => texts.delete(name),
-    });
-  });
-  afterEach(() => {
-    vi.unstubAllGlobals();
-  });
+  beforeEach(() => void vi.stubGlobal("localStorage", memoryStorage()));
+  afterEach(() => void vi.unstubAllGlobals());
 
   it("is read again until it is removed, and ignored where it cannot be read", () => {
     writeStored("a", { x: 1 });
     expect(readStored("a")).toEqual({ x: 1 });
     writeStored("a", null);
-    texts.set("b", "{");
+    localStorage.setItem("b", "{");
     expect([readStored("a"), readStored("b")]).toEqual([null, null]);
   });
 
   it("is a form's only where it is of the same thing", () => {
-    texts.set("ridelab-draft-changed-study", JSON.stringify({ of: "A", draft: 7 }));
+    localStorage.setItem("ridelab-draft-changed-study", JSON.stringify({ of: "A", draft: 7 }));
     const of = (id: string) => restoreDraft({ name: "changed study", of: id, restore: (stored) => stored });
     expect([of("A"), of("B")]).toEqual([7, null]);
   });

@@ -1,21 +1,6 @@
 import { describe, expect, it } from "vitest";
+import { FULL_STORAGE, memoryStorage } from "../lib/storage.fixture";
 import { createLibrary } from "./library";
-
-function fakeStorage({ full = false } = {}): Storage {
-  const texts = new Map<string, string>();
-  return {
-    get length() {
-      return texts.size;
-    },
-    key: (index: number) => [...texts.keys()][index] ?? null,
-    getItem: (key: string) => texts.get(key) ?? null,
-    setItem: (key: string, text: string) => {
-      if (full) throw new DOMException("full", "QuotaExceededError");
-      texts.set(key, text);
-    },
-    removeItem: (key: string) => void texts.delete(key),
-  } as Storage;
-}
 
 let seconds = 0;
 const clock = () => new Date(1000 * ++seconds).toISOString();
@@ -25,7 +10,7 @@ const [SOFT, HARD] = [{ mpc: { weight: 1 } }, { mpc: { weight: 9 } }];
 
 describe("one's own library", () => {
   it("keeps each kind by name, the newest first, and replaces what has the name", () => {
-    const storage = fakeStorage();
+    const storage = memoryStorage();
     const library = open(storage);
     library.save("scenario", " Soft: 2 ", SOFT);
     library.save("vehicle", "Van", { body_mass: 900 });
@@ -37,7 +22,7 @@ describe("one's own library", () => {
   });
 
   it("opens what core 0.3.0 stored with the filter it had, and what it stores itself as it is", () => {
-    const storage = fakeStorage();
+    const storage = memoryStorage();
     const kalman = { estimation: { kind: "kalman" } };
     storage.setItem(
       "ridelab-library:scenario:Old",
@@ -60,7 +45,7 @@ describe("one's own library", () => {
   });
 
   it("renames, deletes and takes a deletion back; a name that is taken is refused", () => {
-    const library = open(fakeStorage());
+    const library = open(memoryStorage());
     library.save("scenario", "A", SOFT);
     library.save("scenario", "B", HARD);
     const [b] = library.get();
@@ -75,7 +60,7 @@ describe("one's own library", () => {
   });
 
   it("takes a deletion back without replacing what has the name by then", () => {
-    const library = open(fakeStorage());
+    const library = open(memoryStorage());
     library.save("scenario", "A", SOFT);
     const [a] = library.get();
     if (!a) throw new Error("nothing saved");
@@ -89,7 +74,7 @@ describe("one's own library", () => {
   });
 
   it("adds a file's content once, and never over another's", () => {
-    const library = open(fakeStorage());
+    const library = open(memoryStorage());
     expect(library.add("scenario", "hump", SOFT)).toBe("hump");
     expect(library.add("scenario", "hump", HARD)).toBe("hump (2)");
     expect(library.add("scenario", "again", { mpc: { weight: 1 } })).toBe("hump");
@@ -97,7 +82,7 @@ describe("one's own library", () => {
   });
 
   it("loses nothing that another tab has saved", () => {
-    const storage = fakeStorage();
+    const storage = memoryStorage();
     const [one, other] = [open(storage), open(storage)];
     one.save("scenario", "A", SOFT);
     other.save("scenario", "B", HARD);
@@ -107,9 +92,9 @@ describe("one's own library", () => {
   });
 
   it("says so where the browser keeps nothing, and ignores what it cannot read", () => {
-    for (const storage of [null, fakeStorage({ full: true })])
+    for (const storage of [null, FULL_STORAGE])
       expect(() => open(storage).save("scenario", "A", SOFT)).toThrow("export it as a file");
-    const storage = fakeStorage();
+    const storage = memoryStorage();
     for (const [key, text] of [
       ["scenario:A", "{"],
       ["scenario:B", '{"value": 3, "saved": ""}'],
