@@ -335,6 +335,9 @@ def test_the_shell_completes_names_that_a_service_gave(cli: Cli, monkeypatch: py
         monkeypatch.setenv("COMP_CWORD", str(len(words.split())))
         monkeypatch.setattr(options, "completed_field", "")
         assert completed in cli().split(), words
+    monkeypatch.setenv("COMP_WORDS", "ridelab\nrun\n--set\nroad.se")
+    monkeypatch.setenv("COMP_CWORD", "3")
+    assert cli().split() == ["road.seed=", "road.seed=VALUE"], "after one word alone the shell leaves a space"
     monkeypatch.setenv("COMP_WORDS", "ridelab\nrun\n--set\nroad.seed\n=\nva")
     monkeypatch.setenv("COMP_CWORD", "5")
     assert cli().split() == [], "only vehicles have names"

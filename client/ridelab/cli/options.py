@@ -58,7 +58,9 @@ def completes(kind: str, end: str = "") -> Callable[[str], list[str]]:
             vehicles = remembered()["vehicles"] if (field or completed_field) == "vehicle" else []
             return [f"{field}{sign}{name}" for name in vehicles if name.startswith(vehicle)]
         before, comma, last = incomplete.rpartition(",")
-        return [f"{before}{comma}{name}{end}" for name in remembered().get(kind, []) if name.startswith(last)]
+        names = [f"{before}{comma}{name}{end}" for name in remembered().get(kind, []) if name.startswith(last)]
+        # Of two with one beginning the shell completes that alone; after a single one it would leave a space.
+        return [*names, f"{names[0]}VALUE"] if end and len(names) == 1 else names
 
     return complete
 
