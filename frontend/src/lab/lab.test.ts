@@ -232,8 +232,10 @@ it("a live answer that comes after the slider was left is dropped", async () => 
   const { lab, answer, start } = harness();
   await start();
   lab.drag(LOW);
+  expect(lab.get().busy).toBe(true);
   lab.setStrategies([]);
   lab.commit(LOW);
+  expect(lab.get().busy).toBe(false);
   await answer("live");
   expect(lab.get().shown?.scenario).toEqual(PAPER);
 });

@@ -58,13 +58,24 @@ export function createRequests(
     exact.start(request);
   };
 
+  const cancel = () => {
+    live.cancel();
+    unfinished = null;
+    exact.cancel();
+    labAddress.cancelNavigation();
+    patch({ busy: false, stale: false, failure: null, serverErrors: NO_ERRORS });
+  };
+
   // Each of the three below changes address, form, table and curves in one turn, once it has all of them: nobody sees,
   // shares or goes back to an address that is not of what is shown.
 
   const submit: Requests["submit"] = (mode) => {
     const { history, strategies: switchedOn, roads } = store.get();
     const strategies = roads > 1 ? switchedOn.filter((id) => !isRecording(id)) : switchedOn; // a recording is of one road
-    if (strategies.length === 0) return;
+    if (strategies.length === 0) {
+      cancel();
+      return;
+    }
     if (mode === "push") labAddress.cancelNavigation();
     const { baseline } = labAddress.get().view;
     const over = roads > 1 ? { roads, ...(strategies.includes(baseline) ? { baseline } : {}) } : null;
@@ -170,13 +181,7 @@ export function createRequests(
       const busy = live.follow();
       if (store.get().busy !== busy) patch({ busy }); // each change asks every part of the page whether it is concerned
     },
-    cancel: () => {
-      live.cancel();
-      unfinished = null;
-      exact.cancel();
-      labAddress.cancelNavigation();
-      patch({ busy: false, stale: false, failure: null, serverErrors: NO_ERRORS });
-    },
+    cancel,
     resume: () => unfinished?.(),
   };
 }

@@ -145,6 +145,7 @@ interface NumberSliderProps {
 export function NumberSlider({ field, leaf, label }: NumberSliderProps) {
   const scale = sliderScale(field);
   const isPressed = useRef(false);
+  const hasMoved = useRef(false);
   const rest = useReleaseAfterKeys(leaf.release);
 
   const clamp = (value: number) => Math.min(scale.maximum, Math.max(scale.minimum, scale.toSlider(value)));
@@ -158,6 +159,7 @@ export function NumberSlider({ field, leaf, label }: NumberSliderProps) {
   const release = () => {
     if (!isPressed.current) return;
     isPressed.current = false;
+    if (!hasMoved.current) return;
     rest.stop();
     leaf.release();
   };
@@ -176,9 +178,13 @@ export function NumberSlider({ field, leaf, label }: NumberSliderProps) {
       onChange={(event) => {
         const next = scale.fromSlider(event.currentTarget.valueAsNumber);
         if (next !== leaf.value) leaf.drag(next);
+        hasMoved.current = true;
         if (!isPressed.current) rest.begin();
       }}
-      onPointerDown={({ button }) => (isPressed.current = button === 0 && !leaf.readOnly)}
+      onPointerDown={({ button }) => {
+        isPressed.current = button === 0 && !leaf.readOnly;
+        hasMoved.current = false;
+      }}
       onPointerUp={release}
       onPointerCancel={release}
       onLostPointerCapture={release}
