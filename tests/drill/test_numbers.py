@@ -9,13 +9,11 @@ import numpy as np
 import pytest
 
 from benchmarks.cost import warm_up
-from tests.unit.random_runs import CHEAP, attack
+from tests.unit.random_runs import attack
 from tests.unit.symmetries import LAWS, check
 
 SCENARIOS = int(os.environ.get("DRILL_SCENARIOS", "100000"))
 SEED = int(os.environ.get("DRILL_SEED", "1"))
-BOUND = 20 * CHEAP  # processor time of a run that was estimated to be cheap [s]
-LONGEST = 90.0  # of any run that is not refused: a worker's task may take as long [s]
 
 
 @pytest.mark.timeout(7200)
@@ -25,11 +23,9 @@ def test_every_number_is_finite_and_no_run_costs_more_than_its_bound(dear: bool)
     found = attack(SEED, SCENARIOS // 200 if dear else SCENARIOS, dear=dear)
     print(f"\nseed {SEED}: {found.ended} ended, {found.refused.total()} were refused: {dict(found.refused)}")
     ratios = np.quantile(found.ratios, [0.01, 0.5, 0.99, 1])
-    print(
-        f"cost over estimate at 1, 50, 99, 100 %: {ratios.round(2).tolist()}; most {found.most:.2f} s: {found.most_of}"
-    )
+    print(f"cost over estimate at 1, 50, 99, 100 %: {ratios.round(2).tolist()}; most: {found.most_of}")
     assert not found.not_finite, found.not_finite
-    assert found.most < (LONGEST if dear else BOUND), found.most_of
+    assert not found.over, found.over
 
 
 @pytest.mark.timeout(7200)

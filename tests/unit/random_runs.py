@@ -12,11 +12,15 @@ from pydantic.fields import FieldInfo
 from backend.cost.affordable import simulate
 from backend.cost.estimate import estimate
 from benchmarks.cost import drawn, on_slider
+from sim_core.control.qp import MAX_EFFORT
 from sim_core.errors import RidelabError
 from sim_core.result import StrategyResult
 from tests.results import metrics
 
 CHEAP = 0.05  # estimated [s of one core]
+# Processor time of one that was estimated to be cheap [s]; where a loop diverges OSQP takes all iterations of each QP.
+CHEAP_BOUND = 20 * CHEAP
+LONGEST = 90.0  # of any run that is not refused: a worker's task may take as long [s]
 
 
 def to_its_limits(info: FieldInfo, rng: np.random.Generator) -> Any:
@@ -46,7 +50,17 @@ def numbers(result: StrategyResult) -> dict[str, float]:
 
 @dataclass
 class Count:
-    """What became of random runs: how many ended, were refused and why; whose numbers are none; their costs [s]."""
+    """What became of random runs.
+
+    Attributes:
+        ended: So many have a result.
+        refused: So many do not, by reason.
+        not_finite: Which have a number that is none.
+        ratios: Cost over estimate of each that ended.
+        most: Of a cost [s].
+        most_of: Whose that is.
+        over: Which cost more than their bound.
+    """
 
     ended: int = 0
     refused: Counter[str] = field(default_factory=Counter)
@@ -54,6 +68,7 @@ class Count:
     ratios: list[float] = field(default_factory=list)
     most: float = 0.0
     most_of: str = ""
+    over: list[str] = field(default_factory=list)
 
 
 def attack(seed: int, count: int, *, dear: bool = False) -> Count:
@@ -73,12 +88,12 @@ def attack(seed: int, count: int, *, dear: bool = False) -> Count:
         cost = time.process_time() - before
         counted.ended += 1
         counted.ratios.append(cost / expected)
+        run = f"seed {seed}, number {number}, {strategy}, {scenario.mpc.solver}, {cost:.2f} s for {expected:.3f} s"
         if cost > counted.most:
-            counted.most, counted.most_of = (
-                cost,
-                f"seed {seed}, number {number}, {strategy}, estimated {expected:.3f} s",
-            )
+            counted.most, counted.most_of = cost, run
+        if cost > (LONGEST if dear else MAX_EFFORT if scenario.mpc.solver == "osqp" else CHEAP_BOUND):
+            counted.over.append(run)
         bad = [key for key, value in numbers(result).items() if not np.isfinite(value)]
         if bad:
-            counted.not_finite.append(f"seed {seed}, number {number}, {strategy}: {', '.join(bad)}")
+            counted.not_finite.append(f"{run}: {', '.join(bad)}")
     return counted
