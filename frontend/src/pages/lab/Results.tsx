@@ -35,7 +35,7 @@ interface Props {
   readonly resultView: ResultView | null;
 }
 
-export function Results({ strategies, catalogue, figures, resultView }: Props) {
+export const Results = memo(function Results({ strategies, catalogue, figures, resultView }: Props) {
   const failure = useLab((state) => state.failure);
   const none = useLab((state) => state.strategies.length === 0);
   const shown = useLab((state) => state.shown !== null);
@@ -72,7 +72,7 @@ export function Results({ strategies, catalogue, figures, resultView }: Props) {
       )}
     </div>
   );
-}
+});
 
 function Requirements({ resultView, catalogue, figures }: PartProps) {
   const metrics = useMemo(() => metricsOf(catalogue, figures), [catalogue, figures]);
@@ -141,7 +141,7 @@ function useInSight(newest: ResultView) {
   return [ref, shown] as const;
 }
 
-function Histories({ resultView, catalogue, figures }: PartProps) {
+const Histories = memo(function Histories({ resultView, catalogue, figures }: PartProps) {
   const [ride, rest] = useMemo(() => {
     const drawn = Object.entries(figures).flatMap(([name, template]) => (name === "road" ? [] : [template]));
     const isRide = ({ layout }: FigureTemplate) => catalogue.paper_signals.includes(layout.meta.signal);
@@ -163,7 +163,7 @@ function Histories({ resultView, catalogue, figures }: PartProps) {
       </div>
     </>
   );
-}
+});
 
 export function NothingChosen({ suggestion }: { readonly suggestion: readonly string[] }) {
   const { lab } = useLabContext();
