@@ -46,6 +46,5 @@ export default defineConfig({
     include: ["src/**/*.test.{ts,tsx}", "scripts/*.test.mjs"],
     environment: "node",
     isolate: false,
-    css: { include: [/\?raw$/] },
   },
 });

@@ -1,26 +1,9 @@
 import { expect, it } from "vitest";
-import type { FigureTemplate } from "../api/types";
 import { enlarged } from "./EnlargedFigure";
 import { ON_PAPER } from "./palettes";
+import { loadPanel } from "./template.fixture";
 
-const template = {
-  data: [{ name: "LV <b>", meta: { strategy: "lv", signal: "load" }, line: {} }],
-  layout: {
-    meta: {
-      ...{
-        title: "Load",
-        unit: "kN",
-        scale: 1,
-        signal: "load",
-        least_span: 0,
-        braking: 1,
-        stage_fills: {},
-        axes: { position: "Distance [m]" },
-      },
-      ...{ band_fill: "grey", neutral: "grey", band: null, reference_labels: {}, reference_factors: {} },
-    },
-  },
-} as unknown as FigureTemplate;
+const template = loadPanel({ lv: "LV <b>" }, { axes: { position: "Distance [m]" } });
 const lv = { position: new Float32Array([0, 10, 20, 30]), load: new Float32Array([0, 1, 90, 2]) };
 const curves = {
   ...{

@@ -1,29 +1,11 @@
 import { describe, expect, it } from "vitest";
-import type { FigureTemplate, Strategy } from "../api/types";
+import type { Strategy } from "../api/types";
 import { cell, figureCsv } from "./figureCsv";
 import { paperFigure, sized } from "./paperFigure";
 import type { Curves } from "./curves";
+import { loadPanel } from "./template.fixture";
 
-const template: FigureTemplate = {
-  data: [{ name: "LV, control", meta: { strategy: "lv", signal: "load" }, line: { color: "#1C5FDF" } }],
-  layout: {
-    meta: {
-      stage_fills: {},
-      band_fill: "grey",
-      neutral: "grey",
-      title: "Load",
-      unit: "kN",
-      scale: 1e-3,
-      signal: "load",
-      least_span: 0,
-      braking: 0,
-      band: null,
-      axes: { position: "Position [m]" },
-      reference_labels: {},
-      reference_factors: {},
-    },
-  },
-};
+const template = loadPanel({ lv: "LV, control" });
 const x = new Float32Array([0, 1, 2, 3, 4]);
 const load = new Float32Array([0, -6000, -7000.5, 2000, 0]);
 const curves: Curves = {

@@ -1,12 +1,13 @@
 import { describe, expect, it } from "vitest";
 import { maximumOf, minimumOf } from "../api/decode";
-import type { FigureTemplate, Summary } from "../api/types";
+import type { Summary } from "../api/types";
 import { drawOnCanvas } from "./canvas";
 import { buildFigure, MARGIN, ticksFor } from "./figure";
 import type { FigureInput } from "./curves";
 import { loadPlotly, plotlyState, type Plotly } from "./plotly";
 import { keepsRange } from "./Surface";
 import { stageShapes } from "./shapes";
+import { loadPanel } from "./template.fixture";
 import CASE from "../../../tests/data/stage_shapes.json";
 import { covering, extent, stretchesBelow, valueAt } from "../lib/samples";
 
@@ -34,26 +35,15 @@ describe("samples", () => {
   });
 });
 
-const template: FigureTemplate = {
-  data: ["lv", "passive"].map((strategy) => ({ meta: { strategy, signal: "load" }, line: { color: "#0072B2" } })),
-  layout: {
-    meta: {
-      stage_fills: { bump: "rgba(0, 0, 255, 0.1)" },
-      band_fill: "grey",
-      neutral: "grey",
-      title: "Load",
-      unit: "kN",
-      scale: 1e-3,
-      signal: "load",
-      least_span: 0,
-      braking: 20_000,
-      band: null,
-      axes: {},
-      reference_labels: {},
-      reference_factors: { front_static_load: [-1] },
-    },
+const template = loadPanel(
+  { lv: "LV", passive: "Passive" },
+  {
+    stage_fills: { bump: "rgba(0, 0, 255, 0.1)" },
+    braking: 20_000,
+    axes: {},
+    reference_factors: { front_static_load: [-1] },
   },
-};
+);
 const summary = {
   reference: { front_static_load: 5000 },
   stages: [

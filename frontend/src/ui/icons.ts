@@ -53,4 +53,3 @@ export const IconTemplate = icon(shapes.Template);
 export const IconTerminal2 = icon(shapes.Terminal2);
 export const IconWorldUpload = icon(shapes.WorldUpload);
 export const IconX = icon(shapes.X);
-export const IconZoomReset = icon(shapes.ZoomReset);

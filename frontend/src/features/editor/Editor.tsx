@@ -57,7 +57,7 @@ export function Editor({ form }: { readonly form: Group }) {
   const changed = useFromScenario((scenario) => changedPointers(scenario, form).length);
 
   return (
-    <div className={classes.editor} data-scenario>
+    <div className={classes.editor} data-scenario data-read-only={readOnly || undefined}>
       <div className={classes.summary}>
         <Text c="dimmed">
           {changed === 0

@@ -69,7 +69,7 @@ export function FrequencyCard({ resultView, catalogue }: Props) {
       {fault !== null && <Fault>{fault}</Fault>}
       <div className={classes.charts}>
         {figures.map(({ title, unit: own, figure }) => (
-          <figure key={title} className={classes.figure} data-chart={title}>
+          <figure key={title} className={classes.figure}>
             <figcaption>
               {title}{" "}
               <span>

@@ -162,7 +162,7 @@ function Limits({ answer: { limits } }: { readonly answer: InstantAnswer }) {
       label="Limits"
       rows={limits}
       rowKey={({ name }) => name}
-      rowAttributes={({ distance }) => ({ "data-holds": distance <= 0 || undefined })}
+      rowAttributes={({ distance }) => (distance <= 0 ? { className: classes.binding } : {})}
       columns={[
         { key: "name", head: "Limit", text: true, cell: ({ name }) => limitName(name) },
         {

@@ -115,7 +115,7 @@ function Drawing({ curves, field, figure, limit, onLimit }: DrawingProps) {
       <svg width={width} height={HEIGHT} className={classes.chart} role="group" aria-label={name}>
         <Axes {...{ across, up, toX, toY, field, figure }} />
         {curves.map(({ strategy: { id, colour }, points }) => (
-          <g key={id} stroke={colour} data-curve={id}>
+          <g key={id} stroke={colour}>
             <polyline fill="none" strokeWidth={2} points={points.map(([x, y]) => `${toX(x)},${toY(y)}`).join(" ")} />
             {crossings(points, shown).map((x) => (
               <circle key={x} cx={toX(x)} cy={toY(shown)} r={4} fill="var(--surface)" strokeWidth={2} />

@@ -47,7 +47,7 @@ export function BatchState({ batch, form, connected, left, readOnly }: Props) {
         )}
       </Text>
       {batch.notes.length > 0 && (
-        <Box component="ul" m={0} pl="1.1rem" fz="xs" c="dimmed" data-testid="batch-notes">
+        <Box component="ul" m={0} pl="1.1rem" fz="xs" c="dimmed">
           {batch.notes.map((note) => (
             <li key={note}>{note}.</li>
           ))}

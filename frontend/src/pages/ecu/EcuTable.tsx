@@ -140,7 +140,7 @@ function EcuEvents({ summary, catalogue }: { readonly summary: Summary | undefin
   return (
     <dl className={`${ui.facts} ${ui.note}`} aria-label="What the loop met">
       {events.map(({ key, label, unit, description }) => (
-        <div key={key} title={description} data-event={key}>
+        <div key={key} title={description}>
           <dt>{label}</dt>
           <dd>
             {shownEvent(summary.events[key])} {prettyUnit(unit)}

@@ -81,7 +81,7 @@ function Switch({ reading, set, onChange }: SwitchProps) {
   const current = reading.choices.find((choice) => choice.id === reading.chosen);
   const isChanged = standard !== current;
   return (
-    <div className={`${ui.card} ${classes.switch}`} data-changed={isChanged || undefined} data-reading={reading.id}>
+    <div className={`${ui.card} ${classes.switch}`} data-changed={isChanged || undefined}>
       <Group gap="0 0.8rem" align="baseline" justify="space-between">
         <Box component="h3" id={id} m={0} fz="sm" fw={650}>
           {typeset(reading.title)}

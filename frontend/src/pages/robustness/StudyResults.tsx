@@ -179,14 +179,14 @@ const plain = (percent: number | null) =>
 
 function Lead({ summary, margin }: { readonly summary: BatchSummary; readonly margin: Margin | null | undefined }) {
   // The margin is the other strategy's: where that is worse, the baseline is better.
-  if (typeof margin?.worse !== "number" || typeof margin.better !== "number") return "–";
-  const { worse, better } = margin;
+  if (typeof margin?.worse !== "number") return "–";
+  const { worse } = margin;
   return (
     <>
       <Box component="span" display="block" fw={650}>
         {whole(worse)}
       </Box>
-      <span className={classes.shareBar} aria-hidden data-behind={worse < better || undefined}>
+      <span className={classes.shareBar} aria-hidden>
         <span style={{ width: `${100 * worse}%` }} />
       </span>
       <span className={classes.lost}>

@@ -1,4 +1,5 @@
 import { describe, expect, it } from "vitest";
+import type { Strategy } from "../../api/types";
 import { markersOf } from "../../plots/markers";
 import { drawnAxes, nearest, locate } from "./dots";
 import { linesOf } from "./lines";
@@ -119,35 +120,9 @@ describe("how a sweep is looked at", () => {
 
 describe("a plot of many points", () => {
   const strategies = [
-    {
-      id: "lv",
-      label: "LV control",
-      description: "",
-      colour: "#00f",
-      dark_colour: "#00f",
-      dash: "solid",
-      reads: [],
-      one_road_resolution: {},
-      fault: null,
-      options: {},
-      own: false,
-      source: null,
-    },
-    {
-      id: "passive",
-      label: "Passive",
-      description: "",
-      colour: "#555",
-      dark_colour: "#555",
-      dash: "dot",
-      reads: [],
-      one_road_resolution: {},
-      fault: null,
-      options: {},
-      own: false,
-      source: null,
-    },
-  ];
+    { id: "lv", label: "LV control", colour: "#00f" },
+    { id: "passive", label: "Passive", colour: "#555" },
+  ] as unknown as Strategy[];
   const x = { name: "road.bump.height", title: "Height", unit: "m", linked_to: null };
   const y = { key: "peak", label: "Body acceleration", group: "Peak, bump", unit: "m/s^2", scale: 1 };
   const palette = { text: "#000", grid: "#ccc", zero: "#999" };

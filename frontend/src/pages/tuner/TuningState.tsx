@@ -66,7 +66,7 @@ function Within({ tuning, comparing }: { readonly tuning: Tuning; readonly compa
   });
   const finished = data ? data.done + data.failed : 0;
   return (
-    <Text size="xs" c="dimmed" data-testid="tuning-within">
+    <Text size="xs" c="dimmed">
       {data
         ? `${comparing ? "Comparison" : `Generation ${tuning.generation + 1}`}: ${formatWhole(finished)} of ${count(data.total, "run")}`
         : "\u00a0"}

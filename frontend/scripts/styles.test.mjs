@@ -1,11 +1,19 @@
+import { readdirSync, readFileSync } from "node:fs";
 import postcss, { Rule } from "postcss";
 import { expect, it } from "vitest";
 
-const sheets = import.meta.glob<string>("../**/*.module.css", { query: "?raw", import: "default", eager: true });
+/** A file's text by its name. */
+const read = (ending) =>
+  Object.fromEntries(
+    readdirSync("src", { recursive: true, encoding: "utf8" })
+      .filter((file) => file.endsWith(ending))
+      .map((file) => [file, readFileSync(`src/${file}`, "utf8")]),
+  );
+const sheets = read(".module.css");
 
 /** Selectors at the top level of a sheet or of an at-rule such as `@media`. */
-function selectorsOf(text: string): readonly string[] {
-  const selectors: string[] = [];
+function selectorsOf(text) {
+  const selectors = [];
   postcss.parse(text).walkRules(({ parent, selectors: own }) => {
     const isNested = parent instanceof Rule || (parent?.type === "atrule" && parent.name.endsWith("keyframes"));
     if (!isNested) selectors.push(...own);
@@ -34,10 +42,18 @@ it("no style of an element depends on what is in another one around it", () => {
   expect(around).toEqual([]);
 });
 
+it("every attribute that a style asks for is set by a component", () => {
+  const code = Object.values(read(".tsx")).join("\n");
+  const asked = Object.values(sheets).flatMap((text) =>
+    [...text.matchAll(/\[(data-[a-z-]+)/g)].map(([, name]) => name),
+  );
+  expect([...new Set(asked)].filter((name) => !code.includes(name))).toEqual([]);
+});
+
 it("there are five sizes of type, the theme's", () => {
   const others = Object.entries(sheets).flatMap(([file, text]) =>
     [...text.matchAll(/font-size: (.*);/g)]
-      .map(([, size = ""]) => size)
+      .map(([, size]) => size)
       .filter((size) => size !== "inherit" && !/^var\(--mantine-font-size-(xs|sm|md|lg|xl)\)$/.test(size))
       .map((size) => `${file}: ${size}`),
   );
