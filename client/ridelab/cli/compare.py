@@ -293,7 +293,7 @@ def _number(value: Figure | str) -> float | None:
 
 def _show(differing: list[Difference], total: int) -> None:
     typer.echo()
-    changes = [f"{100 * item.change:+.2f} %" if math.isfinite(item.change) else "-" for item in differing]
+    changes = [f"{100 * item.change:+z.2f} %" if math.isfinite(item.change) else "-" for item in differing]
     rows = [[item.strategy, with_unit(item.figure, item.unit), item.a, item.b] for item in differing]
     show_table(["strategy", "metric", "A", "B", "change"], [[*row, at] for row, at in zip(rows, changes, strict=True)])
     more = f"; these are the {len(differing)} largest, --limit 0 shows all" if total > len(differing) else ""

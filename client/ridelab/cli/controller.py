@@ -89,7 +89,7 @@ def _fit(row: Mapping[str, Any]) -> list[Any]:
         f"{operations['least']} to {operations['most']}",
         f"{1000 * time['least']:.1f} to {1000 * time['most']:.1f} ms",
         row["fits"],
-        f"{max(changes):+.1f} %" if changes else "none",
+        f"{max(changes):+z.1f} %" if changes else "none",
     ]
 
 
@@ -107,4 +107,4 @@ def _show_clock(report: Mapping[str, Any], names: Names) -> None:
     for window, row in report["changes"].items():
         for key, value in row.items():
             if value is not None:
-                typer.echo(f"{names.windows[window]}, {names.signals[key][0]}: {value:+.2f} %")
+                typer.echo(f"{names.windows[window]}, {names.signals[key][0]}: {value:+z.2f} %")

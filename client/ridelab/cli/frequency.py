@@ -92,7 +92,7 @@ def _bands(bands: dict[str, list[float]], of_baseline: dict[str, list[float]] | 
     values = bands[signal]
     base = of_baseline[signal] if of_baseline is not None and of_baseline is not bands else [0.0] * len(values)
     return [
-        f"{value:.3g}{f' ({100 * (value / reference - 1):+.0f} %)' if reference else ''}"
+        f"{value:.3g}{f' ({100 * (value / reference - 1):+z.0f} %)' if reference else ''}"
         for value, reference in zip(values, base, strict=True)
     ]
 

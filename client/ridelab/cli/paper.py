@@ -120,7 +120,7 @@ def _judged(item: Mapping[str, Any]) -> list[str]:
         return ["-", "-", "not available"]
     low, high = item["ci"]
     sure = "" if item["certain"] else "?"
-    return [f"{item['our_change']:+.1f} %", f"{low:+.1f} to {high:+.1f}", f"{item['verdict']}{sure}"]
+    return [f"{item['our_change']:+z.1f} %", f"{low:+z.1f} to {high:+z.1f}", f"{item['verdict']}{sure}"]
 
 
 def _counted(part: Mapping[str, Any], total: int) -> str:

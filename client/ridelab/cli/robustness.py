@@ -93,7 +93,7 @@ def _row(figure: Mapping[str, Any], percents: Sequence[float], event: bool) -> l
         compared = [f"{figure['above_zero']} of {figure['n']}"]
     elif (margin := figure["margin"]) is not None:
         better = "-" if margin["better"] is None else f"{100 * margin['better']:.0f} %"
-        changes = ("-" if value is None else f"{value:+.0f} %" for value in _quantiles(margin, percents, 50, 5, 95))
+        changes = ("-" if value is None else f"{value:+z.0f} %" for value in _quantiles(margin, percents, 50, 5, 95))
         compared = [*changes, better]
     return [*(shown(value, 4) for value in values), run, *compared, _follows(figure["sensitivity"])]
 
@@ -113,4 +113,4 @@ def _quantiles(distribution: Mapping[str, Any], percents: Sequence[float], *aske
 def _follows(sensitivity: Sequence[Mapping[str, Any]]) -> str:
     """The fields that matter most, with their rank correlation."""
     named = [item for item in sensitivity if item["p_value"] < _CHANCE][:_FOLLOWED]
-    return ", ".join(f"{item['field'].rpartition('.')[2]} {item['spearman']:+.2f}" for item in named)
+    return ", ".join(f"{item['field'].rpartition('.')[2]} {item['spearman']:+z.2f}" for item in named)

@@ -119,19 +119,20 @@ def _cell(run: RunResult, outcome: Outcome, base: Outcome | None, metric: tuple[
     value: Any = outcome.metrics[window][signal][statistic]  # type: ignore[literal-required]  # one of both
     if isinstance(value, Interval):
         change = run.changes.get(outcome.strategy, {}).get(window, {}).get(signal, {}).get(statistic)
-        return f"{value}{f' ({change.mean:+.1f} ± {change.half:.1f} %)' if isinstance(change, Interval) else ''}"
+        return f"{value}{f' ({change.mean:+z.1f} ± {change.half:.1f} %)' if isinstance(change, Interval) else ''}"
     reference: Any = base.figures()[".".join(metric)] if base is not None and base is not outcome else None
     if value is None:
         return "-"
-    return f"{value:.4g}{f' ({100 * (value - reference) / reference:+.1f} %)' if reference else ''}"
+    return f"{value:.4g}{f' ({100 * (value - reference) / reference:+z.1f} %)' if reference else ''}"
 
 
 def _drive(outcome: Outcome) -> list[str]:
+    exceeded = outcome.events["travel_exceeded_mm"]
     return [
         _with(outcome.travel_time, ".2f", " s"),
         _with(outcome.arrival_speed_kmh, ".1f", " km/h"),
         _with(outcome.events["airborne_ms"], ".0f", " ms"),
-        _with(outcome.events["travel_exceeded_mm"], ".1f", " mm"),
+        _with(exceeded, ".1f" if exceeded else ".0f", " mm"),
         _with(outcome.events["qp_solves"], "d"),
         f"{outcome.compute_ms:8.1f} ms",  # a width that how busy the machine is does not change
     ]

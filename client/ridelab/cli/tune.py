@@ -209,8 +209,10 @@ def _show_compared(
 def _change(change: Mapping[str, Any] | None, *, interval: bool) -> str:
     if change is None:
         return "-"
-    text = f"{change['value']:+.1f} %"
-    return f"{text} ({change['low']:+.1f} .. {change['high']:+.1f})" if interval and change["low"] is not None else text
+    text = f"{change['value']:+z.1f} %"
+    return (
+        f"{text} ({change['low']:+z.1f} .. {change['high']:+z.1f})" if interval and change["low"] is not None else text
+    )
 
 
 def _spans(numbers: Sequence[int]) -> str:
