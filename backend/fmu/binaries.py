@@ -1,5 +1,6 @@
 """An FMU's sources compiled for each platform: for Linux by this machine's own compiler, else by `ziglang`."""
 
+import hashlib
 import platform
 import sys
 import tempfile
@@ -17,6 +18,8 @@ PLATFORMS = {
     "darwin64": ("x86_64-darwin", ".dylib", "x86_64-macos"),
 }
 TIME = 70.0  # for all of them: less than a worker's task may take [s]
+CACHED = 12  # binaries that a worker has at hand, of some 100 kB
+_made: dict[bytes, bytes] = {}  # by the digest of what they are made of
 # As the core's C: without fused operations all compilers give the same numbers. Only FMI's functions can be seen.
 _FLAGS = ("-std=c11", "-O2", "-g0", "-ffp-contract=off", "-fvisibility=hidden", "-shared")
 
@@ -40,12 +43,17 @@ def binaries(
             (folder / file).write_text(text, encoding="utf-8")
         for wanted in platforms:
             fmi3, ending, target = PLATFORMS[wanted]
-            output = folder / f"{name}{ending}"
-            reason = _built(_compiler(wanted, target), [folder / file for file in files], output, end)
-            if reason is None:
-                built[f"binaries/{wanted if version == '2.0' else fmi3}/{name}{ending}"] = output.read_bytes()
-            else:
-                missing[wanted] = reason
+            output, made_of = folder / f"{name}{ending}", (name, target, files, sorted(sources.items()))
+            digest = hashlib.sha256(repr(made_of).encode()).digest()
+            if digest not in _made:
+                reason = _built(_compiler(wanted, target), [folder / file for file in files], output, end)
+                if reason is not None:
+                    missing[wanted] = reason
+                    continue
+                _made[digest] = output.read_bytes()
+            built[f"binaries/{wanted if version == '2.0' else fmi3}/{name}{ending}"] = _made[digest]
+    for oldest in list(_made)[:-CACHED]:
+        del _made[oldest]
     return built, missing
 
 

@@ -3,6 +3,7 @@
 import io
 import subprocess
 import zipfile
+from collections.abc import Sequence
 from copy import copy
 from pathlib import Path
 from typing import Any
@@ -12,7 +13,7 @@ import numpy as np
 import pytest
 from fmpy.validation import validate_fmu
 
-from backend.controller.build import compilers
+from backend.controller.build import compiled, compilers
 from backend.fmu.archive import fmu
 from backend.fmu.description import Version
 from sim_core import STRATEGIES, Controller, FloatArray, Scenario, Seen, Setup, simulate
@@ -102,6 +103,24 @@ def test_a_linear_law_gives_the_forces_of_our_run_in_whatever_steps_it_is_driven
     most = max(np.abs(wanted).max() for _, wanted in seen)
     assert most == 1000, "the limit was met"
     assert max(differences) < ROUNDING * most
+
+
+def test_what_was_compiled_once_is_not_compiled_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    commands = []
+
+    def counted(command: Sequence[str], *more: Any) -> str | None:
+        commands.append(command)
+        return compiled(command, *more)
+
+    def made(steps: int) -> bytes:
+        lqr = {"preview": "lookahead", "preview_horizon": steps}
+        return fmu(Scenario.model_validate(SMALL | {"lqr": lqr}), "lqr", "controller", "2.0", ["linux64"])
+
+    monkeypatch.setattr("backend.fmu.binaries.compiled", counted)
+    assert made(7) == made(7)
+    assert len(commands) == 1
+    made(8)
+    assert len(commands) == 2
 
 
 def test_lv_is_the_ecus_program_to_the_code(tmp_path: Path) -> None:
