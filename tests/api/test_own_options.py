@@ -12,7 +12,7 @@ from sim_core.scenario import Scenario
 from tests.api.conftest import ROAD, Service
 from tests.api.own_laws import LAW, SCENARIO, driven, own, told_of
 from tests.api.tuning import begin, get, trials, wait_for
-from tests.servers.process import wait_until
+from tests.servers.batches import computed
 
 MINE = LAW.replace("    damping", "    hard: bool = option(False)\n    damping")
 _CLASS = LAW.partition("\n\n\n")[2]
@@ -107,9 +107,8 @@ def test_what_was_held_to_requirements_of_a_law_that_is_gone_still_opens(service
     asked = {"scenario": SCENARIO, "strategies": ["held", "passive"], "requirements": requirements}
     run = client.post("/api/v1/runs", json=asked).json()
     sweep = {"grid": {"road.bump.height": [0.05, 0.1]}}
-    batch = client.post("/api/v1/batches", json={**asked, "sweep": sweep}).json()["id"]
+    batch = computed(client, **asked, sweep=sweep)["id"]
     path = f"/api/v1/batches/{batch}"
-    wait_until(lambda: client.get(path).json()["state"] == "done", "the sweep")
     targets = {"run_id": run["id"]}, {"batch_id": batch}
     links = [client.post("/api/v1/links", json={**each, "requirements": requirements}).json() for each in targets]
     addresses = [*("/api/v1/batches", path, f"{path}/requirements", f"{path}/results", f"{path}/summary")]
@@ -125,14 +124,8 @@ def test_what_was_held_to_requirements_of_a_law_that_is_gone_still_opens(service
 
 
 def test_sweeps_and_searches_take_options(service: Service) -> None:
-    body = {
-        "scenario": SCENARIO,
-        "strategies": ["mine", "passive"],
-        "sweep": {"grid": {"own.mine.damping": [0, 3000, 6000]}},
-    }
-    batch = service.client.post("/api/v1/batches", json=body).json()
-    assert "id" in batch, batch
-    wait_until(lambda: service.client.get(f"/api/v1/batches/{batch['id']}").json()["state"] == "done", "a sweep")
+    sweep = {"grid": {"own.mine.damping": [0, 3000, 6000]}}
+    batch = computed(service.client, scenario=SCENARIO, strategies=["mine", "passive"], sweep=sweep)
     figures = {"figures": "bump.body_acceleration.peak"}
     table = service.client.get(f"/api/v1/batches/{batch['id']}/table", params=figures).json()
     columns = table["columns"]
@@ -159,9 +152,8 @@ def test_a_robustness_study_judges_the_law_that_it_drove(service: Service, folde
     file.write_text(STEADY)
     ranges = {"own.mine.damping": [1000, 9000], "mismatch.body_mass": [0.8, 1.2]}
     sweep = {"latin_hypercube": {"ranges": ranges, "samples": 4}}
-    body = {"scenario": SCENARIO, "strategies": ["mine", "steady", "passive"], "sweep": sweep}
-    batch = service.client.post("/api/v1/batches", json=body).json()["id"]
-    wait_until(lambda: service.client.get(f"/api/v1/batches/{batch}").json()["state"] == "done", "the study")
+    strategies = ["mine", "steady", "passive"]
+    batch = computed(service.client, scenario=SCENARIO, strategies=strategies, sweep=sweep)["id"]
     summary = f"/api/v1/batches/{batch}/summary?baseline=passive&figures=bump.front_force.peak"
     study = service.client.get(summary).json()["strategies"]
     forces = study["mine"]["figures"]["bump.front_force.peak"]

@@ -7,7 +7,7 @@ import httpx
 import pytest
 
 from tests.api.conftest import ROAD, Service
-from tests.servers.process import wait_until
+from tests.servers.batches import computed
 
 PEAK = "bump.body_acceleration.peak"
 SCENARIO = {"road": ROAD}
@@ -147,12 +147,11 @@ def test_the_runs_of_a_batch_are_held_point_by_point(client: httpx.Client, run: 
         "sweep": {"grid": {"road.bump.height": heights}},
         "requirements": requirements,
     }
-    batch = client.post("/api/v1/batches", json=body).json()
+    batch = computed(client, **body)
     assert batch["requirements"] == [
         {"max": None, "min": None, "max_change": None, "strategies": None} | each for each in requirements
     ]
     path = f"/api/v1/batches/{batch['id']}"
-    wait_until(lambda: client.get(path).json()["state"] == "done", "the batch")
     answer = client.get(f"{path}/requirements").json()
     peaks = {
         (row["strategy"], row["road.bump.height"]): row["metrics"]["bump"]["body_acceleration"]["peak"]
@@ -194,8 +193,7 @@ def test_a_run_of_a_batch_that_could_not_be_computed_is_no_failure_of_its_limit(
             {"metric": PEAK, "max_change": 999, "strategies": ["passive"]},
         ],
     }
-    path = f"/api/v1/batches/{client.post('/api/v1/batches', json=body).json()['id']}"
-    wait_until(lambda: client.get(path).json()["state"] == "done", "the batch")
+    path = f"/api/v1/batches/{computed(client, **body)['id']}"
     answer = client.get(f"{path}/requirements").json()
     for result, reason in zip(
         answer["requirement_results"], ["no controller", "The baseline: no controller"], strict=True
