@@ -26,9 +26,9 @@ suite: development ## the tests alone
 	$(BIN)/python -m pytest tests --ignore tests/drill $(PYTEST)
 
 drill: development $(VENV)/clients/.installed ## at length: new random scenarios, fifty kills, load, locks, backups, fuzzing, costs; DRILL_KILLS= and DRILL_SEED= change it
-	HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/validation tests/faults/test_release.py --numprocesses 2
+	THOROUGH=1 HYPOTHESIS_PROFILE=search $(BIN)/python -m pytest tests/validation tests/faults/test_release.py --numprocesses 2
 	THOROUGH=1 $(BIN)/python -m pytest tests/browser
-	THOROUGH=1 $(BIN)/python -m pytest tests -m thorough --ignore tests/browser --ignore tests/drill
+	THOROUGH=1 $(BIN)/python -m pytest tests -m thorough --ignore tests/browser --ignore tests/drill --ignore tests/validation
 	$(BIN)/python -m pytest tests/drill -s
 
 mutate: development ## 300 small changes of the core, each by the tests that reach it; MUTATE_SEED= chooses, MUTATE_PIECE=1/3 takes a third

@@ -126,6 +126,7 @@ def test_a_run_a_link_and_a_batch_go_through_the_proxy(topology: Topology, clien
     assert submit(client, 0.05, 20) == identifier, "the same key, whichever replica is asked"
 
 
+@pytest.mark.thorough
 def test_dasks_workers_drive_a_law_of_ones_own(client: httpx.Client) -> None:
     sweep = {"grid": {"own.mine.damping": [500, 1000, 1500, 2000]}}
     body = {"scenario": {"road": SHORT}, "strategies": ["mine"], "sweep": sweep}

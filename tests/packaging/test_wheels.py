@@ -140,8 +140,6 @@ def test_the_client_alone_is_small_and_asks_a_service(client: Environment, addre
     ("words", "said"),
     [
         ("serve", "server is not installed here: name a service with --server"),
-        ("backup copy.sqlite", "server is not installed here"),
-        ("run --strategy passive", "server is not installed here"),
         ("demo", "core is not installed here"),
     ],
 )

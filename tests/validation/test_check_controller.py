@@ -95,9 +95,6 @@ def test_the_check_reads_the_declaration() -> None:
         ({"id": 3}, "id begins with a small letter and has small letters, digits and underscores only"),
         ({"id": "lqr"}, "id is that of a strategy of Ridelab's; taken are lv, lv_hil, lqr, "),
         ({"label": 3}, "label is no text"),
-        ({"preview": None}, "preview is one of none, wheelbase, lookahead, obstacle"),
-        ({"prediction_horizon": -3}, "prediction_horizon is a whole number, 0 or more"),
-        ({"speed_plan": "fast"}, "speed_plan is planned or constant"),
         ({"prediction_horizon": 2.5}, "prediction_horizon is a whole number, 0 or more"),
         ({"force": lambda _self, _seen: (100.0, 0.0), "actuated": False}, "no actuators, and gives a force"),
         (

@@ -163,19 +163,16 @@ def test_a_file_that_is_not_there_says_so(tmp_path: Path) -> None:
     ("body", "said"),
     [
         ("return 1 / 0, 0.0", r"mine\.py, line 12: ZeroDivisionError: "),
-        ("return float('nan'), 0.0", r"mine\.py, line 11: .*not finite"),
-        ("return None", r"mine\.py, line 11: .*two numbers, front and rear"),
         ("import sys; sys.exit(1)", r"mine\.py, line 12: It ends the program: leave out sys\.exit"),
-        ("seen.state[0] = 1.0; return 0.0, 0.0", r"mine\.py, line 12: .*it changes what it was given: copy it first"),
         ("return self.force(seen)", r"mine\.py, line 12: RecursionError"),
-        ("self.damping += 1.0; return self.damping, 0.0", r""),
     ],
 )
 def test_a_law_that_fails_is_told_with_its_line(file: Path, body: str, said: str) -> None:
-    text = LAW.replace("return -self.damping * seen.state[4], -self.damping * seen.state[4]", body)
-    file.write_text(text)
-    if not said:  # what a run changes of its copy is nobody else's
-        assert check_controller(mine(file)) == []
-        return
+    file.write_text(LAW.replace("return -self.damping * seen.state[4], -self.damping * seen.state[4]", body))
     (sentence,) = check_controller(mine(file))
     assert re.search(said, sentence), sentence
+
+
+def test_what_a_run_changes_of_its_copy_is_nobody_elses(file: Path) -> None:
+    file.write_text(LAW.replace("return -", "self.damping += 1.0; return -"))
+    assert check_controller(mine(file)) == []
