@@ -149,7 +149,7 @@ def stopped(client: httpx.Client, how: signal.Signals, seeds: str, folder: Path,
 
 
 @pytest.mark.usefixtures("no_service_left")
-@pytest.mark.parametrize("written", [True, False])
+@pytest.mark.parametrize("written", [True, pytest.param(False, marks=pytest.mark.thorough)])
 def test_ctrl_c_cancels_a_sweep_and_keeps_what_is_finished(client: httpx.Client, tmp_path: Path, written: bool) -> None:
     out = tmp_path / "its rows.csv"
     where = ("--out", str(out)) if written else ()
@@ -221,7 +221,7 @@ def test_ctrl_c_on_an_export_leaves_the_batch_alone(service: Service, tmp_path: 
     ("how", "code", "message"),
     [
         (signal.SIGINT, 130, "Interrupted: nothing was submitted, no file was written\n"),
-        (signal.SIGKILL, -signal.SIGKILL, ""),
+        pytest.param(signal.SIGKILL, -signal.SIGKILL, "", marks=pytest.mark.thorough),
     ],
 )
 def test_a_private_service_that_still_starts_ends_with_its_command(

@@ -73,6 +73,7 @@ def test_of_two_that_resume_it_with_other_trials_one_is_refused(client: httpx.Cl
     client.post(f"/api/v1/tunings/{job_id}/cancel").raise_for_status()
 
 
+@pytest.mark.thorough
 def test_a_batch_cancelled_from_outside_is_a_reason_and_resume_goes_on(client: httpx.Client) -> None:
     tuning_id = begin(client, trials=1000, population=128, limits=[], objectives=[{"kind": "peaks"}])["id"]
     while (tuning := get(client, tuning_id))["state"] != "failed":

@@ -147,6 +147,7 @@ def test_each_strategy_has_weights_of_its_own(client: httpx.Client, asked: dict[
     assert other["values"] != paper["values"]
 
 
+@pytest.mark.thorough
 def test_on_uncertain_cars_each_road_has_its_own_and_a_quantile_is_minimised(client: httpx.Client) -> None:
     uncertain: dict[str, Any] = {
         "search": {"mpc.prediction_horizon": [20, 40]},
