@@ -86,7 +86,7 @@ def test_the_shell_completes_this_versions_names_before_any_service_was_asked(
     assert json.loads(OURS.read_text("utf-8")) == kinds
     assert alone.error == ""
     assert completes("strategies")("lv,skyh") == ["lv,skyhook"]
-    assert completes("fields", "=")("road.bump.hei") == ["road.bump.height="]
+    assert completes("fields", "=")("road.bump.hei") == ["road.bump.height=", "road.bump.height=VALUE"]
     assert completes("fields", "=")("vehicle=va") == ["vehicle=van", "vehicle=van_loaded"]
     assert completes("vehicles")("su") == ["suv"]
     assert list(tmp_path.iterdir()) == []
