@@ -139,8 +139,8 @@ def test_the_client_alone_is_small_and_asks_a_service(client: Environment, addre
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        ("serve", "server is not installed here: name a service with --server"),
-        ("demo", "core is not installed here"),
+        ("serve", "server is not installed here: `pip install ridelab-server --find-links dist`"),
+        ("demo", "core is not installed here: `pip install ridelab-core --find-links dist`"),
     ],
 )
 def test_what_needs_more_says_what_to_install(client: Environment, words: str, said: str) -> None:

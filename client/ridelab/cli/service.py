@@ -36,8 +36,9 @@ def server_command(*arguments: str, data_dir: Path | None = None) -> list[str]:
     core = core_folder()
     if core is None or not (core / "backend" / "__main__.py").is_file():  # another `backend` may be anybody's
         raise UnavailableError(
-            "Ridelab's server is not installed here: name a service with --server or RIDELAB_SERVER, or use the "
-            "command in a folder of Ridelab's sources (`make setup` there, then .venv/bin/ridelab)"
+            "Ridelab's server is not installed here: `pip install ridelab-server --find-links dist` installs it from a "
+            "folder of wheels, `make setup` in that of the sources; with --server or RIDELAB_SERVER most commands work "
+            "with a service elsewhere"
         )
     where = str(data_dir or default_data_dir())
     return [sys.executable, "-P", "-m", "backend", *arguments, "--data-dir", where]
@@ -53,7 +54,8 @@ def check_core() -> None:
     """Refuse where the core is not installed."""
     if core_folder() is None:
         raise UnavailableError(
-            "Ridelab's core is not installed here: `pip install ./sim_core` in Ridelab's sources installs it"
+            "Ridelab's core is not installed here: `pip install ridelab-core --find-links dist` installs it from a "
+            "folder of wheels, `pip install ./sim_core` from that of the sources"
         )
 
 
