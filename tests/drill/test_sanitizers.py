@@ -15,11 +15,15 @@ import pytest
 ROOT = Path(__file__).parents[2]
 COPIED = ("sim_core", "backend", "client", "tests", "benchmarks", "docs", "pyproject.toml")
 SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fno-omit-frame-pointer", "-g", "-fPIC")
-# What drives all of the C: roads and kinks, every damper, stop and actuator, metrics, the fuzzy rules, QPs, the ECU.
+# What drives all of the C: roads and kinks, every damper, stop and actuator, metrics, the speed plan, QPs, the ECU,
+# and what thins time histories out.
 TESTS = (
-    *("unit/test_kernel.py", "unit/test_kernel_misuse.py", "unit/test_qp.py", "unit/test_recorder.py"),
+    *(f"unit/test_{name}.py" for name in ("kernel", "kernel_misuse", "pins", "qp", "recorder")),
     *(f"validation/test_{name}.py" for name in ("ecu", "estimation", "fuzzy", "measured", "metrics", "mismatch")),
-    *(f"validation/test_{name}.py" for name in ("nonlinear", "road", "sampling", "semi_active", "shape", "vehicles")),
+    *(
+        f"validation/test_{name}.py"
+        for name in ("nonlinear", "road", "sampling", "semi_active", "shape", "speed", "vehicles")
+    ),
 )
 
 pytestmark = pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc here")
