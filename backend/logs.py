@@ -48,14 +48,24 @@ class Lines(logging.Formatter):
         return "\n".join(line.translate(CONTROL) for line in lines)
 
 
+def _is_for_a_person(record: logging.LogRecord) -> bool:
+    """Whether it is more than a step of a start or an end; what an end waits for says how to force it."""
+    return record.levelno > logging.INFO or "force quit" in record.getMessage()
+
+
+def on_terminal() -> bool:
+    """Whether standard error is one."""
+    return sys.stderr.isatty()
+
+
 def configure(form: Format | None, level: Level) -> None:
     """Send the whole process's logs to standard error in this form; None is text on a terminal, else JSON."""
-    form = form or ("console" if sys.stderr.isatty() else "json")
+    form = form or ("console" if on_terminal() else "json")
     handler = logging.StreamHandler(sys.stderr)
     handler.setFormatter(Lines(form))
     root = logging.getLogger()
     root.handlers = [handler]
     root.setLevel(level.upper())
-    if form == "console" and level == "info":  # the steps of a start and an end say nothing to a person
-        logging.getLogger("uvicorn.error").setLevel(logging.WARNING)
+    if form == "console" and level == "info" and on_terminal():
+        logging.getLogger("uvicorn.error").addFilter(_is_for_a_person)
     logging.captureWarnings(True)

@@ -37,7 +37,7 @@ def unknown_name(what: str, name: str | int, offered: Sequence[str]) -> str:
     """
     message = f"Unknown {what} {name}" if is_name(name) else f"Unknown {what}"
     first, *rest = str(name).split(".")
-    if rest and first in offered and is_name(name):
+    if what == "field" and rest and first in offered and is_name(name):
         nested = ": {".join(f'"{each}"' for each in (first, *rest))
         return f"{message}: write it as {{{nested}: ...{'}' * (1 + len(rest))}"
     similar = get_close_matches(str(name), offered) if is_name(name) else []

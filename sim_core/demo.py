@@ -84,7 +84,7 @@ def _table(results: dict[str, StrategyResult]) -> Iterator[str]:
 
 
 def _cell(value: float, passive: float, name: str) -> str:
-    return f"{value:.4g}" if name == "passive" else f"{value:.4g} ({value / passive - 1:+.0%})"
+    return f"{value:.4g}" if name == "passive" else f"{value:.4g} ({value / passive - 1:+z.0%})"
 
 
 if __name__ == "__main__":

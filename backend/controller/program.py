@@ -32,7 +32,7 @@ class ProgramDrive:
         same = "is" if self.same else "is NOT"
         yield f"{self.program} drove the scenario; every metric {same} that of Ridelab's own program"
         for window, row in self.changes.items():
-            cells = (f"{key} {'none' if value is None else f'{value:+.1f} %'}" for key, value in row.items())
+            cells = (f"{key} {'none' if value is None else f'{value:+z.1f} %'}" for key, value in row.items())
             yield f"against lv simulated, {window}: {', '.join(cells)}"
 
 

@@ -18,8 +18,8 @@ PLATFORMS = {
     "darwin64": ("x86_64-darwin", ".dylib", "x86_64-macos"),
 }
 TIME = 70.0  # for all of them: less than a worker's task may take [s]
-CACHED = 12  # binaries that a worker has at hand, of some 100 kB
-_made: dict[bytes, bytes] = {}  # by the digest of what they are made of
+CACHED = 12  # binaries made last that a worker has at hand, of some 100 kB
+_compiled: dict[bytes, bytes] = {}  # by the digest of sources and target
 # As the core's C: without fused operations all compilers give the same numbers. Only FMI's functions can be seen.
 _FLAGS = ("-std=c11", "-O2", "-g0", "-ffp-contract=off", "-fvisibility=hidden", "-shared")
 
@@ -43,17 +43,17 @@ def binaries(
             (folder / file).write_text(text, encoding="utf-8")
         for wanted in platforms:
             fmi3, ending, target = PLATFORMS[wanted]
-            output, made_of = folder / f"{name}{ending}", (name, target, files, sorted(sources.items()))
-            digest = hashlib.sha256(repr(made_of).encode()).digest()
-            if digest not in _made:
+            output = folder / f"{name}{ending}"
+            digest = hashlib.sha256(repr((name, target, files, sorted(sources.items()))).encode()).digest()
+            if digest not in _compiled:
                 reason = _built(_compiler(wanted, target), [folder / file for file in files], output, end)
                 if reason is not None:
                     missing[wanted] = reason
                     continue
-                _made[digest] = output.read_bytes()
-            built[f"binaries/{wanted if version == '2.0' else fmi3}/{name}{ending}"] = _made[digest]
-    for oldest in list(_made)[:-CACHED]:
-        del _made[oldest]
+                _compiled[digest] = output.read_bytes()
+            built[f"binaries/{wanted if version == '2.0' else fmi3}/{name}{ending}"] = _compiled[digest]
+    for oldest in list(_compiled)[:-CACHED]:
+        del _compiled[oldest]
     return built, missing
 
 

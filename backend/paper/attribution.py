@@ -169,7 +169,7 @@ def sentences(values: Values) -> list[str]:
         ("rough_road", "rms", "RMS on the rough road"),
     ):
         of_window = [item for item in by_figure if item.figure[:2] == (window, statistic)]
-        changes = ", ".join(f"{item.total:+.0f} %" for item in of_window)
+        changes = ", ".join(f"{item.total:+z.0f} %" for item in of_window)
         speed, preview, switching = (
             _mean([getattr(item, factor) * log(1 + item.total / 100) for item in of_window]) for factor in FACTORS
         )
@@ -194,7 +194,7 @@ def _against(label: str, first: str, second: str, values: Values) -> str:
     worse = sum(change.low > 0 for change in changes)
     return (
         f"{label}, at the same speed: better in {better} of {len(changes)} figures, worse in {worse} "
-        f"(bump peaks {', '.join(f'{change.value:+.0f} %' for change in changes[4:])})."
+        f"(bump peaks {', '.join(f'{change.value:+z.0f} %' for change in changes[4:])})."
     )
 
 

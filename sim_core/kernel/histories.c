@@ -1,4 +1,4 @@
-/* Which samples of long time histories show them all in few (backend/runs/series.py). */
+/* Which samples of long time histories are shown, so that few keep all extremes and edges. */
 
 #include <math.h>
 

@@ -159,7 +159,7 @@ def logged(monkeypatch: pytest.MonkeyPatch) -> Iterator[Any]:
 
     yield start
     root.handlers, root.level = handlers, level
-    logging.getLogger("uvicorn.error").setLevel(logging.NOTSET)
+    logging.getLogger("uvicorn.error").filters.clear()
     logging.captureWarnings(False)
 
 
@@ -246,12 +246,17 @@ def test_without_a_terminal_logs_are_json_from_the_level_that_is_named(logged: A
     assert [line["event"] for line in lines(text)] == ["loud"]
 
 
-def test_a_terminal_is_told_of_requests_and_not_of_each_step_of_a_start(logged: Any) -> None:
-    text = logged("console")
+def test_a_terminal_is_told_of_requests_and_of_what_an_end_waits_for_and_not_of_each_step(
+    logged: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("backend.logs.on_terminal", lambda: True)
+    text = logged(None)
     logging.getLogger("uvicorn.error").info("Waiting for application startup.")
+    logging.getLogger("uvicorn.error").info("Waiting for connections to close. (CTRL+C to force quit)")
     logging.getLogger("uvicorn.error").warning("Invalid HTTP request received.")
     logging.getLogger("backend.access").info("request")
     assert [line.split(" [info] ")[-1].split(" [warning] ")[-1] for line in text.getvalue().splitlines()] == [
+        "Waiting for connections to close. (CTRL+C to force quit) [uvicorn.error]",
         "Invalid HTTP request received. [uvicorn.error]",
         "request [backend.access]",
     ]
