@@ -18,11 +18,11 @@ from typing import Any, TypeVar
 from pebble import ProcessPool
 
 from backend.compute import processes
-from backend.stopwatch import Stopwatch
 
 T = TypeVar("T")
 # Elsewhere a system's own libraries may fail in what was forked.
 METHOD = "forkserver" if sys.platform == "linux" else "spawn"
+GRACE = 15.0  # beyond the task's own time limit: then the pool itself is stuck [s]
 WARM_UP = 120.0  # a new process may take to import and warm up, on a busy machine [s]
 STARTING = 1.0  # a process that is ended before it is warm may take to start [s]
 POLL_INTERVAL = 0.25  # of a process that computes [s]
@@ -71,7 +71,7 @@ class WorkerProcess:
             self._pool = ProcessPool(
                 max_workers=1, initializer=processes.start, initargs=(nice,), context=_context(warm_up)
             )
-            self._warm = self._schedule(processes.prepare, (warm_up,))
+            self._warm = self._schedule(processes.prepare, (warm_up,), WARM_UP)
         self._pid = 0
 
     @property
@@ -89,11 +89,11 @@ class WorkerProcess:
         Raises:
             BrokenProcessPool: It broke.
             ProcessExpired: The process died.
-            TimeoutError: It takes longer than `timeout` [s]; the process has to be ended.
+            TimeoutError: It took longer than `timeout` [s] and was ended, or the pool is stuck.
         """
         from backend import own  # takes the core, which the service imports beside its first worker
 
-        task = self._schedule(processes.call_and_measure, (function, args, own.controller_sources()))
+        task = self._schedule(processes.call_and_measure, (function, args, own.controller_sources()), timeout)
         result: tuple[T, int] = await self._result(task, timeout)
         return result
 
@@ -109,9 +109,9 @@ class WorkerProcess:
             self._pool.stop()  # type: ignore[no-untyped-call]  # pebble leaves it untyped
             self._pool.join()
 
-    def _schedule(self, function: Callable[..., Any], args: tuple[Any, ...]) -> "Future[Any]":
+    def _schedule(self, function: Callable[..., Any], args: tuple[Any, ...], timeout: float) -> "Future[Any]":
         try:
-            task: Future[Any] = self._pool.schedule(function, args=args)
+            task: Future[Any] = self._pool.schedule(function, args=args, timeout=timeout)
         except RuntimeError as error:  # it broke since it was looked at
             raise BrokenProcessPool(str(error)) from None
         return task
@@ -120,8 +120,7 @@ class WorkerProcess:
         """The task's result; a pool that breaks just as it takes a task would leave it unanswered for ever."""
         future = asyncio.wrap_future(task)
         future.add_done_callback(_retrieve_exception)
-        stopwatch = Stopwatch(self._pid)
-        while stopwatch.seconds < timeout:
+        for _ in range(int((timeout + GRACE) / POLL_INTERVAL)):
             done, _ = await asyncio.wait({future}, timeout=POLL_INTERVAL)
             if done:
                 return future.result()
