@@ -181,8 +181,8 @@ def _slowing(
         distance: [m].
         braking: Deceleration by the brakes [m/s^2].
     """
-    constant = max(braking + chain.resistance(0.0), 1e-6)
-    air = max(chain.resistance(1.0) - chain.resistance(0.0), 1e-6)  # of the speed's square [1/m]
+    constant = max(braking + chain.rolling, 1e-6)
+    air = max(chain.air, 1e-6)  # of the speed's square [1/m]
     equal = sqrt(constant / air)  # the speed at which air drag equals all else [m/s]
     slowing = min(distance, log((speed**2 + equal**2) / (floor**2 + equal**2)) / (2 * air))
     end = sqrt((speed**2 + equal**2) * exp(-2 * air * slowing) - equal**2)

@@ -14,6 +14,8 @@ class BrakeChain:
     k = 2 µ is the brake factor, so T = 2 µ P A r_b for one brake.
 
     Attributes:
+        rolling: Deceleration by rolling [m/s^2]; not part of a_brake.
+        air: That by air drag, of the speed's square [1/m]; nor is it.
         numbers: Those that `struct plan` of kernel/speed.c begins with (8,).
     """
 
@@ -21,8 +23,8 @@ class BrakeChain:
         """The constants for a car of that mass [kg], wheels included."""
         torque_per_pressure = 2 * brake.friction_coefficient * brake.effective_radius * brake.piston_area
         self._lag = brake.pressure_lag
-        self._rolling = brake.rolling_resistance * GRAVITY
-        self._air = AIR_DENSITY * brake.drag_area / (2 * mass)
+        self.rolling = brake.rolling_resistance * GRAVITY
+        self.air = AIR_DENSITY * brake.drag_area / (2 * mass)
         self.numbers = (
             1 / (torque_per_pressure * brake.brakes),  # of one brake times its share of the torque [Pa/(N·m)]
             brake.maximum_deceleration,
@@ -30,13 +32,9 @@ class BrakeChain:
             brake.pressure_lag,
             brake.brakes * torque_per_pressure / (brake.wheel_radius * mass),  # deceleration of a pressure [m/s^2/Pa]
             2 * brake.effective_radius / brake.wheel_radius / brake.threshold_speed,  # slope of the friction [s/m]
-            self._rolling,
-            self._air,
+            self.rolling,
+            self.air,
         )
-
-    def resistance(self, speed: float) -> float:
-        """Deceleration by rolling and air drag [m/s^2]; not part of a_brake."""
-        return self._rolling + self._air * speed * speed
 
     def decay(self, duration: float) -> float:
         """Share of a pressure error that is left after a time [s]: first-order lag."""
