@@ -26,6 +26,13 @@ def test_responses_are_the_cores(client: httpx.Client) -> None:
     assert passive.modes[0].natural_frequency == pytest.approx(answer.modes[0].natural_frequency, rel=1e-9)
 
 
+def test_what_is_not_linear_is_null_and_says_why(client: httpx.Client) -> None:
+    body = {"scenario": {"hook": {"semi_active": True}}, "strategies": ["skyhook"]}
+    skyhook = client.post("/api/v1/frequency", json=body).json()["strategies"]["skyhook"]
+    assert skyhook["responses"] is None
+    assert "semi-active" in skyhook["reason"]
+
+
 @pytest.mark.parametrize("wrong", [{"frequencies": [0]}, {"outputs": ["speed"]}, {"stage": "jump"}, {"strategies": []}])
 def test_what_cannot_be_asked_is_refused_at_its_field(client: httpx.Client, wrong: dict[str, object]) -> None:
     answer = client.post("/api/v1/frequency", json={"strategies": ["lqr"], **wrong})

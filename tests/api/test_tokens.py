@@ -74,7 +74,7 @@ def test_the_api_is_for_those_with_a_token(app: FastAPI) -> None:
                 check(refused, 401, "token-required")
 
 
-@pytest.mark.parametrize("path", ["/", "/b/some", "/healthz", "/metrics", "/docs", "/api/v1/login"])
+@pytest.mark.parametrize("path", ["/", "/b/some", "/healthz", "/metrics", "/docs", "/openapi.json", "/api/v1/login"])
 def test_page_health_and_metrics_are_everybodys(app: FastAPI, path: str) -> None:
     assert ask(app, "GET", path).status_code == 200
 

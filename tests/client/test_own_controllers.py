@@ -58,6 +58,7 @@ def test_no_file_is_written_over_and_a_name_is_an_id(cli: Cli, file: Path) -> No
     ("law", "code", "said"),
     [
         ("return 1 / (seen.position < 110), 0.0", 1, "line 20: ZeroDivisionError"),
+        ("import os; os._exit(0)", 2, "it ended Python with the code 0"),
         ("while True: pass", 2, "it was ended after 3 s; has it a loop without an end?"),
         ("(", 2, "SyntaxError"),
     ],

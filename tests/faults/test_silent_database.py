@@ -16,7 +16,7 @@ from backend.settings import Settings
 from backend.store import Store
 from tests.api.conftest import Service, serve
 from tests.servers.batches import wait_for
-from tests.servers.forwarder import Forwarder
+from tests.servers.forwarder import DIRECTIONS, Direction, Forwarder
 from tests.servers.postgres import Postgres
 from tests.servers.process import wait_until
 
@@ -51,11 +51,15 @@ def impatient(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.usefixtures("impatient")
-def test_who_asks_meanwhile_gets_503_and_afterwards_an_answer(service: Service, forwarder: Forwarder) -> None:
-    """In tests/drill/test_partition.py the network is cut in one direction too."""
+@pytest.mark.parametrize(
+    "direction", [pytest.param(name, marks=[pytest.mark.thorough] * (name != "both")) for name in DIRECTIONS]
+)
+def test_who_asks_meanwhile_gets_503_and_afterwards_an_answer(
+    service: Service, forwarder: Forwarder, direction: Direction
+) -> None:
     stored = service.run(["passive"], SHORT).json()
     path = f"/api/v1/runs/{stored['id']}"
-    with forwarder.blocked("both"), ThreadPoolExecutor(ASKING + 2) as clients:
+    with forwarder.blocked(direction), ThreadPoolExecutor(ASKING + 2) as clients:
         new = clients.submit(service.run, ["passive"], {"road": {"length": 122.3}})
         unready = clients.submit(service.client.get, "/readyz")
         answers = [*clients.map(lambda _: service.client.get(path), range(ASKING)), new.result()]

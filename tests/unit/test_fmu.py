@@ -16,7 +16,7 @@ from fmpy.validation import validate_fmu
 from backend.controller.build import compiled, compilers
 from backend.fmu.archive import fmu
 from backend.fmu.description import Version
-from sim_core import STRATEGIES, Controller, FloatArray, Scenario, Seen, Setup, simulate
+from sim_core import STRATEGIES, Controller, FloatArray, RidelabError, Scenario, Seen, Setup, simulate
 from sim_core.simulate import prepare
 from sim_core.strategies.lv_hil import LvHil
 from sim_core.vehicle.make import make_vehicle
@@ -201,6 +201,21 @@ def differences_of(
             [*STATE[:2], STATE[5]]
         )
     return float((np.abs(differences).max(axis=0) / np.abs(loop[:, :8]).max(axis=0)).max())
+
+
+@pytest.mark.parametrize(
+    ("strategy", "more", "reason"),
+    [
+        ("suspension_only", {}, "a QP decides where one of its limits binds"),
+        ("skyhook", {"hook": {"semi_active": True}}, "semi-active dampers"),
+    ],
+)
+def test_a_controller_that_cannot_be_one_is_refused_with_the_reason(
+    strategy: str, more: dict[str, Any], reason: str
+) -> None:
+    with pytest.raises(RidelabError, match=reason) as refused:
+        fmu(Scenario.model_validate(SMALL | more), strategy, "controller", "2.0", [])
+    assert refused.value.field == "strategy"
 
 
 @pytest.mark.parametrize("version", ["2.0", "3.0"])

@@ -14,7 +14,6 @@ from sim_core.scenario.fields import Part
 from sim_core.scenario.measured import MeasuredRoad
 from sim_core.simulate import simulate
 from sim_core.strategies import STRATEGIES, reads, values_read
-from tests.validation.strategies import AT_LENGTH, some
 
 # A short, lively run: limits bind, the car brakes, every stage occurs.
 BASE = Scenario(
@@ -36,8 +35,10 @@ OTHER = {
 }
 
 
-KINDS = ["lv", "lqr", "hybrid", "passive", "lv_hil", "skyhook", "groundhook", "suspension_only", "speed_only"]
-every_strategy = pytest.mark.parametrize("strategy", some(4, KINDS))  # the others read what these do, or little else
+# A drive with the ECU in the loop takes a tenth of a second.
+every_strategy = pytest.mark.parametrize(
+    "strategy", [pytest.param(name, marks=[pytest.mark.thorough] * (name == "lv_hil")) for name in STRATEGIES]
+)
 
 
 def leaves(value: Any, path: tuple[str, ...] = ()) -> list[tuple[str, ...]]:
@@ -150,8 +151,6 @@ def test_fields_read_change_the_key_and_the_result(strategy: str) -> None:
             continue
         changed = with_leaf(path)
         assert values_read(changed, STRATEGIES[strategy]) != values_read(BASE, STRATEGIES[strategy]), path
-        if strategy == "lv_hil" and is_read("lv", path) and not AT_LENGTH:
-            continue  # a drive takes a tenth of a second
         if path not in SILENT and same(simulate(changed, strategy), base):
             silent.append(".".join(path))
     # Parts are read whole; these of their fields do nothing for these strategies here.
@@ -205,7 +204,7 @@ def test_runs_leave_no_trace_in_each_other(strategy: str) -> None:
 
 
 @pytest.mark.parametrize("policy", ["by_strategy", "planned", "constant"])
-@every_strategy
+@pytest.mark.parametrize("strategy", STRATEGIES)
 def test_a_run_looks_at_no_field_that_its_strategy_does_not_declare(strategy: str, policy: Any) -> None:
     """Each access to a part of the scenario is recorded, with nothing cached."""
     scenario = BASE.model_copy(update={"speed": BASE.speed.model_copy(update={"policy": policy})})
