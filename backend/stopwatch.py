@@ -6,10 +6,9 @@ from pathlib import Path
 
 
 class Stopwatch:
-    """Begins at once.
+    """Counts the seconds since it was made, on Linux without those that the process waited for a processor.
 
-    One that computes or sleeps takes time, one that a busy machine keeps from computing does not. Outside Linux
-    waiting counts too.
+    A process that computes or sleeps takes time, one that a busy machine keeps from computing does not.
 
     Args:
         pid: Of the process.

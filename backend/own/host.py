@@ -162,12 +162,14 @@ def _answer(source: str, task: bytes) -> bytes:
             file = inspect.getfile(next(iter(controllers.values())))
             return pickle.dumps(function(*args))
         finally:
+            signal.signal(signal.SIGALRM, signal.SIG_IGN)  # first: `stop` sets the timer again
             signal.setitimer(signal.ITIMER_REAL, 0)
     except BaseException as error:  # noqa: BLE001 - of anybody's code
         if isinstance(error, RidelabError) and not isinstance(error, ControllerFileError | ForceError):
             return pickle.dumps(error)
         folder = f"{Path(file).parent}{os.sep}"  # which is no business of whoever asked
         said = error.message if isinstance(error, ControllerFileError) else said_by(error, file)
-        late = _OutOfTime.__name__ in said
-        said = said.replace(_OutOfTime.__name__, _unended(limit)).replace(folder, "")
-        return pickle.dumps(SlowFileError(said) if late else ControllerFileError(said))
+        said = said.replace(folder, "")
+        if isinstance(error, _OutOfTime):
+            return pickle.dumps(SlowFileError(said.replace(_OutOfTime.__name__, _unended(limit))))
+        return pickle.dumps(ControllerFileError(said))
