@@ -1,7 +1,7 @@
 """A service killed, then ended in order, in the middle of everything: what was answered stays, the rest goes on.
 
-That a tuning goes on is shown in tests/faults/test_release.py. `make drill` kills often and at random, on one machine
-and in a cluster.
+That a tuning of an earlier release goes on is shown in tests/faults/test_release.py. `make drill` kills often and at
+random, on one machine and in a cluster.
 """
 
 import contextlib
@@ -15,6 +15,7 @@ import httpx
 import psutil
 import pytest
 
+from tests.api import tuning
 from tests.servers.accepted import Accepted, database
 from tests.servers.api import Api, ask
 from tests.servers.process import HANG_TIMEOUT, request, wait_until
@@ -26,6 +27,8 @@ ENDLESS = {
     "road": {"length": 1500.3, "bump": {"start": 30}},
     "mpc": {"solver": "osqp", "force_limit": 500, "prediction_horizon": 100, "control_horizon": 80},
 }
+
+TUNING = {**tuning.REQUEST, "strategy": "lv", "trials": 96}  # in twelve generations
 
 
 @pytest.fixture
@@ -58,14 +61,11 @@ def test_what_was_accepted_outlives_a_kill_and_an_ordered_end(api: Api, accepted
     family, starts = api.children(), api.starts
     api.kill()
     assert accepted.waiting() > 0, "the test needs a longer batch"
-    assert not psutil.wait_procs(family, timeout=HANG_TIMEOUT)[1], "its processes end by themselves"
-    wait_until(lambda: api.starts > starts, "it is started again")
-    api.wait_until_ready()
+    await_start(api, family, starts)
 
     accepted.check_stored()
     accepted.await_work()
     end_in_order(api)
-    api.wait_until_ready()
     accepted.finish()
 
     assert all(entry["cached"] for entry in ask(api.url, "POST", "/runs", json=runs)["strategies"].values())
@@ -73,6 +73,30 @@ def test_what_was_accepted_outlives_a_kill_and_an_ordered_end(api: Api, accepted
     assert (link["series_pinned"], link["view"]) == (True, {"zoom": [1, 2]})
     assert link["run"]["strategies"]["lv"]["metrics"] == run["strategies"]["lv"]["metrics"]
     assert series_of(api, run) == series
+
+
+@pytest.mark.thorough
+def test_a_tuning_has_the_same_trials_after_a_kill_and_an_ordered_end(api: Api) -> None:
+    interrupted = ask(api.url, "POST", "/tunings", json=TUNING)["id"]
+    with httpx.Client(base_url=api.url, timeout=HANG_TIMEOUT) as client:
+        tuning.wait_for(client, interrupted, generation=1)
+        family, starts = api.children(), api.starts
+        api.kill()
+        await_start(api, family, starts)
+        assert tuning.wait_for(client, interrupted, generation=4)["generation"] < 10, "the test needs more trials"
+        end_in_order(api)
+        ended = tuning.wait_for(client, interrupted)
+        whole = tuning.wait_for(client, ask(api.url, "POST", "/tunings", json=TUNING)["id"])
+        assert (ended["state"], ended["trials"]["done"]) == ("done", 96)
+        assert tuning.trials(client, interrupted) == tuning.trials(client, whole["id"])
+        assert (ended["history"], ended["comparison"]["points"]) == (whole["history"], whole["comparison"]["points"])
+
+
+def await_start(api: Api, family: list[psutil.Process], starts: int) -> None:
+    """Until an ended service has left no process of its family, and is there again after so many starts."""
+    assert not psutil.wait_procs(family, timeout=HANG_TIMEOUT)[1], "its processes end by themselves"
+    wait_until(lambda: api.starts > starts, "it is started again")
+    api.wait_until_ready()
 
 
 def end_in_order(api: Api) -> None:
@@ -83,8 +107,7 @@ def end_in_order(api: Api) -> None:
     with socket.create_connection(("127.0.0.1", api.port)) as connection:
         connection.sendall(b"POST /api/v1/runs HTTP/1.1\r\nHost: x\r\nContent-Length: 100\r\n\r\n{")
         api.terminate()
-    assert not psutil.wait_procs(family, timeout=HANG_TIMEOUT)[1], "nothing is left"
-    wait_until(lambda: api.starts > starts, "it is started again")
+    await_start(api, family, starts)
 
 
 def ask_for_ever(url: str) -> None:
