@@ -7,26 +7,20 @@ controllers and drives them. Everywhere else a stand-in with the same fields tak
 
 from backend.own.registry import (
     adopt,
-    close,
     controller_sources,
     faults,
     is_own,
     isolated,
     origin,
-    refresh,
     source,
-    stale,
 )
 
 __all__ = [
     "adopt",
-    "close",
     "controller_sources",
     "faults",
     "is_own",
     "isolated",
     "origin",
-    "refresh",
     "source",
-    "stale",
 ]

@@ -2,14 +2,13 @@
 
 import hashlib
 import logging
-import math
 import re
 import threading
 import time
 from collections import OrderedDict
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -24,7 +23,7 @@ logger = logging.getLogger(__name__)
 
 T = TypeVar("T")
 LOADING = 5.0  # a file may take to be loaded [s]
-TRY_AGAIN = 60.0  # after a file took longer: a disk or network may have been slow [s]
+TRY_AGAIN = 60.0  # after a file took longer, at first: a disk or network may have been slow [s]
 HOSTS = 2  # that a worker keeps, for the files driven last
 AT_ONCE = 4  # files described at once
 
@@ -39,7 +38,8 @@ class ControllerSource:
         descriptions: Of its controllers; of a broken file those it had, or one that stands for it.
         fault: Why none of them can be driven; None where they can.
         limit: A run may take so long [s].
-        slow_at: When a file took too long, by the monotonic clock [s].
+        slow_tries: How often its file took too long in a row.
+        tried_at: When it was last loaded, by the monotonic clock [s].
     """
 
     source: str
@@ -47,7 +47,8 @@ class ControllerSource:
     descriptions: tuple[Description, ...]
     fault: str | None
     limit: float
-    slow_at: float = math.inf
+    slow_tries: int = field(default=0, compare=False)
+    tried_at: float = field(default=0.0, compare=False)
 
     @property
     def name(self) -> str:
@@ -72,9 +73,9 @@ def adopt(sources: tuple[ControllerSource, ...]) -> None:
     """Take this as what there is."""
     global _sources, _of, _controllers
     controller_files.use(lambda: _controllers)  # this process loads no file itself
-    if sources == _sources:
+    same, _sources = sources == _sources, sources
+    if same:
         return
-    _sources = sources
     _of = {each.id: (source, each) for source in sources for each in source.descriptions}
     _controllers = {name: stand_in(each) for name, (_, each) in _of.items()}
 
@@ -103,7 +104,7 @@ def faults() -> dict[str, str]:
 
 
 def stale() -> bool:
-    """Whether a file has come, gone or changed since `refresh`, or may be no longer slow."""
+    """Whether a file has come, gone or changed since `refresh`."""
     return [each.source for each in _sources] != controller_files.sources() or not all(map(_current, _sources))
 
 
@@ -115,13 +116,34 @@ def refresh(limit: float) -> None:
     """
     with _refreshing:
         before = {each.source: each for each in _sources}
+
+        def look(source: str) -> ControllerSource:
+            last = before.get(source)
+            if last is not None and _current(last):
+                return replace(last, limit=limit)
+            return _look(source, last, limit)
+
         with ThreadPoolExecutor(AT_ONCE) as pool:
-            sources = pool.map(lambda each: _look(each, before.get(each), limit), controller_files.sources())
-            adopt(_each_id_once(sources))
-        for each in _sources:
-            last = before.get(each.source)
-            if each.fault is not None and (last is None or last.fault != each.fault):
-                logger.warning("A controller file cannot be used: %s", each.fault)
+            _take(pool.map(look, controller_files.sources()))
+
+
+def slow() -> bool:
+    """Whether a file that took too long is due for another try; each pause is twice the one before."""
+    return any(map(_due, _sources))
+
+
+def try_again(limit: float) -> None:
+    """Describe the files that are due for another try, whatever `refresh` does meanwhile.
+
+    Args:
+        limit: A run of a controller may take so long [s].
+    """
+    due = list(filter(_due, _sources))
+    with ThreadPoolExecutor(AT_ONCE) as pool:
+        looks = list(pool.map(lambda each: _look(each.source, each, limit), due))
+    with _refreshing:
+        again = {last.source: look for last, look in zip(due, looks, strict=True) if last in _sources}
+        _take(again.get(each.source, each) for each in _sources)
 
 
 def isolated(name: str, function: Callable[..., T], *args: Any) -> T:
@@ -177,12 +199,18 @@ def _descriptions() -> tuple[Description, ...]:
     return tuple(map(described, controller_files.named_controllers().values()))
 
 
+def _take(sources: Iterable[ControllerSource]) -> None:
+    before = {each.source: each.fault for each in _sources}
+    adopt(_each_id_once(sources))
+    for each in _sources:
+        if each.fault not in {None, before.get(each.source)}:
+            logger.warning("A controller file cannot be used: %s", each.fault)
+
+
 def _look(source: str, last: ControllerSource | None, limit: float) -> ControllerSource:
-    if last is not None and _current(last):
-        return replace(last, limit=limit)
     before = () if last is None else last.descriptions
     signature = _signature(source, before)
-    slow_at = math.inf
+    slow_tries = 0
     host = Host(source)
     _describing.add(host)
     try:
@@ -193,7 +221,7 @@ def _look(source: str, last: ControllerSource | None, limit: float) -> Controlle
     except RidelabError as error:
         fault = error.message
         if isinstance(error, SlowFileError):
-            slow_at = time.monotonic()
+            slow_tries = 1 + (last.slow_tries if last is not None and last.signature == signature else 0)
         digest = hashlib.sha256(repr((fault, signature)).encode()).hexdigest()  # it has no result of the law before
         descriptions = tuple(replace(each, digest=digest) for each in before or [_unknown(source, digest)])
     finally:
@@ -205,12 +233,18 @@ def _look(source: str, last: ControllerSource | None, limit: float) -> Controlle
         descriptions=descriptions,
         fault=fault,
         limit=limit,
-        slow_at=slow_at,
+        slow_tries=slow_tries,
+        tried_at=time.monotonic(),
     )
 
 
 def _current(last: ControllerSource) -> bool:
-    return time.monotonic() < last.slow_at + TRY_AGAIN and _signature(last.source, last.descriptions) == last.signature
+    return _signature(last.source, last.descriptions) == last.signature
+
+
+def _due(last: ControllerSource) -> bool:
+    pause = TRY_AGAIN * 2 ** (last.slow_tries - 1)
+    return last.slow_tries > 0 and time.monotonic() >= last.tried_at + pause
 
 
 def _signature(source: str, descriptions: tuple[Description, ...]) -> Signature | None:
@@ -236,7 +270,7 @@ def _unknown(source: str, digest: str) -> Description:
     )
 
 
-def _each_id_once(sources: Any) -> tuple[ControllerSource, ...]:
+def _each_id_once(sources: Iterable[ControllerSource]) -> tuple[ControllerSource, ...]:
     """The sources, of which one without an id of its own for each controller has a fault in its place."""
     taken: dict[str, str] = dict.fromkeys(STRATEGIES, "Ridelab")
     unique = []

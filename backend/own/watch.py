@@ -1,8 +1,9 @@
 """Looks for controllers of one's own at the time of need, beside the event loop."""
 
 import asyncio
+from collections.abc import Callable
 
-from backend.own.registry import adopt, close, controller_sources, refresh, stale
+from backend.own.registry import adopt, close, controller_sources, refresh, slow, stale, try_again
 
 WAIT = 10.0  # a request waits so long for files that have changed; one that never ends holds nobody up for longer [s]
 
@@ -17,27 +18,27 @@ class Watch:
     def __init__(self, limit: float) -> None:
         self._limit = limit
         adopt(controller_sources())  # from here on this process loads no file itself
-        self._looking: asyncio.Task[None] | None = None
-
-    def begin(self) -> None:
-        """Have a look where something may have changed."""
-        if self._looking is None and stale():
-            self._looking = asyncio.create_task(asyncio.to_thread(refresh, self._limit))
-            self._looking.add_done_callback(self._done)
+        self._looks: dict[Callable[[float], None], asyncio.Task[None]] = {}
 
     async def current(self) -> None:
-        """What there is now is known, or it takes long."""
-        self.begin()
-        if self._looking is not None:
-            await asyncio.wait({self._looking}, timeout=WAIT)
+        """What there is now is known, or it takes long; nobody waits for another try of a file that was slow."""
+        self._begin(refresh, stale)
+        self._begin(try_again, slow)
+        if refresh in self._looks:
+            await asyncio.wait({self._looks[refresh]}, timeout=WAIT)
 
     async def close(self) -> None:
-        """Call a look off."""
-        if self._looking is not None:
+        """Call every look off."""
+        if self._looks:
             close()
-            await asyncio.wait({self._looking})
+            await asyncio.wait(self._looks.values())
 
-    def _done(self, looking: "asyncio.Task[None]") -> None:
-        self._looking = None
-        if not looking.cancelled():
-            looking.result()
+    def _begin(self, look: Callable[[float], None], due: Callable[[], bool]) -> None:
+        if look not in self._looks and due():
+            self._looks[look] = asyncio.create_task(asyncio.to_thread(look, self._limit))
+            self._looks[look].add_done_callback(lambda task: self._done(look, task))
+
+    def _done(self, look: Callable[[float], None], task: "asyncio.Task[None]") -> None:
+        del self._looks[look]
+        if not task.cancelled():
+            task.result()
