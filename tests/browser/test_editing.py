@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page
 
-from tests.browser.dashboard import Dashboard, expect_new_address
+from tests.browser.dashboard import THOROUGH, Dashboard, expect_new_address
 from tests.browser.looks import expect
 
 
@@ -177,7 +177,8 @@ def test_presets_and_own_scenarios_are_opened_saved_and_imported(dashboard: Dash
     page.get_by_role("button", name="Library").click()
     own = page.get_by_role("list", name="Your scenarios")
     expect(own.get_by_role("button", name="Bump height 10 → 12\u00a0cm")).to_be_visible()
-    dashboard.expect_accessible(page.get_by_role("dialog"))
+    if THOROUGH:
+        dashboard.expect_accessible(page.get_by_role("dialog"))
     # Renaming gives the focus back to the menu.
     for answer, after in (("Close", "My pothole"), ("Rename", "Flat")):
         page.get_by_role("button", name="Rename, export or delete My pothole").focus()
@@ -256,7 +257,8 @@ def test_a_table_of_ones_own_is_mapped_looked_at_and_driven_over_the_bump_one_ch
         mapping.get_by_label(f"Unit of Column {column}").select_option(unit)
     expect(mapping.get_by_role("img", name="The road as it is read")).to_contain_text("mm from the lowest")
     expect(mapping.get_by_label("Decimal commas")).to_be_checked()
-    dashboard.expect_accessible(mapping)
+    if THOROUGH:
+        dashboard.expect_accessible(mapping)
     mapping.get_by_role("button", name="Drive this road").click()
     expect(mapping).to_have_count(0)
     expect(page.get_by_text("The mean of left and right track is taken")).to_be_visible()
@@ -270,4 +272,5 @@ def test_a_table_of_ones_own_is_mapped_looked_at_and_driven_over_the_bump_one_ch
     expect(
         row.get_by_text(re.compile(r"IRI [\d.]+ m/km \(left [\d.]+, right [\d.]+\)\. ISO 8608 class"))
     ).to_be_visible()
-    dashboard.expect_accessible(row)
+    if THOROUGH:
+        dashboard.expect_accessible(row)

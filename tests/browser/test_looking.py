@@ -6,7 +6,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Locator
 
-from tests.browser.dashboard import Dashboard, expect_new_address
+from tests.browser.dashboard import THOROUGH, Dashboard, expect_new_address
 from tests.browser.looks import expect
 from tests.browser.server import Server
 
@@ -254,7 +254,8 @@ def test_commands_and_fields_are_found_by_name(dashboard: Dashboard) -> None:
     keys = page.get_by_role("dialog", name="Help")
     expect(keys).to_contain_text("Undo")
     expect(keys.get_by_role("row", name="Play the car")).to_contain_text("Space")
-    dashboard.expect_accessible(keys)
+    if THOROUGH:
+        dashboard.expect_accessible(keys)
     page.keyboard.press("Escape")
     expect(keys).to_have_count(0)
     page.keyboard.press("Control+k")

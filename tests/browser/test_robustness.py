@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator, Page
 
-from tests.browser.dashboard import Dashboard
+from tests.browser.dashboard import THOROUGH, Dashboard
 from tests.browser.looks import expect
 from tests.browser.server import Server
 
@@ -37,7 +37,8 @@ def test_a_study_from_the_labs_scenario_to_its_worst_case(dashboard: Dashboard, 
     ranges(page, "mismatch.damping").get_by_label("Damping, from").fill("0.6")
     ranges(page, "road.seed").get_by_role("switch").uncheck(force=True)
     expect(ranges(page, "road.seed")).to_contain_text("always 1")
-    dashboard.expect_accessible(page.get_by_role("form", name="Study"))
+    if THOROUGH:
+        dashboard.expect_accessible(page.get_by_role("form", name="Study"))
     expect(page.get_by_test_id("estimate")).to_contain_text("40 runs (20 points × 2 strategies)")
     streams: list[str] = []
     page.on("request", lambda request: streams.append(request.url) if "/events" in request.url else None)
