@@ -1,6 +1,5 @@
 """The paper page's answers against runs asked for one by one."""
 
-import asyncio
 import statistics
 from collections.abc import Mapping
 from typing import Any
@@ -157,7 +156,7 @@ def test_more_than_it_bears_at_once_is_refused(service: Service, monkeypatch: py
     assert response.headers["retry-after"]
 
 
-def test_one_visitor_leaves_the_paper_page_to_others(store: Store) -> None:
+def test_one_visitor_leaves_the_paper_page_to_others(service: Service, store: Store) -> None:
     rows = PaperRows(store)
 
     async def ask(client: str, number: int) -> bool:
@@ -172,19 +171,19 @@ def test_one_visitor_leaves_the_paper_page_to_others(store: Store) -> None:
         assert not await ask("greedy", 0), "what is being computed is no further part"
         assert not await ask("polite", 101)
 
-    asyncio.run(ask_all())
+    service.inside(ask_all())
 
 
-def test_rows_that_failed_are_not_computed_again_for_who_asks_every_second(store: Store) -> None:
+def test_rows_that_failed_are_not_computed_again_for_who_asks_every_second(service: Service, store: Store) -> None:
     rows = PaperRows(store)
 
     async def ask() -> str | None:
         answer = await rows.get([JobRun(0, "{}", "paper.lv", "a key")], "one", patience=0.0)
         return answer.reason if answer.complete else None
 
-    assert asyncio.run(ask()) is None
+    assert service.inside(ask()) is None
     (job,) = store.jobs.unfinished()
     store.job_runs.save(job.id, [], CORE_VERSION, {0: "Its process died"})
     assert store.jobs.finish(job.id)
-    assert asyncio.run(ask()) == asyncio.run(ask()) == "Its process died"
+    assert service.inside(ask()) == service.inside(ask()) == "Its process died"
     assert not store.jobs.unfinished()
