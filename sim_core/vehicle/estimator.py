@@ -7,7 +7,7 @@ previews; the rest of the roughness is white velocity noise to it (docs/explanat
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import pi, sqrt
+from math import ceil, log2, pi, sqrt
 
 import numpy as np
 
@@ -194,12 +194,18 @@ def _added(vehicle: Vehicle, step: float, unseen: FloatArray, seen: FloatArray, 
 def _accumulated(vehicle: Vehicle, step: float, intensity: FloatArray) -> FloatArray:
     """Covariance (8, 8) that white road velocities of these intensities (2,) add to the state in a step [s].
 
-    Van Loan (1978).
+    Van Loan (1978), over a part in which nothing grows much, then over twice as long again and again: what decays fast
+    is e^(time / its time constant) in that method.
     """
     model = half_car(vehicle)
     road = model.E[:, :2]
+    doublings = max(0, ceil(log2(float(np.abs(model.A).sum(axis=0).max()) * step)))
     block = np.zeros((2 * STATES, 2 * STATES))
     block[:STATES, :STATES], block[STATES:, STATES:] = -model.A, model.A.T
     block[:STATES, STATES:] = (road * intensity) @ road.T
-    over_step = exponential(block * step)
-    return np.asarray(over_step[STATES:, STATES:].T @ over_step[:STATES, STATES:])
+    part = exponential(block * (step / 2**doublings))
+    decay = part[STATES:, STATES:].T
+    added = decay @ part[:STATES, STATES:]
+    for _ in range(doublings):
+        added, decay = added + decay @ added @ decay.T, decay @ decay
+    return np.asarray(added)

@@ -5,7 +5,7 @@ from unittest.mock import patch
 
 import numpy as np
 import pytest
-from scipy.linalg import solve_continuous_lyapunov, solve_discrete_are
+from scipy.linalg import expm, solve_continuous_lyapunov, solve_discrete_are
 
 from sim_core import PredictiveController
 from sim_core.arrays import FloatArray
@@ -77,6 +77,17 @@ def test_a_step_adds_the_roads_noise() -> None:
         total += INTENSITY * part @ part.T * (STEP / 10_000)
         through = fine.A @ through
     np.testing.assert_allclose(_accumulated(CAR, STEP, BOTH), total, rtol=2e-3, atol=1e-4 * np.abs(total).max())
+
+
+@pytest.mark.parametrize("car", [CAR, Vehicle(front_wheel_mass=5.0, front_damping=100_000.0)], ids=["paper", "stiff"])
+def test_a_step_adds_what_is_missing_to_the_covariance_of_a_long_drive(car: Vehicle) -> None:
+    """X - e^{Ah} X e^{A'h}, where A X + X A' = -E W E'; a mode that decays within a thousandth of a step too."""
+    model, step = half_car(car), 0.05
+    decay = expm(model.A * step)
+    whole = solve_continuous_lyapunov(model.A, -INTENSITY * model.E[:, :2] @ model.E[:, :2].T)
+    exact = whole - decay @ whole @ decay.T
+    size = np.sqrt(np.outer(np.diag(exact), np.diag(exact)))
+    assert np.all(np.abs(_accumulated(car, step, BOTH) - exact) < 1e-8 * size)
 
 
 def test_of_a_known_mean_a_step_adds_what_the_road_does_around_it() -> None:
