@@ -20,7 +20,8 @@ _COSTLY_FIELDS = "mpc.control_horizon", "mpc.prediction_horizon", "mpc.sample_ti
 class PredictiveController(Controller):
     """MPC with preview: a linear law while no limit binds, else a QP (docs/explanation/mpc.md).
 
-    A QP's answer is verified. Where it fails the other solver is asked, and where both fail the previous force is held.
+    A QP's answer is verified. Where it fails the other solver is asked, and where both fail the previous force is held;
+    after that the dual method is asked alone until it answers one: a loop that diverges has many that nobody answers.
     A subclass gives the weights of each driving stage.
 
     Example:
@@ -39,6 +40,7 @@ class PredictiveController(Controller):
     force_change_weight: float = scenario_field("mpc.force_change_weight")
     solver: str = scenario_field("mpc.solver")
     _qps: Qps | None = None  # of the present run
+    _solved_at_failure = -1.0  # how many QPs of it were solved when both solvers failed last
 
     def weights(self, stage: str) -> Weights:
         """Of body acceleration, pitch acceleration and tyre load in a driving stage.
@@ -66,6 +68,7 @@ class PredictiveController(Controller):
         """
         self._designs = self.designs(setup)
         self._qps = Qps(self._designs[setup.stages[0]].qp)
+        self._solved_at_failure = -1.0
 
     def end(self) -> None:
         """Report what the QPs took."""
@@ -92,16 +95,17 @@ class PredictiveController(Controller):
         qps = self._qps
         if qps is None:
             raise RidelabError(f"{type(self).__name__} has to be started before it is asked")
-        _, spent, allowed, _ = qps.counts
+        solved, spent, allowed, _ = qps.counts
         if spent > allowed:
             faster = () if self.solver == "daqp" else ("mpc.solver",)
             raise TooExpensiveError("The run's QPs take too many iterations", fields=(*faster, *_COSTLY_FIELDS))
         inputs = np.concatenate([seen.state, seen.previous_force, seen.disturbances.ravel()])
-        for name in self._solvers():
+        for name in self._solvers() if solved != self._solved_at_failure else ("daqp",):
             force = qps.solve(self._designs[seen.stage].qp, name, inputs)
             if force is not None:
                 self.report.fallbacks += name != self.solver
                 return force
+        self._solved_at_failure = solved
         self.report.failures += 1
         return seen.previous_force
 

@@ -150,6 +150,20 @@ def test_a_qp_that_c_cannot_prove_is_the_other_solvers(monkeypatch: pytest.Monke
     assert fallen.series["front_force"] == pytest.approx(normal.series["front_force"], abs=0.1)
 
 
+def test_after_a_qp_that_neither_answers_osqp_waits_for_the_dual_method(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked, answered = list[str](), Qps.solve
+
+    def failing_twice(qps: Qps, design: QpDesign, solver: str, inputs: FloatArray) -> FloatArray | None:
+        asked.append(solver)
+        return answered(qps, design, solver, inputs) if len(asked) in {4, 6} else None
+
+    monkeypatch.setattr(Qps, "solve", failing_twice)
+    monkeypatch.setattr(PredictiveController, "qp", lambda self, stage: None)
+    result = simulate(HARD, "lv")
+    assert asked[:7] == ["daqp", "osqp", "daqp", "daqp", "daqp", "osqp", "daqp"]
+    assert result.events["qp_fallbacks"] == 1
+
+
 def test_when_no_solver_answers_the_last_force_is_held_and_counted(monkeypatch: pytest.MonkeyPatch) -> None:
     _refuse(monkeypatch, *SOLVERS)
     result = simulate(HARD, "lv")
