@@ -64,9 +64,9 @@ export function createLab(services: Services, initial: Partial<LabState> = {}): 
     draw: requests.draw,
     open,
     navigate: (address) => {
-      open(address);
       // The browser has changed the address already: that what is shown is not of it is said at once.
       patch({ stale: true });
+      open(address);
     },
     openPaper: () => {
       const { history, invalidInput, strategies, roads, shown, latestResult, previousResult, shared } = OPENING;

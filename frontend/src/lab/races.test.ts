@@ -210,3 +210,13 @@ it("What the lab itself writes into the address bar is no link that was followed
   expect(labAddress.get().view).toMatchObject({ axis: "time", baseline: "lqr" });
   expect([href(), entries.length]).toEqual(["/r/h1?axis=time&baseline=lqr", 1]);
 });
+
+it("Nothing is stale where Back leads to no run and no strategy is selected", async () => {
+  const { lab, follow, back, respondToAll } = harness("/?axis=time");
+  follow("/?baseline=lqr");
+  follow("/r/h7");
+  await respondToAll();
+  lab.setStrategies([]);
+  back();
+  expect(lab.get()).toMatchObject({ busy: false, stale: false, strategies: [] });
+});
