@@ -57,6 +57,7 @@ class ControllerSource:
 
 
 _sources: tuple[ControllerSource, ...] = ()
+_usable: tuple[ControllerSource, ...] = ()  # the same, each id once
 _of: dict[str, tuple[ControllerSource, Description]] = {}  # by a controller's id
 _controllers: dict[str, type[Controller]] = {}
 _hosts: OrderedDict[str, tuple[str, Host]] = OrderedDict()  # digest and host, by source; the last used is last
@@ -71,12 +72,13 @@ def controller_sources() -> tuple[ControllerSource, ...]:
 
 def adopt(sources: tuple[ControllerSource, ...]) -> None:
     """Take this as what there is."""
-    global _sources, _of, _controllers
+    global _sources, _usable, _of, _controllers
     controller_files.use(lambda: _controllers)  # this process loads no file itself
     same, _sources = sources == _sources, sources
     if same:
         return
-    _of = {each.id: (source, each) for source in sources for each in source.descriptions}
+    _usable = _each_id_once(sources)
+    _of = {each.id: (source, each) for source in _usable for each in source.descriptions}
     _controllers = {name: stand_in(each) for name, (_, each) in _of.items()}
 
 
@@ -100,7 +102,7 @@ def source(name: str) -> dict[str, str] | None:
 
 def faults() -> dict[str, str]:
     """By file name why it cannot be used."""
-    return {each.name: each.fault for each in _sources if each.fault is not None}
+    return {each.name: each.fault for each in _usable if each.fault is not None}
 
 
 def stale() -> bool:
@@ -200,9 +202,9 @@ def _descriptions() -> tuple[Description, ...]:
 
 
 def _take(sources: Iterable[ControllerSource]) -> None:
-    before = {each.source: each.fault for each in _sources}
-    adopt(_each_id_once(sources))
-    for each in _sources:
+    before = {each.source: each.fault for each in _usable}
+    adopt(tuple(sources))
+    for each in _usable:
         if each.fault not in {None, before.get(each.source)}:
             logger.warning("A controller file cannot be used: %s", each.fault)
 

@@ -270,6 +270,10 @@ def test_a_file_that_cannot_be_used_keeps_nothing_else_from_working(
     (folder / "half.py").write_text(LAW.replace("mine", "whole"))
     assert own(service)["whole"]["fault"] is None
     (folder / "half.py").unlink()
+    (folder / "mine.py").rename(folder / "mine.txt")
+    assert own(service)["mine"]["source"]["file"] == "twice.py", "its id is free now"
+    (folder / "mine.txt").rename(folder / "mine.py")
+    assert own(service)["mine"]["source"]["file"] == "mine.py"
     assert "whole" not in own(service)
     assert service.run(["whole"], SCENARIO).status_code == 422
     assert own(service)["endless"]["fault"] == faults["endless.py"]
