@@ -6,7 +6,7 @@ from typing import Annotated, Any, Union, get_args, get_origin
 
 from pydantic import BaseModel
 
-from backend.unknown_names import Path, pointer, shown_path, unknown_name
+from backend.unknown_names import Path, is_name, pointer, shown_path, unknown_name
 
 
 def blamed(item: Mapping[str, Any], model: Any) -> dict[str, str]:
@@ -30,6 +30,9 @@ def blamed(item: Mapping[str, Any], model: Any) -> dict[str, str]:
         message = unknown_name(context["what"], context["key"], context["allowed"])
     elif item["type"] == "inconsistent":
         path += [*filter(None, context["field"].split(".")), *([key] if (key := context.get("key")) else [])]
+    elif item["type"] in {"list_type", "tuple_type"}:
+        sent = item["input"]
+        message = "This has to be a list" + (f': write ["{sent}"]' if isinstance(sent, str) and is_name(sent) else "")
     elif item["type"] == "too_short" and context.get("min_length") == 1:
         message = "There has to be at least one"
     elif item["type"] == "model_attributes_type" or (not path and item["type"] != "missing"):

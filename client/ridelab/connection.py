@@ -1,7 +1,7 @@
 """The connection to a service: address, login, and the requests that the client's methods are made of."""
 
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import Any, Self
 
@@ -101,3 +101,8 @@ class Connection:
     def _content(self, path: str, params: Mapping[str, Any]) -> Iterator[bytes]:
         with self._http.stream(f"{API}{path}", params=params) as response:
             yield from response.iter_bytes()
+
+
+def comma_separated(names: Sequence[str]) -> str:
+    """Names as the service's addresses take several; one alone may be a text."""
+    return names if isinstance(names, str) else ",".join(names)

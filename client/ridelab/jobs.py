@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
-from ridelab.connection import Connection
+from ridelab.connection import Connection, comma_separated
 from ridelab.errors import JobEndedError, JobTimeoutError, RidelabAPIError, RidelabConnectionError
 from ridelab.files import format_of, save
 from ridelab.frames import needed
@@ -202,7 +202,7 @@ class Batch(Job):
             figures: Metrics such as `bump.body_acceleration.peak`; none are the paper's eight, travel and airborne.
             baseline: The strategy the others are compared with; None is LV, else the first.
         """
-        params = {"figures": ",".join(figures), "baseline": baseline}
+        params = {"figures": comma_separated(figures), "baseline": baseline}
         return self._http.json("GET", self._path("/summary"), params=params)
 
     def requirement_results(self) -> list[RequirementResult]:

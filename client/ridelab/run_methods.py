@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ridelab.arrays import unpacked
-from ridelab.connection import Connection
+from ridelab.connection import Connection, comma_separated
 from ridelab.files import format_of, save
 from ridelab.results import RunResult, intervals, quoted_id
 
@@ -139,4 +139,5 @@ class RunMethods(Connection):
 def _series(
     strategies: Sequence[str], signals: Sequence[str] | None = None, points: int | None = None
 ) -> dict[str, Any]:
-    return {"strategy": ",".join(strategies), "signals": signals and ",".join(signals), "points": points}
+    shown = signals and comma_separated(signals)
+    return {"strategy": comma_separated(strategies), "signals": shown, "points": points}

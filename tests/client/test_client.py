@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from ridelab import Interval, Ridelab, RidelabAPIError
+from ridelab.connection import comma_separated
 from sim_core import __version__ as CORE_VERSION
 from tests.client.conftest import ADDRESS, RUN, SHORT, SLUG, Prepared
 
@@ -105,6 +106,11 @@ def test_time_histories_are_arrays_or_a_file(ridelab: Ridelab, prepared: Prepare
     path = tmp_path / "it.csv"
     assert ridelab.download_series(RUN, path, strategies=["lv"], signals=["speed"], points=200) == path
     assert path.read_bytes() == b"speed [m/s]\n13.9\n"
+
+
+def test_one_name_may_stand_for_a_list_of_one() -> None:
+    assert comma_separated("lv") == comma_separated(["lv"]) == "lv"
+    assert comma_separated(["lv", "lqr"]) == "lv,lqr"
 
 
 @pytest.mark.parametrize("kind", ["run", "batch"])
