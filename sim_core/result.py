@@ -43,6 +43,13 @@ class Series(Mapping[str, FloatArray]):
         first = start // each
         return rows[first : -(-end // each), :-1].astype(dtype).reshape(-1)[start - first * each : end - first * each]
 
+    def at(self, key: str, samples: NDArray[np.intp]) -> FloatArray:
+        """A signal at these samples alone."""
+        if key in self._shared:
+            return self._shared[key][samples]
+        rows = self._columns[key]
+        return rows[np.divmod(samples, rows.shape[1] - 1)]
+
     def __reduce__(self) -> tuple[Any, ...]:
         """As its histories, put together."""
         return type(self), ({key: self[key] for key in self}, dict)

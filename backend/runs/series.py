@@ -38,29 +38,17 @@ def ordered_signals(signals: Iterable[str] | None) -> list[str]:
 
 def pack(result: StrategyResult, points: int | None = None) -> SeriesArray:
     """A result's time histories as one array; about `points` samples, or all."""
-    rows = _Rows(result)
+    series = result.series
+    count = len(series["time"])
+    if points is None or points >= count:
+        array = np.empty((len(SIGNALS), count), dtype=np.float32)
+        for number, key in enumerate(SIGNALS):
+            array[number] = series.between(key, 0, count)
+        return array
     stages = SamplingHints.of((span.stage, span.start_time, span.end_time) for span in result.stages)
-    if points is not None:
-        return decimate(rows, points, stages)
-    array = np.empty((len(rows), len(rows[0])), dtype=np.float32)
-    for number, row in enumerate(rows):
-        array[number] = row
-    return array
-
-
-class _Rows(Sequence[SeriesArray]):
-    """A result's time histories in the catalogue's order, one at a time: all of a long run take 130 MB."""
-
-    def __init__(self, result: StrategyResult) -> None:
-        self._series = result.series
-        self._keys = list(SIGNALS)
-        self._samples = len(result.series["time"])
-
-    def __len__(self) -> int:
-        return len(self._keys)
-
-    def __getitem__(self, row: Any) -> Any:
-        return self._series.between(self._keys[row], 0, self._samples, np.float32)
+    one_by_one = (series.between(key, 0, count, np.float32) for key in SIGNALS)  # all of a long run take 130 MB
+    shown = shown_samples(series.between("time", 0, count, np.float32), one_by_one, points, stages)
+    return np.array([series.at(key, shown) for key in SIGNALS], dtype=np.float32)
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,22 +75,32 @@ class SamplingHints:
         return cls(tuple(start for _, start, _ in later), bumps[0] if bumps else None)
 
 
-def decimate(series: Sequence[SeriesArray] | SeriesArray, points: int | None, stages: SamplingHints) -> SeriesArray:
-    """About `points` samples of a series, the same ones for all signals, every peak among them.
+def decimate(series: SeriesArray, points: int | None, stages: SamplingHints) -> SeriesArray:
+    """About `points` samples of a series whose first signal is the time, or all: those of `shown_samples`."""
+    if points is None or points >= series.shape[1]:
+        return series
+    return series[:, shown_samples(series[0], series, points, stages)]
+
+
+def shown_samples(
+    time: SeriesArray, signals: Iterable[SeriesArray], points: int, stages: SamplingHints
+) -> NDArray[np.intp]:
+    """About `points` of all samples, the same ones for all signals, every peak among them.
 
     Half of them are spent on the bump, where there is one. Half of each part's lie evenly. The others are those that
     straight lines between these miss most (relative to the signal's span), at most one in each half of a gap, so that a
     spike gets its flanks. Added is each signal's largest and smallest value in each stage.
 
     Args:
-        series: Signals (samples,), float32, the first of them the time [s].
-        points: How many samples, or None for all.
+        time: Of each sample (samples,) [s].
+        signals: Each (samples,).
+        points: How many samples; fewer than there are.
         stages: Of the run.
+
+    Returns:
+        Their places in ascending order.
     """
-    time = series[0]
     count = len(time)
-    if points is None or points >= count:
-        return np.asarray(series)
     first, last = np.searchsorted(time, stages.bump or ()).tolist() or (0, count)
     around = count - (last - first)
     parts = [(0, count, points)]
@@ -126,7 +124,7 @@ def decimate(series: Sequence[SeriesArray] | SeriesArray, points: int | None, st
     cuts = np.searchsorted(time, np.asarray(stages.breaks, dtype=np.float32)).tolist()
     windows = np.array(sorted({0, *cuts, count}), dtype=np.intc)
     judge = sample_judge(windows, table, shown, missed)
-    for signal in series:
+    for signal in signals:
         judge(signal)
     for start, stride, number in gaps:
         halves, missed = np.split(missed, [stride * number])
@@ -134,8 +132,7 @@ def decimate(series: Sequence[SeriesArray] | SeriesArray, points: int | None, st
         worst = np.arange(2 * number) * (stride // 2) + halves.argmax(axis=1)
         shown[start + np.arange(number + 1) * stride] = 1
         shown[start + worst[np.argsort(halves.max(axis=1))[number:]]] = 1
-    indices = np.flatnonzero(shown)
-    return np.stack([row[indices] for row in series])
+    return np.flatnonzero(shown)
 
 
 def packed(values: NDArray[np.float32]) -> dict[str, str]:
