@@ -189,7 +189,9 @@ def test_one_that_would_fill_the_disk_is_not_unpacked(
 def test_an_unpacked_library_that_the_disk_changed_is_unpacked_again(exported: Path) -> None:
     library = archive.unpack(exported.read_bytes())[2]
     whole = library.read_bytes()
-    library.write_bytes(whole[:-9] + bytes([whole[-9] ^ 1]) + whole[-8:])
+    changed = library.with_suffix(".new")  # the file in its place is in this process's memory
+    changed.write_bytes(whole[:-9] + bytes([whole[-9] ^ 1]) + whole[-8:])
+    changed.replace(library)
     assert archive.unpack(exported.read_bytes())[2].read_bytes() == whole
 
 
