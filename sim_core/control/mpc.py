@@ -21,7 +21,7 @@ class PredictiveController(Controller):
     """MPC with preview: a linear law while no limit binds, else a QP (docs/explanation/mpc.md).
 
     A QP's answer is verified. Where it fails the other solver is asked, and where both fail the previous force is held;
-    after that the dual method is asked alone until it answers one: a loop that diverges has many that nobody answers.
+    from then on the dual method is asked alone: a loop that diverges has many QPs that OSQP takes long to give up.
     A subclass gives the weights of each driving stage.
 
     Example:
@@ -40,7 +40,7 @@ class PredictiveController(Controller):
     force_change_weight: float = scenario_field("mpc.force_change_weight")
     solver: str = scenario_field("mpc.solver")
     _qps: Qps | None = None  # of the present run
-    _solved_at_failure = -1.0  # how many QPs of it were solved when both solvers failed last
+    _both_failed = False  # in one of its QPs
 
     def weights(self, stage: str) -> Weights:
         """Of body acceleration, pitch acceleration and tyre load in a driving stage.
@@ -68,7 +68,7 @@ class PredictiveController(Controller):
         """
         self._designs = self.designs(setup)
         self._qps = Qps(self._designs[setup.stages[0]].qp)
-        self._solved_at_failure = -1.0
+        self._both_failed = False
 
     def end(self) -> None:
         """Report what the QPs took."""
@@ -95,17 +95,17 @@ class PredictiveController(Controller):
         qps = self._qps
         if qps is None:
             raise RidelabError(f"{type(self).__name__} has to be started before it is asked")
-        solved, spent, allowed, _ = qps.counts
+        _, spent, allowed, _ = qps.counts
         if spent > allowed:
             faster = () if self.solver == "daqp" else ("mpc.solver",)
             raise TooExpensiveError("The run's QPs take too many iterations", fields=(*faster, *_COSTLY_FIELDS))
         inputs = np.concatenate([seen.state, seen.previous_force, seen.disturbances.ravel()])
-        for name in self._solvers() if solved != self._solved_at_failure else ("daqp",):
+        for name in ("daqp",) if self._both_failed else self._solvers():
             force = qps.solve(self._designs[seen.stage].qp, name, inputs)
             if force is not None:
                 self.report.fallbacks += name != self.solver
                 return force
-        self._solved_at_failure = solved
+        self._both_failed = True
         self.report.failures += 1
         return seen.previous_force
 
