@@ -1,8 +1,10 @@
 """Controllers: exported, checked against the part, driven in real time. A worker does the work."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TypeVar
+
+from cachetools import LRUCache
 
 from backend.compute.workers import Workers
 from backend.controller import export, realtime, report
@@ -16,6 +18,7 @@ from sim_core.scenario import Scenario
 T = TypeVar("T")
 STRATEGY = "lv_hil"
 BUILDING = 1.0  # one controller for its part [s of one core]
+CACHED_REPORTS = 16
 
 
 @dataclass(eq=False, kw_only=True)
@@ -26,6 +29,7 @@ class Controllers:
     gate: Gate
     roads: MeasuredRoads
     max_request_cost: float
+    _reports: LRUCache[str, ControllerReport] = field(init=False, default_factory=lambda: LRUCache(CACHED_REPORTS))
 
     async def archive(self, scenario: Scenario, client: str) -> bytes:
         """A zip of C sources.
@@ -47,9 +51,12 @@ class Controllers:
             CostLimitError: It would take too much.
             TemporaryError: Too much is being computed.
         """
+        key = scenario.model_dump_json()
         scenario = await self.roads.on(scenario)
-        cost = len(report.VARIANTS) * (BUILDING + estimate(scenario, STRATEGY))
-        return await self._alone(report.report, scenario, client, cost, cost)
+        if key not in self._reports:
+            cost = len(report.VARIANTS) * (BUILDING + estimate(scenario, STRATEGY))
+            self._reports[key] = await self._alone(report.report, scenario, client, cost, cost)
+        return self._reports[key]
 
     async def drive_by_clock(self, scenario: Scenario, client: str) -> RealtimeReport:
         """Drive in real time; it takes as long as the drive.

@@ -104,7 +104,7 @@ def test_one_at_a_time(driven: Driven) -> None:
 
 
 @pytest.mark.usefixtures("driven")
-def test_the_report_has_the_scenarios_own_controller_first(service: Service) -> None:
+def test_the_report_has_the_scenarios_own_controller_first(service: Service, monkeypatch: pytest.MonkeyPatch) -> None:
     answer = post(service, "/report")
     assert answer.status_code == 200, "the drive has ended"
     ControllerReport.model_validate(answer.json(), strict=True)
@@ -115,6 +115,8 @@ def test_the_report_has_the_scenarios_own_controller_first(service: Service) -> 
     for row in rows:
         assert 0 < row["time"]["least"] <= row["time"]["most"]
         assert row["fits"] == (not row["reasons"])
+    monkeypatch.setattr(service.app.state.services.workers, "call", None)
+    assert post(service, "/report").json() == answer.json(), "it is not made again"
 
 
 def test_a_drive_that_would_take_too_long_is_refused(service: Service) -> None:
