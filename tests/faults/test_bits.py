@@ -1,6 +1,7 @@
 """A bit that flips in the database's file is told, or changes nothing; the drill tries 10,000 of them."""
 
 import json
+import shutil
 import sqlite3
 from contextlib import closing
 from pathlib import Path
@@ -15,17 +16,27 @@ from backend.store.verify import verify
 from tests.faults import bits
 
 
-def test_no_flipped_bit_changes_an_answer_without_a_word(tmp_path: Path) -> None:
-    bits.fill(f"sqlite:///{tmp_path / 'ridelab.sqlite'}")
-    fates, silent = bits.flip(tmp_path / "ridelab.sqlite", seed=1, count=40)
+@pytest.fixture(scope="module")
+def full(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    file = tmp_path_factory.mktemp("full") / "ridelab.sqlite"
+    bits.fill(f"sqlite:///{file}")
+    return file
+
+
+@pytest.fixture
+def file(full: Path, tmp_path: Path) -> Path:
+    """A copy of a database of every kind of thing."""
+    return Path(shutil.copy(full, tmp_path))
+
+
+def test_no_flipped_bit_changes_an_answer_without_a_word(file: Path) -> None:
+    fates, silent = bits.flip(file, seed=1, count=40)
     assert not silent
     assert fates["told"] > 10, "else nothing was tried"
 
 
-def test_a_text_whose_type_became_bytes_is_damaged_and_its_run_is_computed_again(tmp_path: Path) -> None:
+def test_a_text_whose_type_became_bytes_is_damaged_and_its_run_is_computed_again(file: Path) -> None:
     """SQLite keeps the type with each value: one bit decides it."""
-    file = tmp_path / "ridelab.sqlite"
-    bits.fill(f"sqlite:///{file}")
     with closing(sqlite3.connect(file)) as connection:
         connection.execute("UPDATE results SET summary = CAST(summary AS BLOB) WHERE strategy = 'lv'")
         connection.commit()
@@ -47,9 +58,7 @@ def test_a_text_whose_type_became_bytes_is_damaged_and_its_run_is_computed_again
         "progress = '{'",
     ],
 )
-def test_a_job_that_is_not_where_its_last_event_says_is_damaged(tmp_path: Path, change: str) -> None:
-    file = tmp_path / "ridelab.sqlite"
-    bits.fill(f"sqlite:///{file}")
+def test_a_job_that_is_not_where_its_last_event_says_is_damaged(file: Path, change: str) -> None:
     with closing(sqlite3.connect(file)) as connection:
         connection.execute(f"UPDATE jobs SET {change} WHERE kind = 'tuning'")  # noqa: S608  # our own
         connection.commit()
@@ -57,9 +66,7 @@ def test_a_job_that_is_not_where_its_last_event_says_is_damaged(tmp_path: Path, 
         assert len(verify(store).damaged["jobs"]) == 1
 
 
-def test_a_text_that_is_none_costs_the_row_it_stands_in_alone(tmp_path: Path) -> None:
-    file = tmp_path / "ridelab.sqlite"
-    bits.fill(f"sqlite:///{file}")
+def test_a_text_that_is_none_costs_the_row_it_stands_in_alone(file: Path) -> None:
     with closing(sqlite3.connect(file)) as connection:
         connection.execute("UPDATE job_events SET data = CAST(x'ff' AS TEXT)")
         connection.commit()
@@ -68,10 +75,8 @@ def test_a_text_that_is_none_costs_the_row_it_stands_in_alone(tmp_path: Path) ->
     assert len(verdict.damaged["jobs"]) == verdict.rows["jobs"] == 2
 
 
-def test_a_result_whose_text_is_none_is_computed_again(tmp_path: Path) -> None:
+def test_a_result_whose_text_is_none_is_computed_again(file: Path) -> None:
     """The highest bit of a byte makes text that is not UTF-8."""
-    file = tmp_path / "ridelab.sqlite"
-    bits.fill(f"sqlite:///{file}")
     content = bytearray(file.read_bytes())
     content[content.index(b"metric_5")] ^= 128
     file.write_bytes(content)
@@ -82,9 +87,8 @@ def test_a_result_whose_text_is_none_is_computed_again(tmp_path: Path) -> None:
         assert sum(run.expired for each in ids if (run := store.runs.load(each)) is not None) == 1
 
 
-def test_verify_names_what_is_damaged(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    file, arguments = tmp_path / "ridelab.sqlite", ["--data-dir", str(tmp_path), "--verify"]
-    bits.fill(f"sqlite:///{file}")
+def test_verify_names_what_is_damaged(file: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = ["--data-dir", str(file.parent), "--verify"]
     assert main(arguments) == 0
     assert capsys.readouterr().out.endswith("Everything is as it was written\n")
     content = bytearray(file.read_bytes())
