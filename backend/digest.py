@@ -51,10 +51,9 @@ def result_keys(roads: Sequence[Scenario], strategies: Iterable[str]) -> list[di
     for strategy in strategies:
         content = _depends_on(roads[0], strategy, identity)
         part = content["part"]
-        holder, name = (part["road"], "seed") if "road" in part else (part, "road.seed")
         for road, of_road in zip(roads, keys, strict=True):
-            if name in holder:
-                holder[name] = road.road.seed
+            if "road.seed" in part:
+                part["road.seed"] = road.road.seed
             of_road[strategy] = _digest(orjson.dumps(content, option=orjson.OPT_SORT_KEYS))
     return keys
 

@@ -4,11 +4,11 @@ A series array has shape (signals, samples), float32, rows in the catalogue's or
 """
 
 import base64
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from math import ceil
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +17,7 @@ from backend.cost.estimate import duration, samples
 from backend.csv_lines import MAX_LINES
 from backend.json_types import JsonObject
 from sim_core.catalogue import BUMP, SIGNALS
-from sim_core.kernel.binding import sample_judge
+from sim_core.kernel.binding import sample_marker
 from sim_core.result import StrategyResult
 from sim_core.scenario import Scenario
 from sim_core.scenario.recorded import recording_id
@@ -123,9 +123,9 @@ def shown_samples(
     missed = np.zeros(table[:, 1] @ table[:, 2], dtype=np.float32)
     cuts = np.searchsorted(time, np.asarray(stages.breaks, dtype=np.float32)).tolist()
     windows = np.array(sorted({0, *cuts, count}), dtype=np.intc)
-    judge = sample_judge(windows, table, shown, missed)
+    mark = sample_marker(windows, table, shown, missed)
     for signal in signals:
-        judge(signal)
+        mark(signal)
     for start, stride, number in gaps:
         halves, missed = np.split(missed, [stride * number])
         halves = halves.reshape(2 * number, stride // 2)

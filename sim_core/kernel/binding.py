@@ -34,8 +34,8 @@ _within_steps = Function("within_steps", *_ROAD, _TABLE, INT, _TABLE_OUT)
 _window_sizes = Function("window_sizes", _TABLE, INT, INT, _TABLE_OUT)
 _shape_number = Function("shape_number", NAME, result=INT)
 _WHOLE = Array(ndim=1, dtype=np.intc)
-_judge_samples = Function(
-    "judge_samples",
+_mark_samples = Function(
+    "mark_samples",
     *(Array(ndim=1, dtype=np.float32), _WHOLE, INT, Array(ndim=2, dtype=np.intc), INT),
     *(Array(ndim=1, dtype=np.uint8, written=True), Array(ndim=1, dtype=np.float32, written=True)),
 )
@@ -139,10 +139,10 @@ def window_sizes(previewed: FloatArray, horizon: int, sizes: FloatArray) -> None
     _window_sizes(previewed, count, horizon, sizes)
 
 
-def sample_judge(
+def sample_marker(
     windows: NDArray[np.intc], parts: NDArray[np.intc], shown: NDArray[np.uint8], missed: NDArray[np.float32]
 ) -> Callable[[NDArray[np.float32]], None]:
-    """What judges one signal's samples (n,) after the other for `shown` (n,) and `missed` (m,); NaN are passed over.
+    """What marks the samples (n,) of one signal after the other in `shown` (n,) and `missed` (m,), but for NaN.
 
     Args:
         windows: First sample of each, and one after the last of all.
@@ -157,8 +157,8 @@ def sample_judge(
     require(all(min(part) >= 0 and part[0] + part[1] * part[2] < count for part in table), "Parts lie within them")
     require(sum(gaps * stride for _, stride, gaps in table) == len(missed), "Every sample of a gap is missed by a line")
 
-    def judge(values: NDArray[np.float32]) -> None:
-        require(len(values) == count, "Every sample is judged")
-        _judge_samples(values, windows, len(ends) - 1, parts, len(table), shown, missed)
+    def mark(values: NDArray[np.float32]) -> None:
+        require(len(values) == count, "Every sample is marked")
+        _mark_samples(values, windows, len(ends) - 1, parts, len(table), shown, missed)
 
-    return judge
+    return mark

@@ -33,14 +33,15 @@ static void extend(const float *values, int first, int last, float *low, float *
         *low = fminf(*low, lows[k]), *high = fmaxf(*high, highs[k]);
 }
 
-/* Judge one signal's samples, after others of the same drive; NaN are passed over.
+/* Mark one signal's extremes, and how far a line would miss its samples, after others of the same drive; NaN are
+   passed over.
 
    windows  first sample of each, and one after the last of all: window_count + 1, ascending
    parts    first sample, samples from one node to the next, and how many such gaps: part_count x 3
    shown    of each sample whether it is to be shown: the smallest and largest of each window are
    missed   of each sample of each gap, by how much of a signal's span the line between its nodes missed it at most */
-void ridelab_judge_samples(const float *values, const int *windows, int window_count, const int *parts, int part_count,
-                           unsigned char *shown, float *missed)
+void ridelab_mark_samples(const float *values, const int *windows, int window_count, const int *parts, int part_count,
+                          unsigned char *shown, float *missed)
 {
     float low = INFINITY, high = -INFINITY;
     for (const int *window = windows; window < windows + window_count; window++) {

@@ -115,5 +115,12 @@ def values_read(
         for key in parts:
             part = part.get(key, {})
         if last in part:
-            values[path] = part[last]
+            values |= _leaves(path, part[last])
     return values
+
+
+def _leaves(path: str, value: Any) -> dict[str, Any]:
+    """Field by field: whether all fields of a part are read changes when one is added, and then says nothing new."""
+    if not isinstance(value, dict):
+        return {path: value}
+    return {name: leaf for key, item in value.items() for name, leaf in _leaves(f"{path}.{key}", item).items()}

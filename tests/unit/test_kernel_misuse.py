@@ -225,15 +225,15 @@ DISAGREEING: dict[str, Callable[[], object]] = {
     "qp, a column less": lambda: qp_design(columns=np.zeros((4, 8))),
     "qp, one limit of a deflection": lambda: qp_design(columns=np.zeros((5, 7))),
     "qp, slacks alone": lambda: qp_design(columns=np.zeros((2, 8)), H=np.eye(2), low=np.zeros(2), high=np.zeros(2)),
-    "samples, fewer": lambda: judged(9),
-    "samples, no window": lambda: judged(windows=np.array([0], dtype=np.intc)),
-    "samples, before the first": lambda: judged(windows=np.array([-1, 10], dtype=np.intc)),
-    "samples, behind the last": lambda: judged(windows=np.array([0, 11], dtype=np.intc)),
-    "samples, an empty window": lambda: judged(windows=np.array([0, 5, 5], dtype=np.intc)),
-    "samples, a part's numbers": lambda: judged(parts=np.array([[0, 6]], dtype=np.intc)),
-    "samples, a part before the first": lambda: judged(parts=np.array([[-1, 2, 3]], dtype=np.intc)),
-    "samples, a part behind the last": lambda: judged(parts=np.array([[4, 2, 3]], dtype=np.intc)),
-    "samples, lines": lambda: judged(missed=np.zeros(5, dtype=np.float32)),
+    "samples, fewer": lambda: marked(9),
+    "samples, no window": lambda: marked(windows=np.array([0], dtype=np.intc)),
+    "samples, before the first": lambda: marked(windows=np.array([-1, 10], dtype=np.intc)),
+    "samples, behind the last": lambda: marked(windows=np.array([0, 11], dtype=np.intc)),
+    "samples, an empty window": lambda: marked(windows=np.array([0, 5, 5], dtype=np.intc)),
+    "samples, a part's numbers": lambda: marked(parts=np.array([[0, 6]], dtype=np.intc)),
+    "samples, a part before the first": lambda: marked(parts=np.array([[-1, 2, 3]], dtype=np.intc)),
+    "samples, a part behind the last": lambda: marked(parts=np.array([[4, 2, 3]], dtype=np.intc)),
+    "samples, lines": lambda: marked(missed=np.zeros(5, dtype=np.float32)),
     "qp, too many moves": lambda: qp_design(columns=np.zeros((203, 8)), H=np.eye(203)),
     "qp, half a box": lambda: qp_design(low=np.zeros(4)),
     "qp, no slacks in the box": lambda: qp_design(high=np.zeros(3)),
@@ -272,14 +272,14 @@ def fuzzy(**changed: Any) -> Prepared:
     return binding.fuzzy_rules(**(right | changed))
 
 
-def judged(values: int = 10, **changed: Any) -> None:
+def marked(values: int = 10, **changed: Any) -> None:
     right: dict[str, Any] = {
         "windows": np.array([0, 4, 10], dtype=np.intc),
         "parts": np.array([[3, 2, 3]], dtype=np.intc),
         "shown": np.zeros(10, dtype=np.uint8),
         "missed": np.zeros(6, dtype=np.float32),
     }
-    binding.sample_judge(**(right | changed))(np.zeros(values, dtype=np.float32))
+    binding.sample_marker(**(right | changed))(np.zeros(values, dtype=np.float32))
 
 
 def linear_drive(qp: tuple[QpDesign, QpMemory] | None = None, **changed: Any) -> None:
@@ -304,7 +304,7 @@ def test_arrays_fit_each_other(misuse: str) -> None:
 def test_what_fits_is_taken() -> None:
     """The right arguments of the misuses above."""
     assert binding.torque_share(fuzzy(), 30.0, 80.0) == 0
-    judged()
+    marked()
     recorder(2, 4, ENDS).record(3)
     binding.window_sizes(np.zeros((3, 5)), 2, np.zeros((4, 4)))
     linear_drive(qp=(qp_design(), memory()))

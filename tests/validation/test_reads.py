@@ -7,6 +7,7 @@ from unittest.mock import patch
 import numpy as np
 import pytest
 
+from sim_core import strategies
 from sim_core.caching import SHARED
 from sim_core.result import StrategyResult
 from sim_core.scenario import Bump, Estimation, Hil, Lqr, Mpc, Road, Scenario, Speed, Vehicle
@@ -140,6 +141,15 @@ SILENT = {
     ("hook", "min_damping"),  # no damper is semi-active
     ("hook", "max_damping"),
 }
+
+
+@every_strategy
+def test_a_part_read_whole_has_the_key_of_its_fields(strategy: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = values_read(BASE, STRATEGIES[strategy])
+    # A field that is added to the part, and that nobody reads, splits its name into those of the others.
+    names = [".".join(path) for path in LEAVES if is_read(strategy, path)]
+    monkeypatch.setattr(strategies, "dependencies", lambda *_: names)
+    assert values_read(BASE, STRATEGIES[strategy]) == whole
 
 
 @every_strategy
