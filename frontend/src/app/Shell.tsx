@@ -32,10 +32,10 @@ export function Shell() {
     <LoginGate>
       <SlotsContext value={slots}>
         <div className={classes.shell}>
-          <button type="button" className={classes.skip} onClick={focusMain}>
+          <button type="button" className={classes.skip} data-unprinted onClick={focusMain}>
             Skip to the page’s content
           </button>
-          <header className={classes.header}>
+          <header className={classes.header} data-unprinted>
             <Nav />
             <div className={classes.tools} ref={setTools} />
             <LazyPart>
@@ -44,7 +44,7 @@ export function Shell() {
           </header>
           <Outlet />
           <Keyboard />
-          <div className={classes.notices}>
+          <div className={classes.notices} data-unprinted>
             <div className={classes.pageNotices} ref={setNotices} />
             <ConnectionBanner onBack={lab.resume} />
           </div>

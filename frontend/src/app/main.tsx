@@ -53,7 +53,7 @@ const theme = createTheme({
     Select: small,
     TextInput: small,
     // The placeholder would be a child that a menu may not have.
-    Modal: { defaultProps: { closeButtonProps: { "aria-label": "Close" } } },
+    Modal: { defaultProps: { closeButtonProps: { "aria-label": "Close" }, styles: { title: { fontWeight: 650 } } } },
     Menu: { defaultProps: { withInitialFocusPlaceholder: false } },
     // What pulses is drawn 60 times a second while the page has enough to do.
     Skeleton: { defaultProps: { animate: false } },

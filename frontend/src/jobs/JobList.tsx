@@ -1,17 +1,15 @@
 /** The jobs of a kind there are, the newest first: opened, renamed, deleted. */
 
-import { Button, Skeleton, Text, ActionIcon, Menu } from "@mantine/core";
+import { Box, Button, Group, Skeleton, Text, Menu } from "@mantine/core";
 import { useInfiniteQuery, useMutation, useQueryClient } from "@tanstack/react-query";
 import { Link } from "@tanstack/react-router";
 import { useState } from "react";
 import { isFinal } from "./follow";
-import classes from "./jobs.module.css";
 import type { Common, JobKind, JobPath } from "./useJob";
 import { Fault } from "../ui/Fault";
 import ui from "../ui/ui.module.css";
 import { Card } from "../ui/Card";
-import { IconDots } from "../ui/icons";
-import { NameForm } from "../ui/NameForm";
+import { MoreMenu, NameForm } from "../ui/NameForm";
 import { formatMinute } from "../units/dates";
 import { count, formatWhole } from "../units/format";
 import { waitsFor } from "./JobState";
@@ -62,11 +60,11 @@ export function JobList<Item extends Common, Job extends Item>({
           {none}
         </Text>
       ) : (
-        <ul className={classes.list}>
+        <Box component="ul" className={ui.list ?? ""} p="0 0.5rem 0.3rem">
           {items.map((item) => (
             <JobEntry key={item.id} {...{ kind, item }} description={describe(item)} current={item.id === current} />
           ))}
-        </ul>
+        </Box>
       )}
       {hasNextPage && (
         <Button
@@ -124,39 +122,24 @@ function JobEntry<Item extends Common, Job extends Item>({
   ];
   const close = () => setOpenForm(null);
   return (
-    <li className={classes.entry} data-state={item.state} aria-current={current || undefined}>
+    <li className={ui.item} data-state={item.state} aria-current={current || undefined}>
       <Link to={page ?? kind.page} params={{ id: item.id }}>
-        <span className={classes.entryTitle}>{name}</span>
-        <span className={classes.entryState}>
+        <span className={ui.itemTitle}>{name}</span>
+        <span className={`${ui.dim} ${item.state === "failed" ? ui.error : ""}`}>
           {[
             STATE[item.state] +
               (item.state === "done" ? "" : `, ${formatWhole(done + failed)} of ${formatWhole(total)}`),
             ...(item.position > 0 ? [waitsFor(item)] : []),
           ].join(" · ")}
         </span>
-        <span className={classes.entryText}>{texts.join(" · ")}</span>
+        <span className={ui.under}>{texts.join(" · ")}</span>
       </Link>
-      <Menu position="bottom-end" width={160}>
-        <Menu.Target>
-          <ActionIcon
-            variant="subtle"
-            color="gray"
-            size={28}
-            pos="absolute"
-            top="0.3rem"
-            right="0.5rem"
-            aria-label={`Rename or delete ${name}`}
-          >
-            <IconDots size={16} />
-          </ActionIcon>
-        </Menu.Target>
-        <Menu.Dropdown>
-          <Menu.Item onClick={() => setOpenForm("name")}>Rename</Menu.Item>
-          <Menu.Item disabled={!isFinal(item)} onClick={() => setOpenForm("delete")}>
-            {isFinal(item) ? "Delete" : "Delete (cancel it first)"}
-          </Menu.Item>
-        </Menu.Dropdown>
-      </Menu>
+      <MoreMenu label={`Rename or delete ${name}`}>
+        <Menu.Item onClick={() => setOpenForm("name")}>Rename</Menu.Item>
+        <Menu.Item disabled={!isFinal(item)} onClick={() => setOpenForm("delete")}>
+          {isFinal(item) ? "Delete" : "Delete (cancel it first)"}
+        </Menu.Item>
+      </MoreMenu>
       {openForm === "name" && <Rename {...{ kind, item }} onClose={close} />}
       {openForm === "delete" && <Delete {...{ kind, item, name }} onClose={close} />}
     </li>
@@ -191,7 +174,6 @@ function Rename<Item extends Common, Job extends Item>({ kind, item, onClose }: 
       label="Name"
       action="Save"
       longest={200}
-      className={classes.entryForm}
       error={rename.error?.message}
       saving={rename.isPending}
       onSave={rename.mutate}
@@ -208,7 +190,7 @@ function Delete<Item extends Common, Job extends Item>({
 }: FormProps<Item, Job> & { readonly name: string }) {
   const deletion = useChange(kind, () => kind.calls.delete(item.id), onClose);
   return (
-    <div className={classes.entryForm} role="group" aria-label={`Delete ${name}?`}>
+    <Group gap="0.4rem" p="0 0.4rem 0.6rem" role="group" aria-label={`Delete ${name}?`}>
       <Text size="xs" flex={1} {...(deletion.isError && { role: "alert", c: "red" })}>
         {deletion.error?.message ?? "Delete it for good?"}
       </Text>
@@ -216,6 +198,6 @@ function Delete<Item extends Common, Job extends Item>({
         Delete
       </Button>
       <Button onClick={onClose}>Close</Button>
-    </div>
+    </Group>
   );
 }

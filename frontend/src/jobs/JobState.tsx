@@ -4,7 +4,7 @@ import { Button, Group, Progress, Text } from "@mantine/core";
 import type { ReactNode } from "react";
 import { count } from "../units/format";
 import { isFinal } from "./follow";
-import classes from "./jobs.module.css";
+import ui from "../ui/ui.module.css";
 import { useJobCall, type Common, type JobStatus, type JobKind } from "./useJob";
 import { Fault } from "../ui/Fault";
 import { Card } from "../ui/Card";
@@ -52,13 +52,13 @@ export function JobState<Item extends Common, Job extends Item>({
     ...(job.state === "queued" && job.position > 0 ? [waitsFor(job)] : []),
   ].join(", ");
   return (
-    <Card className={classes.state} aria-label="Progress" data-state={job.state}>
+    <Card className={ui.part} aria-label="Progress" data-state={job.state}>
       <Group gap="0.3rem 0.9rem" mih={30}>
         <Text fw={650} role="status" data-testid={`${kind.name}-state`}>
           {text}
           {job.reason !== null && `: ${job.reason}`}
         </Text>
-        <Text className={classes.counts} data-testid={`${kind.name}-counts`}>
+        <Text flex="1 1 12rem" c="dimmed" data-testid={`${kind.name}-counts`}>
           {counts}
         </Text>
         {readOnly ? null : ended ? (

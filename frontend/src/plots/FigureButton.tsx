@@ -6,7 +6,6 @@ import { lazy, useMemo, useState, type RefObject } from "react";
 import type { FigureTemplate } from "../api/types";
 import { IconDownload, IconMaximize } from "../ui/icons";
 import { LazyPart } from "../ui/LazyPart";
-import classes from "./plots.module.css";
 import { requestPlotly } from "./plotly";
 import type { FigureSource } from "./saved";
 import type { ChartOnPaper } from "./paperChart";
@@ -30,7 +29,7 @@ export function EnlargeButton({ template, curves }: EnlargeProps) {
         size={24}
         variant="subtle"
         color="gray"
-        className={classes.save ?? ""}
+        data-unprinted
         aria-label={`Enlarge figure: ${title}`}
         aria-haspopup="dialog"
         onPointerEnter={requestPlotly}
@@ -64,7 +63,7 @@ export function FigureButton({ source }: { readonly source: FigureSource }) {
         size={24}
         variant="subtle"
         color="gray"
-        className={classes.save ?? ""}
+        data-unprinted
         aria-label={`Save figure: ${title}`}
         aria-haspopup="dialog"
         aria-expanded={opened}

@@ -151,7 +151,7 @@ export function RoadStrip({ template, resultView }: RoadStripProps) {
           {meta.unit}
         </Box>
       </h2>
-      <div className={classes.stripTools}>
+      <div className={classes.stripTools} data-unprinted>
         <EnlargeButton template={template} curves={drawn} />
       </div>
     </Card>

@@ -64,7 +64,7 @@ export const PlotPanel = memo(function PlotPanel({ template, curves, palette, on
           </Box>
         </Box>
         <Readouts {...{ meta, curves, strategies, axis }} />
-        <Group gap={0} wrap="nowrap" className={classes.save ?? ""}>
+        <Group gap={0} wrap="nowrap" flex="none" data-unprinted>
           <EnlargeButton template={template} curves={curves} />
           <FigureButton source={sourceOf(template, curves, fileOf(template, { runId }))} />
         </Group>

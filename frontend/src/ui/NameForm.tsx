@@ -1,7 +1,38 @@
-/** Renames something in its list. */
+/** What an entry of a list has: a menu, and a form that renames it. */
 
-import { Button, TextInput } from "@mantine/core";
-import { useEffect, useRef, useState } from "react";
+import { ActionIcon, Button, Group, Menu, TextInput } from "@mantine/core";
+import { useEffect, useRef, useState, type ReactNode, type Ref } from "react";
+import { IconDots } from "./icons";
+
+interface MenuProps {
+  readonly label: string;
+  readonly ref?: Ref<HTMLButtonElement>;
+  readonly autoFocus?: boolean;
+  /** Its items. */
+  readonly children: ReactNode;
+}
+
+export function MoreMenu({ label, children, ...button }: MenuProps) {
+  return (
+    <Menu position="bottom-end" width={160}>
+      <Menu.Target>
+        <ActionIcon
+          variant="subtle"
+          color="gray"
+          size={28}
+          pos="absolute"
+          top="0.3rem"
+          right="0.2rem"
+          aria-label={label}
+          {...button}
+        >
+          <IconDots size={16} />
+        </ActionIcon>
+      </Menu.Target>
+      <Menu.Dropdown>{children}</Menu.Dropdown>
+    </Menu>
+  );
+}
 
 interface Props {
   readonly name: string;
@@ -9,21 +40,22 @@ interface Props {
   readonly label: string;
   readonly action: string;
   readonly longest: number;
-  readonly className: string | undefined;
   readonly error: string | null | undefined;
   readonly saving?: boolean;
   readonly onSave: (name: string) => void;
   readonly onClose: () => void;
 }
 
-export function NameForm({ name, label, action, longest, className, error, saving = false, onSave, onClose }: Props) {
+export function NameForm({ name, label, action, longest, error, saving = false, onSave, onClose }: Props) {
   const [typed, setTyped] = useState(name);
   const entry = useRef<HTMLInputElement>(null);
   // Not at once: the menu that it was chosen from would take the focus back.
   useEffect(() => entry.current?.focus(), []);
   return (
-    <form
-      className={className}
+    <Group
+      component="form"
+      gap="0.4rem"
+      p="0.2rem 0.4rem 0.6rem"
       onSubmit={(event) => {
         event.preventDefault();
         onSave(typed);
@@ -43,6 +75,6 @@ export function NameForm({ name, label, action, longest, className, error, savin
         {action}
       </Button>
       <Button onClick={onClose}>Close</Button>
-    </form>
+    </Group>
   );
 }

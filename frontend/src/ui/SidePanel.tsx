@@ -1,9 +1,10 @@
 /** A panel beside the plots, which make room for it; Escape closes it. */
 
-import { CloseButton, Group } from "@mantine/core";
+import { CloseButton, Group, Stack } from "@mantine/core";
 import { useEffect, useEffectEvent, useLayoutEffect, useRef, type ReactNode } from "react";
 import { Card } from "./Card";
 import classes from "./sidePanel.module.css";
+import ui from "./ui.module.css";
 
 interface Props {
   readonly title: string;
@@ -30,13 +31,17 @@ export function SidePanel({ title, tools, onClose, children, ...rest }: Props) {
     return () => document.removeEventListener("keydown", listen);
   }, []);
   return (
-    <Card ref={ref} className={classes.panel} aria-label={title} {...rest}>
+    <Card ref={ref} className={classes.panel} data-unprinted aria-label={title} {...rest}>
       <Group component="header" gap="0.4rem" wrap="nowrap" className={classes.head ?? ""}>
-        <h2 className={classes.title}>{title}</h2>
+        <h2 className={ui.heading} style={{ flex: 1 }}>
+          {title}
+        </h2>
         {tools}
         <CloseButton aria-label="Close" onClick={onClose} />
       </Group>
-      <div className={classes.body}>{children}</div>
+      <Stack gap="0.6rem" p="0.6rem 0.9rem 0.9rem">
+        {children}
+      </Stack>
     </Card>
   );
 }

@@ -69,7 +69,7 @@ export function CarView({ resultView }: { readonly resultView: ResultView }) {
         ))}
         {width > 0 && <Key resultView={resultView} width={width} exaggeration={Number(exaggeration)} />}
       </div>
-      <div className={classes.controls}>
+      <div className={classes.controls} data-unprinted>
         <ActionIcon
           data-hint={playing ? "Pause (Space)" : "Play (Space)"}
           variant="light"

@@ -50,7 +50,7 @@ function AgainstSelect({
   const selected =
     reference === null ? `${STRATEGY}${baseline}` : reference === before ? "before" : referenceTo(reference);
   return (
-    <label className={classes.choice}>
+    <Group component="label" gap="0.4rem" wrap="nowrap" fz="xs" c="dimmed">
       Change against
       <NativeSelect
         value={selected}
@@ -79,7 +79,7 @@ function AgainstSelect({
           </optgroup>
         )}
       </NativeSelect>
-    </label>
+    </Group>
   );
 }
 
@@ -142,9 +142,13 @@ function SpeedSelect() {
   const field = findMember(useForm(), POLICY);
   if (field?.kind !== "choice") return null;
   return (
-    <label
+    <Group
+      component="label"
+      gap="0.4rem"
+      wrap="nowrap"
+      fz="xs"
+      c="dimmed"
       data-hint="Planned: all slow down for the bump. Constant: none does. At equal speed, the remaining difference comes from the suspension"
-      className={classes.choice}
     >
       {field.title}
       <NativeSelect
@@ -153,6 +157,6 @@ function SpeedSelect() {
         data={field.options.map((value) => ({ value, label: optionTitle(value) }))}
         onChange={({ currentTarget: { value } }) => edit.commit(setAt(edit.newest(), POLICY, value))}
       />
-    </label>
+    </Group>
   );
 }

@@ -1,6 +1,6 @@
 /** The state before the last edit and the pinned variants, each with its line in the plots and what can be done with it. */
 
-import { Checkbox, Menu, TextInput } from "@mantine/core";
+import { Checkbox, Group, Menu, TextInput } from "@mantine/core";
 import { useQueryClient } from "@tanstack/react-query";
 import { IconChevronDown } from "../../ui/icons";
 import { useOpenInLab } from "../../ui/useOpenInLab";
@@ -20,13 +20,20 @@ import {
   usePins,
   type PinnedRun,
 } from "./useCompared";
+import ui from "../../ui/ui.module.css";
 
 export function PinList() {
   const pins = usePins();
   const readOnly = useReadOnly();
   if (readOnly && pins.length === 0) return null;
   return (
-    <ul className={classes.pins} aria-label={pins.length > 0 ? "Pinned results" : "Other results"}>
+    <Group
+      component="ul"
+      className={`${ui.list} ${classes.pins}`}
+      gap="0.3rem 0.4rem"
+      miw={0}
+      aria-label={pins.length > 0 ? "Pinned results" : "Other results"}
+    >
       {!readOnly && (
         <li>
           <BeforeSwitch />
@@ -35,7 +42,7 @@ export function PinList() {
       {pins.map((pin, index) => (
         <li key={pin.run}>
           {readOnly ? (
-            <span className={classes.pin}>
+            <span className={`${ui.pill} ${classes.pin}`}>
               <PinName pin={pin} index={index} />
             </span>
           ) : (
@@ -43,7 +50,7 @@ export function PinList() {
           )}
         </li>
       ))}
-    </ul>
+    </Group>
   );
 }
 
@@ -54,7 +61,7 @@ function BeforeSwitch() {
   const name = before?.name ?? BEFORE_EDIT;
   return (
     <Checkbox
-      classNames={{ root: classes.pin ?? "", label: classes.before ?? "" }}
+      classNames={{ root: ui.pill ?? "", label: ui.named ?? "" }}
       label={
         <>
           <LineKey width={BEFORE_WIDTH} /> {`B${name.slice(1)}`}
@@ -91,7 +98,7 @@ function PinMenu({ pin, index }: Props) {
       <Menu.Target>
         <button
           type="button"
-          className={classes.pin}
+          className={`${ui.pill} ${classes.pin}`}
           data-missing={pin.missing !== null || undefined}
           title={pin.missing === null ? pin.name : `${pin.name}: ${pin.missing}`}
         >

@@ -45,7 +45,7 @@ export function BumpDrawing({ members }: { readonly members: readonly Member[] }
     );
   if (height !== 0) return <div style={{ height: FLOOR }} />; // on its way
   return (
-    <Text className={classes.note}>
+    <Text size="xs" mt={4} c="dimmed">
       {getAt(shown?.scenario, "/road/profile")
         ? "No bump is added to the measured road."
         : "Height 0: there is no bump."}

@@ -156,7 +156,7 @@ const SectionItem = memo(function SectionItem({ section, isOpen }: ItemProps) {
           {section.title}
         </Box>
         {changed > 0 && (
-          <Badge size="sm" variant="light" className={classes.badge ?? ""}>
+          <Badge size="sm" variant="light" flex="none" tt="none">
             {changed} changed
           </Badge>
         )}

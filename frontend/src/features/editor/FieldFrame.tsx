@@ -46,7 +46,11 @@ export function FieldFrame({ id, field, leaf: { changed, error, unread }, standa
         {aside}
       </Group>
       {children}
-      {unread !== undefined && <Text className={classes.note}>{unread}</Text>}
+      {unread !== undefined && (
+        <Text size="xs" mt={4} c="dimmed">
+          {unread}
+        </Text>
+      )}
       <FieldError id={id} error={error} />
     </div>
   );
@@ -76,8 +80,8 @@ export const ResetButton = memo(function ResetButton({ field, standard, changed 
   return (
     <ActionIcon
       data-hint={`Differs from the paper (${standard}). Reset`}
-      className={classes.reset}
-      data-hidden={disabled || undefined}
+      flex="none"
+      style={{ visibility: disabled ? "hidden" : "visible" }}
       variant="subtle"
       size={24}
       aria-label={`Reset ${field.title} to the paper's ${standard}`}

@@ -10,7 +10,6 @@ import { RoadProfileRow } from "./RoadProfileRow";
 import type { ChoiceField, Member, NumberField, VectorField, DataField } from "../../scenario/schema";
 import { useLeaf, type LeafState } from "./useLeaf";
 import { WeightsMatrix } from "./WeightsMatrix";
-import classes from "./editor.module.css";
 
 const [ROUGHNESS, FUZZY] = ["/road/roughness", "/fuzzy/"];
 
@@ -92,7 +91,9 @@ function RoadClassRow({ field, leaf }: { readonly field: NumberField; readonly l
         data={options}
         onChange={(value) => leaf.commit(ROAD_CLASSES.find(({ letter }) => letter === value)?.roughness ?? 0)}
       />
-      <Text className={classes.note}>{describe(roughness)}</Text>
+      <Text size="xs" mt={4} c="dimmed">
+        {describe(roughness)}
+      </Text>
     </FieldFrame>
   );
 }
@@ -137,7 +138,7 @@ function DataRow({ field }: { readonly field: DataField }) {
         </Button>
       }
     >
-      <Text component="output" id={name} className={classes.note}>
+      <Text component="output" id={name} size="xs" mt={4} c="dimmed">
         {leaf.changed ? "The scenario has its own." : "As in the paper."}
       </Text>
     </FieldFrame>

@@ -10,7 +10,6 @@ import { indicesText, RoadSpectrum } from "../library/RoadSpectrum";
 import { useItems } from "../../scenario/library";
 import { useEdit, useFromScenario } from "../../lab/context";
 import { roadQuery } from "../../server/queries";
-import classes from "./editor.module.css";
 import { FieldFrame } from "./FieldFrame";
 import { getAt, setAt } from "../../scenario/path";
 import { onBump } from "../../scenario/withItem";
@@ -97,7 +96,7 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
             tracks={[road.height]}
             marks={bumps.map((bump, index) => ({ ...bump, counts: index === counting }))}
           />
-          <Text className={classes.note}>
+          <Text size="xs" mt={4} c="dimmed">
             {road.length} m measured, in place of roughness and seed.{" "}
             {labels.length > 0 ? `Bumps in it: ${labels.join(", ")}.` : "No bump was found in it."}
           </Text>
@@ -120,7 +119,9 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
           {indicesText(road) !== null && (
             <>
               <RoadSpectrum road={road} />
-              <Text className={classes.note}>{indicesText(road)}</Text>
+              <Text size="xs" mt={4} c="dimmed">
+                {indicesText(road)}
+              </Text>
             </>
           )}
         </>

@@ -1,6 +1,6 @@
 /** Which vehicle it is: one with sources, one of the library, or values of one's own; and the vehicle as a file. */
 
-import { Button, NativeSelect, Text } from "@mantine/core";
+import { Button, Group as Row, NativeSelect, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import type { JsonObject } from "../../api/types";
 import { useExportItem } from "../library/open";
@@ -45,7 +45,7 @@ export function VehicleChoice({ group }: { readonly group: Group }) {
     void exportItem({ kind: "vehicle", name: current?.label ?? "Own vehicle", value: vehicle as JsonObject });
 
   return (
-    <div className={classes.vehicle}>
+    <Row gap="0.4rem">
       <NativeSelect
         aria-label="Vehicle"
         flex="1 1 8rem"
@@ -72,12 +72,12 @@ export function VehicleChoice({ group }: { readonly group: Group }) {
         </Button>
       )}
       {source && (
-        <Text className={classes.note} title={source.sources.join("\n")}>
+        <Text size="xs" mt={4} c="dimmed" title={source.sources.join("\n")}>
           {source.description} {source.sources[0]}
         </Text>
       )}
       <VehicleFacts pointer={group.pointer} />
-    </div>
+    </Row>
   );
 }
 

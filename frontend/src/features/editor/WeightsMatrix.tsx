@@ -57,7 +57,7 @@ function MatrixRow({ vector }: { readonly vector: VectorField }) {
         <MatrixCell key={item.pointer} field={item} rowTitle={vector.title} />
       ))}
       {wrong && (
-        <div className={classes.matrixError}>
+        <div style={{ gridColumn: "1 / -1" }}>
           <FieldError id={`${id}-row`} error={`${wrong.title}: ${message ?? ""}`} />
         </div>
       )}

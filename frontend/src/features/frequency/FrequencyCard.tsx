@@ -1,6 +1,6 @@
 /** At which frequency does a control win, and how close is its loop to instability: live while a value is dragged. */
 
-import { Group, NativeSelect, Text, useComputedColorScheme } from "@mantine/core";
+import { Group, NativeSelect, Stack, Text, useComputedColorScheme } from "@mantine/core";
 import { useEffect, useMemo, useState } from "react";
 import { ask } from "../../api/http";
 import { isTransient, messageOf } from "../../api/problem";
@@ -14,6 +14,7 @@ import { prettyUnit } from "../../units/format";
 import { frequencyFigures } from "./figures";
 import classes from "./frequency.module.css";
 import { BandsTable, MarginsTable } from "./tables";
+import ui from "../../ui/ui.module.css";
 
 type Output = NonNullable<FrequencyRequest["outputs"]>[number];
 type Stage = NonNullable<FrequencyRequest["stage"]>;
@@ -46,7 +47,7 @@ export function FrequencyCard({ resultView, catalogue }: Props) {
     [answer, strategies, signal, palette],
   );
   return (
-    <div className={classes.body} data-testid="frequencies" aria-busy={answer === null && fault === null}>
+    <Stack gap="0.7rem" p="0 0.9rem 0.9rem" data-testid="frequencies" aria-busy={answer === null && fault === null}>
       <Group gap="0.6rem">
         <NativeSelect
           aria-label="Response from the road to"
@@ -69,14 +70,14 @@ export function FrequencyCard({ resultView, catalogue }: Props) {
       {fault !== null && <Fault>{fault}</Fault>}
       <div className={classes.charts}>
         {figures.map(({ title, unit: own, figure }) => (
-          <figure key={title} className={classes.figure}>
+          <figure key={title} className={ui.figure}>
             <figcaption>
               {title}{" "}
-              <span>
+              <span className={ui.dim}>
                 [{title === "Gain" || title.startsWith("Spectrum") ? `${own}, 0 is 1 ${spectral(title, unit)}` : own}]
               </span>
             </figcaption>
-            <div role="img" aria-label={`${title} over frequency`} className={classes.canvas}>
+            <div role="img" aria-label={`${title} over frequency`} style={{ height: 176 }}>
               <StillSurface figure={figure} />
             </div>
           </figure>
@@ -92,7 +93,7 @@ export function FrequencyCard({ resultView, catalogue }: Props) {
           })}
         </>
       )}
-    </div>
+    </Stack>
   );
 }
 

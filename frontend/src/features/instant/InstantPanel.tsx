@@ -20,6 +20,7 @@ import { horizonFigures, REAR_DASH } from "./horizon";
 import classes from "./instant.module.css";
 import { useInstant } from "./useInstant";
 import { limitName, termName } from "./words";
+import ui from "../../ui/ui.module.css";
 
 interface Props {
   readonly resultView: ResultView;
@@ -99,19 +100,19 @@ function Seen({ answer, colour, seed }: SeenProps) {
         {why.replace(/-(?=\d)/g, "−")}
       </p>
       <Group gap="0.9rem" fz="xs">
-        <span className={classes.key}>
+        <span className={ui.named}>
           <LineKey colour={colour} /> front
         </span>
-        <span className={classes.key}>
+        <span className={ui.named}>
           <LineKey colour={colour} dash={REAR_DASH} /> rear
         </span>
       </Group>
       {horizonFigures(answer, colour, palette).map(({ title, unit, figure }) => (
-        <figure key={title} className={classes.figure}>
+        <figure key={title} className={ui.figure}>
           <figcaption>
-            {title} <span>[{unit}]</span>
+            {title} <span className={ui.dim}>[{unit}]</span>
           </figcaption>
-          <div role="img" aria-label={`${title} in ${unit} over the horizon`} className={classes.canvas}>
+          <div role="img" aria-label={`${title} in ${unit} over the horizon`} style={{ height: 104 }}>
             <StillSurface figure={figure} />
           </div>
         </figure>

@@ -19,7 +19,6 @@ interface Props<Estimate extends Cost> {
   /** How much it is, such as `12 runs`. */
   readonly amount: (estimate: Estimate) => string;
   readonly notes?: (estimate: Estimate) => readonly string[];
-  readonly className?: string | undefined;
   /** The form around it starts the job when it is submitted. */
   readonly inForm?: boolean;
   /** Further buttons. */
@@ -34,14 +33,13 @@ export function StartFoot<Estimate extends Cost>({
   draft,
   amount,
   notes,
-  className = ui.foot,
   inForm = false,
   children,
 }: Props<Estimate>) {
   const wrong = [...new Set([...general, ...Object.values(errors)])];
   const otherwise = wrong.length > 0 ? `It cannot start: ${wrong.join(". ")}` : pending ? "Estimating…" : "\u00a0";
   return (
-    <div className={className}>
+    <div className={ui.foot}>
       <Box flex="1 1 9rem" mih="1.4rem" role="status" data-testid="estimate">
         <Text {...(estimate ? { fw: 600 } : { c: "dimmed" })}>
           {estimate ? `${amount(estimate)}, ${time(estimate)}` : otherwise}

@@ -1,16 +1,15 @@
 /** One item of the library: opened by a click; renamed, exported and deleted by its menu. */
 
-import { ActionIcon, Menu } from "@mantine/core";
+import { Menu } from "@mantine/core";
 import { useRef, useState } from "react";
 import { requirementsIn, requirementsText } from "../../lab/requirements";
 import { changedFields, changesText, completed } from "../../scenario/differences";
 import type { Group } from "../../scenario/schema";
-import { IconDots } from "../../ui/icons";
 import { LONGEST_NAME, cleanName, type Item, ownLibrary } from "../../scenario/library";
-import { NameForm } from "../../ui/NameForm";
+import { MoreMenu, NameForm } from "../../ui/NameForm";
 import { formatMinute } from "../../units/dates";
 import { count } from "../../units/format";
-import classes from "./library.module.css";
+import ui from "../../ui/ui.module.css";
 import { useExportItem } from "./open";
 
 interface Props {
@@ -41,35 +40,18 @@ export function ItemRow({ item, form, open, remove, isRenamed, onRenamed }: Prop
   const exportItem = useExportItem();
   const { name, saved } = item;
   return (
-    <li className={classes.entry}>
-      <button type="button" className={classes.open} onClick={() => open(item)}>
-        <span className={classes.name}>{name}</span>
-        <span className={classes.text}>
+    <li className={ui.item}>
+      <button type="button" onClick={() => open(item)}>
+        <span className={ui.itemTitle}>{name}</span>
+        <span className={ui.under}>
           {describe(item, form)} · {formatMinute(saved)}
         </span>
       </button>
-      <Menu position="bottom-end" width={160}>
-        <Menu.Target>
-          <ActionIcon
-            ref={menu}
-            autoFocus={isRenamed}
-            variant="subtle"
-            color="gray"
-            size={28}
-            pos="absolute"
-            top="0.3rem"
-            right="0.2rem"
-            aria-label={`Rename, export or delete ${name}`}
-          >
-            <IconDots size={16} />
-          </ActionIcon>
-        </Menu.Target>
-        <Menu.Dropdown>
-          <Menu.Item onClick={() => setRenaming(true)}>Rename</Menu.Item>
-          <Menu.Item onClick={() => void exportItem(item)}>Export as a file</Menu.Item>
-          <Menu.Item onClick={() => remove(item)}>Delete</Menu.Item>
-        </Menu.Dropdown>
-      </Menu>
+      <MoreMenu ref={menu} autoFocus={isRenamed} label={`Rename, export or delete ${name}`}>
+        <Menu.Item onClick={() => setRenaming(true)}>Rename</Menu.Item>
+        <Menu.Item onClick={() => void exportItem(item)}>Export as a file</Menu.Item>
+        <Menu.Item onClick={() => remove(item)}>Delete</Menu.Item>
+      </MoreMenu>
       {isRenaming && (
         <Rename
           item={item}
@@ -105,7 +87,6 @@ function Rename({ item, onRenamed, onClose }: RenameProps) {
       label="New name"
       action="Rename"
       longest={LONGEST_NAME}
-      className={classes.rename}
       error={wrong}
       onSave={rename}
       onClose={onClose}

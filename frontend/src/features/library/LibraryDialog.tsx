@@ -1,10 +1,10 @@
 /** One's own scenarios, vehicles, roads and sets of requirements, and the presets: saved, opened, renamed, deleted, imported and exported. */
 
-import { Box, Button, Modal, Text, SegmentedControl, TextInput } from "@mantine/core";
+import { Box, Button, Group, Modal, Text, SegmentedControl, TextInput } from "@mantine/core";
 import { useState } from "react";
 import claims from "../../../../examples/paper-claims.json";
 import type { Preset, JsonObject, Requirement } from "../../api/types";
-import type { Group } from "../../scenario/schema";
+import type { Group as Form } from "../../scenario/schema";
 import { ItemRow } from "./ItemRow";
 import {
   type Item,
@@ -15,7 +15,7 @@ import {
   LONGEST_NAME,
   cleanName,
 } from "../../scenario/library";
-import classes from "./library.module.css";
+import ui from "../../ui/ui.module.css";
 import { useOpenItem, notice, useExportItem } from "./open";
 import { OpenFiles } from "./OpenFiles";
 import { Template } from "./Template";
@@ -35,7 +35,7 @@ const CLAIMS = {
 };
 
 interface Props {
-  readonly form: Group;
+  readonly form: Form;
   readonly presets: readonly Preset[];
   readonly saving: Exclude<ItemKind, "road">;
   readonly onClose: () => void;
@@ -59,18 +59,18 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
   return (
     <Modal opened onClose={onClose} title="Library" size="xl">
       <SaveForm form={form} kind={saving} onSaved={onClose} />
-      <div className={classes.import}>
+      <Group gap="0.4rem" mt="0.5rem">
         <OpenFiles name="Files for the library" size="xs">
           Import files
         </OpenFiles>
-        <Text className={classes.text}>
+        <Text flex="1 1 16rem" size="xs" lh="1.4" c="dimmed">
           Scenarios, vehicles and requirements as JSON, measured roads as CSV or OpenCRG, recorded drives as CSV; or
           drop them anywhere on the lab. This browser keeps the library: export what others need. <Template />.
         </Text>
-      </div>
+      </Group>
       {deleted && (
-        <div className={classes.deleted}>
-          <Text role="status">
+        <div className={ui.banner}>
+          <Text flex={1} role="status">
             Deleted the {kindWord(deleted.kind)} “{deleted.name}”.
           </Text>
           <Button size="compact-xs" autoFocus onClick={() => restore(deleted)}>
@@ -85,15 +85,15 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
       <Box component="h3" m="1rem 0 0.3rem" fz="md" fw={650}>
         Presets
       </Box>
-      <ul className={classes.list} aria-label="Presets">
+      <ul className={ui.list} aria-label="Presets">
         {[
           ...presets.map(({ scenario, ...preset }) => ({ ...preset, kind: "scenario" as const, value: scenario })),
           CLAIMS,
         ].map(({ id, label, description, kind, value }) => (
-          <li key={id} className={classes.entry}>
-            <button type="button" className={classes.open} onClick={() => open({ kind, value })}>
-              <span className={classes.name}>{label}</span>
-              <span className={classes.text}>{description}</span>
+          <li key={id} className={ui.item}>
+            <button type="button" onClick={() => open({ kind, value })}>
+              <span className={ui.itemTitle}>{label}</span>
+              <span className={ui.under}>{description}</span>
             </button>
           </li>
         ))}
@@ -105,7 +105,7 @@ export function LibraryDialog({ form, presets, saving, onClose }: Props) {
 interface ListProps {
   readonly title: string;
   readonly kind: ItemKind;
-  readonly form: Group;
+  readonly form: Form;
   readonly open: (item: Item) => void;
   readonly remove: (item: Item) => void;
 }
@@ -119,7 +119,7 @@ function OwnItems({ title, kind, ...row }: ListProps) {
       <Box component="h3" m="1rem 0 0.3rem" fz="md" fw={650}>
         {title}
       </Box>
-      <ul className={classes.list} aria-label={title}>
+      <ul className={ui.list} aria-label={title}>
         {items.map((item) => (
           <ItemRow key={item.name} item={item} isRenamed={item.name === renamed} onRenamed={setRenamed} {...row} />
         ))}
@@ -131,7 +131,7 @@ function OwnItems({ title, kind, ...row }: ListProps) {
 type Saved = Exclude<ItemKind, "road">;
 
 interface SaveFormProps {
-  readonly form: Group;
+  readonly form: Form;
   /** What it offers first. */
   readonly kind: Saved;
   readonly onSaved: () => void;
@@ -165,8 +165,9 @@ function SaveForm({ form, kind: first, onSaved }: SaveFormProps) {
     }
   };
   return (
-    <form
-      className={classes.save}
+    <Group
+      component="form"
+      gap="0.4rem"
       onSubmit={(event) => {
         event.preventDefault();
         if (name !== "") save();
@@ -183,7 +184,7 @@ function SaveForm({ form, kind: first, onSaved }: SaveFormProps) {
         onChange={setKind}
       />
       <TextInput
-        className={classes.grow ?? ""}
+        flex="1 1 10rem"
         aria-label="Name"
         placeholder="Name"
         data-autofocus
@@ -197,12 +198,12 @@ function SaveForm({ form, kind: first, onSaved }: SaveFormProps) {
       <Button disabled={name === ""} onClick={() => void exportItem({ kind, name, value })}>
         Export
       </Button>
-      <Text className={classes.text} role="status">
+      <Text w="100%" size="xs" c="dimmed" role="status">
         {replaced
           ? `Replaces the ${kindWord(kind)} that was saved under this name on ${formatMinute(replaced.saved)}.`
           : "\u00a0"}
       </Text>
       {wrong !== null && <Fault>{wrong}</Fault>}
-    </form>
+    </Group>
   );
 }

@@ -90,7 +90,7 @@ function LastNotice() {
   const isAsked = useSelector(unclear).length > 0; // whose dialog says what is wrong
   if (!said || !isNewest || isOpen || isAsked) return null;
   return (
-    <div className={classes.message}>
+    <div className={classes.message} data-unprinted>
       <div className={ui.notice} role={said.isWrong ? "alert" : "status"}>
         <div>
           {said.lines.map((line) => (

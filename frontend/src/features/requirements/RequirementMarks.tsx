@@ -3,10 +3,11 @@
 import type { RequirementResult } from "../../api/types";
 import { IconAlertTriangle, IconCheck, IconX } from "../../ui/icons";
 import { limitText, RESULT_WORDS } from "./judged";
-import classes from "./requirements.module.css";
 import { useFigures, useCatalogue } from "../../server/useCatalogues";
 import { metricsOf } from "../../server/metrics";
 import { useMemo, type ReactNode } from "react";
+import { Box } from "@mantine/core";
+import ui from "../../ui/ui.module.css";
 
 const SIGNS = { pass: IconCheck, fail: IconX, uncertain: IconAlertTriangle } as const;
 
@@ -38,9 +39,9 @@ interface MarkProps {
 export function ResultMark({ result, title, children }: MarkProps) {
   const Sign = SIGNS[result];
   return (
-    <span className={classes.mark} data-result={result} title={title}>
+    <Box component="span" className={ui.mark ?? ""} mr="0.35rem" fz="xs" data-result={result} title={title}>
       <Sign size={12} stroke={2.4} aria-hidden /> {RESULT_WORDS[result]}
       {children}
-    </span>
+    </Box>
   );
 }

@@ -1,7 +1,7 @@
 /** What the strategies are held to: a list of limits, each with how the shown result keeps it. */
 
 import { useState } from "react";
-import { Anchor, Text } from "@mantine/core";
+import { Anchor, Group, Text } from "@mantine/core";
 import type { Strategy } from "../../api/types";
 import { useLabContext, useReadOnly, useView } from "../../lab/context";
 import { valueNamed } from "../../lab/metricPath";
@@ -16,7 +16,6 @@ import { formatInput, formatResult, prettyUnit } from "../../units/format";
 import { parseQuantity } from "../../units/quantity";
 import { LIMIT_WORDS, limitText, limitUnit, resultsOf, shownLimit } from "./judged";
 import { RequirementMark } from "./RequirementMarks";
-import classes from "./requirements.module.css";
 
 interface Props {
   readonly resultView: ResultView;
@@ -141,7 +140,7 @@ function RequirementRow({ requirement, figure, resultView, readOnly, onChange, o
         )
       }
     >
-      <ul className={classes.results} aria-label={`${title}: results`}>
+      <Group component="ul" className={ui.list ?? ""} gap="0.15rem 0.9rem" fz="sm" aria-label={`${title}: results`}>
         {results.map((result) => (
           <li key={result.strategy}>
             {labelOf(result.strategy)}{" "}
@@ -151,7 +150,7 @@ function RequirementRow({ requirement, figure, resultView, readOnly, onChange, o
             <RequirementMark result={result} />
           </li>
         ))}
-      </ul>
+      </Group>
     </EntryRow>
   );
 }
@@ -193,7 +192,7 @@ function LimitEntry({ label, unit, value, onSet }: LimitEntryProps) {
   };
   return (
     <Entry
-      className={classes.limit}
+      w="7.5rem"
       aria-label={label}
       unit={unit}
       value={typed ?? formatInput(value)}

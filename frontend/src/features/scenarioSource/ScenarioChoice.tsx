@@ -1,13 +1,12 @@
 /** Which scenario a page works on, what it has other than the paper, and how to choose another. */
 
-import { NativeSelect, Text } from "@mantine/core";
+import { Group as Row, NativeSelect, Text } from "@mantine/core";
 import { useState } from "react";
 import type { Group } from "../../scenario/schema";
 import { isNotFound } from "../../api/problem";
 import { useItems } from "../../scenario/library";
 import type { ScenarioSource, PageScenario } from "./scenarioSource";
 import { LabLink } from "../../ui/LabLink";
-import classes from "./scenarioSource.module.css";
 import { otherThanPaper } from "./otherThanPaper";
 
 const valueOf = ({ run, own, preset = "" }: ScenarioSource) =>
@@ -40,7 +39,7 @@ export function ScenarioChoice({
         ? "There is no run at this address: choose another scenario"
         : error.message;
   return (
-    <div className={classes.choice}>
+    <Row gap="0.3rem 0.9rem" align="flex-end">
       <NativeSelect
         label="Scenario"
         flex="0 1 17rem"
@@ -69,6 +68,6 @@ export function ScenarioChoice({
           {origin.run === undefined ? "Create another in the lab" : "Change it in the lab"}
         </LabLink>
       </Text>
-    </div>
+    </Row>
   );
 }

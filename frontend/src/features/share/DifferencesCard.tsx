@@ -1,11 +1,10 @@
 /** What this version computes otherwise than the one that made the shared result. */
 
-import { CloseButton, Text } from "@mantine/core";
+import { CloseButton, Group, Text } from "@mantine/core";
 import type { Catalogue, FigureTemplate, Run, Strategy, StrategyId, Summary } from "../../api/types";
 import { formatPercent } from "../tables/change";
 import { StrategyName } from "../../ui/StrategyKey";
 import { formatNumber, prettyUnit } from "../../units/format";
-import classes from "./share.module.css";
 import { Card } from "../../ui/Card";
 import { DataTable } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
@@ -42,7 +41,14 @@ export function DifferencesCard({ then, now, strategies, catalogue, figures, onC
   const same = then.core_version === now.core_version;
   return (
     <Card mt="0.6rem" aria-label="Differences">
-      <header className={classes.differencesHeader}>
+      <Group
+        component="header"
+        gap="0.6rem"
+        align="flex-start"
+        justify="space-between"
+        wrap="nowrap"
+        p="0.6rem 0.6rem 0.6rem 0.9rem"
+      >
         <div role="status">
           <Text component="h2" fw={650}>
             {differences.length === 0 ? "No differences" : `${differences.length} of ${compared} figures differ`}
@@ -53,8 +59,8 @@ export function DifferencesCard({ then, now, strategies, catalogue, figures, onC
               : `Core ${then.core_version} then, core ${now.core_version} now; ${compared} metrics compared, the largest change first.`}
           </Text>
         </div>
-        <CloseButton size="sm" aria-label="Close the differences" onClick={onClose} />
-      </header>
+        <CloseButton size="sm" data-unprinted aria-label="Close the differences" onClick={onClose} />
+      </Group>
       {failed.map((line) => (
         <Text key={line} px="0.9rem" pb="xs" c="var(--danger)">
           {line}

@@ -1,6 +1,6 @@
 /** Says that this is a shared result, when and by what it was computed, and the two ways on. */
 
-import { Button, Text } from "@mantine/core";
+import { Button, Group, Text } from "@mantine/core";
 import { useMutation } from "@tanstack/react-query";
 import type { ReactNode } from "react";
 import { IconCopy, IconRefresh, IconLock } from "../../ui/icons";
@@ -9,7 +9,7 @@ import type { Link, Catalogue, FigureTemplate, Run, Strategy } from "../../api/t
 import { useLabContext, useLab } from "../../lab/context";
 import { useSelector } from "@tanstack/react-store";
 import { DifferencesCard } from "./DifferencesCard";
-import classes from "./share.module.css";
+import ui from "../../ui/ui.module.css";
 import { Fault } from "../../ui/Fault";
 import { formatDay } from "../../units/dates";
 
@@ -27,7 +27,7 @@ export function SharedBanner(props: Props) {
   if (shared?.run) return <Banner key={shared.slug} link={shared} run={shared.run} {...props} />;
   // Its place is kept while the link is being opened.
   return slug !== null && !failed ? (
-    <div className={classes.banner} aria-busy aria-label="Opening the shared result" />
+    <div className={ui.banner} aria-busy aria-label="Opening the shared result" />
   ) : null;
 }
 
@@ -45,17 +45,17 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
   return (
     <>
       <SharedNote link={link} what="result">
-        <div className={classes.bannerTools}>
+        <Group gap="0.4rem" data-unprinted>
           <Button variant="filled" leftSection={<IconCopy size={15} />} onClick={openCopy}>
             Open a copy to edit
           </Button>
           <Button leftSection={<IconRefresh size={15} />} loading={again.isPending} onClick={() => again.mutate()}>
             Run again on this version
           </Button>
-        </div>
+        </Group>
       </SharedNote>
       {again.isError && (
-        <Fault size="md" className={classes.problem ?? ""}>
+        <Fault size="md" m="0.5rem 0.2rem 0">
           It could not be run again: {again.error.message}
         </Fault>
       )}
@@ -77,7 +77,7 @@ export function SharedNote({
   readonly children?: ReactNode;
 }) {
   return (
-    <section className={classes.banner} aria-label="Shared result">
+    <section className={ui.banner} aria-label="Shared result">
       <IconLock size={17} stroke={1.7} aria-hidden />
       <Text flex="1 1 14rem">
         Shared {what}, computed on {formatDay(link.computed_at)} by core {link.core_version}. Read-only.

@@ -1,6 +1,6 @@
 /** The metric over the field for every strategy that is on, under a limit that can be dragged. */
 
-import { Text } from "@mantine/core";
+import { Group, Text } from "@mantine/core";
 import { useElementSize } from "@mantine/hooks";
 import { useQueries } from "@tanstack/react-query";
 import { useState, type KeyboardEvent, type PointerEvent } from "react";
@@ -14,6 +14,7 @@ import { StrategyName } from "../../ui/StrategyKey";
 import { formatResult, prettyUnit } from "../../units/format";
 import { crossings, curveOf, extentOf, openingLimit, rangesText, type Point, type Range } from "./curves";
 import classes from "./solve.module.css";
+import ui from "../../ui/ui.module.css";
 
 /** No metric is larger: the whole range keeps it, and each of its values is driven. */
 const NO_LIMIT = 1e12;
@@ -69,13 +70,19 @@ export function LimitChart({ scenario, question, strategies, field, figure, limi
   return (
     <div>
       <Drawing {...{ curves, field, figure, limit: drawn, onLimit }} />
-      <ul className={classes.ranges} aria-label="Where each strategy keeps the limit">
+      <Group
+        component="ul"
+        className={ui.list ?? ""}
+        gap="0.2rem 1.2rem"
+        fz="sm"
+        aria-label="Where each strategy keeps the limit"
+      >
         {curves.map(({ strategy, points }) => (
           <li key={strategy.id}>
             <StrategyName strategy={strategy} />: {rangesText(points, drawn, (value) => shortText(field, value))}
           </li>
         ))}
-      </ul>
+      </Group>
     </div>
   );
 }

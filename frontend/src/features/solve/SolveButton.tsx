@@ -6,7 +6,6 @@ import { lazy, memo } from "react";
 import { IconGauge } from "../../ui/icons";
 import { useCatalogues } from "../../server/useCatalogues";
 import { LazyPart } from "../../ui/LazyPart";
-import classes from "./solve.module.css";
 
 const SolveDialog = lazy(() => import("./SolveDialog").then((module) => ({ default: module.SolveDialog })));
 
@@ -24,7 +23,8 @@ export const SolveButton = memo(function SolveButton({ metric, label }: Props) {
     <>
       <ActionIcon
         data-hint="How fast may it go so that this stays below a limit?"
-        className={classes.button}
+        data-unprinted
+        style={{ verticalAlign: "-0.3rem" }}
         size={24}
         variant="subtle"
         aria-label={`How fast may it go: ${label}`}

@@ -15,12 +15,12 @@ import type { NumberField } from "../../scenario/schema";
 import { useEdit, useLab, useReadOnly, useScenario, useView } from "../../lab/context";
 import type { Catalogues } from "../../server/useCatalogues";
 import { pointerOf, sweepFields, type SweepField } from "../../scenario/fields";
-import sweep from "../sweep/sweep.module.css";
 import { Fault } from "../../ui/Fault";
 import { Entry, labelled } from "../../ui/Entry";
 import { formatExact, formatInput, formatResult, prettyUnit } from "../../units/format";
 import { LimitChart } from "./LimitChart";
 import { ALL, askable, otherField, readDraft, type Range, type SolveDraft, translateUnits } from "./draft";
+import ui from "../../ui/ui.module.css";
 
 const [TARGET, INITIAL] = ["speed.target_speed_kmh", "speed.initial_speed_kmh"] as const;
 
@@ -100,7 +100,7 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
   };
   const entry = (key: "from" | "to" | "limit" | "roads", label: string, unit: string) => (
     <Entry
-      className={sweep.end}
+      w="7.3rem"
       value={draft[key]}
       error={asked || draft[key] !== "" ? wrong[key] : undefined}
       {...{ label, unit }}
@@ -114,7 +114,7 @@ export function SolveDialog({ catalogues: { form, strategies, figures }, metric:
       onClose={onClose}
       title={isSpeed ? "How fast may it go?" : "How large may it be?"}
       size="lg"
-      classNames={{ title: sweep.title ?? "", body: sweep.body ?? "" }}
+      classNames={{ body: ui.stack ?? "" }}
     >
       <Text c="dimmed">
         A metric over a field, for every strategy that is on: drag the limit to see where each keeps it. Find gives one

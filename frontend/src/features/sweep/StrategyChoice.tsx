@@ -2,8 +2,7 @@
 
 import { Checkbox, Group } from "@mantine/core";
 import type { Strategy, StrategyId } from "../../api/types";
-import { StrategyKey } from "../../ui/StrategyKey";
-import classes from "./sweep.module.css";
+import { StrategyName } from "../../ui/StrategyKey";
 
 interface Props {
   readonly strategies: readonly Strategy[];
@@ -24,15 +23,7 @@ export function StrategyChoice({ strategies, selected, error, onChange }: Props)
     >
       <Group gap="0.5rem 1.2rem" align="stretch" mt="0.4rem">
         {strategies.map((strategy) => (
-          <Checkbox
-            key={strategy.id}
-            value={strategy.id}
-            label={
-              <span className={classes.strategy}>
-                <StrategyKey strategy={strategy} /> {strategy.label}
-              </span>
-            }
-          />
+          <Checkbox key={strategy.id} value={strategy.id} label={<StrategyName strategy={strategy} />} />
         ))}
       </Group>
     </Checkbox.Group>

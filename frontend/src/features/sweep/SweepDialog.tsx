@@ -10,7 +10,6 @@ import { draftField, restoreSweep, type FieldDraft, type Method, type SweepDraft
 import { linkable, sweepFields, TOGETHER, type SweepField } from "../../scenario/fields";
 import { StrategyChoice } from "./StrategyChoice";
 import { SweptFieldRow } from "./SweptFieldRow";
-import classes from "./sweep.module.css";
 import { amountOf, notesOf, useSweep } from "./useSweep";
 import { useLab, useScenario, useView } from "../../lab/context";
 import { requiredOfThese } from "../../lab/requirements";
@@ -61,14 +60,7 @@ export function SweepDialog({ batch, form: schema, strategies, onClose }: Props)
   const held = requiredOfThese(useView().requirements, draft.strategies, "").requirements ?? [];
 
   return (
-    <Modal
-      opened
-      onClose={onClose}
-      title="Sweep"
-      size="xl"
-      fullScreen={narrow}
-      classNames={{ title: classes.title ?? "", body: classes.body ?? "" }}
-    >
+    <Modal opened onClose={onClose} title="Sweep" size="xl" fullScreen={narrow} classNames={{ body: ui.stack ?? "" }}>
       <Text c="dimmed">
         Runs many variants of {batch ? "this sweep’s scenario" : "the scenario in the form"}, each with every strategy
         selected here. Fields that are not swept keep their values.
@@ -135,13 +127,12 @@ export function SweepDialog({ batch, form: schema, strategies, onClose }: Props)
         onChange={(ids) => patch({ strategies: ids })}
       />
       <Problems messages={general} />
-      <details className={classes.earlier}>
+      <details className={ui.more}>
         <summary>Earlier sweeps</summary>
         <SweepList strategies={strategies} />
       </details>
       <StartFoot
         {...{ submission, draft: form }}
-        className={classes.footer}
         amount={amountOf(draft.strategies.length)}
         notes={(estimate) => [
           ...notesOf(estimate),
@@ -214,7 +205,7 @@ function Option({ field: { title, name, leaf } }: { readonly field: SweepField }
       <span>
         {title} {unit !== "" && <span className={ui.dim}>{unit}</span>}
       </span>
-      <code className={classes.name}>{name}</code>
+      <code className={ui.dim}>{name}</code>
     </Group>
   );
 }

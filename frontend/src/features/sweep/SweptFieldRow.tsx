@@ -6,8 +6,8 @@ import { prettyUnit } from "../../units/format";
 import { typedText } from "../../scenario/limits";
 import { byRatio, spread, type FieldDraft, type Method } from "./draft";
 import type { SweepField } from "../../scenario/fields";
-import classes from "./sweep.module.css";
 import { Entry, EntryRow } from "../../ui/Entry";
+import ui from "../../ui/ui.module.css";
 
 interface Props {
   readonly draft: FieldDraft;
@@ -22,7 +22,7 @@ interface Props {
 export function SweptFieldRow({ draft, method, error, linkable, onChange, onRemove }: Props) {
   const { title, name, leaf } = draft.field;
   return (
-    <EntryRow title={title} beside={<code className={classes.name}>{name}</code>} {...{ error, onRemove }}>
+    <EntryRow title={title} beside={<code className={ui.dim}>{name}</code>} {...{ error, onRemove }}>
       {leaf.kind === "number" ? (
         <NumberValues field={leaf} {...{ draft, method, onChange }} />
       ) : (
@@ -40,7 +40,7 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
   const name = draft.field.title;
   const end = (key: "from" | "to", label: string) => (
     <Entry
-      className={classes.end}
+      w="7.3rem"
       label={label}
       aria-label={`${name}, ${label.toLowerCase()}`}
       value={draft[key]}
@@ -53,7 +53,7 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
     <Group gap="0.4rem 0.7rem" align="flex-end" mt="0.3rem">
       {method === "grid" && (
         <SegmentedControl
-          className={classes.by ?? ""}
+          flex={{ base: "1 1 100%", xs: "none" }}
           aria-label={`${name}: values by`}
           value={draft.by}
           data={[
@@ -65,7 +65,7 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
       )}
       {asList ? (
         <Entry
-          className={classes.list}
+          flex="1 1 14rem"
           inputMode="text"
           label={unit === "" ? "Values" : `Values [${unit}]`}
           aria-label={`${name}, values`}
@@ -81,7 +81,7 @@ function NumberValues({ field, draft, method, onChange }: NumberProps) {
           {end("to", "To")}
           {method === "grid" && (
             <Entry
-              className={classes.count}
+              w="5rem"
               inputMode="numeric"
               label="Values"
               aria-label={`${name}, number of values`}

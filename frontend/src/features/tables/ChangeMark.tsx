@@ -7,6 +7,7 @@ import { formatHalf, formatResult, isNothing, NO_VALUE } from "../../units/forma
 import { IconAlertTriangle } from "../../ui/icons";
 import type { Caveat } from "./caveats";
 import ui from "../../ui/ui.module.css";
+import { UnstyledButton } from "@mantine/core";
 
 const ARROW = { better: "▼", worse: "▲", same: "", luck: "", none: "" } as const;
 
@@ -67,15 +68,14 @@ export function CaveatMark({
   const text = caveats.map((caveat) => caveat.text).join(", ");
   const meaning = caveats.map((caveat) => `${caveat.text}: ${caveat.description}`).join("\n");
   return (
-    <button
+    <UnstyledButton
       data-hint={meaning}
       data-hint-only
-      type="button"
-      className={classes.caveat}
+      className={classes.caveat ?? ""}
       data-caveat={caveats.map(({ event }) => event).join(" ")}
     >
       <IconAlertTriangle size={short ? 14 : 12} stroke={2} aria-hidden />
       <span className={short ? "visually-hidden" : ""}>{text}</span>
-    </button>
+    </UnstyledButton>
   );
 }

@@ -26,6 +26,7 @@ import { caveatsOf } from "./caveats";
 import { StrategyKey, StrategyName } from "../../ui/StrategyKey";
 import { RequirementMarks } from "../requirements/RequirementMarks";
 import { requiredOf } from "../requirements/judged";
+import { UnstyledButton } from "@mantine/core";
 
 export interface ComparisonProps {
   readonly resultView: ResultView;
@@ -186,16 +187,15 @@ export function EntryHead({
     );
   return (
     <span className={classes.entryHead} data-upright={upright || undefined}>
-      <button
-        type="button"
-        className={classes.baselineButton}
+      <UnstyledButton
+        className={classes.baselineButton ?? ""}
         aria-pressed={isBaseline}
         title={isBaseline ? "Changes are against this one" : `Compare with ${strategy.label}`}
         onClick={() => labAddress.setView({ baseline: strategy.id, reference: "baseline" })}
       >
         <StrategyKey strategy={strategy} />
         {byVariant ? (variant ?? CURRENT) : strategy.label}
-      </button>
+      </UnstyledButton>
       <span className={classes.entryFacts}>
         <span title="Speed at which the front axle meets the bump">
           {typeof speed === "number" ? `${formatFixed(speed, speed < 99.95 ? 1 : 0)}\u00a0km/h` : "–"}

@@ -77,7 +77,8 @@ export function Tables({ resultView, catalogue, figures }: Props) {
       )}
       <ChangesNote resultView={resultView} />
       <Button
-        className={classes.moreButton ?? ""}
+        data-unprinted
+        m="0.15rem 0.4rem 0.3rem"
         size="compact-xs"
         variant="subtle"
         aria-expanded={more}

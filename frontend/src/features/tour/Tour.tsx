@@ -99,7 +99,7 @@ interface OutlineProps {
 
 const Outline = ({ place, ref }: OutlineProps) => (
   <Portal>
-    <div className={classes.outline} style={place} ref={ref} />
+    <div className={classes.outline} data-unprinted style={place} ref={ref} />
   </Portal>
 );
 

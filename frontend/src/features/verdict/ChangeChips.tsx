@@ -1,6 +1,6 @@
 /** What the last edit changed: a chip for each of the eight metrics, which leads to its plot. */
 
-import { NativeSelect } from "@mantine/core";
+import { Group, NativeSelect } from "@mantine/core";
 import { useState } from "react";
 import type { Catalogue } from "../../api/types";
 import { useLabContext } from "../../lab/context";
@@ -16,6 +16,7 @@ import { RequirementMarks } from "../requirements/RequirementMarks";
 import { changedMost, editChanges, shortName } from "./edit";
 import { EqualSpeed, usePairedChanges } from "./VerdictLine";
 import classes from "./verdict.module.css";
+import ui from "../../ui/ui.module.css";
 
 interface Props {
   readonly resultView: ResultView;
@@ -36,7 +37,7 @@ export function ChangeChips({ resultView, catalogue }: Props) {
       : unlike !== null && `The state before is ${unlike}: its changes are not shown.`;
   if (before === null || note)
     return (
-      <div className={classes.chips}>
+      <div className={classes.chips} data-unprinted>
         {note} <EqualSpeed resultView={resultView} />
       </div>
     );
@@ -44,7 +45,7 @@ export function ChangeChips({ resultView, catalogue }: Props) {
   const strategy = strategies.find(({ id }) => id === picked) ?? changedMost(changes, strategies);
   const of = changes.filter((each) => each.strategy === strategy?.id);
   return (
-    <div className={classes.chips} role="group" aria-label={`Changes against the state ${before.name}`}>
+    <div className={classes.chips} data-unprinted role="group" aria-label={`Changes against the state ${before.name}`}>
       <NativeSelect
         size="xs"
         aria-label="Changes of"
@@ -54,7 +55,7 @@ export function ChangeChips({ resultView, catalogue }: Props) {
         onChange={({ currentTarget: { value } }) => setPicked(value)}
       />
       {VIEWS.map((view) => (
-        <span key={view.window} className={classes.view} title={headingOf(view, catalogue)}>
+        <Group key={view.window} component="span" gap="0.2rem" title={headingOf(view, catalogue)}>
           {windowName(view.window)}
           {of
             .filter(({ metric }) => metric.window === view.window)
@@ -67,7 +68,7 @@ export function ChangeChips({ resultView, catalogue }: Props) {
                 required={strategy ? requiredOf(resultView.judged, { shown, strategy }, metricName(metric)) : []}
               />
             ))}
-        </span>
+        </Group>
       ))}
       <EqualSpeed resultView={resultView} />
     </div>
@@ -92,7 +93,7 @@ function ChangeChip({ metric: { window, signal }, label, change, required }: Chi
   return (
     <button
       type="button"
-      className={classes.chip}
+      className={ui.pill}
       data-verdict={change?.verdict}
       title={`${label}: show its plot`}
       onClick={show}

@@ -30,7 +30,7 @@ export function EditorPane() {
   const content = <Editor form={form} />;
   if (!narrow) {
     return (
-      <aside className={classes.aside} aria-label="Scenario">
+      <aside className={classes.aside} data-unprinted aria-label="Scenario">
         {content}
       </aside>
     );
@@ -41,6 +41,7 @@ export function EditorPane() {
         size="sm"
         variant="filled"
         data-tour="edit"
+        data-unprinted
         className={classes.editButton ?? ""}
         leftSection={<IconAdjustmentsHorizontal size={18} />}
         onClick={open}

@@ -58,7 +58,7 @@ function LabContent() {
 
 function EditorLoading() {
   return (
-    <Box component="aside" visibleFrom="sm" className={classes.aside} aria-label="Scenario" aria-busy>
+    <Box component="aside" visibleFrom="sm" className={classes.aside} data-unprinted aria-label="Scenario" aria-busy>
       <Stack gap="0.9rem" p="1.2rem 1rem">
         {Array.from({ length: 9 }, (_, index) => (
           <Skeleton key={index} height={index % 4 === 0 ? 18 : 44} width={index % 4 === 0 ? "45%" : "100%"} />

@@ -67,10 +67,10 @@ export function StageLegend({ resultView, catalogue, meta }: Props) {
         </span>
       )}
       {several && <span>Stages shaded for {staged?.label}; the marks on top: each strategy on the bump</span>}
-      <span className={classes.hint} data-pointer="fine">
+      <span className={classes.hint} data-unprinted data-pointer="fine">
         Drag across a plot to zoom, double click for the whole run
       </span>
-      <span className={classes.hint} data-pointer="coarse">
+      <span className={classes.hint} data-unprinted data-pointer="coarse">
         Slide along a plot to read it
       </span>
     </div>

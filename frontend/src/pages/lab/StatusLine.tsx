@@ -28,6 +28,7 @@ export function StatusLine({ position }: Props) {
     <p
       className={classes.status}
       data-position={position}
+      data-unprinted
       data-testid={`status-${position}`}
       title={shown ? `Computed by core ${shown.coreVersion}` : ""}
     >

@@ -43,7 +43,8 @@ export const StrategyChoice = memo(function StrategyChoice({
       <Menu position="bottom-start" width={300}>
         <Menu.Target>
           <Button
-            className={bar.more ?? ""}
+            data-unprinted
+            flex="none"
             rightSection={<IconChevronDown size={14} />}
             disabled={strategies.length === 0}
           >

@@ -27,7 +27,7 @@ export const Toolbar = memo(function Toolbar({ strategies, part, hasBump }: Prop
   return (
     <div ref={ref} className={bar.toolbar}>
       <StrategyChoice strategies={strategies} />
-      <div className={bar.tools}>
+      <div className={bar.tools} data-unprinted>
         <RoadsSelect />
         <SegmentedControl
           aria-label="Plots over"

@@ -23,7 +23,7 @@ const IDS = SECTIONS.map(({ id }) => id);
 export function Contents({ paper }: { readonly paper: Paper | undefined }) {
   const active = useSection(IDS);
   return (
-    <nav className={classes.contents} aria-label="On this page">
+    <nav className={classes.contents} data-unprinted aria-label="On this page">
       <ol className={classes.list}>
         {SECTIONS.map(({ id, title }, index) => (
           <li key={id}>

@@ -49,19 +49,19 @@ export function Contributions({ choices, words, enabled }: Props) {
         ))}
       </ul>
       <h3 className={classes.subtitle}>Shares of LV’s gain</h3>
-      <Text className={classes.text}>
+      <Text className={ui.lead ?? ""} mb="0.6rem">
         From an MPC with equal weights, without preview, at constant speed to LV control; {data.seeds} roads, Ridelab’s
         readings. The three can be added in six orders; each share is its average over them, of the logarithm of the
         mean (Shapley values), so the three make 100 %. A negative share makes the figure worse.
       </Text>
       <ShareBars shares={data.shares} words={words} />
       <h3 className={classes.subtitle}>Every combination</h3>
-      <Text className={classes.text}>
+      <Text className={ui.lead ?? ""} mb="0.6rem">
         Means over the same {data.seeds} roads. Slowing down helps comfort; the travel time says what it costs.
       </Text>
       <FairTable rows={data.rows} words={words} />
       <h3 className={classes.subtitle}>At equal speed</h3>
-      <Text className={classes.text}>
+      <Text className={ui.lead ?? ""} mb="0.6rem">
         Change of the first against the second, with its 95 % interval: ▼ better, ▲ worse, ≈ where the interval holds
         zero.
       </Text>

@@ -1,6 +1,6 @@
 /** How many of the paper's printed changes come out here, and what that hinges on. */
 
-import { Anchor, Box, Button, Group, Progress, Text } from "@mantine/core";
+import { Anchor, Box, Button, Group, Progress, Stack, Text } from "@mantine/core";
 import { IconAlertTriangle, IconArrowRight, IconEyeOff } from "../../ui/icons";
 import { api } from "../../api/client";
 import type { Paper, PaperCell } from "../../api/types";
@@ -41,37 +41,35 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
     <>
       <Runs paper={paper} />
       <div className={classes.counts}>
-        <div className={`${ui.card} ${classes.count}`} data-testid="count">
+        <Stack className={ui.card ?? ""} gap="0.6rem" p="0.9rem 1.1rem" data-testid="count">
           <Group component="p" gap="0.4rem" align="baseline" m={0} fz="lg">
-            <strong className={classes.countNumber}>{paper.reached}</strong> of {countedOf(paper, paper.counts)} cells
-            reached{soFar(paper)}
+            <Number>{paper.reached}</Number> of {countedOf(paper, paper.counts)} cells reached{soFar(paper)}
             {paper.unavailable && ", "}
             {paper.unavailable && <span>{paper.unavailable.cells} not available here</span>}
           </Group>
           <VerdictBar counts={paper.counts} total={countedOf(paper, paper.counts)} large />
           <VerdictCountList counts={paper.counts} />
-        </div>
-        <div className={`${ui.card} ${classes.count}`} data-testid="count-without" data-aside>
+        </Stack>
+        <Stack className={ui.card ?? ""} gap="0.6rem" p="0.9rem 1.1rem" data-testid="count-without" data-aside>
           <Group component="p" gap="0.4rem" align="baseline" m={0} fz="lg">
             <IconEyeOff size={18} stroke={1.8} aria-hidden className={classes.countIcon} />
             <span>
-              Without preview: <strong className={classes.countNumber}>{without.reached}</strong> of{" "}
-              {countedOf(paper, without.counts)}
+              Without preview: <Number>{without.reached}</Number> of {countedOf(paper, without.counts)}
               {soFar(paper)}
             </span>
           </Group>
           <VerdictBar counts={without.counts} total={countedOf(paper, without.counts)} large />
           <VerdictCountList counts={without.counts} />
-        </div>
+        </Stack>
       </div>
       {paper.unavailable && (
-        <Text className={classes.unavailable} data-testid="unavailable">
+        <Group gap="0.5rem" align="flex-start" wrap="nowrap" maw="52rem" mt="0.9rem" lh="1.5" data-testid="unavailable">
           <IconAlertTriangle size={16} stroke={1.8} aria-hidden className={classes.countIcon} />
           <span>
             The {paper.unavailable.cells} cells of hardware in the loop are not available here and not counted.{" "}
             {typeset(paper.unavailable.reason)}.
           </span>
-        </Text>
+        </Group>
       )}
       <Text className={classes.claim}>
         {paper.complete ? previewSentence(paper) : "This says what the claim hinges on when all runs are finished."}
@@ -82,7 +80,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
         “within ±10 points” counts the simulated changes that lie so near to the printed one, “in our interval” those
         whose printed change lies in our 95&nbsp;% interval.
       </Text>
-      <Text className={classes.text}>
+      <Text className={ui.lead ?? ""} mb="0.6rem">
         A cell is one change the paper prints in Tables 4–5 and 7–10. Ours is the change of the means over{" "}
         {count(paper.seeds, "road")} of class B (seeds {paper.first_seed} to {paper.first_seed + paper.seeds - 1}), the
         same for every strategy, with its 95 % interval; computed by core {paper.core_version}.{" "}
@@ -96,10 +94,16 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
   );
 }
 
+const Number = ({ children }: { readonly children: number }) => (
+  <Box component="strong" fz="xl" fw={700} lh={1.1}>
+    {children}
+  </Box>
+);
+
 /** How many runs the cells are made of are finished; one line, before and after. */
 function Runs({ paper: { complete, progress } }: Pick<Props, "paper">) {
   return (
-    <div className={classes.runs}>
+    <Group gap="0.8rem" mb="0.5rem" wrap="nowrap">
       <Text c="dimmed" data-testid="progress">
         {complete
           ? `Computed from ${count(progress.done, "run")}.`
@@ -114,7 +118,7 @@ function Runs({ paper: { complete, progress } }: Pick<Props, "paper">) {
           flex="0 1 20rem"
         />
       )}
-    </div>
+    </Group>
   );
 }
 
@@ -125,7 +129,7 @@ function OpenScenario({ paper }: Pick<Props, "paper">) {
   ];
   const { open, opening, error } = useRunInLab((all: readonly string[]) => api.createRun(paper.scenario, all));
   return (
-    <div className={classes.actions}>
+    <Group gap="0.6rem" m="0.2rem 0 0.8rem" data-unprinted>
       <Button
         rightSection={<IconArrowRight size={15} aria-hidden />}
         loading={opening !== null}
@@ -134,7 +138,7 @@ function OpenScenario({ paper }: Pick<Props, "paper">) {
         Open this scenario in the lab
       </Button>
       {error !== null && <Fault size="md">{error}</Fault>}
-    </div>
+    </Group>
   );
 }
 
@@ -142,7 +146,7 @@ function Missed({ paper, words }: Props) {
   const missed = paper.cells.filter(isMissed);
   if (missed.length === 0 && paper.complete) return null;
   return (
-    <details className={classes.details}>
+    <details className={`${ui.card} ${classes.details}`}>
       <summary>
         {paper.complete
           ? `${missed.length === 1 ? "The cell" : `The ${missed.length} cells`} not reached`

@@ -1,12 +1,11 @@
 /** Controller, speed, preview and weights varied one at a time, over the same roads: sortable, filterable. */
 
-import { Box, NativeSelect, SegmentedControl, Text } from "@mantine/core";
+import { Box, Group, NativeSelect, SegmentedControl, Text } from "@mantine/core";
 import { useState } from "react";
 import type { Combination } from "../../api/types";
 import { formatPercent } from "../../features/tables/change";
 import { count, formatFixed, formatResult } from "../../units/format";
 import { ANY, filtered, FILTERS, metricKey, NO_FILTER, partOf, rankOf, type Filter } from "./fair";
-import classes from "./parts.module.css";
 import ui from "../../ui/ui.module.css";
 import type { Labels } from "./labels";
 import { DataTable, type Column } from "../../ui/DataTable";
@@ -26,7 +25,7 @@ export function FairTable({ rows, words }: Props) {
   const listed = filtered(rows, filter);
   return (
     <>
-      <div className={classes.tools}>
+      <Group gap="0.5rem 0.8rem" align="flex-end" mb="0.6rem" data-unprinted>
         {FILTERS.map(({ name, label, options }) => (
           <NativeSelect
             key={name}
@@ -45,12 +44,12 @@ export function FairTable({ rows, words }: Props) {
           ]}
           onChange={setShown}
         />
-        <Text role="status">
+        <Text role="status" lh="30px" c="dimmed">
           {listed.length === rows.length
             ? count(rows.length, "combination")
             : `${listed.length} of ${count(rows.length, "combination")}`}
         </Text>
-      </div>
+      </Group>
       <DataTable
         label="Combinations of controller, speed, preview and weights"
         card

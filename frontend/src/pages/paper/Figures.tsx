@@ -1,6 +1,6 @@
 /** The paper's figures, made by us: each is drawn when it comes near the window. */
 
-import { Box, SegmentedControl, Text, useComputedColorScheme } from "@mantine/core";
+import { Box, Group, SegmentedControl, Text, useComputedColorScheme } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { memo, useMemo, useRef, useState } from "react";
 import type { PaperFigure } from "../../api/types";
@@ -12,7 +12,6 @@ import type { Choices } from "./choices";
 import classes from "./figures.module.css";
 import { drawn, legendOf, withNamedShapes, type Scheme } from "./render";
 import { typeset } from "./numbers";
-import paper from "./paper.module.css";
 import { attributionQuery, paperFiguresQuery } from "./queries";
 import { useVisible, Fault, Waiting } from "./Waiting";
 import ui from "../../ui/ui.module.css";
@@ -35,13 +34,14 @@ export function Figures({ choices }: { readonly choices: Choices }) {
   if (!data) return <Waiting what="Drawing the paper’s figures from our own runs" height={17 * 190} />;
   return (
     <>
-      <Text className={paper.text}>
+      <Text className={ui.lead ?? ""} mb="0.6rem">
         Numbered as in the paper, with Ridelab’s readings; the paper’s Figures 1, 2, 7, 9 and 18 are sketches. Drag over
         a figure to look closer, double click for all of it.
       </Text>
       <SegmentedControl
         aria-label="Figures 8 to 22 over"
-        className={classes.range ?? ""}
+        data-unprinted
+        mb="0.6rem"
         value={range}
         data={[
           { value: "whole", label: "Whole road" },
@@ -95,9 +95,9 @@ const Panel = memo(function Panel({ figure: { number, title, caption, figure }, 
             })}
           />
         </Box>
-        <ul className={classes.legend}>
+        <Group component="ul" className={ui.list ?? ""} gap="0.1rem 0.9rem" mt="0.3rem" fz="xs" c="dimmed">
           {legend.map(({ name, colour, dash, fill }) => (
-            <li key={name}>
+            <li key={name} className={ui.named}>
               {fill === null ? (
                 <StrategyKey strategy={{ colour, dash }} />
               ) : (
@@ -106,7 +106,7 @@ const Panel = memo(function Panel({ figure: { number, title, caption, figure }, 
               {name}
             </li>
           ))}
-        </ul>
+        </Group>
       </Box>
       <div style={{ height: HEIGHT }}>
         <Chart

@@ -26,6 +26,7 @@ import { Fault, Waiting } from "./Waiting";
 import { useLabels, type Labels } from "./labels";
 import { FileMenu } from "../../features/export/FileMenu";
 import { ShareAddress } from "../../features/share/ShareAddress";
+import ui from "../../ui/ui.module.css";
 
 const DOI = "10.3390/wevj16040232";
 
@@ -61,7 +62,7 @@ export function PaperPage() {
             <Box component="h1" m="0 0 0.2rem" fz="xl" fw={700} lts="-0.01em">
               The paper, checked
             </Box>
-            <Text className={classes.text}>
+            <Text className={ui.lead ?? ""} mb="0.6rem">
               Meng, Kong, Ding, Liu and Wang,{" "}
               <Anchor href={`https://doi.org/${DOI}`}>World Electric Vehicle Journal 16 (2025) 232</Anchor>: every
               change it prints, run here again.

@@ -27,17 +27,18 @@ export function Switches({ paper, choices, waiting, onChoose }: Props) {
   const changed = readings.filter((reading) => reading.chosen !== standardOf(reading, set));
   return (
     <>
-      <div className={classes.state} role="status">
+      <Group gap="0.4rem 1.1rem" mih="2rem" mb="0.6rem" role="status">
         <Text fw={600}>
           {waiting
             ? "Counting under these interpretations…"
             : `Of ${count(countedOf(paper, paper.counts), "cell")}${soFar(paper)}:`}
         </Text>
-        <span data-stale={waiting || undefined}>
+        <span style={{ opacity: waiting ? 0.5 : 1 }}>
           <VerdictCountList counts={paper.counts} />
         </span>
         <Button
           size="compact-xs"
+          data-unprinted
           leftSection={<IconRestore size={14} aria-hidden />}
           disabled={changed.length === 0}
           onClick={() => onChoose(withoutChoices(choices, readings))}
@@ -46,7 +47,7 @@ export function Switches({ paper, choices, waiting, onChoose }: Props) {
             ? `All as in the ${set?.title.toLowerCase() ?? "named"} set`
             : `Reset ${count(changed.length, "switch", "switches")}`}
         </Button>
-      </div>
+      </Group>
       <div className={classes.grid}>
         {readings.map((reading) => (
           <Switch
@@ -97,7 +98,7 @@ function Switch({ reading, set, onChange }: SwitchProps) {
       </Box>
       <SegmentedControl
         aria-labelledby={id}
-        className={classes.control ?? ""}
+        style={{ alignSelf: "flex-start" }}
         value={reading.chosen}
         data={reading.choices.map((choice) => ({ value: choice.id, label: typeset(choice.label) }))}
         onChange={onChange}

@@ -21,7 +21,7 @@ interface Props {
 export function Tables({ paper, words }: Props) {
   return (
     <>
-      <Text className={classes.text}>
+      <Text className={ui.lead ?? ""} mb="0.6rem">
         The paper’s columns are as printed; ours are means over {paper.seeds} roads, changes with their 95 % interval in
         percentage points. A <span className={tables.misprintWord}>misprint</span> is a printed change that does not
         follow from the absolutes printed beside it; the verdict is taken against the one that does. The absolutes are

@@ -1,10 +1,11 @@
 /** A verdict as icon and word, and a count of the three as a bar. Colour only repeats them. */
 
-import { Box } from "@mantine/core";
+import { Box, Group } from "@mantine/core";
 import { IconArrowDownRight, IconCheck, IconDots, IconMinus, IconX } from "../../ui/icons";
 import type { PaperJudgement, VerdictCounts, Paper, PaperCell, PaperVerdict } from "../../api/types";
 import classes from "./verdict.module.css";
 import { count } from "../../units/format";
+import ui from "../../ui/ui.module.css";
 
 const ICONS = {
   reached: IconCheck,
@@ -18,7 +19,7 @@ const ICONS = {
 export function VerdictMark({ verdict, certain }: Pick<PaperJudgement, "verdict" | "certain">) {
   const Icon = ICONS[verdict];
   return (
-    <span className={classes.mark} data-verdict={verdict}>
+    <span className={ui.mark} data-verdict={verdict}>
       <Icon size={14} stroke={2.6} aria-hidden />
       <span>
         {wordOf(verdict)}
@@ -60,11 +61,11 @@ export function VerdictBar({ counts, total = totalOf(counts), large = false }: B
 
 export function VerdictCountList({ counts }: { readonly counts: VerdictCounts }) {
   return (
-    <ul className={classes.counts}>
+    <Group component="ul" className={ui.list ?? ""} gap="0.2rem 0.7rem" fz="sm">
       {VERDICTS.map(({ verdict, word }) => {
         const Icon = ICONS[verdict];
         return (
-          <li key={verdict} className={classes.mark} data-verdict={verdict}>
+          <li key={verdict} className={ui.mark} data-verdict={verdict}>
             <Icon size={14} stroke={2.6} aria-hidden />
             <span>
               <b>{counts[verdict]}</b> {word}
@@ -72,7 +73,7 @@ export function VerdictCountList({ counts }: { readonly counts: VerdictCounts })
           </li>
         );
       })}
-    </ul>
+    </Group>
   );
 }
 

@@ -6,6 +6,7 @@ import { useIntersection } from "@mantine/hooks";
 import classes from "./paper.module.css";
 import { printing } from "../../lib/printing";
 import { useSelector } from "@tanstack/react-store";
+import ui from "../../ui/ui.module.css";
 
 interface WaitingProps {
   readonly what: string;
@@ -42,7 +43,7 @@ export function Waiting({ what, height }: WaitingProps) {
 
 export function Fault({ message, onRetry }: { readonly message: string; readonly onRetry: () => void }) {
   return (
-    <div className={classes.faultBox} role="alert">
+    <div className={ui.banner} role="alert">
       <Text>{message}</Text>
       <Button onClick={onRetry}>Try again</Button>
     </div>

@@ -6,6 +6,7 @@ import type { Batch } from "../../api/types";
 import type { Metric } from "../../server/metrics";
 import { formatFixed } from "../../units/format";
 import { nameOf } from "./names";
+import bars from "./bars.module.css";
 import classes from "./robustness.module.css";
 import { hasOrder } from "./study";
 import { matters, ranked, type Ranked, type Sensitivity, type StrategySummary, type StudyParts } from "./summary";
@@ -101,7 +102,7 @@ function columnsOf(batch: Batch, figures: readonly Metric[], margins: boolean): 
       key: "field",
       head: "Field",
       text: true,
-      cell: ({ field }) => <span className={classes.fieldName}>{nameOf(field, batch.fields)}</span>,
+      cell: ({ field }) => <span className={bars.tornadoName}>{nameOf(field, batch.fields)}</span>,
     },
     ...figures.map(({ key, label, group }) => sensitivity(key, label, group)),
     ...(margins ? [] : [sensitivity(STABILITY, "Least damping")]),

@@ -2,7 +2,6 @@
 
 import { Button } from "@mantine/core";
 import { IconExternalLink } from "../../ui/icons";
-import classes from "./robustness.module.css";
 import { nameOf, useFieldText } from "./names";
 import type { ExtremeRun } from "./summary";
 import type { Opening } from "../../features/sweep/useOpenRun";
@@ -24,7 +23,8 @@ export function RunButton({ run, text, what, opening }: Props) {
       data-hint={`Open run ${run.run} in the lab: ${fields.join(", ")}`}
       size="compact-xs"
       variant="subtle"
-      className={classes.runButton ?? ""}
+      px="0.3rem"
+      fw={500}
       loading={opening.opening?.run === run.run}
       rightSection={<IconExternalLink size={13} aria-hidden />}
       aria-label={`${what} ${text}: open run ${run.run} in the lab`}

@@ -116,19 +116,19 @@ function Key() {
   return (
     <Text component="div" size="xs" c="dimmed" className={styles.key ?? ""}>
       <span>
-        <i className={styles.keyBar} /> 5 to 95 %
+        <i className={styles.bar} /> 5 to 95 %
       </span>
       <span>
-        <i className={styles.keyBox} /> 25 to 75 %
+        <i className={styles.box} /> 25 to 75 %
       </span>
       <span>
-        <i className={styles.keyMedian} /> median
+        <i className={styles.median} /> median
       </span>
       <span>
-        <i className={styles.keyNominal} /> nominal: the scenario itself
+        <i className={styles.nominal} /> nominal: the scenario itself
       </span>
       <span>
-        <i className={styles.keyWorst} /> worst case
+        <i className={styles.worst} /> worst case
       </span>
     </Text>
   );

@@ -1,9 +1,9 @@
 /** What is uncertain, and between which ends; under which strategies; at how many points. */
 
-import { Box, Checkbox, Switch, Text } from "@mantine/core";
+import { Box, Checkbox, Group, Switch, Text } from "@mantine/core";
 import { useId, type ReactNode, useMemo } from "react";
 import type { Batch, RobustnessDefaults, Scenario, Strategy } from "../../api/types";
-import type { Group } from "../../scenario/schema";
+import type { Group as Form } from "../../scenario/schema";
 import { StartFoot } from "../../features/jobForm/StartFoot";
 import { StrategyChoice } from "../../features/sweep/StrategyChoice";
 import { amountOf, notesOf, sweepFieldName } from "../../features/sweep/useSweep";
@@ -22,7 +22,7 @@ import { useJobForm } from "../../features/jobForm/useJobForm";
 interface Props {
   readonly defaults: RobustnessDefaults;
   readonly strategies: readonly Strategy[];
-  readonly form: Group;
+  readonly form: Form;
   readonly scenario: Scenario | undefined;
   /** Says which scenario it is. */
   readonly head: ReactNode;
@@ -79,8 +79,9 @@ export function StudyForm({ defaults, strategies, form, scenario, head, existing
           error={errors.strategies}
           onChange={(ids) => patch({ strategies: ids })}
         />
-        <div className={rows.numbers}>
+        <Group gap="0.8rem 1.2rem" align="flex-start">
           <Entry
+            w="17rem"
             label="Samples"
             description="Random cars from a Latin hypercube"
             inputMode="numeric"
@@ -89,6 +90,7 @@ export function StudyForm({ defaults, strategies, form, scenario, head, existing
             onType={(samples) => patch({ samples })}
           />
           <Entry
+            w="17rem"
             label="Seed"
             description="Same seed, same cars"
             inputMode="numeric"
@@ -96,7 +98,7 @@ export function StudyForm({ defaults, strategies, form, scenario, head, existing
             error={errors.seed}
             onType={(seed) => patch({ seed })}
           />
-        </div>
+        </Group>
         <Checkbox
           label="Also vary each field alone, to both ends of its range"
           checked={draft.oneByOne}
@@ -121,7 +123,7 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
   const unit = field.leaf.kind === "number" ? prettyUnit(field.leaf.shown.unit) : "";
   const end = (key: "from" | "to", value: string) => (
     <Entry
-      className={rows.end}
+      w="4.6rem"
       aria-label={`${field.title}, ${key}`}
       value={value}
       error={error !== undefined}
@@ -137,14 +139,16 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
         onChange={(event) => onChange({ on: event.currentTarget.checked })}
         label={
           <>
-            <span className={rows.rangeTitle}>{titleOf(field.name, field.title)}</span>
+            <Box component="span" display="block" fz="sm" lh="1.25" {...(on ? { fw: 600 } : { c: "dimmed" })}>
+              {titleOf(field.name, field.title)}
+            </Box>
             <Box component="span" display="block" fz="xs" lh="1.25" c="dimmed">
               {why}
             </Box>
           </>
         }
       />
-      <div className={rows.ends}>
+      <Group gap="0.4rem" wrap="nowrap" m={{ base: "0.3rem 0 0 2.6rem", xs: 0 }}>
         {on ? (
           <>
             {end("from", from)}
@@ -159,7 +163,7 @@ function RangeRow({ range: { field, why, on, from, to }, scenario, error, onChan
             {exactText(field, scenario)}
           </Box>
         )}
-      </div>
+      </Group>
       {error !== undefined && <Fault id={`${id}-error`}>{error}</Fault>}
     </div>
   );

@@ -189,10 +189,10 @@ function Lead({ summary, margin }: { readonly summary: BatchSummary; readonly ma
       <span className={classes.shareBar} aria-hidden>
         <span style={{ width: `${100 * worse}%` }} />
       </span>
-      <span className={classes.lost}>
+      <span className={ui.under}>
         {plain(margin.nominal)} → <b>{plain(quantile(summary, margin, 50))}</b>
       </span>
-      <span className={classes.lost}>
+      <span className={ui.under}>
         {plain(quantile(summary, margin, 5))} … {plain(quantile(summary, margin, 95))}
       </span>
     </>

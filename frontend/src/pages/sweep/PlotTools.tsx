@@ -10,7 +10,6 @@ import { optionsOf, type Metric } from "../../server/metrics";
 import { type PlotKind, NONE } from "./view";
 import type { SweepParts } from "./shownPlot";
 import { parseQuantity } from "../../units/quantity";
-import classes from "./sweep.module.css";
 import type { Strategy } from "../../api/types";
 import { outlineOf, type MarkerSymbol } from "../../plots/markers";
 
@@ -119,7 +118,7 @@ function LineEntry({ shown: { threshold, mapUnit }, onView }: Pick<MapToolsProps
   };
   return (
     <Entry
-      className={classes.threshold}
+      w="9rem"
       label="Line at"
       placeholder="no line"
       value={typed}

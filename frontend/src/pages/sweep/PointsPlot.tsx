@@ -18,6 +18,7 @@ import { fullName } from "../../server/metrics";
 import { frontOf, linesOf } from "./lines";
 import { scatterFigure } from "./scatter";
 import type { ShownPlot, PlotParts, SweepParts } from "./shownPlot";
+import ui from "../../ui/ui.module.css";
 
 interface Props extends PlotParts, Pick<SweepParts, "catalogue" | "markers" | "best"> {
   /** Those switched on. */
@@ -121,13 +122,14 @@ export function PointsPlot({
       {airborne > 0 && (
         <Text
           size="xs"
-          className={classes.warning}
+          className={ui.warning ?? ""}
+          p="0.2rem 0.9rem 0"
           data-testid="airborne-note"
           title={catalogue.events.find(({ key }) => key === "airborne_ms")?.description}
         >
-          <IconAlertTriangle size={13} stroke={2} aria-hidden /> {formatWhole(airborne)} of the {count(drawn, "run")}{" "}
-          shown {airborne === 1 ? "is" : "are"} airborne (hollow points): their linear tyre pulls on the road, which a
-          real one cannot.
+          <IconAlertTriangle size={13} stroke={2} aria-hidden className={ui.inline} /> {formatWhole(airborne)} of the{" "}
+          {count(drawn, "run")} shown {airborne === 1 ? "is" : "are"} airborne (hollow points): their linear tyre pulls
+          on the road, which a real one cannot.
         </Text>
       )}
       <Group gap="0" align="flex-start" justify="space-between" wrap="nowrap" pr="0.7rem">

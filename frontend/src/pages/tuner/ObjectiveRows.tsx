@@ -132,7 +132,7 @@ export function FigureSelect({ figures, first = [], ...props }: FigureSelectProp
   ];
   return (
     <Finder
-      className={classes.select ?? ""}
+      maw="32rem"
       placeholder="Name of a metric…"
       nothingFoundMessage="No metric of that name"
       data={data}

@@ -77,7 +77,8 @@ function Range({ label, title, range, own, wrong, onChange }: RangeProps) {
   if (!range) return null;
   const end = (key: "from" | "to") => (
     <Entry
-      className={classes.rangeEnd}
+      flex="0 1 4.2rem"
+      miw="3rem"
       aria-label={`${label}, ${key}`}
       value={range[key]}
       error={wrong}

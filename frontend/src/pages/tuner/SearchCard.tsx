@@ -12,7 +12,6 @@ import { frontFigure, historyFigure, volumeFigure, type Look } from "./charts";
 import type { Shown } from "./figures";
 import { firstTrial } from "./space";
 import type { Point, TuningParts } from "./points";
-import classes from "./tuner.module.css";
 import { Choice } from "../../ui/Entry";
 import { Fault } from "../../ui/Fault";
 import { Card } from "../../ui/Card";
@@ -97,7 +96,7 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
       }
     >
       {tuning.paper === null ? (
-        <Text c="dimmed" className={classes.plotEmpty ?? ""} style={{ height: HEIGHT }}>
+        <Text h={HEIGHT} p="1rem" ta="center" c="dimmed" style={{ display: "grid", placeItems: "center" }}>
           The first generation is being computed: {firstTrial(tuning)} and {tuning.population - 1} others.
         </Text>
       ) : (
@@ -113,7 +112,7 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
           ` ${count(figure.beyond, "worse trial")} ${figure.beyond === 1 ? "lies" : "lie"} beyond the axes.`}
       </Text>
       {several && tuning.history.length > 1 && tuning.history.some(({ hypervolume }) => hypervolume !== null) && (
-        <details className={classes.more}>
+        <Box component="details" className={ui.more ?? ""} p="0 0.9rem 0.6rem">
           <summary>How the front grew</summary>
           <ChartButton
             title="How the front grew"
@@ -134,7 +133,7 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
             The part of the box between zero and {firstTrial(tuning)} that the front dominates: it flattens when more
             trials find little more.
           </Text>
-        </details>
+        </Box>
       )}
     </Card>
   );

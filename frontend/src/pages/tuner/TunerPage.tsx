@@ -3,7 +3,7 @@
 import { usePageScenario } from "../../features/scenarioSource/scenarioSource";
 import { Page } from "../../ui/Page";
 import { NewTuning } from "./NewTuning";
-import classes from "./tuner.module.css";
+import ui from "../../ui/ui.module.css";
 import { useNumericCatalogues, ofLimit, ofObjective } from "./figures";
 import type { Strategy } from "../../api/types";
 import type { Metric } from "../../server/metrics";
@@ -17,7 +17,7 @@ export function TunerPage() {
     "Searches the weights of a strategy that minimise an objective on a few training roads: the paper’s normalised sum (Eq. 16), peaks, or any figure, within limits. Several objectives give a Pareto front. The paper’s weights are the first trial. At the end the best ones are compared with them on validation roads: this shows weights that fit only the training roads.";
   return (
     <Page title="Weight tuner" heading="Weight tuner" what="page" lead={lead} faults={[]}>
-      <div className={classes.columns}>
+      <div className={ui.beside}>
         <NewTuning {...catalogues} source={source} />
         <TuningList {...catalogues} />
       </div>

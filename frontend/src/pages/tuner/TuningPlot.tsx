@@ -30,7 +30,7 @@ export function TuningPlot({ tuning, objectives, limits, tunable, points, colour
     opening?.trial ??
     null;
   return (
-    <div className={results.plotRow}>
+    <div className={ui.beside}>
       <SearchCard
         {...{ tuning, objectives, points, colour }}
         trials={all}

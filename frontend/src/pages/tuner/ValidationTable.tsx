@@ -1,6 +1,7 @@
 /** The paper's weights and the tuned ones, on the training and on the validation roads. */
 
-import { Skeleton, Text } from "@mantine/core";
+import { Group, Skeleton, Stack, Text } from "@mantine/core";
+import type { ReactNode } from "react";
 import { IconAlertTriangle, IconCheck, IconEqual } from "../../ui/icons";
 import type { ComparedPoint, TunedFigure, Tuning, Comparison } from "../../api/types";
 import { isFinal } from "../../jobs/follow";
@@ -11,7 +12,6 @@ import { formatResult, prettyUnit } from "../../units/format";
 import { ofKey, type Shown } from "./figures";
 import { firstTrial } from "./space";
 import { firstName, roleName, type TuningParts } from "./points";
-import results from "./results.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { LimitValue } from "./PointsTable";
 import { Card } from "../../ui/Card";
@@ -21,12 +21,13 @@ interface Props extends Pick<TuningParts, "tuning" | "objectives"> {
   readonly figures: readonly Metric[];
 }
 
-const SIGN: Readonly<Record<Keeps, typeof IconCheck>> = {
-  keeps: IconCheck,
-  shrinks: IconAlertTriangle,
-  unclear: IconAlertTriangle,
-  worse: IconAlertTriangle,
-  none: IconEqual,
+const WARNING = [IconAlertTriangle, "var(--worse)"] as const;
+const SIGN: Readonly<Record<Keeps, readonly [typeof IconCheck, string?]>> = {
+  keeps: [IconCheck, "var(--better)"],
+  shrinks: WARNING,
+  unclear: WARNING,
+  worse: WARNING,
+  none: [IconEqual],
 };
 
 export function ValidationTable({ tuning, objectives, figures }: Props) {
@@ -53,7 +54,7 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
       aria-label="Validation roads"
       title={`Validation: ${tuning.seeds.length} training and ${tuning.fresh_seeds.length} validation roads`}
     >
-      <ul className={results.gains}>
+      <Stack component="ul" className={ui.list ?? ""} gap="0.3rem" p="0 0.9rem 0.6rem">
         {gains.map((gain) => (
           <GainLine
             key={gain.objective}
@@ -64,15 +65,12 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
         ))}
         {comparison.points.flatMap(({ trial, failures }) =>
           failures.map((failure) => (
-            <li key={`${trial} ${failure}`} data-keeps="worse">
-              <IconAlertTriangle size={16} stroke={2} aria-hidden />
-              <span>
-                Trial {trial} could not be run on every road; left out: {failure}
-              </span>
-            </li>
+            <SignedLine key={`${trial} ${failure}`} keeps="worse">
+              Trial {trial} could not be run on every road; left out: {failure}
+            </SignedLine>
           )),
         )}
-      </ul>
+      </Stack>
       <DataTable
         label="The first trial’s and the tuned weights over training and validation roads"
         rows={comparison.figures.map(({ key }) => rowOf(key, tuning, figures))}
@@ -114,15 +112,21 @@ interface GainLineProps {
 }
 
 function GainLine({ gain: { keeps, text }, label, price }: GainLineProps) {
-  const Icon = SIGN[keeps];
   return (
-    <li data-keeps={keeps}>
-      <Icon size={16} stroke={2} aria-hidden />
-      <span>
-        {label !== "" && <strong>{label}: </strong>}
-        {text} {price}
-      </span>
-    </li>
+    <SignedLine keeps={keeps}>
+      {label !== "" && <strong>{label}: </strong>}
+      {text} {price}
+    </SignedLine>
+  );
+}
+
+function SignedLine({ keeps, children }: { readonly keeps: Keeps; readonly children: ReactNode }) {
+  const [Icon, colour] = SIGN[keeps];
+  return (
+    <Group component="li" gap="0.45rem" align="flex-start" wrap="nowrap" data-keeps={keeps}>
+      <Icon size={16} stroke={2} aria-hidden style={{ flex: "none", marginTop: 2, color: colour }} />
+      <span>{children}</span>
+    </Group>
   );
 }
 
