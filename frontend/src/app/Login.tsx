@@ -5,6 +5,7 @@ import { useMutation } from "@tanstack/react-query";
 import { useState } from "react";
 import { ask } from "../api/http";
 import { Blank } from "../ui/Blank";
+import { submits } from "../ui/NameForm";
 
 export function Login() {
   const [token, setToken] = useState("");
@@ -17,15 +18,7 @@ export function Login() {
       title="Ridelab asks for a token"
       text="This service requires a token. The browser then stores a cookie for 90 days."
     >
-      <Stack
-        component="form"
-        gap="0.6rem"
-        w="min(20rem, 100%)"
-        onSubmit={(event) => {
-          event.preventDefault();
-          login.mutate();
-        }}
-      >
+      <Stack component="form" gap="0.6rem" w="min(20rem, 100%)" onSubmit={submits(() => login.mutate())}>
         <PasswordInput
           label="Token"
           value={token}

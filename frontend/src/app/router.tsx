@@ -1,15 +1,23 @@
 /** Every address of the page and what it shows; each page beside the lab has code of its own, fetched where it is shown. */
 
 import type { QueryClient } from "@tanstack/react-query";
-import { createRootRouteWithContext, createRoute, createRouter, lazyRouteComponent } from "@tanstack/react-router";
+import {
+  notFound,
+  createRootRouteWithContext,
+  createRoute,
+  createRouter,
+  lazyRouteComponent,
+} from "@tanstack/react-router";
 import { LabPage } from "../pages/lab/LabPage";
 import { readScenarioSource } from "../features/scenarioSource/scenarioSource";
 import { readChoices } from "../pages/paper/choices";
-import { PageFailed, PageLoading, PageNotFound, Shell } from "./Shell";
+import { JobNotFound, PageFailed, PageLoading, PageNotFound, Shell, type JobLists } from "./Shell";
 import { BATCH, jobQuery, TUNING, type Common, type JobKind } from "../jobs/useJob";
 import { endFirstView, firstCurves } from "../lib/firstCurves";
+import { uncertaintiesQuery, untilThere } from "../server/queries";
 import { loadCatalogues, loadResultWords } from "../server/useCatalogues";
 import { parseSearch, pick, readLabSearch, stringifySearch } from "../lab/address";
+import { isNotFound } from "../api/problem";
 
 interface Context {
   readonly queries: QueryClient;
@@ -38,18 +46,25 @@ const load = ({ context: { queries } }: { readonly context: Context }) => {
   return Promise.all([loadCatalogues(queries), import("../ui/mantine.css")]);
 };
 
-/** With the job that the address names: whether it is there, the page says. */
-const loadJob =
-  <Item extends Common, Job extends Item>(kind: JobKind<Item, Job>) =>
-  ({ context, params: { id } }: { readonly context: Context; readonly params: { readonly id: string } }) => {
-    context.queries.query(jobQuery(kind, id)).catch(() => undefined);
-    return load({ context });
-  };
+const notFoundOr = (error: unknown) => {
+  if (isNotFound(error)) notFound({ throw: true });
+  throw error;
+};
+
+/** With the job that the address names; where there is none, the way to others. */
+const ofJob = <Item extends Common, Job extends Item>(kind: JobKind<Item, Job>, what: string, others: JobLists) => ({
+  loader: ({ context, params: { id } }: { readonly context: Context; readonly params: { readonly id: string } }) =>
+    Promise.all([load({ context }), context.queries.query({ ...jobQuery(kind, id), ...untilThere }).catch(notFoundOr)]),
+  notFoundComponent: () => <JobNotFound {...{ what, others }} />,
+});
+
+const loadStudies = ({ context }: { readonly context: Context }) =>
+  Promise.all([load({ context }), context.queries.query({ ...uncertaintiesQuery, staleTime: "static" })]);
 
 const sweep = createRoute({
   getParentRoute: () => root,
   path: "/b/$id",
-  loader: loadJob(BATCH),
+  ...ofJob(BATCH, "sweep", "/sweeps"),
   validateSearch: (raw: Record<string, unknown>) =>
     pick(raw, "plot", "x", "y", "hide", "strategy", "against", "at", "versus"),
   component: lazyRouteComponent(() => import("../pages/sweep/SweepPage"), "SweepPage"),
@@ -77,21 +92,21 @@ const tuner = createRoute({
 const tuning = createRoute({
   getParentRoute: () => root,
   path: "/tuner/$id",
-  loader: loadJob(TUNING),
+  ...ofJob(TUNING, "tuning", "/tuner"),
   component: lazyRouteComponent(() => import("../pages/tuner/TuningPage"), "TuningPage"),
   remountDeps: ({ params }) => params,
 });
 const robustness = createRoute({
   getParentRoute: () => root,
   path: "/robustness",
-  loader: load,
+  loader: loadStudies,
   validateSearch: readScenarioSource,
   component: lazyRouteComponent(() => import("../pages/robustness/RobustnessPage"), "RobustnessPage"),
 });
 const study = createRoute({
   getParentRoute: () => root,
   path: "/robustness/$id",
-  loader: loadJob(BATCH),
+  ...ofJob(BATCH, "study", "/robustness"),
   validateSearch: (raw: Record<string, unknown>) => pick(raw, "baseline", "one"),
   component: lazyRouteComponent(() => import("../pages/robustness/StudyPage"), "StudyPage"),
   remountDeps: ({ params }) => params,

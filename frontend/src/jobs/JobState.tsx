@@ -6,7 +6,7 @@ import { count } from "../units/format";
 import { isFinal } from "./follow";
 import ui from "../ui/ui.module.css";
 import { useJobCall, type Common, type JobStatus, type JobKind } from "./useJob";
-import { Fault } from "../ui/Fault";
+import { Fault, Note } from "../ui/Fault";
 import { Card } from "../ui/Card";
 
 interface Props<Item extends Common, Job extends Item> extends Pick<JobStatus<Job>, "connected"> {
@@ -77,9 +77,7 @@ export function JobState<Item extends Common, Job extends Item>({
         />
       </Progress.Root>
       {!connected && !ended && (
-        <Text size="xs" c="dimmed" role="status">
-          The connection is interrupted; the numbers are updated when it is back.
-        </Text>
+        <Note role="status">The connection is interrupted; the numbers are updated when it is back.</Note>
       )}
       {cancel.isError && <Fault>It could not be cancelled: {cancel.error.message}</Fault>}
       {children}

@@ -1,11 +1,13 @@
 /** A job as it stands: read once, then kept up to date by its events. */
 
-import { queryOptions, useMutation, useQuery, useQueryClient, type QueryClient } from "@tanstack/react-query";
+import { queryOptions, useMutation, useQueryClient, useSuspenseQuery, type QueryClient } from "@tanstack/react-query";
 import { useEffect, useState } from "react";
 import { batches, tunings, type JobCalls } from "../api/jobs";
 import type { Batch, BatchItem, Tuning, TuningItem } from "../api/types";
+import { isNotFound } from "../api/problem";
 import { createLatest } from "../lib/latest";
 import { follow, isFinal, type Handlers, type JobEvent } from "./follow";
+import { notFound } from "@tanstack/react-router";
 
 export type Common = Pick<Batch, "id" | "state" | "reason" | "label" | "position" | "created_at">;
 
@@ -54,8 +56,7 @@ const REPLAY_MS = 1_000;
 const QUEUED_MS = 3_000;
 
 export interface JobStatus<Job> {
-  readonly job: Job | undefined;
-  readonly error: Error | null;
+  readonly job: Job;
   readonly connected: boolean;
   /** Seconds, `null` while unknown. */
   readonly left: number | null;
@@ -94,15 +95,16 @@ export function followJob<Item extends Common, Job extends Item>(
   };
 }
 
+/** The page's route has fetched it. */
 export function useJob<Item extends Common, Job extends Item>(kind: JobKind<Item, Job>, id: string): JobStatus<Job> {
   const queries = useQueryClient();
-  const { data: job, error } = useQuery({
+  const { data: job, error } = useSuspenseQuery({
     ...jobQuery(kind, id),
     refetchInterval: ({ state: { data } }) => data?.state === "queued" && data.position > 0 && QUEUED_MS,
   });
   const [connected, setConnected] = useState(true);
   const [marks, setMarks] = useState<readonly Mark[]>([]);
-  const unfinished = job !== undefined && !isFinal(job);
+  const unfinished = !isFinal(job);
 
   useEffect(() => {
     if (!unfinished) return undefined;
@@ -117,7 +119,8 @@ export function useJob<Item extends Common, Job extends Item>(kind: JobKind<Item
     });
   }, [kind, id, unfinished, queries]);
 
-  return { job, error, connected, left: job?.state === "running" ? secondsLeft(marks, kind.counts(job).total) : null };
+  if (isNotFound(error)) notFound({ throw: true }); // it has been deleted since
+  return { job, connected, left: job.state === "running" ? secondsLeft(marks, kind.counts(job).total) : null };
 }
 
 /** A call that answers with the job as it is then. */

@@ -1,22 +1,21 @@
 /** What the lab asks of the server, and how an answer changes what is shown. */
 
-import { isTransient } from "../api/problem";
+import { isTransient, isAbort } from "../api/problem";
 import type { StrategyId } from "../api/types";
 import { DEFAULT_VIEW } from "./address";
 import { cursor } from "./cursor";
-import { createExactRequests } from "./exactRequest";
 import { historiesOf } from "./histories";
 import { begin, record } from "./history";
 import type { Lab, LabState, LabForm, Services } from "./labState";
 import { createLive } from "./live";
-import { NO_ERRORS, problemOf } from "./problems";
+import { NO_ERRORS, problemOf, hasErrors } from "./problems";
 import { fromCache, linkKey, runKey } from "../server/queries";
 import { readSharedView } from "./sharing";
 import { withoutGone } from "../scenario/ownOptions";
 import { fromRun, resultsAfterEdit, resultsAfterOpening } from "./result";
 import type { Atom } from "@tanstack/react-store";
 import { isRecording } from "../lib/recording";
-import { createTimer } from "../lib/timer";
+import { createTimer, type Timer } from "../lib/timer";
 
 const STALE_AFTER_MS = 200;
 
@@ -183,5 +182,61 @@ export function createRequests(
     },
     cancel,
     resume: () => unfinished?.(),
+  };
+}
+
+interface ExactRequest {
+  readonly work: (signal: AbortSignal, isCurrent: () => boolean) => Promise<void>;
+  /** Asks for the same once more. */
+  readonly again: () => void;
+  /** What else to do where it fails for good. */
+  readonly giveUp?: () => void;
+}
+
+interface ExactRequests {
+  readonly start: (request: ExactRequest) => void;
+  /** Aborts what runs. */
+  readonly cancel: () => void;
+}
+
+interface Parts {
+  readonly store: Atom<LabState>;
+  /** Marks what is shown as stale when it ends. */
+  readonly grace: Timer;
+  readonly onError: (error: unknown, again: () => void) => void;
+}
+
+function createExactRequests({ store, grace, onError }: Parts): ExactRequests {
+  let current: AbortController | null = null;
+  const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
+
+  return {
+    start: ({ work, again, giveUp }) => {
+      current?.abort();
+      const controller = new AbortController();
+      current = controller;
+      const isCurrent = () => current === controller;
+      patch({ busy: true, failure: null, serverErrors: NO_ERRORS });
+      grace.start();
+      work(controller.signal, isCurrent)
+        .catch((error: unknown) => {
+          if (!isCurrent()) return;
+          if (!isAbort(error) && !isTransient(error)) giveUp?.();
+          onError(error, again);
+        })
+        .finally(() => {
+          if (!isCurrent()) return;
+          current = null;
+          grace.stop();
+          // After a failure the old curves stay dimmed: they are not what the form says.
+          patch({ busy: false, stale: store.get().failure !== null || hasErrors(store.get().serverErrors) });
+        });
+    },
+    cancel: () => {
+      if (current === null) return;
+      current.abort();
+      current = null;
+      grace.stop();
+    },
   };
 }

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { maximumOf, minimumOf } from "../api/decode";
 import type { Summary } from "../api/types";
-import { drawOnCanvas } from "./canvas";
+import { drawOnCanvas } from "./Surface";
 import { buildFigure, MARGIN, ticksFor } from "./figure";
 import type { FigureInput } from "./curves";
 import { loadPlotly, plotlyState, type Plotly } from "./plotly";

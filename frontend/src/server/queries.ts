@@ -17,11 +17,8 @@ export const ALL_POINTS = 100_000;
 
 const FOR_EVER = { staleTime: Infinity, gcTime: Infinity } as const;
 /** What pages cannot do without is asked for until the server is there. */
-const UNTIL_THERE = {
-  ...FOR_EVER,
-  retry: (_count: number, error: unknown) => isTransient(error),
-  retryDelay: 1000,
-} as const;
+export const untilThere = { retry: (_count: number, error: unknown) => isTransient(error), retryDelay: 1000 } as const;
+const UNTIL_THERE = { ...FOR_EVER, ...untilThere } as const;
 
 export const schemaQuery = queryOptions({
   queryKey: ["schema"],
@@ -56,6 +53,8 @@ export const strategiesQuery = queryOptions({
   refetchInterval: ({ state }: { readonly state: { readonly data?: readonly Strategy[] | undefined } }) =>
     state.data?.some(({ own }) => own) ? LOOK_MS : (false as const),
 });
+/** What a robustness study varies, while nobody says otherwise. */
+export const uncertaintiesQuery = { ...query("/robustness", {}), ...UNTIL_THERE };
 export const catalogueQuery = { ...query("/catalogue", {}), ...UNTIL_THERE };
 export const figuresQuery = queryOptions({
   queryKey: ["figures"],

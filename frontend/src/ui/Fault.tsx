@@ -1,7 +1,7 @@
 /** What went wrong, in a line, and the problems of a form. */
 
 import { Alert, Text, type AlertProps, type TextProps } from "@mantine/core";
-import type { ReactNode } from "react";
+import type { ComponentProps, ReactNode } from "react";
 import ui from "./ui.module.css";
 
 export function Fault({
@@ -10,6 +10,11 @@ export function Fault({
 }: TextProps & { readonly className?: string; readonly id?: string; readonly children: ReactNode }) {
   return <Text size="xs" className={`${ui.error} ${className}`} role="alert" {...props} />;
 }
+
+/** What is said in small beside something. */
+export const Note = (props: TextProps & Omit<ComponentProps<"p">, keyof TextProps>) => (
+  <Text size="xs" c="dimmed" {...props} />
+);
 
 export function Problems({ messages, ...props }: AlertProps & { readonly messages: readonly string[] }) {
   return messages.map((message) => (

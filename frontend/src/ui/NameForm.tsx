@@ -1,8 +1,14 @@
 /** What an entry of a list has: a menu, and a form that renames it. */
 
 import { ActionIcon, Button, Group, Menu, TextInput } from "@mantine/core";
-import { useEffect, useRef, useState, type ReactNode, type Ref } from "react";
+import { useEffect, useRef, useState, type ReactNode, type Ref, type SyntheticEvent } from "react";
 import { IconDots } from "./icons";
+
+/** What a form does in place of leaving the page. */
+export const submits = (act: () => void) => (event: SyntheticEvent) => {
+  event.preventDefault();
+  act();
+};
 
 interface MenuProps {
   readonly label: string;
@@ -52,15 +58,7 @@ export function NameForm({ name, label, action, longest, error, saving = false, 
   // Not at once: the menu that it was chosen from would take the focus back.
   useEffect(() => entry.current?.focus(), []);
   return (
-    <Group
-      component="form"
-      gap="0.4rem"
-      p="0.2rem 0.4rem 0.6rem"
-      onSubmit={(event) => {
-        event.preventDefault();
-        onSave(typed);
-      }}
-    >
+    <Group component="form" gap="0.4rem" p="0.2rem 0.4rem 0.6rem" onSubmit={submits(() => onSave(typed))}>
       <TextInput
         ref={entry}
         flex={1}

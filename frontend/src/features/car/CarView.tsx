@@ -1,6 +1,6 @@
 /** The moving car: one or two strategies on their road, driven by the shared cursor, with playback. */
 
-import { ActionIcon, Button, NativeSelect, Group, Popover, Stack } from "@mantine/core";
+import { ActionIcon, Button, Group, Popover, Stack } from "@mantine/core";
 import { useElementSize, useMediaQuery } from "@mantine/hooks";
 import { useEffect, useEffectEvent, useState, type ReactNode } from "react";
 import { IconPlayerPauseFilled, IconPlayerPlayFilled, IconAdjustmentsHorizontal } from "../../ui/icons";
@@ -17,6 +17,7 @@ import { formatExact } from "../../units/format";
 import { dimensionsOf, scaleOf } from "./layout";
 import { Arrow } from "./parts";
 import { valueAt } from "../../lib/samples";
+import { Choice } from "../../ui/Entry";
 
 const SPEEDS = [
   { value: "0.05", label: "1/20 speed" },
@@ -81,29 +82,19 @@ export function CarView({ resultView }: { readonly resultView: ResultView }) {
         </ActionIcon>
         <Scrubber resultView={resultView} />
         <Options>
-          <NativeSelect
-            aria-label="Playing speed"
-            data={SPEEDS}
-            value={speed}
-            onChange={(event) => setSpeed(event.currentTarget.value)}
-          />
-          <NativeSelect
+          <Choice aria-label="Playing speed" data={SPEEDS} value={speed} onPick={setSpeed} />
+          <Choice
             aria-label="Exaggeration of heights"
             data={EXAGGERATIONS}
             value={exaggeration}
-            onChange={(event) => setExaggeration(event.currentTarget.value)}
+            onPick={setExaggeration}
           />
-          <NativeSelect
-            aria-label="Car shown"
-            data={names}
-            value={first.id}
-            onChange={(event) => setFollowed(event.currentTarget.value)}
-          />
-          <NativeSelect
+          <Choice aria-label="Car shown" data={names} value={first.id} onPick={setFollowed} />
+          <Choice
             aria-label="Second car"
             data={[{ value: NONE, label: "no second car" }, ...names.filter(({ value }) => value !== first.id)]}
             value={other?.id ?? NONE}
-            onChange={(event) => setSecond(event.currentTarget.value)}
+            onPick={setSecond}
           />
         </Options>
         <WhyButton />

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { poseAt, roadProfile, type CarPose } from "./geometry";
-import { bodyPath, windowPath } from "./shell";
+import { bodyPath, windowPath } from "./Lane";
 import { dimensionsOf, drawnCar, GROUND, roofOf, scaleOf, shiftInto } from "./layout";
 import { metres, metresPerSecond, newtons, seconds } from "../../units/brands";
 

@@ -1,19 +1,34 @@
 /** What is compared with what: the choice, and in words what differs. */
 
-import { Box, Checkbox, Group, NativeSelect, Button } from "@mantine/core";
+import { Box, Checkbox, Group, NativeSelect, Button, Menu, TextInput } from "@mantine/core";
 import { changedFields, changesText, nameByChanges } from "../../scenario/differences";
 import { referenceTo, whyNotCompared, type Reference } from "../../lab/compare";
 import { useLabContext, useLab, useEdit, useFromScenario, useReadOnly } from "../../lab/context";
 import { useForm } from "../../server/useCatalogues";
 import type { ResultView } from "../../lab/resultView";
 import classes from "./compare.module.css";
-import { PinList } from "./PinList";
-import { IconPin } from "../../ui/icons";
+import { IconPin, IconChevronDown } from "../../ui/icons";
 import { defaultName, MOST_PINS } from "../../lab/pins";
 import { useSelector } from "@tanstack/react-store";
-import { ownPins } from "./useCompared";
+import {
+  ownPins,
+  BEFORE_EDIT,
+  beforeShown,
+  showBefore,
+  useBefore,
+  pinnedKey,
+  usePins,
+  type PinnedRun,
+} from "./useCompared";
 import { getAt, setAt } from "../../scenario/path";
 import { findMember, optionOf, optionTitle } from "../../scenario/schema";
+import { useQueryClient } from "@tanstack/react-query";
+import { useOpenInLab } from "../../ui/useOpenInLab";
+import { LONGEST_NAME } from "../../scenario/library";
+import { BEFORE_WIDTH, PIN_WIDTH, pinDash } from "../../plots/curves";
+import { LineKey } from "../../ui/StrategyKey";
+import ui from "../../ui/ui.module.css";
+import { Choice } from "../../ui/Entry";
 
 const STRATEGY = "strategy:";
 
@@ -151,12 +166,120 @@ function SpeedSelect() {
       data-hint="Planned: all slow down for the bump. Constant: none does. At equal speed, the remaining difference comes from the suspension"
     >
       {field.title}
-      <NativeSelect
+      <Choice
         disabled={readOnly}
         value={optionOf(policy)}
         data={field.options.map((value) => ({ value, label: optionTitle(value) }))}
-        onChange={({ currentTarget: { value } }) => edit.commit(setAt(edit.newest(), POLICY, value))}
+        onPick={(value) => edit.commit(setAt(edit.newest(), POLICY, value))}
       />
     </Group>
+  );
+}
+
+function PinList() {
+  const pins = usePins();
+  const readOnly = useReadOnly();
+  if (readOnly && pins.length === 0) return null;
+  return (
+    <Group
+      component="ul"
+      className={`${ui.list} ${classes.pins}`}
+      gap="0.3rem 0.4rem"
+      miw={0}
+      aria-label={pins.length > 0 ? "Pinned results" : "Other results"}
+    >
+      {!readOnly && (
+        <li>
+          <BeforeSwitch />
+        </li>
+      )}
+      {pins.map((pin, index) => (
+        <li key={pin.run}>
+          {readOnly ? (
+            <span className={`${ui.pill} ${classes.pin}`}>
+              <PinName pin={pin} index={index} />
+            </span>
+          ) : (
+            <PinMenu pin={pin} index={index} />
+          )}
+        </li>
+      ))}
+    </Group>
+  );
+}
+
+/** There before the first edit too, so that the table below never moves. */
+function BeforeSwitch() {
+  const before = useBefore();
+  const isShown = useSelector(beforeShown);
+  const name = before?.name ?? BEFORE_EDIT;
+  return (
+    <Checkbox
+      classNames={{ root: ui.pill ?? "", label: ui.named ?? "" }}
+      label={
+        <>
+          <LineKey width={BEFORE_WIDTH} /> {`B${name.slice(1)}`}
+        </>
+      }
+      disabled={before === null}
+      checked={isShown}
+      onChange={({ currentTarget: { checked } }) => showBefore(checked)}
+    />
+  );
+}
+
+interface Props {
+  readonly pin: PinnedRun;
+  readonly index: number;
+}
+
+function PinName({ pin, index }: Props) {
+  return (
+    <>
+      <LineKey width={PIN_WIDTH} dash={pinDash(index)} />
+      <span className={classes.pinName}>{pin.name}</span>
+      {pin.missing !== null && <span className={classes.missing}>({pin.missing})</span>}
+    </>
+  );
+}
+
+function PinMenu({ pin, index }: Props) {
+  const queries = useQueryClient();
+  const open = useOpenInLab();
+  const rename = (name: string) => ownPins.rename(pin.run, name);
+  return (
+    <Menu position="bottom-start" width={260} withinPortal trapFocus>
+      <Menu.Target>
+        <button
+          type="button"
+          className={`${ui.pill} ${classes.pin}`}
+          data-missing={pin.missing !== null || undefined}
+          title={pin.missing === null ? pin.name : `${pin.name}: ${pin.missing}`}
+        >
+          <PinName pin={pin} index={index} />
+          <IconChevronDown size={13} aria-hidden />
+        </button>
+      </Menu.Target>
+      <Menu.Dropdown>
+        <TextInput
+          p={6}
+          aria-label="Name"
+          maxLength={LONGEST_NAME}
+          defaultValue={pin.name}
+          onBlur={(event) => rename(event.currentTarget.value)}
+          onKeyDown={(event) => {
+            event.stopPropagation(); // letters are not the menu's keys here
+            if (event.key === "Enter") rename(event.currentTarget.value);
+          }}
+        />
+        {pin.missing !== null && !pin.isGone && (
+          <Menu.Item onClick={() => void queries.refetchQueries({ queryKey: pinnedKey(pin.run) })}>Try again</Menu.Item>
+        )}
+        <Menu.Item disabled={pin.isGone} onClick={() => open()({ id: pin.run })}>
+          Open
+        </Menu.Item>
+        <Menu.Item onClick={() => ownPins.remove(pin.run)}>Unpin</Menu.Item>
+      </Menu.Dropdown>
+    </Menu>
   );
 }

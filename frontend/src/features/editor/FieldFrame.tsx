@@ -1,6 +1,6 @@
 /** Label, help, mark of a change and error: the same around every field. */
 
-import { ActionIcon, Box, Group, Text, NativeSelect } from "@mantine/core";
+import { ActionIcon, Box, Group, Text } from "@mantine/core";
 import { memo, useEffect, useRef, type ReactNode, useId } from "react";
 import { IconArrowBackUp } from "../../ui/icons";
 import { ManualLink } from "../../ui/ManualLink";
@@ -10,6 +10,7 @@ import type { Leaf } from "../../scenario/differences";
 import { setAt } from "../../scenario/path";
 import { type Field, optionOf, optionTitle, optionValue, type ChoiceField } from "../../scenario/schema";
 import type { LeafState } from "./useLeaf";
+import { Choice } from "../../ui/Entry";
 
 interface Props {
   readonly id: string;
@@ -118,14 +119,14 @@ export function ChoiceFieldRow({ field, leaf }: { readonly field: ChoiceField; r
       {...{ id, field, leaf }}
       standard={optionTitle(optionOf(field.paperValue))}
       aside={
-        <NativeSelect
+        <Choice
           id={id}
           className={classes.choice ?? ""}
           value={optionOf(leaf.value)}
           disabled={leaf.readOnly}
           error={leaf.error !== undefined}
           data={field.options.map((value) => ({ value, label: optionTitle(value) }))}
-          onChange={(event) => leaf.commit(optionValue(field, event.currentTarget.value))}
+          onPick={(value) => leaf.commit(optionValue(field, value))}
         />
       }
     />

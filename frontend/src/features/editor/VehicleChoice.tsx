@@ -1,6 +1,6 @@
 /** Which vehicle it is: one with sources, one of the library, or values of one's own; and the vehicle as a file. */
 
-import { Button, Group as Row, NativeSelect, Text } from "@mantine/core";
+import { Button, Group as Row, Text } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import type { JsonObject } from "../../api/types";
 import { useExportItem } from "../library/open";
@@ -13,6 +13,7 @@ import { completed } from "../../scenario/differences";
 import classes from "./editor.module.css";
 import { getAt, sameValue, setAt, type Pointer } from "../../scenario/path";
 import type { Group } from "../../scenario/schema";
+import { Choice } from "../../ui/Entry";
 
 /** Those with sources, and those of the library. */
 export function useVehicles() {
@@ -46,7 +47,7 @@ export function VehicleChoice({ group }: { readonly group: Group }) {
 
   return (
     <Row gap="0.4rem">
-      <NativeSelect
+      <Choice
         aria-label="Vehicle"
         flex="1 1 8rem"
         value={current?.id ?? OTHER}
@@ -56,7 +57,7 @@ export function VehicleChoice({ group }: { readonly group: Group }) {
           ...[PAPER, ...sourced].map(option),
           ...(own.length > 0 ? [{ group: "Your vehicles", items: own.map(option) }] : []),
         ]}
-        onChange={(event) => choose(event.currentTarget.value)}
+        onPick={choose}
       />
       {!readOnly && (
         <OpenFiles name="Vehicle file" wanted="vehicle">

@@ -1,5 +1,5 @@
 import { expect, it } from "vitest";
-import { drawnCurve, linearCurve, movedPoint, withPoint } from "./damperCurve";
+import { drawnCurve, linearCurve, movedPoint, withPoint } from "./DamperCurveRow";
 
 const curve = [
   [-1, -1500],

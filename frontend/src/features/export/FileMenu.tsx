@@ -56,17 +56,13 @@ const FORMATS = [
 ] as const;
 
 /** A sweep's or a study's runs. */
-export function BatchFiles({ batch }: { readonly batch: Batch | undefined }) {
-  const filesOf = ({ id }: Batch) =>
-    FORMATS.map(({ format, ...shown }) => ({
-      ...shown,
-      save: () =>
-        download(
-          address("/batches/{id}/results", { path: { id }, query: { format } }),
-          `ridelab-batch-${id}.${format}`,
-        ),
-    }));
-  return <FileMenu contents="One row per run, all metrics" files={batch ? filesOf(batch) : []} />;
+export function BatchFiles({ batch: { id } }: { readonly batch: Batch }) {
+  const files = FORMATS.map(({ format, ...shown }) => ({
+    ...shown,
+    save: () =>
+      download(address("/batches/{id}/results", { path: { id }, query: { format } }), `ridelab-batch-${id}.${format}`),
+  }));
+  return <FileMenu contents="One row per run, all metrics" files={files} />;
 }
 
 /** The C sources of a scenario's controller. */

@@ -1,20 +1,22 @@
 /** At which frequency does a control win, and how close is its loop to instability: live while a value is dragged. */
 
-import { Group, NativeSelect, Stack, Text, useComputedColorScheme } from "@mantine/core";
+import { Group, Stack, Text, useComputedColorScheme } from "@mantine/core";
 import { useEffect, useMemo, useState } from "react";
 import { ask } from "../../api/http";
 import { isTransient, messageOf } from "../../api/problem";
-import type { Catalogue, FrequencyAnswer, FrequencyRequest, Scenario, StrategyId } from "../../api/types";
+import type { Catalogue, FrequencyAnswer, FrequencyRequest, Scenario, StrategyId, Strategy } from "../../api/types";
 import { createLatest } from "../../lib/latest";
 import type { ResultView } from "../../lab/resultView";
 import { PALETTES } from "../../plots/palettes";
 import { StillSurface } from "../../plots/Surface";
-import { Fault } from "../../ui/Fault";
-import { prettyUnit } from "../../units/format";
-import { frequencyFigures } from "./figures";
+import { Fault, Note } from "../../ui/Fault";
+import { prettyUnit, formatFixed, formatNumber, NO_VALUE } from "../../units/format";
+import { frequencyFigures, spectrumOf } from "./figures";
 import classes from "./frequency.module.css";
-import { BandsTable, MarginsTable } from "./tables";
 import ui from "../../ui/ui.module.css";
+import { DataTable } from "../../ui/DataTable";
+import { StrategyName } from "../../ui/StrategyKey";
+import { Choice } from "../../ui/Entry";
 
 type Output = NonNullable<FrequencyRequest["outputs"]>[number];
 type Stage = NonNullable<FrequencyRequest["stage"]>;
@@ -49,24 +51,24 @@ export function FrequencyCard({ resultView, catalogue }: Props) {
   return (
     <Stack gap="0.7rem" p="0 0.9rem 0.9rem" data-testid="frequencies" aria-busy={answer === null && fault === null}>
       <Group gap="0.6rem">
-        <NativeSelect
+        <Choice
           aria-label="Response from the road to"
           value={signal}
           data={OUTPUTS.map((key) => ({ value: key, label: entry(key)?.label ?? key }))}
-          onChange={({ currentTarget }) => setSignal(OUTPUTS.find((key) => key === currentTarget.value) ?? signal)}
+          onPick={(value) => setSignal(OUTPUTS.find((key) => key === value) ?? signal)}
         />
-        <NativeSelect
+        <Choice
           aria-label="Driving stage"
           value={stage}
           data={STAGES.map((key) => ({ value: key, label: `stage ${key}` }))}
-          onChange={({ currentTarget }) => setStage(STAGES.find((key) => key === currentTarget.value) ?? stage)}
+          onPick={(value) => setStage(STAGES.find((key) => key === value) ?? stage)}
         />
       </Group>
-      <Text size="xs" c="dimmed">
+      <Note>
         From the road’s height at the front axle, per metre, while no limit binds; held forces, actuator lag, estimator,
         ECU delay and preview are inside. Each stage is taken by itself, as if the car stayed in it: between stages
         there is no margin.
-      </Text>
+      </Note>
       {fault !== null && <Fault>{fault}</Fault>}
       <div className={classes.charts}>
         {figures.map(({ title, unit: own, figure }) => (
@@ -126,3 +128,111 @@ function useFrequency(scenario: Scenario, ids: readonly StrategyId[], stage: Sta
   useEffect(() => latest.cancel, [latest]);
   return shown;
 }
+
+interface BandsTableProps {
+  readonly answer: FrequencyAnswer;
+  /** Those that have an answer. */
+  readonly strategies: readonly Strategy[];
+}
+
+type Result = FrequencyAnswer["strategies"][string];
+
+const name = {
+  key: "name",
+  head: "Strategy",
+  text: true,
+  cell: (strategy: Strategy) => <StrategyName strategy={strategy} />,
+};
+const ofStrategy = ({ id }: Strategy) => id;
+const MOST_MODES = 5;
+/** Of which a mode hardly swings. */
+const OVERDAMPED = 0.999;
+
+function BandsTable({
+  answer,
+  strategies,
+  signal,
+  unit,
+}: BandsTableProps & { readonly signal: string; readonly unit: string }) {
+  const key = spectrumOf(signal);
+  const passive = answer.strategies.passive?.bands?.[key];
+  return (
+    <DataTable
+      card
+      captioned
+      label={`RMS on this road by frequency${key === signal ? "" : ", weighted by ISO 2631-1"}`}
+      rows={strategies.filter(({ id }) => answer.strategies[id]?.bands)}
+      rowKey={ofStrategy}
+      empty="No spectrum of this road is known."
+      columns={[
+        name,
+        ...answer.bands.map(([low = 0, high = 0], index) => ({
+          key: String(low),
+          head: `${String(low)}–${String(high)} Hz`,
+          detail: unit,
+          cell: ({ id }: Strategy) => {
+            const [value, base] = [answer.strategies[id]?.bands?.[key]?.[index], passive?.[index]];
+            if (value === undefined) return NO_VALUE;
+            const change = base && id !== "passive" ? ` (${formatFixed(100 * (value / base - 1), 0)} %)` : "";
+            return `${formatNumber(value)}${change}`;
+          },
+        })),
+      ]}
+    />
+  );
+}
+
+/** Gains as factors; a dash is a margin without bound, or no loop. */
+function MarginsTable({ answer, strategies }: BandsTableProps) {
+  const column = (
+    key: string,
+    head: string,
+    detail: string,
+    of: (result: Result) => number | null | undefined,
+    digits = 2,
+  ) => ({
+    key,
+    head,
+    detail,
+    cell: ({ id }: Strategy) => {
+      const result = answer.strategies[id];
+      const value = result && of(result);
+      return value === null || value === undefined ? NO_VALUE : formatFixed(value, digits);
+    },
+  });
+  const degrees = (phase: number | null | undefined) =>
+    phase === null || phase === undefined ? phase : (180 / Math.PI) * phase;
+  return (
+    <DataTable
+      card
+      captioned
+      label="Stability margins and modes"
+      rows={strategies.filter(({ id }) => answer.strategies[id]?.modes)}
+      rowKey={ofStrategy}
+      columns={[
+        name,
+        column("gain front", "gain front", "×", ({ margins }) => margins?.front.gain),
+        column("gain rear", "gain rear", "×", ({ margins }) => margins?.rear.gain),
+        column("phase front", "phase front", "°", ({ margins }) => degrees(margins?.front.phase), 0),
+        column("phase rear", "phase rear", "°", ({ margins }) => degrees(margins?.rear.phase), 0),
+        column("disk", "disk of both", "α", ({ margins }) => margins?.disk),
+        {
+          key: "modes",
+          head: "modes",
+          detail: "Hz, damping ratio",
+          text: true,
+          cell: ({ id }) => <span className={classes.modes}>{modesText(answer.strategies[id]?.modes ?? [])}</span>,
+        },
+      ]}
+    />
+  );
+}
+
+const modesText = (modes: NonNullable<Result["modes"]>) =>
+  modes
+    .filter(({ damping_ratio }) => damping_ratio < OVERDAMPED)
+    .slice(0, MOST_MODES)
+    .map(
+      ({ natural_frequency, damping_ratio }) => `${formatNumber(natural_frequency)} (${formatFixed(damping_ratio, 2)})`,
+    )
+    .join(", ");

@@ -1,13 +1,13 @@
 /** The fuzzy speed controller's sets and rules, edited beside the surface that they come to and the drive over it. */
 
-import { Button, SegmentedControl, Skeleton, Text, useComputedColorScheme } from "@mantine/core";
-import { useState } from "react";
-import { useEdit, useReadOnly, useScenario } from "../../lab/context";
+import { Button, SegmentedControl, Skeleton, useComputedColorScheme } from "@mantine/core";
+import { useState, useEffect, useMemo } from "react";
+import { useEdit, useReadOnly, useScenario, useFromScenario } from "../../lab/context";
 import type { ResultView } from "../../lab/resultView";
 import { Chart } from "../../plots/Chart";
 import { PALETTES } from "../../plots/palettes";
-import { sameValue } from "../../scenario/path";
-import { Fault } from "../../ui/Fault";
+import { sameValue, getAt } from "../../scenario/path";
+import { Fault, Note } from "../../ui/Fault";
 import { SidePanel } from "../../ui/SidePanel";
 import {
   ruleBaseOf,
@@ -18,11 +18,18 @@ import {
   type Rewritten,
   type RuleBase,
   type Variable,
+  conclusions,
+  withConclusion,
 } from "./ruleBase";
-import { RulesTable } from "./RulesTable";
 import { SetsEditor } from "./SetsEditor";
 import { drivenIn, surfaceFigure } from "./surface";
-import { useInference, type Inference } from "./useInference";
+import classes from "./fuzzy.module.css";
+import { useQuery } from "@tanstack/react-query";
+import { ask } from "../../api/http";
+import { ApiProblem, isTransient, messageOf, type FieldError } from "../../api/problem";
+import type { FuzzyAnswer, JsonValue } from "../../api/types";
+import { createLatest } from "../../lib/latest";
+import { Choice } from "../../ui/Entry";
 
 interface Props {
   readonly resultView: ResultView;
@@ -76,10 +83,10 @@ function Parts({ inference: { answer, paper, errors }, resultView }: PartsProps)
         height={230}
         label="Braking torque over distance and speed error, and the drive"
       />
-      <Text size="xs" c="dimmed">
+      <Note>
         Braking torque as a share of the greatest.{" "}
         {driven ? `The line is the drive of ${driven.label}.` : "No strategy that is shown slows down for the bump."}
-      </Text>
+      </Note>
       {errors.map(({ pointer, message }) => (
         <Fault key={pointer + message}>
           {placeOf(pointer, base)}
@@ -108,4 +115,103 @@ function placeOf(pointer: string, base: RuleBase): string {
   const index = Number(/\d+/.exec(pointer)?.[0] ?? NaN);
   if (variable) return `${TITLES[variable]} ${base[variable][index]?.name ?? ""}: `;
   return pointer.includes("/rules/") ? `Rule ${index + 1}: ` : "";
+}
+
+interface RulesTableProps {
+  readonly base: RuleBase;
+  readonly rewritten: Rewritten;
+}
+
+const NO_RULE = "";
+const nameOf = (set: string | null) => set ?? "any";
+
+function RulesTable({ base, rewritten }: RulesTableProps) {
+  const [edit, readOnly] = [useEdit(), useReadOnly()];
+  const [rows, columns] = [base.distance, base.speed_error].map((sets) => [...sets.map(({ name }) => name), null]);
+  return (
+    <div className={classes.scrolled}>
+      <table className={classes.rules} aria-label="Rules: the torque for each distance and speed error">
+        <thead>
+          <tr>
+            <th scope="col">distance ↓ error →</th>
+            {columns?.map((name) => (
+              <th key={nameOf(name)} scope="col">
+                {nameOf(name)}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {rows?.map((distance) => (
+            <tr key={nameOf(distance)}>
+              <th scope="row">{nameOf(distance)}</th>
+              {columns?.map((speed_error) => {
+                const cell = { speed_error, distance };
+                const then = conclusions(base, cell);
+                const several = then.length > 1 ? [{ value: "several", label: then.join(", "), disabled: true }] : [];
+                return (
+                  <td key={nameOf(speed_error)}>
+                    {(distance !== null || speed_error !== null) && (
+                      <Choice
+                        size="xs"
+                        aria-label={`Distance ${nameOf(distance)}, speed error ${nameOf(speed_error)}`}
+                        disabled={readOnly}
+                        value={several[0]?.value ?? then[0] ?? NO_RULE}
+                        data={[{ value: NO_RULE, label: "–" }, ...base.torque.map(({ name }) => name), ...several]}
+                        onPick={(value) =>
+                          edit.commit(
+                            rewritten(edit.newest(), (before) =>
+                              withConclusion(before, cell, value === NO_RULE ? null : value),
+                            ),
+                          )
+                        }
+                      />
+                    )}
+                  </td>
+                );
+              })}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+interface Inference {
+  /** Of the last rule base that was none to refuse. */
+  readonly answer: FuzzyAnswer;
+  readonly paper: FuzzyAnswer;
+  /** What is wrong with the newest. */
+  readonly errors: readonly FieldError[];
+}
+
+/** `null` until the paper's is there. */
+function useInference(): Inference | null {
+  const paper = useQuery({
+    queryKey: ["fuzzy"],
+    queryFn: ({ signal }) => ask("post", "/fuzzy", { body: {} }, signal),
+    staleTime: Infinity,
+  }).data;
+  const fuzzy = useFromScenario((scenario) => getAt(scenario, "/fuzzy"));
+  const [shown, setShown] = useState<Omit<Inference, "paper" | "answer"> & { readonly answer: FuzzyAnswer | null }>({
+    answer: null,
+    errors: [],
+  });
+  const latest = useMemo(
+    () =>
+      createLatest<JsonValue, FuzzyAnswer>({
+        run: (asked, signal) => ask("post", "/fuzzy", { body: { scenario: { fuzzy: asked } } }, signal),
+        onAnswer: (answer) => setShown({ answer, errors: [] }),
+        onError: (error) => {
+          if (isTransient(error)) return;
+          const errors = error instanceof ApiProblem ? error.errors : [{ pointer: "", message: messageOf(error) }];
+          setShown(({ answer }) => ({ answer, errors }));
+        },
+      }),
+    [],
+  );
+  useEffect(() => latest.request(fuzzy ?? {}), [latest, fuzzy]);
+  useEffect(() => latest.cancel, [latest]);
+  return paper ? { paper, answer: shown.answer ?? paper, errors: shown.errors } : null;
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import type { FuzzyAnswer, FuzzySet } from "../../api/types";
-import { converted, FUNCTIONS, moved, pointsOf } from "./functions";
+import { converted, FUNCTIONS, moved, pointsOf } from "./SetsEditor";
 import {
   conclusions,
   ruleBaseOf,

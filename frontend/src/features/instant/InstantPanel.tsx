@@ -1,15 +1,15 @@
 /** Why this force, here: what the controller saw and planned at the cursor, its limits with their price, its cost. */
 
-import { Group, NativeSelect, Text, useComputedColorScheme } from "@mantine/core";
+import { Group, Text, useComputedColorScheme } from "@mantine/core";
 import type { InstantAnswer, StrategyId } from "../../api/types";
-import type { InstantPlace } from "../../lab/address";
+import type { InstantPlace, Axis } from "../../lab/address";
 import { useLabContext } from "../../lab/context";
 import { cursor } from "../../lab/cursor";
-import type { ResultView } from "../../lab/resultView";
+import { type ResultView, axisKey } from "../../lab/resultView";
 import { PALETTES } from "../../plots/palettes";
 import { StillSurface } from "../../plots/Surface";
 import { DataTable } from "../../ui/DataTable";
-import { Fault } from "../../ui/Fault";
+import { Fault, Note } from "../../ui/Fault";
 import { IconCheck, IconLink } from "../../ui/icons";
 import { IconButton } from "../../ui/IconButton";
 import { SidePanel } from "../../ui/SidePanel";
@@ -18,9 +18,13 @@ import { useCopied } from "../../ui/useCopied";
 import { formatFixed, formatResult } from "../../units/format";
 import { horizonFigures, REAR_DASH } from "./horizon";
 import classes from "./instant.module.css";
-import { useInstant } from "./useInstant";
-import { limitName, termName } from "./words";
 import ui from "../../ui/ui.module.css";
+import { useThrottledCallback } from "@mantine/hooks";
+import { useEffect, useMemo, useState } from "react";
+import { ask } from "../../api/http";
+import { isTransient, messageOf } from "../../api/problem";
+import { createLatest } from "../../lib/latest";
+import { Choice } from "../../ui/Entry";
 
 interface Props {
   readonly resultView: ResultView;
@@ -41,12 +45,11 @@ export function InstantPanel({ resultView, strategy, placeAt }: Props) {
       onClose={close}
       tools={
         <>
-          <NativeSelect
+          <Choice
             aria-label="Whose controller"
-            size="xs"
             value={strategy}
             data={strategies.map(({ id, label }) => ({ value: id, label }))}
-            onChange={({ currentTarget: { value } }) => {
+            onPick={(value) => {
               const place = placeAt(cursor.get(axis) ?? 0);
               if (place) labAddress.setView({ instant: { ...place, strategy: value } });
             }}
@@ -92,10 +95,10 @@ function Seen({ answer, colour, seed }: SeenProps) {
   const place = `${formatFixed(position, 2)} m, ${formatFixed(time, 2)} s, ${formatFixed(3.6 * speed, 1)} km/h, stage ${stage}`;
   return (
     <>
-      <Text size="xs" c="dimmed" data-testid="instant-place">
+      <Note data-testid="instant-place">
         {place}
         {seed && ", first road"}
-      </Text>
+      </Note>
       <p className={classes.why} data-testid="why">
         {why.replace(/-(?=\d)/g, "−")}
       </p>
@@ -208,4 +211,67 @@ function Cost({ answer: { cost } }: { readonly answer: InstantAnswer }) {
       ]}
     />
   );
+}
+
+const NAMES: Readonly<Record<string, string>> = {
+  force: "force",
+  deflection: "travel",
+  force_change: "force change in a step",
+  actuator_force: "actuator’s own force",
+};
+
+/** `rear_force_change` → `Rear force change in a step`. */
+export function limitName(name: string): string {
+  const [, where = "", kind = ""] = /^(front|rear)_(.*)$/.exec(name) ?? [];
+  return where === "" ? name : `${where === "front" ? "Front" : "Rear"} ${NAMES[kind] ?? kind.replaceAll("_", " ")}`;
+}
+
+/** `after_horizon` → `After horizon`. */
+export const termName = (name: string): string => {
+  const words = name.replaceAll("_", " ");
+  return words.charAt(0).toUpperCase() + words.slice(1);
+};
+
+/** Between two questions [ms]. */
+const PACE_MS = 100;
+
+interface Shown {
+  readonly answer: InstantAnswer | null;
+  /** Why there is none at the cursor. */
+  readonly fault: string | null;
+}
+
+/** `null` as a run is a preview, whose instants nobody can ask for. */
+function useInstant(runId: string | null, strategy: StrategyId, axis: Axis): Shown {
+  const [shown, setShown] = useState<Shown>({ answer: null, fault: null });
+  const latest = useMemo(
+    () =>
+      createLatest<number, InstantAnswer>({
+        run: (at, signal) =>
+          ask(
+            "get",
+            "/runs/{id}/instant",
+            { path: { id: runId ?? "" }, query: { strategy, [axisKey(axis)]: at } },
+            signal,
+          ),
+        onAnswer: (answer) => setShown({ answer, fault: null }),
+        onError: (error) => {
+          if (!isTransient(error)) setShown({ answer: null, fault: messageOf(error) });
+        },
+      }),
+    [runId, strategy, axis],
+  );
+  const follow = useThrottledCallback(() => {
+    const at = cursor.get(axis);
+    if (runId !== null && at !== null) latest.request(at);
+  }, PACE_MS);
+  useEffect(() => {
+    follow();
+    const following = cursor.subscribe(follow);
+    return () => {
+      following.unsubscribe();
+      latest.cancel();
+    };
+  }, [follow, latest]);
+  return shown;
 }

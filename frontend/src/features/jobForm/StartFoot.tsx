@@ -6,6 +6,7 @@ import type { Draft } from "../../lib/useDraft";
 import ui from "../../ui/ui.module.css";
 import { formatDuration } from "../../units/dates";
 import type { JobFormState } from "./useJobForm";
+import { Note } from "../../ui/Fault";
 
 interface Cost {
   /** [s] of one processor core. */
@@ -44,12 +45,7 @@ export function StartFoot<Estimate extends Cost>({
         <Text {...(estimate ? { fw: 600 } : { c: "dimmed" })}>
           {estimate ? `${amount(estimate)}, ${time(estimate)}` : otherwise}
         </Text>
-        {estimate &&
-          notes?.(estimate).map((note) => (
-            <Text key={note} size="xs" c="dimmed">
-              {note}.
-            </Text>
-          ))}
+        {estimate && notes?.(estimate).map((note) => <Note key={note}>{note}.</Note>)}
       </Box>
       <Group gap="xs" wrap="nowrap" ml="auto">
         <ResetDraft isEdited={draft.isEdited} onReset={draft.reset} />

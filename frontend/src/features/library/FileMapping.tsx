@@ -6,15 +6,19 @@ import { useLabContext } from "../../lab/context";
 import { nameRecording } from "../../lab/recordings";
 import { useCatalogue } from "../../server/useCatalogues";
 import { formatNumber, prettyUnit } from "../../units/format";
-import { unitsLike } from "../../units/quantity";
+import { unitsLike, parseQuantity } from "../../units/quantity";
 import { columnsOf, type Layout, type Table, type Use } from "./columns";
 import type { Wheels } from "./files";
-import { GridDialog } from "./GridDialog";
 import { MappingDialog, type MappedKind } from "./MappingDialog";
 import { notice, unclear, useOpenFiles } from "./open";
 import { ProfileSketch } from "./ProfileSketch";
 import { driveKind, METRES, ROAD } from "./tableFile";
 import { Template } from "./Template";
+import { Button, Group, Modal } from "@mantine/core";
+import { useState } from "react";
+import { Entry } from "../../ui/Entry";
+import { Fault } from "../../ui/Fault";
+import { submits } from "../../ui/NameForm";
 
 export function FileMapping() {
   const [file] = useSelector(unclear);
@@ -108,5 +112,65 @@ function DrivePicture({ table, uses, layout }: PictureProps) {
       caption={caption}
       unit={along.unit ?? ""}
     />
+  );
+}
+
+interface Props {
+  readonly name: string;
+  /** The promise is what was wrong. */
+  readonly onDrive: (wheels: Wheels) => Promise<string | null>;
+  readonly onClose: () => void;
+}
+
+const SIDES = [
+  { side: "left", label: "Left wheel", where: "v, to the left positive", usual: "0.75" },
+  { side: "right", label: "Right wheel", where: "v, to the right negative", usual: "−0.75" },
+] as const;
+
+const placeOf = (text: string) =>
+  text.trim() === "" ? ({ ok: true, value: null } as const) : parseQuantity(text, "m");
+
+function GridDialog({ name, onDrive, onClose }: Props) {
+  const [typed, setTyped] = useState({ left: "", right: "" });
+  const [wrong, setWrong] = useState<string | null>(null);
+  const [isBusy, setBusy] = useState(false);
+  const places = { left: placeOf(typed.left), right: placeOf(typed.right) };
+  const go = async ({ left, right }: typeof places) => {
+    if (!left.ok || !right.ok) return;
+    setBusy(true);
+    setWrong(await onDrive({ left: left.value, right: right.value }));
+    setBusy(false);
+  };
+  return (
+    <Modal opened onClose={onClose} title={`Wheels on ${name}`}>
+      <form onSubmit={submits(() => void go(places))}>
+        <Group grow align="start">
+          {SIDES.map(({ side, label, where, usual }) => (
+            <Entry
+              key={side}
+              label={label}
+              description={where}
+              placeholder={usual}
+              unit="m"
+              value={typed[side]}
+              error={places[side].ok ? null : places[side].message}
+              onType={(text) => {
+                setTyped({ ...typed, [side]: text });
+                setWrong(null);
+              }}
+            />
+          ))}
+        </Group>
+        {wrong !== null && <Fault>{wrong}</Fault>}
+        <Group justify="end" gap="xs" mt="sm">
+          <Button variant="default" onClick={onClose}>
+            Cancel
+          </Button>
+          <Button variant="filled" type="submit" data-autofocus loading={isBusy}>
+            Drive this road
+          </Button>
+        </Group>
+      </form>
+    </Modal>
   );
 }

@@ -1,11 +1,10 @@
 /** One's own scenarios, vehicles, roads and sets of requirements, and the presets: saved, opened, renamed, deleted, imported and exported. */
 
-import { Box, Button, Group, Modal, Text, SegmentedControl, TextInput } from "@mantine/core";
-import { useState } from "react";
+import { Box, Button, Group, Modal, Text, SegmentedControl, TextInput, Menu } from "@mantine/core";
+import { useState, useRef } from "react";
 import claims from "../../../../examples/paper-claims.json";
 import type { Preset, JsonObject, Requirement } from "../../api/types";
 import type { Group as Form } from "../../scenario/schema";
-import { ItemRow } from "./ItemRow";
 import {
   type Item,
   type ItemKind,
@@ -24,6 +23,9 @@ import { sameValue } from "../../scenario/path";
 import { useEdit, useScenario, useView } from "../../lab/context";
 import { formatMinute } from "../../units/dates";
 import { Fault } from "../../ui/Fault";
+import { requirementsIn, requirementsText } from "../../lab/requirements";
+import { MoreMenu, NameForm, submits } from "../../ui/NameForm";
+import { count } from "../../units/format";
 
 const CLAIMS = {
   id: "paper-claims",
@@ -168,10 +170,9 @@ function SaveForm({ form, kind: first, onSaved }: SaveFormProps) {
     <Group
       component="form"
       gap="0.4rem"
-      onSubmit={(event) => {
-        event.preventDefault();
+      onSubmit={submits(() => {
         if (name !== "") save();
-      }}
+      })}
     >
       <SegmentedControl
         aria-label="What is saved"
@@ -205,5 +206,87 @@ function SaveForm({ form, kind: first, onSaved }: SaveFormProps) {
       </Text>
       {wrong !== null && <Fault>{wrong}</Fault>}
     </Group>
+  );
+}
+
+interface ItemRowProps {
+  readonly item: Item;
+  readonly form: Form;
+  readonly open: (item: Item) => void;
+  readonly remove: (item: Item) => void;
+  /** It has just got its name: the focus is on its menu, as it was before. */
+  readonly isRenamed: boolean;
+  readonly onRenamed: (name: string) => void;
+}
+
+/** A scenario and a vehicle by what differs from the paper's. */
+function describe({ kind, value }: Item, form: Form): string {
+  if (kind === "road") {
+    const bumps = Array.isArray(value.bumps) ? value.bumps.length : 0;
+    return `${typeof value.length === "number" ? value.length : "?"} m, ${count(bumps, "bump")} in it`;
+  }
+  if (kind === "requirements") return requirementsText(requirementsIn(value.requirements)).replaceAll(";", "; ");
+  const paper = completed(form, {});
+  const scenario = kind === "scenario" ? value : { ...paper, vehicle: value };
+  return changesText(changedFields(form, paper, completed(form, scenario))) || "As in the paper";
+}
+
+function ItemRow({ item, form, open, remove, isRenamed, onRenamed }: ItemRowProps) {
+  const [isRenaming, setRenaming] = useState(false);
+  const menu = useRef<HTMLButtonElement>(null);
+  const exportItem = useExportItem();
+  const { name, saved } = item;
+  return (
+    <li className={ui.item}>
+      <button type="button" onClick={() => open(item)}>
+        <span className={ui.itemTitle}>{name}</span>
+        <span className={ui.under}>
+          {describe(item, form)} · {formatMinute(saved)}
+        </span>
+      </button>
+      <MoreMenu ref={menu} autoFocus={isRenamed} label={`Rename, export or delete ${name}`}>
+        <Menu.Item onClick={() => setRenaming(true)}>Rename</Menu.Item>
+        <Menu.Item onClick={() => void exportItem(item)}>Export as a file</Menu.Item>
+        <Menu.Item onClick={() => remove(item)}>Delete</Menu.Item>
+      </MoreMenu>
+      {isRenaming && (
+        <Rename
+          item={item}
+          onRenamed={onRenamed}
+          onClose={() => {
+            setRenaming(false);
+            menu.current?.focus();
+          }}
+        />
+      )}
+    </li>
+  );
+}
+
+interface RenameProps extends Pick<ItemRowProps, "item" | "onRenamed"> {
+  readonly onClose: () => void;
+}
+
+function Rename({ item, onRenamed, onClose }: RenameProps) {
+  const [wrong, setWrong] = useState<string | null>(null);
+  const rename = (name: string) => {
+    try {
+      ownLibrary.rename(item, name);
+      onRenamed(cleanName(name));
+      onClose();
+    } catch (error) {
+      setWrong(error instanceof Error ? error.message : String(error));
+    }
+  };
+  return (
+    <NameForm
+      name={item.name}
+      label="New name"
+      action="Rename"
+      longest={LONGEST_NAME}
+      error={wrong}
+      onSave={rename}
+      onClose={onClose}
+    />
   );
 }

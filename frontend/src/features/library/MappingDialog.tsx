@@ -1,6 +1,6 @@
 /** Asks what a table is of and what its columns are, and shows what comes of the answer. */
 
-import { Button, Checkbox, Group, Modal, NativeSelect, Text } from "@mantine/core";
+import { Button, Checkbox, Group, Modal, Text } from "@mantine/core";
 import { useMemo, useState, type ReactNode } from "react";
 import { messageOf } from "../../api/problem";
 import { DataTable } from "../../ui/DataTable";
@@ -16,6 +16,7 @@ import {
   type TableKind,
   type Use,
 } from "./columns";
+import { Choice } from "../../ui/Entry";
 
 /** What a table may be of, and what becomes of it. */
 export interface MappedKind extends TableKind {
@@ -79,14 +80,14 @@ export function MappingDialog({ name, text, kinds, likely, onClose }: Props) {
     head: (
       <>
         {title}
-        <NativeSelect
+        <Choice
           aria-label={`${title} is`}
           miw={110}
           value={uses[index]?.role ?? ""}
           data={[{ value: "", label: "left out" }, ...kind.roles.map(({ id, label }) => ({ value: id, label }))]}
-          onChange={(event) => use(index, { role: event.currentTarget.value, unit: unitOf(event.currentTarget.value) })}
+          onPick={(value) => use(index, { role: value, unit: unitOf(value) })}
         />
-        <NativeSelect
+        <Choice
           aria-label={`Unit of ${title}`}
           value={uses[index]?.unit ?? ""}
           disabled={uses[index]?.role === ""}
@@ -94,7 +95,7 @@ export function MappingDialog({ name, text, kinds, likely, onClose }: Props) {
             value: unit,
             label: prettyUnit(unit),
           }))}
-          onChange={(event) => use(index, { unit: event.currentTarget.value })}
+          onPick={(value) => use(index, { unit: value })}
         />
       </>
     ),
@@ -103,20 +104,20 @@ export function MappingDialog({ name, text, kinds, likely, onClose }: Props) {
   return (
     <Modal opened onClose={onClose} title={`Columns of ${name}`} size="xl">
       <Group gap="sm" align="end" mb="sm">
-        <NativeSelect
+        <Choice
           label="The file is of"
           value={kind.id}
           data={kinds.map(({ id, label }) => ({ value: id, label }))}
-          onChange={(event) => {
-            setKind(event.currentTarget.value);
+          onPick={(value) => {
+            setKind(value);
             choose(null);
           }}
         />
-        <NativeSelect
+        <Choice
           label="Between columns"
           value={layout.separator}
           data={[...SEPARATORS]}
-          onChange={(event) => relay({ separator: event.currentTarget.value as Layout["separator"] })}
+          onPick={(value) => relay({ separator: value as Layout["separator"] })}
         />
         <Checkbox
           label="Decimal commas"

@@ -1,7 +1,7 @@
 /** What the strategies are held to: a list of limits, each with how the shown result keeps it. */
 
 import { useState } from "react";
-import { Anchor, Group, Text } from "@mantine/core";
+import { Anchor, Group } from "@mantine/core";
 import type { Strategy } from "../../api/types";
 import { useLabContext, useReadOnly, useView } from "../../lab/context";
 import { valueNamed } from "../../lab/metricPath";
@@ -16,6 +16,7 @@ import { formatInput, formatResult, prettyUnit } from "../../units/format";
 import { parseQuantity } from "../../units/quantity";
 import { LIMIT_WORDS, limitText, limitUnit, resultsOf, shownLimit } from "./judged";
 import { RequirementMark } from "./RequirementMarks";
+import { Note } from "../../ui/Fault";
 
 interface Props {
   readonly resultView: ResultView;
@@ -56,7 +57,7 @@ export function RequirementsCard({ resultView, figures }: Props) {
           </div>
         )}
         {requirements.length > 0 && (
-          <Text size="xs" c="dimmed" m={0}>
+          <Note>
             {!readOnly && (
               <Anchor component="button" type="button" fz="xs" onClick={() => dialog.set("requirements")}>
                 Keep this set
@@ -65,7 +66,7 @@ export function RequirementsCard({ resultView, figures }: Props) {
             {resultView.shown.over === null
               ? "On one road; over several the mean’s 95 % interval has to keep the limit, and one that holds it is uncertain."
               : "Over several roads: uncertain where the mean’s 95 % interval holds the limit."}
-          </Text>
+          </Note>
         )}
       </div>
     </Card>

@@ -1,6 +1,6 @@
 /** Which scenario a page works on, what it has other than the paper, and how to choose another. */
 
-import { Group as Row, NativeSelect, Text } from "@mantine/core";
+import { Group as Row } from "@mantine/core";
 import { useState } from "react";
 import type { Group } from "../../scenario/schema";
 import { isNotFound } from "../../api/problem";
@@ -8,6 +8,8 @@ import { useItems } from "../../scenario/library";
 import type { ScenarioSource, PageScenario } from "./scenarioSource";
 import { LabLink } from "../../ui/LabLink";
 import { otherThanPaper } from "./otherThanPaper";
+import { Note } from "../../ui/Fault";
+import { Choice } from "../../ui/Entry";
 
 const valueOf = ({ run, own, preset = "" }: ScenarioSource) =>
   run !== undefined ? "run" : own !== undefined ? `own ${own}` : `preset ${preset}`;
@@ -40,7 +42,7 @@ export function ScenarioChoice({
         : error.message;
   return (
     <Row gap="0.3rem 0.9rem" align="flex-end">
-      <NativeSelect
+      <Choice
         label="Scenario"
         flex="0 1 17rem"
         miw="11rem"
@@ -60,14 +62,14 @@ export function ScenarioChoice({
               ]
             : []),
         ]}
-        onChange={({ currentTarget: { value } }) => choose(originOf(value, run))}
+        onPick={(value) => choose(originOf(value, run))}
       />
-      <Text size="xs" c="dimmed" flex="1 1 16rem" pb="0.35rem">
+      <Note flex="1 1 16rem" pb="0.35rem">
         {scenario && form ? otherThanPaper(scenario, form) : "\u00a0"}{" "}
         <LabLink run={origin.run}>
           {origin.run === undefined ? "Create another in the lab" : "Change it in the lab"}
         </LabLink>
-      </Text>
+      </Note>
     </Row>
   );
 }

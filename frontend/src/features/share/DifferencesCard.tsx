@@ -9,6 +9,7 @@ import { Card } from "../../ui/Card";
 import { DataTable } from "../../ui/DataTable";
 import ui from "../../ui/ui.module.css";
 import { shownUnit } from "../../server/metrics";
+import { Note } from "../../ui/Fault";
 
 interface Props {
   readonly then: Run;
@@ -53,11 +54,11 @@ export function DifferencesCard({ then, now, strategies, catalogue, figures, onC
           <Text component="h2" fw={650}>
             {differences.length === 0 ? "No differences" : `${differences.length} of ${compared} figures differ`}
           </Text>
-          <Text size="xs" c="dimmed">
+          <Note>
             {same
               ? `The same version, core ${now.core_version}, computed both: equal numbers are what to expect.`
               : `Core ${then.core_version} then, core ${now.core_version} now; ${compared} metrics compared, the largest change first.`}
-          </Text>
+          </Note>
         </div>
         <CloseButton size="sm" data-unprinted aria-label="Close the differences" onClick={onClose} />
       </Group>

@@ -9,6 +9,7 @@ import { copyWhenThere, useCopied } from "../../ui/useCopied";
 import { useAction, useActionButton } from "../../lab/actions";
 import { compact } from "../../ui/compact";
 import classes from "./share.module.css";
+import { Note } from "../../ui/Fault";
 
 type Outcome =
   | { readonly kind: "making" }
@@ -79,9 +80,7 @@ export function ShareLink({ make, obstacle, opens }: Props) {
               {outcome.copied ? "Link copied" : "Here is the link: select and copy it"}
             </Text>
             <LinkField url={outcome.url} />
-            <Text size="xs" c="dimmed">
-              {opens}
-            </Text>
+            <Note>{opens}</Note>
           </>
         )}
         {outcome?.kind === "failed" && (

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { crossings, curveOf, rangesBelow, rangesText, type Point } from "./curves";
+import { crossings, curveOf, rangesBelow, rangesText, type Point } from "./LimitChart";
 
 const RISING: readonly Point[] = [
   [10, 1],

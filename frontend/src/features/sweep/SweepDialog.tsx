@@ -17,7 +17,7 @@ import { isRecording } from "../../lib/recording";
 import { useDraft } from "../../lib/useDraft";
 import { StartFoot } from "../jobForm/StartFoot";
 import { Entry, Finder } from "../../ui/Entry";
-import { Problems } from "../../ui/Fault";
+import { Problems, Note } from "../../ui/Fault";
 import { count, prettyUnit } from "../../units/format";
 import ui from "../../ui/ui.module.css";
 
@@ -75,11 +75,11 @@ export function SweepDialog({ batch, form: schema, strategies, onClose }: Props)
           ]}
           onChange={(method) => patch({ method })}
         />
-        <Text size="xs" c="dimmed">
+        <Note>
           {draft.method === "grid"
             ? "Every combination of the values."
             : "Random points, evenly spread over the ranges."}
-        </Text>
+        </Note>
       </Group>
       <Stack gap="0.6rem">
         {draft.fields.map((each) => (

@@ -1,6 +1,6 @@
 /** How far a sweep is, and what it sweeps over. */
 
-import { Box, Button, Text } from "@mantine/core";
+import { Box, Button } from "@mantine/core";
 import { ask } from "../../api/http";
 import type { Batch } from "../../api/types";
 import { otherThanPaper } from "../scenarioSource/otherThanPaper";
@@ -10,7 +10,7 @@ import { JobState } from "../../jobs/JobState";
 import { BATCH, useJobCall } from "../../jobs/useJob";
 import { formatDuration, formatMinute } from "../../units/dates";
 import { count, formatWhole } from "../../units/format";
-import { Fault } from "../../ui/Fault";
+import { Fault, Note } from "../../ui/Fault";
 import ui from "../../ui/ui.module.css";
 
 interface Props {
@@ -38,14 +38,14 @@ export function BatchState({ batch, form, connected, left, readOnly }: Props) {
   return (
     <JobState kind={BATCH} job={batch} {...{ counts, connected, readOnly }} resume={goOn}>
       {resume.isError && <Fault>It could not be resumed: {resume.error.message}</Fault>}
-      <Text size="xs" c="dimmed">
+      <Note>
         {facts(batch)}.{" "}
         {otherThanPaper(
           batch.scenario,
           form,
           batch.fields.map(({ name }) => name),
         )}
-      </Text>
+      </Note>
       {batch.notes.length > 0 && (
         <Box component="ul" m={0} pl="1.1rem" fz="xs" c="dimmed">
           {batch.notes.map((note) => (

@@ -3,6 +3,7 @@
 import { Button, CloseButton, Group, Popover, Portal, Text } from "@mantine/core";
 import { useEffect, useId, useLayoutEffect, useState, type Ref } from "react";
 import classes from "./tour.module.css";
+import { Note } from "../../ui/Fault";
 
 interface Step {
   readonly title: string;
@@ -149,9 +150,9 @@ function TourStep({ step, index, onStep, onEnd }: StepProps) {
           {step.text}
         </Text>
         <Group justify="space-between">
-          <Text size="xs" c="dimmed">
+          <Note>
             {index + 1} of {STEPS.length}
-          </Text>
+          </Note>
           <Group gap="0.4rem">
             {index > 0 && <Button onClick={() => onStep(index - 1)}>Back</Button>}
             <Button variant="filled" data-autofocus onClick={isLast ? onEnd : () => onStep(index + 1)}>

@@ -1,22 +1,22 @@
 /** What the last edit changed: a chip for each of the eight metrics, which leads to its plot. */
 
-import { Group, NativeSelect } from "@mantine/core";
+import { Group } from "@mantine/core";
 import { useState } from "react";
-import type { Catalogue } from "../../api/types";
+import type { Catalogue, OverRoads, Strategy, StrategyId } from "../../api/types";
 import { useLabContext } from "../../lab/context";
-import { whyNotCompared } from "../../lab/compare";
+import { whyNotCompared, type Variant } from "../../lab/compare";
 import type { ResultView } from "../../lab/resultView";
-import { labelled } from "../../ui/Entry";
+import { labelled, Choice } from "../../ui/Entry";
 import { ChangeText } from "../tables/ChangeMark";
 import { headingOf, labelOf } from "../tables/ComparisonTable";
-import { VIEWS } from "../tables/entries";
+import { VIEWS, changeBetween, comparedMetrics } from "../tables/entries";
 import { metricName, type WindowMetric } from "../../lab/metricPath";
 import { requiredOf } from "../requirements/judged";
 import { RequirementMarks } from "../requirements/RequirementMarks";
-import { changedMost, editChanges, shortName } from "./edit";
 import { EqualSpeed, usePairedChanges } from "./VerdictLine";
 import classes from "./verdict.module.css";
 import ui from "../../ui/ui.module.css";
+import type { Change } from "../tables/change";
 
 interface Props {
   readonly resultView: ResultView;
@@ -46,13 +46,13 @@ export function ChangeChips({ resultView, catalogue }: Props) {
   const of = changes.filter((each) => each.strategy === strategy?.id);
   return (
     <div className={classes.chips} data-unprinted role="group" aria-label={`Changes against the state ${before.name}`}>
-      <NativeSelect
+      <Choice
         size="xs"
         aria-label="Changes of"
         value={strategy?.id}
         data={labelled(strategies)}
         w="7.5rem"
-        onChange={({ currentTarget: { value } }) => setPicked(value)}
+        onPick={setPicked}
       />
       {VIEWS.map((view) => (
         <Group key={view.window} component="span" gap="0.2rem" title={headingOf(view, catalogue)}>
@@ -104,3 +104,42 @@ function ChangeChip({ metric: { window, signal }, label, change, required }: Chi
     </button>
   );
 }
+
+interface EditChange {
+  readonly strategy: StrategyId;
+  readonly metric: WindowMetric;
+  /** `null` until it is there. */
+  readonly change: Change | null;
+}
+
+/** Each strategy's eight metrics against its own before. */
+export function editChanges(
+  { shown, strategies, summaries }: Pick<ResultView, "shown" | "strategies" | "summaries">,
+  before: Variant,
+  catalogue: Pick<Catalogue, "paper_signals">,
+  paired: OverRoads["changes"] | undefined,
+): readonly EditChange[] {
+  return strategies.flatMap((strategy) =>
+    comparedMetrics(catalogue).map((metric) => ({
+      strategy: strategy.id,
+      metric,
+      change: changeBetween(
+        { strategy, shown, summary: summaries[strategy.id] },
+        { summary: before.shown.summaries[strategy.id], pair: [strategy] },
+        { metric, paired },
+      ),
+    })),
+  );
+}
+
+/** The strategy that the edit moved in most metrics; the first where it moved none. */
+export function changedMost(changes: readonly EditChange[], strategies: readonly Strategy[]): Strategy | undefined {
+  const moved = ({ id }: Strategy) =>
+    changes.filter(
+      ({ strategy, change }) => strategy === id && change !== null && change.percent !== null && change.percent !== 0,
+    ).length;
+  return strategies.toSorted((one, other) => moved(other) - moved(one))[0];
+}
+
+/** `Front tyre` of `Front tyre dynamic load`: enough beside its plot's window. */
+const shortName = (label: string): string => label.replace(/ (acceleration|dynamic load)$/, "");

@@ -3,7 +3,7 @@
 import { Button } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
-import type { Catalogue, OverRoads } from "../../api/types";
+import type { Catalogue, OverRoads, Strategy, StrategyId } from "../../api/types";
 import { useEdit, useLab, useReadOnly } from "../../lab/context";
 import type { ResultView } from "../../lab/resultView";
 import type { Result } from "../../lab/result";
@@ -11,8 +11,11 @@ import { setAt } from "../../scenario/path";
 import { changesQuery } from "../../server/queries";
 import { CaveatMark } from "../tables/ChangeMark";
 import { caveatsOf } from "../tables/caveats";
-import { leaderOf, rivalOf, sentenceOf, speedsOf } from "./verdict";
 import classes from "./verdict.module.css";
+import { formatFixed } from "../../units/format";
+import { formatPercent, type Change, type Verdict } from "../tables/change";
+import { changeBetween, comparedMetrics, oneRoadNoiseOf } from "../tables/entries";
+import { valueAt, type WindowMetric } from "../../lab/metricPath";
 
 /** What a result's roads say against one of its strategies or another run; undefined until they do, and of one road. */
 export function usePairedChanges(
@@ -81,4 +84,141 @@ export function EqualSpeed({ resultView }: { readonly resultView: ResultView }) 
       Compare at equal speed
     </Button>
   );
+}
+
+type Compared = Pick<ResultView, "shown" | "strategies" | "summaries">;
+type Signals = Pick<Catalogue, "paper_signals" | "signals">;
+/** By baseline what the result's roads say against it, paired by road. */
+export type PairedAgainst = Readonly<Record<StrategyId, OverRoads["changes"] | undefined>>;
+
+/** The metrics of the paper that this run has. */
+const metricsOf = ({ strategies, summaries }: Compared, catalogue: Signals) =>
+  comparedMetrics(catalogue).filter((metric) =>
+    strategies.every(({ id }) => typeof valueAt(summaries[id], metric) === "number"),
+  );
+
+/** The strategy with the lowest value in most metrics; `null` where there is nothing to win. */
+export function leaderOf(compared: Compared, catalogue: Signals): Strategy | null {
+  const { strategies, summaries } = compared;
+  const metrics = metricsOf(compared, catalogue);
+  if (strategies.length < 2 || metrics.length === 0) return null;
+  const lowest = (metric: WindowMetric) =>
+    Math.min(...strategies.map(({ id }) => valueAt(summaries[id], metric) ?? Infinity));
+  const wins = ({ id }: Strategy) =>
+    metrics.filter((metric) => valueAt(summaries[id], metric) === lowest(metric)).length;
+  return strategies.reduce((best, each) => (wins(each) > wins(best) ? each : best));
+}
+
+/** The strategy that the headline's change is against: the baseline, or where that leads the best of the others. */
+export function rivalOf({ strategies, summaries }: Compared, leader: Strategy, baseline: StrategyId | null): Strategy {
+  const others = strategies.filter(({ id }) => id !== leader.id);
+  const value = ({ id }: Strategy) => valueAt(summaries[id], headlineOf(summaries[id])) ?? Infinity;
+  return (
+    others.find(({ id }) => id === baseline) ??
+    others.reduce((best, each) => (value(each) < value(best) ? each : best), others[0] ?? leader)
+  );
+}
+
+const ON_BUMP: WindowMetric = { window: "bump", signal: "body_acceleration", statistic: "peak" };
+const ON_ROUGH_ROAD: WindowMetric = { window: "rough_road", signal: "body_acceleration", statistic: "rms" };
+
+/** The comfort on the bump; of a road without one that on the rough road. */
+const headlineOf = (summary: Parameters<typeof valueAt>[0]): WindowMetric =>
+  typeof valueAt(summary, ON_BUMP) === "number" ? ON_BUMP : ON_ROUGH_ROAD;
+
+function between(
+  { shown, summaries }: Compared,
+  [one, other]: readonly [Strategy, Strategy],
+  metric: WindowMetric,
+  paired: PairedAgainst,
+): Change | null {
+  return changeBetween(
+    { strategy: one, shown, summary: summaries[one.id] },
+    { summary: summaries[other.id], pair: [one, other] },
+    { metric, paired: paired[other.id] },
+  );
+}
+
+/** In how many metrics the leader is better than every other, or worse than one of them, for sure. */
+interface Score {
+  readonly best: number;
+  readonly behind: number;
+  readonly of: number;
+}
+
+/** `null` until the roads' changes are there. */
+export function scoreOf(compared: Compared, catalogue: Signals, leader: Strategy, paired: PairedAgainst): Score | null {
+  const others = compared.strategies.filter(({ id }) => id !== leader.id);
+  const verdicts = metricsOf(compared, catalogue).map((metric) =>
+    others.map((other) => between(compared, [other, leader], metric, paired)?.verdict ?? null),
+  );
+  if (verdicts.flat().includes(null)) return null;
+  const count = (test: (each: readonly (Verdict | null)[]) => boolean) => verdicts.filter(test).length;
+  return {
+    best: count((each) => each.every((verdict) => verdict === "worse")),
+    behind: count((each) => each.includes("better")),
+    of: verdicts.length,
+  };
+}
+
+/** Arrival speeds closer than this part of each other print the same or nearly so. */
+const SAME_SPEED = 0.01;
+
+/** The speeds at which the strategies meet the bump, lowest first; one where all do so alike. */
+export function speedsOf({ strategies, summaries }: Compared): readonly number[] {
+  const speeds = strategies.flatMap(({ id }) => summaries[id]?.arrival_speed_kmh ?? []).sort((a, b) => a - b);
+  const [low = 0, high = 0] = [speeds[0], speeds.at(-1)];
+  return high - low <= SAME_SPEED * high ? speeds.slice(0, 1) : speeds;
+}
+
+const kmh = (speed: number) => formatFixed(speed, speed < 99.95 ? 1 : 0);
+
+function speedText(compared: Compared, leader: Strategy, rival: Strategy): string {
+  const speeds = speedsOf(compared);
+  const [low] = speeds;
+  if (low === undefined) return "";
+  if (speeds.length === 1) return `, all at ${kmh(low)} km/h`;
+  const [own, other] = [leader, rival].map(({ id }) => kmh(compared.summaries[id]?.arrival_speed_kmh ?? 0));
+  return own === other
+    ? `, both at ${own} km/h; speeds are ${kmh(low)} to ${kmh(speeds.at(-1) ?? low)} km/h`
+    : `, at ${own} instead of ${other} km/h`;
+}
+
+/** The change, and how sure it is; one that may be luck is none. */
+function changeText({ percent, half, verdict }: Change, { shown: { over } }: Compared, oneRoadNoise: number): string {
+  if (percent === null || verdict === "luck" || verdict === "same") return "no different beyond luck";
+  return `${formatPercent(percent, half)}${over ? "" : ` (luck ±\u2009${oneRoadNoise.toFixed(0)}\u2009%)`}`;
+}
+
+interface Sentence {
+  /** Who wins. */
+  readonly lead: string;
+  /** By how much, and at which speeds. */
+  readonly rest: string;
+}
+
+/** The verdict in words; `null` where nothing is compared, or not yet. */
+export function sentenceOf(
+  compared: Compared,
+  catalogue: Signals,
+  { leader, rival }: { readonly leader: Strategy; readonly rival: Strategy },
+  paired: PairedAgainst,
+): Sentence | null {
+  const score = scoreOf(compared, catalogue, leader, paired);
+  const metric = headlineOf(compared.summaries[leader.id]);
+  const change = between(compared, [leader, rival], metric, paired);
+  if (score === null || change === null) return null;
+  const { best, behind, of } = score;
+  const luck = of - best - behind;
+  const lead = best > 0 ? `${leader.label} is best in ${best} of ${of} metrics` : `No clear winner in ${of} metrics`;
+  const remainder = [behind > 0 && `behind in ${behind}`, luck > 0 && `within luck in ${luck}`].filter(Boolean);
+  const name = catalogue.signals.find(({ key }) => key === metric.signal)?.label.toLowerCase() ?? metric.signal;
+  const figure = metric.window === "bump" ? `Peak ${name} on the bump` : `RMS ${name} on the rough road`;
+  const size = changeText(change, compared, oneRoadNoiseOf([leader, rival], metric));
+  const listed = remainder.map((part) => `, ${part}`).join("");
+  const who = best > 0 ? "" : `${leader.label} `;
+  return {
+    lead,
+    rest: `${listed}. ${figure} ${who}${size} against ${rival.label}${speedText(compared, leader, rival)}.`,
+  };
 }

@@ -1,8 +1,8 @@
 import { expect, it, describe } from "vitest";
 import type { Catalogue, Interval, OverRoads, Strategy, Summary } from "../../api/types";
 import type { Result } from "../../lab/result";
-import { changedMost, editChanges } from "./edit";
-import { leaderOf, rivalOf, scoreOf, sentenceOf, speedsOf, type PairedAgainst } from "./verdict";
+import { changedMost, editChanges } from "./ChangeChips";
+import { leaderOf, rivalOf, scoreOf, sentenceOf, speedsOf, type PairedAgainst } from "./VerdictLine";
 
 const SIGNALS = ["body_acceleration", "pitch_acceleration"];
 const CATALOGUE = {

@@ -12,7 +12,7 @@ import { VIEWS } from "../../features/tables/entries";
 import { formatNumber, formatWhole } from "../../units/format";
 import { formatEnds, formatTime, kilobytes, largestLoss } from "./effort";
 import { DataTable, type Column } from "../../ui/DataTable";
-import { Fault } from "../../ui/Fault";
+import { Fault, Note } from "../../ui/Fault";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
 
@@ -99,13 +99,13 @@ function Report({ report, catalogue }: { readonly report: ControllerReport; read
         checked={all}
         onChange={(event) => setAll(event.currentTarget.checked)}
       />
-      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
+      <Note className={ui.note ?? ""}>
         The last columns: the change to LV in the simulation. Where fewer limits are checked than in the scenario’s own,
         they are the first move’s forces and every third deflection of the horizon. {part.name}. Memory from the linked
         program, {formatWhole(part.stack)} bytes of stack. The program counts its own multiplications with addition; one
         costs {formatNumber(cycles)} cycles there (±{formatNumber(100 * spread, 2)}&nbsp;%), measured in an emulator
         that counts cycles as the processor’s manual does.
-      </Text>
+      </Note>
     </>
   );
 }

@@ -1,10 +1,10 @@
 /** The ECU: the controller as a C program apart from the car, what it loses by that, and whether it fits a real part. */
 
 import { Alert, Skeleton, Text } from "@mantine/core";
-import { useMemo } from "react";
+import { useMemo, useState, useEffect, useRef } from "react";
 import { ApiProblem, isTransient } from "../../api/problem";
-import type { Summary } from "../../api/types";
-import { usePageScenario } from "../../features/scenarioSource/scenarioSource";
+import type { Summary, JsonValue, Scenario, Run } from "../../api/types";
+import { usePageScenario, type PageScenario } from "../../features/scenarioSource/scenarioSource";
 import { ScenarioChoice } from "../../features/scenarioSource/ScenarioChoice";
 import { errorsByField } from "../../scenario/errors";
 import { Page } from "../../ui/Page";
@@ -12,15 +12,23 @@ import { useCatalogue, useFigures, useForm, useSchemeColours, useStrategies } fr
 import { BuildReport } from "./BuildReport";
 import { EcuFigures } from "./EcuFigures";
 import { EcuTable } from "./EcuTable";
-import { EcuForm } from "./EcuForm";
 import { RealTime } from "./RealTime";
-import { STRATEGIES, useEcuRun } from "./useEcuRun";
 import ui from "../../ui/ui.module.css";
 import { Problems } from "../../ui/Fault";
 import { Card } from "../../ui/Card";
 import { Loading } from "../../ui/Blank";
 import { ControllerFile } from "../../features/export/FileMenu";
 import { ShareAddress } from "../../features/share/ShareAddress";
+import { ChoiceFieldRow } from "../../features/editor/FieldFrame";
+import { NumberFieldRow } from "../../features/editor/NumberFieldRow";
+import { getAt, sameValue, setAt, type Pointer } from "../../scenario/path";
+import { fieldsOf, findMember, type ChoiceField, type Group, type NumberField } from "../../scenario/schema";
+import type { LeafState } from "../../features/editor/useLeaf";
+import type { InvalidInput } from "../../lab/labState";
+import classes from "./ecu.module.css";
+import { keepPreviousData, queryOptions, useMutation, useQuery, useQueryClient } from "@tanstack/react-query";
+import { api } from "../../api/client";
+import { runKey } from "../../server/queries";
 
 const NO_ERRORS = { fields: {}, general: [] };
 
@@ -52,7 +60,6 @@ export function EcuPage() {
     <Page
       title="ECU"
       heading="The controller as an ECU’s program"
-      what="page"
       lead={lead}
       tools={
         <>
@@ -60,7 +67,6 @@ export function EcuPage() {
           <ControllerFile scenario={source.scenario} />
         </>
       }
-      faults={[]}
     >
       <Card className={`${ui.part}`} aria-label="Scenario and loop">
         <ScenarioChoice source={{ ...source, choose }} form={form} />
@@ -122,4 +128,117 @@ function EcuLoading() {
       <Loading label="Driving" heights={[420]} />
     </>
   );
+}
+
+interface Props {
+  readonly form: Group;
+  readonly scenario: Scenario;
+  /** The server's, by field. */
+  readonly errors: Readonly<Record<Pointer, string>>;
+  readonly onChange: (scenario: Scenario) => void;
+}
+
+function EcuForm({ form, ...props }: Props) {
+  const group = findMember(form, "/hil");
+  if (!group) return null;
+  return (
+    <div className={classes.settings} role="group" aria-label="Between the ECU and the car">
+      {fieldsOf(group).map(
+        (field) =>
+          (field.kind === "number" || field.kind === "choice") && (
+            <Setting key={field.pointer} field={field} {...props} />
+          ),
+      )}
+    </div>
+  );
+}
+
+function Setting({
+  field,
+  scenario,
+  errors,
+  onChange,
+}: Omit<Props, "form"> & { readonly field: NumberField | ChoiceField }) {
+  const [rejected, setRejected] = useState<InvalidInput | undefined>();
+  const value = getAt(scenario, field.pointer);
+  const commit = (next: JsonValue) => {
+    setRejected(undefined);
+    if (!sameValue(value, next)) onChange(setAt(scenario, field.pointer, next));
+  };
+  const leaf: LeafState = {
+    value,
+    readOnly: false,
+    changed: !sameValue(value, field.paperValue),
+    rejected,
+    error: rejected?.message ?? errors[field.pointer],
+    drag: commit,
+    release: () => undefined,
+    commit,
+    reject: setRejected,
+    accept: () => setRejected(undefined),
+  };
+  return field.kind === "number" ? (
+    <NumberFieldRow {...{ field, leaf }} withSlider={false} />
+  ) : (
+    <ChoiceFieldRow {...{ field, leaf }} />
+  );
+}
+
+const STRATEGIES = ["lv", "lv_hil", "lqr"] as const;
+
+const ecuRunQuery = (scenario: Scenario | undefined) =>
+  queryOptions({
+    queryKey: ["ecu run", scenario ?? null],
+    queryFn: ({ signal }) => api.createRun(scenario ?? {}, STRATEGIES, signal),
+    enabled: scenario !== undefined,
+    staleTime: Infinity,
+  });
+
+interface EcuRun {
+  readonly scenario: Scenario | undefined;
+  readonly run: Run | undefined;
+  /** What is shown is older than what was asked for. */
+  readonly stale: boolean;
+  readonly busy: boolean;
+  readonly error: Error | null;
+  /** Runs the changed scenario; the page's address follows. */
+  readonly change: (scenario: Scenario) => void;
+  /** Another scenario altogether. */
+  readonly choose: PageScenario["choose"];
+}
+
+function useEcuRun({ scenario: stored, choose }: PageScenario): EcuRun {
+  const queries = useQueryClient();
+  const newest = useRef<AbortController>(null);
+  const drop = () => newest.current?.abort();
+  // After the page is left, an answer chooses nothing.
+  useEffect(() => drop, []);
+  const changed = useMutation({
+    mutationFn: (scenario: Scenario) => {
+      drop();
+      newest.current = new AbortController();
+      return api.createRun(scenario, STRATEGIES, newest.current.signal);
+    },
+    onSuccess: (run) => {
+      queries.setQueryData(runKey(run.id), run);
+      queries.setQueryData(ecuRunQuery(run.scenario).queryKey, run);
+      choose({ run: run.id });
+    },
+  });
+  // Until the server has taken an edit, the form shows it over the stored one.
+  const edited = changed.isPending || changed.isError ? changed.variables : undefined;
+  const shown = useQuery({ ...ecuRunQuery(stored), placeholderData: keepPreviousData });
+  return {
+    scenario: edited ?? stored,
+    run: shown.data,
+    stale: shown.isPlaceholderData || changed.isPending,
+    busy: shown.isFetching || changed.isPending,
+    error: changed.error ?? shown.error,
+    change: (scenario) => changed.mutate(scenario),
+    choose: (origin) => {
+      drop();
+      changed.reset();
+      choose(origin);
+    },
+  };
 }

@@ -16,6 +16,7 @@ import classes from "./ecu.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
+import { Note } from "../../ui/Fault";
 
 interface Props {
   readonly summaries: Readonly<Record<string, Summary>>;
@@ -56,14 +57,14 @@ export function EcuTable({ summaries, strategies, catalogue, figures, stale }: P
         rowAttributes={({ key }) => ({ "data-cell": key })}
         columns={columnsOf(strategies, catalogue, figures)}
       />
-      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
+      <Note className={ui.note ?? ""}>
         The rule of Tables 9 and 10: each change within ±{RULE_PERCENT}&nbsp;% of the simulation. Over many roads and
         beside what they print:{" "}
         <Anchor size="xs" underline="always" renderRoot={(props) => <Link to="/paper" {...props} />}>
           the paper page
         </Anchor>
         .
-      </Text>
+      </Note>
       <EcuEvents summary={summaries.lv_hil} catalogue={catalogue} />
     </Card>
   );

@@ -16,7 +16,7 @@ import { count, formatNumber, formatWhole } from "../../units/format";
 import { formatTime } from "./effort";
 import { histogramFigure, histogramTable } from "./histogram";
 import { DataTable } from "../../ui/DataTable";
-import { Fault } from "../../ui/Fault";
+import { Fault, Note } from "../../ui/Fault";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
 
@@ -94,10 +94,10 @@ function Waiting({ seconds }: { readonly seconds: number | undefined }) {
           aria-label="Driven"
         />
       </Progress.Root>
-      <Text size="xs" c="dimmed">
+      <Note>
         {formatWhole(Math.round(passed))}
         {whole === undefined ? " s" : ` of about ${formatWhole(Math.round(whole))} s`}
-      </Text>
+      </Note>
     </Stack>
   );
 }

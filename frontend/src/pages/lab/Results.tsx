@@ -25,6 +25,7 @@ import {
 import { metricsOf } from "../../server/metrics";
 import { getAt } from "../../scenario/path";
 import { useCurves } from "../../plots/useDetail";
+import { Note } from "../../ui/Fault";
 
 type Figures = Readonly<Record<string, FigureTemplate>>;
 
@@ -238,7 +239,7 @@ function RoadsNote({ resultView }: { readonly resultView: ResultView }) {
   const first = `road seed ${typeof seed === "number" ? seed : "?"}`;
   if (over === null && (source === "exact" || roads === 1)) return null;
   return (
-    <Text size="xs" c="dimmed" m="0 0 0.5rem 0.2rem" data-testid="roads">
+    <Note m="0 0 0.5rem 0.2rem" data-testid="roads">
       {over === null ? (
         `While a value is dragged: ${first} only; then the mean of ${roads} roads.`
       ) : (
@@ -249,6 +250,6 @@ function RoadsNote({ resultView }: { readonly resultView: ResultView }) {
             : `Curves, car and events are of the first road only, ${first}; the table is of all roads.`}
         </>
       )}
-    </Text>
+    </Note>
   );
 }

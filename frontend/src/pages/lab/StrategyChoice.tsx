@@ -1,6 +1,6 @@
 /** Which strategies are shown: a chip for each in use, a menu with all of them. */
 
-import { Button, Menu, Text } from "@mantine/core";
+import { Button, Menu } from "@mantine/core";
 import { memo, useState } from "react";
 import type { Strategy, StrategyId } from "../../api/types";
 import { IconChevronDown, IconExternalLink } from "../../ui/icons";
@@ -9,6 +9,7 @@ import { useLab, useLabContext } from "../../lab/context";
 import { isolateWhilePointed } from "../../lab/isolated";
 import { StrategyKey } from "../../ui/StrategyKey";
 import bar from "../../ui/toolbar.module.css";
+import { Note } from "../../ui/Fault";
 
 export const StrategyChoice = memo(function StrategyChoice({
   strategies,
@@ -62,11 +63,7 @@ export const StrategyChoice = memo(function StrategyChoice({
               onChange={() => toggle(strategy.id)}
             >
               {strategy.label}
-              {strategy.source && (
-                <Text size="xs" c="dimmed">
-                  {strategy.fault ?? strategy.source.file}
-                </Text>
-              )}
+              {strategy.source && <Note>{strategy.fault ?? strategy.source.file}</Note>}
             </Menu.CheckboxItem>
           ))}
           <Menu.Divider />

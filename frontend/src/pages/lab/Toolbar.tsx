@@ -1,6 +1,6 @@
 /** Which strategies are shown, over what, and which part of the run. */
 
-import { Button, SegmentedControl, NativeSelect } from "@mantine/core";
+import { Button, SegmentedControl } from "@mantine/core";
 import { memo, useLayoutEffect, useRef } from "react";
 import type { Strategy } from "../../api/types";
 import type { ViewZoom, Axis } from "../../lab/address";
@@ -11,6 +11,7 @@ import bar from "../../ui/toolbar.module.css";
 import { valueAt } from "../../lib/samples";
 import { cursor } from "../../lab/cursor";
 import type { LabAddress } from "../../lab/labAddress";
+import { Choice } from "../../ui/Entry";
 
 interface Props {
   readonly strategies: readonly Strategy[];
@@ -117,13 +118,13 @@ function RoadsSelect() {
   const readOnly = useReadOnly();
   const choices = CHOICES.includes(roads) ? CHOICES : [...CHOICES, roads].sort((a, b) => a - b);
   return (
-    <NativeSelect
+    <Choice
       data-hint="Peaks on one road are partly random; several roads give a mean with a 95 % interval"
       aria-label="Roads"
       disabled={readOnly}
       value={String(roads)}
       data={choices.map((count) => ({ value: String(count), label: count === 1 ? "1 road" : `${count} roads` }))}
-      onChange={(event) => lab.setRoads(Number(event.currentTarget.value))}
+      onPick={(value) => lab.setRoads(Number(value))}
     />
   );
 }

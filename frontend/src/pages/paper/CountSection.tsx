@@ -3,7 +3,7 @@
 import { Anchor, Box, Button, Group, Progress, Stack, Text } from "@mantine/core";
 import { IconAlertTriangle, IconArrowRight, IconEyeOff } from "../../ui/icons";
 import { api } from "../../api/client";
-import type { Paper, PaperCell } from "../../api/types";
+import type { Paper, PaperCell, PaperInterpretation } from "../../api/types";
 import { useRunInLab } from "../../ui/useOpenInLab";
 import { count, formatWhole } from "../../units/format";
 import classes from "./paper.module.css";
@@ -18,12 +18,12 @@ import {
   soFar,
   uncertain,
 } from "./Verdict";
-import type { Choices } from "./choices";
-import { Interpretations } from "./Interpretations";
+import { type Choices, withSet } from "./choices";
 import { typeset } from "./numbers";
 import type { Labels } from "./labels";
 import { Fault } from "../../ui/Fault";
 import ui from "../../ui/ui.module.css";
+import { DataTable, type Column } from "../../ui/DataTable";
 
 interface Props {
   readonly paper: Paper;
@@ -172,3 +172,88 @@ function Missed({ paper, words }: Props) {
 
 const cellName = ({ table, strategy, against, signal }: PaperCell, words: Labels) =>
   `Table ${table}, ${words.signal(signal).toLowerCase()}: ${words.strategy(strategy)} against ${words.strategy(against)}`;
+
+interface InterpretationsProps {
+  readonly paper: Paper;
+  readonly choices: Choices;
+  readonly onChoose: (choices: Choices) => void;
+}
+
+interface Share {
+  readonly reached: number;
+  readonly total: number;
+}
+
+function Interpretations({ paper, choices, onChoose }: InterpretationsProps) {
+  return (
+    <DataTable
+      label="Both interpretations"
+      card
+      attributes={{ "data-testid": "interpretations" }}
+      rows={paper.interpretations}
+      rowKey={({ id }) => id}
+      rowAttributes={({ id }) => ({
+        "data-interpretation": id,
+        "aria-current": id === paper.interpretation || undefined,
+      })}
+      columns={columnsOf(paper, (id) => onChoose(withSet(choices, paper.readings, id)))}
+    />
+  );
+}
+
+function columnsOf(paper: Paper, onShow: (id: string) => void): readonly Column<PaperInterpretation>[] {
+  return [
+    {
+      key: "interpretation",
+      head: "Interpretation",
+      text: true,
+      cell: ({ title, description }) => (
+        <Box miw="7rem" maw="30rem">
+          <b>{title}</b>
+          <span className={ui.under}>{typeset(description)}</span>
+        </Box>
+      ),
+    },
+    { key: "reached", head: "Reached", cell: (item) => <Of reached={item.reached} total={item.total} /> },
+    { key: "simulated", head: "Simulated changes", cell: ({ simulated }) => <Of {...simulated} /> },
+    {
+      key: "ecu",
+      head: <>On the ECU, by ±8&nbsp;%</>,
+      cell: ({ ecu }) => (paper.complete && ecu.total === 0 ? "not available" : <Of {...ecu} />),
+    },
+    {
+      key: "within",
+      head: "Within ±10 points",
+      cell: ({ agreement }) => <Of reached={agreement.within} total={agreement.cells} />,
+    },
+    {
+      key: "interval",
+      head: "In our interval",
+      cell: ({ agreement }) => <Of reached={agreement.in_interval} total={agreement.cells} />,
+    },
+    {
+      key: "show",
+      head: <span className="visually-hidden">Show it</span>,
+      unprinted: true,
+      cell: ({ id, title }) => (
+        <Button
+          size="compact-xs"
+          disabled={id === paper.interpretation}
+          aria-label={`Show ${title}`}
+          onClick={() => onShow(id)}
+        >
+          {id === paper.interpretation ? "Shown" : "Show"}
+        </Button>
+      ),
+    },
+  ];
+}
+
+function Of({ reached, total }: Share) {
+  if (total === 0) return "–";
+  return (
+    <>
+      <b>{reached}</b> of {total}
+    </>
+  );
+}

@@ -1,6 +1,6 @@
 /** Controller, speed, preview and weights varied one at a time, over the same roads: sortable, filterable. */
 
-import { Box, Group, NativeSelect, SegmentedControl, Text } from "@mantine/core";
+import { Box, Group, SegmentedControl, Text } from "@mantine/core";
 import { useState } from "react";
 import type { Combination } from "../../api/types";
 import { formatPercent } from "../../features/tables/change";
@@ -9,6 +9,7 @@ import { ANY, filtered, FILTERS, metricKey, NO_FILTER, partOf, rankOf, type Filt
 import ui from "../../ui/ui.module.css";
 import type { Labels } from "./labels";
 import { DataTable, type Column } from "../../ui/DataTable";
+import { Choice } from "../../ui/Entry";
 
 interface Props {
   readonly rows: readonly Combination[];
@@ -27,12 +28,12 @@ export function FairTable({ rows, words }: Props) {
     <>
       <Group gap="0.5rem 0.8rem" align="flex-end" mb="0.6rem" data-unprinted>
         {FILTERS.map(({ name, label, options }) => (
-          <NativeSelect
+          <Choice
             key={name}
             label={label}
             value={filter[name]}
             data={[{ value: ANY, label: "Any" }, ...options.map(([value, text]) => ({ value, label: text }))]}
-            onChange={({ currentTarget: { value } }) => setFilter((before) => ({ ...before, [name]: value }))}
+            onPick={(value) => setFilter((before) => ({ ...before, [name]: value }))}
           />
         ))}
         <SegmentedControl

@@ -3,7 +3,7 @@
 import { Anchor, Box, Button, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
 import { useQuery } from "@tanstack/react-query";
-import { useEffect, type ReactNode } from "react";
+import { useEffect, type ReactNode, useState } from "react";
 import { IconFileDescription } from "../../ui/icons";
 import { download } from "../../lib/download";
 import { address } from "../../api/http";
@@ -13,7 +13,6 @@ import { ShellSlot } from "../../ui/Page";
 import shell from "../../ui/shell.module.css";
 import { Errata, Rules } from "./Appendix";
 import { NONE_CHOSEN, useChoices, type Choices } from "./choices";
-import { Contents, SECTIONS, type SectionId } from "./Contents";
 import { Contributions } from "./Contributions";
 import { CountSection } from "./CountSection";
 import { Figures } from "./Figures";
@@ -27,6 +26,8 @@ import { useLabels, type Labels } from "./labels";
 import { FileMenu } from "../../features/export/FileMenu";
 import { ShareAddress } from "../../features/share/ShareAddress";
 import ui from "../../ui/ui.module.css";
+import contents from "./contents.module.css";
+import { VerdictBar, countedOf, soFar } from "./Verdict";
 
 const DOI = "10.3390/wevj16040232";
 
@@ -163,4 +164,86 @@ function useArrival(ready: boolean) {
     const { hash } = window.location;
     if (ready && hash.length > 1) document.getElementById(decodeURIComponent(hash.slice(1)))?.scrollIntoView();
   }, [ready]);
+}
+
+const SECTIONS = [
+  { id: "count", title: "Summary" },
+  { id: "switches", title: "Switches" },
+  { id: "tables", title: "Tables 4–10" },
+  { id: "parts", title: "What each part contributes" },
+  { id: "figures", title: "Figures" },
+  { id: "errata", title: "Errata" },
+  { id: "rules", title: "Rules" },
+] as const;
+
+type SectionId = (typeof SECTIONS)[number]["id"];
+
+const IDS = SECTIONS.map(({ id }) => id);
+
+function Contents({ paper }: { readonly paper: Paper | undefined }) {
+  const active = useSection(IDS);
+  return (
+    <nav className={contents.contents} data-unprinted aria-label="On this page">
+      <ol className={contents.list}>
+        {SECTIONS.map(({ id, title }, index) => (
+          <li key={id}>
+            <a href={`#${id}`} className={contents.link} aria-current={index === active ? "location" : undefined}>
+              {title}
+            </a>
+          </li>
+        ))}
+      </ol>
+      {paper && (
+        <div className={contents.count}>
+          <b>{paper.reached}</b> of {countedOf(paper, paper.counts)} reached{soFar(paper)}
+          {paper.interpretations
+            .filter(({ id }) => id !== paper.interpretation)
+            .map(({ id, title, reached, total }) => (
+              <Box component="span" key={id} display="block" fz="xs" c="dimmed">
+                {title}: {reached} of {paper.complete ? total : paper.cells.length}
+              </Box>
+            ))}
+          {paper.unavailable && (
+            <Box component="span" display="block" fz="xs" c="dimmed">
+              {paper.unavailable.cells} not available here
+            </Box>
+          )}
+          <VerdictBar counts={paper.counts} total={countedOf(paper, paper.counts)} />
+        </div>
+      )}
+    </nav>
+  );
+}
+
+/** A heading counts as reached when it is this near to the window's top [px]. */
+const REACHED = 120;
+
+/** Index of the last of these elements whose top has been reached; 0 above the first. */
+function useSection(ids: readonly string[]): number {
+  const [section, setSection] = useState(0);
+  useEffect(() => {
+    let frame = 0;
+    const look = () => {
+      frame = 0;
+      const tops = ids.map((id) => document.getElementById(id)?.getBoundingClientRect().top ?? Infinity);
+      const atEnd = window.innerHeight + window.scrollY >= document.documentElement.scrollHeight - 2;
+      setSection(
+        atEnd && window.scrollY > 0
+          ? ids.length - 1
+          : Math.max(
+              0,
+              tops.findLastIndex((top) => top < REACHED),
+            ),
+      );
+    };
+    const onScroll = () => {
+      if (frame === 0) frame = requestAnimationFrame(look);
+    };
+    window.addEventListener("scroll", onScroll, { passive: true });
+    return () => {
+      window.removeEventListener("scroll", onScroll);
+      cancelAnimationFrame(frame);
+    };
+  }, [ids]);
+  return section;
 }

@@ -1,6 +1,6 @@
 /** What each switch does by itself: the count with it alone turned from Ridelab's reading. */
 
-import { Button, Text } from "@mantine/core";
+import { Button } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import type { Paper, PaperReading, ReadingEffects } from "../../api/types";
 import { count } from "../../units/format";
@@ -10,6 +10,7 @@ import { effectsQuery } from "./queries";
 import { useVisible, Fault, Waiting } from "./Waiting";
 import { VerdictBar, countsInWords } from "./Verdict";
 import { DataTable, type Column } from "../../ui/DataTable";
+import { Note } from "../../ui/Fault";
 
 interface Props {
   readonly paper: Paper;
@@ -50,16 +51,8 @@ export function SwitchEffects({ paper: { readings, complete }, choices, onChoose
         rowKey={({ reading, choice }) => `${reading} ${choice}`}
         columns={columnsOf((row) => onChoose({ ...withSet(choices, readings, "default"), [row.reading]: row.choice }))}
       />
-      {data.unavailable && (
-        <Text size="xs" c="dimmed">
-          Without the {data.unavailable.cells} cells that are not available here.
-        </Text>
-      )}
-      {!data.complete && (
-        <Text size="xs" c="dimmed" role="status">
-          {count(expected - data.rows.length, "row")} to come …
-        </Text>
-      )}
+      {data.unavailable && <Note>Without the {data.unavailable.cells} cells that are not available here.</Note>}
+      {!data.complete && <Note role="status">{count(expected - data.rows.length, "row")} to come …</Note>}
     </>
   );
 }

@@ -7,6 +7,7 @@ import classes from "./paper.module.css";
 import { printing } from "../../lib/printing";
 import { useSelector } from "@tanstack/react-store";
 import ui from "../../ui/ui.module.css";
+import { Note } from "../../ui/Fault";
 
 interface WaitingProps {
   readonly what: string;
@@ -31,10 +32,10 @@ export function Waiting({ what, height }: WaitingProps) {
           <Text fw={600} role="status">
             {what} …
           </Text>
-          <Text size="xs" c="dimmed">
+          <Note>
             {seconds >= TELL_AFTER_S ? `${seconds} s so far. ` : ""}The first time takes up to a minute; after that it
             is stored.
-          </Text>
+          </Note>
         </div>
       </div>
     </div>

@@ -2,7 +2,7 @@ import { describe, expect, it } from "vitest";
 import type { Combination } from "../../api/types";
 import { inOrder } from "../../lib/order";
 import { ANY, filtered, NO_FILTER, partOf, rankOf } from "./fair";
-import { scaleOf, segmentsOf, type Share } from "./ShareBars";
+import { scaleOf, segmentsOf, type Share } from "./Contributions";
 
 const share = (speed: number, preview: number, switching: number): Share => ({
   window: "bump",

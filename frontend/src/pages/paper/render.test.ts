@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { MadeFigure } from "../../api/types";
 import { PALETTES } from "../../plots/palettes";
-import { bumpRange, drawn, legendOf } from "./render";
+import { bumpRange, drawn, legendOf } from "./Figures";
 
 const HISTORY: MadeFigure = {
   data: [{ type: "scatter", name: "LV control", mode: "lines", line: { color: "#1C5FDF", dash: "solid" } }],

@@ -10,6 +10,7 @@ import type { Opening } from "../../features/sweep/useOpenRun";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
+import { Note } from "../../ui/Fault";
 
 type Props = Pick<StudyParts, "summary" | "strategies" | "opening">;
 
@@ -35,10 +36,10 @@ export function Limits({ summary, strategies, opening }: Props) {
           {label}, {formatWhole(count)} failed: {reason}
         </Text>
       ))}
-      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
+      <Note className={ui.note ?? ""}>
         Of the loop’s modes near rest, where no limit binds: 1 does not oscillate, 0 oscillates for ever, below 0 is
         unstable. Preview is not fed back, so no error of it can make a loop unstable.
-      </Text>
+      </Note>
     </Card>
   );
 }

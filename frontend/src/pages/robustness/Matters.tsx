@@ -14,6 +14,7 @@ import { DataTable, type Column } from "../../ui/DataTable";
 import { labelled } from "../../ui/Entry";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
+import { Note } from "../../ui/Fault";
 
 type Props = Pick<StudyParts, "batch" | "summary" | "strategies" | "figures">;
 
@@ -56,11 +57,11 @@ export function Matters({ batch, summary, strategies, figures }: Props) {
         </>
       }
     >
-      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
+      <Note className={ui.note ?? ""}>
         How much of a figure’s variation one field alone explains, in % of the ranks’ variance (Kruskal–Wallis), and
         Spearman’s rank correlation: + means that more of the field is worse. A field without a number is no more than
         chance makes (p ≥ 0.001). Fields the strategy does not read are left out.
-      </Text>
+      </Note>
       {rows.length === 0 ? (
         <Text c="dimmed" className={ui.note ?? ""}>
           Too few points have run, or nothing that varies reaches this strategy.

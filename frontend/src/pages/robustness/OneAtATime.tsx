@@ -18,7 +18,7 @@ import { TRAVEL, type StudyParts } from "./summary";
 import { useOpenRun } from "../../features/sweep/useOpenRun";
 import styles from "./bars.module.css";
 import { Choice, labelled } from "../../ui/Entry";
-import { Fault } from "../../ui/Fault";
+import { Fault, Note } from "../../ui/Fault";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
 
@@ -106,10 +106,10 @@ function FieldAlone({ batch, figures, paper, strategies }: Omit<Props, "id"> & {
         </>
       }
     >
-      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
+      <Note className={ui.note ?? ""}>
         One field at its lowest and its highest value, all others as in the scenario. A bar to the right is worse. A
         click opens the run.
-      </Text>
+      </Note>
       {opening.error !== null && (
         <Fault size="md" className={ui.note ?? ""}>
           This run could not be opened: {opening.error}

@@ -1,6 +1,6 @@
 /** What is uncertain, and between which ends; under which strategies; at how many points. */
 
-import { Box, Checkbox, Group, Switch, Text } from "@mantine/core";
+import { Box, Checkbox, Group, Switch } from "@mantine/core";
 import { useId, type ReactNode, useMemo } from "react";
 import type { Batch, RobustnessDefaults, Scenario, Strategy } from "../../api/types";
 import type { Group as Form } from "../../scenario/schema";
@@ -13,11 +13,12 @@ import rows from "./form.module.css";
 import ui from "../../ui/ui.module.css";
 import { useDraft } from "../../lib/useDraft";
 import { Entry } from "../../ui/Entry";
-import { Fault, Problems } from "../../ui/Fault";
+import { Fault, Problems, Note } from "../../ui/Fault";
 import { ask } from "../../api/http";
 import { withKey } from "../../api/jobs";
 import { STUDY_LABEL } from "../../features/sweep/SweepList";
 import { useJobForm } from "../../features/jobForm/useJobForm";
+import { submits } from "../../ui/NameForm";
 
 interface Props {
   readonly defaults: RobustnessDefaults;
@@ -43,20 +44,13 @@ export function StudyForm({ defaults, strategies, form, scenario, head, existing
   const submission = useStudy(draft, scenario, stored.forget);
   const { errors, general } = submission;
   return (
-    <form
-      className={ui.card}
-      aria-label="Study"
-      onSubmit={(event) => {
-        event.preventDefault();
-        submission.start();
-      }}
-    >
+    <form className={ui.card} aria-label="Study" onSubmit={submits(() => submission.start())}>
       <div className={ui.part}>{head}</div>
       <div className={ui.part}>
         <h2 className={ui.heading}>What is uncertain</h2>
-        <Text size="xs" c="dimmed">
+        <Note>
           All values between the two ends are equally likely. A field that is switched off has the scenario’s value.
-        </Text>
+        </Note>
         <div className={rows.ranges}>
           {draft.ranges.map((range) => (
             <RangeRow

@@ -2,7 +2,7 @@
 
 import { Button, Collapse, Text } from "@mantine/core";
 import { useDisclosure } from "@mantine/hooks";
-import { useQuery } from "@tanstack/react-query";
+import { useSuspenseQuery } from "@tanstack/react-query";
 import { Link, useParams } from "@tanstack/react-router";
 import { useMemo } from "react";
 import { IconAdjustments, IconPlus } from "../../ui/icons";
@@ -12,35 +12,33 @@ import { BatchState } from "../../features/sweep/SweepState";
 import { otherThanPaper } from "../../features/scenarioSource/otherThanPaper";
 import { BATCH, useJob } from "../../jobs/useJob";
 import { Page } from "../../ui/Page";
+import { uncertaintiesQuery } from "../../server/queries";
 import { useCatalogues } from "../../server/useCatalogues";
-import { defaultsQuery } from "./study";
 import { StudyForm } from "./StudyForm";
 import { StudyResults } from "./StudyResults";
 import { compact } from "../../ui/compact";
 
 export function StudyPage() {
   const { id } = useParams({ from: "/robustness/$id" });
-  const { job: batch, error, connected, left } = useJob(BATCH, id);
+  const { job: batch, connected, left } = useJob(BATCH, id);
   const catalogues = useCatalogues();
-  const defaults = useQuery(defaultsQuery);
+  const defaults = useSuspenseQuery(uncertaintiesQuery).data;
   const [changing, { toggle }] = useDisclosure(false);
 
   const { strategies } = catalogues;
-  const ids = batch?.strategies;
-  const studied = useMemo(() => strategies.filter((each) => ids?.some((id) => id === each.id)), [strategies, ids]);
+  const ids = batch.strategies;
+  const studied = useMemo(() => strategies.filter((each) => ids.some((id) => id === each.id)), [strategies, ids]);
   const tools = (
     <>
-      {batch && defaults.data && (
-        <Button
-          aria-expanded={changing}
-          aria-label="Change it"
-          classNames={compact}
-          leftSection={<IconAdjustments size={15} />}
-          onClick={toggle}
-        >
-          Change it
-        </Button>
-      )}
+      <Button
+        aria-expanded={changing}
+        aria-label="Change it"
+        classNames={compact}
+        leftSection={<IconAdjustments size={15} />}
+        onClick={toggle}
+      >
+        Change it
+      </Button>
       <Button
         aria-label="New study"
         classNames={compact}
@@ -49,48 +47,31 @@ export function StudyPage() {
       >
         New study
       </Button>
-      <ShareAddress what="study" ready={batch !== undefined} />
+      <ShareAddress what="study" ready />
       <BatchFiles batch={batch} />
     </>
   );
-  const ready = batch && defaults.data;
   return (
-    <Page
-      title="Robustness study"
-      heading={ready ? "Robustness" : undefined}
-      what="study"
-      tools={tools}
-      instead={
-        <Button size="sm" variant="filled" renderRoot={(props) => <Link to="/robustness" {...props} />}>
-          New study
-        </Button>
-      }
-      faults={[error, defaults.error]}
-      heights={[28, 96, 440, 320]}
-    >
-      {ready ? (
-        <>
-          <Collapse expanded={changing}>
-            <StudyForm
-              defaults={defaults.data}
-              strategies={catalogues.strategies}
-              form={catalogues.form}
-              scenario={batch.scenario}
-              existing={batch}
-              head={
-                <Text>
-                  The scenario of this study.{" "}
-                  <Text span c="dimmed">
-                    {otherThanPaper(batch.scenario, catalogues.form)}
-                  </Text>
-                </Text>
-              }
-            />
-          </Collapse>
-          <BatchState {...{ batch, connected, left }} form={catalogues.form} readOnly={false} />
-          <StudyResults batch={batch} {...catalogues} strategies={studied} />
-        </>
-      ) : null}
+    <Page title="Robustness study" heading="Robustness" tools={tools}>
+      <Collapse expanded={changing}>
+        <StudyForm
+          defaults={defaults}
+          strategies={catalogues.strategies}
+          form={catalogues.form}
+          scenario={batch.scenario}
+          existing={batch}
+          head={
+            <Text>
+              The scenario of this study.{" "}
+              <Text span c="dimmed">
+                {otherThanPaper(batch.scenario, catalogues.form)}
+              </Text>
+            </Text>
+          }
+        />
+      </Collapse>
+      <BatchState {...{ batch, connected, left }} form={catalogues.form} readOnly={false} />
+      <StudyResults batch={batch} {...catalogues} strategies={studied} />
     </Page>
   );
 }

@@ -7,7 +7,6 @@ import { useMemo } from "react";
 import { isFinal } from "../../jobs/follow";
 import type { Catalogue, BatchSummary, Strategy, StrategyId } from "../../api/types";
 import { paperMetrics } from "../../server/metrics";
-import { leadSentence } from "./lead";
 import { formatWhole } from "../../units/format";
 import { Limits } from "./Limits";
 import { Matters } from "./Matters";
@@ -15,7 +14,7 @@ import { OneAtATime } from "./OneAtATime";
 import { Spread } from "./Spread";
 import { AIRBORNE, summaryQuery, TRAVEL, quantile, type Margin, type StudyParts } from "./summary";
 import { useOpenRun } from "../../features/sweep/useOpenRun";
-import { Fault } from "../../ui/Fault";
+import { Fault, Note } from "../../ui/Fault";
 import ui from "../../ui/ui.module.css";
 import { Loading } from "../../ui/Blank";
 import { IconAlertTriangle } from "../../ui/icons";
@@ -96,11 +95,11 @@ export function StudyResults({ batch, figures, strategies, catalogue }: Props) {
       <Limits {...shared} />
       <Matters {...{ summary, strategies, batch }} figures={paper} />
       {one !== undefined && <OneAtATime id={one} {...{ figures, strategies }} paper={paper} />}
-      <Text size="xs" c="dimmed">
+      <Note>
         Percentiles lie between two values by distance. Every strategy runs at the same points; changes are taken point
         by point. The ranges are ours, not the paper’s: 5 and 95 % of these points say nothing about 5 and 95 % of real
         cars.
-      </Text>
+      </Note>
     </div>
   );
 }
@@ -139,10 +138,10 @@ function Leads({ summary, strategies, figures, onBaseline }: LeadsProps) {
       title={`Where ${baseline.label} is better`}
       tools={<Choice aria-label="Baseline" value={summary.baseline} data={labelled(strategies)} onPick={onBaseline} />}
     >
-      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
+      <Note className={ui.note ?? ""}>
         Share of the points at which {baseline.label} has the lower value; below, how much higher the other strategy is:
         in the scenario itself, then the median and the range of 90 % of the points.
-      </Text>
+      </Note>
       <Box component="ul" m={0} fz="sm" className={ui.note ?? ""} style={{ listStyle: "none" }} aria-label="Conclusion">
         {others.map(({ id, label }) => {
           const margins = figures.flatMap(({ key }) => summary.strategies[id]?.figures[key]?.margin ?? []);
@@ -197,4 +196,23 @@ function Lead({ summary, margin }: { readonly summary: BatchSummary; readonly ma
       </span>
     </>
   );
+}
+
+interface LeadOf {
+  /** Share of the points at which the other strategy is worse, and better. */
+  readonly worse: number;
+  readonly better: number;
+}
+
+/** `LV control is better than LQR in 7 of 8 metrics at most points, in 5 of them at 95 % and more; worse in 1.` */
+export function leadSentence(label: string, other: string, leads: readonly LeadOf[]): string {
+  const count = (test: (lead: LeadOf) => boolean) => formatWhole(leads.filter(test).length);
+  const [betterIn, certainlyBetterIn, worseIn] = [
+    count(({ worse }) => worse > 0.5),
+    count(({ worse }) => worse >= 0.95),
+    count(({ better }) => better > 0.5),
+  ];
+  const certain =
+    certainlyBetterIn === "0" ? "nowhere at 95 % of them" : `in ${certainlyBetterIn} at 95 % of them and more`;
+  return `${label} is better than ${other} in ${betterIn} of ${leads.length} metrics at most points, ${certain}${worseIn === "0" ? "" : `; worse in ${worseIn}`}.`;
 }

@@ -1,10 +1,10 @@
-import { leadSentence } from "./lead";
+import { leadSentence } from "./StudyResults";
 import { describe, expect, it } from "vitest";
 import type { Batch, RobustnessDefaults } from "../../api/types";
 import { FORM } from "../../scenario/form.fixture";
 import { isOneByOne, tornadoOf } from "./tornado";
 import { fieldText } from "./names";
-import { scaleTo } from "./Intervals";
+import { scaleTo } from "./Spread";
 import { draftStudy, readStudy, type StudyDraft } from "./study";
 import { matters, quantile, ranked, type Sensitivity } from "./summary";
 import { withFields } from "../../scenario/fields";

@@ -8,7 +8,6 @@ import { isLike } from "../../lib/storage";
 import type { DraftErrors } from "../../features/jobForm/problems";
 import { draftField, readDraft } from "../../features/sweep/draft";
 import { sweepFields, type SweepField } from "../../scenario/fields";
-import { query } from "../../api/http";
 
 export interface RangeDraft {
   readonly field: SweepField;
@@ -119,5 +118,3 @@ export function exactText({ leaf }: SweepField, scenario: Scenario | undefined):
   if (leaf.pointer.startsWith("/mismatch/") && value === leaf.paperValue) return "exact";
   return typeof value === "number" && leaf.kind === "number" ? `always ${valueText(leaf, value)}` : "exact";
 }
-
-export const defaultsQuery = { ...query("/robustness", {}), staleTime: Infinity, gcTime: Infinity };

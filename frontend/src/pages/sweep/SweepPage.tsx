@@ -39,37 +39,28 @@ interface Props {
 }
 
 function Sweep({ id, view, onView, link }: Props) {
-  const { job: batch, error, connected, left } = useJob(BATCH, id);
+  const { job: batch, connected, left } = useJob(BATCH, id);
   const catalogues = useCatalogues();
-  const title = batch?.label ?? (batch && `Sweep of ${titleOf(batch.fields)}`);
+  const title = batch.label ?? `Sweep of ${titleOf(batch.fields)}`;
   const { strategies } = catalogues;
-  const ids = batch?.strategies;
-  const swept = useMemo(() => strategies.filter((each) => ids?.some((id) => id === each.id)), [strategies, ids]);
+  const ids = batch.strategies;
+  const swept = useMemo(() => strategies.filter((each) => ids.some((id) => id === each.id)), [strategies, ids]);
   const markers = useMemo(() => markersOf(strategies), [strategies]);
   return (
     <Page
-      title={title ?? "Sweep"}
-      heading={title}
+      title={title}
       above={link && <SharedNote link={link} what="sweep" />}
       tools={<BatchActions batch={batch} view={view} />}
-      what="sweep"
-      instead={<LabLink>Go to the lab</LabLink>}
-      faults={[error]}
-      heights={[28, 96, 440, 320]}
     >
-      {batch ? (
-        <>
-          <BatchState {...{ batch, connected, left }} form={catalogues.form} readOnly={link !== undefined} />
-          <BatchResults {...{ batch, markers, view }} {...catalogues} strategies={swept} onView={onView} />
-          {!link && <SweepList strategies={catalogues.strategies} current={id} />}
-        </>
-      ) : null}
+      <BatchState {...{ batch, connected, left }} form={catalogues.form} readOnly={link !== undefined} />
+      <BatchResults {...{ batch, markers, view }} {...catalogues} strategies={swept} onView={onView} />
+      {!link && <SweepList strategies={catalogues.strategies} current={id} />}
     </Page>
   );
 }
 
 interface SweepActionsProps {
-  readonly batch: Batch | undefined;
+  readonly batch: Batch;
   readonly view: BatchView;
 }
 
@@ -77,14 +68,10 @@ interface SweepActionsProps {
 function BatchActions({ batch, view }: SweepActionsProps) {
   return (
     <>
-      {batch && <SweepButton batch={batch} />}
+      <SweepButton batch={batch} />
       <ShareLink
-        make={() =>
-          batch
-            ? ask("post", "/links", { body: { batch_id: batch.id, view: toShare(batch, view) } })
-            : Promise.reject(new Error("there is no sweep"))
-        }
-        obstacle={batch ? null : "There is no sweep to share yet"}
+        make={() => ask("post", "/links", { body: { batch_id: batch.id, view: toShare(batch, view) } })}
+        obstacle={null}
         opens="It opens this sweep with its plot as it is here, for anyone who has the link. It is read-only."
       />
       <BatchFiles batch={batch} />
@@ -112,7 +99,7 @@ export function SweepsPage() {
     </>
   );
   return (
-    <Page title="Sweeps" heading="Sweeps" what="page" faults={[]} lead={lead}>
+    <Page title="Sweeps" lead={lead}>
       <SweepList strategies={strategies} />
     </Page>
   );

@@ -4,7 +4,7 @@ import { keepPreviousData, useQuery } from "@tanstack/react-query";
 import { useCallback, useDeferredValue, useEffect, useEffectEvent, useMemo } from "react";
 import type { Group, NumberField } from "../../scenario/schema";
 import { BatchRows } from "./SweepRows";
-import { paperMetrics } from "../../server/metrics";
+import { paperMetrics, fullName } from "../../server/metrics";
 import {
   axesOf,
   batchRequirementsQuery,
@@ -16,8 +16,7 @@ import {
   tableQuery,
   type Columns,
 } from "../../features/sweep/table";
-import { BatchRequirements } from "./BatchRequirements";
-import { CAVEAT_COLUMNS, describeRow } from "./describeRow";
+import { CAVEAT_COLUMNS, describeRow, fieldTexts } from "./describeRow";
 import { useOpenRun } from "../../features/sweep/useOpenRun";
 import { shownPlot, type SweepParts } from "./shownPlot";
 import { Fault } from "../../ui/Fault";
@@ -26,9 +25,13 @@ import { Card } from "../../ui/Card";
 import { MapPlot } from "./MapPlot";
 import { PlotTools } from "./PlotTools";
 import { PointsPlot } from "./PointsPlot";
-import type { Batch } from "../../api/types";
+import type { Batch, BatchRequirements as Answer } from "../../api/types";
 import { inShownUnit } from "../../scenario/limits";
 import { sweepFields } from "../../scenario/fields";
+import { Button } from "@mantine/core";
+import { limitText } from "../../features/requirements/judged";
+import { ResultMark } from "../../features/requirements/RequirementMarks";
+import { DataTable, type Column } from "../../ui/DataTable";
 
 interface Props extends Pick<
   SweepParts,
@@ -184,4 +187,55 @@ function shownColumns(columns: Columns, fields: Fields, form: Group): Columns {
       : [];
   });
   return scaled.length === 0 ? columns : { ...columns, ...Object.fromEntries(scaled) };
+}
+
+type Result = Answer["requirement_results"][number];
+
+interface BatchRequirementsProps extends Pick<SweepParts, "columns" | "strategies" | "figures" | "onOpen"> {
+  readonly results: readonly Result[];
+  readonly fields: SweepParts["batch"]["fields"];
+}
+
+function BatchRequirements({ results, columns, fields, strategies, figures, onOpen }: BatchRequirementsProps) {
+  const labelOf = (id: string | null) => strategies.find((each) => each.id === id)?.label ?? id;
+  const described: readonly Column<Result>[] = [
+    {
+      key: "requirement",
+      head: "Requirement",
+      text: true,
+      cell: (result) => {
+        const figure = figures.find(({ key }) => key === result.metric);
+        return `${figure ? fullName(figure) : result.metric} ${limitText(result, figure, labelOf(result.baseline))}`;
+      },
+    },
+    { key: "strategy", head: "Strategy", text: true, cell: ({ strategy }) => labelOf(strategy) },
+    { key: "result", head: "Result", text: true, cell: ({ result }) => <ResultMark result={result} /> },
+    { key: "fail", head: "Runs that fail", cell: ({ counts }) => counts.fail },
+    { key: "not_computed", head: "Not computed", cell: ({ counts }) => counts.not_computed },
+    { key: "unfinished", head: "Unfinished", cell: ({ counts }) => counts.unfinished },
+    {
+      key: "first",
+      head: "First failure",
+      text: true,
+      cell: ({ first_failure: first }) =>
+        first ? (
+          <Button size="compact-xs" variant="subtle" onClick={() => onOpen(first.run)}>
+            {fieldTexts(columns, first.run, fields).join(", ") || `Run ${first.run}`}
+          </Button>
+        ) : (
+          "–"
+        ),
+    },
+  ];
+  return (
+    <Card aria-label="Requirements" title="Requirements">
+      <DataTable
+        label="How the runs keep the requirements"
+        columns={described}
+        rows={results}
+        rowKey={(result) => results.indexOf(result)}
+        attributes={{ "data-dense": true }}
+      />
+    </Card>
+  );
 }

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { frontOf } from "./lines";
 import { failing, firstOf, hatched, mapGrid, shareBelow, unsettled } from "./map";
-import { mapFigure } from "./mapFigure";
+import { mapFigure } from "./MapPlot";
 import type { GridTrace } from "../../plots/plotly";
 import type { Columns } from "../../features/sweep/table";
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import type { Strategy } from "../../api/types";
 import { markersOf } from "../../plots/markers";
-import { drawnAxes, nearest, locate } from "./dots";
+import { drawnAxes, nearest, locate } from "./DotLayer";
 import { linesOf } from "./lines";
 import { secondsLeft, withMark, type Mark } from "../../jobs/useJob";
 import { MANY, scatterFigure } from "./scatter";

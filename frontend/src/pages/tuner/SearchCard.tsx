@@ -13,7 +13,7 @@ import type { Shown } from "./figures";
 import { firstTrial } from "./space";
 import type { Point, TuningParts } from "./points";
 import { Choice } from "../../ui/Entry";
-import { Fault } from "../../ui/Fault";
+import { Fault, Note } from "../../ui/Fault";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
 
@@ -103,14 +103,14 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
         <Chart hostRef={host} figure={figure} height={HEIGHT} label={describe(tuning, objectives)} onPoint={onPick} />
       )}
       {fault && <Fault className={ui.note ?? ""}>The single trials could not be read: {fault.message}</Fault>}
-      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
+      <Note className={ui.note ?? ""}>
         {several
           ? "Large points: the Pareto front. Small ones: the other trials. "
           : "Points: the trials. Line: the best so far. "}
         {tuning.limits.length > 0 && "Crosses: over a limit. "}A click on a point shows its weights.
         {figure.beyond > 0 &&
           ` ${count(figure.beyond, "worse trial")} ${figure.beyond === 1 ? "lies" : "lie"} beyond the axes.`}
-      </Text>
+      </Note>
       {several && tuning.history.length > 1 && tuning.history.some(({ hypervolume }) => hypervolume !== null) && (
         <Box component="details" className={ui.more ?? ""} p="0 0.9rem 0.6rem">
           <summary>How the front grew</summary>
@@ -129,10 +129,10 @@ export function SearchCard({ tuning, objectives, points, trials, fault, colour, 
             height={180}
             label="Share of the box under the first trial that the front dominates, over the trials"
           />
-          <Text size="xs" c="dimmed" className={ui.note ?? ""}>
+          <Note className={ui.note ?? ""}>
             The part of the box between zero and {firstTrial(tuning)} that the front dominates: it flattens when more
             trials find little more.
-          </Text>
+          </Note>
         </Box>
       )}
     </Card>

@@ -1,6 +1,6 @@
 /** One tuning: how far it is, what it found, and whether that holds on other roads. */
 
-import { Anchor, Button, Text } from "@mantine/core";
+import { Button, Text } from "@mantine/core";
 import { Link, useParams } from "@tanstack/react-router";
 import { useMemo } from "react";
 import { api } from "../../api/client";
@@ -33,12 +33,12 @@ const BESIDE = ["lqr", "passive"];
 export function TuningPage() {
   const { id } = useParams({ from: "/tuner/$id" });
   const catalogues = useNumericCatalogues();
-  const { job: tuning, error, connected, left } = useJob(TUNING, id);
-  const strategy = catalogues.strategies.find((each) => each.id === tuning?.strategy)?.label ?? tuning?.strategy;
-  const heading = strategy !== undefined ? `Weights of ${strategy}` : undefined;
+  const { job: tuning, connected, left } = useJob(TUNING, id);
+  const strategy = catalogues.strategies.find((each) => each.id === tuning.strategy)?.label ?? tuning.strategy;
+  const title = `Weights of ${strategy}`;
   return (
     <Page
-      title={heading ?? "Tuning"}
+      title={title}
       tools={
         <>
           <Button
@@ -49,22 +49,14 @@ export function TuningPage() {
           >
             New tuning
           </Button>
-          <ShareAddress what="tuning" ready={tuning !== undefined} />
-          <FileMenu contents="Every trial of the complete generations" files={tuning ? [trialsOf(tuning)] : []} />
+          <ShareAddress what="tuning" ready />
+          <FileMenu contents="Every trial of the complete generations" files={[trialsOf(tuning)]} />
         </>
       }
-      heading={heading && `${heading}, tuned`}
-      what="tuning"
-      instead={<Anchor renderRoot={(props) => <Link to="/tuner" {...props} />}>Start a tuning</Anchor>}
-      faults={[tuning ? null : error]}
-      heights={[28, 150, 420]}
+      heading={`${title}, tuned`}
     >
-      {tuning ? (
-        <>
-          <TuningState {...{ tuning, connected, left }} {...catalogues} />
-          <TuningResults tuning={tuning} {...catalogues} />
-        </>
-      ) : null}
+      <TuningState {...{ tuning, connected, left }} {...catalogues} />
+      <TuningResults tuning={tuning} {...catalogues} />
     </Page>
   );
 }

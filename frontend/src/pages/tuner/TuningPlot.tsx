@@ -1,6 +1,6 @@
 /** The search as a plot, and beside it the weights of the point somebody looks at. */
 
-import { Button, Stack, Text } from "@mantine/core";
+import { Button, Stack } from "@mantine/core";
 import { useQuery, keepPreviousData, queryOptions } from "@tanstack/react-query";
 import { useState } from "react";
 import type { Trial, Weights, Tuning } from "../../api/types";
@@ -16,6 +16,7 @@ import { dotted } from "../../scenario/fields";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { firstTrial, formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
 import { ask } from "../../api/http";
+import { Note } from "../../ui/Fault";
 
 const NO_TRIALS: readonly Trial[] = [];
 
@@ -49,11 +50,7 @@ export function TuningPlot({ tuning, objectives, limits, tunable, points, colour
             />
             <Values {...{ tuning, objectives, limits }} trial={picked} />
             <WeightsOf weights={picked.weights} beside={tuning.paper?.weights} tunable={tunable} />
-            {picked.number !== tuning.paper?.number && (
-              <Text size="xs" c="dimmed">
-                Struck through: {firstTrial(tuning)}.
-              </Text>
-            )}
+            {picked.number !== tuning.paper?.number && <Note>Struck through: {firstTrial(tuning)}.</Note>}
             <Button variant="filled" loading={load.opening?.number === picked.number} onClick={() => load.open(picked)}>
               Load in lab
             </Button>

@@ -1,6 +1,6 @@
 /** How far a tuning is, what it is about, and how to continue it. */
 
-import { Button, Group, Text } from "@mantine/core";
+import { Button, Group } from "@mantine/core";
 import { useQuery } from "@tanstack/react-query";
 import { useState } from "react";
 import { ask } from "../../api/http";
@@ -18,6 +18,8 @@ import { formatSeeds } from "./seeds";
 import classes from "./tuner.module.css";
 import { Entry } from "../../ui/Entry";
 import ui from "../../ui/ui.module.css";
+import { Note } from "../../ui/Fault";
+import { submits } from "../../ui/NameForm";
 
 interface Props {
   readonly tuning: Tuning;
@@ -66,11 +68,11 @@ function Within({ tuning, comparing }: { readonly tuning: Tuning; readonly compa
   });
   const finished = data ? data.done + data.failed : 0;
   return (
-    <Text size="xs" c="dimmed">
+    <Note>
       {data
         ? `${comparing ? "Comparison" : `Generation ${tuning.generation + 1}`}: ${formatWhole(finished)} of ${count(data.total, "run")}`
         : "\u00a0"}
-    </Text>
+    </Note>
   );
 }
 
@@ -87,10 +89,9 @@ function Resume({ tuning }: { readonly tuning: Tuning }) {
     <Group
       component="form"
       gap="0.4rem"
-      onSubmit={(event) => {
-        event.preventDefault();
+      onSubmit={submits(() => {
         if (!wrong) resume.mutate(requested);
-      }}
+      })}
     >
       <Entry
         className={classes.short}

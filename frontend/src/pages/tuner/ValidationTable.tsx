@@ -16,6 +16,7 @@ import { DataTable, type Column } from "../../ui/DataTable";
 import { LimitValue } from "./PointsTable";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
+import { Note } from "../../ui/Fault";
 
 interface Props extends Pick<TuningParts, "tuning" | "objectives"> {
   readonly figures: readonly Metric[];
@@ -96,10 +97,10 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
           ),
         ]}
       />
-      <Text size="xs" c="dimmed" className={ui.note ?? ""}>
+      <Note className={ui.note ?? ""}>
         Means over the roads; the change against {firstTrial(tuning)} with its 95 % interval, paired road by road. An
         arrow stands only where the interval does not hold zero.
-      </Text>
+      </Note>
     </Card>
   );
 }
