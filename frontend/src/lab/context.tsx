@@ -23,13 +23,12 @@ interface LabContextValue {
 
 const LabContext = createContext<LabContextValue | null>(null);
 
-export function LabContextProvider({
-  value,
-  children,
-}: {
+interface LabContextProviderProps {
   readonly value: Omit<LabContextValue, "paperScenario" | "scenario">;
   readonly children: ReactNode;
-}) {
+}
+
+export function LabContextProvider({ value, children }: LabContextProviderProps) {
   // Fetched by the pages that need it.
   const form = useQuery({ ...schemaQuery, enabled: false }).data;
   const context = useMemo(() => {

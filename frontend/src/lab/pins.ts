@@ -1,5 +1,6 @@
 /** Pinned variants: runs by a name of their own, kept when the tab is closed. */
 
+import { isLike } from "../lib/storage";
 import { LONGEST_NAME } from "../scenario/library";
 import { createAtom, type Atom } from "@tanstack/react-store";
 
@@ -20,13 +21,7 @@ export interface Pins extends Pick<Atom<readonly Pin[]>, "get" | "subscribe"> {
 export const MOST_PINS = 8;
 const KEY = "ridelab-pins";
 
-const isPin = (value: unknown): value is Pin =>
-  typeof value === "object" &&
-  value !== null &&
-  "name" in value &&
-  typeof value.name === "string" &&
-  "run" in value &&
-  typeof value.run === "string";
+const isPin = (value: unknown): value is Pin => isLike<Pin>({ name: "", run: "" }, value);
 
 function parse(text: string | null): readonly Pin[] {
   try {

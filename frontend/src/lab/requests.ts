@@ -79,25 +79,26 @@ export function createRequests(
     const { baseline } = labAddress.get().view;
     const over = roads > 1 ? { roads, ...(strategies.includes(baseline) ? { baseline } : {}) } : null;
     start({
-      work: async (signal, isCurrent) => {
+      work: async (signal) => {
         const startedAt = performance.now();
         const { group } = form();
         const asked = history?.present ?? {};
         const run = await api.createRun(withoutGone(group, asked), strategies, signal, over);
-        if (!isCurrent()) return;
+        signal.throwIfAborted();
         queries.setQueryData(runKey(run.id), run);
         if (history === null) patch({ history: begin(run.scenario) });
         const histories = await historiesOf(run, queries, api.series, signal);
-        if (!isCurrent()) return;
-        const selected = store.get().strategies;
-        const hidden = Object.keys(run.strategies).filter((strategy) => !selected.includes(strategy));
-        if (history === null) labAddress.clearFrom();
-        labAddress.showRun(run.id, { hidden }, mode);
-        patch({
-          ...resultsAfterEdit(store.get(), fromRun(run, histories, performance.now() - startedAt, false)),
-          drag: null,
-          shared: null,
-        });
+        return () => {
+          const selected = store.get().strategies;
+          const hidden = Object.keys(run.strategies).filter((strategy) => !selected.includes(strategy));
+          if (history === null) labAddress.clearFrom();
+          labAddress.showRun(run.id, { hidden }, mode);
+          patch({
+            ...resultsAfterEdit(store.get(), fromRun(run, histories, performance.now() - startedAt, false)),
+            drag: null,
+            shared: null,
+          });
+        };
       },
       again: () => submit(mode),
     });
@@ -105,25 +106,25 @@ export function createRequests(
 
   const load: Requests["load"] = (id, hidden) => {
     start({
-      work: async (signal, isCurrent) => {
+      work: async (signal) => {
         const startedAt = performance.now();
         const run = await fromCache(queries, runKey(id), () => api.run(id, signal));
-        if (!isCurrent()) return;
         const histories = await historiesOf(run, queries, api.series, signal);
-        if (!isCurrent()) return;
-        const { history } = store.get();
-        labAddress.confirmNavigation();
-        if (run.over && labAddress.get().view.baseline === DEFAULT_VIEW.baseline)
-          labAddress.setView({ baseline: run.over.baseline });
-        patch({
-          ...resultsAfterOpening(store.get(), fromRun(run, histories, performance.now() - startedAt, true)),
-          roads: run.over?.roads ?? 1,
-          history: history ? record(history, run.scenario) : begin(run.scenario),
-          strategies: Object.keys(run.strategies).filter((strategy) => !hidden.includes(strategy)),
-          invalidInput: {},
-          drag: null,
-          shared: null,
-        });
+        return () => {
+          const { history } = store.get();
+          labAddress.confirmNavigation();
+          if (run.over && labAddress.get().view.baseline === DEFAULT_VIEW.baseline)
+            labAddress.setView({ baseline: run.over.baseline });
+          patch({
+            ...resultsAfterOpening(store.get(), fromRun(run, histories, performance.now() - startedAt, true)),
+            roads: run.over?.roads ?? 1,
+            history: history ? record(history, run.scenario) : begin(run.scenario),
+            strategies: Object.keys(run.strategies).filter((strategy) => !hidden.includes(strategy)),
+            invalidInput: {},
+            drag: null,
+            shared: null,
+          });
+        };
       },
       again: () => load(id, hidden),
       giveUp: leaveLink,
@@ -132,30 +133,31 @@ export function createRequests(
 
   const openLink: Requests["openLink"] = (slug) => {
     start({
-      work: async (signal, isCurrent) => {
+      work: async (signal) => {
         const startedAt = performance.now();
         const link = await fromCache(queries, linkKey(slug), () => api.link(slug, signal));
-        if (!isCurrent()) return;
         if (!link.run && !link.batch) throw new Error("There is nothing behind this link that this page can show");
         const histories = link.run && (await historiesOf(link.run, queries, api.series, signal));
-        if (!isCurrent()) return;
-        const { view, strategies, at } = readSharedView(link);
-        labAddress.confirmNavigation();
-        labAddress.setView(view);
-        cursor.set(view.axis, at);
-        const shown = link.run && histories ? fromRun(link.run, histories, performance.now() - startedAt, true) : null;
-        const roads = link.run?.over?.roads ?? 1;
-        patch({
-          shared: link,
-          history: begin(link.scenario),
-          strategies,
-          roads,
-          invalidInput: {},
-          drag: null,
-          shown,
-          latestResult: shown,
-          previousResult: null,
-        });
+        return () => {
+          const { view, strategies, at } = readSharedView(link);
+          labAddress.confirmNavigation();
+          labAddress.setView(view);
+          cursor.set(view.axis, at);
+          const shown =
+            link.run && histories ? fromRun(link.run, histories, performance.now() - startedAt, true) : null;
+          const roads = link.run?.over?.roads ?? 1;
+          patch({
+            shared: link,
+            history: begin(link.scenario),
+            strategies,
+            roads,
+            invalidInput: {},
+            drag: null,
+            shown,
+            latestResult: shown,
+            previousResult: null,
+          });
+        };
       },
       again: () => openLink(slug),
       giveUp: leaveLink,
@@ -186,17 +188,12 @@ export function createRequests(
 }
 
 interface ExactRequest {
-  readonly work: (signal: AbortSignal, isCurrent: () => boolean) => Promise<void>;
+  /** Gives what shows the answer: done only where nothing else has been asked for meanwhile. */
+  readonly work: (signal: AbortSignal) => Promise<() => void>;
   /** Asks for the same once more. */
   readonly again: () => void;
   /** What else to do where it fails for good. */
   readonly giveUp?: () => void;
-}
-
-interface ExactRequests {
-  readonly start: (request: ExactRequest) => void;
-  /** Aborts what runs. */
-  readonly cancel: () => void;
 }
 
 interface Parts {
@@ -206,32 +203,37 @@ interface Parts {
   readonly onError: (error: unknown, again: () => void) => void;
 }
 
-function createExactRequests({ store, grace, onError }: Parts): ExactRequests {
+/** One exact request at a time: a new one aborts the one before, so that a stale answer never lands. */
+function createExactRequests({ store, grace, onError }: Parts) {
   let current: AbortController | null = null;
   const patch = (change: Partial<LabState>) => store.set((state) => ({ ...state, ...change }));
 
   return {
-    start: ({ work, again, giveUp }) => {
+    start: ({ work, again, giveUp }: ExactRequest) => {
       current?.abort();
       const controller = new AbortController();
+      const { signal } = controller;
       current = controller;
-      const isCurrent = () => current === controller;
       patch({ busy: true, failure: null, serverErrors: NO_ERRORS });
       grace.start();
-      work(controller.signal, isCurrent)
+      work(signal)
+        .then((show) => {
+          if (!signal.aborted) show();
+        })
         .catch((error: unknown) => {
-          if (!isCurrent()) return;
+          if (signal.aborted) return;
           if (!isAbort(error) && !isTransient(error)) giveUp?.();
           onError(error, again);
         })
         .finally(() => {
-          if (!isCurrent()) return;
+          if (signal.aborted) return;
           current = null;
           grace.stop();
           // After a failure the old curves stay dimmed: they are not what the form says.
           patch({ busy: false, stale: store.get().failure !== null || hasErrors(store.get().serverErrors) });
         });
     },
+    /** Aborts what runs. */
     cancel: () => {
       if (current === null) return;
       current.abort();

@@ -22,18 +22,7 @@ interface StoredSession {
   readonly search: string;
 }
 
-const isStoredSession = (value: unknown): value is StoredSession =>
-  typeof value === "object" &&
-  value !== null &&
-  "scenario" in value &&
-  typeof value.scenario === "object" &&
-  value.scenario !== null &&
-  "strategies" in value &&
-  Array.isArray(value.strategies) &&
-  "roads" in value &&
-  typeof value.roads === "number" &&
-  "search" in value &&
-  typeof value.search === "string";
+const SESSION: StoredSession = { scenario: {}, strategies: [], roads: 1, search: "" };
 
 export interface RestoredSession {
   readonly lab: Pick<LabState, "history" | "strategies" | "roads">;
@@ -43,7 +32,7 @@ export interface RestoredSession {
 /** `null` where nothing was kept, or the browser keeps nothing. */
 export function restoreSession(): RestoredSession | null {
   const value = readStored(NAME);
-  if (!isStoredSession(value)) return null;
+  if (!isLike(SESSION, value)) return null;
   const { version = 1, scenario, strategies, roads, search } = value;
   return {
     lab: { history: begin(upgraded(scenario, version)), strategies, roads },

@@ -2,7 +2,7 @@
 
 import { ActionIcon } from "@mantine/core";
 import { useDisclosure } from "@mantine/hooks";
-import { lazy, useMemo, useState, type RefObject } from "react";
+import { lazy, useMemo, useState, type ComponentProps, type RefObject } from "react";
 import type { FigureTemplate } from "../api/types";
 import { IconDownload, IconMaximize } from "../ui/icons";
 import { LazyPart } from "../ui/LazyPart";
@@ -13,6 +13,15 @@ import type { CurvesSource } from "./Surface";
 
 const EnlargedFigure = lazy(() => import("./EnlargedFigure").then((module) => ({ default: module.EnlargedFigure })));
 const FigureMenu = lazy(() => import("./FigureMenu").then((module) => ({ default: module.FigureMenu })));
+
+type Pressed = Pick<
+  ComponentProps<"button">,
+  "aria-label" | "aria-expanded" | "onClick" | "onPointerEnter" | "children"
+>;
+
+const FigureIcon = (props: Pressed) => (
+  <ActionIcon size={24} variant="subtle" color="gray" data-unprinted aria-haspopup="dialog" {...props} />
+);
 
 interface EnlargeProps {
   readonly template: FigureTemplate;
@@ -25,18 +34,9 @@ export function EnlargeButton({ template, curves }: EnlargeProps) {
   const { title } = template.layout.meta;
   const button = useMemo(
     () => (
-      <ActionIcon
-        size={24}
-        variant="subtle"
-        color="gray"
-        data-unprinted
-        aria-label={`Enlarge figure: ${title}`}
-        aria-haspopup="dialog"
-        onPointerEnter={requestPlotly}
-        onClick={open}
-      >
+      <FigureIcon aria-label={`Enlarge figure: ${title}`} onPointerEnter={requestPlotly} onClick={open}>
         <IconMaximize size={15} />
-      </ActionIcon>
+      </FigureIcon>
     ),
     [title, open],
   );
@@ -59,13 +59,8 @@ export function FigureButton({ source }: { readonly source: FigureSource }) {
   // Curves change with every move of a slider, the button does not.
   const button = useMemo(
     () => (
-      <ActionIcon
-        size={24}
-        variant="subtle"
-        color="gray"
-        data-unprinted
+      <FigureIcon
         aria-label={`Save figure: ${title}`}
-        aria-haspopup="dialog"
         aria-expanded={opened}
         onClick={() => {
           setRequested(true);
@@ -73,7 +68,7 @@ export function FigureButton({ source }: { readonly source: FigureSource }) {
         }}
       >
         <IconDownload size={15} />
-      </ActionIcon>
+      </FigureIcon>
     ),
     [title, opened],
   );

@@ -1,7 +1,7 @@
 /** The page's table: its columns are data, its first column is the rows' names and stays in sight when it scrolls sideways. */
 
 import { UnstyledButton } from "@mantine/core";
-import { Fragment, useState, type HTMLAttributes, type ReactNode } from "react";
+import { useState, type HTMLAttributes, type ReactNode } from "react";
 import { IconArrowsSort, IconSortAscending, IconSortDescending } from "./icons";
 import { inOrder, type Order } from "../lib/order";
 import classes from "./table.module.css";
@@ -244,16 +244,11 @@ function Cells<Row>({ row, columns }: Columns<Row> & { readonly row: Row }) {
       ...(colSpan > 1 && { colSpan }),
       ...attributes?.(row),
     };
+    const [Tag, scope] = index === 0 ? (["th", "row"] as const) : (["td", undefined] as const);
     return (
-      <Fragment key={key}>
-        {index === 0 ? (
-          <th scope="row" {...look}>
-            {cell(row)}
-          </th>
-        ) : (
-          <td {...look}>{cell(row)}</td>
-        )}
-      </Fragment>
+      <Tag key={key} {...{ scope, ...look }}>
+        {cell(row)}
+      </Tag>
     );
   });
 }

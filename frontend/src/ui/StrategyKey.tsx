@@ -1,6 +1,8 @@
 /** A strategy's line as the plots draw it: colour and dash. */
 
+import type { ReactNode } from "react";
 import type { Strategy } from "../api/types";
+import { prettyUnit } from "../units/format";
 import ui from "./ui.module.css";
 
 const DASHES: Readonly<Record<string, string>> = {
@@ -28,6 +30,18 @@ export function StrategyName({ strategy }: { readonly strategy: Pick<Strategy, "
     </span>
   );
 }
+
+interface NameWithUnitProps {
+  readonly name: ReactNode;
+  readonly unit: string;
+}
+
+/** What a row of numbers is, with its unit beside it. */
+export const NameWithUnit = ({ name, unit }: NameWithUnitProps) => (
+  <>
+    {name} <span className={ui.dim}>{prettyUnit(unit)}</span>
+  </>
+);
 
 interface Props {
   readonly colour?: string;

@@ -114,16 +114,14 @@ const Shell = memo(function Shell({ path, windows, x, y }: ShellProps) {
   );
 });
 
-/** Another strategy's body, as a thin line in its colour. */
-export function Ghost({
-  car: { rear, tilt },
-  path,
-  colour,
-}: {
+interface GhostProps {
   readonly car: DrawnCar;
   readonly path: string;
   readonly colour: string;
-}) {
+}
+
+/** Another strategy's body, as a thin line in its colour. */
+export function Ghost({ car: { rear, tilt }, path, colour }: GhostProps) {
   return (
     <path
       transform={`translate(${rear.x} ${rear.floor}) rotate(${tilt})`}

@@ -52,11 +52,11 @@ export function CompareBar({ resultView }: { readonly resultView: ResultView }) 
   );
 }
 
-function AgainstSelect({
-  resultView: { strategies, pins, before, reference, baseline },
-}: {
+interface AgainstSelectProps {
   readonly resultView: ResultView;
-}) {
+}
+
+function AgainstSelect({ resultView: { strategies, pins, before, reference, baseline } }: AgainstSelectProps) {
   const { labAddress } = useLabContext();
   const variants = [
     ...(before ? [{ value: "before" satisfies Reference, label: `B${before.name.slice(1)}` }] : []),

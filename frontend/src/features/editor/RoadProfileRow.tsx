@@ -21,6 +21,10 @@ import classes from "../library/library.module.css";
 import { Choice } from "../../ui/Entry";
 
 const NONE = { value: "", label: "None" };
+const FORMATS = [
+  { format: "csv", name: "CSV" },
+  { format: "crg", name: "OpenCRG" },
+] as const;
 
 export function RoadProfileRow({ field }: { readonly field: TextField }) {
   const leaf = useLeaf(field);
@@ -53,26 +57,18 @@ export function RoadProfileRow({ field }: { readonly field: TextField }) {
       standard="none"
       aside={
         <>
-          {road && (
-            <Button
-              component="a"
-              size="compact-xs"
-              href={address("/roads/{id}", { path: { id }, query: { format: "csv" } })}
-              download={`ridelab-road-${id}.csv`}
-            >
-              Save CSV
-            </Button>
-          )}
-          {road && (
-            <Button
-              component="a"
-              size="compact-xs"
-              href={address("/roads/{id}", { path: { id }, query: { format: "crg" } })}
-              download={`ridelab-road-${id}.crg`}
-            >
-              Save OpenCRG
-            </Button>
-          )}
+          {road &&
+            FORMATS.map(({ format, name: called }) => (
+              <Button
+                key={format}
+                component="a"
+                size="compact-xs"
+                href={address("/roads/{id}", { path: { id }, query: { format } })}
+                download={`ridelab-road-${id}.${format}`}
+              >
+                Save {called}
+              </Button>
+            ))}
           {!leaf.readOnly && <OpenFiles name="Road file">Open file</OpenFiles>}
         </>
       }

@@ -3,11 +3,10 @@
 import { CloseButton, Group, Text } from "@mantine/core";
 import type { Catalogue, FigureTemplate, Run, Strategy, StrategyId, Summary } from "../../api/types";
 import { formatPercent } from "../tables/change";
-import { StrategyName } from "../../ui/StrategyKey";
-import { formatNumber, prettyUnit } from "../../units/format";
+import { StrategyName, NameWithUnit } from "../../ui/StrategyKey";
+import { formatNumber } from "../../units/format";
 import { Card } from "../../ui/Card";
 import { DataTable } from "../../ui/DataTable";
-import ui from "../../ui/ui.module.css";
 import { shownUnit } from "../../server/metrics";
 import { Note } from "../../ui/Fault";
 
@@ -72,13 +71,12 @@ export function DifferencesCard({ then, now, strategies, catalogue, figures, onC
   );
 }
 
-function DifferencesTable({
-  differences,
-  strategies,
-}: {
+interface DifferencesTableProps {
   readonly differences: readonly Difference[];
   readonly strategies: readonly Strategy[];
-}) {
+}
+
+function DifferencesTable({ differences, strategies }: DifferencesTableProps) {
   return (
     <DataTable
       label="Differences by metric"
@@ -100,11 +98,7 @@ function DifferencesTable({
           key: "metric",
           head: "Metric",
           text: true,
-          cell: ({ metric, unit }) => (
-            <>
-              {metric} <span className={ui.dim}>{prettyUnit(unit)}</span>
-            </>
-          ),
+          cell: ({ metric, unit }) => <NameWithUnit name={metric} unit={unit} />,
         },
         { key: "then", head: "Then", cell: ({ then }) => show(then) },
         { key: "now", head: "Now", cell: ({ now }) => show(now) },

@@ -66,16 +66,14 @@ function Banner({ link, run, strategies, catalogue, figures }: Props & { readonl
   );
 }
 
-/** Says that this is shared, when it was computed and by what, and what can be done with it. */
-export function SharedNote({
-  link,
-  what,
-  children,
-}: {
+interface SharedNoteProps {
   readonly link: Link;
   readonly what: "result" | "sweep";
   readonly children?: ReactNode;
-}) {
+}
+
+/** Says that this is shared, when it was computed and by what, and what can be done with it. */
+export function SharedNote({ link, what, children }: SharedNoteProps) {
   return (
     <section className={ui.banner} aria-label="Shared result">
       <IconLock size={17} stroke={1.7} aria-hidden />

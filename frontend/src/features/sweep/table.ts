@@ -128,21 +128,16 @@ function refreshEvery({ total, done }: Batch, table?: BatchTable): number {
 }
 
 /** A batch's rows, column by column. */
-export const tableQuery = (batch: Batch | undefined, figures: readonly string[]) =>
+export const tableQuery = (batch: Batch, figures: readonly string[]) =>
   queryOptions({
     // A table of the final state is another one than those before it.
-    queryKey: ["batch table", batch?.id ?? "", batch !== undefined && isFinal(batch), figures],
+    queryKey: ["batch table", batch.id, isFinal(batch), figures],
     queryFn: ({ signal }) =>
-      ask(
-        "get",
-        "/batches/{id}/table",
-        { path: { id: batch?.id ?? "" }, query: { figures: figures.join(",") } },
-        signal,
-      ),
-    enabled: batch !== undefined && figures.length > 0,
+      ask("get", "/batches/{id}/table", { path: { id: batch.id }, query: { figures: figures.join(",") } }, signal),
+    enabled: figures.length > 0,
     staleTime: Infinity,
     gcTime: 5 * 60_000,
-    refetchInterval: (query) => batch !== undefined && !isFinal(batch) && refreshEvery(batch, query.state.data),
+    refetchInterval: (query) => !isFinal(batch) && refreshEvery(batch, query.state.data),
   });
 
 /** How a batch's runs keep what is required of them. */

@@ -56,14 +56,13 @@ export function Estimated({ value, interval, scale, isBest = false }: EstimatedP
   );
 }
 
-/** The caveats of a result; on hover, focus or touch what they mean. */
-export function CaveatMark({
-  caveats,
-  short = false,
-}: {
+interface CaveatMarkProps {
   readonly caveats: readonly Caveat[];
   readonly short?: boolean;
-}) {
+}
+
+/** The caveats of a result; on hover, focus or touch what they mean. */
+export function CaveatMark({ caveats, short = false }: CaveatMarkProps) {
   if (caveats.length === 0) return null;
   const text = caveats.map((caveat) => caveat.text).join(", ");
   const meaning = caveats.map((caveat) => `${caveat.text}: ${caveat.description}`).join("\n");

@@ -45,13 +45,12 @@ function show(value: Value): string {
     : formatResult(value);
 }
 
-export function RunTable({
-  resultView,
-  catalogue,
-}: {
+interface RunTableProps {
   readonly resultView: ResultView;
   readonly catalogue: Catalogue;
-}) {
+}
+
+export function RunTable({ resultView, catalogue }: RunTableProps) {
   return (
     <DataTable
       label="Comfort, time and events"
@@ -83,15 +82,13 @@ export function RunTable({
   );
 }
 
-function RunCell({
-  resultView,
-  entry,
-  row: { quantity, metric, judged },
-}: {
+interface RunCellProps {
   readonly resultView: ResultView;
   readonly entry: Entry;
   readonly row: Row;
-}) {
+}
+
+function RunCell({ resultView, entry, row: { quantity, metric, judged } }: RunCellProps) {
   const interval = metric ? intervalAt(entry.shown, entry.strategy.id, metric) : undefined;
   const value = metric ? valueAt(entry.summary, metric) : entry.summary?.events[quantity.key];
   return (

@@ -38,16 +38,14 @@ export function BuildReport({ scenario, catalogue }: Props) {
       aria-busy={report.isFetching || undefined}
       title="Does it fit a small microcontroller?"
       tools={
-        <>
-          {!report.data && (
-            <Button
-              loading={report.isFetching}
-              onClick={() => (requested === scenario ? void report.refetch() : setRequested(scenario))}
-            >
-              Build and measure
-            </Button>
-          )}
-        </>
+        !report.data && (
+          <Button
+            loading={report.isFetching}
+            onClick={() => (requested === scenario ? void report.refetch() : setRequested(scenario))}
+          >
+            Build and measure
+          </Button>
+        )
       }
     >
       {report.data ? (
@@ -194,14 +192,13 @@ function Fits({ fits, reasons }: { readonly fits: boolean; readonly reasons: rea
   );
 }
 
-/** The largest increase, and of what. */
-function Loss({
-  changes,
-  catalogue,
-}: {
+interface LossProps {
   readonly changes: Readonly<Record<string, number | null>>;
   readonly catalogue: Catalogue;
-}) {
+}
+
+/** The largest increase, and of what. */
+function Loss({ changes, catalogue }: LossProps) {
   const changed = Object.entries(changes).flatMap(([signal, change]) => (change === null ? [] : [{ signal, change }]));
   const worst = changed.toSorted((a, b) => b.change - a.change)[0];
   if (!worst) return <>–</>;

@@ -8,7 +8,7 @@ import { headingOf, labelOf } from "../../features/tables/ComparisonTable";
 import { VIEWS } from "../../features/tables/entries";
 import { ChangeMark } from "../../features/tables/ChangeMark";
 import { formatPercent, changeAgainst } from "../../features/tables/change";
-import { StrategyName } from "../../ui/StrategyKey";
+import { StrategyName, NameWithUnit } from "../../ui/StrategyKey";
 import tables from "../../features/tables/tables.module.css";
 import { shownUnit } from "../../server/metrics";
 import { formatResult, formatWhole, prettyUnit } from "../../units/format";
@@ -37,13 +37,11 @@ export function EcuTable({ summaries, strategies, catalogue, figures, stale }: P
       data-stale={stale || undefined}
       title="ECU against simulation"
       tools={
-        <>
-          {judged.length > 0 && (
-            <Text fw={650} data-testid="hil-count" className={(reached === judged.length ? ui.good : ui.warning) ?? ""}>
-              {reached} of {judged.length} within ±{RULE_PERCENT}&nbsp;%
-            </Text>
-          )}
-        </>
+        judged.length > 0 && (
+          <Text fw={650} data-testid="hil-count" className={(reached === judged.length ? ui.good : ui.warning) ?? ""}>
+            {reached} of {judged.length} within ±{RULE_PERCENT}&nbsp;%
+          </Text>
+        )
       }
     >
       <DataTable
@@ -82,10 +80,7 @@ function columnsOf(
       head: "Metric",
       text: true,
       cell: ({ signal }) => (
-        <>
-          {labelOf(signal, catalogue)}{" "}
-          <span className={ui.dim}>{prettyUnit(shownUnit(signal, figures, catalogue).unit)}</span>
-        </>
+        <NameWithUnit name={labelOf(signal, catalogue)} unit={shownUnit(signal, figures, catalogue).unit} />
       ),
     },
     ...strategies.map((strategy): Column<HilRow> => ({

@@ -125,15 +125,13 @@ const MEANING: Readonly<Record<PlotKind, string>> = {
   computing: "What the program itself took, by its own clock.",
 };
 
-function Report({
-  report,
-  catalogue,
-  colour,
-}: {
+interface ReportProps {
   readonly report: RealtimeReport;
   readonly catalogue: Catalogue;
   readonly colour: string;
-}) {
+}
+
+function Report({ report, catalogue, colour }: ReportProps) {
   const strategies = useStrategies();
   const lightColour = strategies.find(({ id }) => id === "lv_hil")?.colour ?? colour;
   const palette = PALETTES[useComputedColorScheme("light")];

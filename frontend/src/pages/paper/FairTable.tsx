@@ -130,13 +130,12 @@ function columnsOf(
   ];
 }
 
-function Value({
-  text,
-  interval,
-}: {
+interface ValueProps {
   readonly text: string;
   readonly interval: false | { readonly low: number; readonly high: number; readonly scale: number };
-}) {
+}
+
+function Value({ text, interval }: ValueProps) {
   return (
     <>
       {text}

@@ -5,7 +5,7 @@ import { useState } from "react";
 import type { BatchSummary, Strategy } from "../../api/types";
 import { type Metric, fullName } from "../../server/metrics";
 import { formatPercent } from "../../features/tables/change";
-import { StrategyName } from "../../ui/StrategyKey";
+import { StrategyName, NameWithUnit } from "../../ui/StrategyKey";
 import { formatResult, prettyUnit, formatNumber } from "../../units/format";
 import { RunButton } from "./RunButton";
 import { quantile, type FigureSummary, type Margin, type StudyParts } from "./summary";
@@ -42,11 +42,7 @@ export function Spread({ summary, strategies, figures, opening }: Props) {
         columns={columnsOf({ summary, shownGroup, against, opening })}
         groups={shown.map((figure) => ({
           key: figure.key,
-          title: (
-            <>
-              {figure.label} <span className={ui.dim}>{prettyUnit(figure.unit)}</span>
-            </>
-          ),
+          title: <NameWithUnit name={figure.label} unit={figure.unit} />,
           rows: strategies.flatMap((strategy) => {
             const results = summary.strategies[strategy.id]?.figures[figure.key];
             return results ? [{ strategy, figure, results }] : [];

@@ -39,16 +39,9 @@ type Change = (part: Partial<BatchView>) => void;
 
 const kindOf = (text: string | null | undefined): PlotKind | null => PLOT_KINDS.find((kind) => kind === text) ?? null;
 
-export function viewOf({
-  plot,
-  x,
-  y,
-  hide,
-  strategy,
-  against,
-  at,
-  versus,
-}: Readonly<Record<keyof BatchSearch, string | null | undefined>> | BatchSearch): BatchView {
+type Stated = Partial<Record<keyof BatchSearch, string | null | undefined>>;
+
+export function viewOf({ plot, x, y, hide, strategy, against, at, versus }: Stated): BatchView {
   const threshold = at === NONE ? NONE : parseFloat(at ?? "");
   return {
     plot: kindOf(plot),
@@ -82,17 +75,7 @@ export function useBatchView(): readonly [BatchView, Change] {
   ];
 }
 
-export function useSharedView({
-  plot,
-  x,
-  y,
-  hidden,
-  strategy,
-  against,
-  threshold,
-  versus,
-}: SharedView): readonly [BatchView, Change] {
-  const stated = { plot, x, y, hide: hidden?.join(","), strategy, against, at: threshold?.toString(), versus };
-  const [view, setView] = useState(() => viewOf(stated));
+export function useSharedView({ hidden, threshold, ...stated }: SharedView): readonly [BatchView, Change] {
+  const [view, setView] = useState(() => viewOf({ ...stated, hide: hidden?.join(","), at: threshold?.toString() }));
   return [view, (part) => setView((before) => ({ ...before, ...part }))];
 }

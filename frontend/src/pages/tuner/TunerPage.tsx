@@ -204,15 +204,13 @@ function NewTuning({ form, catalogue, strategies, figures, source }: NewTuningPr
   );
 }
 
-function Part({
-  title,
-  detail,
-  children,
-}: {
+interface PartProps {
   readonly title: string;
   readonly detail?: string;
   readonly children: React.ReactNode;
-}) {
+}
+
+function Part({ title, detail, children }: PartProps) {
   return (
     <section className={ui.part} aria-label={title}>
       <h2 className={ui.heading}>

@@ -1,31 +1,38 @@
 /** One tuning: how far it is, what it found, and whether that holds on other roads. */
 
-import { Button, Text } from "@mantine/core";
+import { Button, Text, Stack } from "@mantine/core";
 import { Link, useParams } from "@tanstack/react-router";
-import { useMemo } from "react";
+import { useMemo, useState } from "react";
 import { api } from "../../api/client";
 import { download } from "../../lib/download";
-import { address } from "../../api/http";
+import { address, ask } from "../../api/http";
 import { FileMenu } from "../../features/export/FileMenu";
 import { ShareAddress } from "../../features/share/ShareAddress";
 import { compact } from "../../ui/compact";
 import { IconBraces, IconPlus } from "../../ui/icons";
-import type { Trial, Tuning } from "../../api/types";
+import type { Trial, Tuning, Weights } from "../../api/types";
 import { TUNING, useJob } from "../../jobs/useJob";
 import { Page } from "../../ui/Page";
 import { useRunInLab } from "../../ui/useOpenInLab";
 import type { Catalogues } from "../../server/useCatalogues";
 import { ofLimit, ofObjective, useNumericCatalogues } from "./figures";
 import { ValidationTable } from "./ValidationTable";
-import { pointsOf } from "./points";
+import { pointsOf, type Point, type TuningParts } from "./points";
 import { PointsTable } from "./PointsTable";
-import { firstTrial, tunableOf } from "./space";
-import { TuningPlot } from "./TuningPlot";
+import { firstTrial, tunableOf, formatValue, singlesIn, weightAt, type Single, type Tunable } from "./space";
 import { TuningState } from "./TuningState";
 import { humanise } from "../../scenario/schema";
-import { withFields } from "../../scenario/fields";
-import { Fault } from "../../ui/Fault";
+import { withFields, dotted } from "../../scenario/fields";
+import { Fault, Note } from "../../ui/Fault";
 import ui from "../../ui/ui.module.css";
+import { useQuery, keepPreviousData, queryOptions } from "@tanstack/react-query";
+import { ChangeMark } from "../../features/tables/ChangeMark";
+import { formatInput, formatResult, prettyUnit } from "../../units/format";
+import { SearchCard } from "./SearchCard";
+import results from "./results.module.css";
+import { Choice } from "../../ui/Entry";
+import { Card } from "../../ui/Card";
+import { DataTable, type Column } from "../../ui/DataTable";
 
 /** What weights are looked at beside. */
 const BESIDE = ["lqr", "passive"];
@@ -112,3 +119,163 @@ function warningOf(tuning: Tuning): string | null {
     ? null
     : `${humanise(firstTrial(tuning))} are over a limit on the training roads: weights within the limits may give larger objectives.`;
 }
+
+const NO_TRIALS: readonly Trial[] = [];
+
+function TuningPlot({ tuning, objectives, limits, tunable, points, colour, load }: TuningParts) {
+  const [selectedNumber, setSelectedNumber] = useState<number | null>(null);
+  const trials = useQuery({ ...trialsQuery(tuning), enabled: tuning.paper !== null });
+  const all = trials.data?.trials ?? NO_TRIALS;
+  const opening = points.find(({ names }) => names.includes("Balanced")) ?? points.at(-1);
+  const picked =
+    all.find(({ number }) => number === selectedNumber) ??
+    points.find(({ trial }) => trial.number === selectedNumber)?.trial ??
+    opening?.trial ??
+    null;
+  return (
+    <div className={ui.beside}>
+      <SearchCard
+        {...{ tuning, objectives, points, colour }}
+        trials={all}
+        fault={trials.error}
+        picked={picked?.number ?? null}
+        onPick={setSelectedNumber}
+      />
+      {picked && (
+        <Card aria-label="Selected point" data-trial={picked.number}>
+          <Stack gap="sm" p="0.8rem 0.9rem">
+            <Choice
+              label="Weights of trial"
+              value={String(picked.number)}
+              data={options(points, tuning.front, picked)}
+              onPick={(value) => setSelectedNumber(Number(value))}
+            />
+            <Values {...{ tuning, objectives, limits }} trial={picked} />
+            <WeightsOf weights={picked.weights} beside={tuning.paper?.weights} tunable={tunable} />
+            {picked.number !== tuning.paper?.number && <Note>Struck through: {firstTrial(tuning)}.</Note>}
+            <Button variant="filled" loading={load.opening?.number === picked.number} onClick={() => load.open(picked)}>
+              Load in lab
+            </Button>
+          </Stack>
+        </Card>
+      )}
+    </div>
+  );
+}
+
+function options(points: readonly Point[], front: readonly Trial[], picked: Trial) {
+  const named = points.map(({ trial, names }) => ({
+    value: String(trial.number),
+    label: `${trial.number}: ${names.join(", ")}`,
+  }));
+  const others = [...front, picked].filter(
+    ({ number }, index, all) =>
+      !points.some(({ trial }) => trial.number === number) && all.findIndex((each) => each.number === number) === index,
+  );
+  return [...named, ...others.map(({ number }) => ({ value: String(number), label: `${number}` }))];
+}
+
+function Values({
+  tuning,
+  objectives,
+  limits,
+  trial,
+}: Pick<TuningParts, "tuning" | "objectives" | "limits"> & { readonly trial: Trial }) {
+  return (
+    <dl className={results.values}>
+      {objectives.map(({ label, unit, scale }, index) => (
+        <div key={label}>
+          <dt>{label}</dt>
+          <dd>
+            {trial.values ? `${formatResult((trial.values[index] ?? NaN) * scale, 4)} ${prettyUnit(unit)}` : "–"}{" "}
+            {trial.number !== tuning.paper?.number && (
+              <ChangeMark value={trial.values?.[index]} baseline={tuning.paper?.values?.[index]} />
+            )}
+          </dd>
+        </div>
+      ))}
+      {limits.map(({ label, unit, scale }, index) => {
+        const [value, most] = [trial.limits?.[index], tuning.limits[index]?.at_most ?? Infinity];
+        return (
+          <div key={label}>
+            <dt>{label}, largest</dt>
+            <dd className={value !== undefined && value > most ? ui.error : undefined}>
+              {value === undefined ? "–" : `${formatResult(value * scale)} ${prettyUnit(unit)}`}
+              {value !== undefined && value > most && ` (limit ${formatInput(Number((most * scale).toPrecision(6)))})`}
+            </dd>
+          </div>
+        );
+      })}
+      {trial.status === "failed" && (
+        <div>
+          <dt className={ui.error}>Failed</dt>
+          <dd>{trial.reason}</dd>
+        </div>
+      )}
+    </dl>
+  );
+}
+
+interface Props {
+  readonly weights: Weights;
+  /** The paper's. */
+  readonly beside: Weights | undefined;
+  readonly tunable: Tunable;
+}
+
+interface Row {
+  readonly title: string;
+  readonly items: readonly Pick<Single, "name" | "field">[];
+}
+
+/** A set of weights: a row a stage, the paper's in small beside each that differs. */
+function WeightsOf({ weights, beside, tunable }: Props) {
+  const { triples } = tunable;
+  const rows: readonly Row[] = [
+    ...triples.map(({ title, items }) => ({
+      title,
+      items: items.map((field) => ({ name: dotted(field.pointer), field })),
+    })),
+    ...singlesIn(tunable, weights).map(({ name, title, field }) => ({ title, items: [{ name, field }] })),
+  ];
+  return (
+    <DataTable
+      label="Weights"
+      attributes={{ "data-dense": true }}
+      rows={rows}
+      rowKey={({ title }) => title}
+      columns={[
+        { key: "stage", head: "", text: true, cell: ({ title }) => title },
+        ...(triples[0]?.items ?? [{ title: "Value" }]).map(({ title }, index): Column<Row> => ({
+          key: title,
+          head: title,
+          attributes({ items }) {
+            const item = items[index];
+            return item ? { "data-weight": item.name, "data-value": weightAt(weights, item.name) ?? "" } : {};
+          },
+          cell: ({ items }) => items[index] && <Weight {...items[index]} {...{ weights, beside }} />,
+        })),
+      ]}
+    />
+  );
+}
+
+function Weight({ name, field, weights, beside }: Row["items"][number] & Pick<Props, "weights" | "beside">) {
+  const [value, paper] = [weightAt(weights, name), beside && weightAt(beside, name)];
+  return (
+    <>
+      {value === undefined ? "–" : formatValue(value, field)}
+      {paper !== undefined && paper !== value && <s className={ui.under}>{formatValue(paper, field)}</s>}
+    </>
+  );
+}
+
+/** Every trial so far: asked for anew with every generation. */
+const trialsQuery = (tuning: Tuning) =>
+  queryOptions({
+    queryKey: ["tuning trials", tuning.id, tuning.trials.done + tuning.trials.failed],
+    queryFn: ({ signal }) => ask("get", "/tunings/{id}/trials", { path: { id: tuning.id } }, signal),
+    staleTime: Infinity,
+    gcTime: 60_000,
+    placeholderData: keepPreviousData,
+  });

@@ -8,7 +8,7 @@ import { isFinal } from "../../jobs/follow";
 import type { Metric } from "../../server/metrics";
 import { formatPercent } from "../../features/tables/change";
 import tables from "../../features/tables/tables.module.css";
-import { formatResult, prettyUnit } from "../../units/format";
+import { formatResult } from "../../units/format";
 import { ofKey, type Shown } from "./figures";
 import { firstTrial } from "./space";
 import { firstName, roleName, type TuningParts } from "./points";
@@ -17,6 +17,8 @@ import { LimitValue } from "./PointsTable";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
 import { Note } from "../../ui/Fault";
+import { NameWithUnit } from "../../ui/StrategyKey";
+import { ChangeText } from "../../features/tables/ChangeMark";
 
 interface Props extends Pick<TuningParts, "tuning" | "objectives"> {
   readonly figures: readonly Metric[];
@@ -83,10 +85,7 @@ export function ValidationTable({ tuning, objectives, figures }: Props) {
             head: "",
             text: true,
             cell: ({ label, unit, isLimit }) => (
-              <>
-                {label}
-                {isLimit && ", largest"} <span className={ui.dim}>{prettyUnit(unit)}</span>
-              </>
+              <NameWithUnit name={isLimit ? `${label}, largest` : label} unit={unit} />
             ),
           },
           ...comparison.points.flatMap((point) =>
@@ -173,16 +172,12 @@ function Value({ figure, scale, most }: { readonly figure: TunedFigure | undefin
 }
 
 function ChangeOf({ figure: { change } }: { readonly figure: TunedFigure }) {
-  if (!change) return <span className={tables.change}>&nbsp;</span>;
+  if (!change) return <ChangeText change={null} />;
   const { value, low, high } = change;
   const verdict = high !== null && high < 0 ? "better" : low !== null && low > 0 ? "worse" : "same";
   return (
     <>
-      <span className={tables.change} data-verdict={verdict}>
-        <span aria-hidden>{verdict === "better" ? "▼ " : verdict === "worse" ? "▲ " : ""}</span>
-        {formatPercent(value)}
-        <span className="visually-hidden">, {verdict === "same" ? "unclear" : verdict}</span>
-      </span>
+      <ChangeText change={{ percent: value, half: 0, verdict }} />
       <span className={ui.under}>
         {low === null || high === null
           ? "one road"

@@ -1,7 +1,7 @@
 /** The icons in use; iconShapes.LICENSE says whose shapes they are. */
 
-import { icon } from "./icon";
 import shapes from "./iconShapes.json";
+import type { ComponentType, SVGProps } from "react";
 
 export const IconAdjustments = icon(shapes.Adjustments);
 export const IconAdjustmentsHorizontal = icon(shapes.AdjustmentsHorizontal);
@@ -53,3 +53,31 @@ export const IconTemplate = icon(shapes.Template);
 export const IconTerminal2 = icon(shapes.Terminal2);
 export const IconWorldUpload = icon(shapes.WorldUpload);
 export const IconX = icon(shapes.X);
+
+interface IconProps extends Omit<SVGProps<SVGSVGElement>, "stroke"> {
+  /** Width and height [px]. */
+  readonly size?: number;
+  /** Width of its lines, of 24 across. */
+  readonly stroke?: number;
+}
+
+/** The icon of a path in a square of 24, drawn with lines or filled, in the colour of the text around it. */
+function icon(path: string, { filled = false } = {}): ComponentType<IconProps> {
+  const paint = filled ? { fill: "currentColor" } : { fill: "none", stroke: "currentColor" };
+  return function Icon({ size = 24, stroke = 2, ...rest }) {
+    return (
+      <svg
+        viewBox="0 0 24 24"
+        width={size}
+        height={size}
+        strokeWidth={filled ? undefined : stroke}
+        strokeLinecap="round"
+        strokeLinejoin="round"
+        {...paint}
+        {...rest}
+      >
+        <path d={path} />
+      </svg>
+    );
+  };
+}
