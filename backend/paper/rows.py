@@ -26,7 +26,6 @@ MAX_CLIENT_JOBS = 4  # of one visitor; the page asks for four at once
 # Rows that failed are not tried again before, for those who ask every second
 # (test_rows_that_failed_are_not_computed_again_for_who_asks_every_second).
 TRY_AGAIN = timedelta(minutes=1)
-JOB_POLL_INTERVAL = 1.0  # between two looks at a job of another process [s]
 ROW_COST = 0.02  # [s of one core]
 REPRODUCTION = JobKind(
     name="reproduction", word="reproduction", plural="reproductions", compute=compute_row, passing=True
@@ -126,13 +125,7 @@ class PaperRows:
 
     async def _wait(self, job: StoredJob) -> str | None:
         """Wait for the job's end; why one of its runs failed."""
-        with self._store.commits.following(job.id) as changes:
-            while True:
-                changes.clear()
-                now = await self._store.read(self._store.jobs.load, job.id)
-                if now is None or now.state in FINAL:
-                    break
-                await changes.wait(JOB_POLL_INTERVAL)
+        now = await self._store.ended(job.id)
         if now is None or not now.failed:
             return None
         rows = await self._store.read(self._store.job_runs.rows, job.id, -1, now.total)

@@ -4,7 +4,7 @@ Methods are synchronous and short; services run them through `Store.read` and `S
 """
 
 from backend.db.database import Database
-from backend.store.job import StoredJob
+from backend.store.job import FINAL, StoredJob
 from backend.store.job_events import JobEventStore
 from backend.store.job_runs import JobRunStore
 from backend.store.jobs import JobStore
@@ -16,6 +16,7 @@ from backend.store.roads import RoadStore
 from backend.store.runs import RunStore, StoredRun
 from backend.store.trials import TrialStore
 
+JOB_POLL_INTERVAL = 1.0  # between two looks at a job of another process, whose commits nothing tells here [s]
 __all__ = ["Store", "StoredJob", "StoredLink", "StoredRun"]
 
 
@@ -34,3 +35,13 @@ class Store(Database):
         self.links = LinkStore(self)
         self.logins = LoginStore(self)
         self.retention = RetentionStore(self)
+
+    async def ended(self, job_id: str) -> StoredJob | None:
+        """Wait until a job has ended, and return it then; None where it was deleted."""
+        with self.commits.following(job_id) as changes:
+            while True:
+                changes.clear()
+                job = await self.read(self.jobs.load, job_id)
+                if job is None or job.state in FINAL:
+                    return job
+                await changes.wait(JOB_POLL_INTERVAL)

@@ -25,7 +25,6 @@ from backend.jobs.kind import JobFailedError, JobKind
 from backend.json_types import JsonObject, Summary
 from backend.own.watch import Watch
 from backend.store import Store, StoredJob
-from backend.store.job import FINAL
 from backend.store.jobs import ParentEndedError
 from backend.store.trials import StoredTrial
 from backend.tunings import comparison, front
@@ -48,7 +47,6 @@ from sim_core.scenario.versions import restored
 
 logger = logging.getLogger(__name__)
 
-JOB_POLL_INTERVAL = 1.0  # between two looks at a sweep, where nothing tells that one has ended [s]
 CLIENT = "tuning"  # whose computing it counts as
 Step = Literal["search", "comparison"]
 TUNING = JobKind(name="tuning", word="tuning", plural="tunings", size_pointer="/trials", run_pointer="/scenario")
@@ -247,13 +245,7 @@ class TuningSteps:
         Raises:
             JobFailedError: It was cancelled, or failed as a whole.
         """
-        with self._store.commits.following(sweep.id) as changes:
-            while True:
-                changes.clear()
-                now = await self._store.read(self._store.jobs.load, sweep.id)
-                if now is None or now.state in FINAL:
-                    break
-                await changes.wait(JOB_POLL_INTERVAL)
+        now = await self._store.ended(sweep.id)
         if now is None or now.state == "cancelled":
             raise JobFailedError("One of its batches was cancelled")
         if now.state == "failed":
