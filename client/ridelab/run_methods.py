@@ -5,9 +5,9 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ridelab.arrays import unpacked
 from ridelab.connection import Connection, comma_separated
 from ridelab.files import format_of, save
+from ridelab.frames import unpacked
 from ridelab.results import RunResult, intervals, quoted_id
 
 if TYPE_CHECKING:
