@@ -12,7 +12,6 @@ from starlette.middleware.gzip import DEFAULT_EXCLUDED_CONTENT_TYPES, GZipMiddle
 from backend.api import (
     batches,
     controller,
-    fmus,
     health,
     library,
     links,
@@ -54,7 +53,6 @@ ROUTERS = (
     links.links,
     paper.paper,
     controller.controller,
-    fmus.fmus,
     library.library,
     library.data_sheets,
     roads.surveying,

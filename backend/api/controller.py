@@ -1,4 +1,4 @@
-"""The controller as an ECU's program: its C sources, whether they fit a part, a drive by the clock."""
+"""The controller as an ECU's program: its C sources, whether they fit a part, a drive by the clock; and as an FMU."""
 
 from typing import Annotated
 
@@ -9,6 +9,8 @@ from backend.api.deps import Client, service
 from backend.controller import models
 from backend.controller.export import FOLDER
 from backend.controller.service import Controllers
+from backend.fmu.models import FmuRequest
+from backend.fmu.service import Fmus
 from backend.http.answers import json_answer
 from backend.http.routing import ScenarioRoute
 
@@ -16,6 +18,7 @@ controller = router("controller", 400, 413, 415, 422, 429, 503, route_class=Scen
 
 
 ControllersService = Annotated[Controllers, service(lambda services: services.controllers)]
+FmusService = Annotated[Fmus, service(lambda services: services.fmus)]
 
 
 @controller.post(
@@ -41,3 +44,19 @@ async def report_controller(body: models.ControllerRequest, service: Controllers
 async def drive_by_clock(body: models.ControllerRequest, service: ControllersService, client: Client) -> Response:
     """Drive it once by the clock: latency, jitter, missed deadlines; takes as long as the drive, one at a time."""
     return json_answer(await service.drive_by_clock(body.scenario, client))
+
+
+@controller.post(
+    "/fmus",
+    operation_id="exportFmu",
+    response_class=Response,
+    responses={
+        200: {"content": {"application/zip": {}}, "description": "An FMU: a zip with description, C and binaries"}
+    },
+)
+async def export_fmu(body: FmuRequest, service: FmusService, client: Client) -> Response:
+    """A scenario's controller or vehicle as an FMU, sources inside; 422 with the reason where it cannot be one."""
+    content = await service.archive(body, client)
+    name = "vehicle" if body.of == "vehicle" else body.strategy
+    headers = {"Content-Disposition": f'attachment; filename="ridelab-{name}.fmu"'}
+    return Response(content, headers=headers, media_type="application/zip")
