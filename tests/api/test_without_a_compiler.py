@@ -40,13 +40,10 @@ def bare(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
     store_without_ecu(store, REASON)
     store.close()
     machine = Bare(tmp_path_factory.mktemp("machine")).environment
-    api = Api(folder, RIDELAB_WORKERS="1", RIDELAB_BATCH_WORKERS="1", **machine)
-    try:
+    with Api(folder, RIDELAB_WORKERS="1", RIDELAB_BATCH_WORKERS="1", **machine) as api:
         api.wait_until_ready()
         with httpx.Client(base_url=api.url, timeout=HANG_TIMEOUT) as client:
             yield client
-    finally:
-        api.end()
 
 
 @pytest.fixture

@@ -15,10 +15,9 @@ from tests.servers.process import ROOT
 def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
     if not (ROOT / "frontend/dist/index.html").is_file():
         pytest.fail("The dashboard is not built: make setup builds it")
-    server = Server(tmp_path_factory.mktemp("server"))
-    server.wait_until_ready()
-    yield server
-    server.end()
+    with Server(tmp_path_factory.mktemp("server")) as server:
+        server.wait_until_ready()
+        yield server
 
 
 @pytest.fixture(scope="session")

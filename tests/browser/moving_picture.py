@@ -69,20 +69,19 @@ def encoded(page: Page, picture: bytes) -> bytes:
 
 def main() -> None:
     """Take it."""
-    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        server = Server(Path(folder))
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        sync_playwright() as playwright,
+        Server(Path(folder)) as server,
+        launch(playwright) as browser,
+    ):
         server.wait_until_ready()
-        browser = launch(playwright)
-        try:
-            context = browser.new_context(viewport={"width": 1440, "height": 900}, base_url=server.url)
-            dashboard = Dashboard(context.new_page(), server.url)
-            dashboard.open("/")
-            frames = taken(dashboard)
-            blank = browser.new_page()
-            FILE.write_bytes(moving([encoded(blank, frame) for frame in frames]))
-        finally:
-            browser.close()
-            server.end()
+        context = browser.new_context(viewport={"width": 1440, "height": 900}, base_url=server.url)
+        dashboard = Dashboard(context.new_page(), server.url)
+        dashboard.open("/")
+        frames = taken(dashboard)
+        blank = browser.new_page()
+        FILE.write_bytes(moving([encoded(blank, frame) for frame in frames]))
     print(FILE, f"{FILE.stat().st_size / 1024:.0f} KiB")
 
 

@@ -130,30 +130,29 @@ PICTURES = (
 def main() -> None:
     """Take them."""
     shown = {}
-    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        server = Server(Path(folder))
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        sync_playwright() as playwright,
+        Server(Path(folder)) as server,
+        launch(playwright) as browser,
+    ):
         server.wait_until_ready()
-        browser = launch(playwright)
-        try:
-            for picture in PICTURES:
-                address, (width, height) = picture.address(server), picture.size
-                context = browser.new_context(
-                    viewport={"width": width, "height": height},
-                    base_url=server.url,
-                    color_scheme=picture.scheme,
-                    reduced_motion="reduce",
-                )
-                context.add_init_script(TOUR_SEEN)
-                dashboard = Dashboard(context.new_page(), server.url)
-                dashboard.page.goto(address)
-                picture.ready(dashboard)
-                dashboard.page.screenshot(path=FOLDER / f"{picture.name}.png")
-                shown[picture.name] = words(dashboard)
-                context.close()
-                print(FOLDER / f"{picture.name}.png")
-        finally:
-            browser.close()
-            server.end()
+        for picture in PICTURES:
+            address, (width, height) = picture.address(server), picture.size
+            context = browser.new_context(
+                viewport={"width": width, "height": height},
+                base_url=server.url,
+                color_scheme=picture.scheme,
+                reduced_motion="reduce",
+            )
+            context.add_init_script(TOUR_SEEN)
+            dashboard = Dashboard(context.new_page(), server.url)
+            dashboard.page.goto(address)
+            picture.ready(dashboard)
+            dashboard.page.screenshot(path=FOLDER / f"{picture.name}.png")
+            shown[picture.name] = words(dashboard)
+            context.close()
+            print(FOLDER / f"{picture.name}.png")
     WORDS.write_text(json.dumps(shown, ensure_ascii=False, indent=1) + "\n", "utf-8")
 
 

@@ -57,10 +57,9 @@ def hasty(replicas: list[Replica], certificate: Path, tmp_path_factory: pytest.T
 
 
 def started(replicas: list[Replica], folder: Path, **environment: str) -> Iterator[Proxy]:
-    proxy = Proxy(folder, [replica.address for replica in replicas], **environment)
-    wait_until(lambda: proxy.answers("/"), "a replica is found ready")
-    yield proxy
-    proxy.end()
+    with Proxy(folder, [replica.address for replica in replicas], **environment) as proxy:
+        wait_until(lambda: proxy.answers("/"), "a replica is found ready")
+        yield proxy
 
 
 @pytest.fixture
@@ -242,12 +241,9 @@ def test_with_a_certificate_it_speaks_tls(proxy: Proxy, client: httpx.Client, ce
 
 def test_plain_http_is_sent_on_to_https_where_that_is_named(tmp_path: Path, certificate: Path) -> None:
     there = "https://lab.example.com:8443"
-    proxy = Proxy(tmp_path, ["127.0.0.1:9"], PROXY_CERTIFICATE=str(certificate), PROXY_REDIRECT=there)
-    try:
+    with Proxy(tmp_path, ["127.0.0.1:9"], PROXY_CERTIFICATE=str(certificate), PROXY_REDIRECT=there) as proxy:
         answer = request("POST", f"{proxy.url}/api/v1/runs?x=1")
         assert (answer.status_code, answer.headers["location"]) == (308, f"{there}/api/v1/runs?x=1")
         secure = f"https://127.0.0.1:{proxy.tls_port}/"
         context = ssl.create_default_context(cafile=str(certificate))
         assert httpx.get(secure, verify=context, timeout=HANG_TIMEOUT).status_code == 503
-    finally:
-        proxy.end()

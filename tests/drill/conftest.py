@@ -17,9 +17,6 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def api(folder: Path) -> Iterator[Api]:
     """The service, ready."""
-    api = Api(folder)
-    try:
+    with Api(folder) as api:
         api.wait_until_ready()
         yield api
-    finally:
-        api.end()

@@ -66,9 +66,8 @@ def replicas(tmp_path: Path, request: pytest.FixtureRequest) -> Iterator[tuple[l
         for number in range(count):
             (tmp_path / str(number)).mkdir()
             clocks.append(Clock(tmp_path / str(number)))
-            started.append(Replica(tmp_path / str(number), f"api-{number}", clocks[-1], **variables))
-            opened.callback(started[-1].end)
-            opened.callback(started[-1].client.close)
+            replica = Replica(tmp_path / str(number), f"api-{number}", clocks[-1], **variables)
+            started.append(opened.enter_context(replica))
             started[-1].wait_until_ready()
         yield started, clocks
 

@@ -15,13 +15,14 @@ import time
 from collections import Counter
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any
 
 import psutil
 import pytest
 from sqlalchemy import func, select
 
 from backend.db.tables import results
-from tests.servers.accepted import Accepted, database
+from tests.servers.accepted import Accepted
 from tests.servers.api import Api
 from tests.servers.compose import Topology
 from tests.servers.forwarder import DIRECTIONS, Direction, Forwarder
@@ -150,16 +151,12 @@ def kill_everything(topology: Topology, postgres: Postgres) -> Victim:
 @pytest.mark.timeout(60 * KILLS + 300)
 def test_one_machine(tmp_path: Path) -> None:
     """One service with an embedded cluster on SQLite: the service and its processes are killed."""
-    api = Api(tmp_path, RIDELAB_LOG_LEVEL="warning")
-    engine = database(f"sqlite:///{tmp_path}/data/ridelab.sqlite")
+    database = f"sqlite:///{tmp_path}/data/ridelab.sqlite"
     chance = random.Random(SEED)  # noqa: S311 - reproducible is what it has to be
-    try:
+    with Api(tmp_path, RIDELAB_LOG_LEVEL="warning") as api:
         api.wait_until_ready()
         victims = [kill_program(api), kill_worker(api, chance), kill_worker(api, chance)]
-        drill(Accepted(url=api.url, engine=engine, seed=SEED, runs=RUNS), victims, chance)
-    finally:
-        engine.dispose()
-        api.end()
+        drill(Accepted(url=api.url, database=database, seed=SEED, runs=RUNS), victims, chance)
 
 
 @pytest.mark.timeout(600)
@@ -168,10 +165,10 @@ def test_a_service_that_never_lives_long_gets_on(tmp_path: Path) -> None:
 
     Where other programs keep the machine busy a life is longer: half as long again as it takes to the first results.
     """
-    api = Api(tmp_path, RIDELAB_LOG_LEVEL="warning")
-    engine = database(f"sqlite:///{tmp_path}/data/ridelab.sqlite")
-    accepted, left = Accepted(url=api.url, engine=engine, seed=SEED, runs=LIVES * RUNS), list[int]()
-    try:
+    database = f"sqlite:///{tmp_path}/data/ridelab.sqlite"
+    with Api(tmp_path, RIDELAB_LOG_LEVEL="warning") as api:
+        accepted = Accepted(url=api.url, database=database, seed=SEED, runs=LIVES * RUNS)
+        left = list[int]()
         accepted.submit()
         kill_and_wait_for_start(api)
         begin = time.monotonic()
@@ -184,9 +181,6 @@ def test_a_service_that_never_lives_long_gets_on(tmp_path: Path) -> None:
             assert len(left) < 10 * LIVES, f"it does not get on: {left}"
         print(f"\nkilled {len(left) + 1} times, every {life:.1f} s; runs left each time: {left}")
         accepted.finish()
-    finally:
-        engine.dispose()
-        api.end()
 
 
 def kill_and_wait_for_start(api: Api) -> None:
@@ -197,13 +191,12 @@ def kill_and_wait_for_start(api: Api) -> None:
 @pytest.mark.timeout(180 * KILLS + 300)
 def test_a_cluster(tmp_path: Path, postgres: Postgres) -> None:
     """Two replicas on PostgreSQL, a Dask scheduler and two workers: any of them, any process of theirs, all at once."""
-    forwarder = Forwarder(postgres.port)
-    topology = Topology(
-        tmp_path, postgres, port=forwarder.port, API_WORKERS="1", WORKER_CORES="1", RIDELAB_LOG_LEVEL="warning"
-    )
-    engine = database(topology.database)
+    few: dict[str, Any] = {"API_WORKERS": "1", "WORKER_CORES": "1", "RIDELAB_LOG_LEVEL": "warning"}
     chance = random.Random(SEED)  # noqa: S311 - reproducible is what it has to be
-    try:
+    with (
+        contextlib.closing(Forwarder(postgres.port)) as forwarder,
+        Topology(tmp_path, postgres, port=forwarder.port, **few) as topology,
+    ):
         topology.wait_until_ready()
         parts = [topology.scheduler, *topology.workers, *topology.replicas]
         victims = [kill_program(part) for part in parts]
@@ -211,8 +204,5 @@ def test_a_cluster(tmp_path: Path, postgres: Postgres) -> None:
         victims += [pause(part, chance) for part in (*parts, topology.proxy)]
         victims += [silence(forwarder, direction, chance) for direction in DIRECTIONS]
         victims.append(kill_everything(topology, postgres))
-        drill(Accepted(url=topology.url, engine=engine, seed=SEED, runs=RUNS), victims, chance)
-    finally:
-        engine.dispose()
-        topology.end()
-        forwarder.close()
+        accepted = Accepted(url=topology.url, database=topology.database, seed=SEED, runs=RUNS)
+        drill(accepted, victims, chance)

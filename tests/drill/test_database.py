@@ -11,6 +11,7 @@ import threading
 import time
 from collections import Counter
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import httpx
@@ -18,12 +19,13 @@ import pytest
 
 from backend.db.backup import back_up
 from backend.settings import Settings
-from tests.servers.accepted import Accepted, database
+from tests.servers.accepted import Accepted
 from tests.servers.api import Api
 from tests.servers.process import HANG_TIMEOUT, request
 
 HELD = 8.0  # how long another program holds a lock [s]
 COPIES = 4
+FEW = {"RIDELAB_WORKERS": "1", "RIDELAB_BATCH_WORKERS": "1", "RIDELAB_LOG_LEVEL": "warning"}
 BIG = 300  # megabytes in the database, so that a copy takes its time
 LOCKED_RUNS, COPIED_RUNS = 1500, 5000  # of the batch: it lasts until others let go, and longer than the copies take
 
@@ -90,27 +92,23 @@ class Users:
 
 @pytest.fixture
 def api(tmp_path: Path) -> Iterator[Api]:
-    api = Api(tmp_path, RIDELAB_WORKERS="1", RIDELAB_BATCH_WORKERS="1", RIDELAB_LOG_LEVEL="warning")
-    try:
+    with Api(tmp_path, **FEW) as api:
         api.wait_until_ready()
         with contextlib.closing(sqlite3.connect(tmp_path / "data/ridelab.sqlite")) as connection, connection:
             connection.execute("CREATE TABLE ballast (content BLOB)")
             connection.executemany("INSERT INTO ballast VALUES (?)", ((os.urandom(1_000_000),) for _ in range(BIG)))
         yield api
-    finally:
-        api.end()
 
 
 @pytest.fixture
 def accepted(request: pytest.FixtureRequest, api: Api, tmp_path: Path) -> Iterator[Accepted]:
     """A batch that goes on while others do this and that; in the end it is complete."""
-    engine = database(f"sqlite:///{tmp_path}/data/ridelab.sqlite")
-    accepted = Accepted(url=api.url, engine=engine, seed=1, runs=request.param)
+    database = f"sqlite:///{tmp_path}/data/ridelab.sqlite"
+    accepted = Accepted(url=api.url, database=database, seed=1, runs=request.param)
     accepted.submit()
     accepted.await_work()
     yield accepted
     accepted.finish()
-    engine.dispose()
 
 
 @pytest.fixture
@@ -155,15 +153,10 @@ def test_backups_during_a_batch(users: Users, accepted: Accepted, tmp_path: Path
     restored = tmp_path / "restored/data/ridelab.sqlite"
     restored.parent.mkdir(parents=True)
     shutil.copy(copies / f"{COPIES - 1}.sqlite", restored)
-    other = Api(restored.parents[1], RIDELAB_WORKERS="1", RIDELAB_BATCH_WORKERS="1", RIDELAB_LOG_LEVEL="warning")
-    engine = database(f"sqlite:///{restored}")
-    try:
+    with Api(restored.parents[1], **FEW) as other:
         other.wait_until_ready()
-        there = Accepted(url=other.url, engine=engine, seed=1, runs=COPIED_RUNS, batches=accepted.batches)
+        there = replace(accepted, url=other.url, database=f"sqlite:///{restored}", stored={})
         left = there.waiting()
         there.finish()
         print(f"from the last copy: {left} runs were left, and the batch was finished")
         assert left > 0
-    finally:
-        engine.dispose()
-        other.end()

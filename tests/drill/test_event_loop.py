@@ -31,13 +31,10 @@ def lines(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def api(lines: Path) -> Iterator[Api]:
     lines.touch()
-    api = ProbedApi(lines.parent, EVENT_LOOP_PROBE=str(lines))
-    try:
+    with ProbedApi(lines.parent, EVENT_LOOP_PROBE=str(lines)) as api:
         api.wait_until_ready()
         ask(api.url, "POST", "/runs", json={"scenario": {}, "strategies": ["lv"]})  # what a first request imports
         yield api
-    finally:
-        api.end()
 
 
 def get(api: Api, path: str, **parameters: object) -> None:

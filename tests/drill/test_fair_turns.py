@@ -196,15 +196,14 @@ async def all_loads(ports: Ports) -> list[Load]:
 @contextmanager
 def replicas(folder: Path, postgres: Postgres) -> Iterator[list[Api]]:
     """Two on one database."""
-    url, apis = postgres.new_database(), list[Api]()
-    try:
-        for name in ("first", "second"):
-            apis.append(Api(folder, name=name, RIDELAB_DATABASE_URL=url))
-            apis[-1].wait_until_ready()
-        yield apis
-    finally:
-        for each in apis:
-            each.end()
+    url = postgres.new_database()
+    with (
+        Api(folder, name="first", RIDELAB_DATABASE_URL=url) as first,
+        Api(folder, name="second", RIDELAB_DATABASE_URL=url) as second,
+    ):
+        first.wait_until_ready()
+        second.wait_until_ready()
+        yield [first, second]
 
 
 def check(ports: Ports) -> None:

@@ -16,12 +16,10 @@ def test_the_page_asks_for_a_token_once(browser: Browser, tmp_path: Path) -> Non
     tokens = tmp_path / "tokens"
     tokens.write_text(f"ann {TOKEN}\n")
     limits = {"RIDELAB_WORKERS": "1", "RIDELAB_BATCH_WORKERS": "1", "RIDELAB_TOKENS_FILE": str(tokens)}
-    api = Api(tmp_path, **limits)
-    api.wait_until_ready()
-    context = browser.new_context(base_url=api.url, reduced_motion="reduce")
-    dashboard = Dashboard(context.new_page(), api.url)
-    page = dashboard.page
-    try:
+    with Api(tmp_path, **limits) as api, browser.new_context(base_url=api.url, reduced_motion="reduce") as context:
+        api.wait_until_ready()
+        dashboard = Dashboard(context.new_page(), api.url)
+        page = dashboard.page
         page.route("**/assets/Login-*", lambda route: route.abort())  # gone with an update of the server
         page.goto("/")
         expect(page.get_by_role("dialog", name="This part of the page could not be shown")).to_be_visible()
@@ -48,6 +46,3 @@ def test_the_page_asks_for_a_token_once(browser: Browser, tmp_path: Path) -> Non
         expect(page.get_by_role("heading", name="Ridelab asks for a token")).to_be_visible()
         assert dashboard.failures == []
         assert not any(secret in api.log for secret in (TOKEN, "not the one", "not%20the%20one"))
-    finally:
-        context.close()
-        api.end()

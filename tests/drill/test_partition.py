@@ -45,9 +45,7 @@ def replicas(url: str, forwarders: list[Forwarder], tmp_path: Path) -> Iterator[
         for number, forwarder in enumerate(forwarders):
             address = make_url(url).set(port=forwarder.port).render_as_string(hide_password=False)
             variables = {"RIDELAB_DATABASE_URL": address, "RIDELAB_LOG_FORMAT": "console"}
-            both.append(Process(tmp_path, f"api-{number}", **variables))
-            started.callback(both[-1].end)
-            started.callback(both[-1].client.close)
+            both.append(started.enter_context(Process(tmp_path, f"api-{number}", **variables)))
             both[-1].wait_until_ready()
         yield both
 

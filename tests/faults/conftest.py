@@ -25,6 +25,11 @@ class Process(Api):
         super().__init__(folder, name=name, **{"PYTHONWARNINGS": "error", **few, **environment})
         self.client = httpx.Client(base_url=self.url, timeout=HANG_TIMEOUT)
 
+    def end(self) -> int | None:
+        """End it, and its client."""
+        self.client.close()
+        return super().end()
+
     def workers(self, nice: int = 0) -> list[psutil.Process]:
         """Its processes for interactive runs, or (`NICE`) those for batches."""
         workers, niceness = [], min(19, psutil.Process().nice() + nice)
@@ -88,7 +93,6 @@ def starter(folder: Path) -> Iterator[Start]:
         yield start_one
     finally:
         for service in started:
-            service.client.close()
             service.end()
 
 

@@ -38,13 +38,9 @@ def ahead(postgres: Postgres, tmp_path: Path) -> Iterator[Process]:
         store.migrate()
         long_ago(store)
     variables = {"RIDELAB_DATABASE_URL": url, "RIDELAB_RETENTION_DAYS": "1", **clock.environment}
-    service = Process(tmp_path, "ahead", **variables)
-    try:
+    with Process(tmp_path, "ahead", **variables) as service:
         service.wait_until_ready()
         yield service
-    finally:
-        service.client.close()
-        service.end()
 
 
 def long_ago(store: Store) -> None:

@@ -57,15 +57,11 @@ class Hasty(Process):
 
 
 @pytest.fixture
-def replicas(url: str, tmp_path: Path) -> Iterator[list[Process]]:
+def replicas(url: str, tmp_path: Path) -> Iterator[list[Hasty]]:
     """Two, on one database."""
     variables = {"RIDELAB_DATABASE_URL": url, "RIDELAB_LOG_FORMAT": "console"}
     with contextlib.ExitStack() as started:
-        both: list[Process] = []
-        for number in range(2):
-            both.append(Hasty(tmp_path, f"api-{number}", **variables))
-            started.callback(both[-1].end)
-            started.callback(both[-1].client.close)
+        both = [started.enter_context(Hasty(tmp_path, f"api-{number}", **variables)) for number in range(2)]
         for each in both:
             each.wait_until_ready()
         yield both

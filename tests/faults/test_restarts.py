@@ -16,7 +16,7 @@ import psutil
 import pytest
 
 from tests.api import tuning
-from tests.servers.accepted import Accepted, database
+from tests.servers.accepted import Accepted
 from tests.servers.api import Api, ask
 from tests.servers.process import HANG_TIMEOUT, request, wait_until
 
@@ -35,19 +35,14 @@ TUNING = {**tuning.REQUEST, "strategy": "lv", "trials": 96}  # in twelve generat
 def api(tmp_path: Path) -> Iterator[Api]:
     limits = {"RIDELAB_WORKERS": "1", "RIDELAB_BATCH_WORKERS": "1", "RIDELAB_MAX_REQUEST_COST": "1000"}
     limits["RIDELAB_RUN_TIMEOUT"] = "3600"
-    api = Api(tmp_path, **limits)
-    try:
+    with Api(tmp_path, **limits) as api:
         api.wait_until_ready()
         yield api
-    finally:
-        api.end()
 
 
 @pytest.fixture
-def accepted(api: Api, tmp_path: Path) -> Iterator[Accepted]:
-    engine = database(f"sqlite:///{tmp_path}/data/ridelab.sqlite")
-    yield Accepted(url=api.url, engine=engine, seed=7, runs=RUNS)
-    engine.dispose()
+def accepted(api: Api, tmp_path: Path) -> Accepted:
+    return Accepted(url=api.url, database=f"sqlite:///{tmp_path}/data/ridelab.sqlite", seed=7, runs=RUNS)
 
 
 def test_what_was_accepted_outlives_a_kill_and_an_ordered_end(api: Api, accepted: Accepted) -> None:

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, field
 from typing import Any
 
-from sqlalchemy import Engine, create_engine, func, select, text
+from sqlalchemy import NullPool, create_engine, func, select, text
 
 from backend.db.tables import job_runs, results
 from sim_core.scenario import Scenario, dotted
@@ -18,7 +18,7 @@ class Accepted:
 
     Attributes:
         url: Where the service is asked; it may be down at any moment.
-        engine: The database, looked at from outside.
+        database: Where it is looked at from outside.
         seed: Same seed, same batches.
         runs: Of each batch; an even number.
         batches: Their ids.
@@ -26,11 +26,15 @@ class Accepted:
     """
 
     url: str
-    engine: Engine
+    database: str
     seed: int
     runs: int
     batches: list[str] = field(default_factory=list)
     stored: dict[str, Any] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        patience = {"timeout": HANG_TIMEOUT} if self.database.startswith("sqlite") else {}
+        self.engine = create_engine(self.database, connect_args=patience, poolclass=NullPool)
 
     def submit(self) -> None:
         """Submit a new batch, with one idempotency key until it is accepted."""
@@ -87,12 +91,6 @@ class Accepted:
         assert [row["run"] for row in rows] == list(range(self.runs))
         assert {row["status"] for row in rows} == {"ok"}
         _is_right(batch, rows[self.seed % self.runs])
-
-
-def database(url: str) -> Engine:
-    """The database as an onlooker reads it, who notices when the server went away and came back."""
-    patience = {"timeout": HANG_TIMEOUT} if url.startswith("sqlite") else {}
-    return create_engine(url, connect_args=patience, pool_pre_ping=True)
 
 
 def _is_right(batch: dict[str, Any], row: dict[str, Any]) -> None:

@@ -11,14 +11,14 @@ from sqlalchemy import NullPool, create_engine, make_url
 
 from tests.servers.haproxy import Proxy
 from tests.servers.postgres import Postgres
-from tests.servers.process import ROOT, Program, reserved_port, wait_until
+from tests.servers.process import ROOT, Ends, Program, reserved_port, wait_until
 from tests.servers.programs import find
 
 COMPOSE: dict[str, Any] = yaml.safe_load((ROOT / "docker-compose.yml").read_text())
 VARIABLE = re.compile(r"\$\{(\w+):-([^}]*)\}")
 
 
-class Topology:
+class Topology(Ends):
     """Proxy, two replicas of the API, PostgreSQL, a Dask scheduler and two workers; whatever dies is started again."""
 
     def __init__(

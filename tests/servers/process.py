@@ -8,9 +8,10 @@ import ssl
 import subprocess
 import threading
 import time
+from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import httpx
 import psutil
@@ -62,7 +63,21 @@ def is_worker(process: psutil.Process) -> bool:
     return parent is not None and all(FORK_SERVER in " ".join(each.cmdline()) for each in (process, parent))
 
 
-class Program:
+class Ends(ABC):
+    """What ends with the block that it is used in."""
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.end()
+
+    @abstractmethod
+    def end(self) -> object:
+        """End it, whatever became of it."""
+
+
+class Program(Ends):
     """One program, watched by a thread; `restart` starts it again whenever it ends by itself or is killed."""
 
     PAUSE = 0.3  # before it is started again [s]

@@ -31,12 +31,9 @@ class Unsynced(Api):
 @contextmanager
 def started(folder: Path, kind: type[Api] = Api, **environment: str) -> Iterator[Api]:
     """A service with one process of each kind: ready, or one that has ended or says that its database is damaged."""
-    api = kind(folder, RIDELAB_WORKERS="1", RIDELAB_BATCH_WORKERS="1", **environment)
-    try:
+    with kind(folder, RIDELAB_WORKERS="1", RIDELAB_BATCH_WORKERS="1", **environment) as api:
         wait_until(lambda: api.ready or api.starts > 1 or "damaged" in api.log, "it is ready")
         yield api
-    finally:
-        api.end()
 
 
 def record(folder: Path, *, seed: int, pieces: int, kind: type[Api] = Api) -> list[Record]:
