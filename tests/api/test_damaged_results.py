@@ -19,14 +19,14 @@ from tests.api.test_job_store import BATCH, computed, rows
 from tests.api.test_links import opened, share
 from tests.api.test_store import outcomes, save
 from tests.servers import batches
+from tests.there import there
 
 
 def damage(store: Store, key: str) -> None:
     """Change a digit of that result, which stays good JSON."""
     with store.writing() as connection:
         summary = text(connection, key)
-        digit = re.search("[1-9]", summary)
-        assert digit is not None
+        digit = there(re.search("[1-9]", summary))
         other = "2" if digit[0] == "1" else "1"
         changed = summary[: digit.start()] + other + summary[digit.end() :]
         connection.execute(update(results).where(results.c.key == key).values(summary=changed))
@@ -132,8 +132,7 @@ def test_both_databases_drop_what_is_damaged_and_keep_what_has_no_checksum(store
     with store.writing() as connection:
         connection.execute(update(results).where(results.c.key == "b").values(checksum=UNCHECKED))  # as until 0.3.0
     assert store.runs.load_results(["a", "b", "c"]).keys() == {"b", "c"}
-    run = store.runs.load("run")
-    assert run is not None
+    run = there(store.runs.load("run"))
     assert [item.status for item in run.results] == ["expired", "ok", "ok"]
     assert save(store, "run", "a", "b", "c").results[0] == outcomes("a")[0]
 
@@ -144,8 +143,7 @@ def test_what_a_replica_of_0_3_0_expires_is_not_damaged(store: Store) -> None:
     before = DAMAGED_RESULTS.labels("result")._value.get()
     with store.writing() as connection:
         connection.execute(update(results).values(status="expired", summary="{}", compute_ms=0))
-    run = store.runs.load("run")
-    assert run is not None
+    run = there(store.runs.load("run"))
     assert run.expired
     assert DAMAGED_RESULTS.labels("result")._value.get() == before
 

@@ -7,23 +7,22 @@ import pytest
 from backend.runs.frequency import FrequencyAnswer
 from sim_core.frequency.responses import frequency_response
 from sim_core.scenario import Scenario
+from tests.there import there
 
 
 def test_responses_are_the_cores(client: httpx.Client) -> None:
     body = {"strategies": ["lqr", "passive"], "frequencies": [1.5, 10], "outputs": ["body_acceleration"]}
     answer = FrequencyAnswer.model_validate(client.post("/api/v1/frequency", json=body).json())
     ours = frequency_response(Scenario(), "lqr", [1.5, 10], ["body_acceleration"])
-    assert ours.responses is not None
     lqr, passive = answer.strategies["lqr"], answer.strategies["passive"]
     assert lqr.responses is not None
     assert list(lqr.responses) == ["body_acceleration"]
-    magnitude = np.abs(ours.responses["body_acceleration"])
+    magnitude = np.abs(there(ours.responses)["body_acceleration"])
     assert lqr.responses["body_acceleration"].magnitude == pytest.approx(magnitude.tolist(), rel=1e-12)
     assert answer.frequency == [1.5, 10]
     assert passive.margins is None
-    assert passive.modes is not None
     # the sampled car's modes are its own, to rounding of the logarithm
-    assert passive.modes[0].natural_frequency == pytest.approx(answer.modes[0].natural_frequency, rel=1e-9)
+    assert there(passive.modes)[0].natural_frequency == pytest.approx(answer.modes[0].natural_frequency, rel=1e-9)
 
 
 def test_what_is_not_linear_is_null_and_says_why(client: httpx.Client) -> None:

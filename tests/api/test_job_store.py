@@ -12,6 +12,7 @@ from backend.db.tables import links
 from backend.job_run import JobRun
 from backend.outcome import Outcome
 from backend.store import Store, StoredJob, StoredLink, jobs
+from tests.there import there
 
 RUNS = 12
 BATCH = StoredJob(
@@ -69,8 +70,7 @@ def test_an_idempotency_key_has_one_batch_however_many_ask_at_once(store: Store)
         answers = list(threads.map(create, range(6)))
     assert len({batch.id for batch, _ in answers}) == 1
     assert [new for _, new in answers].count(True) == 1
-    existing = store.jobs.by_idempotency_key("sweep", "once")
-    assert existing is not None
+    existing = there(store.jobs.by_idempotency_key("sweep", "once"))
     assert existing.id == answers[0][0].id
     assert len(store.jobs.page("sweep", 10)) == 1
     assert store.job_runs.rows(existing.id, -1, 100), "with its runs"
@@ -86,8 +86,7 @@ def test_runs_wait_page_by_page_until_their_result_is_there(store: Store, batch:
     last, second = store.job_runs.waiting(batch.id, -1, 100)
     assert (last, [run.position for run in second]) == (9, [1, 3, 4, 5, 6, 7, 8, 9]), "two runs shared key-0"
     assert store.job_runs.waiting(batch.id, 9, 100) == (None, [])
-    now = store.jobs.load(batch.id)
-    assert now is not None
+    now = there(store.jobs.load(batch.id))
     assert (now.done, now.failed) == (4, 0)
 
 
@@ -96,8 +95,7 @@ def test_a_result_of_another_batch_settles_a_run_without_computing(store: Store,
     store.job_runs.save(other.id, computed("key-1", "key-5"), "1")
     last, waiting = store.job_runs.waiting(batch.id, -1, 4)
     assert (last, [run.position for run in waiting]) == (3, [0, 2, 3])
-    now = store.jobs.load(batch.id)
-    assert now is not None
+    now = there(store.jobs.load(batch.id))
     assert now.done == 1, "the page held one of them"
 
 
@@ -108,8 +106,7 @@ def test_what_is_saved_twice_counts_once(store: Store, batch: StoredJob) -> None
         ]
         saved = sorted(job.result() for job in jobs)
     assert saved == [*[(set(), 0)] * 7, ({"key-0", "key-1", "key-2"}, 0)], "the one that stored them may count them"
-    now = store.jobs.load(batch.id)
-    assert now is not None
+    now = there(store.jobs.load(batch.id))
     assert (now.done, now.failed) == (5, 0)
     numbers = [event.number for event in store.job_events.of(batch.id, 0)]
     assert numbers == list(range(1, len(numbers) + 1))
@@ -121,8 +118,7 @@ def test_a_batch_is_done_when_nothing_waits_and_not_before(store: Store, batch: 
     assert store.jobs.finish(batch.id) is False
     store.job_runs.save(batch.id, computed("key-9"), "1")
     assert store.jobs.finish(batch.id) is True
-    now = store.jobs.load(batch.id)
-    assert now is not None
+    now = there(store.jobs.load(batch.id))
     assert (now.state, now.done) == ("done", RUNS)
     assert now.finished_at is not None
     assert store.jobs.unfinished() == []
@@ -161,8 +157,7 @@ def test_a_cancelled_one_gives_its_key_away_and_goes_on_when_it_is_resumed(store
     assert new
     assert store.jobs.by_idempotency_key("sweep", "once") == again
     store.jobs.resume(batch.id)
-    now = store.jobs.load(batch.id)
-    assert now is not None
+    now = there(store.jobs.load(batch.id))
     assert (now.state, now.done, now.finished_at) == ("queued", 3, None)
     assert len(store.job_runs.waiting(batch.id, -1, RUNS)[1]) == RUNS - 3
 
@@ -192,8 +187,7 @@ def test_what_has_ended_is_deleted_with_its_children_unless_a_link_shows_it(stor
     store.job_runs.save(batch.id, computed("key-0"), "1")
     assert not store.jobs.delete(batch.id), "it runs"
     store.jobs.cancel(batch.id)
-    child = store.jobs.load("child")
-    assert child is not None
+    child = there(store.jobs.load("child"))
     assert child.state == "cancelled", "nobody waits for it"
     link = StoredLink(slug="s" * 22, kind="batch", target=batch.id, view={})
     store.links.save(link, {})

@@ -19,6 +19,7 @@ BODIES: dict[str, dict[str, Any]] = {
     "batches": {"strategies": ["lv"]},
     "tunings": tuning.REQUEST,
     "solve": SOLVE,
+    "fuzzy": {},
     "vehicles/from-data-sheet": SHEET,
     "links": {"run_id": "RUN"},
 }
@@ -46,11 +47,11 @@ def fuzzy(**parts: Any) -> dict[str, Any]:
         ("runs", {"scenario": {"lqr": {"weights": [1, 1]}}}, "/scenario/lqr/weights/2", "required"),
         (
             "runs",
-            fuzzy(output=[{"name": "a", "function": "trimf", "corners": [1]}]),
+            fuzzy(output=[{"name": "a", "function": "trimf", "corners": [2, 1, 3]}]),
             "/scenario/fuzzy/output/0/corners",
-            "",
+            "trimf takes three ascending corners, not all alike",
         ),
-        ("runs", fuzzy(rules=[{"if": {"distance": "O"}, "then": "x"}]), "/scenario/fuzzy/rules/0/then", ""),
+        ("fuzzy", fuzzy(rules=[{"if": {"distance": "O"}, "then": "x"}]), "/scenario/fuzzy/rules/0/then", ""),
         ("runs", fuzzy(rules=[{"if": {}, "then": "V"}]), "/scenario/fuzzy/rules/0/if", ""),
         ("runs", {"scenario": []}, "/scenario", ""),
         ("runs", {"strategies": []}, "/strategies", ""),

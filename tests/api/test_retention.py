@@ -25,6 +25,7 @@ from tests.api.test_store import outcomes, save
 from tests.servers import loops
 from tests.servers.postgres import Postgres
 from tests.servers.process import HANG_TIMEOUT
+from tests.there import there
 
 LONG_AGO = datetime.now(UTC) - timedelta(days=40)
 
@@ -82,8 +83,7 @@ def test_what_is_old_goes_and_what_is_named_stays(store: Store) -> None:
     assert len(store.job_runs.rows("labelled", -1, 20)) == 12
     stored = store.runs.load_results(["plain-0", "plain-1", "labelled-0", "linked-0", "linked-1", "shared", "child-0"])
     assert sorted(stored) == ["labelled-0", "linked-0", "linked-1", "shared"], "a run with a link keeps all its results"
-    run = store.runs.load("plain")
-    assert run is not None
+    run = there(store.runs.load("plain"))
     assert run.expired
     assert run.scenario == {"road": "ä 😀"}
     assert [item.strategy for item in run.results] == ["lv", "lv"], "what it was is known"
@@ -183,8 +183,7 @@ def test_an_expired_result_is_stored_again_whoever_computes_it(store: Store) -> 
     store.jobs.create(replace(BATCH, id="again"), [rows()[0]._replace(key="plain-1")])
     assert [run.key for run in store.job_runs.waiting("again", -1, 9)[1]] == ["plain-1"], "it is not there"
     store.runs.recompute("plain", "2", outcomes("plain-1", "other"))
-    run = store.runs.load("plain")
-    assert run is not None
+    run = there(store.runs.load("plain"))
     assert (run.expired, run.core_version) == (False, "2")
     assert store.job_runs.waiting("again", -1, 9)[1] == []
 
@@ -194,8 +193,7 @@ def test_a_road_stays_as_long_as_a_run_or_a_job_names_it(store: Store) -> None:
     measured = {name: MeasuredRoad.of(np.full(600, index * 0.01)) for index, name in enumerate(names)}
     for road in measured.values():
         store.roads.save(road)
-    linked = store.runs.load("linked")
-    assert linked is not None
+    linked = there(store.runs.load("linked"))
     runs = replace(linked, id="on-it", scenario={"road": {"profile": measured["a run's"].id}})
     store.runs.save(runs)
     store.jobs.create(replace(BATCH, id="job", request={"scenario": {"road": {"profile": measured["a job's"].id}}}))
@@ -204,19 +202,19 @@ def test_a_road_stays_as_long_as_a_run_or_a_job_names_it(store: Store) -> None:
     with store.writing() as connection:
         connection.execute(update(roads).values(created_at=LONG_AGO))
 
-    def there() -> list[str]:
+    def stored() -> list[str]:
         return [name for name in names if measured[name].id in store.roads.load([measured[name].id])]
 
     apply(store, retention_days=50)
-    assert there() == list(names), "not so old"
+    assert stored() == list(names), "not so old"
     apply(store, retention_days=30)
-    assert there() == ["a run's", "a job's", "a sweep's"]
+    assert stored() == ["a run's", "a job's", "a sweep's"]
     assert store.roads.load([measured["a run's"].id])[measured["a run's"].id].heights().tolist() == [0.01] * 600
     for name in ("job", "sweep"):
         store.jobs.cancel(name)
         assert store.jobs.delete(name)
     apply(store, retention_days=30)
-    assert there() == ["a run's"]
+    assert stored() == ["a run's"]
 
 
 def test_a_road_that_is_sent_again_counts_from_then(store: Store) -> None:

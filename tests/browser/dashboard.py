@@ -9,6 +9,7 @@ from playwright.sync_api import ConsoleMessage, Error, Locator, Page, Response, 
 
 from tests.browser.looks import HANG_TIMEOUT_MS, expect
 from tests.servers.process import ROOT, request
+from tests.there import there
 
 AXE = ROOT / "frontend/node_modules/axe-core/axe.min.js"
 LAPTOP: ViewportSize = {"width": 1440, "height": 900}
@@ -273,3 +274,10 @@ def violations(part: Locator, rules: list[str], more: Sequence[str] = ()) -> lis
         [rules, more, [] if THOROUGH else SELDOM],
     )
     return found
+
+
+def middle_of(panel: Locator) -> tuple[float, float, float]:
+    """Centre of a panel's plot and its width."""
+    panel.scroll_into_view_if_needed()
+    box = there(panel.locator("canvas").bounding_box())
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, box["width"]

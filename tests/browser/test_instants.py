@@ -5,17 +5,8 @@ import re
 import pytest
 from playwright.sync_api import Locator
 
-from tests.browser.dashboard import THOROUGH, Dashboard
+from tests.browser.dashboard import THOROUGH, Dashboard, middle_of
 from tests.browser.looks import expect
-
-
-def plot(dashboard: Dashboard, signal: str) -> tuple[float, float, float]:
-    """Centre of a panel's plot and its width."""
-    panel = dashboard.page.locator(f"section[data-figure={signal}]")
-    panel.scroll_into_view_if_needed()
-    box = panel.locator("canvas").bounding_box()
-    assert box is not None
-    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, box["width"]
 
 
 def opened(dashboard: Dashboard) -> Locator:
@@ -25,7 +16,8 @@ def opened(dashboard: Dashboard) -> Locator:
 def test_a_click_says_why_the_panel_follows_the_cursor_and_a_link_leads_there(dashboard: Dashboard) -> None:
     dashboard.open()
     page, panel = dashboard.page, opened(dashboard)
-    x, y, _ = plot(dashboard, "body_acceleration")
+    plot = page.locator("section[data-figure=body_acceleration]")
+    x, y, _ = middle_of(plot)
     page.mouse.click(x, y)
     place, why = panel.get_by_test_id("instant-place"), panel.get_by_test_id("why")
     expect(place).to_contain_text("stage bump")
@@ -34,7 +26,7 @@ def test_a_click_says_why_the_panel_follows_the_cursor_and_a_link_leads_there(da
     expect(panel.get_by_role("region", name="Limits").get_by_role("row")).to_have_count(5)
     expect(panel.get_by_role("region", name="Cost of the plan by term")).to_be_visible()
     before = place.inner_text()
-    x, y, width = plot(dashboard, "body_acceleration")
+    x, y, width = middle_of(plot)
     page.mouse.move(x - 0.2 * width, y)
     expect(place).not_to_have_text(before)
     panel.get_by_label("Whose controller").select_option("passive")

@@ -4,11 +4,11 @@ import re
 from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import Locator
 
-from tests.browser.dashboard import THOROUGH, Dashboard, expect_new_address
+from tests.browser.dashboard import THOROUGH, Dashboard, expect_new_address, middle_of
 from tests.browser.looks import expect
 from tests.browser.server import Server
+from tests.there import there
 
 # Scrolled to where the car stands, whichever lies there is the comparison's.
 NOT_COVERED = """head => {
@@ -21,14 +21,6 @@ NOT_COVERED = """head => {
 CUT = """results => [...results.querySelectorAll('h2, h3, p, span, button, th')]
   .filter(each => getComputedStyle(each).overflowX === 'hidden' && each.scrollWidth > each.clientWidth + 1)
   .filter(each => !each.matches('.visually-hidden')).map(each => each.textContent)"""
-
-
-def middle_of(panel: Locator) -> tuple[float, float, float]:
-    """Centre of a panel's plot and its width."""
-    panel.scroll_into_view_if_needed()
-    box = panel.locator("canvas").bounding_box()
-    assert box is not None
-    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, box["width"]
 
 
 @pytest.mark.thorough
@@ -142,8 +134,7 @@ def test_a_panel_opens_enlarged_in_plotly(dashboard: Dashboard) -> None:
     figure = page.get_by_role("dialog", name="Body acceleration")
     curves, ticks = figure.locator(".scatterlayer .trace"), figure.locator(".xaxislayer-above .xtick text")
     expect(curves).to_have_count(3)
-    box = figure.locator(".nsewdrag").first.bounding_box()
-    assert box is not None
+    box = there(figure.locator(".nsewdrag").first.bounding_box())
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
     page.mouse.move(x, y)
     expect(figure.locator(".hoverlayer")).to_contain_text("m/s²")

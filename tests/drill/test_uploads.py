@@ -30,9 +30,9 @@ GRID = as_binary(MeasuredRoad.of(0.01 * np.random.default_rng(1).standard_normal
 BEGIN = GRID.index(b"$$$$") + 73
 
 
-def replaced(line: str) -> bytes:
-    """The road with another line in its middle."""
-    lines = ROAD.split("\n")
+def broken(file: str, line: str) -> bytes:
+    """The file with another line in its middle."""
+    lines = file.split("\n")
     lines[MIDDLE - 1] = line
     return "\n".join(lines).encode()
 
@@ -53,21 +53,14 @@ class Upload:
 DRIVE = "time [s],body_acceleration [m/s^2]\n" + "".join(f"{0.01 * step:.2f},{step % 7}\n" for step in range(200_000))
 
 
-def broken_drive(line: str) -> bytes:
-    """The recording with another line in its middle."""
-    lines = DRIVE.split("\n")
-    lines[MIDDLE - 1] = line
-    return "\n".join(lines).encode()
-
-
 def recording(content: bytes, status: int, detail: str) -> Upload:
     return Upload(content, status, detail, to="recordings")
 
 
 UPLOADS = {
-    "NaN": Upload(replaced("1000.00,nan"), 422, f"Line {MIDDLE}: A value is not a finite number."),
-    "no number": Upload(replaced("1000.00,3mm"), 422, f"Line {MIDDLE}: A value is not a number."),
-    "a distance going back": Upload(replaced("999.00,3"), 422, f"Line {MIDDLE}: The distance goes back"),
+    "NaN": Upload(broken(ROAD, "1000.00,nan"), 422, f"Line {MIDDLE}: A value is not a finite number."),
+    "no number": Upload(broken(ROAD, "1000.00,3mm"), 422, f"Line {MIDDLE}: A value is not a number."),
+    "a distance going back": Upload(broken(ROAD, "999.00,3"), 422, f"Line {MIDDLE}: The distance goes back"),
     "20 MB": Upload(b"distance [m],height [mm]\n" + 20_000_000 * b"1", 413, "The body may have 4194304 bytes."),
     "3 million short lines": Upload(b"x [m],z [m]\n" + 3_000_000 * b"1\n", 413, "The body may have 4194304 bytes."),
     "2 million empty lines": Upload(b"x [m],z [m]\n" + 2_000_000 * b"\n", 422, "Line 350001: The file may have"),
@@ -84,10 +77,10 @@ UPLOADS = {
     ),
     "a header without an end": Upload(b"$CT\n" + 4_000_000 * b"*\n", 422, "Line 20000: The header may have", OPENCRG),
     "4 MB of commas": Upload(4_000_000 * b",", 422, "Line 1: A line may have 500 characters."),
-    "a drive whose clock goes back": recording(broken_drive("999.00,3"), 422, f"Line {MIDDLE}: The time goes back"),
-    "a drive with an infinite value": recording(broken_drive("1000.00,inf"), 422, f"Line {MIDDLE}: "),
-    "a drive with a formula": recording(broken_drive("1000.00,=1+1"), 422, f"Line {MIDDLE}: A value of column 2"),
-    "a drive whose clock jumps ahead": recording(broken_drive("9999999,1"), 422, f"Line {MIDDLE + 1}: The time"),
+    "a drive whose clock goes back": recording(broken(DRIVE, "999.00,3"), 422, f"Line {MIDDLE}: The time goes back"),
+    "a drive with an infinite value": recording(broken(DRIVE, "1000.00,inf"), 422, f"Line {MIDDLE}: "),
+    "a drive with a formula": recording(broken(DRIVE, "1000.00,=1+1"), 422, f"Line {MIDDLE}: A value of column 2"),
+    "a drive whose clock jumps ahead": recording(broken(DRIVE, "9999999,1"), 422, f"Line {MIDDLE + 1}: The time"),
     "a drive without a signal": recording(b"time [s],height [mm]\n" + 500_000 * b"0,1\n", 422, "Line 1: No column is"),
     "a drive of 2000 columns": recording(2000 * b"a," + b"b\n" + 900 * (2000 * b"1," + b"1\n"), 422, "Line 1: "),
     "a drive of 20 MB": recording(b"time [s],speed [m/s]\n" + 20_000_000 * b"1", 413, "The body may have 4194304"),

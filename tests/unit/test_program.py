@@ -9,6 +9,7 @@ import pytest
 from sim_core import Controller, program
 from sim_core.program import program as named
 from sim_core.strategies import STRATEGIES
+from tests.there import there
 
 
 def test_it_is_named_by_version_c_and_osqp() -> None:
@@ -28,12 +29,10 @@ def test_a_law_is_named_by_its_file(tmp_path: Path, monkeypatch: pytest.MonkeyPa
 
     def law(text: str) -> type[Controller]:
         file.write_text(text)
-        spec = importlib.util.spec_from_file_location("my_law", file)
-        assert spec is not None
-        assert spec.loader is not None
+        spec = there(importlib.util.spec_from_file_location("my_law", file))
         module = importlib.util.module_from_spec(spec)
         monkeypatch.setitem(sys.modules, "my_law", module)
-        spec.loader.exec_module(module)
+        there(spec.loader).exec_module(module)
         own: type[Controller] = module.Own
         return own
 

@@ -4,9 +4,7 @@ from math import sqrt
 
 import pytest
 
-from backend.means_over_roads import Numbers, compare, one_road_resolution, paired_changes, seeded
-from sim_core.scenario import Scenario
-from sim_core.simulate import simulate
+from backend.means_over_roads import Numbers, compare, one_road_resolution, paired_changes
 from sim_core.strategies import STRATEGIES
 
 T_4 = 2.7764451  # Student's t at 97.5 %, 4 degrees of freedom (any table)
@@ -59,11 +57,3 @@ def test_one_road_resolves_less_of_predictive_peaks() -> None:
     resolved = {name: list(one_road_resolution(name).values()) for name in STRATEGIES}
     assert resolved["lv"] == resolved["lv_hil"] == [7, 15]
     assert resolved["lqr"] == resolved["passive"] == [7, 7]
-
-
-def test_roads_follow_the_scenarios_seed() -> None:
-    scenario = Scenario.model_validate({"road": {"seed": 5, "length": 120}})
-    roads = seeded(scenario, 3)
-    assert [road.road.seed for road in roads] == [5, 6, 7]
-    assert roads[0] == scenario
-    assert len({simulate(road, "passive").travel_time for road in roads}) == 1, "no road changes how long it takes"

@@ -24,6 +24,7 @@ from backend.tunings.objectives import StoredLimit, StoredObjective, UndefinedOb
 from backend.tunings.search import Search, ask
 from sim_core.scenario import Scenario, dotted
 from tests.api.test_job_store import BATCH
+from tests.there import there
 
 AIMS = Aims(objectives=[StoredObjective(kind="figure", q=[1, 1, 1], window=None, figure="travel_time")], limits=[])
 PAPER = Scenario().model_dump(mode="json")
@@ -123,8 +124,7 @@ def test_dominated_shares_with_known_answers() -> None:
 def test_weights_are_points_and_points_weights(strategy: str) -> None:
     search = space.default_search(strategy)
     papers = space.paper_weights(strategy, search)
-    point = space.point_of(papers, search, PAPER)
-    assert point is not None
+    point = there(space.point_of(papers, search, PAPER))
     assert list(point) == space.weights_in(strategy)
     assert space.weights_of(point, search, papers) == papers
     assert space.first_weights(PAPER, strategy, search) == [papers]
@@ -165,8 +165,7 @@ def test_preview_horizon_and_times_are_searched_as_what_they_are() -> None:
     assert {each["mpc.preview"] for each in tried} == {"obstacle", "lookahead"}
     assert all(isinstance(each["mpc.prediction_horizon"], int) for each in tried)
     for weights, point in zip(tried, points, strict=True):
-        back = space.point_of(weights, ranges, PAPER)
-        assert back is not None
+        back = there(space.point_of(weights, ranges, PAPER))
         assert back["mpc.sample_time"] == pytest.approx(point["mpc.sample_time"], rel=1e-2)
         Scenario.model_validate(dotted.with_changes(PAPER, weights))
     assert space.longest_run(request) == {"mpc.prediction_horizon": 60, "mpc.sample_time": 0.005}
@@ -238,12 +237,10 @@ def test_a_verdict_is_by_the_interval_on_validation_roads() -> None:
     points = comparison.compared(trials, roles, {0: papers, 1: overfitted, 2: better}, [1, 2], [11, 12, 13], AIMS)
     assert [point.verdict for point in points] == [None, ["unclear"], ["better"]]
     assert points[0].fresh["objectives.0"].change is None
-    change = points[1].training["objectives.0"].change
-    assert change is not None
+    change = there(points[1].training["objectives.0"].change)
     assert change.value == pytest.approx(-50)
     # The validation roads by hand: the ratio of means is 3.4/3.3.
-    change = points[1].fresh["objectives.0"].change
-    assert change is not None
+    change = there(points[1].fresh["objectives.0"].change)
     assert change.value == pytest.approx(100 * (3.4 / 3.3 - 1))
     assert points[1].fresh["objectives.0"].worst == 1.4
 

@@ -18,6 +18,7 @@ from sim_core.scenario.measured import MeasuredRoad
 from sim_core.simulate import prepare
 from sim_core.strategies import STRATEGIES
 from sim_core.strategies.suspension_only import SuspensionOnly
+from tests.there import there
 
 BUMP = {"bump": {"start": 40, "height": 0.1}, "length": 60}
 BOUND = Scenario.model_validate({"road": BUMP, "mpc": {"force_limit": 1500, "deflection_limit": 0.03}})
@@ -43,8 +44,7 @@ def test_an_instant_is_of_the_run_that_simulate_drives(strategy: str, parts: dic
         assert series[f"{where}_deflection"][before] == pytest.approx(at.state[axle], abs=1e-9)
         force = series[f"{where}_force"][after + 1]
         assert force == pytest.approx(at.acting[axle], abs=0.02 * BOUND.mpc.force_limit if parts else 1e-6)
-    asked = at.asked
-    assert asked is not None
+    asked = there(at.asked)
     if not at.limits:
         assert strategy in ("passive", "speed_only")
     elif all(limit.distance > 0 for limit in at.limits) and strategy != "lv_hil":
@@ -74,9 +74,7 @@ def planned(scenario: Scenario, controller: Controller, step: int, state: FloatA
     run = prepare(scenario, controller)
     run.controller.start(run.setup())
     forecast = run.forecast(run.controller.preview, run.controller.preview_steps)
-    plan = run.controller.plan(Seen(run.inputs(forecast), run.car(), step, step, state, previous))
-    assert plan is not None
-    return plan
+    return there(run.controller.plan(Seen(run.inputs(forecast), run.car(), step, step, state, previous)))
 
 
 def test_a_plan_that_is_followed_with_a_perfect_model_is_what_the_simulation_does() -> None:
@@ -163,10 +161,9 @@ def test_forces_without_a_limit_and_all_multipliers_are_those_of_osqp() -> None:
     theirs = dict(zip(LIMITS, (of_moves[::2], of_moves[1::2], *np.split(of_travel, 2)), strict=True))
     for name, limit in ours.items():
         assert limit.multipliers is not None
-        assert limit.force_without is not None
         np.testing.assert_allclose(limit.multipliers, theirs[name], atol=1e-6 * np.abs(theirs[name]).max(initial=1e-3))
         freed = by_osqp(design, inputs, name)[0]
-        np.testing.assert_allclose(limit.force_without, freed, atol=1e-6 * np.abs(freed).max())
+        np.testing.assert_allclose(there(limit.force_without), freed, atol=1e-6 * np.abs(freed).max())
     assert "limit shapes it" in at.why
 
 
@@ -182,8 +179,7 @@ def test_an_ecus_plan_begins_with_the_command_that_its_program_gives(compensatio
     for position in np.arange(38, 44, 0.2):
         at = instant(scenario, "lv_hil", position=float(position))
         assert at.plan is not None
-        assert at.asked is not None
-        np.testing.assert_allclose(at.plan.forces[0], at.asked, atol=0.51 * BOUND.mpc.force_limit / codes)
+        np.testing.assert_allclose(at.plan.forces[0], there(at.asked), atol=0.51 * BOUND.mpc.force_limit / codes)
         begins = instant(scenario, "lv_hil", time=at.time + at.plan.begins * at.sample_time)
         np.testing.assert_allclose(at.plan.states[0, :2], begins.state[:2], atol=3 * 0.15 / codes)
         assert begins.step - at.step == (compensation == "predict")

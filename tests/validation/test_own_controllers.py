@@ -17,6 +17,7 @@ from sim_core.scenario import Actuator, Bump, Estimation, Mismatch, Mpc, Road, S
 from sim_core.simulate import prepare
 from sim_core.strategies import STRATEGIES, reads
 from sim_core.vehicle.half_car import half_car
+from tests.there import there
 
 FILES = sorted(
     file
@@ -30,11 +31,9 @@ def copied(file: Path, folder: Path) -> ModuleType:
     """The file as a visitor's module."""
     copy = folder / f"my_{file.name}"
     copy.write_bytes(file.read_bytes())
-    spec = importlib.util.spec_from_file_location(copy.stem, copy)
-    assert spec is not None
-    assert spec.loader is not None
+    spec = there(importlib.util.spec_from_file_location(copy.stem, copy))
     module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
+    there(spec.loader).exec_module(module)
     return module
 
 

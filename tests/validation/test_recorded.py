@@ -8,6 +8,7 @@ from sim_core.catalogue import METRIC_SIGNALS
 from sim_core.recorded.alignment import place
 from sim_core.recorded.result import recorded_result
 from sim_core.scenario.recorded import RecordedDrive
+from tests.there import there
 
 SCENARIO = Scenario()
 PLACED = ("body_acceleration", "front_deflection")
@@ -27,13 +28,10 @@ def recording(scenario: Scenario, *, start: float = 0.0, drift: float = 0.0, noi
 @pytest.mark.parametrize(("start", "drift"), [(0.0, 0.0), (1.37, 0.002), (3.1, -0.011)])
 def test_start_and_drift_of_the_clock_are_found(start: float, drift: float) -> None:
     """Without noise within the spacing of the refinement (2 cm) over twenty; of 150 m that is a drift of 7e-6."""
-    found = recorded_result(SCENARIO, recording(SCENARIO, start=start, drift=drift)).recording
-    assert found is not None
-    assert found.offset is not None
-    assert found.scale is not None
+    found = there(recorded_result(SCENARIO, recording(SCENARIO, start=start, drift=drift)).recording)
     assert found.reference == "passive"
-    assert found.offset == pytest.approx(start * SCENARIO.speed.initial, abs=0.001)
-    assert found.scale == pytest.approx(1 + drift, abs=1e-5)
+    assert there(found.offset) == pytest.approx(start * SCENARIO.speed.initial, abs=0.001)
+    assert there(found.scale) == pytest.approx(1 + drift, abs=1e-5)
 
 
 def test_a_clock_that_is_far_off_is_found_on_a_long_road() -> None:
@@ -42,8 +40,7 @@ def test_a_clock_that_is_far_off_is_found_on_a_long_road() -> None:
     road = np.convolve(np.random.default_rng(1).normal(size=len(position)), np.hanning(11), "same")
     distance = np.arange(0, 380, 0.1)
     recorded = np.interp(20 + 0.985 * distance, position, road)
-    found = place(distance, recorded[None], position, road[None])
-    assert found is not None
+    found = there(place(distance, recorded[None], position, road[None]))
     assert found.offset == pytest.approx(20, abs=0.001)
     assert found.scale == pytest.approx(0.985, abs=1e-5)
 
@@ -52,8 +49,7 @@ def test_another_car_and_noise_do_not_move_it_far() -> None:
     """Softer dampers delay the motion: half a wheel's oscillation, 35 ms or half a metre, would be a wrong place."""
     softer = Vehicle(front_damping=0.8 * 6000, rear_damping=0.8 * 6000)
     other = SCENARIO.model_copy(update={"vehicle": softer})
-    found = recorded_result(SCENARIO, recording(other, start=1.5, drift=0.001, noise=0.1)).recording
-    assert found is not None
+    found = there(recorded_result(SCENARIO, recording(other, start=1.5, drift=0.001, noise=0.1)).recording)
     assert found.offset == pytest.approx(1.5 * SCENARIO.speed.initial, abs=0.05)
     assert found.scale == pytest.approx(1.001, abs=5e-4)
 
@@ -88,8 +84,7 @@ def test_what_was_not_recorded_has_no_metric() -> None:
     assert np.isfinite(result.metrics["bump"]["body_acceleration"]["rms"])
     assert np.isnan(result.metrics["bump"]["front_force"]["rms"])
     assert np.isnan(result.comfort["weighted_rms"])
-    assert result.recording is not None
-    assert set(result.recording.missing) == set(METRIC_SIGNALS) - {"body_acceleration"}
+    assert set(there(result.recording).missing) == set(METRIC_SIGNALS) - {"body_acceleration"}
 
 
 def test_a_drive_without_time_and_speed_has_no_travel_time() -> None:
