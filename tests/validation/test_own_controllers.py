@@ -290,6 +290,34 @@ def test_a_law_that_does_not_fit_its_preview_is_refused() -> None:
         LinearLaw(gain=np.zeros((2, 10)), preview_gain=np.zeros((2, 3)), limits=np.zeros((1, 16)))
 
 
+def test_a_law_with_limits_and_no_preview_decides_within_them_alone() -> None:
+    fastest = 0.05  # of the body, upwards and down [m/s]
+
+    class Asked(Controller):
+        """Damps the body while it is slow."""
+
+        id, label = "asked", "Asked"
+
+        def force(self, seen: Seen) -> tuple[float, float]:
+            velocity = seen.state[4]
+            return (-2000.0 * velocity, -1000.0 * velocity) if abs(velocity) <= fastest else (0.0, 0.0)
+
+    class Lawful(Asked):
+        """Has the same as a law."""
+
+        id, label = "lawful", "Lawful"
+
+        def linear_law(self, stage: str) -> LinearLaw:
+            gain, limits = np.zeros((2, 10)), np.zeros((1, 10))
+            gain[:, 4], limits[0, 4] = (-2000, -1000), 1 / fastest
+            return LinearLaw(gain=gain, limits=limits)
+
+    asked, lawful = simulate(SHORT, Asked), simulate(SHORT, Lawful)
+    assert 0 < there(lawful.events["limited_steps"]) < len(asked.series["time"])
+    for key in ("front_force", "body_acceleration"):
+        np.testing.assert_allclose(lawful.series[key], asked.series[key], rtol=0, atol=1e-9)
+
+
 def test_the_believed_car_is_told_not_the_real_one() -> None:
     scenario = SHORT.model_copy(update={"mismatch": Mismatch(body_mass=1.2)})
     watcher = Watcher()
