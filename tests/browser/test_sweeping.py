@@ -193,7 +193,7 @@ def test_a_row_opens_its_run_which_leads_back(dashboard: Dashboard, server: Serv
 
 
 @pytest.mark.thorough
-def test_a_sweep_is_cancelled_resumed_named_and_another_one_deleted(dashboard: Dashboard, server: Server) -> None:
+def test_a_sweep_is_cancelled_resumed_named_and_deleted_with_another_one(dashboard: Dashboard, server: Server) -> None:
     """It is far longer than any click takes: nothing here waits for its end."""
     page = dashboard.page
     other = server.submit({"grid": {"road.bump.height": [0.03]}}, ["passive"])
@@ -224,7 +224,9 @@ def test_a_sweep_is_cancelled_resumed_named_and_another_one_deleted(dashboard: D
     neighbour.get_by_role("button", name="Delete", exact=True).click()
     expect(neighbour).to_have_count(0)
     dashboard.expect_no_wider(400)
-    page.goto(other)
+    entry.get_by_role("button", name="Rename or delete").click()
+    page.get_by_role("menuitem", name="Delete").click()
+    entry.get_by_role("button", name="Delete", exact=True).click()
     expect(page.get_by_role("heading", name="There is no sweep at this address")).to_be_visible()
 
 

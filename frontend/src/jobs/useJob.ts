@@ -7,7 +7,7 @@ import type { Batch, BatchItem, Tuning, TuningItem } from "../api/types";
 import { isNotFound } from "../api/problem";
 import { createLatest } from "../lib/latest";
 import { follow, isFinal, type Handlers, type JobEvent } from "./follow";
-import { notFound } from "@tanstack/react-router";
+import { useRouter } from "@tanstack/react-router";
 
 export type Common = Pick<Batch, "id" | "state" | "reason" | "label" | "position" | "created_at">;
 
@@ -102,6 +102,11 @@ export function useJob<Item extends Common, Job extends Item>(kind: JobKind<Item
     ...jobQuery(kind, id),
     refetchInterval: ({ state: { data } }) => data?.state === "queued" && data.position > 0 && QUEUED_MS,
   });
+  // It has been deleted since: the route says so.
+  const router = useRouter();
+  useEffect(() => {
+    if (isNotFound(error)) void router.invalidate();
+  }, [error, router]);
   const [connected, setConnected] = useState(true);
   const [marks, setMarks] = useState<readonly Mark[]>([]);
   const unfinished = !isFinal(job);
@@ -119,7 +124,6 @@ export function useJob<Item extends Common, Job extends Item>(kind: JobKind<Item
     });
   }, [kind, id, unfinished, queries]);
 
-  if (isNotFound(error)) notFound({ throw: true }); // it has been deleted since
   return { job, connected, left: job.state === "running" ? secondsLeft(marks, kind.counts(job).total) : null };
 }
 
