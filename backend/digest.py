@@ -45,7 +45,7 @@ def result_key(scenario: Scenario, strategy: str) -> str:
 
 
 def result_keys(roads: Sequence[Scenario], strategies: Iterable[str]) -> list[dict[str, str]]:
-    """By strategy the `result_key` on each of several roads, which differ in their seed alone."""
+    """By strategy (no recording) the `result_key` on each of several roads, which differ in their seed alone."""
     keys: list[dict[str, str]] = [{} for _ in roads]
     identity = _plain(roads[0].identity())
     for strategy in strategies:

@@ -132,13 +132,13 @@ EVENTS = _catalogue(
         "qp_fallbacks",
         "QP solver fallbacks",
         "1",
-        "solved by the other solver after the first gave no verified solution",
+        "solved by the other solver: the first gave no verified solution, or is not asked again since both failed",
     ),
     Entry(
         "qp_failures",
         "QPs not solved",
         "1",
-        "neither solver gave a verified solution and the last safe force was held; of an ECU, its "
+        "no solver that was asked gave a verified solution and the last safe force was held; of an ECU, its "
         "iterations ran out and the forces were clipped",
     ),
     Entry(

@@ -8,6 +8,8 @@ from pydantic import BaseModel
 
 from backend.unknown_names import Path, is_name, pointer, shown_path, unknown_name
 
+_LISTS_OF_NAMES = ["strategies"], ["signals"]  # of requests
+
 
 def blamed(item: Mapping[str, Any], model: Any) -> dict[str, str]:
     """The field that one of pydantic's errors is about and its message, without the value sent.
@@ -31,8 +33,9 @@ def blamed(item: Mapping[str, Any], model: Any) -> dict[str, str]:
     elif item["type"] == "inconsistent":
         path += [*filter(None, context["field"].split(".")), *([key] if (key := context.get("key")) else [])]
     elif item["type"] in {"list_type", "tuple_type"}:
-        sent = item["input"]
-        message = "This has to be a list" + (f': write ["{sent}"]' if isinstance(sent, str) and is_name(sent) else "")
+        sent, message = item["input"], "This has to be a list"
+        if path in _LISTS_OF_NAMES and isinstance(sent, str) and is_name(sent):
+            message += f': write ["{sent}"]'
     elif item["type"] == "too_short" and context.get("min_length") == 1:
         message = "There has to be at least one"
     elif item["type"] == "model_attributes_type" or (not path and item["type"] != "missing"):

@@ -26,12 +26,7 @@ from sim_core.strategies import strategies as known_strategies
 def schema() -> bytes:
     """JSON Schema of the scenario, with the options of controllers of one's own that there are, and its version."""
     plain = _scenario_schema()
-    parts = {
-        f"{dotted.OWN}{each.id}": each
-        for source in own.controller_sources()
-        for each in source.descriptions
-        if each.options
-    }
+    parts = {f"{dotted.OWN}{each.id}": each for each in own.descriptions() if each.options}
     options = {
         "properties": {each.id: {"$ref": f"#/$defs/{name}", "title": each.label} for name, each in parts.items()}
     }

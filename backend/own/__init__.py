@@ -8,6 +8,7 @@ controllers and drives them. Everywhere else a stand-in with the same fields tak
 from backend.own.registry import (
     adopt,
     controller_sources,
+    descriptions,
     faults,
     is_own,
     isolated,
@@ -18,6 +19,7 @@ from backend.own.registry import (
 __all__ = [
     "adopt",
     "controller_sources",
+    "descriptions",
     "faults",
     "is_own",
     "isolated",

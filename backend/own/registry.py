@@ -57,7 +57,7 @@ class ControllerSource:
 
 
 _sources: tuple[ControllerSource, ...] = ()
-_usable: tuple[ControllerSource, ...] = ()  # the same, each id once
+_checked: tuple[ControllerSource, ...] = ()  # the same; the second of one id has a fault and no controller
 _of: dict[str, tuple[ControllerSource, Description]] = {}  # by a controller's id
 _controllers: dict[str, type[Controller]] = {}
 _hosts: OrderedDict[str, tuple[str, Host]] = OrderedDict()  # digest and host, by source; the last used is last
@@ -72,14 +72,19 @@ def controller_sources() -> tuple[ControllerSource, ...]:
 
 def adopt(sources: tuple[ControllerSource, ...]) -> None:
     """Take this as what there is."""
-    global _sources, _usable, _of, _controllers
+    global _sources, _checked, _of, _controllers
     controller_files.use(lambda: _controllers)  # this process loads no file itself
     same, _sources = sources == _sources, sources
     if same:
         return
-    _usable = _each_id_once(sources)
-    _of = {each.id: (source, each) for source in _usable for each in source.descriptions}
+    _checked = _each_id_once(sources)
+    _of = {each.id: (source, each) for source in _checked for each in source.descriptions}
     _controllers = {name: stand_in(each) for name, (_, each) in _of.items()}
+
+
+def descriptions() -> list[Description]:
+    """Of all controllers of one's own that can be used."""
+    return [each for _, each in _of.values()]
 
 
 def is_own(name: str) -> bool:
@@ -102,7 +107,7 @@ def source(name: str) -> dict[str, str] | None:
 
 def faults() -> dict[str, str]:
     """By file name why it cannot be used."""
-    return {each.name: each.fault for each in _usable if each.fault is not None}
+    return {each.name: each.fault for each in _checked if each.fault is not None}
 
 
 def stale() -> bool:
@@ -202,9 +207,9 @@ def _descriptions() -> tuple[Description, ...]:
 
 
 def _take(sources: Iterable[ControllerSource]) -> None:
-    before = {each.source: each.fault for each in _usable}
+    before = {each.source: each.fault for each in _checked}
     adopt(tuple(sources))
-    for each in _usable:
+    for each in _checked:
         if each.fault not in {None, before.get(each.source)}:
             logger.warning("A controller file cannot be used: %s", each.fault)
 

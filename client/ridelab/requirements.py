@@ -70,7 +70,7 @@ class RequirementResult:
 
 def required(requirements: Sequence[Requirement], baseline: str | None) -> dict[str, Any]:
     """Nothing where nothing is required: a service of an older version does not know the word."""
-    return {"requirements": requirements, "baseline": baseline} if requirements else {}
+    return {"requirements": list(requirements), "baseline": baseline} if requirements else {}
 
 
 def failing(results: Iterable[RequirementResult], *, strict: bool = False) -> bool:

@@ -100,7 +100,7 @@ class PredictiveController(Controller):
             faster = () if self.solver == "daqp" else ("mpc.solver",)
             raise TooExpensiveError("The run's QPs take too many iterations", fields=(*faster, *_COSTLY_FIELDS))
         inputs = np.concatenate([seen.state, seen.previous_force, seen.disturbances.ravel()])
-        for name in ("daqp",) if self._both_failed else self._solvers():
+        for name in self._solvers():
             force = qps.solve(self._designs[seen.stage].qp, name, inputs)
             if force is not None:
                 self.report.fallbacks += name != self.solver
@@ -115,5 +115,7 @@ class PredictiveController(Controller):
         return make_plan(design, self._solvers(), seen.state, seen.previous_force, seen.disturbances)
 
     def _solvers(self) -> tuple[str, ...]:
-        """Both, the scenario's first."""
+        """Both, the scenario's first; the dual method alone since both failed."""
+        if self._both_failed:
+            return ("daqp",)
         return (self.solver, *(name for name in SOLVERS if name != self.solver))

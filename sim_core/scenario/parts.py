@@ -167,7 +167,7 @@ class Mpc(Part):
     solver: Literal["daqp", "osqp"] = field(
         "daqp",
         "QP solver",
-        "Where a limit binds: a dual active-set method as DAQP's, or OSQP; the other is the fallback.",
+        "Where a limit binds: a dual active-set method as DAQP's, or OSQP; the other is the fallback until both fail.",
     )
     stage_weights: StageWeights = Field(default=StageWeights(), title="LV weights per driving stage")
     road_weights: RoadWeights = Field(default=RoadWeights(), title="Single suspension control's weights per road")

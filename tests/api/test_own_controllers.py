@@ -251,7 +251,7 @@ def test_a_file_that_cannot_be_used_keeps_nothing_else_from_working(
     texts = {
         "half.py": LAW[:-40],
         "endless.py": f"import pathlib, time\n{endless}\n{named('late')}",
-        "twice.py": LAW,
+        "twice.py": LAW.replace("damping", "other"),
     }
     for name, text in texts.items():
         (folder / name).write_text(text)
@@ -265,6 +265,8 @@ def test_a_file_that_cannot_be_used_keeps_nothing_else_from_working(
         "twice.py": "twice.py: mine.py has a controller of the id mine too",
     }
     assert own(service)["half"]["fault"] == faults["half.py"], "it stands where its author looks"
+    options = service.client.get("/api/v1/schema").json()["$defs"]["own.mine"]["properties"]
+    assert list(options) == ["damping"], "those of the file that is used"
     outcomes = driven(service, ["half", "mine", "lqr"])
     assert {name: each["status"] for name, each in outcomes.items()} == {"half": "failed", "mine": "ok", "lqr": "ok"}
     assert outcomes["half"]["reason"] == faults["half.py"]
