@@ -1,0 +1,25 @@
+"""Time histories in part are those in whole."""
+
+from itertools import combinations
+
+import numpy as np
+import pytest
+
+from sim_core.result import Series
+
+COMMANDS, SAMPLES = 4, 3
+WHOLE = {"time": np.arange(12.0), "front_force": np.arange(100.0, 112.0)}
+ROWS = np.c_[WHOLE["front_force"].reshape(COMMANDS, SAMPLES), np.full(COMMANDS, np.nan)]  # last: before the next command
+SERIES = Series({"time": WHOLE["time"]}, lambda: {"front_force": ROWS})
+
+
+@pytest.mark.parametrize("key", WHOLE)
+def test_a_part_of_a_history_is_that_part_of_it(key: str) -> None:
+    for start, end in combinations(range(COMMANDS * SAMPLES + 1), 2):
+        np.testing.assert_array_equal(SERIES.between(key, start, end), WHOLE[key][start:end])
+
+
+@pytest.mark.parametrize("key", WHOLE)
+def test_single_samples_are_those_of_the_history(key: str) -> None:
+    samples = np.array([0, 1, 5, 6, 11])
+    np.testing.assert_array_equal(SERIES.at(key, samples), WHOLE[key][samples])
