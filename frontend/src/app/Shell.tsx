@@ -8,7 +8,7 @@ import { Keyboard } from "./Keyboard";
 import { Nav } from "./Nav";
 import { SlotsContext } from "../ui/Page";
 import classes from "../ui/shell.module.css";
-import { Blank, Loading } from "../ui/Blank";
+import { Blank } from "../ui/Blank";
 import ui from "../ui/ui.module.css";
 import { tokenWanted, connection, probe, type Readiness, type Trouble } from "../api/connection";
 import { useSelector } from "@tanstack/react-store";
@@ -69,15 +69,6 @@ export function PageNotFound() {
         </Button>
       </Blank>
     </Box>
-  );
-}
-
-/** Until its route has what the page needs. */
-export function PageLoading() {
-  return (
-    <main className={ui.main}>
-      <Loading label="Loading the page" heights={[28, 96, 440]} />
-    </main>
   );
 }
 

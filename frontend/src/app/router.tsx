@@ -11,10 +11,11 @@ import {
 import { LabPage } from "../pages/lab/LabPage";
 import { readScenarioSource } from "../features/scenarioSource/scenarioSource";
 import { readChoices } from "../pages/paper/choices";
-import { JobNotFound, PageFailed, PageLoading, PageNotFound, Shell, type JobLists } from "./Shell";
+import { JobNotFound, PageFailed, PageNotFound, Shell, type JobLists } from "./Shell";
+import { PageLoading } from "../ui/Page";
 import { BATCH, jobQuery, TUNING, type Common, type JobKind } from "../jobs/useJob";
 import { endFirstView, firstCurves } from "../lib/firstCurves";
-import { uncertaintiesQuery, untilThere } from "../server/queries";
+import { uncertaintiesQuery } from "../server/queries";
 import { loadCatalogues, loadResultWords } from "../server/useCatalogues";
 import { parseSearch, pick, readLabSearch, stringifySearch } from "../lab/address";
 import { isNotFound } from "../api/problem";
@@ -54,7 +55,8 @@ const notFoundOr = (error: unknown) => {
 /** With the job that the address names; where there is none, the way to others. */
 const ofJob = <Item extends Common, Job extends Item>(kind: JobKind<Item, Job>, what: string, others: JobLists) => ({
   loader: ({ context, params: { id } }: { readonly context: Context; readonly params: { readonly id: string } }) =>
-    Promise.all([load({ context }), context.queries.query({ ...jobQuery(kind, id), ...untilThere }).catch(notFoundOr)]),
+    Promise.all([load({ context }), context.queries.query(jobQuery(kind, id)).catch(notFoundOr)]),
+  gcTime: 0, // who comes back later than the job is stored has it fetched again
   notFoundComponent: () => <JobNotFound {...{ what, others }} />,
 });
 

@@ -1,8 +1,12 @@
-import { QueryObserver } from "@tanstack/react-query";
+// @vitest-environment happy-dom
+import { QueryClientProvider, QueryObserver } from "@tanstack/react-query";
+import { createMemoryHistory, createRootRoute, createRouter, RouterContextProvider } from "@tanstack/react-router";
+import { cleanup, renderHook } from "@testing-library/react";
+import { createElement, type ReactNode } from "react";
 import { afterEach, expect, it, vi } from "vitest";
-import type { Tuning, TuningItem } from "../api/types";
+import type { Batch, Tuning, TuningItem } from "../api/types";
 import { createQueryClient } from "../server/queries";
-import { followJob, jobQuery, TUNING, type JobKind } from "./useJob";
+import { BATCH, followJob, jobQuery, TUNING, useJob, type JobKind } from "./useJob";
 
 /** A stream whose events come when a test says so. */
 class Stream extends EventTarget {
@@ -20,6 +24,7 @@ class Stream extends EventTarget {
 }
 
 afterEach(() => {
+  cleanup();
   vi.unstubAllGlobals();
 });
 
@@ -50,4 +55,23 @@ it("A running tuning whose past events come all at once is asked for once at a t
   stop();
   leave();
   queries.clear();
+});
+
+it("A job that came with a link is there without being asked for", () => {
+  const fetch = vi.fn(() => Promise.reject(new TypeError("no connection")));
+  vi.stubGlobal("fetch", fetch);
+  const client = createQueryClient();
+  const router = createRouter({ routeTree: createRootRoute(), history: createMemoryHistory() });
+  const batch = { id: "B", state: "done" } as unknown as Batch;
+  const { result } = renderHook(() => useJob(BATCH, "B", batch), {
+    wrapper: ({ children }: { readonly children: ReactNode }) =>
+      createElement(
+        RouterContextProvider,
+        { router } as never,
+        createElement(QueryClientProvider, { client }, children),
+      ),
+  });
+  expect(result.current.job).toBe(batch);
+  expect(fetch).not.toHaveBeenCalled();
+  client.clear();
 });

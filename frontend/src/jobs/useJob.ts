@@ -6,6 +6,7 @@ import { batches, tunings, type JobCalls } from "../api/jobs";
 import type { Batch, BatchItem, Tuning, TuningItem } from "../api/types";
 import { isNotFound } from "../api/problem";
 import { createLatest } from "../lib/latest";
+import { untilThere } from "../server/queries";
 import { follow, isFinal, type Handlers, type JobEvent } from "./follow";
 import { useRouter } from "@tanstack/react-router";
 
@@ -49,7 +50,12 @@ export const TUNING: JobKind<TuningItem, Tuning> = {
 };
 
 export const jobQuery = <Item extends Common, Job extends Item>({ name, calls }: JobKind<Item, Job>, id: string) =>
-  queryOptions({ queryKey: [name, id], queryFn: ({ signal }) => calls.get(id, signal), staleTime: Infinity });
+  queryOptions({
+    queryKey: [name, id],
+    queryFn: ({ signal }) => calls.get(id, signal),
+    staleTime: Infinity,
+    ...untilThere,
+  });
 
 const REPLAY_MS = 1_000;
 /** No event says how many runs are still before it. */
@@ -95,11 +101,16 @@ export function followJob<Item extends Common, Job extends Item>(
   };
 }
 
-/** The page's route has fetched it. */
-export function useJob<Item extends Common, Job extends Item>(kind: JobKind<Item, Job>, id: string): JobStatus<Job> {
+/** The page's route has fetched it, or it came with a link. */
+export function useJob<Item extends Common, Job extends Item>(
+  kind: JobKind<Item, Job>,
+  id: string,
+  fromLink?: Job,
+): JobStatus<Job> {
   const queries = useQueryClient();
   const { data: job, error } = useSuspenseQuery({
     ...jobQuery(kind, id),
+    ...(fromLink && { initialData: fromLink }),
     refetchInterval: ({ state: { data } }) => data?.state === "queued" && data.position > 0 && QUEUED_MS,
   });
   // It has been deleted since: the route says so.

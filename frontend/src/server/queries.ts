@@ -17,7 +17,7 @@ export const ALL_POINTS = 100_000;
 
 const FOR_EVER = { staleTime: Infinity, gcTime: Infinity } as const;
 /** What pages cannot do without is asked for until the server is there. */
-export const untilThere = { retry: (_count: number, error: unknown) => isTransient(error), retryDelay: 1000 } as const;
+export const untilThere = { retry: (_count: number, error: Error) => isTransient(error), retryDelay: 1000 } as const;
 const UNTIL_THERE = { ...FOR_EVER, ...untilThere } as const;
 
 export const schemaQuery = queryOptions({

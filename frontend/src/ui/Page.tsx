@@ -4,6 +4,7 @@ import { Box, Text } from "@mantine/core";
 import { useDocumentTitle } from "@mantine/hooks";
 import { type ReactNode, createContext, use } from "react";
 import { createPortal } from "react-dom";
+import { Loading } from "./Blank";
 import ui from "./ui.module.css";
 import shell from "./shell.module.css";
 
@@ -37,6 +38,15 @@ export function Page({ title, heading = title, above, lead, tools, children }: P
         {children}
       </main>
     </>
+  );
+}
+
+/** Until what the page needs is there. */
+export function PageLoading() {
+  return (
+    <main className={ui.main}>
+      <Loading label="Loading the page" heights={[28, 96, 440]} />
+    </main>
   );
 }
 

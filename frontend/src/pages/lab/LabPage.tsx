@@ -3,7 +3,7 @@ import { lazy, useEffect, useState } from "react";
 import { useDocumentTitle } from "@mantine/hooks";
 import { LabMain } from "./LabMain";
 import { DropFiles, EditorPane, LabActions, LabTools } from "./afterCurves";
-import { ShellSlot } from "../../ui/Page";
+import { PageLoading, ShellSlot } from "../../ui/Page";
 import classes from "../../ui/shell.module.css";
 import { useLab, useLabContext } from "../../lab/context";
 import { useSavedLaws, useWithGone, lawsText } from "../../lab/laws";
@@ -21,8 +21,8 @@ const SharedSweep = lazy(() => import("../sweep/SweepPage").then((module) => ({ 
 export function LabPage() {
   const shared = useLab((state) => state.shared);
   return shared?.batch ? (
-    <LazyPart>
-      <SharedSweep key={shared.slug} link={shared} id={shared.batch.id} />
+    <LazyPart fallback={<PageLoading />}>
+      <SharedSweep key={shared.slug} link={shared} batch={shared.batch} />
     </LazyPart>
   ) : (
     <LabContent />

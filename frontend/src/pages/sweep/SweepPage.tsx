@@ -26,9 +26,9 @@ export function SweepPage() {
 }
 
 /** Where a link shows it. */
-export function SharedSweep({ id, link }: { readonly id: string; readonly link: Link }) {
+export function SharedSweep({ batch, link }: { readonly batch: Batch; readonly link: Link }) {
   const [view, onView] = useSharedView(link.view);
-  return <Sweep {...{ id, link, view, onView }} />;
+  return <Sweep id={batch.id} {...{ link, view, onView }} />;
 }
 
 interface Props {
@@ -39,7 +39,7 @@ interface Props {
 }
 
 function Sweep({ id, view, onView, link }: Props) {
-  const { job: batch, connected, left } = useJob(BATCH, id);
+  const { job: batch, connected, left } = useJob(BATCH, id, link?.batch ?? undefined);
   const catalogues = useCatalogues();
   const title = batch.label ?? `Sweep of ${titleOf(batch.fields)}`;
   const { strategies } = catalogues;
