@@ -9,9 +9,9 @@ import type { Caveat } from "./caveats";
 import ui from "../../ui/ui.module.css";
 import { UnstyledButton } from "@mantine/core";
 
-const ARROW = { better: "▼", worse: "▲", same: "", luck: "", none: "" } as const;
+const ARROW = { better: "▼", worse: "▲", same: "", luck: "", unclear: "", none: "" } as const;
 
-const WORDS = { better: "better", worse: "worse", luck: "within one road’s luck" } as const;
+const WORDS = { better: "better", worse: "worse", luck: "within one road’s luck", unclear: "unclear" } as const;
 
 interface Props {
   readonly value: number | null | undefined;

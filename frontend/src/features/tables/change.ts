@@ -3,8 +3,8 @@
 import type { Interval } from "../../api/types";
 import { formatResult, isNothing } from "../../units/format";
 
-/** `luck`: smaller than what one road tells from luck. */
-export type Verdict = "better" | "worse" | "same" | "luck" | "none";
+/** `luck`: smaller than what one road tells from luck. `unclear`: its interval, which is shown, holds zero. */
+export type Verdict = "better" | "worse" | "same" | "luck" | "unclear" | "none";
 
 export interface Change {
   /** In percent, negative is lower; `null` where there is nothing to compare with. */

@@ -1,6 +1,9 @@
+// @vitest-environment happy-dom
+import { cleanup, render } from "@testing-library/react";
+import { createElement } from "react";
 import { describe, expect, it } from "vitest";
 import type { ComparedPoint } from "../../api/types";
-import { gainsOf, priceText } from "./ValidationTable";
+import { ChangeOf, gainsOf, priceText } from "./ValidationTable";
 
 const point = (
   training: number,
@@ -67,4 +70,15 @@ describe("a gain on validation roads", () => {
   it("says nothing of what was not compared", () => {
     expect(gainsOf({ batch: "b", figures: [], points: [paper] }, 1)).toEqual([]);
   });
+});
+
+it.each([
+  [-4, -6, -2, "▼ −4.0\u2009%, better"],
+  [4, 2, 6, "▲ +4.0\u2009%, worse"],
+  [-1, -3, 1, " −1.0\u2009%, unclear"],
+  [-1, null, null, " −1.0\u2009%, unclear"],
+] as const)("a change of %s %% between %s and %s is read out with its verdict", (value, low, high, text) => {
+  const figure = { mean: 1, quantile: null, worst: 1, change: { value, low, high } };
+  expect(render(createElement(ChangeOf, { figure })).container.firstElementChild?.textContent).toBe(text);
+  cleanup();
 });

@@ -171,10 +171,10 @@ function Value({ figure, scale, most }: { readonly figure: TunedFigure | undefin
   );
 }
 
-function ChangeOf({ figure: { change } }: { readonly figure: TunedFigure }) {
+export function ChangeOf({ figure: { change } }: { readonly figure: TunedFigure }) {
   if (!change) return <ChangeText change={null} />;
   const { value, low, high } = change;
-  const verdict = high !== null && high < 0 ? "better" : low !== null && low > 0 ? "worse" : "same";
+  const verdict = high !== null && high < 0 ? "better" : low !== null && low > 0 ? "worse" : "unclear";
   return (
     <>
       <ChangeText change={{ percent: value, half: 0, verdict }} />
