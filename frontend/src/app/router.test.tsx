@@ -4,7 +4,7 @@ import { afterEach, beforeEach, expect, it, vi } from "vitest";
 import { createQueryClient } from "../server/queries";
 import { createAppRouter } from "./router";
 
-const answer = vi.fn<(path: string) => Response>();
+const answer = vi.fn<(path: string) => Response | Promise<Response>>();
 beforeEach(() => {
   vi.stubGlobal("fetch", (path: string) => Promise.resolve(answer(path)));
 });
@@ -39,4 +39,11 @@ it("a sweep's address waits for a busy server, and asks again on a later visit",
   answer.mockReturnValueOnce(new Response("{}", { status: 404 }));
   await router.navigate({ to: "/b/$id", params: { id: "B" } });
   expect(status()).toBe("notFound");
+});
+
+it("a study's address asks for the study and for what may be varied at once", async () => {
+  const { router } = routes();
+  answer.mockReturnValue(new Promise<Response>(() => undefined)); // the server takes its time
+  void router.navigate({ to: "/robustness/$id", params: { id: "B" } });
+  await vi.waitFor(() => expect(answer.mock.calls.flat().sort()).toEqual(["/api/v1/batches/B", "/api/v1/robustness"]));
 });

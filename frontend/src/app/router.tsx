@@ -47,21 +47,26 @@ const load = ({ context: { queries } }: { readonly context: Context }) => {
   return Promise.all([loadCatalogues(queries), import("../ui/mantine.css")]);
 };
 
+const loadStudies = ({ context }: { readonly context: Context }) =>
+  Promise.all([load({ context }), context.queries.query({ ...uncertaintiesQuery, staleTime: "static" })]);
+
 const notFoundOr = (error: unknown) => {
   if (isNotFound(error)) notFound({ throw: true });
   throw error;
 };
 
 /** With the job that the address names; where there is none, the way to others. */
-const ofJob = <Item extends Common, Job extends Item>(kind: JobKind<Item, Job>, what: string, others: JobLists) => ({
+const ofJob = <Item extends Common, Job extends Item>(
+  kind: JobKind<Item, Job>,
+  what: string,
+  others: JobLists,
+  loadRest: (route: { readonly context: Context }) => Promise<unknown> = load,
+) => ({
   loader: ({ context, params: { id } }: { readonly context: Context; readonly params: { readonly id: string } }) =>
-    Promise.all([load({ context }), context.queries.query(jobQuery(kind, id)).catch(notFoundOr)]),
+    Promise.all([loadRest({ context }), context.queries.query(jobQuery(kind, id)).catch(notFoundOr)]),
   gcTime: 0, // who comes back later than the job is stored has it fetched again
   notFoundComponent: () => <JobNotFound {...{ what, others }} />,
 });
-
-const loadStudies = ({ context }: { readonly context: Context }) =>
-  Promise.all([load({ context }), context.queries.query({ ...uncertaintiesQuery, staleTime: "static" })]);
 
 const sweep = createRoute({
   getParentRoute: () => root,
@@ -108,7 +113,7 @@ const robustness = createRoute({
 const study = createRoute({
   getParentRoute: () => root,
   path: "/robustness/$id",
-  ...ofJob(BATCH, "study", "/robustness"),
+  ...ofJob(BATCH, "study", "/robustness", loadStudies),
   validateSearch: (raw: Record<string, unknown>) => pick(raw, "baseline", "one"),
   component: lazyRouteComponent(() => import("../pages/robustness/StudyPage"), "StudyPage"),
   remountDeps: ({ params }) => params,
