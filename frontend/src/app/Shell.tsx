@@ -1,8 +1,18 @@
 /** What stays from page to page: name, navigation, the colour scheme, and what is wrong with the connection. */
 
-import { Link, Outlet } from "@tanstack/react-router";
-import { useMemo, useState, lazy, type ReactNode, useCallback, useEffect, useEffectEvent } from "react";
+import { Link, Outlet, useRouter } from "@tanstack/react-router";
+import {
+  type ComponentProps,
+  useMemo,
+  useState,
+  lazy,
+  type ReactNode,
+  useCallback,
+  useEffect,
+  useEffectEvent,
+} from "react";
 import { Box, Button, Text } from "@mantine/core";
+import { useDocumentTitle } from "@mantine/hooks";
 import { useLabContext } from "../lab/context";
 import { Keyboard } from "./Keyboard";
 import { Nav } from "./Nav";
@@ -16,7 +26,7 @@ import { LazyPart } from "../ui/LazyPart";
 import { firstCurves } from "../lib/firstCurves";
 import { useQueryClient } from "@tanstack/react-query";
 import { IconPlugConnectedX } from "../ui/icons";
-import { isTransient } from "../api/problem";
+import { ApiProblem, isTransient, messageOf } from "../api/problem";
 
 /** Not by an address with a fragment: the address belongs to what is shown. */
 function focusMain() {
@@ -56,61 +66,75 @@ export function Shell() {
   );
 }
 
-/** An address that is no page's. */
-export function PageNotFound() {
+interface InPlaceOfPageProps extends ComponentProps<typeof Blank> {
+  readonly role?: "alert";
+}
+
+function InPlaceOfPage({ role, ...props }: InPlaceOfPageProps) {
+  useDocumentTitle(`${props.title} · Ridelab`);
   return (
-    <Box component="main" p="1rem">
-      <Blank
-        title="There is no page at this address"
-        text="The address may be incomplete. The navigation above leads to every page."
-      >
-        <Button size="sm" variant="filled" renderRoot={(props) => <Link to="/" {...props} />}>
-          Go to the lab
-        </Button>
-      </Blank>
+    <Box component="main" p="1rem" {...(role && { role })}>
+      <Blank {...props} />
     </Box>
   );
 }
 
-/** The last resort: a fault in drawing leaves the navigation and a way to load again instead of an empty page. */
-export function PageFailed({ error }: { readonly error: unknown }) {
-  return (
-    <Box component="main" p="1rem" role="alert">
-      <Blank
-        title="This page has failed"
-        text={`${error instanceof Error ? error.message : "Something went wrong"}. What was computed is stored at this address; loading it again shows it.`}
-      >
-        <Button size="sm" variant="filled" onClick={() => window.location.reload()}>
-          Load again
-        </Button>
-      </Blank>
-    </Box>
-  );
+/** A link to another page. */
+export interface WayOn {
+  readonly to: "/" | "/sweeps" | "/tuner" | "/robustness";
+  readonly label: string;
 }
 
-const OTHERS = { "/sweeps": "All sweeps", "/tuner": "New tuning", "/robustness": "New study" } as const;
-export type JobLists = keyof typeof OTHERS;
-
-interface JobNotFoundProps {
-  /** What is shown, such as `sweep`. */
+interface NothingHereProps {
+  /** What the address should lead to, such as `sweep`. */
   readonly what: string;
-  /** Where there are others. */
-  readonly others: JobLists;
+  readonly text?: string;
+  readonly wayOn: WayOn;
 }
 
-/** In place of a job's page. */
-export function JobNotFound({ what, others }: JobNotFoundProps) {
+/** In place of what is not at the address. */
+export function NothingHere({
+  what,
+  text = `The address may be incomplete, or the ${what} was made on another server.`,
+  wayOn: { to, label },
+}: NothingHereProps) {
   return (
-    <Box component="main" p="1rem">
-      <Blank
-        title={`There is no ${what} at this address`}
-        text={`The address may be incomplete, or the ${what} was made on another server.`}
+    <InPlaceOfPage title={`There is no ${what} at this address`} text={text}>
+      <Button size="sm" variant="filled" renderRoot={(props) => <Link to={to} {...props} />}>
+        {label}
+      </Button>
+    </InPlaceOfPage>
+  );
+}
+
+export const PageNotFound = () => (
+  <NothingHere
+    what="page"
+    text="The address may be incomplete. The navigation above leads to every page."
+    wayOn={{ to: "/", label: "Go to the lab" }}
+  />
+);
+
+/**
+ * The last resort leaves the navigation. What the server refused is asked for again; after a fault in drawing the page is
+ * loaded again.
+ */
+export function PageFailed({ error }: { readonly error: unknown }) {
+  const router = useRouter();
+  const isRefused = error instanceof ApiProblem;
+  const text = isRefused
+    ? error.message
+    : `${messageOf(error)}. What was computed is stored at this address; loading it again shows it.`;
+  return (
+    <InPlaceOfPage role="alert" title={isRefused ? "This page could not be shown" : "This page has failed"} text={text}>
+      <Button
+        size="sm"
+        variant="filled"
+        onClick={() => (isRefused ? void router.invalidate() : window.location.reload())}
       >
-        <Button size="sm" variant="filled" renderRoot={(props) => <Link to={others} {...props} />}>
-          {OTHERS[others]}
-        </Button>
-      </Blank>
-    </Box>
+        {isRefused ? "Try again" : "Load again"}
+      </Button>
+    </InPlaceOfPage>
   );
 }
 

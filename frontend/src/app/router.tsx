@@ -11,7 +11,7 @@ import {
 import { LabPage } from "../pages/lab/LabPage";
 import { readScenarioSource } from "../features/scenarioSource/scenarioSource";
 import { readChoices } from "../pages/paper/choices";
-import { JobNotFound, PageFailed, PageNotFound, Shell, type JobLists } from "./Shell";
+import { NothingHere, PageFailed, PageNotFound, Shell, type WayOn } from "./Shell";
 import { PageLoading } from "../ui/Page";
 import { BATCH, jobQuery, TUNING, type Common, type JobKind } from "../jobs/useJob";
 import { endFirstView, firstCurves } from "../lib/firstCurves";
@@ -59,19 +59,19 @@ const notFoundOr = (error: unknown) => {
 const ofJob = <Item extends Common, Job extends Item>(
   kind: JobKind<Item, Job>,
   what: string,
-  others: JobLists,
+  wayOn: WayOn,
   loadRest: (route: { readonly context: Context }) => Promise<unknown> = load,
 ) => ({
   loader: ({ context, params: { id } }: { readonly context: Context; readonly params: { readonly id: string } }) =>
     Promise.all([loadRest({ context }), context.queries.query(jobQuery(kind, id)).catch(notFoundOr)]),
   gcTime: 0, // who comes back later than the job is stored has it fetched again
-  notFoundComponent: () => <JobNotFound {...{ what, others }} />,
+  notFoundComponent: () => <NothingHere {...{ what, wayOn }} />,
 });
 
 const sweep = createRoute({
   getParentRoute: () => root,
   path: "/b/$id",
-  ...ofJob(BATCH, "sweep", "/sweeps"),
+  ...ofJob(BATCH, "sweep", { to: "/sweeps", label: "All sweeps" }),
   validateSearch: (raw: Record<string, unknown>) =>
     pick(raw, "plot", "x", "y", "hide", "strategy", "against", "at", "versus"),
   component: lazyRouteComponent(() => import("../pages/sweep/SweepPage"), "SweepPage"),
@@ -99,7 +99,7 @@ const tuner = createRoute({
 const tuning = createRoute({
   getParentRoute: () => root,
   path: "/tuner/$id",
-  ...ofJob(TUNING, "tuning", "/tuner"),
+  ...ofJob(TUNING, "tuning", { to: "/tuner", label: "New tuning" }),
   component: lazyRouteComponent(() => import("../pages/tuner/TuningPage"), "TuningPage"),
   remountDeps: ({ params }) => params,
 });
@@ -113,7 +113,7 @@ const robustness = createRoute({
 const study = createRoute({
   getParentRoute: () => root,
   path: "/robustness/$id",
-  ...ofJob(BATCH, "study", "/robustness", loadStudies),
+  ...ofJob(BATCH, "study", { to: "/robustness", label: "New study" }, loadStudies),
   validateSearch: (raw: Record<string, unknown>) => pick(raw, "baseline", "one"),
   component: lazyRouteComponent(() => import("../pages/robustness/StudyPage"), "StudyPage"),
   remountDeps: ({ params }) => params,

@@ -43,6 +43,7 @@ export function Page({ title, heading = title, above, lead, tools, children }: P
 
 /** Until what the page needs is there. */
 export function PageLoading() {
+  useDocumentTitle("Ridelab");
   return (
     <main className={ui.main}>
       <Loading label="Loading the page" heights={[28, 96, 440]} />
