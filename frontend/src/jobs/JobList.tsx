@@ -6,7 +6,7 @@ import { Link } from "@tanstack/react-router";
 import { useState } from "react";
 import { isFinal } from "./follow";
 import type { Common, JobKind, JobPath } from "./useJob";
-import { Fault } from "../ui/Fault";
+import { Fault } from "../ui/Messages";
 import ui from "../ui/ui.module.css";
 import { Card } from "../ui/Card";
 import { MoreMenu, NameForm } from "../ui/NameForm";

@@ -6,7 +6,7 @@ import { count } from "../units/format";
 import { isFinal } from "./follow";
 import ui from "../ui/ui.module.css";
 import { useJobCall, type Common, type JobStatus, type JobKind } from "./useJob";
-import { Fault, Note } from "../ui/Fault";
+import { Fault, Note } from "../ui/Messages";
 import { Card } from "../ui/Card";
 
 interface Props<Item extends Common, Job extends Item> extends Pick<JobStatus<Job>, "connected"> {

@@ -6,7 +6,7 @@ import { batches, tunings, type JobCalls } from "../api/jobs";
 import type { Batch, BatchItem, Tuning, TuningItem } from "../api/types";
 import { isNotFound } from "../api/problem";
 import { createLatest } from "../lib/latest";
-import { untilThere } from "../server/queries";
+import { RETRIED } from "../server/queries";
 import { follow, isFinal, type Handlers, type JobEvent } from "./follow";
 import { useRouter } from "@tanstack/react-router";
 
@@ -54,7 +54,7 @@ export const jobQuery = <Item extends Common, Job extends Item>({ name, calls }:
     queryKey: [name, id],
     queryFn: ({ signal }) => calls.get(id, signal),
     staleTime: Infinity,
-    ...untilThere,
+    ...RETRIED,
   });
 
 const REPLAY_MS = 1_000;

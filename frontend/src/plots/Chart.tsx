@@ -6,7 +6,7 @@ import { useSelector } from "@tanstack/react-store";
 import { useEffect, useEffectEvent, useRef, useState, type ReactNode, type RefObject } from "react";
 import type { MadeTrace } from "../api/types";
 import classes from "./plots.module.css";
-import { Fault } from "../ui/Fault";
+import { Fault } from "../ui/Messages";
 import {
   plotlyState,
   requestPlotly,

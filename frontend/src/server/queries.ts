@@ -16,16 +16,17 @@ export const DETAIL_POINTS = 8_000;
 export const ALL_POINTS = 100_000;
 
 const FOR_EVER = { staleTime: Infinity, gcTime: Infinity } as const;
-/** What pages cannot do without is asked for until the server is there. */
-export const untilThere = { retry: (_count: number, error: Error) => isTransient(error), retryDelay: 1000 } as const;
-const UNTIL_THERE = { ...FOR_EVER, ...untilThere } as const;
+/** Asked for until the server is there. */
+export const RETRIED = { retry: (_count: number, error: Error) => isTransient(error), retryDelay: 1000 } as const;
+/** What pages cannot do without. */
+const INDISPENSABLE = { ...FOR_EVER, ...RETRIED } as const;
 
 export const schemaQuery = queryOptions({
   queryKey: ["schema"],
   queryFn: async ({ signal }) => readSchema(await ask("get", "/schema", {}, signal)),
-  ...UNTIL_THERE,
+  ...INDISPENSABLE,
 });
-export const presetsQuery = { ...query("/presets", {}), ...UNTIL_THERE };
+export const presetsQuery = { ...query("/presets", {}), ...INDISPENSABLE };
 /** Heights of a measured road that its picture has. */
 const ROAD_POINTS = 600;
 /** A measured road; only what is said of its first file may come later. */
@@ -49,18 +50,18 @@ export const strategiesQuery = queryOptions({
       for (const { queryKey } of [schemaQuery, figuresQuery]) void client.invalidateQueries({ queryKey });
     return now;
   },
-  ...UNTIL_THERE,
+  ...INDISPENSABLE,
   refetchInterval: ({ state }: { readonly state: { readonly data?: readonly Strategy[] | undefined } }) =>
     state.data?.some(({ own }) => own) ? LOOK_MS : (false as const),
 });
 /** What a robustness study varies, while nobody says otherwise. */
-export const uncertaintiesQuery = { ...query("/robustness", {}), ...UNTIL_THERE };
-export const catalogueQuery = { ...query("/catalogue", {}), ...UNTIL_THERE };
+export const uncertaintiesQuery = { ...query("/robustness", {}), ...INDISPENSABLE };
+export const catalogueQuery = { ...query("/catalogue", {}), ...INDISPENSABLE };
 export const figuresQuery = queryOptions({
   queryKey: ["figures"],
   // plotly's own JSON, which the API's description leaves open
   queryFn: async ({ signal }) => (await ask("get", "/figures", {}, signal)).figures as unknown as FigureTemplates,
-  ...UNTIL_THERE,
+  ...INDISPENSABLE,
 });
 
 /** From the cache, else fetched under the caller's own signal and put there: whoever asks for something else stops it. */

@@ -4,7 +4,7 @@ import { Box, Button, Group, type BoxProps } from "@mantine/core";
 import { CatchBoundary, type ErrorComponentProps } from "@tanstack/react-router";
 import type { ComponentProps, ReactNode } from "react";
 import { messageOf } from "../api/problem";
-import { Fault } from "./Fault";
+import { Fault } from "./Messages";
 import ui from "./ui.module.css";
 
 interface Props extends Omit<BoxProps, "className">, Omit<ComponentProps<"section">, "title" | keyof BoxProps> {

@@ -15,7 +15,7 @@ import { type ReactNode, useState } from "react";
 import { prettyUnit } from "../units/format";
 import ui from "./ui.module.css";
 import { IconX } from "./icons";
-import { Fault } from "./Fault";
+import { Fault } from "./Messages";
 
 interface EntryProps extends Omit<TextInputProps, "onChange" | "value" | "className"> {
   readonly value: string;

@@ -12,7 +12,7 @@ import { OWN } from "../../scenario/ownOptions";
 import type { Pointer } from "../../scenario/path";
 import { type Group, findMember, optionTitle, type Member } from "../../scenario/schema";
 import { IconSearch } from "../../ui/icons";
-import { Fault } from "../../ui/Fault";
+import { Fault } from "../../ui/Messages";
 import { prettyUnit } from "../../units/format";
 import { BumpDrawing } from "./BumpDrawing";
 import { useVehicles, VehicleChoice } from "./VehicleChoice";

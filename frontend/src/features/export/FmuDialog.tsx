@@ -7,7 +7,7 @@ import { askFile } from "../../api/http";
 import { explain } from "../../api/problem";
 import type { FmuRequest, Scenario, Strategy } from "../../api/types";
 import { labelled } from "../../ui/Entry";
-import { Fault } from "../../ui/Fault";
+import { Fault } from "../../ui/Messages";
 import { saveAs } from "./useController";
 
 const VEHICLE = "vehicle" as const;

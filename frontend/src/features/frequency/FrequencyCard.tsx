@@ -9,7 +9,7 @@ import { createLatest } from "../../lib/latest";
 import type { ResultView } from "../../lab/resultView";
 import { PALETTES } from "../../plots/palettes";
 import { StillSurface } from "../../plots/Surface";
-import { Fault, Note } from "../../ui/Fault";
+import { Fault, Note } from "../../ui/Messages";
 import { prettyUnit, formatFixed, formatNumber, NO_VALUE } from "../../units/format";
 import { frequencyFigures, spectrumOf } from "./figures";
 import classes from "./frequency.module.css";

@@ -7,7 +7,7 @@ import type { ResultView } from "../../lab/resultView";
 import { Chart, type ChartFigure } from "../../plots/Chart";
 import { PALETTES, chartLayout, type Palette } from "../../plots/palettes";
 import { sameValue, getAt, numberAt } from "../../scenario/path";
-import { Fault, Note } from "../../ui/Fault";
+import { Fault, Note } from "../../ui/Messages";
 import { SidePanel } from "../../ui/SidePanel";
 import {
   ruleBaseOf,

@@ -9,7 +9,7 @@ import { type ResultView, axisKey } from "../../lab/resultView";
 import { PALETTES } from "../../plots/palettes";
 import { StillSurface } from "../../plots/Surface";
 import { DataTable } from "../../ui/DataTable";
-import { Fault, Note } from "../../ui/Fault";
+import { Fault, Note } from "../../ui/Messages";
 import { IconCheck, IconLink } from "../../ui/icons";
 import { IconButton } from "../../ui/IconButton";
 import { SidePanel } from "../../ui/SidePanel";

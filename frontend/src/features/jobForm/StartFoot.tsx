@@ -6,7 +6,7 @@ import type { Draft } from "../../lib/useDraft";
 import ui from "../../ui/ui.module.css";
 import { formatDuration } from "../../units/dates";
 import type { JobFormState } from "./useJobForm";
-import { Note } from "../../ui/Fault";
+import { Note } from "../../ui/Messages";
 
 interface Cost {
   /** [s] of one processor core. */

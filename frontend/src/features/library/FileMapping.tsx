@@ -17,7 +17,7 @@ import { Template } from "./Template";
 import { Button, Group, Modal } from "@mantine/core";
 import { useState } from "react";
 import { Entry } from "../../ui/Entry";
-import { Fault } from "../../ui/Fault";
+import { Fault } from "../../ui/Messages";
 import { submits } from "../../ui/NameForm";
 
 export function FileMapping() {

@@ -22,7 +22,7 @@ import { changedFields, changesText, completed } from "../../scenario/difference
 import { sameValue } from "../../scenario/path";
 import { useEdit, useScenario, useView } from "../../lab/context";
 import { formatMinute } from "../../units/dates";
-import { Fault } from "../../ui/Fault";
+import { Fault } from "../../ui/Messages";
 import { requirementsIn, requirementsText } from "../../lab/requirements";
 import { MoreMenu, NameForm, submits } from "../../ui/NameForm";
 import { count } from "../../units/format";

@@ -4,7 +4,7 @@ import { Button, Checkbox, Group, Modal, Text } from "@mantine/core";
 import { useMemo, useState, type ReactNode } from "react";
 import { messageOf } from "../../api/problem";
 import { DataTable } from "../../ui/DataTable";
-import { Fault } from "../../ui/Fault";
+import { Fault } from "../../ui/Messages";
 import { prettyUnit } from "../../units/format";
 import {
   guessLayout,

@@ -16,7 +16,7 @@ import { formatInput, formatResult, prettyUnit } from "../../units/format";
 import { parseQuantity } from "../../units/quantity";
 import { LIMIT_WORDS, limitText, limitUnit, resultsOf, shownLimit } from "./judged";
 import { RequirementMark } from "./RequirementMarks";
-import { Note } from "../../ui/Fault";
+import { Note } from "../../ui/Messages";
 
 interface Props {
   readonly resultView: ResultView;

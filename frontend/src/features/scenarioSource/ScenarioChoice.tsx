@@ -8,7 +8,7 @@ import { useItems } from "../../scenario/library";
 import type { ScenarioSource, PageScenario } from "./scenarioSource";
 import { LabLink } from "../../ui/LabLink";
 import { otherThanPaper } from "./otherThanPaper";
-import { Note } from "../../ui/Fault";
+import { Note } from "../../ui/Messages";
 import { Choice } from "../../ui/Entry";
 
 const valueOf = ({ run, own, preset = "" }: ScenarioSource) =>

@@ -8,7 +8,7 @@ import { formatNumber } from "../../units/format";
 import { Card } from "../../ui/Card";
 import { DataTable } from "../../ui/DataTable";
 import { shownUnit } from "../../server/metrics";
-import { Note } from "../../ui/Fault";
+import { Note } from "../../ui/Messages";
 
 interface Props {
   readonly then: Run;

@@ -9,7 +9,7 @@ import { copyWhenThere, useCopied } from "../../ui/useCopied";
 import { useAction, useActionButton } from "../../lab/actions";
 import { compact } from "../../ui/compact";
 import classes from "./share.module.css";
-import { Note } from "../../ui/Fault";
+import { Note } from "../../ui/Messages";
 
 type Outcome =
   | { readonly kind: "making" }

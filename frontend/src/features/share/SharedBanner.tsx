@@ -10,7 +10,7 @@ import { useLabContext, useLab } from "../../lab/context";
 import { useSelector } from "@tanstack/react-store";
 import { DifferencesCard } from "./DifferencesCard";
 import ui from "../../ui/ui.module.css";
-import { Fault } from "../../ui/Fault";
+import { Fault } from "../../ui/Messages";
 import { formatDay } from "../../units/dates";
 
 interface Props {

@@ -15,7 +15,7 @@ import type { NumberField } from "../../scenario/schema";
 import { useEdit, useLab, useReadOnly, useScenario, useView } from "../../lab/context";
 import type { Catalogues } from "../../server/useCatalogues";
 import { pointerOf, sweepFields, type SweepField } from "../../scenario/fields";
-import { Fault } from "../../ui/Fault";
+import { Fault } from "../../ui/Messages";
 import { Entry, labelled } from "../../ui/Entry";
 import { formatExact, formatInput, formatResult, prettyUnit } from "../../units/format";
 import { LimitChart } from "./LimitChart";

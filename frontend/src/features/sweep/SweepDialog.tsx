@@ -17,7 +17,7 @@ import { isRecording } from "../../lib/recording";
 import { useDraft } from "../../lib/useDraft";
 import { StartFoot } from "../jobForm/StartFoot";
 import { Entry, Finder } from "../../ui/Entry";
-import { Problems, Note } from "../../ui/Fault";
+import { Problems, Note } from "../../ui/Messages";
 import { count, prettyUnit } from "../../units/format";
 import ui from "../../ui/ui.module.css";
 

@@ -10,7 +10,7 @@ import { JobState } from "../../jobs/JobState";
 import { BATCH, useJobCall } from "../../jobs/useJob";
 import { formatDuration, formatMinute } from "../../units/dates";
 import { count, formatWhole } from "../../units/format";
-import { Fault, Note } from "../../ui/Fault";
+import { Fault, Note } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
 
 interface Props {

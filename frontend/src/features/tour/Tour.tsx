@@ -3,7 +3,7 @@
 import { Button, CloseButton, Group, Popover, Portal, Text } from "@mantine/core";
 import { useEffect, useId, useLayoutEffect, useState, type Ref } from "react";
 import classes from "./tour.module.css";
-import { Note } from "../../ui/Fault";
+import { Note } from "../../ui/Messages";
 
 interface Step {
   readonly title: string;

@@ -12,7 +12,7 @@ import { VIEWS } from "../../features/tables/entries";
 import { formatNumber, formatWhole } from "../../units/format";
 import { formatEnds, formatTime, kilobytes, largestLoss } from "./effort";
 import { DataTable, type Column } from "../../ui/DataTable";
-import { Fault, Note } from "../../ui/Fault";
+import { Fault, Note } from "../../ui/Messages";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
 

@@ -12,7 +12,7 @@ import { makeResultView } from "../../lab/resultView";
 import { fromRun } from "../../lab/result";
 import { StrategyName } from "../../ui/StrategyKey";
 import classes from "./ecu.module.css";
-import { Fault } from "../../ui/Fault";
+import { Fault } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
 
 interface Props {

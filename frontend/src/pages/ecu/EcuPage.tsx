@@ -14,7 +14,7 @@ import { EcuFigures } from "./EcuFigures";
 import { EcuTable } from "./EcuTable";
 import { RealTime } from "./RealTime";
 import ui from "../../ui/ui.module.css";
-import { Problems } from "../../ui/Fault";
+import { Problems } from "../../ui/Messages";
 import { Card } from "../../ui/Card";
 import { Loading } from "../../ui/Blank";
 import { ControllerFile } from "../../features/export/FileMenu";

@@ -16,7 +16,7 @@ import classes from "./ecu.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
-import { Note } from "../../ui/Fault";
+import { Note } from "../../ui/Messages";
 
 interface Props {
   readonly summaries: Readonly<Record<string, Summary>>;

@@ -16,7 +16,7 @@ import { count, formatNumber, formatWhole } from "../../units/format";
 import { formatTime } from "./effort";
 import { histogramFigure, histogramTable } from "./histogram";
 import { DataTable } from "../../ui/DataTable";
-import { Fault, Note } from "../../ui/Fault";
+import { Fault, Note } from "../../ui/Messages";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
 

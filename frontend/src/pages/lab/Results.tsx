@@ -25,7 +25,7 @@ import {
 import { metricsOf } from "../../server/metrics";
 import { getAt } from "../../scenario/path";
 import { useCurves } from "../../plots/useDetail";
-import { Note } from "../../ui/Fault";
+import { Note } from "../../ui/Messages";
 
 type Figures = Readonly<Record<string, FigureTemplate>>;
 

@@ -9,7 +9,7 @@ import { useLab, useLabContext } from "../../lab/context";
 import { isolateWhilePointed } from "../../lab/isolated";
 import { StrategyKey } from "../../ui/StrategyKey";
 import bar from "../../ui/toolbar.module.css";
-import { Note } from "../../ui/Fault";
+import { Note } from "../../ui/Messages";
 
 export const StrategyChoice = memo(function StrategyChoice({
   strategies,

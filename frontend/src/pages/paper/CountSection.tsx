@@ -21,7 +21,7 @@ import {
 import { type Choices, withSet } from "./choices";
 import { typeset } from "./numbers";
 import type { Labels } from "./labels";
-import { Fault } from "../../ui/Fault";
+import { Fault } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
 import { DataTable, type Column } from "../../ui/DataTable";
 
@@ -43,7 +43,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
       <div className={classes.counts}>
         <Stack className={ui.card ?? ""} gap="0.6rem" p="0.9rem 1.1rem" data-testid="count">
           <Group component="p" gap="0.4rem" align="baseline" m={0} fz="lg">
-            <Number>{paper.reached}</Number> of {countedOf(paper, paper.counts)} cells reached{soFar(paper)}
+            <BigNumber>{paper.reached}</BigNumber> of {countedOf(paper, paper.counts)} cells reached{soFar(paper)}
             {paper.unavailable && ", "}
             {paper.unavailable && <span>{paper.unavailable.cells} not available here</span>}
           </Group>
@@ -54,7 +54,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
           <Group component="p" gap="0.4rem" align="baseline" m={0} fz="lg">
             <IconEyeOff size={18} stroke={1.8} aria-hidden className={classes.countIcon} />
             <span>
-              Without preview: <Number>{without.reached}</Number> of {countedOf(paper, without.counts)}
+              Without preview: <BigNumber>{without.reached}</BigNumber> of {countedOf(paper, without.counts)}
               {soFar(paper)}
             </span>
           </Group>
@@ -94,7 +94,7 @@ export function CountSection({ paper, words, choices, onChoose }: CountProps) {
   );
 }
 
-const Number = ({ children }: { readonly children: number }) => (
+const BigNumber = ({ children }: { readonly children: number }) => (
   <Box component="strong" fz="xl" fw={700} lh={1.1}>
     {children}
   </Box>

@@ -10,7 +10,7 @@ import { effectsQuery } from "./queries";
 import { useVisible, Fault, Waiting } from "./Waiting";
 import { VerdictBar, countsInWords } from "./Verdict";
 import { DataTable, type Column } from "../../ui/DataTable";
-import { Note } from "../../ui/Fault";
+import { Note } from "../../ui/Messages";
 
 interface Props {
   readonly paper: Paper;

@@ -7,7 +7,7 @@ import classes from "./paper.module.css";
 import { printing } from "../../lib/printing";
 import { useSelector } from "@tanstack/react-store";
 import ui from "../../ui/ui.module.css";
-import { Note } from "../../ui/Fault";
+import { Note } from "../../ui/Messages";
 
 interface WaitingProps {
   readonly what: string;

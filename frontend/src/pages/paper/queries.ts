@@ -5,7 +5,7 @@ import { ask, query } from "../../api/http";
 import type { PaperFigure } from "../../api/types";
 import type { Choices } from "./choices";
 
-const FOR_EVER = { staleTime: Infinity, gcTime: 30 * 60_000 } as const;
+const UNCHANGING = { staleTime: Infinity, gcTime: 30 * 60_000 } as const;
 /** Rows that are still being computed are asked for again after this [ms]. */
 const AGAIN_AFTER = 1_000;
 const untilComplete = ({ state }: { readonly state: { readonly data?: { readonly complete: boolean } | undefined } }) =>
@@ -21,7 +21,7 @@ export const paperQuery = (choices: Choices) => ({
   ...query("/paper", { query: { ...choices, partial: true } }),
   placeholderData: keepPreviousData,
   refetchInterval: untilComplete,
-  ...FOR_EVER,
+  ...UNCHANGING,
   staleTime: ({ state }: { readonly state: { readonly data?: { readonly unavailable: unknown } | undefined } }) =>
     state.data?.unavailable ? 0 : Infinity,
 });
@@ -29,12 +29,12 @@ export const paperQuery = (choices: Choices) => ({
 export const effectsQuery = (choices: Choices) => ({
   ...query("/paper/readings", { query: roadsOf(choices) }),
   refetchInterval: untilComplete,
-  ...FOR_EVER,
+  ...UNCHANGING,
 });
 
 export const attributionQuery = (choices: Choices) => ({
   ...query("/paper/attribution", { query: roadsOf(choices) }),
-  ...FOR_EVER,
+  ...UNCHANGING,
 });
 
 export const paperFiguresQuery = (choices: Choices) =>
@@ -44,5 +44,5 @@ export const paperFiguresQuery = (choices: Choices) =>
     queryFn: async ({ signal }) =>
       (await ask("get", "/paper/figures", { query: roadsOf(choices) }, signal))
         .figures as unknown as readonly PaperFigure[],
-    ...FOR_EVER,
+    ...UNCHANGING,
   });

@@ -10,7 +10,7 @@ import type { Opening } from "../../features/sweep/useOpenRun";
 import { DataTable, type Column } from "../../ui/DataTable";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
-import { Note } from "../../ui/Fault";
+import { Note } from "../../ui/Messages";
 
 type Props = Pick<StudyParts, "summary" | "strategies" | "opening">;
 

@@ -14,7 +14,7 @@ import { DataTable, type Column } from "../../ui/DataTable";
 import { labelled } from "../../ui/Entry";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
-import { Note } from "../../ui/Fault";
+import { Note } from "../../ui/Messages";
 
 type Props = Pick<StudyParts, "batch" | "summary" | "strategies" | "figures">;
 

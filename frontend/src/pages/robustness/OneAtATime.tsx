@@ -18,7 +18,7 @@ import { TRAVEL, type StudyParts } from "./summary";
 import { useOpenRun } from "../../features/sweep/useOpenRun";
 import styles from "./bars.module.css";
 import { Choice, labelled } from "../../ui/Entry";
-import { Fault, Note } from "../../ui/Fault";
+import { Fault, Note } from "../../ui/Messages";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
 

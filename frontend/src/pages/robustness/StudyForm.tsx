@@ -13,7 +13,7 @@ import rows from "./form.module.css";
 import ui from "../../ui/ui.module.css";
 import { useDraft } from "../../lib/useDraft";
 import { Entry } from "../../ui/Entry";
-import { Fault, Problems, Note } from "../../ui/Fault";
+import { Fault, Problems, Note } from "../../ui/Messages";
 import { ask } from "../../api/http";
 import { withKey } from "../../api/jobs";
 import { STUDY_LABEL } from "../../features/sweep/SweepList";

@@ -14,7 +14,7 @@ import { OneAtATime } from "./OneAtATime";
 import { Spread } from "./Spread";
 import { AIRBORNE, summaryQuery, TRAVEL, quantile, type Margin, type StudyParts } from "./summary";
 import { useOpenRun } from "../../features/sweep/useOpenRun";
-import { Fault, Note } from "../../ui/Fault";
+import { Fault, Note } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
 import { Loading } from "../../ui/Blank";
 import { IconAlertTriangle } from "../../ui/icons";

@@ -19,7 +19,7 @@ import {
 import { CAVEAT_COLUMNS, describeRow, fieldTexts } from "./describeRow";
 import { useOpenRun } from "../../features/sweep/useOpenRun";
 import { shownPlot, type SweepParts } from "./shownPlot";
-import { Fault } from "../../ui/Fault";
+import { Fault } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
 import { Card } from "../../ui/Card";
 import { MapPlot } from "./MapPlot";

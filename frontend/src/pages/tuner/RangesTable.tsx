@@ -7,7 +7,7 @@ import type { RangeDraft } from "./draft";
 import { ownText, type Tunable, type TunableNumber } from "./space";
 import classes from "./tuner.module.css";
 import { Entry } from "../../ui/Entry";
-import { Fault } from "../../ui/Fault";
+import { Fault } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
 
 interface Props {

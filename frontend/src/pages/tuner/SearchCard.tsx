@@ -13,7 +13,7 @@ import type { Shown } from "./figures";
 import { firstTrial } from "./space";
 import type { Point, TuningParts } from "./points";
 import { Choice } from "../../ui/Entry";
-import { Fault, Note } from "../../ui/Fault";
+import { Fault, Note } from "../../ui/Messages";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
 

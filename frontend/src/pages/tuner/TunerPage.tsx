@@ -20,7 +20,7 @@ import { isTunable, numberFields, reads, tunableOf, type TunableNumber } from ".
 import classes from "./tuner.module.css";
 import { useDraft } from "../../lib/useDraft";
 import { StartFoot } from "../../features/jobForm/StartFoot";
-import { Problems, Note } from "../../ui/Fault";
+import { Problems, Note } from "../../ui/Messages";
 import { Choice, Entry } from "../../ui/Entry";
 import { ask } from "../../api/http";
 import { withKey } from "../../api/jobs";

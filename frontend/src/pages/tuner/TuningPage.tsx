@@ -23,7 +23,7 @@ import { firstTrial, tunableOf, formatValue, singlesIn, weightAt, type Single, t
 import { TuningState } from "./TuningState";
 import { humanise } from "../../scenario/schema";
 import { withFields, dotted } from "../../scenario/fields";
-import { Fault, Note } from "../../ui/Fault";
+import { Fault, Note } from "../../ui/Messages";
 import ui from "../../ui/ui.module.css";
 import { useQuery, keepPreviousData, queryOptions } from "@tanstack/react-query";
 import { ChangeMark } from "../../features/tables/ChangeMark";

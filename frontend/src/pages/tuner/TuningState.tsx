@@ -18,7 +18,7 @@ import { formatSeeds } from "./seeds";
 import classes from "./tuner.module.css";
 import { Entry } from "../../ui/Entry";
 import ui from "../../ui/ui.module.css";
-import { Note } from "../../ui/Fault";
+import { Note } from "../../ui/Messages";
 import { submits } from "../../ui/NameForm";
 
 interface Props {

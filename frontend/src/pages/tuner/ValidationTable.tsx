@@ -16,7 +16,7 @@ import { DataTable, type Column } from "../../ui/DataTable";
 import { LimitValue } from "./PointsTable";
 import { Card } from "../../ui/Card";
 import ui from "../../ui/ui.module.css";
-import { Note } from "../../ui/Fault";
+import { Note } from "../../ui/Messages";
 import { NameWithUnit } from "../../ui/StrategyKey";
 import { ChangeText } from "../../features/tables/ChangeMark";
 

@@ -1,4 +1,4 @@
-/** What went wrong, in a line, and the problems of a form. */
+/** A line that says something: a note, a fault, the problems of a form. */
 
 import { Alert, Text, type AlertProps, type TextProps } from "@mantine/core";
 import type { ComponentProps, ReactNode } from "react";
