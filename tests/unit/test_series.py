@@ -9,7 +9,8 @@ from sim_core.result import Series
 
 COMMANDS, SAMPLES = 4, 3
 WHOLE = {"time": np.arange(12.0), "front_force": np.arange(100.0, 112.0)}
-ROWS = np.c_[WHOLE["front_force"].reshape(COMMANDS, SAMPLES), np.full(COMMANDS, np.nan)]  # last: before the next command
+BEFORE_NEXT = np.full(COMMANDS, np.nan)  # the value before the next command
+ROWS = np.c_[WHOLE["front_force"].reshape(COMMANDS, SAMPLES), BEFORE_NEXT]
 SERIES = Series({"time": WHOLE["time"]}, lambda: {"front_force": ROWS})
 
 
