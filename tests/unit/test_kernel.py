@@ -11,7 +11,7 @@ from numpy.random import default_rng
 
 from sim_core.arrays import FloatArray
 from sim_core.control.law import LinearLaw
-from sim_core.kernel import build, library, prepared
+from sim_core.kernel import binding, build, library, prepared
 from sim_core.kernel.library import load
 from sim_core.kernel.qp import QpMemory
 from sim_core.loop.closed_loop import law_arrays
@@ -229,3 +229,14 @@ def test_a_residual_is_the_largest_violation() -> None:
     assert largest == set(range(5))
     memory.f[0] = np.nan
     assert not memory.residual(matrices) < np.inf
+
+
+def test_roughness_is_a_filtered_walk_and_says_between_which_slopes_it_lies() -> None:
+    normal, deviation, keep, grid = default_rng(3).normal(size=200), 0.004, 0.97, 0.1
+    expected = [deviation * normal[0]]
+    for number in normal[1:]:
+        expected.append(keep * expected[-1] + deviation * np.sqrt(1 - keep**2) * number)
+    heights = normal.copy()
+    between = binding.roughness(heights, deviation, keep, grid)
+    np.testing.assert_allclose(heights, expected, rtol=1e-12)
+    assert between == pytest.approx(np.ptp(np.diff(expected)) / grid, rel=1e-12)
