@@ -39,7 +39,7 @@ check: check-python check-frontend ## style, types and import rules
 check-python: development
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/mypy
+	$(BIN)/mypy --num-workers 2
 	$(BIN)/lint-imports
 	cd client && ../$(BIN)/lint-imports
 

@@ -10,10 +10,12 @@ from contextlib import suppress
 from importlib import import_module
 from multiprocessing import parent_process
 from pathlib import Path
+from types import FrameType
 from typing import Any, TypeVar
 
 T = TypeVar("T")
 INTERRUPT = signal.SIGUSR1
+_INTERRUPT_LATER = 0.02  # an import is given this time to end before it is looked at again [s]
 _interruptible = False  # while a task runs
 
 _STATM = Path("/proc/self/statm")
@@ -64,6 +66,7 @@ def start(nice: int) -> None:
         os.nice(nice)
     keep_freed_memory()
     signal.signal(INTERRUPT, _interrupt)
+    signal.signal(signal.SIGALRM, _interrupt)
     parent = parent_process()
     if parent is not None:
 
@@ -74,9 +77,20 @@ def start(nice: int) -> None:
         threading.Thread(target=follow, name="follow-service", daemon=True).start()
 
 
-def _interrupt(*_: object) -> None:
-    if _interruptible:
+def _interrupt(_: int, frame: FrameType | None) -> None:
+    if _interruptible and _imports(frame):
+        signal.setitimer(signal.ITIMER_REAL, _INTERRUPT_LATER)
+    elif _interruptible:
         raise _Interrupt
+
+
+def _imports(frame: FrameType | None) -> bool:
+    """Whether an import is under way: a package that is there in part can never be imported again in its process."""
+    while frame is not None:
+        if frame.f_code.co_filename == "<frozen importlib._bootstrap>":
+            return True
+        frame = frame.f_back
+    return False
 
 
 def prepare(warm_up: str) -> int:
@@ -106,6 +120,7 @@ def call_and_measure(function: Callable[..., T], args: tuple[Any, ...], controll
             result = function(*args)
         finally:
             _interruptible = False
+            signal.setitimer(signal.ITIMER_REAL, 0)
     except _Interrupt:
         from sim_core.caching import SHARED
 

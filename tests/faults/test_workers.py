@@ -120,6 +120,32 @@ def test_a_task_that_nobody_waits_for_ends_or_never_begins(do: Do, tmp_path: Pat
     assert not never.exists()
 
 
+def test_a_package_whose_import_nobody_waits_for_can_be_imported_afterwards(do: Do, tmp_path: Path) -> None:
+    package, begun, ended = tmp_path / "slowly_imported", tmp_path / "begun", tmp_path / "ended"
+    package.mkdir()
+    (package / "part.py").touch()
+    (package / "__init__.py").write_text(
+        f"import slowly_imported.part, pathlib, time\n"
+        f"pathlib.Path({str(begun)!r}).touch(); time.sleep(0.3); pathlib.Path({str(ended)!r}).touch()"
+    )
+    use_part = f"import sys; sys.path.insert(0, {str(tmp_path)!r}); import slowly_imported; slowly_imported.part"
+
+    async def use(workers: Workers) -> None:
+        pid = await workers.call(os.getpid)
+        task = asyncio.create_task(workers.call(exec, f"{use_part}; import time; time.sleep(3600)", cost=30.0))
+        while not begun.exists():
+            await asyncio.sleep(0.01)
+        task.cancel()
+        with pytest.raises(asyncio.CancelledError):
+            await task
+        assert not ended.exists(), "it was called off while it imported"
+        await workers.call(exec, use_part)
+        assert await workers.call(os.getpid) == pid, "the process is well"
+
+    do(use)
+    assert ended.exists()
+
+
 def test_a_reserved_worker_answers_while_one_client_has_long_runs() -> None:
     async def use() -> None:
         workers = Workers(1, timeout=HANG_TIMEOUT, warm_up=WARM_UP, reserved=1)
